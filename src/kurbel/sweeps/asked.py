@@ -61,6 +61,9 @@ def planned(
     """
     plan = Plan(command, {}, (), digits, bounds, tuple(defaults), strict, only)
     known = {one.name: one for one in plan.asking.parameters.values()}
+    for one in known.values():
+        if one.required and one.name not in options:
+            raise ProblemError(f"{one.flag} is missing, without which there is nothing to compute")
     if sample:
         plan = _designed(plan, known, options, Design.read(sample, seed))
         if [*linked]:

@@ -85,15 +85,16 @@ def _axis(plan: Plan, option: str, field: Field | None) -> Column:
 
 
 def _of_records(plan: Plan, field: Field, found: Sequence[Any]) -> Iterator[Column]:
-    numbers = (all(isinstance(one, Number | None) for one in found) and any(found)) or bool(field.method)
+    known = [one for one in found if one is not None]
+    numbers = all(isinstance(one, Number) for one in known) and bool(known or field.method)
     about = (plain(field.name), plain(field.symbol), field.unit)
     if not field.method:
         # What is the same everywhere says nothing; the rest tells the records of a point apart.
         if len({str(one) for one in found}) > 1:
             yield Column(field.key, "number" if numbers else "text", *about, role="axis")
         return
-    if not numbers or not any(isinstance(one, Number) for one in found):
-        yield Column(field.key, "number" if numbers else "text", *about)
+    if not numbers:
+        yield Column(field.key, "text", *about)
         return
     if plan.digits is not None:
         yield Column(field.key, "decimal", *about, decimals=plan.digits)

@@ -22,6 +22,8 @@ Places = NDArray[np.int64]
 # Combinations of the options in the condition and of those before them: some seconds, some hundred megabytes.
 MOST_TRIED = 5 * 10**7
 BLOCK = 1 << 20
+# The group of options that do not vary.
+FIXED = -1
 
 
 @dataclass(frozen=True)
@@ -65,10 +67,17 @@ def kept_of(plan: Plan) -> Kept:
 def named_axes(plan: Plan, condition: Condition) -> Mapping[str, tuple[int, Axis]]:
     """Return the axes that a condition names, by their options or columns, each with its group."""
     axes = {axis.option: (place, axis) for place, group in enumerate(plan.groups) for axis in group}
+    # What is the same everywhere may be named, too.
+    axes |= {name: (FIXED, Axis(name, (_one(given),))) for name, given in plan.given.items()}
     axes |= {key_of(option): found for option, found in axes.items()}
     if not condition.names:
-        raise ProblemError(f"the condition {plan.only} names none of {', '.join(axes)}, which vary")
-    return {name: axes[meant(name, axes, "axis of the sweep")] for name in condition.names}
+        raise ProblemError(f"the condition {plan.only} names no option; choose from {', '.join(plan.varied)}")
+    return {name: axes[meant(name, axes, "option of the sweep")] for name in condition.names}
+
+
+def _one(given: Any) -> Any:
+    """Return the value of an option that may be repeated and was not."""
+    return given[0] if isinstance(given, list | tuple) and len(given) == 1 else given
 
 
 def _holds(
@@ -78,8 +87,10 @@ def _holds(
     sizes: tuple[int, ...],
     block: Places,
 ) -> NDArray[np.bool_]:
-    behind = {place: prod(sizes[place + 1 :]) for place, _ in axes.values()}
-    places = {name: block // behind[place] % sizes[place] for name, (place, _) in axes.items()}
+    places = {
+        name: np.zeros_like(block) if place == FIXED else block // prod(sizes[place + 1 :]) % sizes[place]
+        for name, (place, _) in axes.items()
+    }
     values = {name: values_at(plan, axis, places[name]) for name, (_, axis) in axes.items()}
     floats = {name: np.array(one, object) if isinstance(one, list) else one for name, one in values.items()}
 

@@ -40,6 +40,8 @@ def text_of(value: Any, option: str = "") -> str:
     """Return a value of an option as text that the command line takes."""
     if option == "ratio" and isinstance(value, Fraction) and value >= 0:
         return ratio_text(value)
+    if isinstance(value, bool):
+        return str(value).lower()
     return exact_text(value) if isinstance(value, Fraction) else str(value)
 
 

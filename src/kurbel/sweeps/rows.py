@@ -96,7 +96,12 @@ class Sweep:
 
     @cached_property
     def _way(self) -> Way:
-        return way_of(Asked(self.plan, self._first[0], self.each, self.columns))
+        fields, rows = self._first
+        keys = {column.key for column in self.columns if column.role == "axis" and not column.option}
+        apart = {
+            field.key: [row[place] for row in rows] for place, field in enumerate(fields) if field.key in keys
+        }
+        return way_of(Asked(self.plan, fields, self.each, self.columns, apart))
 
     @cached_property
     def _first(self) -> tuple[tuple[Field, ...], Sequence[Any]]:

@@ -74,6 +74,7 @@ def values_of(name: str, texts: Sequence[str]) -> Sequence[str]:
     parts = [part.strip() for text in texts for part in text.split(";")]
     if len(parts) > 1 and not all(parts):
         raise NotationError(f"{name} {quoted(';'.join(texts))} has an empty place; write a list as 2;3;4")
+    parts = _in_one_unit(parts)
     if len(parts) == 1:
         return _range(parts[0], name) if ".." in parts[0] else tuple(parts)
     found: list[str] = []
@@ -82,6 +83,15 @@ def values_of(name: str, texts: Sequence[str]) -> Sequence[str]:
         check_length(len(found) + len(values), LONGEST, f"values of --{name.replace('_', '-')}")
         found += values
     return tuple(dict.fromkeys(found))
+
+
+def _in_one_unit(parts: list[str]) -> list[str]:
+    """Return the parts with the unit that stands behind the last one alone: 100;120/min."""
+    unit = parted(parts[-1])[1]
+    bare = all(not parted(one)[1] and is_measured(one) for one in parts[:-1])
+    if len(parts) == 1 or not bare or not unit or unit in ("%", "°") or ".." in parts[-1]:
+        return parts
+    return [*(f"{one}{unit}" for one in parts[:-1]), parts[-1]]
 
 
 def _range(text: str, name: str) -> Written:

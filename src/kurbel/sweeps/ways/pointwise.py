@@ -12,6 +12,7 @@ from kurbel.sweeps.ways.records import rows_at
 from kurbel.sweeps.ways.way import Asked, Points, Rows, columns_from
 
 _BALLS = Lock()
+MISSING = "there is no such record of this combination"
 
 
 @dataclass(frozen=True)
@@ -29,19 +30,22 @@ class Pointwise:
 
     def _rows(self, points: Points) -> Rows:
         plan, fields, each = self.asked.plan, self.asked.fields, self.asked.each
+        apart = self.asked.apart
         found: list[Mapping[str, Any]] = []
         reasons: dict[int, str] = {}
-        last, answer, refused = -1, list[dict[str, Any]](), ""
+        last, answer, refused = -1, list[dict[str, Any] | None](), ""
         for row, (point, record) in enumerate(
             zip(points.places.tolist(), points.records.tolist(), strict=True)
         ):
             if point != last:
                 last, refused = point, ""
                 try:
-                    answer = rows_at(plan, plan.at(point), fields, each)
+                    answer = rows_at(plan, plan.at(point), fields, apart, each)
                 except KurbelError as error:
                     refused = str(error)
-            if refused:
-                reasons[row] = refused
-            found.append({} if refused else answer[record])
+            one = None if refused else answer[record]
+            if refused or one is None:
+                reasons[row] = refused or MISSING
+            # Also what is not there is told apart.
+            found.append(one or {key: values[record] for key, values in apart.items()})
         return columns_from(self.asked, found, reasons)

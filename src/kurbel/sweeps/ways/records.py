@@ -20,6 +20,8 @@ DECIMALS = 30
 FIGURES = 10**20
 # Of so many combinations, spread over the sweep, one at least must not be refused.
 TRIED = 64
+# Of so many of them, far from each other, it is known how many records they have.
+COUNTED, MIXED = 8, 9
 
 
 def records_at(plan: Plan, values: Mapping[str, Any], digits: int) -> Records:
@@ -29,18 +31,28 @@ def records_at(plan: Plan, values: Mapping[str, Any], digits: int) -> Records:
 
 
 def first_of(plan: Plan) -> tuple[tuple[Field, ...], list[Sequence[Any]]]:
-    """Return the fields and the records of the first combination that is not refused.
+    """Return the fields and the records of a combination, of some that are not refused the one with most.
 
-    Raises the error of the first one where all are that were tried.
+    Raises the error of the first one where all are refused.
     """
     refused: list[KurbelError] = []
-    for point in tried(plan):
+    found: list[tuple[tuple[Field, ...], list[Sequence[Any]]]] = []
+    for point in _mixed(tried(plan)):
         try:
-            found = records_at(plan, plan.at(point), _digits(plan))
-            return found.fields, [*found.rows]
+            records = records_at(plan, plan.at(point), _digits(plan))
+            found.append((records.fields, [*records.rows]))
         except KurbelError as error:
             refused.append(error)
-    raise refused[0]
+        if len(found) == COUNTED:
+            break
+    if not found:
+        raise refused[0]
+    return max(found, key=lambda one: len(one[1]))
+
+
+def _mixed(points: Sequence[int]) -> list[int]:
+    """Return the points with those first that lie far from each other, the first of all in front."""
+    return [point for start in range(MIXED) for point in points[start::MIXED]]
 
 
 def tried(plan: Plan, most: int = TRIED) -> list[int]:
@@ -51,23 +63,53 @@ def tried(plan: Plan, most: int = TRIED) -> list[int]:
 
 
 def rows_at(
-    plan: Plan, values: Mapping[str, Any], fields: Sequence[Field], count: int
-) -> list[dict[str, Any]]:
-    """Return so many records of a combination by the keys of the fields, as `Number` or text.
+    plan: Plan,
+    values: Mapping[str, Any],
+    fields: Sequence[Field],
+    apart: Mapping[str, Sequence[Any]],
+    count: int,
+) -> list[dict[str, Any] | None]:
+    """Return so many records of a combination by the keys of the fields, as `Number` or text, in the places
+    of those that are told `apart` by these columns; None where it has no such record.
 
     Raises KurbelError where it is refused.
     """
-    digits = _digits(plan)
+    digits, keys = _digits(plan), [one.key for one in fields]
     found = records_at(plan, values, digits)
-    rows = [*found.rows]
-    if [one.key for one in found.fields] != [one.key for one in fields] or len(rows) != count:
+    rows, there = [*found.rows], [one.key for one in found.fields]
+    if there != keys:
         raise ProblemError(
-            f"the command answers with {len(rows)} records of {', '.join(one.key for one in found.fields)}"
-            f" here, and with {count} of {', '.join(one.key for one in fields)} elsewhere in the sweep"
+            f"columns are {', '.join(there)} here, and {', '.join(keys)} elsewhere in the sweep; choose"
+            " some that are everywhere, with --columns"
         )
     if plan.digits is None and digits < MOST_DIGITS and _is_small(rows):
         rows = [*records_at(plan, values, MOST_DIGITS).rows]
-    return [dict(zip([one.key for one in fields], row, strict=True)) for row in rows]
+    return _placed([dict(zip(keys, row, strict=True)) for row in rows], apart, count)
+
+
+def _placed(
+    records: Sequence[dict[str, Any]], apart: Mapping[str, Sequence[Any]], count: int
+) -> list[dict[str, Any] | None]:
+    """Return the records in the places of those elsewhere that are told apart in the same way."""
+    if count == len(records) == 1:
+        return [*records]
+    found: list[dict[str, Any] | None] = [None] * count
+    for record in records:
+        own = {key: record[key] for key in apart}
+        free = (
+            place
+            for place in range(count)
+            if found[place] is None and all(apart[key][place] == own[key] for key in own)
+        )
+        place = next(free, None)
+        if place is None:
+            said = ", ".join(map(str, own.values())) or f"{len(records)} of them"
+            raise ProblemError(
+                f"there are more records here than elsewhere in the sweep, where there are {count}, without"
+                f" one for {said}"
+            )
+        found[place] = record
+    return found
 
 
 def _digits(plan: Plan) -> int:

@@ -51,12 +51,14 @@ class Way(Protocol):
 
 @dataclass(frozen=True)
 class Asked:
-    """A plan with what the command answers at one of its points: the fields of its records, and how many."""
+    """A plan with what the command answers at one of its points: the fields of its records, how many there are,
+    and what tells them apart, by its keys."""
 
     plan: Plan
     fields: tuple[Field, ...]
     each: int
     columns: tuple[Column, ...]
+    apart: Mapping[str, Sequence[Any]]
 
     @property
     def own(self) -> list[Column]:
