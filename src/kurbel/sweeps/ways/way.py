@@ -51,7 +51,7 @@ class Way(Protocol):
 
 @dataclass(frozen=True)
 class Asked:
-    """A plan with what the command answers at one of its points: the fields of its records, how many there are,
+    """A plan with what the command answers at one of its points: the fields of its records, their number,
     and what tells them apart, by its keys."""
 
     plan: Plan
