@@ -18,7 +18,7 @@ from pathlib import Path
 from benchmarks.race import Race, Taken, run
 from benchmarks.table import Cells, markdown, measured, text
 
-NAMES = ("start", "motion", "engines", "long_tables", "columns_csv", "handbook")
+NAMES = ("start", "motion", "engines", "long_tables", "columns_csv", "handbook", "sweeps")
 # What needs more than `make bench` sets up.
 OTHERS = ("playground",)
 LIBRARIES = (
