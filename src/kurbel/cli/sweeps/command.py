@@ -139,15 +139,22 @@ class SweepCommand(click.Command):
 
 def _told(target: str, outcome: Outcome) -> str:
     """Return what was written, and how much of it was refused."""
+    from kurbel.sweeps.run import OTHERS
+
+    written = f"{target}: {_counted(outcome.rows)}"
     count = outcome.refused.total()
     if not count:
-        return f"{target}: {outcome.rows} rows"
-    [(reason, most)] = outcome.refused.most_common(1)
-    times = "" if most == count else f" ({most} times)"
+        return written
+    reason, most = next(one for one in outcome.refused.most_common() if one[0] != OTHERS)
+    few = "was refused and has" if count == 1 else "were refused and have"
+    times = "" if most == count else f" (so {_counted(most)})"
     return (
-        f"{target}: {outcome.rows} rows, of which {count} were refused and have no values; the column reason"
-        f" says why, such as: {reason}{times}"
+        f"{written}, of which {count} {few} no values; the column reason says why, such as: {reason}{times}"
     )
+
+
+def _counted(rows: int) -> str:
+    return "1 row" if rows == 1 else f"{rows} rows"
 
 
 def joined(conditions: Sequence[str]) -> str:
