@@ -30,6 +30,8 @@ def sweep(
     digits: int | None = ...,
     bounds: bool = ...,
     zip: str | Iterable[str | Sequence[str]] = ...,
+    only: str = ...,
+    strict: bool = ...,
     output: None = ...,
     jobs: int | None = ...,
     scheduler: str | None = ...,
@@ -42,6 +44,8 @@ def sweep(
     digits: int | None = ...,
     bounds: bool = ...,
     zip: str | Iterable[str | Sequence[str]] = ...,
+    only: str = ...,
+    strict: bool = ...,
     output: str | PathLike[str],
     jobs: int | None = ...,
     scheduler: str | None = ...,
@@ -53,6 +57,8 @@ def sweep(
     digits: int | None = None,
     bounds: bool = False,
     zip: str | Iterable[str | Sequence[str]] = (),
+    only: str = "",
+    strict: bool = False,
     output: str | PathLike[str] | None = None,
     jobs: int | None = None,
     scheduler: str | None = None,
@@ -63,8 +69,9 @@ def sweep(
     `command` is a function that makes a table, such as `kurbel.delta_table`, or its name, "delta". Its
     options may be given several values: lists, NumPy arrays, ranges as text. The dataset has a dimension
     for each of these, in their order; options that `zip` names, "eps,back", go through their values together
-    and share the dimension "point". Where nothing can be computed is NaN, and `refused` is true; a small
-    dataset also has the sentences, `reason`.
+    and share the dimension "point". So do all where `only`, "eps*back < 1", leaves combinations out. Where
+    nothing can be computed is NaN, and `refused` is true; a small dataset also has the sentences, `reason`. A
+    `strict` sweep raises the first of them.
 
     What takes some seconds is computed at once; more becomes arrays of Dask, which compute what is asked of
     them and no more. Values are floats; with `bounds` each has a variable beside it that says how far from
@@ -91,6 +98,8 @@ def sweep(
         linked=_linked(zip),
         digits=digits,
         bounds=bounds,
+        strict=strict,
+        only=only,
     )
     asked = Sweep(plan)
     if output is not None:

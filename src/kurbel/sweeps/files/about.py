@@ -58,7 +58,7 @@ class About:
     def title(self) -> str:
         names = dict.fromkeys(one.name or one.key for one in self.sweep.columns if one.role == "value")
         axes = [one.key for one in self.sweep.columns if one.role == "axis"]
-        return f"{', '.join(names)} over {', '.join(axes)}"
+        return f"{'; '.join(names)} over {', '.join(axes)}"
 
     def inputs(self) -> dict[str, Any]:
         """Return the exact inputs as they can be typed again."""
@@ -66,8 +66,15 @@ class About:
         unsaid = {one.name: one.default for one in plan.asking.parameters.values()}
         given = {name: _text(value) for name, value in plan.given.items() if value != unsaid[name]}
         axes = [{axis.option: _text(axis.values) for axis in group} for group in plan.groups]
-        asked = {"digits": plan.digits, "bounds": plan.bounds or None}
-        said = {"command": self.command, "options": given, "axes": axes, **asked}
+        said = {
+            "command": self.command,
+            "options": given,
+            "axes": axes,
+            "only": plan.only or None,
+            "design": plan.design or None,
+            "digits": plan.digits,
+            "bounds": plan.bounds or None,
+        }
         return {name: value for name, value in said.items() if value is not None}
 
     def column(self, column: Column) -> dict[str, str]:

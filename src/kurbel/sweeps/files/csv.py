@@ -22,10 +22,10 @@ def write(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, scratch:
     with whole_file(target) as stream:
         stream.write(",".join(schema_of(sweep).names).encode() + b"\n")
         for batch in in_groups(batches, GROUP):
-            stream.write(_lines(batch))
+            stream.write(lines_of(batch))
 
 
-def _lines(batch: pa.RecordBatch) -> pa.Buffer:
+def lines_of(batch: pa.RecordBatch) -> pa.Buffer:
     """Return the lines of a batch: the texts of an array of them lie behind each other in its memory."""
     fields = [_text(column) for column in batch.columns]
     lines = compute.binary_join_element_wise(*fields, ",", null_handling="replace")

@@ -75,6 +75,8 @@ def form_of(target: str, name: str | None = None) -> Form:
     for form in FORMS:
         if target.lower().endswith(form.suffixes):
             return form
+    if os.path.isdir(target):
+        return PARTITIONS
     suffix = os.path.splitext(target)[1]
     raise ChoiceError(f"{suffix or target[-40:]} is no form of columns; name a file with {_KNOWN}")
 
@@ -89,7 +91,7 @@ def need(what: str, *libraries: str) -> None:
 
 
 def _is_folder(target: str) -> bool:
-    # One that a suffix names is a Zarr.
+    # One whose suffix says so is a Zarr.
     return target.endswith(("/", os.sep)) and not target.rstrip("/" + os.sep).lower().endswith(".zarr")
 
 
