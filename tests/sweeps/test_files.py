@@ -122,7 +122,7 @@ def test_xarray_has_the_axes_as_coordinates(
 ) -> None:
     opened = {
         "a.nc": lambda: xarray.open_dataset(folder / "a.nc"),
-        "a.zarr": lambda: xarray.open_zarr(folder / "a.zarr"),
+        "a.zarr": lambda: xarray.open_dataset(folder / "a.zarr", engine="zarr"),
         "kurbel.sweep": lambda: library.sweep(
             "delta", eps=[2, "1/2", 4], ratio=np.array([0.25, 0.2]), bounds=True
         ),
