@@ -6,12 +6,15 @@ import errno
 import json
 import os
 import resource
+import subprocess
+import sys
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import islice
 from pathlib import Path
 
 import pytest
+from places import ROOT
 from small_parts import DEADLY, KILLS, InThreads, SmallParts, plan_of
 
 from kurbel.errors import FailedError, OutputError
@@ -217,3 +220,10 @@ def test_threads_processes_and_one_that_dies_give_the_same_bytes(
     run(InThreads(sweep.plan), "threads.parquet", Running(jobs=3))
     assert Path("deadly.parquet").read_bytes() == Path("calm.parquet").read_bytes()
     assert Path("threads.parquet").read_bytes() == Path("calm.parquet").read_bytes()
+
+
+@pytest.mark.slow
+def test_killed_runs_go_on_to_the_same_bytes_and_leave_nothing() -> None:
+    script = str(ROOT / "scripts" / "kill_sweeps.py")
+    done = subprocess.run([sys.executable, script, "--count=4"], capture_output=True, text=True, check=False)
+    assert done.stdout.startswith("4 kills: the same bytes each time, no litter"), done.stdout + done.stderr
