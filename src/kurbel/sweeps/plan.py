@@ -81,6 +81,12 @@ class Plan:
         """The names of the options that vary."""
         return frozenset(axis.option for group in self.groups for axis in group)
 
+    @property
+    def carded(self) -> bool:
+        """Whether an indicator card is among what is given."""
+        cylinders = str(self.given.get("cylinder") or "")
+        return "card" in self.varied or is_given(self.given.get("card")) or "card=" in cylinders
+
     def __len__(self) -> int:
         return prod(self.sizes) if self.kept is None else len(self.kept)
 

@@ -68,11 +68,13 @@ class Asked:
 
 def columns_from(asked: Asked, found: Sequence[Mapping[str, Any]], reasons: dict[int, str]) -> Rows:
     """Return rows from records by the keys of the fields; one that was refused is empty."""
-    values = {column.key: _values(column, found, reasons) for column in asked.own}
+    # Of an indicator card a number has as many decimals as are known; of others what is exact has few.
+    told = reasons if asked.plan.carded else None
+    values = {column.key: _values(column, found, told) for column in asked.own}
     return Rows(values, reasons)
 
 
-def _values(column: Column, rows: Sequence[Mapping[str, Any]], reasons: dict[int, str]) -> Any:
+def _values(column: Column, rows: Sequence[Mapping[str, Any]], reasons: dict[int, str] | None) -> Any:
     if column.kind == "text":
         return [text_of(row.get(column.key)) for row in rows]
     if column.kind == "decimal":
@@ -84,15 +86,12 @@ def _values(column: Column, rows: Sequence[Mapping[str, Any]], reasons: dict[int
     )
 
 
-def _decimal(column: Column, number: Any, place: int, reasons: dict[int, str]) -> int | None:
-    if not isinstance(number, Number):
+def _decimal(column: Column, number: Any, place: int, reasons: dict[int, str] | None) -> int | None:
+    if not isinstance(number, Number) or column.decimals is None:
         return None
-    if number.decimals != column.decimals:
-        # Of an indicator card no more are known.
-        reasons.setdefault(
-            place,
-            f"column {column.key} has {number.decimals} certain decimals here, and {column.decimals} were"
-            " asked for",
-        )
-        return None
-    return number.scaled
+    scaled: int = number.scaled * 10 ** (column.decimals - number.decimals)
+    if number.decimals == column.decimals or reasons is None:
+        return scaled
+    said = f"the card tells {number.decimals} decimals of {column.key}, and {column.decimals} were asked for"
+    reasons.setdefault(place, said)
+    return None
