@@ -163,7 +163,7 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
     # Records are computed as they are run through: once for all formats.
     records = table.records._replace(rows=[*table.records.rows])
     # The manifest's names are all different, also where one is that of a layout.
-    named = replace(table, key=part.name, layout=layout, variant="", records=records)
+    named = replace(table, key=part.name, layout=layout, variant=None, records=records)
     told = table.told and (part.caption or table.told[0], table.told[1])
     data = replace(named, caption=caption, told=told)
     named = replace(named, caption=_caption(task, table.caption, table.lang), steps=_steps(task, table))
@@ -187,7 +187,7 @@ def _steps(task: Task, table: Table) -> Steps | None:
 
     def called(one: Table) -> Table:
         caption = _caption(task, one.caption, one.lang)
-        return replace(one, key=task.part.name, layout=one.layout or one.key, caption=caption, variant="")
+        return replace(one, key=task.part.name, layout=one.layout or one.key, caption=caption, variant=None)
 
     return table.steps and table.steps.named(called)
 

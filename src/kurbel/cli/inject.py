@@ -156,7 +156,7 @@ def _labelled(found: Sequence[Place], made: Sequence[Asked], name: str) -> Itera
         if not isinstance(one.made, Table):
             yield one
             continue
-        table = replace(one.made, variant="") if owners[one.made.key] is one.made else one.made
+        table = replace(one.made, variant=None) if owners[one.made.key] is one.made else one.made
         if table.anchor in lines:
             raise MarkerError(
                 f'{name}:{place.line}: the label "{table.anchor}" is that of the table of line'

@@ -6,7 +6,7 @@ import inspect
 import re
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
-from functools import wraps
+from functools import partial, wraps
 from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, Protocol, TypeVar, cast
 
 from kurbel.commands.options import Parameter, described, is_given, parameters_of, signature_of
@@ -16,6 +16,7 @@ from kurbel.reading.given import found_at
 if TYPE_CHECKING:
     from kurbel.commands.shown import Table
     from kurbel.page.table import Table as Page
+    from kurbel.page.table import Variant
     from kurbel.reading.amounts import Units
 
 Words = ParamSpec("Words")
@@ -103,8 +104,7 @@ class Command(NamedTuple):
     def built(self, question: Any, values: Mapping[str, Any]) -> Page:
         """Return the table that was asked for, which these values of the options name."""
         page = cast("Page", found_at(self.builder)(question))
-        name = variant(page.key, self.parameters, values)
-        return replace(page, variant=name and f"{page.key}-{name}")
+        return replace(page, variant=variant(page.key, self.parameters, values))
 
     def refuse(
         self, values: Mapping[str, Any], given: Callable[[str], bool], spelled: str = "stroke"
@@ -229,26 +229,26 @@ def _documented(function: Callable[..., Any], command: Command, **more: Any) -> 
     return function
 
 
-def variant(key: str, parameters: Mapping[str, Parameter], values: Mapping[str, Any]) -> str:
-    """Return the name, such as "ratio-1-4" or "method-series"; nothing for a page with its defaults, or with
-    a label of the author's own.
-
-    One that is long, or cannot say all of a value, ends with figures that depend on all of them.
-    """
+def variant(key: str, parameters: Mapping[str, Parameter], values: Mapping[str, Any]) -> Variant | None:
+    """Return what gives the page its name, such as "kinematics-ratio-1-4" or "kinematics-method-series"; None
+    for one with its defaults, or with a label of the author's own."""
     if values.get("label"):
-        return ""
+        return None
     told = [one for one in parameters.values() if one.name not in UNTOLD and _is_other(one, values)]
     words = [("" if one.option.positional else f"{one.name} ") + _text(values[one.name]) for one in told]
     said = " ".join(words)
     signed = re.sub(_MINUS, "minus ", said.replace(",", ".").replace("%", " percent"))
     name = re.sub(_PARTS, "-", signed).strip("-.")
-    if name in ("", key):
-        return ""
+    return None if name in ("", key) else partial(_variant_name, f"{key}-", name, said)
+
+
+def _variant_name(key: str, name: str, said: str) -> str:
+    """Return the name; one that is long, or cannot say all of a value, ends with figures from all of it."""
     if len(name) <= LONGEST and re.fullmatch(_FIGURES, said):
-        return name
+        return key + name
     from hashlib import sha256
 
-    return f"{name[:LONGEST].rstrip('-.')}-{sha256(said.encode()).hexdigest()[:6]}"
+    return f"{key}{name[:LONGEST].rstrip('-.')}-{sha256(said.encode()).hexdigest()[:6]}"
 
 
 def _is_other(one: Parameter, values: Mapping[str, Any]) -> bool:

@@ -133,7 +133,7 @@ def page(table: Table, writer: PageWriter, mark: str) -> Page:
     panels = tuple(setter.panel(panel) for panel in table.panels)
     return Page(
         key=writer.escape(table.key),
-        anchor=writer.escape(table.anchor),
+        anchor=writer.escape(setter.anchor),
         lang=writer.escape(table.lang),
         caption=setter.label(table.caption),
         panels=panels,
@@ -159,10 +159,9 @@ class Setter:
         self.table = table
         self.writer = writer
         self.mark = mark
+        self.anchor = table.anchor if writer.linked else table.key
         # Notes are numbered, since a mark such as * cannot be part of every kind of link.
-        self.targets = {
-            note.mark: f"{table.anchor}-note-{place}" for place, note in enumerate(table.notes, 1)
-        }
+        self.targets = {note.mark: f"{self.anchor}-note-{place}" for place, note in enumerate(table.notes, 1)}
 
     def label(self, label: Label, display: bool = False) -> str:
         writer = self.writer
@@ -182,7 +181,7 @@ class Setter:
             mark = self.writer.note_mark(note.mark, "") if note.mark else ""
             # Readers calculate with the formulas below a table: small fractions are no help.
             text = self.label(note.text, display=True)
-            yield PageNote(text, mark, self.writer.escape(f"{self.table.anchor}-note-{place}"))
+            yield PageNote(text, mark, self.writer.escape(f"{self.anchor}-note-{place}"))
 
     def panel(self, panel: Panel) -> PagePanel:
         model = panel.stub + panel.columns

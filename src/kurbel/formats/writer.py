@@ -70,11 +70,12 @@ class PageWriter:
     """Sets the labels and the pages of a format; what it does not say anew is as in plain text.
 
     `minus` is the sign of numbers, `missing` stands for a missing value, `delimiters` are those of the
-    templates, where braces are not free.
+    templates, where braces are not free. Where tables are `linked`, they have the names of their variants.
     """
 
     minus: ClassVar[str] = "−"
     missing: ClassVar[str] = "–"
+    linked: ClassVar[bool] = True
     delimiters: ClassVar[Mapping[str, Any]] = {}
 
     def escape(self, prose: str) -> str:

@@ -217,6 +217,8 @@ class Question(Worded):
     @cached_property
     def named(self) -> tuple[str, ...]:
         """The keys of the columns that are asked for, by whatever words for them, and of axes among them."""
+        if not self.columns:
+            return ()
         # The axes of the question may have other keys than its subject states.
         others = self.subject.column_keys(self.layout)[len(self.subject.axis_keys) :]
         allowed = dict.fromkeys((*self.axis_keys, *others))

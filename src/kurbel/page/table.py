@@ -8,7 +8,7 @@ Numbers in formulas are written with a decimal point; the format sets the mark o
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from itertools import groupby
@@ -116,6 +116,10 @@ class Field(NamedTuple):
 Value = Number | Label | None
 
 
+# The name of a page among those of its layout, made where it is asked for.
+Variant: TypeAlias = Callable[[], str]
+
+
 class Records(NamedTuple):
     """The same values for programs: one record a point, whatever the arrangement of the page.
 
@@ -132,7 +136,7 @@ class Table:
 
     `layout` names the templates' folder, where it is not the key; `templates` is the folder of the user's in
     which that lies, nothing where it is kurbel's. `pause` is the number of rows between small spaces, 0 for
-    none; None leaves it to the step of the rows. `variant` is the key with what was asked for beside
+    none; None leaves it to the step of the rows. `variant` gives the key with what was asked for beside
     the defaults of the layout: "kinematics-ratio-1-4". `quantities` are those of its columns. An interactive
     page has `steps`, of which this is the first that is shown. `told` are caption and notes as they stand
     with the records, where those of the page have other units.
@@ -148,7 +152,7 @@ class Table:
     layout: str = ""
     templates: str = ""
     pause: int | None = None
-    variant: str = ""
+    variant: Variant | None = None
     quantities: tuple[Quantity, ...] = ()
     steps: Steps | None = None
     told: tuple[Label, tuple[Note, ...]] | None = None
@@ -157,7 +161,8 @@ class Table:
     def anchor(self) -> str:
         """A name for cross references that another page of the layout has not: "kinematics-ratio-1-4"."""
         # Whoever gives the table another key has named it.
-        return self.variant if self.variant.startswith(f"{self.key}-") else self.key
+        name = self.variant() if self.variant else ""
+        return name if name.startswith(f"{self.key}-") else self.key
 
     def __post_init__(self) -> None:
         defined = {note.mark for note in self.notes}

@@ -6,14 +6,14 @@ import re
 from collections.abc import Iterator
 
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻−", "0123456789+--")
-_FACTOR = re.compile(
+_FACTOR = (
     r"\s*(?P<name>[A-Za-zµμ_]+)"
     r"(?:\s*(?:\^|\*\*)\s*(?P<power>\(\s*[+-]?[1-9]\s*\)|[+-]?[1-9])(?!\d)|(?P<behind>[+-]?[1-9])(?!\d))?"
 )
-_SIGN = re.compile(r"\s*([*·×⋅/]|-(?=[A-Za-z])|)\s*")
+_SIGN = r"\s*([*·×⋅/]|-(?=[A-Za-z])|)\s*"
 _OVER = frozenset(("/", "per", "je", "pro"))
 # Two units written as one, of which only the last has the power.
-_JOINED = re.compile(r"([kMm]?N|kg)(m)|(lbf?)(ft)")
+_JOINED = r"([kMm]?N|kg)(m)|(lbf?)(ft)"
 # Umdrehungen and Pferdestärken, as German data sheets write them: pint's U is the unit of enzymes, and its PS
 # are petasiemens.
 _NAMES = {
@@ -49,7 +49,7 @@ def _factors(text: str) -> Iterator[tuple[str, int]]:
     if rest.startswith("/"):
         rest, sign = rest[1:], -1
     while rest:
-        match = _FACTOR.match(rest)
+        match = re.match(_FACTOR, rest)
         if match is None:
             raise ValueError(text)
         name, rest = match["name"], rest[match.end() :]
@@ -57,12 +57,12 @@ def _factors(text: str) -> Iterator[tuple[str, int]]:
             sign = -1
             continue
         power = sign * int((match["power"] or match["behind"] or "1").strip("() "))
-        joined = _JOINED.fullmatch(name)
+        joined = re.fullmatch(_JOINED, name)
         first, last = [one for one in joined.groups() if one] if joined else ("", name)
         if first:
             yield first, sign
         yield _NAMES.get(last, last), power
-        between = _SIGN.match(rest)
+        between = re.match(_SIGN, rest)
         assert between is not None
         sign, rest = -1 if between[1] in _OVER else 1, rest[between.end() :]
         if between[1] and not rest:

@@ -25,7 +25,7 @@ def _scaled(units: Mapping[str, int | str]) -> Mapping[str, Fraction]:
 # What stands before a unit, read as a number or refused as one: in 10 1/s the fraction belongs to the unit.
 BEFORE_UNIT = r"[+−-]?(?:\d+\s+(?=\d+/\d))?[\d.,]+(?:[eE][+-]?\d+)?(?:\s*/\s*[\d.,]+(?:[eE][+-]?\d+)?)?"
 # The number is read by kurbel, for pint would evaluate 9**9**9; the unit may not compute either.
-_MEASURE = re.compile(rf"\s*({BEFORE_UNIT})\s*((?:(?:1\s*)?/\s*)?[A-Za-zµμ].*?)?\s*")
+_MEASURE = rf"\s*({BEFORE_UNIT})\s*((?:(?:1\s*)?/\s*)?[A-Za-zµμ].*?)?\s*"
 _LONGEST = 80
 # With which pint answers what is no unit; an unknown one with an AttributeError of its own.
 PINT_ERRORS = (AttributeError, ValueError, TypeError, AssertionError)
@@ -186,7 +186,7 @@ def split(text: str) -> tuple[Fraction, str]:
 
 def _parts(text: str) -> tuple[str, str | None, str]:
     """Return the number, nothing of what is no measure, and the unit, as pint reads it and as written."""
-    match = _MEASURE.fullmatch(text) if len(text) <= _LONGEST else None
+    match = re.fullmatch(_MEASURE, text) if len(text) <= _LONGEST else None
     if match is None:
         return "", None, ""
     digits, written = match.groups()

@@ -28,9 +28,9 @@ MEASURED = ("x", "c", "p")
 OF_SLIDES = "x, c and p of the straight or offset crank"
 SMALLEST, LARGEST = Fraction(1, 10**30), Fraction(10**30)
 
-_CONDITION = re.compile(r"\s*([^\s=<>]+)\s*=\s*([^=]*?)\s*")
-_OF_DEAD_CENTRE = re.compile(r"(.*?)\s*\bof\s+(?:the\s+)?dead\s+cent(?:re|er)")
-_MEASURE = re.compile(rf"{BEFORE_UNIT}\s*((?![eE][+-]?\d|of\b)[A-Za-zµ].*)")
+_CONDITION = r"\s*([^\s=<>]+)\s*=\s*([^=]*?)\s*"
+_OF_DEAD_CENTRE = r"(.*?)\s*\bof\s+(?:the\s+)?dead\s+cent(?:re|er)"
+_MEASURE = rf"{BEFORE_UNIT}\s*((?![eE][+-]?\d|of\b)[A-Za-zµ].*)"
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,18 +72,18 @@ def read_condition(
     Those `measured` may have a unit; `whose` they are, sentences say.
     """
     shown = f'condition "{text[:LONGEST_NUMBER]}"'
-    match = _CONDITION.fullmatch(text) if len(text) <= 3 * LONGEST_NUMBER else None
+    match = re.fullmatch(_CONDITION, text) if len(text) <= 3 * LONGEST_NUMBER else None
     if match is None or not match.group(2):
         raise NotationError(f"{shown} cannot be read; {GRAMMAR}")
     name, right = match.groups()
     quantity = names[meant(name, names, "quantity")]
     if right in (MAX, MIN):
         return Condition(quantity, right)
-    if share := _OF_DEAD_CENTRE.fullmatch(right):
+    if share := re.fullmatch(_OF_DEAD_CENTRE, right):
         return _of_dead_centre(quantity, share.group(1), shown)
     if quantity in ANGLES:
         return Condition(quantity, VALUE, notation.angle(right, f"{shown}:"))
-    if measure := _MEASURE.fullmatch(right):
+    if measure := re.fullmatch(_MEASURE, right):
         unit = measure.group(1)
         if quantity not in measured:
             raise NotationError(f"{shown} has a unit, which only {whose} can have; {GRAMMAR}")

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from kurbel.solve.page import SolveRequest
 
 # Of m/s².
-_SQUARE = re.compile(r'(?:²|\^2|\*\*2)"$')
+_SQUARE = r'(?:²|\^2|\*\*2)"$'
 WORDS: Mapping[str, Words] = {
     "for": words(" für | for "),
     MAX: words("${symbol}$ am größten|${symbol}$ greatest"),
@@ -79,7 +79,7 @@ def condition_label(condition: Condition, drive: Drive, lang: str) -> Label:
         plain = finite_decimals(condition.value) is not None
         return f"${symbol} = {exact_text(condition.value) + '°' if plain else degrees_text(condition.value)}$"
     if condition.unit:
-        unit = _SQUARE.sub('"^2', f'"{condition.unit}"')
+        unit = re.sub(_SQUARE, '"^2', f'"{condition.unit}"')
         return f"${symbol} = {exact_text(condition.value)} {unit}$"
     if condition.quantity in drive.pushed:
         return f'${symbol} = {exact_text(condition.value)} "{shown.plain_unit(lang)}"$'

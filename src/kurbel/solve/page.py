@@ -124,8 +124,13 @@ class SolveRequest(Question):
     def roots(self, place: Place) -> Sequence[Root]:
         return self.found.get((place["ratio"], place["condition"], tuple(STROKES)[place["stroke"]]), ())
 
+    def shows(self, column: LayoutColumn) -> bool:
+        # As of any page, but without asking every mechanism for its quantities.
+        known = {TURN.key, *self.drives[0].columns}
+        return column.quantity in known and column.unless not in known
+
     def entry(self, key: str) -> Quantity:
-        known = self.drives[0].columns.get(key) or super().entry(key)
+        known = TURN if key == TURN.key else self.drives[0].columns.get(key) or super().entry(key)
         return known._replace(part=None, spanners=())
 
     def missing(self, quantity: Quantity) -> str:

@@ -34,6 +34,8 @@ HEAVY, LIGHT = "━", "─"
 
 
 class Writer(PageWriter):
+    linked = False
+
     def written(self, table: Table, mark: str, width: int | None) -> str:
         return text_page(self._fitted(table, mark, width), width)
 
