@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from kurbel.cli import screen
 from kurbel.cli.listing import Entry, Heading, Shell, plain_lines, set_list, show_lines
-from kurbel.formats.text.wrap import lines_of
 from kurbel.handbook.build import Build
 from kurbel.handbook.folder import Folder
 from kurbel.handbook.manifest import Manifest, Part
+from kurbel.page.wrap import lines_of
 
 # So many characters of a text tell which it is.
 MOST_SHOWN = 50

@@ -16,7 +16,7 @@ from kurbel.cli.app import show
 from kurbel.cli.options import Option, Type
 from kurbel.commands.options import Choice
 from kurbel.formats.registry import DEFAULT, FORMATS, RecordsFormat
-from kurbel.formats.text.wrap import fitted, lines_of, longest_word
+from kurbel.page.wrap import fitted, lines_of, longest_word
 
 GAP = 2
 RULE = "─"

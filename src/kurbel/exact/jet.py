@@ -11,17 +11,19 @@ from kurbel.exact.certify import half_turn_circle
 from kurbel.kernel.circle import Circle
 
 
-@dataclass(frozen=True, slots=True)
+# Not frozen, which would be half the time of a sum.
+@dataclass(slots=True)
 class Jet:
-    """A value, its slope and its bend, f, f' and f'', all of one kind of number."""
+    """A value, its slope and its bend, f, f' and f'', all of one kind of number; a bare one is a constant."""
 
     value: Any
     slope: Any
     bend: Any
 
     def __add__(self, other: Any) -> Jet:
-        more = _jet(other)
-        return Jet(self.value + more.value, self.slope + more.slope, self.bend + more.bend)
+        if not isinstance(other, Jet):
+            return Jet(self.value + other, self.slope, self.bend)
+        return Jet(self.value + other.value, self.slope + other.slope, self.bend + other.bend)
 
     __radd__ = __add__
 
@@ -29,29 +31,31 @@ class Jet:
         return Jet(-self.value, -self.slope, -self.bend)
 
     def __sub__(self, other: Any) -> Jet:
-        return self + -_jet(other)
+        return self.__add__(-other)
 
     def __rsub__(self, other: Any) -> Jet:
-        return _jet(other) - self
+        return (-self).__add__(other)
 
     def __mul__(self, other: Any) -> Jet:
-        by = _jet(other)
+        if not isinstance(other, Jet):
+            return Jet(self.value * other, self.slope * other, self.bend * other)
         return Jet(
-            self.value * by.value,
-            self.slope * by.value + self.value * by.slope,
-            self.bend * by.value + 2 * (self.slope * by.slope) + self.value * by.bend,
+            self.value * other.value,
+            self.slope * other.value + self.value * other.slope,
+            self.bend * other.value + 2 * (self.slope * other.slope) + self.value * other.bend,
         )
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Jet:
-        below = _jet(other)
-        value = self.value / below.value
-        slope = (self.slope - value * below.slope) / below.value
-        return Jet(value, slope, (self.bend - 2 * (slope * below.slope) - value * below.bend) / below.value)
+        if not isinstance(other, Jet):
+            return Jet(self.value / other, self.slope / other, self.bend / other)
+        value = self.value / other.value
+        slope = (self.slope - value * other.slope) / other.value
+        return Jet(value, slope, (self.bend - 2 * (slope * other.slope) - value * other.bend) / other.value)
 
     def __rtruediv__(self, other: Any) -> Jet:
-        return _jet(other) / self
+        return Jet(other, 0, 0) / self
 
     def __pow__(self, exponent: Any) -> Jet:
         """Return the power to a number, of a positive value but for whole exponents."""
@@ -76,10 +80,6 @@ class Jet:
         cosine = (1 - self.value * self.value) ** 0.5
         slope = self.slope / cosine
         return Jet(self.value.asin(), slope, (self.bend + self.value * slope * slope) / cosine)
-
-
-def _jet(number: Any) -> Jet:
-    return number if isinstance(number, Jet) else Jet(number, 0, 0)
 
 
 def jets(circle: Circle[Any]) -> Circle[Jet]:

@@ -12,12 +12,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from math import lcm, log2, prod
 
 from kurbel.kernel.circle import Circle
 
 
-@dataclass(frozen=True, slots=True)
+# Not frozen, which would be half the time of a product.
+@dataclass(slots=True, eq=False)
 class Separation:
     """A quotient U/L of algebraic integers whose conjugates are at most 2**upper and 2**lower.
 
@@ -85,7 +87,8 @@ class Separation:
     max = union
 
     def _with(self, other: Separation, upper: float, lower: float) -> Separation:
-        return Separation(upper, lower, lcm(self.order, other.order), self.roots | other.roots)
+        order = self.order if other.order in (1, self.order) else lcm(self.order, other.order)
+        return Separation(upper, lower, order, self.roots | other.roots if other.roots else self.roots)
 
 
 def circle_separation(degrees: Fraction) -> Circle[Separation]:
@@ -101,7 +104,10 @@ def circle_separation(degrees: Fraction) -> Circle[Separation]:
 
 
 def _separation(value: Separation | int) -> Separation:
-    return value if isinstance(value, Separation) else Separation.rational(value)
+    return value if isinstance(value, Separation) else _of_number(value)
+
+
+_of_number = lru_cache(maxsize=64)(Separation.rational)
 
 
 def _totient(order: int) -> int:

@@ -30,7 +30,7 @@ transcribed, and his article goes on where the transcription ends; re-derived.
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Generic, NamedTuple, TypeVar
+from typing import Generic, NamedTuple, Self, TypeVar
 
 from kurbel.kernel import kinematics, moving
 from kurbel.kernel.circle import Circle, Number, root
@@ -130,6 +130,13 @@ class Loaded:
     by: Accelerations[Number] = EVEN
     weight: Weight[Number] | None = None
     friction: Number | None = None
+
+    def bearing(self, masses: Masses[Number]) -> Self:
+        """Return the same drive at the same place with other masses, whose motion is not computed anew."""
+        other = object.__new__(type(self))
+        moving = ("slant", "acceleration", "swing")
+        vars(other).update(vars(self), masses=masses, **{name: getattr(self, name) for name in moving})
+        return other
 
     @cached_property
     def slant(self) -> Slant[Number]:

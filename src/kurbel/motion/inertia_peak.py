@@ -7,9 +7,9 @@ numbers of known degree and can be proved to lie on a rounding boundary.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
-from functools import cached_property, reduce
+from functools import cached_property, lru_cache, reduce
 from itertools import pairwise
 from typing import Any
 
@@ -32,6 +32,8 @@ CUT = Fraction(5, 11)
 # Nearer to a triple zero the slope has none of the bits of `isolate`.
 HALVINGS = 20
 CONTENDING_BITS = 256
+# Of a crank, at which its motion is kept.
+MOST_PLACES = 10_000
 
 
 class Peak:
@@ -46,6 +48,9 @@ class Peak:
         self.masses = masses
         # The greatest magnitude so far: what lies below it everywhere is not searched.
         self._reached = flint.arb(0)
+        self._moved = _places(crank)
+        self._balls: dict[int, Masses[arb]] = {}
+        self._last: tuple[arb | None, int, Jet] = (None, 0, Jet(0, 0, 0))
 
     @cached_property
     def vanishes(self) -> bool:
@@ -118,20 +123,44 @@ class Peak:
         return bound
 
     def _run(self, formula: Any, circle: Circle[Any], of: Any) -> Any:
-        offset = of(self.crank.offset) if self.crank.offset else None
-        masses = Masses(*map(of, map(Fraction, self.masses)))
-        return formula(Loaded(circle, of(self.crank.ratio), masses, offset))
+        return formula(_loaded(self.crank, circle, of).bearing(Masses(*map(of, map(Fraction, self.masses)))))
+
+    def _at(self, formula: Any, circle: Callable[[arb], Circle[Any]], half_turns: arb) -> Any:
+        """Return what the formula says of a place, a ball; the rod moves there alike in all its forces."""
+        precision = flint.ctx.prec
+        masses = self._balls.get(precision)
+        if masses is None:
+            masses = self._balls[precision] = Masses(*map(ball, map(Fraction, self.masses)))
+        return formula(self._moving(circle, half_turns, precision).bearing(masses))
+
+    def _moving(self, circle: Callable[[arb], Circle[Any]], half_turns: arb, precision: int) -> Loaded:
+        """Return the crank at a place, as all forces of the rod and the masses for it ask for it."""
+        middle, away = half_turns.mid().man_exp(), half_turns.rad().man_exp()
+        key = circle, middle, away, precision
+        if key not in self._moved:
+            if len(self._moved) >= MOST_PLACES:
+                self._moved.clear()
+            self._moved[key] = _loaded(self.crank, circle(half_turns), ball)
+        return self._moved[key]
 
     def _jet(self, formula: Any, half_turns: arb) -> Jet:
-        jet = self._run(formula, ball_jets(half_turns), ball)
+        jet = self._at(formula, ball_jets, half_turns)
         assert isinstance(jet, Jet)
         return jet
 
+    def _smooth(self, half_turns: arb) -> Jet:
+        # A slope is asked for with its bend.
+        place, precision, jet = self._last
+        if place is not half_turns or precision != flint.ctx.prec:
+            jet = self._jet(self.force.smooth, half_turns)
+            self._last = half_turns, flint.ctx.prec, jet
+        return jet
+
     def _slope(self, half_turns: arb) -> Any:
-        return self._jet(self.force.smooth, half_turns).slope
+        return self._smooth(half_turns).slope
 
     def _bend(self, half_turns: arb) -> Any:
-        return self._jet(self.force.smooth, half_turns).bend * pi()
+        return self._smooth(half_turns).bend * pi()
 
     def _candidates(self) -> Iterator[Root]:
         """Yield the quarters of the turn and all zeros of the slope between them.
@@ -167,7 +196,7 @@ class Peak:
             self._reached = least
 
     def _magnitude(self, half_turns: arb) -> arb:
-        magnitude: arb = abs(self._run(self.force.formula, half_turn_circle(half_turns), ball))
+        magnitude: arb = abs(self._at(self.force.formula, half_turn_circle, half_turns))
         return magnitude
 
     def _cleared(self, quarter: Fraction, other: Fraction) -> Fraction:
@@ -220,6 +249,18 @@ class Peak:
         middle, wide = self._jet(self.force.formula, at.mid()), self._jet(self.force.formula, at)
         away = (at - at.mid()) * pi()
         return middle.value + away * (middle.slope + away * wide.bend)
+
+
+@lru_cache(maxsize=16)
+def _places(crank: Crank) -> dict[Any, Loaded]:
+    """Return what is known of the crank's motion, for all forces of its rod."""
+    return {}
+
+
+def _loaded(crank: Crank, circle: Circle[Any], of: Any) -> Loaded:
+    """Return the crank's drive, without masses."""
+    offset = of(crank.offset) if crank.offset else None
+    return Loaded(circle, of(crank.ratio), Masses(0, 0, 0), offset)
 
 
 def _constant(value: Fraction) -> Jet:

@@ -9,9 +9,9 @@ from string import ascii_lowercase
 from typing import NamedTuple
 
 from kurbel.formats.page import Page, PageCell, PageGroup, PageNote, PagePanel
-from kurbel.formats.text.wrap import fitted, lines_of, longest_word
 from kurbel.formats.text.writer import TIGHTEST, Measure, grid_with, longest, measured
 from kurbel.page.labels import mark_text
+from kurbel.page.wrap import fitted, lines_of, longest_word
 
 # A column of words is not squeezed below that.
 NARROWEST = 14
