@@ -7,8 +7,6 @@ are the keys of a TypedDict, and each function has them as `**given: Unpack[Shar
 or behind them if they are `last`, unless it has an order of its own. Their default is in the Option.
 """
 
-from __future__ import annotations
-
 import inspect
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from os import PathLike

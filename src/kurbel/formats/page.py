@@ -4,8 +4,6 @@ Templates read these objects and only arrange them. What a template does not nee
 notation of labels or the decimal mark, ends here.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Sequence, Set
 from itertools import accumulate, chain, islice, pairwise, zip_longest

@@ -1,7 +1,5 @@
 """What a page can show: one kind of entry, whatever the page is about."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple, TypeAlias

@@ -1,14 +1,12 @@
 """What a page is about, as data, and what is asked of it: layout, language, digits and columns."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, cached_property
 from math import prod
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeAlias
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label, Number
@@ -125,7 +123,7 @@ class Question(Worded):
     lang: str = "de"
     columns: tuple[str, ...] = ()
     label: str = ""
-    units: Units | None = None
+    units: "Units | None" = None
     zero: Fraction = Fraction(0)
 
     # Whether records of the axes alone say something.
@@ -154,7 +152,7 @@ class Question(Worded):
         return ""
 
     @cached_property
-    def for_data(self) -> Question:
+    def for_data(self) -> Self:
         """The same for records, which are in metric units unless others were asked for."""
         return self if self.units is None or self.units.data else replace(self, units=None)
 

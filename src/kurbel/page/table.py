@@ -5,8 +5,6 @@ A *label* is a short piece of prose with formulas between dollar signs, written 
 Numbers in formulas are written with a decimal point; the format sets the mark of the language.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -154,7 +152,7 @@ class Table:
     pause: int | None = None
     variant: Variant | None = None
     quantities: tuple[Quantity, ...] = ()
-    steps: Steps | None = None
+    steps: "Steps | None" = None
     told: tuple[Label, tuple[Note, ...]] | None = None
 
     @property

@@ -3,8 +3,6 @@
 Every factor is an exact rational number, so that a converted digit is as certain as another.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
