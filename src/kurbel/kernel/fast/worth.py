@@ -9,9 +9,9 @@ from importlib.util import find_spec
 from threading import Lock
 from typing import Any
 
-# Cells that NumPy does while numba is loaded (0.8 s) and while it compiles a loop (0.3 s), on two cores.
-LOADING = 100_000_000
-COMPILING = 40_000_000
+# Cells that NumPy does while numba is loaded (0.4 s) and while it compiles a loop (0.3 s), on two cores.
+LOADING = 50_000_000
+COMPILING = 30_000_000
 # Below this many neither the formulas are written down nor anything is counted.
 FEWEST = 50_000
 
