@@ -15,6 +15,7 @@ from kurbel.exact.numerals import Number
 from kurbel.page.axes import AngleAxis, Axis, ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subject import Subject
+from kurbel.page.table import Records
 
 # What the key of a value of a card has in addition for its error.
 ERROR = "_error"
@@ -58,6 +59,12 @@ def _listed() -> Iterator[tuple[str, Quantity]]:
         yield next(page.command for page in PAGES if one.of in page.of), one
 
 
+def _records(request: EngineRequest) -> Records:
+    from kurbel.engine.long import engine_records
+
+    return engine_records(request)
+
+
 def _subject(
     key: str, layout: str, command: str, of: tuple[str, ...], **inner: Callable[[Any], Axis]
 ) -> Subject:
@@ -76,6 +83,7 @@ def _subject(
         marks=_marks,
         beside=errors_beside,
         listed=_listed if key == "irregularity" else tuple,
+        rows=_records if "angle" in inner else None,
         letters=True,
         limits={"expansion": Steam},
     )

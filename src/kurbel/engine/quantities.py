@@ -52,6 +52,23 @@ ENGINE_METHODS: Mapping[str, Method] = {
         ),
     )
 }
+# What is to be given for what quantities need.
+UNKNOWN: Mapping[str, str] = {
+    "steam": "an ideal card, with an expansion ratio",
+    "curve": "an ideal card, with an expansion ratio",
+    "clearance": "an ideal card, with an expansion ratio",
+    "compressor": "a compressor, with --pressure-ratio",
+    "heat": "the cycle of a gas engine, --compression, with one adiabatic exponent",
+    "power": "--stroke, --speed, --bore{pressure}",
+    "flow": "a compressor or a pump, --pressure-ratio or --pump",
+    "radius": "the radius at which the mass is, --radius",
+    "masses": "moving masses, such as --reciprocating 300kg",
+    "load": "--bore{pressure}",
+    "torque": "--stroke, --bore{pressure}",
+    "turns": "the mean speed, --speed",
+    "stroke": "--stroke",
+    "inertia": "the flywheel by its --inertia",
+}
 # What the extremes of the speed are called, and which of them is the greatest.
 EXTREMES = {"least": False, "greatest": True}
 # What is of a crank angle, of an order or of a cylinder has no least and no greatest place.

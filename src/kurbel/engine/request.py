@@ -18,19 +18,21 @@ from kurbel.engine.axes import LoadWords, words_of
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.digits import check_card
 from kurbel.engine.engine import Engine, Load, check_count
-from kurbel.engine.quantities import ENGINE_METHODS, OUTSTROKE, RETURN_STROKE, WHOLE, Where
+from kurbel.engine.quantities import ENGINE_METHODS, OUTSTROKE, RETURN_STROKE, UNKNOWN, WHOLE, Where
 from kurbel.engine.turn import turn_of
 from kurbel.errors import ProblemError
+from kurbel.motion.evaluation import PAGE_CELLS
 from kurbel.motion.mechanism import STRAIGHT, Mechanism
 from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question
-from kurbel.page.table import Field
+from kurbel.page.table import Field, Value
 from kurbel.reading.given import choose
 
 if TYPE_CHECKING:
     from kurbel.engine.assembly import Assembly
+    from kurbel.engine.long.columns import LongColumns
 
 # What pages of a run of crank angles are about.
 OVER_ANGLE = ("turning", "speed", "crank forces", "machine")
@@ -48,23 +50,6 @@ OF_LOAD: Mapping[str, tuple[str, str]] = {
 }
 # What is of one kind of cylinder.
 OF_ALIKE = ("mean_pressure", "mean_pressure_kpa")
-# What a quantity needs to be known.
-UNKNOWN: Mapping[str, str] = {
-    "steam": "an ideal card, with an expansion ratio",
-    "curve": "an ideal card, with an expansion ratio",
-    "clearance": "an ideal card, with an expansion ratio",
-    "compressor": "a compressor, with --pressure-ratio",
-    "heat": "the cycle of a gas engine, --compression, with one adiabatic exponent",
-    "power": "--stroke, --speed, --bore{pressure}",
-    "flow": "a compressor or a pump, --pressure-ratio or --pump",
-    "radius": "the radius at which the mass is, --radius",
-    "masses": "moving masses, such as --reciprocating 300kg",
-    "load": "--bore{pressure}",
-    "torque": "--stroke, --bore{pressure}",
-    "turns": "the mean speed, --speed",
-    "stroke": "--stroke",
-    "inertia": "the flywheel by its --inertia",
-}
 # Turns take tens of kilobytes each, and records may be of a million engines. A page has its own at hand.
 KEPT_TURNS = 512
 SUPPLIED = words("zugeführtes mittleres Drehmoment|Mean torque supplied")
@@ -178,6 +163,20 @@ class EngineRequest(Question):
         if self.carded:
             check_card(turn, self.rounding)
         return turn
+
+    @cached_property
+    def long(self) -> LongColumns | None:
+        """The columns in chunks, of so many cells over the crank angle that floats are sooner done."""
+        if len(self.page_columns) * len(self) <= PAGE_CELLS or "angle" not in self.axes or self.carded:
+            return None
+        from kurbel.engine.long import long_columns
+
+        return long_columns(self)
+
+    def number(self, column: Column, place: Place, times: int = 1) -> Value:
+        long = self.long if times == 1 else None
+        found = None if long is None else long.number(column, place)
+        return super().number(column, place, times) if found is None else found
 
     def where(self, place: Place) -> Where:
         return Where(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import partial
@@ -9,23 +10,30 @@ from itertools import chain, islice
 from typing import TYPE_CHECKING
 
 from kurbel.drive.crank import largest
+from kurbel.exact.numerals import Number
 from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.page import CHUNK, RecordRows
 from kurbel.page.axes import angle_decimals, angle_number, shifted
 from kurbel.page.build import build
+from kurbel.page.labels import plain
 from kurbel.page.subject import Question
-from kurbel.reading.notation import Progression, ratio_text
+from kurbel.page.table import Value
+from kurbel.reading.notation import Progression
 
 if TYPE_CHECKING:
     from kurbel.formats.columns import Scaled
     from kurbel.formats.registry import RecordsFormat
 
 
+# Text of another axis that is one word in every format.
+_WORD = re.compile(r"[\w:.,/∞-]*")
+
+
 def record_chunks(request: Question, form: RecordsFormat, decimal: str) -> Iterator[bytes]:
     """Yield the table's records in a format, a chunk of rows at a time."""
     table = build(request, pages=False)
     rows = table.records.rows
-    if isinstance(rows, RecordRows) and rows.question.bulk and _fits(_counted(rows)):
+    if isinstance(rows, RecordRows) and rows.bulk and _fits(rows):
         yield from form.writer.bulk(table, rows.keys, partial(_fields, rows), decimal)
         return
     lines = form.writer.rows(table, decimal)
@@ -37,26 +45,37 @@ def _fields(rows: RecordRows, mark: str) -> Iterator[dict[str, Scaled | bytes]]:
     """Yield the columns of each chunk by their keys."""
     from kurbel.formats.columns import Scaled
 
-    decimals = {key: column.places for key, column in rows.columns.items()}
-    of_angles, zero = angle_decimals(_counted(rows)) or 0, rows.question.zero
-    for crank, angles, values in rows.chunks():
+    of_angles, zero = angle_decimals(rows.counted) or 0, rows.question.zero
+    for others, angles, scaled, decimals in rows.chunks():
         fields: dict[str, Scaled | bytes] = {
-            key: Scaled(values[key], decimals[key], mark.encode()) for key in values
+            key: Scaled(scaled[key], decimals[key], mark.encode()) for key in scaled
         }
-        fields["ratio"] = ratio_text(crank.ratio, mark).encode()
+        for key, value in others.items():
+            fields[key] = _same(value, len(angles), mark)
         fields["phi"] = _scaled_angles(shifted(angles, -zero), of_angles, mark.encode())
         yield fields
 
 
-def _counted(rows: RecordRows) -> Sequence[Fraction]:
-    """Return the angles as the page counts them."""
-    return shifted(rows.question.angles, -rows.question.zero)
+def _same(value: Value, size: int, mark: str) -> Scaled | bytes:
+    """Return what stands alike in so many rows."""
+    if not isinstance(value, Number):
+        return plain(value or "", mark).encode()
+    import numpy as np
+
+    from kurbel.formats.columns import Scaled
+
+    return Scaled(np.full(size, value.scaled, dtype=np.int64), value.decimals, mark.encode())
 
 
-def _fits(angles: Sequence[Fraction]) -> bool:
-    """Whether every angle is a finite decimal that fits an int64."""
-    decimals = angle_decimals(angles)
-    return decimals is not None and decimals <= MOST_DECIMALS and largest(angles) * 10**decimals < 2**62
+def _fits(rows: RecordRows) -> bool:
+    """Whether every angle is a finite decimal that fits an int64, and what other axes say a word or such a
+    number."""
+    angles, decimals = rows.counted, angle_decimals(rows.counted)
+    fits = decimals is not None and decimals <= MOST_DECIMALS and largest(angles) * 10**decimals < 2**62
+    return fits and all(
+        abs(one.scaled) < 2**62 if isinstance(one, Number) else _WORD.fullmatch(plain(str(one)))
+        for one in rows.said
+    )
 
 
 def _scaled_angles(angles: Sequence[Fraction], decimals: int, mark: bytes) -> Scaled:

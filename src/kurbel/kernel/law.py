@@ -106,6 +106,9 @@ class Law(NamedTuple):
             return value(0, share) + 0 * share if hasattr(share, "shape") else value(0, share)
         if hasattr(share, "shape"):
             return self._of_array(share, value)
+        if hasattr(share, "piecewise"):
+            every = [value(index, self._within(index, share)) for index in range(len(self.pieces))]
+            return share.piecewise(self.corners, every)
         if hasattr(share, "union") and not hasattr(share, "rad"):
             # Of bounds nothing tells on which piece they lie, and none need be kept within one.
             return _either([value(index, share) for index in range(len(self.pieces))])

@@ -37,11 +37,11 @@ def is_long(columns: Sequence[Column], cranks: Sequence[Crank], angles: Sequence
     doubtful = (
         2 * float_bound(column, crank, reach) * 10.0**column.places for column in columns for crank in cranks
     )
-    return max(doubtful) < DOUBTFUL_SHARE and _has_arrays()
+    return max(doubtful) < DOUBTFUL_SHARE and has_arrays()
 
 
-def _has_arrays() -> bool:
-    # In a browser there is no NumPy, and balls do what floats would do sooner.
+def has_arrays() -> bool:
+    """Whether there is NumPy; in a browser there is none, and balls do what floats would do sooner."""
     try:
         import_module("numpy")
     except ImportError:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
@@ -196,36 +196,61 @@ def motion_records(question: Request) -> Records:
     return Records(fields, RecordRows(question, [field.key for field in fields]))
 
 
+class Chunk(NamedTuple):
+    """Records that differ in their angle alone: what stands for the other axes, the angles, the scaled digits
+    of the columns, and how many of these are decimals, each by its key."""
+
+    others: Mapping[str, Value]
+    angles: Sequence[Fraction]
+    scaled: Mapping[str, Any]
+    decimals: Mapping[str, int]
+
+
 class RecordRows(Rows):
-    """The records of a question about motion, a chunk of angles at a time."""
+    """The records of a question over crank angles, the innermost axis, a chunk of angles at a time."""
 
-    question: Request
+    question: Any
 
-    def __init__(self, question: Request, keys: Sequence[str]) -> None:
+    def __init__(self, question: Any, keys: Sequence[str]) -> None:
         super().__init__(question, {}, {column.key: column for column in question.page_columns}, keys)
 
     def __iter__(self) -> Iterator[tuple[Value, ...]]:
-        zero = self.question.zero
-        of_angles = angle_decimals(shifted(self.question.angles, -zero))
-        for crank, angles, values in self.chunks():
-            ratio = f"${ratio_text(crank.ratio)}$"
+        zero, of_angles = self.question.zero, angle_decimals(self.counted)
+        for others, angles, scaled, decimals in self.chunks():
             for row, angle in enumerate(angles):
-                axes: dict[str, Value] = {"ratio": ratio, "phi": angle_number(angle - zero, of_angles)}
+                axes = {**others, "phi": angle_number(angle - zero, of_angles)}
                 yield tuple(
-                    axes[key] if key in axes else Number(int(values[key][row]), self.columns[key].places)
+                    axes[key] if key in axes else Number(int(scaled[key][row]), decimals[key])
                     for key in self.keys
                 )
 
-    def chunks(self) -> Iterator[tuple[Crank, Sequence[Fraction], Mapping[str, Any]]]:
-        """Yield ratio by ratio and chunk by chunk the scaled digits of every column by its key."""
+    @property
+    def bulk(self) -> bool:
+        """Whether they are computed in arrays."""
+        return bool(self.question.bulk)
+
+    @property
+    def counted(self) -> Sequence[Fraction]:
+        """The angles as the page counts them."""
+        return shifted(self.question.angles, -self.question.zero)
+
+    @property
+    def said(self) -> Sequence[Value]:
+        """All that stands for places of the other axes."""
+        return [f"${ratio_text(crank.ratio)}$" for crank in self.question.cranks]
+
+    def chunks(self) -> Iterator[Chunk]:
+        """Yield the records in their order, ratio by ratio."""
         question = self.question
+        decimals = {key: column.places for key, column in self.columns.items()}
         # What fits one chunk is computed once for the page and for all its records.
         kept = len(question) <= CHUNK and not question.layout.pairs
         for number, crank in enumerate(question.cranks):
+            ratio: Mapping[str, Value] = {"ratio": f"${ratio_text(crank.ratio)}$"}
             for start in range(0, len(question.angles), CHUNK):
                 part = question.angles[start : start + CHUNK]
                 values = question.values[number] if kept else question.scaled(crank, part)
-                yield crank, part, dict(zip(self.columns, values, strict=True))
+                yield Chunk(ratio, part, dict(zip(self.columns, values, strict=True)), decimals)
 
 
 def _number(question: Request, column: Column, place: Place, times: int) -> Number:
