@@ -35,7 +35,7 @@ SAVED = {
     "columns.md": {"delta.nc", "delta.parquet"},
     "interactive.md": {"motion.html"},
     "python.md": {"table.tex", "turning.svg"},
-    "sweeps.md": {"delta.parquet"},
+    "sweeps.md": {"delta.parquet", "motion.parquet"},
 }
 COMMAND = re.compile(r"^\$ (.+)\n", re.MULTILINE)
 

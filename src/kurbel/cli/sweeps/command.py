@@ -88,7 +88,8 @@ class SweepCommand(click.Command):
             )
         with running(given.values, sweep) as how:
             outcome = run(sweep, given.values["output"], how, given.values["format"])
-        say(_told(given.values["output"], outcome))
+        if given.values["output"] != "-" or outcome.refused:
+            say(_told(given.values["output"], outcome))
         return 0
 
     def plan(self, given: Given, order: Sequence[str]) -> Plan:
