@@ -127,7 +127,7 @@ def cylinders_registry() -> Mapping[str, Quantity]:
     return {one.key: one for one in found}
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class FiringRequest(Question):
     """What is asked for: the firing orders of an engine or, of one order, when its cylinders fire.
 

@@ -53,7 +53,7 @@ def quantities() -> Mapping[str, Quantity]:
     return found
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class OrdersRequest(Question):
     """A question about the harmonics up to an order, of one of the quantities that they add up to.
 
@@ -80,7 +80,7 @@ class OrdersRequest(Question):
         return (self.method,)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class HarmonicsRequest(OrdersRequest):
     """What is asked for: the harmonics of the path (x), velocity (c) or acceleration (p).
 

@@ -85,7 +85,7 @@ def _in_newtons(own: Quantity) -> Quantity:
     )
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class BalanceRequest(OrdersRequest):
     """What is asked for: the forces and moments of an arrangement with several crank ratios.
 

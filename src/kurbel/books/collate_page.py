@@ -38,7 +38,7 @@ KEYS = (
 )  # fmt: skip
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class CollateRequest(Question):
     """What is asked for: the collated cells of a table, all or those that deviate."""
 

@@ -56,7 +56,7 @@ SUPPLIED = words("zugeführtes mittleres Drehmoment|Mean torque supplied")
 DIFFERENCE = words(", Unterschied|, difference")
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class EngineRequest(Question):
     """What is asked for: the engines of all steams, cards or other loads (outer) and crank drives (inner).
 

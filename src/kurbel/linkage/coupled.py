@@ -129,7 +129,7 @@ def _whole(at: At) -> Any:
     return at.kind.of(Fraction(1))
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class CoupledRequest(LinkageRequest):
     """What is asked for: the forces of coupled axles at crank angles."""
 

@@ -196,7 +196,7 @@ def _entry(
     )  # fmt: skip
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class DeadCentresRequest(Question):
     """What is asked for: the dead centres of drives of one mechanism, alike but for their ratios."""
 

@@ -24,7 +24,7 @@ from kurbel.page.quantity import Column, Formula, Quantity, Words, enumerated, f
 from kurbel.page.subject import Subject
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class LinkageRequest(AngleQuestion):
     """What is asked for of these drives, alike but for their ratios, at these angles."""
 

@@ -83,7 +83,7 @@ def _entry(
     return entry(key, name, "", unit, decimals, formulas, heading, minutes=unit == "°", needs=needs, of=of)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ErrorsRequest(CrankQuestion):
     """What is asked for: the greatest forces and errors of the rods of these cranks."""
 

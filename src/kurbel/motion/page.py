@@ -33,7 +33,7 @@ from kurbel.page.table import Records, Value
 from kurbel.reading.notation import ratio_text
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class CrankQuestion(Question):
     """What is asked for of these cranks."""
 
@@ -55,7 +55,7 @@ class CrankQuestion(Question):
         return needed(quantity, self.cranks)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class AngleQuestion(Question, ABC):
     """What is asked for of drives at crank angles."""
 
@@ -80,7 +80,7 @@ def check_pairs(layout: Layout, drives: str) -> None:
         )
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Request(CrankQuestion, AngleQuestion):
     """What is asked for of these cranks at these angles. `method` None leaves it to the layout.
 

@@ -130,7 +130,7 @@ def _pair(
     )
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class RodMassesRequest(Question):
     """What is asked for: the masses that stand in for a rod, of so many metres between its pins or None."""
 

@@ -51,7 +51,7 @@ def _headed(quantity: Quantity) -> Quantity:
     )
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class TangentRequest(CrankQuestion):
     """What is asked for: forces of these straight cranks where the rod touches the crank circle."""
 

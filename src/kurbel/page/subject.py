@@ -108,7 +108,7 @@ def subject(key: str) -> Subject:
     return found
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Question(Worded):
     """A layout that is asked for, with the digits, the language and the columns of its page.
 

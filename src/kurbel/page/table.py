@@ -72,7 +72,7 @@ class Group(NamedTuple):
     label: Label = ""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Panel:
     """One block of columns. A page that is too wide goes on in further panels below the first."""
 
@@ -128,7 +128,7 @@ class Records(NamedTuple):
     rows: Iterable[Sequence[Value]]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Table:
     """A finished table. `key` is its name for cross references, without a prefix: "kinematics".
 

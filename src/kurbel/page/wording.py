@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import Any, TypeVar
 
 from kurbel.errors import LayoutError, ProblemError
@@ -18,7 +18,7 @@ _MARKED = r"(?s)\s*\[\^([^\]\s]+)\]\s*(.*)"
 Page = TypeVar("Page", bound=Table)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Worded:
     """What is said of a page in one's own words, in the notation of labels.
 
@@ -29,6 +29,11 @@ class Worded:
     caption: Label | None = None
     note: tuple[Note, ...] = ()
     source: Label | None = None
+
+    def __repr__(self) -> str:
+        # Written once for all questions: to compile it for each is a hundredth of a start.
+        said = ", ".join(f"{one.name}={getattr(self, one.name)!r}" for one in fields(self))
+        return f"{type(self).__qualname__}({said})"
 
     def worded(self, table: Table) -> Table:
         """Return the page with these words. Raises ProblemError for a mark without its note, or with two."""

@@ -49,7 +49,7 @@ WORDS = {
 }
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class LoadedRequest(EngineRequest):
     """What is asked for: where the forces of these engines fulfil the conditions."""
 

@@ -67,7 +67,7 @@ def own_columns() -> Iterator[tuple[str, Quantity]]:
             yield "solve", TURN
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class SolveRequest(Question):
     """What is asked for: where these drives, alike but for their ratios, fulfil the conditions."""
 

@@ -55,7 +55,7 @@ def _in_unit(size: Fraction, found: Any) -> Any:
     return found / ball(size)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class UnknownRequest(Question):
     """What is asked for: all values of an unknown. `condition` and `angle` are labels, `lines` says what else
     there is to say; `found` are the values in SI units, at the precision in force."""

@@ -52,7 +52,7 @@ def _in_newtons(own: Mapping[str, Quantity]) -> Mapping[str, str]:
     return {lang: f"{name} in {BOTH}" for lang, name in own[GREATEST].name.items()}
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ExtremesRequest(BalanceRequest):
     """What is asked for: the greatest forces and moments of an arrangement over the turn, by orders and
     all together."""

@@ -77,7 +77,7 @@ def quantities() -> Mapping[str, Quantity]:
     return {one.key: one for one in found}
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class AngleRequest(BalanceRequest):
     """What is asked for: the forces and moments of an arrangement at angles of the shaft, by orders and
     all together."""

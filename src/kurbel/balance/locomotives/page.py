@@ -48,7 +48,7 @@ WORDS: Mapping[str, Words] = {
 }
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class LocomotiveRequest(Question):
     """What is asked for: a locomotive that runs, with several shares of its masses balanced."""
 

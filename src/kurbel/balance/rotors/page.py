@@ -90,7 +90,7 @@ def _field(name: str) -> Any:
     return lambda line: getattr(line, name)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class RotorRequest(Question):
     """What is asked for: the lines of the masses of a shaft; `planar` where their planes are not known."""
 

@@ -61,7 +61,7 @@ COLUMNS: Mapping[str, tuple[tuple[str, str], ...]] = {
 }
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ExampleRequest(Worded):
     """What is asked for: an example, with numbers of one's own by option where they are given."""
 

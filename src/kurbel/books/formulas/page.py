@@ -101,7 +101,7 @@ class Line(NamedTuple):
     tone: Tone
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class FormulaRequest(Question):
     """What is asked for: the formulas of a table, all or those that are not as they should be."""
 

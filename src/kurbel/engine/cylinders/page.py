@@ -105,7 +105,7 @@ def _entry(
     return entry(key, name, symbol, unit, decimals, formulas, heads.get(key, ""), of="cylinder", **rest)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class CylindersRequest(EngineRequest):
     """What is asked for: the cylinders of one engine."""
 

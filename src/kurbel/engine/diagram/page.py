@@ -34,7 +34,7 @@ POINT = words("Punkt|Point")
 NEEDS = {INERTIA: ("--inertia",), RUN: ("--inertia", "--speed"), SCALE: ("--area-scale",)}
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class DiagramRequest(Question, ABC):
     """What is asked for of a diagram, with the flywheel and its mean speed as far as they are known."""
 
@@ -81,7 +81,7 @@ class DiagramRequest(Question, ABC):
             yield said.format(inertia=amount(self.inertia, "kg m²"), speed=turns_label(self.speed))
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class TorquesRequest(DiagramRequest):
     """What is asked for of torques at crank angles."""
 
@@ -101,7 +101,7 @@ class TorquesRequest(DiagramRequest):
         return self.excess
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class AreasRequest(DiagramRequest):
     """What is asked for of areas at the points between them."""
 

@@ -57,7 +57,7 @@ WHOLE = "all"
 EXCITATION = "excitation"
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class TorqueRequest(EngineRequest):
     """What is asked for: the harmonics of the tangential force up to an order."""
 

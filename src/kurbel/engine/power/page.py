@@ -47,7 +47,7 @@ GIVEN_WORDS = LoadWords(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class PowerRequest(Question):
     """What is asked for: the power of what acts on a piston, each of the `sources`, as far as `duty` tells
     it, or the sizes that it needs."""

@@ -76,7 +76,7 @@ def _of(kernel: Callable[..., Any]) -> Mapping[str, Formula]:
     return {"exact": Formula(kernel)}
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class PressuresRequest(Question):
     """What is asked for: the pressures in a cylinder at shares of its strokes, or at crank angles."""
 

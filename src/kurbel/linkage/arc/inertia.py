@@ -21,7 +21,7 @@ from kurbel.motion.notes.rod import connecting_rod
 from kurbel.page.quantity import Quantity
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class RockerInertiaRequest(LinkageRequest):
     """What is asked for of these drives with their rods, each called as in its own mechanism."""
 

@@ -39,7 +39,7 @@ SWING = words(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class BeamRequest(Question):
     """What is asked for: the beam engines of all arms (outer) and crank ratios (inner)."""
 

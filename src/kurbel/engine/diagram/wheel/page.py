@@ -21,7 +21,7 @@ TARGET = words("Ungleichförmigkeitsgrad, zulässiger|Degree of irregularity all
 VALUE = words("Wert|Value")
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class WheelRequest(Question):
     """What is asked for: flywheels by what is given, one for each of the irregularities to keep.
 
