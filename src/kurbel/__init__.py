@@ -19,10 +19,10 @@ phi,x
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from kurbel.errors import KurbelError
 
+# That of typing, which to load is half of what `kurbel --help` takes.
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from kurbel.commands.balance import balance_table
     from kurbel.commands.balancing.locomotive import locomotive_table

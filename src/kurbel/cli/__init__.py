@@ -9,10 +9,14 @@ import gc
 import os
 import signal
 import sys
-from types import FrameType
-from typing import NoReturn
 
 from kurbel import __version__
+
+# That of typing, which to load is half of what `kurbel --help` takes.
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from types import FrameType
+    from typing import NoReturn
 
 # Name, the function that makes its table or the module of the command, and one line of help.
 COMMANDS = {

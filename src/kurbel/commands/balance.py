@@ -16,6 +16,7 @@ from kurbel.commands.balancing.masses import (
     reciprocating_of,
     unlike,
 )
+from kurbel.commands.cylinder import engines
 from kurbel.commands.machines import MASSES, is_heavy, weighed
 from kurbel.commands.motion import ratios_of, sheet_of
 from kurbel.commands.options import Choice, Count, Option, is_given
@@ -73,7 +74,7 @@ EXTREMES = "balance extremes"
 SUBJECTS = ("balance", AT_ANGLES, EXTREMES)
 
 
-class Heavy(option.MovingRod, Revolving, option.Sheet, total=False):
+class Heavy(engines.MovingRod, Revolving, option.Sheet, total=False):
     """The masses of each cylinder, with what makes forces of them."""
 
     reciprocating: Annotated[

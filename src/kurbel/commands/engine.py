@@ -6,6 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, TypedDict, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.cylinder import engines
 from kurbel.commands.diagram.given import Diagram, foreign, is_diagram, needless
 from kurbel.commands.engine_pages.layouts import has_wheel, layout_of_delta, layout_of_turning
 from kurbel.commands.machines import (
@@ -73,7 +74,7 @@ class Wheeled(TypedDict, total=False):
     ]
 
 
-class Turning(option.Engine, Wheeled, total=False):
+class Turning(engines.Engine, Wheeled, total=False):
     """An engine with its flywheel."""
 
 

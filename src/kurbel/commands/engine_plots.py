@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.cylinder import engines
 from kurbel.commands.cylinder.effort import Rods, Rubbing
 from kurbel.commands.cylinder.given import Cylinders, Of
 from kurbel.commands.cylinder.slope import Lying
@@ -28,7 +29,7 @@ AXES = ("angle", "path")
 ENGINE_LAYOUT, MACHINE_LAYOUT = "engine-forces", "machine-forces"
 
 
-class Drawn(option.Cylinder, option.MovingRod, Lying, Rods, Rubbing, option.AnyDrive, Sized, total=False):
+class Drawn(engines.Cylinder, engines.MovingRod, Lying, Rods, Rubbing, option.AnyDrive, Sized, total=False):
     """An engine, as it is drawn."""
 
     cylinder: Cylinders

@@ -5,6 +5,7 @@ from typing import Annotated, Any, Unpack
 
 from kurbel.commands import loads
 from kurbel.commands import parameters as option
+from kurbel.commands.cylinder import engines
 from kurbel.commands.cylinder.effort import (
     PINNED,
     PRESSING,
@@ -155,7 +156,7 @@ def _refused(names: tuple[str, ...], why: str) -> dict[str, str]:
 
 
 class Forces(
-    option.Run, option.AnyDrive, option.Steam, option.MovingRod, Lying, Pressing, Rods, Rubbing, Pinned,
+    option.Run, option.AnyDrive, engines.Steam, engines.MovingRod, Lying, Pressing, Rods, Rubbing, Pinned,
     option.Sheet, total=False,
 ):  # fmt: skip
     """A crank drive and all that can act on it."""

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.cylinder import engines
 from kurbel.commands.cylinder.effort import PRESSING, RODS, RUBBING, Pressing, Rods, Rubbing
 from kurbel.commands.cylinder.given import Of
 from kurbel.commands.cylinder.slope import LYING, Lying
@@ -92,7 +93,15 @@ def _is_of_forces(values: Mapping[str, Any]) -> bool:
 
 
 class Drives(
-    option.AnyDrive, option.Steam, option.MovingRod, Lying, Pressing, Rods, Rubbing, option.Sheet, total=False
+    option.AnyDrive,
+    engines.Steam,
+    engines.MovingRod,
+    Lying,
+    Pressing,
+    Rods,
+    Rubbing,
+    option.Sheet,
+    total=False,
 ):
     """Crank drives of which conditions are asked, under a force or the load of an engine."""
 

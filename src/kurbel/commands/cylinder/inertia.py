@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.cylinder import engines
 from kurbel.commands.machines import check_whole, rod_of
 from kurbel.commands.motion import angles_of, meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Option, is_given
@@ -20,7 +21,7 @@ from kurbel.reading.given import Exact, as_length, as_names, as_ratios, as_speed
 INERTIA, ROCKER_INERTIA = ("inertia", "inertia errors", "rod masses"), "rocker inertia"
 
 
-class Rods(option.Run, option.AnyDrive, option.MovingRod, option.Sheet, total=False):
+class Rods(option.Run, option.AnyDrive, engines.MovingRod, option.Sheet, total=False):
     """A crank drive with a moving rod."""
 
     layouts: option.Layouts

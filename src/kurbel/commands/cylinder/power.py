@@ -5,6 +5,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.cylinder import engines
 from kurbel.commands.cylinder.effort import RODS, Rods
 from kurbel.commands.cylinder.needless import needless
 from kurbel.commands.loads import OWN, pressures_of
@@ -43,7 +44,7 @@ NEEDED = (
 )
 
 
-class Powered(option.Cylinder, Rods, option.Sheet, total=False):
+class Powered(engines.Cylinder, Rods, option.Sheet, total=False):
     """A cylinder, what acts in it, and the power it is to have."""
 
     cranks: option.Cranks

@@ -5,6 +5,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.cylinder import engines
 from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.loads import OWN
 from kurbel.commands.machines import engine_of, for_masses, weighed
@@ -35,7 +36,7 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
     return of_other_mechanisms({**values, "layout": None}, shared=("stroke", "speed"))
 
 
-class Piston(option.AnyDrive, option.Cylinder, option.MovingRod, option.Sheet, total=False):
+class Piston(option.AnyDrive, engines.Cylinder, engines.MovingRod, option.Sheet, total=False):
     """A piston that masses and a load press on."""
 
     eps: option.Eps
@@ -114,7 +115,7 @@ def pressures_table(
     )
 
 
-class DrawnPiston(option.Cylinder, option.MovingRod, option.AnyDrive, Sized, total=False):
+class DrawnPiston(engines.Cylinder, engines.MovingRod, option.AnyDrive, Sized, total=False):
     """The pressures on a piston, as they are drawn."""
 
     ratio: option.Ratios

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.cylinder import engines
 from kurbel.commands.diagram.given import Diagram, is_diagram
 from kurbel.commands.engine import ORDER
 from kurbel.commands.flywheels.options import Body, Press, Rim, Swing, Wheel
@@ -26,7 +27,7 @@ _OWN = tuple(name for group in (Diagram, Swing, Press, Body, Rim) for name in gr
 _FURTHER = ("turns", "area_scale")
 
 
-class Flywheel(option.Engine, Wheel, total=False):
+class Flywheel(engines.Engine, Wheel, total=False):
     """The flywheel of an engine, or one without."""
 
 
@@ -51,7 +52,7 @@ def _of_others(values: Mapping[str, Any]) -> Mapping[str, str]:
         return {}
     why = "is of an engine, and none is described; add --eps, --card or another load, or leave it out"
     kept = {*option.Sheet.__annotations__, *(("cranks",) if is_diagram(values) else ())}
-    names = (name.rstrip("_") for name in option.Engine.__annotations__ if name not in kept)
+    names = (name.rstrip("_") for name in engines.Engine.__annotations__ if name not in kept)
     return {name: f"--{name.replace('_', '-')} {why}" for name in names}
 
 

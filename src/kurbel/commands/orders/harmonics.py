@@ -6,6 +6,7 @@ from typing import Annotated, Any, Unpack
 from kurbel.balance.harmonics import HARMONICS, MOST_ORDERS
 from kurbel.commands import parameters as option
 from kurbel.commands.balance import Method, Ratios
+from kurbel.commands.cylinder import engines
 from kurbel.commands.cylinder.effort import Rods, Rubbing
 from kurbel.commands.cylinder.slope import Lying
 from kurbel.commands.machines import engine_of, weightless
@@ -23,7 +24,7 @@ OF_TORQUE = ("torque", "excitation")
 
 
 class Driven(
-    option.Steam, option.MovingRod, Lying, Rods, Rubbing, option.AnyDrive, option.Sheet, total=False
+    engines.Steam, engines.MovingRod, Lying, Rods, Rubbing, option.AnyDrive, option.Sheet, total=False
 ):
     """What makes an engine of a crank ratio."""
 
