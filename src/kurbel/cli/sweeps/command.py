@@ -11,7 +11,7 @@ from click.core import ParameterSource, augment_usage_errors
 
 from kurbel.cli import say
 from kurbel.cli.options import RIVALS, Given, help_of, resolved_values
-from kurbel.cli.sweeps.from_file import FLAGS
+from kurbel.cli.sweeps.from_file import FILE
 from kurbel.cli.sweeps.options import own_options, sweep_options
 from kurbel.cli.sweeps.running import running, running_options
 from kurbel.commands.options import is_given
@@ -98,7 +98,7 @@ class SweepCommand(click.Command):
 
         values = given.values
         linked = [text.replace("-", "_").replace(";", ",").split(",") for text in values["zip_"]]
-        told = {**self.told(given, order), **click.get_current_context().meta.get(FLAGS, {})}
+        told = _in_order(self.told(given, order), click.get_current_context().meta.get(FILE, {}))
         return planned(
             self.place,
             told,
@@ -168,3 +168,9 @@ def _sample(values: Mapping[str, Any]) -> str:
     if values["seed"] is not None and not sample:
         raise click.UsageError("--seed is of a sample; add one, such as --sample sobol:1024")
     return sample or ""
+
+
+def _in_order(told: Mapping[str, Any], file: Mapping[str, Sequence[bool]]) -> dict[str, Any]:
+    """Return what is told with the options of a file in front, in their order, and its flags that vary."""
+    merged = {**told, **{name: values for name, values in file.items() if values}}
+    return {name: merged[name] for name in dict.fromkeys((*file, *told)) if name in merged}

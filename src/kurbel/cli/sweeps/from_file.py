@@ -15,14 +15,16 @@ if TYPE_CHECKING:
     from kurbel.sweeps.sweep_file import ReadFile
 
 SUFFIX = ".toml"
-# Where a context keeps flags that vary, which no word says.
-FLAGS = "kurbel.cli.sweeps.flags"
+# Where a context keeps the options of the file in their order, with the values of flags that vary, which no
+# word says.
+FILE = "kurbel.cli.sweeps.file"
 
 
 def words_of(
     read: ReadFile, command: SweepCommand, typed: Sequence[str]
 ) -> tuple[list[str], dict[str, tuple[bool, ...]]]:
-    """Return the words of the file and what is typed, and the flags that vary. Raises KurbelError."""
+    """Return the words of the file and what is typed; and the options of the file in their order, with the
+    values of flags that vary. Raises KurbelError."""
     context = click.Context(command, info_name=command.name, resilient_parsing=True)
     *_, order = command.make_parser(context).parse_args(args=[*typed])
     outdone = {one.name for one in order}
@@ -42,7 +44,7 @@ def words_of(
     for name, said in _of_sweeps(read):
         if name not in outdone:
             words += _words(read, options[name], said)
-    return [*words, *typed], flags
+    return [*words, *typed], {name: flags.get(name, ()) for name in values}
 
 
 def _words(read: ReadFile, option: click.Option, given: Sequence[Any]) -> Iterator[str]:

@@ -20,7 +20,7 @@ class _Commands(Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        from kurbel.cli.sweeps.from_file import FLAGS, SUFFIX, words_of
+        from kurbel.cli.sweeps.from_file import FILE, SUFFIX, words_of
 
         if not args[0].endswith(SUFFIX) or ctx.resilient_parsing:
             return super().resolve_command(ctx, args)
@@ -30,7 +30,7 @@ class _Commands(Group):
         read = ReadFile(args[0])
         command = self.get_command(ctx, read.said.command)
         assert isinstance(command, SweepCommand)
-        words, ctx.meta[FLAGS] = words_of(read, command, args[1:])
+        words, ctx.meta[FILE] = words_of(read, command, args[1:])
         return args[0], command, words
 
     def get_command(self, ctx: click.Context, name: str) -> click.Command | None:

@@ -1,0 +1,248 @@
+"""What a sweep asks: lists, ranges, links, conditions and designs, and the sentences that refuse them."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import product
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from cli import kurbel, refusal
+from scipy.stats import qmc
+
+from kurbel.errors import KurbelError
+from kurbel.sweeps.asked import planned
+from kurbel.sweeps.kept import MOST_TRIED
+from kurbel.sweeps.only import Condition
+
+# Sixty pounds a square inch.
+PSI = float(60 * Fraction("0.45359237") * Fraction("9.80665") / Fraction("0.0254") ** 2)
+DELTA = "kurbel.commands.engine:delta_table"
+
+
+def points(**given: Any) -> list[dict[str, Any]]:
+    """The combinations of a sweep of δ, in order."""
+    more = {name: given.pop(name) for name in ("linked", "only", "sample", "seed") if name in given}
+    plan = planned(DELTA, given, **more)
+    return [plan.at(plan.point(place)) for place in range(len(plan))]
+
+
+def swept(*words: str) -> list[dict[str, str]]:
+    result = kurbel("sweep", *words, "-f", "csv", "-o", "-")
+    assert result.code == 0, result.err
+    return list(csv.DictReader(result.out.splitlines()))
+
+
+def test_the_last_axis_is_the_fastest_and_linked_ones_go_together() -> None:
+    assert points(ratio="1:4;1:5", eps="2..3") == [
+        {"ratio": Fraction(1, ratio), "eps": eps} for ratio, eps in product((4, 5), ("2", "3"))
+    ]
+    linked = points(eps="2;3", ratio=["1:4", "1:5"], back="0.1..0.2:0,1", linked=[["back", "eps"]])
+    assert [(one["eps"], one["ratio"], one["back"]) for one in linked] == [
+        (eps, Fraction(1, ratio), back) for eps, back in (("2", "0.1"), ("3", "0.2")) for ratio in (4, 5)
+    ]
+
+
+def test_a_column_has_the_unit_of_the_si_whatever_was_typed() -> None:
+    rows = swept("power", "--eps=2", "--stroke=1m", "--bore=40..50cm:10cm;600mm", "--pressure=5bar;60psi",
+                 "--speed=100;120/min", "--columns=indicated_power")  # fmt: skip
+    assert [float(row["bore"]) for row in rows[::4]] == [0.4, 0.5, 0.6]
+    assert [float(row["pressure"]) for row in rows[:4:2]] == [5e5, PSI]
+    assert [float(row["speed"]) for row in rows[:2]] == [100 / 60, 2]
+
+
+def exactly(text: str, eps: Sequence[Fraction], back: Sequence[Fraction]) -> list[tuple[Fraction, Fraction]]:
+    """What a condition keeps, by Python's own evaluation of exact numbers."""
+    numbers = text.replace("0.1", "Fraction(1, 10)")
+    found = product(eps, back)
+    return [
+        one
+        for one in found
+        if eval(numbers, {"Fraction": Fraction}, dict(zip(("eps", "back"), one, strict=True)))
+    ]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "eps*back < 1",
+        "eps*back - 1 >= 0",
+        "not eps*back == 1 and 0.1 < back <= eps - 0.1",
+        "back**2 + 1 > eps/2 or (eps - 2)**2 == back + 0.1*3",
+        "1/eps - 1/(eps + 0.1) < 0.1*back",
+    ],
+)
+def test_a_condition_holds_where_exact_numbers_say_so(text: str) -> None:
+    eps = [1 + Fraction(place, 10) for place in range(40)]
+    back = [Fraction(place, 20) for place in range(20)]
+    kept = points(eps="1..4.9:0.1", back="0..0.95:0.05", only=text)
+    assert [(Fraction(one["eps"]), Fraction(one["back"])) for one in kept] == exactly(text, eps, back)
+    assert 0 < len(kept) < len(eps) * len(back)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("__import__('os').getpid() > 1", "cannot be read"),
+        ("[1][0] < eps", "cannot be read"),
+        ("eps if eps else 1", "cannot be read"),
+        ("eps *", "cannot be read"),
+        ("eps*back", "compares nothing"),
+        ("eps < 'a'", "a word is compared with a number"),
+        ("eps < bak", "did you mean back?"),
+        ("1 < 2", "names no option"),
+        ("eps > 99", "holds at no combination"),
+        ("(" * 500 + "eps" + ")" * 500 + " < 1", "characters"),
+    ],
+)
+def test_a_condition_that_cannot_be_used_is_told_so(text: str, said: str) -> None:
+    with pytest.raises(KurbelError, match=said.replace("?", "[?]")):
+        points(eps="2..4", back="0;0.1", only=text)
+
+
+def test_a_power_without_end_is_no_condition_that_takes_long() -> None:
+    # Its exact value would have more figures than there is memory for.
+    assert (
+        not Condition("eps**eps**eps**99 < 1")
+        .holds({"eps": np.array([9.0])}, lambda place: {"eps": Fraction(9)}, 1)
+        .any()
+    )
+
+
+def test_too_many_rows_are_refused_before_any_is_computed() -> None:
+    said = refusal(
+        "sweep", "delta", "--eps=1..1000:0.001", "--back=0..1:0.001", "--clearance=0..1:0.001", "-ox.csv"
+    )
+    assert said.startswith("the sweep would have 1000999999001 rows") or "10^12" in said
+    with pytest.raises(KurbelError, match="10\\^7 are tried"):
+        points(eps="1..1000:0.001", back="0..1:0.001", only="back < eps")
+    assert MOST_TRIED == 5 * 10**7
+
+
+def test_a_sobol_design_is_scipys_between_the_ends_and_can_be_typed_again() -> None:
+    found = points(eps="1..10", ratio="1:3..8", back="0..20%", sample="sobol:16", seed=7)
+    unit = qmc.Sobol(3, seed=7).random(16)
+    lengths = [1 / one["ratio"] for one in found]
+    np.testing.assert_allclose([float(one["eps"]) for one in found], 1 + 9 * unit[:, 0], rtol=0, atol=1e-5)
+    np.testing.assert_allclose([*map(float, lengths)], 3 + 5 * unit[:, 1], rtol=0, atol=1e-5)
+    backs = [float(one["back"].removesuffix("%")) for one in found]
+    np.testing.assert_allclose(backs, 20 * unit[:, 2], rtol=0, atol=1e-4)
+    # Typed again, one of them is the same engine.
+    again = points(eps=found[5]["eps"], ratio=f"1:{float(lengths[5])};1:2", back=found[5]["back"])
+    assert again[0]["ratio"] == found[5]["ratio"]
+    assert points(eps="1..10", sample="random:5", seed=1) != points(eps="1..10", sample="random:5", seed=2)
+    assert {one["method"] for one in points(eps="2..3", method="exact;series", sample="lhs:8")} == {
+        "exact",
+        "series",
+    }
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["delta", "--eps=2;3", "--back=0.1", "--zip=eps,back"], "there is no option with several values"),
+        (["delta", "--eps=2;3", "--back=0;0.1;0.2", "--zip=eps,back"], "2 of --eps, 3 of --back"),
+        (["delta", "--eps=1..10", "--sample=sobol:100"], "a power of two, 64 or 128"),
+        (["delta", "--eps=1..10:1", "--sample=sobol:64"], "has a step"),
+        (["delta", "--eps=2", "--sample=sobol:64"], "needs something that varies"),
+        (["delta", "--eps=2;3", "--seed=3"], "--seed is of a sample"),
+        (["delta", "--eps=2;;3"], "has an empty place"),
+        (["delta", "--bore=300mm..20kg"], "has the units mm and kg"),
+        (["delta", "--back=abc;0.1"], "is no number"),
+        (["delta", "--eps=2;3", "--lang=xy"], "there is no language"),
+        (["delta", "--eps=2;3", "--caption=A"], "there is no option"),
+        (["detla", "--eps=2;3"], "did you mean delta?"),
+        (["collate"], "there is no command that can be swept"),
+        (["table", "--ratio=1;2;3", "--angle=0"], "crank ratio"),
+    ],
+)
+def test_what_cannot_be_swept_is_one_sentence(words: list[str], said: str, tmp_path: Path) -> None:
+    assert said in refusal("sweep", *words, "-o", str(tmp_path / "sweep.csv"))
+    assert not [*tmp_path.iterdir()]
+
+
+def test_a_strict_sweep_ends_and_names_the_combination(tmp_path: Path) -> None:
+    words = ["sweep", "delta", "--eps=2;3", "--ratio=1:4", "--back=0;0.9", "-o", str(tmp_path / "x.parquet")]
+    assert "of which 2 were refused" in kurbel(*words).err
+    (tmp_path / "x.parquet").unlink()
+    said = refusal(*words, "--strict", code=1)
+    assert said.endswith("this is of --eps 2 --back 0.9, and --strict ends there")
+    assert not [*tmp_path.iterdir()]
+
+
+def test_a_dry_run_says_what_it_would_be_and_writes_nothing(tmp_path: Path) -> None:
+    target = tmp_path / "x.parquet"
+    words = ["--eps=1..10:0.5", "--ratio=1:3..8:0.5", "--back=0..0,5:0,1"]
+    said = kurbel("sweep", "delta", *words, "-o", str(target), "--dry-run").out.splitlines()
+    told = {line.split()[0]: line.split(maxsplit=1)[1] for line in said}
+    assert told["rows"] == "1254 (19 of --eps x 11 of --ratio x 6 of --back)"
+    assert told["columns"] == "epsilon, ratio, back, delta, reason"
+    assert told["refused"].startswith("--eps ") and "leaves no work" in told["refused"]
+    assert {"parts", "size", "time"} <= {*told}
+    assert not [*tmp_path.iterdir()]
+
+
+FILE = """\
+command = "delta"
+output = "found.csv"
+only = ["eps*back < 1"]
+zip = ["eps,ratio"]
+
+[axes]
+eps = "2..3"
+ratio = ["1:4", "1:5"]
+single-acting = [false, true]
+back = [0, 0.1, "40%"]
+
+[options]
+exponent = 1.1
+"""
+
+
+def test_a_file_says_the_same_as_words_and_what_is_typed_outdoes_it(tmp_path: Path) -> None:
+    (tmp_path / "sweep.toml").write_text(FILE)
+    result = kurbel("sweep", str(tmp_path / "sweep.toml"))
+    assert result.code == 0, result.err
+    rows = list(csv.DictReader((tmp_path / "found.csv").read_text().splitlines()))
+    assert [(row["epsilon"], row["ratio"], row["single_acting"], row["back"]) for row in rows] == [
+        (eps, ratio, acting, back)
+        for (eps, ratio), acting, back in product(
+            (("2", "0.25"), ("3", "0.2")), ("false", "true"), ("0", "0.1", "0.4")
+        )
+        if float(eps) * float(back) < 1
+    ]
+    single = kurbel("delta", "--eps=3", "--ratio=1:5", "--single-acting", "--back=0.1", "--exponent=1.1",
+                    "--digits=20", "-fcsv").out.split(",")[-1]  # fmt: skip
+    (row,) = [
+        row for row in rows if (row["epsilon"], row["single_acting"], row["back"]) == ("3", "true", "0.1")
+    ]
+    assert float(row["delta"]) == float(single)
+    typed = swept(str(tmp_path / "sweep.toml"), "--eps=4;5", "--back=0")
+    assert {(row["epsilon"], row["ratio"]) for row in typed} == {("4", "0.25"), ("5", "0.2")}
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("eps = ", "epps = ", 'line 7: there is no option of kurbel delta "epps" (did you mean eps?)'),
+        ('"delta"', '"detla"', 'line 1: there is no command that can be swept "detla" (did you mean delta?)'),
+        ("command", "comand", 'line 1: there is no key of a sweep "comand"'),
+        ('"40%"', '"abc"', 'line 10: back "abc" is no number'),
+        ("exponent = 1.1", "exponent = [1, 2]", "line 13: exponent has several values; put it under [axes]"),
+        ("back = [0, 0.1,", "back = [[0], 0.1,", "line 10: back is a list; it must be a text"),
+        (
+            'only = ["eps*back < 1"]',
+            "digits = 99",
+            "line 3: digits is 99; it must be a whole number from 0 to 50",
+        ),
+        ("command", "comm and", "cannot read the sweep"),
+    ],
+)
+def test_what_is_amiss_in_a_file_is_told_with_its_line(old: str, new: str, said: str, tmp_path: Path) -> None:
+    (tmp_path / "sweep.toml").write_text(FILE.replace(old, new, 1))
+    assert said in refusal("sweep", str(tmp_path / "sweep.toml"), code=1)
+    assert [path.name for path in tmp_path.iterdir()] == ["sweep.toml"]
