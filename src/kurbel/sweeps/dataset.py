@@ -128,14 +128,20 @@ def _named(asking: Any, options: Mapping[str, Any]) -> dict[str, Any]:
     """Return the options by their names on the command line, arrays as lists."""
     known = {**{one.name: one.name for one in asking.command.parameters.values()}}
     known |= {key: one.name for key, one in asking.command.parameters.items()}
-    given = {known[meant(name, known, "option")]: value for name, value in options.items()}
-    return {name: _values(value) for name, value in given.items() if is_given(value)}
+    given = {known[meant(name, known, "option")]: _values(name, value) for name, value in options.items()}
+    return {name: value for name, value in given.items() if is_given(value)}
 
 
-def _values(value: Any) -> Any:
+def _values(name: str, value: Any) -> Any:
+    """Return several values as a list or a tuple. Raises NotationError."""
+    if (dimensions := getattr(value, "ndim", 0)) > 1:
+        raise NotationError(f"{name} is an array of {dimensions} dimensions; give a list of values")
     if hasattr(value, "tolist"):
-        return value.tolist()
-    return list(value) if isinstance(value, range) else value
+        value = value.tolist()
+    value = list(value) if isinstance(value, range) else value
+    if isinstance(value, list | tuple) and not value:
+        raise NotationError(f"{name} is an empty list; give values, or leave it out")
+    return value
 
 
 def _linked(zip: str | Iterable[str | Sequence[str]]) -> list[list[str]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import operator
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -24,6 +25,8 @@ NEAR = 1e-9
 MOST_POWER = 64
 GRAMMAR = "write it as 'eps*back < 1', with + - * / **, < <= > >= == !=, and, or, not, and names of axes"
 
+# A ratio as it is written elsewhere, 1:4.
+_RATIO = re.compile(r"\b(\d+(?:\.\d+)?):(\d+(?:\.\d+)?)")
 _NUMBERS: Mapping[type, Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -57,7 +60,7 @@ class Condition:
         if len(self.text) > LONGEST:
             raise NotationError(f"the condition has {len(self.text)} characters; at most {LONGEST} are read")
         try:
-            return ast.parse(self.text.strip(), mode="eval")
+            return ast.parse(_RATIO.sub(r"(\1/\2)", self.text.strip()), mode="eval")
         except (SyntaxError, ValueError, RecursionError, MemoryError):
             raise NotationError(f'condition "{self.text[:60]}" cannot be read; {GRAMMAR}') from None
 
@@ -69,15 +72,21 @@ class Condition:
 
     def holds(self, floats: Mapping[str, Any], exact: Callable[[int], Mapping[str, Any]], count: int) -> Mask:
         """Return where it holds, by the values of the names at so many places: floats or texts in arrays,
-        and exact ones at a place, for where floats do not tell. A division by zero holds nowhere."""
+        and exact ones at a place, for where floats do not tell. A division by zero holds nowhere, nor does
+        a root of what is below zero."""
         doubtful = np.zeros(count, bool)
         with np.errstate(all="ignore"):
             found = np.broadcast_to(_floats(self.tree.body, floats, doubtful).value, count).copy()
         for place in np.flatnonzero(doubtful).tolist():
             try:
                 found[place] = _exact(self.tree.body, exact(place))
-            except (ZeroDivisionError, OverflowError):
+            except ZeroDivisionError:
                 found[place] = False
+            except OverflowError:
+                raise NotationError(
+                    f'condition "{self.text[:60]}" has powers beyond 10^308, which are not computed; write it'
+                    " with smaller ones"
+                ) from None
         mask: Mask = found.astype(bool)
         return mask
 
@@ -160,6 +169,12 @@ def _compared(first: _Float, op: ast.cmpop, second: _Float, doubtful: Mask) -> A
     return _COMPARED[type(op)](first.value, second.value)
 
 
+def _power(first: float, second: float) -> float:
+    if first < 0 and second != int(second):
+        raise ZeroDivisionError
+    return float(first**second)
+
+
 def _signed(op: ast.unaryop, value: Any) -> Any:
     return -value if isinstance(op, ast.USub) else value
 
@@ -177,7 +192,7 @@ def _exact(node: ast.expr, values: Mapping[str, Any]) -> Any:
         case ast.BinOp(left=left, op=op, right=right):
             first, second = _exact(left, values), _exact(right, values)
             if isinstance(op, ast.Pow) and (abs(second) > MOST_POWER or second != int(second)):
-                return float(first) ** float(second)
+                return _power(float(first), float(second))
             return _NUMBERS[type(op)](first, second)
         case ast.Compare(left=left, ops=ops, comparators=others):
             found = [_exact(one, values) for one in (left, *others)]

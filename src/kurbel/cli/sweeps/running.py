@@ -46,6 +46,10 @@ def running(values: Mapping[str, Any], sweep: Sweep) -> Iterator[Running]:
         raise ChoiceError(
             "--jobs is of this machine, and with --scheduler others compute; give one of the two"
         )
+    if values["scheduler"] == "":
+        raise ChoiceError(
+            "--scheduler is empty; give an address, tcp://HOST:8786, or leave it out for this machine"
+        )
     names = {name: values[name] for name in ("scheduler", "jobs", "resume", "restart")}
     with _bar(sweep, values["output"]) as watch:
         yield Running(**names, watch=watch)
