@@ -50,6 +50,11 @@ def _page(command: click.Command, name: str, level: str) -> Iterator[str]:
             yield from _described(options, context)
     else:
         yield from _described(command.get_params(context), context)
+    if hasattr(command, "further"):
+        # Of a group whose commands are told elsewhere.
+        for title, options in command.further().items():
+            yield f"{level}# {title}"
+            yield from _described(options, context)
     if isinstance(command, click.Group):
         for one, inner in command.commands.items():
             yield from _page(inner, f"{name} {one}", f"{level}#")

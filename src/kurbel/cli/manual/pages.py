@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import json
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from importlib.resources import files
 from typing import Any, NamedTuple
@@ -28,6 +28,7 @@ CODES = (
 FILES = {
     "machine.toml": ("drive/machine.schema.json", "a machine, for --machine of every command", "forces"),
     "layout.toml": ("page/layout.schema.json", "a page layout of one's own, for --layouts", "layouts"),
+    "sweep.toml": ("sweeps/sweep.schema.json", "a sweep, for kurbel sweep", "sweep"),
     "handbook.toml": ("handbook/handbook.schema.json", "the manifest of a handbook", "handbook"),
 }
 
@@ -92,7 +93,7 @@ def _command(command: click.Command, path: str, line: str) -> Iterator[str]:
     yield from _described(
         inspect.cleandoc(command.help or "").partition("\f")[0], LANGUAGES if is_making else ""
     )
-    if isinstance(command, click.Group):
+    if isinstance(command, click.Group) and command.commands:
         yield from roff.heading("Commands")
         for name, inner in command.commands.items():
             reference = _reference(f"{path} {name}".replace(" ", "-"), 1)
@@ -107,10 +108,19 @@ def _command(command: click.Command, path: str, line: str) -> Iterator[str]:
         for one in command.get_params(context):
             if isinstance(one, click.Option):
                 yield from _option(one, context)
+        for title, options in _further(command).items():
+            yield from roff.section(title)
+            for option in options:
+                yield from _option(option, context)
     if is_making:
         yield from roff.heading("Environment")
         yield from roff.paragraph(VARIABLES)
     yield from _end(["kurbel(1)"])
+
+
+def _further(command: click.Command) -> Mapping[str, Sequence[click.Option]]:
+    """Return the options that all commands of a group have, where it says so."""
+    return command.further() if hasattr(command, "further") else {}
 
 
 def _described(text: str, more: str) -> Iterator[str]:

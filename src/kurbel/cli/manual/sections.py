@@ -77,6 +77,16 @@ def sections(command: click.Command) -> Iterator[tuple[str, Sequence[click.Optio
         yield title, [options[name] for name in own[title].split()]
 
 
+def titled(params: Sequence[click.Parameter], heads: Mapping[str, str]) -> Mapping[str, list[click.Option]]:
+    """Return options below their heads."""
+    options = {_name(one): one for one in params if _is_option(one)}
+    found = {
+        title: [options[name] for name in listed.split() if name in options]
+        for title, listed in heads.items()
+    }
+    return {title: listed for title, listed in found.items() if listed}
+
+
 def _is_option(one: click.Parameter) -> TypeGuard[click.Option]:
     return isinstance(one, click.Option)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 import click
 
 from kurbel.cli import COMMANDS
@@ -13,6 +15,15 @@ TABLES = tuple(name for name, (place, _) in COMMANDS.items() if ":" in place)
 
 class _Commands(Group):
     what = "command that can be swept"
+
+    def further(self) -> Mapping[str, Sequence[click.Option]]:
+        """Return the options of every sweep, by the heads below which manuals have them."""
+        from kurbel.cli.manual.sections import titled
+        from kurbel.cli.sweeps.command import SECTIONS
+        from kurbel.cli.sweeps.options import sweep_options
+        from kurbel.cli.sweeps.running import running_options
+
+        return titled([*sweep_options(), *running_options()], SECTIONS)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(TABLES)
@@ -53,5 +64,7 @@ def sweep() -> None:
     kurbel sweep table --ratio 1:3..8:0.05 --step 0.01 --columns x,c,p -o motion.parquet
     kurbel sweep sweep.toml --dry-run
 
-    A file sweep.toml says the same: command, [axes], [options], output; what is typed outdoes it.
+    COMMAND has the options that it has by itself, and each takes several values: lists 2;3;4, ranges 2..6:0.5
+    with units, words. A file sweep.toml says the same: command, [axes], [options], output; what is typed
+    outdoes it.
     """
