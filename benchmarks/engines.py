@@ -85,7 +85,7 @@ def by_kurbel(count: int) -> Run:
     import kurbel
 
     given = engines(count)
-    return lambda: kurbel.delta(*given)
+    return lambda: kurbel.delta(*given, fast=True)
 
 
 def chosen(count: int) -> slice:

@@ -184,8 +184,10 @@ ARRAYS = {
     "kurbel.exact.enclosures.enclosure",
     "kurbel.exact.enclosures.functions",
     "kurbel.formats.columns",
-    "kurbel.kernel.half_tangent",
-    "kurbel.kernel.irregularity",
+    "kurbel.kernel.fast.extremes",
+    "kurbel.kernel.irregularity.extremes",
+    "kurbel.kernel.irregularity.half_tangent",
+    "kurbel.kernel.irregularity.load",
     "kurbel.motion.arrays",
 }
 

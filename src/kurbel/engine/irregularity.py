@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from math import inf
+from math import inf, nextafter
 from typing import Any, TypeAlias, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from kurbel.engine.engine import LARGEST_CLEARANCE, LARGEST_EXPONENT
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.bulk import in_blocks
-from kurbel.kernel.half_tangent import load
-from kurbel.kernel.irregularity import METHODS
+from kurbel.kernel.fast.worth import pays
+from kurbel.kernel.irregularity.extremes import BY_NUMPY, METHODS, Arithmetic
+from kurbel.kernel.irregularity.load import load
 from kurbel.reading import notation
 from kurbel.reading.given import choose
 
 Floats: TypeAlias = NDArray[np.float64]
 Reader: TypeAlias = Callable[[slice], Any]
+
+ALWAYS = ("eps", "ratio")
+# An engine takes NumPy as long as so many cells of a table of the motion.
+CELLS = 6
 
 # Of each the least value, the bound that it does not reach, and why.
 LIMITS: Mapping[str, tuple[float, float, str]] = {
@@ -34,54 +40,113 @@ LIMITS: Mapping[str, tuple[float, float, str]] = {
         0, 1.0000000000000002,
         "it must lie within 0..1, for it is a share of the steam pressure before cut-off",
     ),
+    "clearance": (
+        0, nextafter(LARGEST_CLEARANCE, inf),
+        f"it must lie within 0..{LARGEST_CLEARANCE}, for it is a share of the volume swept in a stroke",
+    ),
+    "exponent": (
+        nextafter(0, 1), nextafter(LARGEST_EXPONENT, inf),
+        f"it must be above 0 and at most {LARGEST_EXPONENT}, for the pressure falls as the steam expands",
+    ),
 }  # fmt: skip
 
 
 @overload
-def delta(eps: float, ratio: float | str, back: float | None = None, *, method: str = "exact") -> float: ...
+def delta(
+    eps: float,
+    ratio: float | str,
+    back: float | None = None,
+    *,
+    clearance: float | None = None,
+    exponent: float | None = None,
+    method: str = "exact",
+    fast: bool | None = None,
+) -> float: ...
 @overload
 def delta(
-    eps: ArrayLike, ratio: ArrayLike, back: ArrayLike | None = None, *, method: str = "exact"
+    eps: ArrayLike,
+    ratio: ArrayLike,
+    back: ArrayLike | None = None,
+    *,
+    clearance: ArrayLike | None = None,
+    exponent: ArrayLike | None = None,
+    method: str = "exact",
+    fast: bool | None = None,
 ) -> float | Floats: ...
 def delta(
-    eps: ArrayLike, ratio: ArrayLike, back: ArrayLike | None = None, *, method: str = "exact"
+    eps: ArrayLike,
+    ratio: ArrayLike,
+    back: ArrayLike | None = None,
+    *,
+    clearance: ArrayLike | None = None,
+    exponent: ArrayLike | None = None,
+    method: str = "exact",
+    fast: bool | None = None,
 ) -> float | Floats:
     """Return the degree of irregularity δ of the double-acting steam engine with one crank.
 
     δ = (v_max - v_min)/v_1 over a whole turn, in units of P r/(m_1 v_1²). `eps` is the expansion ratio ε
-    (cut-off after the path 2r/ε, then Mariotte's law), `ratio` is R:L, one value also as text such as
-    "1:5", and `back` the back pressure b = R_b/Q, None the best one, 1/ε. They broadcast: numbers alone
-    give a float, arrays an array of the broadcast shape. `method` is "exact", "series" (first-order
-    kinematics) or "weisbach" (first order, at the angles of his equations).
+    (cut-off after the path 2r/ε, then p V^n = const), `ratio` is R:L, one value also as text such as
+    "1:5", `back` the back pressure b = R_b/Q, None the best one, that of the steam at the end of the stroke
+    (1/ε), `clearance` κ as a share of the stroke, None for 0, `exponent` n, None for 1 (Mariotte's law). They
+    broadcast: numbers alone give a float, arrays an array of the broadcast shape. `method` is "exact",
+    "series" (first-order kinematics) or "weisbach" (first order, at the angles of his equations, which have
+    neither clearance nor exponent).
 
-    Bulk: NumPy on all cores, memory bounded by the output and a fixed block a core. The relative error is
-    at most 2e-15 (1 + εb/N) with N = 1 + ln ε - εb, and 2e-15 for the default b, up to ε = 10^12.
-    Valid for ε >= 1, 0 <= R:L < 1, 0 <= b <= 1 and N > 0, for P is (2/π)(N/ε) Q. Raises KurbelError.
-    Source: Weisbach-Herrmann, § 150.
+    Bulk: on all cores, memory bounded by the output and a fixed block a core; by numba, where it is
+    installed, once there is so much to do that this pays, with the same bits: `fast` True takes it at once,
+    False never. Without clearance and exponent the relative error is at most 2e-15 (1 + εb/N) with
+    N = 1 + ln ε - εb, and 2e-15 for the default b, up to ε = 10^12; with them it is at most
+    4e-15 (S + b)/(S - b), S being the mean pressure of the steam over the stroke, in units of Q.
+    Valid for ε >= 1, 0 <= R:L < 1, 0 <= b <= 1, 0 <= κ <= 10, 0 < n <= 10 and a mean force P above 0, which
+    is (2/π)(N/ε) Q without clearance and exponent. Raises KurbelError.
+    Source: Weisbach-Herrmann, § 150; clearance and exponent are ours.
 
     >>> delta([2, 3], "1:5").round(6).tolist()
     [1.281865, 1.374452]
     """
     formula = METHODS[choose(method, METHODS, "method")]
-    given = [_checked(eps, "eps")]
-    given += [_checked(float(notation.ratio(ratio)) if isinstance(ratio, str) else ratio, "ratio")]
-    given += [] if back is None else [_checked(back, "back")]
+    if isinstance(ratio, str):
+        ratio = float(notation.ratio(ratio))
+    asked: dict[str, Any] = {
+        "eps": eps,
+        "ratio": ratio,
+        "back": back,
+        "clearance": clearance,
+        "exponent": exponent,
+    }
+    given = {name: _checked(one, name) for name, one in asked.items() if one is not None or name in ALWAYS}
+    if method == "weisbach" and len({"clearance", "exponent"} & set(given)):
+        raise ProblemError('method "weisbach" has neither clearance nor exponent; use exact or series')
     try:
-        shape = np.broadcast_shapes(*(values.shape for values in given))
+        shape = np.broadcast_shapes(*(values.shape for values in given.values()))
     except ValueError:
-        shapes = ", ".join(str(values.shape) for values in given)
-        raise ProblemError(f"eps, ratio and back have the shapes {shapes}; they do not broadcast") from None
+        *names, last = given
+        shapes = ", ".join(str(values.shape) for values in given.values())
+        named = f"{', '.join(names)} and {last}"
+        raise ProblemError(f"{named} have the shapes {shapes}; they do not broadcast") from None
     out = np.empty(shape)
-    readers = [_reader(values, shape) for values in given]
+    readers = {name: _reader(values, shape) for name, values in given.items()}
+    by = _arithmetic(method, out.size, fast)
 
     def fill(block: slice) -> None:
-        expansion, crank, *backs = (read(block) for read in readers)
-        forces = load(expansion, *backs)
+        numbers = {name: read(block) for name, read in readers.items()}
+        crank = numbers.pop("ratio")
+        forces = load(numbers.pop("eps"), **numbers)
         _check_mean(forces.mean, block.start, shape)
-        out.reshape(-1)[block] = formula(crank, forces)
+        out.reshape(-1)[block] = formula(crank, forces, by)
 
     in_blocks(fill, out.size)
     return out if shape else float(out)
+
+
+def _arithmetic(method: str, size: int, fast: bool | None) -> Arithmetic:
+    """Return what computes so many engines."""
+    if method != "weisbach" and pays(f"δ {method}", CELLS * size, fast):
+        from kurbel.kernel.fast.extremes import BY_LOOPS
+
+        return BY_LOOPS
+    return BY_NUMPY
 
 
 def _reader(values: Floats, shape: tuple[int, ...]) -> Reader:
@@ -125,8 +190,8 @@ def _check_mean(mean: Floats, start: int, shape: tuple[int, ...]) -> None:
     # Where nothing but one-element arrays was given, all of the block is computed once.
     first = _index(start + int((mean > 0).argmin()), shape)
     raise ProblemError(
-        f"back{first} leaves no work: the mean force P would not be above 0; b must be below (1 + ln ε)/ε,"
-        " as its default 1/ε is for ε above 1 only"
+        f"back{first} leaves no work: the mean force P would not be above 0; b must be below the mean"
+        " pressure of the steam, (1 + ln ε)/ε without clearance, as its default is for ε above 1 only"
     )
 
 

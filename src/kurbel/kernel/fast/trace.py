@@ -116,6 +116,13 @@ class Traced:
 
         return unrounded(self, parts)
 
+    def __gt__(self, other: Any) -> Condition:
+        return Condition(self.tape, f"{self.name} > {self.tape.name(other)}")
+
+    def view(self, _: Any) -> Bits:
+        """Return the bits, as an array of floats does for NumPy's int64."""
+        return Bits(self.tape, self.tape.number(f"float64({self.name}).view(int64)").name)
+
     def __array_ufunc__(self, ufunc: Any, method: str, *numbers: Any, **options: Any) -> Any:
         done = _UFUNCS.get(ufunc.__name__)
         if method != "__call__" or options or done is None:
@@ -126,8 +133,59 @@ class Traced:
         raise UntraceableError("a traced number is not known yet")
 
     __array__ = __array_function__ = __bool__ = __float__ = __int__ = __index__ = __abs__ = _refuse
-    __eq__ = __ne__ = __lt__ = __le__ = __gt__ = __ge__ = _refuse
+    __eq__ = __ne__ = __lt__ = __le__ = __ge__ = _refuse
     __len__ = __iter__ = __getitem__ = __hash__ = __round__ = __floordiv__ = __mod__ = _refuse
+
+
+class Condition:
+    """What holds of numbers that are not known yet: `np.where` knows it, nothing else."""
+
+    def __init__(self, tape: Tape, text: str) -> None:
+        self.tape = tape
+        self.text = text
+
+    def __array_function__(self, function: Any, _: Any, numbers: Any, options: Any) -> Traced:
+        if function.__name__ != "where" or options or numbers[0] is not self:
+            raise UntraceableError(f"{function.__name__} is not traced")
+        one, other = (self.tape.name(number) for number in numbers[1:])
+        chosen: Traced = self.tape.number(f"({one} if {self.text} else {other})")
+        return chosen
+
+    def __bool__(self) -> bool:
+        raise UntraceableError("a traced number is not known yet")
+
+
+class Bits:
+    """The bits of a number that is not known yet, as a whole number."""
+
+    def __init__(self, tape: Tape, name: str) -> None:
+        self.tape = tape
+        self.name = name
+
+    def _of(self, sign: str, number: int) -> Bits:
+        return Bits(self.tape, self.tape.number(f"{self.name} {sign} {number}").name)
+
+    def __rshift__(self, count: int) -> Bits:
+        return self._of(">>", count)
+
+    def __lshift__(self, count: int) -> Bits:
+        return self._of("<<", count)
+
+    def __mul__(self, number: int) -> Bits:
+        return self._of("*", number)
+
+    def __add__(self, number: int) -> Bits:
+        return self._of("+", number)
+
+    def view(self, _: Any) -> Traced:
+        return self.tape.number(f"int64({self.name}).view(float64)")
+
+
+def _chosen(one: Any, sign: str, other: Any) -> Traced:
+    """Return one of two numbers, NaN if either is, as NumPy does."""
+    tape: Tape = one.tape if isinstance(one, Traced) else other.tape
+    one, other = tape.name(one), tape.name(other)
+    return tape.number(f"({one} if {one} {sign} {other} or {one} != {one} else {other})")
 
 
 # What a float of NumPy's own does with a traced number.
@@ -139,4 +197,7 @@ _UFUNCS: dict[str, Callable[..., Any]] = {
     "negative": lambda one: -one,
     "square": lambda one: one * one,
     "sqrt": lambda one: one**0.5,
+    "absolute": lambda one: one.tape.number(f"abs({one.name})"),
+    "maximum": lambda one, other: _chosen(one, ">=", other),
+    "minimum": lambda one, other: _chosen(one, "<=", other),
 }

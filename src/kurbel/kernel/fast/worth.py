@@ -50,6 +50,17 @@ def of_all(cells: int) -> bool | None:
     return True if cells >= LOADING + COMPILING else None
 
 
+def pays(what: str, cells: int, fast: bool | None) -> bool:
+    """Whether a loop of this name is to do what NumPy does in the time of so many cells."""
+    if fast is False or (fast is None and cells < FEWEST) or find_spec("numba") is None:
+        return False
+    if fast is None and not (_is_loaded() or _reached("", cells, LOADING)):
+        return False
+    from kurbel.kernel.fast import loops
+
+    return loops.installed() and bool(fast or _reached(what, cells, COMPILING))
+
+
 def _is_loaded() -> bool:
     return "numba" in sys.modules
 

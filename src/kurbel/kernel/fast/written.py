@@ -29,20 +29,32 @@ def written(functions: Sequence[Callable[..., Any]], others: int = 0) -> Written
     Raises UntraceableError.
     """
     tape = Tape()
-    inputs = [f"a{place}" for place in range(others + 1)]
-    degrees, *more = (tape.input(name) for name in inputs)
-    point = circle(degrees)
-    results = [tape.name(function(point, *more)) for function in functions]
-    rows = [f"row{place}" for place in range(len(results))]
+    inputs = [tape.input(f"a{place}") for place in range(others + 1)]
+    point = circle(inputs[0])
+    return _loop(tape, len(inputs), [function(point, *inputs[1:]) for function in functions])
+
+
+def written_formula(formula: Callable[..., Sequence[Any]], reads: int) -> Written:
+    """Return the loop that fills an array with each result of a formula of so many numbers.
+
+    Floats of the formula are numbers that never change. Raises UntraceableError.
+    """
+    tape = Tape()
+    with tape.law():
+        return _loop(tape, reads, formula(*(tape.input(f"a{place}") for place in range(reads))))
+
+
+def _loop(tape: Tape, reads: int, results: Sequence[Any]) -> Written:
+    inputs, found = [f"a{place}" for place in range(reads)], [tape.name(one) for one in results]
+    rows = [f"row{place}" for place in range(len(found))]
     each = [f"{name} = of_{name}[i]" for name in inputs]
-    each += [*tape.lines, *(f"{row}[i] = {result}" for row, result in zip(rows, results, strict=True))]
+    each += [*tape.lines, *(f"{row}[i] = {result}" for row, result in zip(rows, found, strict=True))]
     body = [f"k{place} = constants[{place}]" for place in range(len(tape.constants))]
     body += ["for i in range(len(of_a0)):", indent("\n".join(each), "    ")]
     lines = indent("\n".join(body), "    ")
     name = f"loop_{sha256(lines.encode()).hexdigest()[:24]}"
     arguments = ", ".join(["constants", *(f"of_{name}" for name in inputs), *rows])
-    text = f"def {name}({arguments}):\n{lines}\n"
-    return Written(name, text, len(inputs), len(rows), tuple(tape.constants))
+    return Written(name, f"def {name}({arguments}):\n{lines}\n", reads, len(rows), tuple(tape.constants))
 
 
 def traceable(function: Callable[..., Any], others: int = 0) -> bool:

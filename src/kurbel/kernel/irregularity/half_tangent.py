@@ -1,8 +1,7 @@
 """The motion of the double-acting engine's two strokes and the force of its expanding steam, for arrays.
 
 All counts from the outer dead centre. β is the crank angle from there, forward on the return stroke and
-backward on the outstroke, and σ the piston path from there, in units of r. Forces are in units of Q/ε, so
-that the back pressure b is εb here.
+backward on the outstroke, and σ the piston path from there, in units of r. Forces count as in load.py.
 
 The unknown is T = τ², where τ is the tangent of half an angle: with it, a step to the root takes + - * / and
 two square roots.
@@ -15,28 +14,23 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from kurbel.kernel.circle import Number, root
+from kurbel.kernel.irregularity.load import Load, curved, raised
 
-TWO_OVER_PI = 0.6366197723675814
-
-
-class Load(NamedTuple):
-    """The forces of an engine in units of Q/ε, the force of the steam at the end of the stroke."""
-
-    expansion: Number
-    back: Number
-    net: Number
-    """Steam less back pressure before the cut-off, ε(1 - b)."""
-    mean: Number
-    """P, the mean tangential force."""
-    forgone: Number
-    """ε - 1 - ln ε, half the work in a stroke that steam admitted to its end would do beyond this."""
+# The bits of a float64 above the lowest 32, shifted, are nearly its logarithm: a third of them, and what two
+# thirds of the exponent's bias are, give its cube root within 4 %.
+UPPER, THIRD, BIAS = 32, 1431655766, 715094163
 
 
 class Place(NamedTuple):
-    """Crank angle β and piston path from the outer dead centre, the path as a share of the stroke."""
+    """A place by its crank angle β from the outer dead centre, as coordinates, and the share σ/2."""
 
-    angle: Number
+    across: Number
+    along: Number
     share: Number
+
+    @property
+    def angle(self) -> Number:
+        return np.arctan2(self.across, self.along)
 
 
 class Pull(NamedTuple):
@@ -51,20 +45,6 @@ class Pull(NamedTuple):
     margin: Number
 
 
-def load(expansion: Number, back: Number = None) -> Load:
-    """Return the forces for the expansion ratio ε and the back pressure b = R/Q, None for the best, 1/ε.
-
-    P = (2/π)(1 + ln ε - εb). Source: Weisbach-Herrmann, § 150.
-    """
-    logarithm = np.log(expansion)
-    forgone = (expansion - 1) - logarithm
-    if back is None:
-        return Load(expansion, 1.0, expansion - 1, TWO_OVER_PI * logarithm, forgone)
-    loss = expansion * back
-    mean = TWO_OVER_PI * (logarithm + (1 - loss))
-    return Load(expansion, loss, expansion * (1 - back), mean, forgone)
-
-
 class ExactMotion:
     """Exact kinematics for one λ or an array, with T = tan²(θ/2), cos θ = cos β/cos ψ.
 
@@ -76,6 +56,7 @@ class ExactMotion:
 
     def __init__(self, ratio: Number) -> None:
         self.ratio = ratio
+        self.twice = 2 * ratio
         self.short = 1 - ratio
         self.long = 1 + ratio
         self.height = root(self.short * self.long)
@@ -98,10 +79,13 @@ class ExactMotion:
             tangent = tangent - above / slope
         return tangent
 
-    def balanced(self, back: Number) -> Number:
-        """Return T where the steam has expanded to the back pressure, s = 2/b; 0 if it never does."""
+    def balanced(self, load: Load) -> Number:
+        """Return T where the steam has expanded to the back pressure; 0 if it never does."""
+        return self.at(load.over)
+
+    def at(self, over: Number) -> Number:
+        """Return T at the share u from the outer dead centre, given as u/(1 - u)."""
         # From the law of cosines, T = σ/s (1 + λ)(1 - λ + ½λσ)/((1 - λ)(1 + ½λσ)).
-        over = np.maximum(back - 1, 0)
         bend = self.ratio * (over / (1 + over))
         return over * self.long * (self.short + bend) / (self.short * (1 + bend))
 
@@ -110,31 +94,41 @@ class ExactMotion:
         half = load.mean / 2
         spare = np.maximum(0, half - np.maximum(0, 1 - load.back))
         large = half + spare * (1 / self.height - 1)
-        return large * large + _cubic(half * load.back * self.long / self.slope, balanced)
+        return _steady(large, load) + _cubic(half * load.back * load.bend * self.long / self.slope, balanced)
 
     def pull(self, tangent: Number, load: Load) -> Pull:
         """Return the tangential force (2/s - b) c of the expanding steam on the outstroke, against P."""
-        half = 1 / (1 + tangent)
+        secant = 1 + tangent
+        half = 1 / secant
         other = tangent * half
-        twice = 2 * self.ratio
-        far, close = self.short + twice * half, self.short + twice * other
+        far, close = self.short + self.twice * half, self.short + self.twice * other
         square = far * close
         height = root(square)
-        path = 1 / (far + self.slope * height)
-        margin = 1 - 2 * load.back * (half * path)
-        part = other / square
-        growth = ((half - other) + 2 * twice * (half * part)) * margin
-        growth = growth + part * (self.height * height + self.short * close)
-        return Pull(root(tangent) * height * margin, load.mean * (far * path), growth, margin)
+        # Of all divisions that by 1 + T is left: numerators alone are computed.
+        whole = far + self.slope * height
+        force = root(tangent) * height
+        fall = other * whole * (self.height * height + self.short * close)
+        rise = (half - other) * square + 2 * (self.twice * (half * other))
+        share = 2 * half
+        if load.plain:
+            margin = whole - load.back * share
+            return Pull(force * margin, load.mean * far, rise * margin + fall, margin * square)
+        share = load.swept * share
+        volume = load.dead * whole + share
+        steam = raised(volume, whole, load.exponent)
+        margin = whole - load.back * steam
+        weight = margin * volume
+        growth = rise * weight + fall * curved(share, load.exponent)
+        mean = load.mean * far * (steam * secant) / 2
+        return Pull(force * margin, mean, growth, weight * square)
 
     def place(self, tangent: Number) -> Place:
-        """Return β and σ/2."""
+        """Return the place at a T."""
         half = 1 / (1 + tangent)
         other = tangent * half
-        twice = 2 * self.ratio
-        far, close = self.short + twice * half, self.short + twice * other
-        share = 2 * other / (far + root(far * close) / self.slope)
-        return Place(np.arctan2(2 * root(tangent), (1 - tangent) * self.height), share)
+        far, close = self.short + self.twice * half, self.short + self.twice * other
+        share = 2 * other * self.slope / (far * self.slope + root(far * close))
+        return Place(2 * root(tangent), (1 - tangent) * self.height, share)
 
 
 class FirstOrderMotion:
@@ -155,7 +149,7 @@ class FirstOrderMotion:
         # It is τ(1 - λ + (1 + λ)T) = ½c(1 + T)². The start lies within a third; five of Newton's steps
         # leave 1e-8.
         half = velocity / 2
-        tangent = half * (1 + velocity) / (self.short + np.cbrt(self.long * half * half))
+        tangent = half * (1 + velocity) / (self.short + near_cube_root(self.long * half * half))
         for _ in range(5):
             square = tangent * tangent
             secant, long = 1 + square, self.long * square
@@ -163,21 +157,26 @@ class FirstOrderMotion:
             tangent = tangent - above / (self.short + 3 * long - 4 * half * (tangent * secant))
         return tangent * tangent
 
-    def balanced(self, back: Number) -> Number:
-        """Return T where the steam has expanded to the back pressure, s = 2/b; 0 if it never does."""
-        over = np.maximum(back - 1, 0)
-        rest = over / (1 + over)
-        part = 2 * rest / (self.short + root(self.short * self.short + 4 * self.ratio * rest))
-        return part / (1 - part)
+    def balanced(self, load: Load) -> Number:
+        """Return T where the steam has expanded to the back pressure; 0 if it never does."""
+        return self.at(load.over)
+
+    def at(self, over: Number) -> Number:
+        """Return T at the share u from the outer dead centre, given as u/(1 - u)."""
+        # sin² β/2 from the share u, and cos² β/2 from 1 - u.
+        most = 1 / (1 + over)
+        rest = over * most
+        bend = root(self.short * self.short + 4 * self.ratio * rest)
+        return rest * (self.long + bend) / ((self.short + bend) * most)
 
     def near(self, load: Load, balanced: Number) -> Number:
         """Return T - balanced at the greatest speed, nearly."""
         half = load.mean / 2
-        small = half * load.back
-        guess = np.cbrt(small) + balanced
+        small = half * load.back * load.bend
+        guess = near_cube_root(small) + balanced
         part = self.ratio * guess / (1 + guess)
         small = small / ((self.short + part) * (self.short + 2 * part))
-        return half * half + _cubic(small, balanced)
+        return _steady(half, load) + _cubic(small, balanced)
 
     def pull(self, tangent: Number, load: Load) -> Pull:
         """Return the tangential force (2/s - b) c of the expanding steam on the outstroke, against P."""
@@ -185,15 +184,23 @@ class FirstOrderMotion:
         other = tangent * half
         twice = 2 * self.ratio
         velocity, path = self.short + twice * other, 1 + self.ratio * other
-        margin = 1 - load.back * (half * path)
-        bend = twice * (half * other)
-        growth = ((half - other) + 2 * bend / velocity) * margin + (2 * other - bend / path)
-        return Pull(2 * root(tangent) * velocity * margin, load.mean * path, growth, margin)
+        share, bend, force = half * path, twice * (half * other), 2 * root(tangent) * velocity
+        rise, fall = (half - other) + 2 * bend / velocity, 2 * other - bend / path
+        if load.plain:
+            margin = 1 - load.back * share
+            return Pull(force * margin, load.mean * path, rise * margin + fall, margin)
+        share = load.swept * share
+        volume = load.dead + share
+        steam = raised(volume, 1, load.exponent)
+        margin = 1 - load.back * steam
+        weight = margin * volume
+        growth = rise * weight + fall * curved(share, load.exponent)
+        return Pull(force * margin, load.mean * (steam * (1 + tangent)), growth, weight)
 
     def place(self, tangent: Number) -> Place:
-        """Return β and σ/2."""
+        """Return the place at a T."""
         other = tangent / (1 + tangent)
-        return Place(2 * np.arctan(root(tangent)), other * (self.short + self.ratio * other))
+        return Place(2 * root(tangent), 1 - tangent, other * (self.short + self.ratio * other))
 
     def admitted(self, tangent: Number) -> Number:
         """Return the share 1 - σ/2 of the outstroke."""
@@ -213,10 +220,10 @@ class WeisbachRelation:
         self.ratio = ratio
         self.long = 1 + ratio
 
-    def balanced(self, back: Number) -> Number:
+    def balanced(self, load: Load) -> Number:
         """Return T where his bracket 1 - λu - bu(1 + λ - 2λu), u = sin²(α₂/2), is zero; 0 if it never is."""
-        linear = self.ratio + back * self.long
-        span = linear * linear - 8 * self.ratio * back
+        linear = self.ratio + load.back * self.long
+        span = linear * linear - 8 * self.ratio * load.back
         half = 2 / np.maximum(2, linear + root(np.maximum(0, span)))
         return np.where(span < 0, 0.0, 1 / half - 1)
 
@@ -240,8 +247,23 @@ Motion: TypeAlias = ExactMotion | FirstOrderMotion
 Relation: TypeAlias = Motion | WeisbachRelation
 
 
+def _steady(root_of: Number, load: Load) -> Number:
+    """Return T, nearly, where there is no back pressure, from what is √T for Mariotte's law."""
+    square = root_of * root_of
+    if load.exponent is None:
+        return square
+    # Far from the end the force is as T^(n - ½), near it as T^½.
+    return np.where(square > 1, square ** (1 / np.maximum(1, 2 * load.exponent - 1)), square)
+
+
 def _cubic(small: Number, balanced: Number) -> Number:
     """Return Z with Z √(balanced + Z) = small, τ to 20 %."""
-    third = np.cbrt(small)
+    third = near_cube_root(small)
     # The last term keeps 0/0 away where there is no back pressure.
     return small / root(balanced + third * third + 1e-300)
+
+
+def near_cube_root(number: Number) -> Number:
+    """Return the cube root of numbers above 0 within 4 %, of 0 next to nothing: a start, in few steps."""
+    bits = number.view(np.int64) >> UPPER
+    return ((((bits * THIRD) >> UPPER) + BIAS) << UPPER).view(np.float64)
