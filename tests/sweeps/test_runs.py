@@ -19,8 +19,10 @@ from small_parts import DEADLY, KILLS, InThreads, SmallParts, plan_of
 
 from kurbel.errors import FailedError, OutputError
 from kurbel.sweeps import run as runs
+from kurbel.sweeps.files import parquet
 from kurbel.sweeps.rows import Part, Sweep
 from kurbel.sweeps.run import Running, StoppedError, run
+from kurbel.sweeps.work import joining, units
 from kurbel.sweeps.work.folder import working
 from kurbel.sweeps.work.identity import identity_of
 
@@ -201,7 +203,7 @@ def test_few_parts_of_the_largest_sweep_are_asked_for_at_once(target: str) -> No
     endless = Sweep(plan_of(10**12 // 3, Fraction(1, 10**11)))
     hands = Counting()
     with working(target, {"sweep": "endless"}) as work:
-        first = [*islice(runs._parts(endless, work, hands, lambda rows: None), 3)]
+        first = [*islice(runs._parts(units.Parts(endless), work, hands, lambda rows: None), 3)]
     assert first == ["part 0", "part 1", "part 2"]
     assert hands.at_most == hands.most
 
@@ -227,3 +229,23 @@ def test_killed_runs_go_on_to_the_same_bytes_and_leave_nothing() -> None:
     script = str(ROOT / "scripts" / "kill_sweeps.py")
     done = subprocess.run([sys.executable, script, "--count=4"], capture_output=True, text=True, check=False)
     assert done.stdout.startswith("4 kills: the same bytes each time, no litter"), done.stdout + done.stderr
+
+
+def test_partitions_are_the_same_whoever_writes_them(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(parquet, "GROUP", 4)
+    monkeypatch.setattr(parquet, "GROUPS", 2)
+    monkeypatch.setattr(units, "ROWS", 8)
+    sweep, joined, apart = InThreads(plan_of(6)), f"{tmp_path}/joined/", f"{tmp_path}/apart/"
+    with monkeypatch.context() as patch:
+        # From parts, as what is computed slowly is.
+        patch.setattr(joining, "unit_of", lambda sweep, form: units.Parts(sweep))
+        outcome = run(sweep, joined, Running(jobs=1))
+    with pytest.raises(StoppedError):
+        run(sweep, apart, Running(jobs=1, watch=stopped_after(2, KeyboardInterrupt())))
+    assert len([*Path(f"{tmp_path}/apart.parts").rglob("*.parquet")]) == 2
+    assert run(sweep, apart, Running(jobs=1, resume=True)) == outcome
+    names = [f"part-00000{number}.parquet" for number in range(3)]
+    assert sorted(os.listdir(joined)) == sorted(os.listdir(apart)) == names
+    assert sorted(os.listdir(tmp_path)) == ["apart", "joined"]
+    for name in names:
+        assert Path(joined, name).read_bytes() == Path(apart, name).read_bytes()

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from importlib.util import find_spec
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.errors import ChoiceError, FailedError, OutputError
 from kurbel.reading.extras import missing_extra
@@ -24,16 +24,10 @@ from kurbel.sweeps.rows import Sweep
 from kurbel.sweeps.work.folder import Work, working
 from kurbel.sweeps.work.hands import Hands, Here, Processes, Threads
 from kurbel.sweeps.work.identity import files_of, grounded, identity_of
-from kurbel.sweeps.work.task import kept, made
-
-if TYPE_CHECKING:
-    import pyarrow as pa
+from kurbel.sweeps.work.task import Unit, kept, made
 
 # Parts that are done before one that is not: their names are all that is kept.
 AHEAD = 10_000
-# Of so many kinds of refused rows is told how many there are of each, of all others together.
-MOST_REASONS = 100
-OTHERS = "other reasons"
 
 
 class Outcome(NamedTuple):
@@ -74,13 +68,16 @@ def run(sweep: Sweep, target: str, running: Running = Running(), format: str | N
     form = form_of(target, format)
     form.check(sweep, target)
     refused: Counter[str] = Counter()
+    from kurbel.sweeps.work.joining import joined, unit_of
+
     # A new one goes to other processes, without what it knows already.
     sweep = replace(sweep, plan=grounded(sweep.plan))
     with _beside(target, running) as place, _working(place, sweep, running) as work:
         telling = _telling(work) if place == target else nullcontext()
-        with telling, _hands(sweep, work, running) as hands:
-            batches = _batches(sweep, _parts(sweep, work, hands, running.watch), work, refused)
-            form.write(sweep, batches, target, work.folder)
+        unit = unit_of(sweep, form)
+        with telling, _hands(unit, work, running) as hands:
+            paths = map(work.at, _parts(unit, work, hands, running.watch))
+            joined(unit, form, paths, target, work.folder, refused)
         work.remove()
     return Outcome(len(sweep), refused)
 
@@ -101,14 +98,14 @@ def _working(place: str, sweep: Sweep, running: Running) -> AbstractContextManag
     return working(place, identity_of(sweep), resume=running.resume, restart=running.restart)
 
 
-def _parts(sweep: Sweep, work: Work, hands: Hands, watch: Callable[[int], None]) -> Iterator[str]:
+def _parts(unit: Unit, work: Work, hands: Hands, watch: Callable[[int], None]) -> Iterator[str]:
     """Yield the files of all parts, in order."""
-    count, coming, given = parts_of(sweep), 0, 0
+    count, coming, given = unit.count, 0, 0
     ready: dict[int, str] = {}
 
     def done(number: int, name: str) -> None:
         ready[number] = name
-        watch(min(sweep.rows_at_once, len(sweep) - number * sweep.rows_at_once))
+        watch(unit.rows_of(number))
 
     for number in range(count):
         while number not in ready or (given < hands.most and coming < min(count, number + AHEAD)):
@@ -122,39 +119,14 @@ def _parts(sweep: Sweep, work: Work, hands: Hands, watch: Callable[[int], None])
             else:
                 one, result = hands.take()
                 given -= 1
-                done(one, result if isinstance(result, str) else kept(result, one, work.folder))
+                done(one, result if isinstance(result, str) else kept(result, one, work.folder, unit.suffix))
         yield ready.pop(number)
 
 
-def parts_of(sweep: Sweep) -> int:
-    """Return how many parts a sweep has."""
-    return -(-len(sweep) // sweep.rows_at_once)
-
-
-def _batches(
-    sweep: Sweep, names: Iterator[str], work: Work, refused: Counter[str]
-) -> Iterator[pa.RecordBatch]:
-    """Yield the parts as they go into the file, and count what was refused."""
-    import pyarrow as pa
-    import pyarrow.compute as compute
-
-    from kurbel.sweeps.files.arrow import REASON, with_options
-
-    for number, name in enumerate(names):
-        with pa.memory_map(work.at(name)) as file:
-            batch = pa.ipc.open_file(file).get_batch(0)
-            if REASON in batch.schema.names:
-                for one in compute.value_counts(batch[REASON].drop_null()):
-                    reason = one["values"].as_py()
-                    known = reason in refused or len(refused) < MOST_REASONS
-                    refused[reason if known else OTHERS] += one["counts"].as_py()
-            yield with_options(sweep, batch, number * sweep.rows_at_once)
-
-
 @contextmanager
-def _hands(sweep: Sweep, work: Work, running: Running) -> Iterator[Hands]:
+def _hands(unit: Unit, work: Work, running: Running) -> Iterator[Hands]:
     """Give who computes the parts; they end with the block."""
-    hands = _hired(sweep, work, running)
+    hands = _hired(unit, work, running)
     try:
         yield hands
     except BaseException:
@@ -163,20 +135,16 @@ def _hands(sweep: Sweep, work: Work, running: Running) -> Iterator[Hands]:
     hands.end(at_once=False)
 
 
-def _hired(sweep: Sweep, work: Work, running: Running) -> Hands:
-    make = partial(_made, sweep, work.place)
+def _hired(unit: Unit, work: Work, running: Running) -> Hands:
+    make = partial(made, unit, work.place)
     if running.scheduler:
         from kurbel.sweeps.work.cluster import Cluster
 
-        return Cluster(running.scheduler, make, work.place.word, files_of(sweep.plan))
-    count = min(running.jobs or cores(), parts_of(sweep))
+        return Cluster(running.scheduler, make, work.place.word, files_of(unit.sweep.plan))
+    count = min(running.jobs or cores(), unit.count)
     if count == 1:
         return Here(make)
-    return Threads(make, count) if sweep.in_threads else Processes(make, count)
-
-
-def _made(sweep: Sweep, place: Any, number: int) -> str | bytes:
-    return made(sweep, number, place)
+    return Threads(make, count) if unit.sweep.in_threads else Processes(make, count)
 
 
 def cores() -> int:

@@ -140,7 +140,7 @@ class SweepCommand(click.Command):
 
 def _told(target: str, outcome: Outcome) -> str:
     """Return what was written, and how much of it was refused."""
-    from kurbel.sweeps.run import OTHERS
+    from kurbel.sweeps.work.joining import OTHERS
 
     written = f"{target}: {_counted(outcome.rows)}"
     count = outcome.refused.total()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
 from collections.abc import Iterable, Iterator
 from itertools import chain, islice
 from typing import Any, BinaryIO
@@ -18,6 +19,8 @@ from kurbel.sweeps.rows import Sweep
 
 # Rows of a row group, and row groups of a file in a folder: some hundred megabytes.
 GROUP, GROUPS = 1 << 18, 64
+# Rows of such a file.
+ROWS = GROUP * GROUPS
 _PARTITION = re.compile(r"part-\d{6,}\.parquet")
 
 
@@ -35,6 +38,35 @@ def write_folder(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, s
         for number, files in enumerate(_parted(groups)):
             with open(os.path.join(folder, f"part-{number:06d}.parquet"), "wb") as stream:
                 _write(schema, files, stream)
+
+
+def write_partition(sweep: Sweep, batches: Iterable[pa.RecordBatch], stream: Any) -> None:
+    """Write the batches of one file of a folder, in order."""
+    _write(schema_of(sweep), in_groups(batches, GROUP), stream)
+
+
+def gather(partitions: Iterable[str], target: str, scratch: str) -> None:
+    """Have files, which are named in order, as the partitions of a folder; they stay where they are, too."""
+    with whole_path(target, scratch, _is_ours) as folder:
+        os.mkdir(folder)
+        for number, path in enumerate(partitions):
+            own = os.path.join(folder, f"part-{number:06d}.parquet")
+            try:
+                os.link(path, own)
+            except OSError:
+                # A file system without second names.
+                shutil.copyfile(path, own)
+
+
+def reasons_of(path: str, column: str) -> Iterator[pa.Array]:
+    """Yield why rows of a partition were refused, and nothing of groups without such rows."""
+    with parquet.ParquetFile(path) as file:
+        place = file.schema_arrow.get_field_index(column)
+        for group in range(file.num_row_groups):
+            about = file.metadata.row_group(group).column(place)
+            known = about.statistics is not None and about.statistics.has_null_count
+            if not known or about.statistics.null_count < about.num_values:
+                yield from file.read_row_group(group, [column])[column].chunks
 
 
 def _parted(groups: Iterator[pa.RecordBatch]) -> Iterator[Iterator[pa.RecordBatch]]:

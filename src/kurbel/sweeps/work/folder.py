@@ -22,6 +22,7 @@ from kurbel.sweeps.work.versions import other
 
 SUFFIX = ".parts"
 _FOLDER = re.compile("[0-9a-f]{16}")
+_DONE = re.compile(r"\d{12}\.[0-9a-f]{8}\.(arrow|parquet)")
 IDENTITY, LOCK = "sweep.json", "lock"
 
 
@@ -55,11 +56,11 @@ class Work:
             names = os.listdir(self.at(folder))
         except FileNotFoundError:
             return {}
-        return {int(name.split(".")[0]): f"{folder}/{name}" for name in names if name.endswith(".arrow")}
+        return {int(name.split(".")[0]): f"{folder}/{name}" for name in names if _DONE.fullmatch(name)}
 
     def is_empty(self) -> bool:
         """Whether it has no part that is done."""
-        return not any(name.endswith(".arrow") for _, _, names in os.walk(self.folder) for name in names)
+        return not any(_DONE.fullmatch(name) for _, _, names in os.walk(self.folder) for name in names)
 
     def remove(self) -> None:
         """Remove all parts. If the process ends before that is done, nobody takes what is left for work."""

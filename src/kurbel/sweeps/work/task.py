@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import os
 import zlib
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from contextlib import nullcontext, suppress
+from dataclasses import dataclass
 from functools import partial
 from io import FileIO
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
-import pyarrow as pa
-
-from kurbel.sweeps.files.arrow import own_batch_of
 from kurbel.sweeps.rows import Part, Sweep
 from kurbel.sweeps.work.hands import BALLS
 
 # The parts of a folder: as many files as every file system likes.
 IN_A_FOLDER = 1000
+# Bytes that are read at once.
+AT_ONCE = 1 << 20
 
 
 class Place(NamedTuple):
@@ -37,25 +38,40 @@ class Place(NamedTuple):
             return False
 
 
-def made(sweep: Sweep, number: int, place: Place) -> str | bytes:
+@dataclass(frozen=True)
+class Unit(ABC):
+    """Rows of a sweep that are computed at once, and how they are written to a file of a suffix."""
+
+    sweep: Sweep
+    suffix: ClassVar[str]
+
+    @property
+    @abstractmethod
+    def rows(self) -> int:
+        """How many rows it has; the last one may have fewer."""
+
+    @abstractmethod
+    def write(self, number: int, sink: Any) -> None:
+        """Write the rows of a number."""
+
+    @property
+    def count(self) -> int:
+        """How many there are in the sweep."""
+        return -(-len(self.sweep) // self.rows)
+
+    def rows_of(self, number: int) -> int:
+        return min(self.rows, len(self.sweep) - number * self.rows)
+
+
+def made(unit: Unit, place: Place, number: int) -> str | bytes:
     """Make a part and return the name of its file; where the folder cannot be seen, its content."""
-    batch = _batch(sweep, number)
     if place.is_here:
-        return _kept(partial(_write, batch), number, place.folder)
+        return _kept(partial(unit.write, number), number, place.folder, unit.suffix)
+    import pyarrow as pa
+
     sink = pa.BufferOutputStream()
-    _write(batch, sink)
+    unit.write(number, sink)
     return memoryview(sink.getvalue()).tobytes()
-
-
-def _batch(sweep: Sweep, number: int) -> pa.RecordBatch:
-    start = number * sweep.rows_at_once
-    return own_batch_of(sweep, computed(sweep, start, min(start + sweep.rows_at_once, len(sweep))))
-
-
-def _write(batch: pa.RecordBatch, sink: Any) -> None:
-    """Write a part as an Arrow file."""
-    with pa.ipc.new_file(sink, batch.schema) as writer:
-        writer.write_batch(batch)
 
 
 def computed(sweep: Sweep, start: int, stop: int) -> Part:
@@ -65,9 +81,9 @@ def computed(sweep: Sweep, start: int, stop: int) -> Part:
         return sweep.computed(start, stop)
 
 
-def kept(content: bytes, number: int, folder: str) -> str:
+def kept(content: bytes, number: int, folder: str, suffix: str) -> str:
     """Keep a part that came from another machine, and return its name."""
-    return _kept(lambda file: file.write(content), number, folder)
+    return _kept(lambda file: file.write(content), number, folder, suffix)
 
 
 class _Summed:
@@ -91,7 +107,7 @@ class _Summed:
         """All is written as it comes."""
 
 
-def _kept(write: Callable[[Any], object], number: int, folder: str) -> str:
+def _kept(write: Callable[[Any], object], number: int, folder: str, suffix: str) -> str:
     """Write a part, whole or not at all, and return its name, which tells whether it is still whole."""
     begin = f"{subfolder(number)}/{number:012d}"
     # Not the folders above: if they are gone, the run has ended.
@@ -102,7 +118,7 @@ def _kept(write: Callable[[Any], object], number: int, folder: str) -> str:
         into = _Summed(part)
         with into.file:
             write(into)
-        name = f"{begin}.{into.sum:08x}.arrow"
+        name = f"{begin}.{into.sum:08x}{suffix}"
         os.replace(part, os.path.join(folder, name))
     except BaseException:
         with suppress(OSError):
@@ -118,5 +134,8 @@ def subfolder(number: int) -> str:
 
 def is_whole(path: str) -> bool:
     """Tell whether a part is what was written: a machine that lost its power may have kept less of it."""
+    found = 0
     with open(path, "rb") as file:
-        return f"{zlib.crc32(file.read()):08x}" == path.split(".")[-2]
+        while content := file.read(AT_ONCE):
+            found = zlib.crc32(content, found)
+    return f"{found:08x}" == path.split(".")[-2]

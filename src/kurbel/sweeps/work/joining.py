@@ -1,0 +1,58 @@
+"""What was computed becomes the target: parts go in order into one file, partitions into a folder."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+
+import pyarrow as pa
+import pyarrow.compute as compute
+
+from kurbel.sweeps.files.arrow import REASON, with_options
+from kurbel.sweeps.files.forms import PARTITIONS, Form
+from kurbel.sweeps.files.parquet import gather, reasons_of
+from kurbel.sweeps.rows import Sweep
+from kurbel.sweeps.work.task import Unit
+from kurbel.sweeps.work.units import Partitions, Parts
+
+# Of so many kinds of refused rows is told how many there are of each, of all others together.
+MOST_REASONS = 100
+OTHERS = "other reasons"
+
+
+def unit_of(sweep: Sweep, form: Form) -> Unit:
+    """Return what is computed at once, which depends on the plan and the form alone."""
+    return Partitions(sweep) if form is PARTITIONS and sweep.in_threads else Parts(sweep)
+
+
+def joined(
+    unit: Unit, form: Form, paths: Iterator[str], target: str, scratch: str, refused: Counter[str]
+) -> None:
+    """Write the target of the files of all units, in order, and count what was refused."""
+    if unit.suffix == Partitions.suffix:
+        gather(_noted(paths, refused), target, scratch)
+    else:
+        form.write(unit.sweep, _batches(unit, paths, refused), target, scratch)
+
+
+def _noted(paths: Iterator[str], refused: Counter[str]) -> Iterator[str]:
+    for path in paths:
+        _count(reasons_of(path, REASON), refused)
+        yield path
+
+
+def _batches(unit: Unit, paths: Iterator[str], refused: Counter[str]) -> Iterator[pa.RecordBatch]:
+    for number, path in enumerate(paths):
+        with pa.memory_map(path) as file:
+            batch = pa.ipc.open_file(file).get_batch(0)
+            if REASON in batch.schema.names:
+                _count([batch[REASON]], refused)
+            yield with_options(unit.sweep, batch, number * unit.rows)
+
+
+def _count(reasons: Iterable[pa.Array], refused: Counter[str]) -> None:
+    for some in reasons:
+        for one in compute.value_counts(some.drop_null()):
+            reason = one["values"].as_py()
+            known = reason in refused or len(refused) < MOST_REASONS
+            refused[reason if known else OTHERS] += one["counts"].as_py()
