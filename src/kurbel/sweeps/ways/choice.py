@@ -9,6 +9,7 @@ from kurbel.errors import KurbelError
 from kurbel.motion.page import Request
 from kurbel.page.subject import Question
 from kurbel.sweeps.plan import Plan
+from kurbel.sweeps.ways.certified import CertifiedOverAngle, is_over_angle
 from kurbel.sweeps.ways.irregularity import Irregularities, is_irregularity
 from kurbel.sweeps.ways.motion import Motion, is_motion
 from kurbel.sweeps.ways.over_angle import OverAngle, has_arrays
@@ -29,6 +30,8 @@ def way_of(asked: Asked) -> Way:
     alone = any(len(group) == 1 and group[0].option == "angle" for group in plan.groups)
     if asked.each == 1 and alone and all(has_arrays(plan, one) for one in questions):
         return OverAngle(asked)
+    if asked.each == 1 and alone and all(map(is_over_angle, questions)):
+        return CertifiedOverAngle(asked)
     return Pointwise(asked)
 
 

@@ -78,7 +78,7 @@ class OverAngle:
         of_values = [values[column.key] for column in self.asked.own if column.role == "value"]
         odd = ~np.logical_and.reduce([np.isfinite(found) for found in of_values])
         if odd.any():
-            self._single(points, np.flatnonzero(odd), values, reasons)
+            self.single(points, np.flatnonzero(odd), values, reasons)
         return Rows(values, reasons)
 
     def _runs(self, points: Points) -> Iterator[tuple[int, Any, Any]]:
@@ -121,10 +121,10 @@ class OverAngle:
         # Angles of the page may count from elsewhere.
         return float(largest(self.angles)) + 360
 
-    def _single(
-        self, points: Points, rows: Places, values: dict[str, Floats], reasons: dict[int, str]
+    def single(
+        self, points: Points, rows: Places, values: Mapping[str, Any], reasons: dict[int, str]
     ) -> None:
-        """Ask the single command for these rows: what was refused, and what floats do not tell."""
+        """Ask the single command for these rows: why it refuses them, and what is not known of them."""
         one = Pointwise(self.asked)
         known: dict[int, str] = {}
         for row in rows.tolist():

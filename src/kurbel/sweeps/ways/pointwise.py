@@ -11,7 +11,7 @@ from kurbel.errors import KurbelError
 from kurbel.sweeps.ways.records import rows_at
 from kurbel.sweeps.ways.way import Asked, Points, Rows, columns_from
 
-_BALLS = Lock()
+BALLS = Lock()
 MISSING = "there is no such record of this combination"
 
 
@@ -25,7 +25,7 @@ class Pointwise:
 
     def rows(self, points: Points) -> Rows:
         # The precision of balls is that of the process, and other ways run in several threads.
-        with _BALLS:
+        with BALLS:
             return self._rows(points)
 
     def _rows(self, points: Points) -> Rows:

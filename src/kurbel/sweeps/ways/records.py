@@ -26,7 +26,11 @@ COUNTED, MIXED = 8, 9
 
 def records_at(plan: Plan, values: Mapping[str, Any], digits: int) -> Records:
     """Return the records of the command with these values. Raises KurbelError."""
-    question: Question = plan.question(values, digits).for_data
+    return records_of_question(plan.question(values, digits).for_data)
+
+
+def records_of_question(question: Question) -> Records:
+    """Return the records of a question for data."""
     return question.subject.rows(question) if question.subject.rows else records_of(question)
 
 
@@ -39,7 +43,7 @@ def first_of(plan: Plan) -> tuple[tuple[Field, ...], list[Sequence[Any]]]:
     found: list[tuple[tuple[Field, ...], list[Sequence[Any]]]] = []
     for point in _mixed(tried(plan)):
         try:
-            records = records_at(plan, plan.at(point), _digits(plan))
+            records = records_at(plan, plan.at(point), digits_of(plan))
             found.append((records.fields, [*records.rows]))
         except KurbelError as error:
             refused.append(error)
@@ -74,7 +78,7 @@ def rows_at(
 
     Raises KurbelError where it is refused.
     """
-    digits, keys = _digits(plan), [one.key for one in fields]
+    digits, keys = digits_of(plan), [one.key for one in fields]
     found = records_at(plan, values, digits)
     rows, there = [*found.rows], [one.key for one in found.fields]
     if there != keys:
@@ -82,7 +86,7 @@ def rows_at(
             f"columns are {', '.join(there)} here, and {', '.join(keys)} elsewhere in the sweep; choose"
             " some that are everywhere, with --columns"
         )
-    if plan.digits is None and digits < MOST_DIGITS and _is_small(rows):
+    if plan.digits is None and digits < MOST_DIGITS and is_small(rows):
         rows = [*records_at(plan, values, MOST_DIGITS).rows]
     return _placed([dict(zip(keys, row, strict=True)) for row in rows], apart, count)
 
@@ -112,11 +116,13 @@ def _placed(
     return found
 
 
-def _digits(plan: Plan) -> int:
+def digits_of(plan: Plan) -> int:
+    """Return with how many decimals the command is asked."""
     return DECIMALS if plan.digits is None else plan.digits
 
 
-def _is_small(rows: Sequence[Sequence[Any]]) -> bool:
+def is_small(rows: Sequence[Sequence[Any]]) -> bool:
+    """Whether a number has too few figures to be a float."""
     return any(
         isinstance(one, Number) and one.decimals == DECIMALS and 0 < abs(one.scaled) < FIGURES
         for row in rows
