@@ -145,10 +145,15 @@ def test_no_circle_of_modules_that_import_each_other_as_they_are_imported() -> N
 
 def loaded(code: str, *arguments: str) -> set[str]:
     """Return the top-level modules that a new interpreter has loaded when the code is done."""
+    return {name.split(".")[0] for name in modules_loaded(code, *arguments)}
+
+
+def modules_loaded(code: str, *arguments: str) -> set[str]:
+    """Return the same by their whole names."""
     code = f"import atexit, sys\natexit.register(lambda: print(*sys.modules, file=sys.stderr))\n{code}"
     names = interpreted(code, *arguments).stderr.split()
     assert "kurbel" in names
-    return {name.split(".")[0] for name in names}
+    return {*names}
 
 
 def interpreted(code: str, *arguments: str) -> subprocess.CompletedProcess[str]:
@@ -225,13 +230,35 @@ def test_the_reader_of_what_runs_at_once_leaves_out_functions_and_types() -> Non
     assert names == {"b", "d"}
 
 
+# kurbel's own modules that a small page loads; each is half a millisecond, a hundredth of its libraries.
+MOST_LOADED = {
+    "table --ratio 1:5": 58,
+    "table --ratio 1:5 -f html": 75,
+    "delta --eps 2..6": 101,
+    "solve --ratio 1:5 --where p=0": 81,
+}
+# What was loaded by every start and is needed by few.
+SPARED = {"hashlib", "importlib.util", "pkgutil", "tempfile", "tomllib", "unicodedata"}
+
+
+@pytest.mark.parametrize(("words", "most"), MOST_LOADED.items(), ids=MOST_LOADED)
+def test_a_small_page_loads_no_more_modules_than_before(words: str, most: int) -> None:
+    names = modules_loaded(RUN, *words.split())
+    own = within("kurbel", names)
+    assert len(own) <= most, sorted(own)
+    assert not names & SPARED
+    # Of other mechanisms and of engines nothing is asked.
+    if words.startswith(("table", "solve")):
+        assert not within("kurbel.linkage", own) | within("kurbel.engine", own)
+
+
 def test_import_kurbel_loads_no_library() -> None:
     assert not loaded("import kurbel") & {"click", "jinja2", "flint", "tabulate", "pint", *HEAVY}
 
 
 @pytest.mark.parametrize("option", ["--help", "-h", "--version"])
 def test_help_loads_no_library(option: str) -> None:
-    assert not loaded(RUN, option) & {"jinja2", "flint", "tabulate", "pint", *HEAVY}
+    assert not loaded(RUN, option) & {"click", "jinja2", "flint", "re", "typing", "tabulate", "pint", *HEAVY}
 
 
 def test_the_help_of_plot_loads_no_matplotlib() -> None:
