@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import os
+import resource
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -291,6 +292,21 @@ def test_what_ends_half_written_leaves_what_was_there(tmp_path: Path, name: str)
     assert content_of(Path(target)) == first and os.listdir(scratch) == []
     form.write(sweep, batches_of(sweep, 6), target, str(scratch))
     assert content_of(Path(target)) == first and os.listdir(scratch) == []
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_a_full_disk_is_one_sentence_and_leaves_nothing(tmp_path: Path, name: str) -> None:
+    sweep = sweep_of(eps=["2;3"], ratio=["1:4;1:5;1:6"])
+    (scratch := tmp_path / "scratch").mkdir()
+    batches = list(batches_of(sweep, 6))
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (100, limits[1]))
+    try:
+        with pytest.raises(OutputError, match=r"cannot write \S+: File too large$"):
+            form_of(f"{tmp_path}/{name}").write(sweep, iter(batches), f"{tmp_path}/{name}", str(scratch))
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert os.listdir(tmp_path) == ["scratch"] and os.listdir(scratch) == []
 
 
 def content_of(path: Path) -> dict[str, bytes]:

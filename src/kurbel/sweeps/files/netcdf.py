@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from io import FileIO
 from typing import TYPE_CHECKING, Any
 
 import h5netcdf
@@ -25,8 +27,53 @@ _PACKED: Mapping[str, Any] = {"compression": "gzip", "compression_opts": 1, "shu
 
 def write(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, scratch: str) -> None:
     """Write all batches, in order."""
-    with whole_path(target, scratch) as path, h5netcdf.File(path, "w") as file:
-        fill(sweep, batches, _File(file))
+    with whole_path(target, scratch) as path, _Disk(path) as disk:
+        with h5netcdf.File(disk, "w") as file:
+            fill(sweep, _while_sound(batches, disk), _File(file))
+        disk.check()
+
+
+class _Disk(FileIO):
+    """A file whose first error waits until it is asked for: HDF5 cannot close a file that refuses what it
+    writes, and ends in another error."""
+
+    def __init__(self, path: str) -> None:
+        super().__init__(path, "w+")
+        self._error: OSError | None = None
+
+    def write(self, content: Any) -> int:
+        left = memoryview(content).cast("B")
+        size = len(left)
+        with self._remembered():
+            while left and self._error is None:
+                left = left[super().write(left) :]
+        return size
+
+    def truncate(self, size: int | None = None) -> int:
+        with self._remembered():
+            if self._error is None:
+                super().truncate(size)
+        return size or 0
+
+    def flush(self) -> None:
+        """All is written as it comes."""
+
+    @contextmanager
+    def _remembered(self) -> Iterator[None]:
+        try:
+            yield
+        except OSError as error:
+            self._error = self._error or error
+
+    def check(self) -> None:
+        if self._error is not None:
+            raise self._error
+
+
+def _while_sound(batches: Iterable[pa.RecordBatch], disk: _Disk) -> Iterator[pa.RecordBatch]:
+    for batch in batches:
+        disk.check()
+        yield batch
 
 
 class _File:
