@@ -19,6 +19,8 @@ from kurbel.errors import NotationError
         ("eps > 1:4 and eps**2 < 20", [2, 3, 4]),
         # A root of what is below zero is as little as a division by zero.
         ("(eps-4)**0.5 < 1.1", [4, 5]),
+        # Beyond all floats.
+        ("9**9**9**9 > eps and (0-9)**999 < eps", [2, 3, 4, 5, 6]),
         # At 4 it is one.
         ("1/(eps-3) < 1", [2, 5, 6]),
     ],
@@ -33,8 +35,8 @@ def test_a_condition_leaves_what_it_says(condition: str, epsilon: Sequence[int])
     ("words", "sentence"),
     [
         (
-            ("--only", "9**9**9**9 > eps"),
-            'condition "9**9**9**9 > eps" has powers beyond 10^308, which are not computed; write it with'
+            ("--only", "9**9**9 > eps**9**9"),
+            'condition "9**9**9 > eps**9**9" has powers beyond 10^308, which are not computed; write it with'
             " smaller ones",
         ),
         (
@@ -46,6 +48,18 @@ def test_a_condition_leaves_what_it_says(condition: str, epsilon: Sequence[int])
 def test_what_cannot_be_meant_is_refused(words: Sequence[str], sentence: str) -> None:
     result = command("sweep", "delta", "--eps", "2..6", *words, "-f", "csv", "-o", os.devnull)
     assert (result.code, result.err) == (2, f"kurbel: {sentence}\n")
+
+
+def test_the_angles_of_a_sweep_have_one_step() -> None:
+    result = command("sweep", "table", "--step", "10;20", "-f", "csv", "-o", os.devnull)
+    sentence = "--step takes one value, 2 were given; several angles are --angle 0;45;90 or --angle 0..360:10"
+    assert (result.code, result.err) == (2, f"kurbel: {sentence}\n")
+
+
+def test_a_sweep_has_more_ratios_than_a_page() -> None:
+    words = ("--ratio", "0.2..0.4:0.00001", "--angle", "90", "--columns", "x")
+    result = command("sweep", "table", *words, "-f", "csv", "-o", os.devnull)
+    assert result.err == f"kurbel: {os.devnull}: 20001 rows\n"
 
 
 @pytest.mark.parametrize(

@@ -134,10 +134,10 @@ def angle(text: str, what: str = "angle") -> Fraction:
     return -value if match.group(1) in _MINUS else value
 
 
-def ratios(texts: Iterable[str]) -> tuple[Fraction, ...]:
+def ratios(texts: Iterable[str], most: int = LONGEST_LIST) -> tuple[Fraction, ...]:
     """Return the ratios of lists and ranges: "1:5", "1:4;1:4,5", "1:3..6", "1:3..6:0.5", "0.2..0.3:0.05"."""
     parts = parts_of(texts, ratio, "crank ratio")
-    return tuple(dict.fromkeys(_values(parts, ratio, _ratio_range, LONGEST_LIST, "crank ratios")))
+    return tuple(dict.fromkeys(_values(parts, ratio, partial(_ratio_range, most=most), most, "crank ratios")))
 
 
 def angles(texts: Iterable[str], repeated: bool = False) -> Sequence[Fraction]:
@@ -247,7 +247,7 @@ def parts_of(texts: Iterable[str], read: Callable[[str], Fraction], what: str) -
         yield from parts
 
 
-def _ratio_range(text: str) -> Sequence[Fraction]:
+def _ratio_range(text: str, most: int) -> Sequence[Fraction]:
     """1:3..6:0.5 and 1:3..1:6 step the rod length L/R; 0.2..0.3:0.05 steps the ratio itself."""
     match = re.fullmatch(r"(?:(1)\s*[:/])?([^:/]+)\.\.(?:1\s*[:/](?=.))?([^:/]+)(?::([^:]+))?", text)
     if match is None:
@@ -260,7 +260,7 @@ def _ratio_range(text: str) -> Sequence[Fraction]:
             f"crank ratio {quoted(text)} needs a step; write 0.2..0.3:0.05, or 1:3..6 to step the rod length"
         )
     values = progression(number(first), number(last), number(step or "1"), "ratio")
-    check_length(len(values), LONGEST_LIST, "crank ratios")
+    check_length(len(values), most, "crank ratios")
     if by_length and not all(values):
         raise NotationError(f"crank ratio {quoted(text)} contains 1:0; the rod must have a length")
     return [1 / value for value in values] if by_length else values

@@ -70,6 +70,12 @@ def planned(
             raise ProblemError("a sample links all options that vary; leave --zip out")
     values = {name: values_of(known[name], one) for name, one in options.items() if name not in plan.varied}
     axes = [Axis(name, found) for name, found in values.items() if len(found) > 1]
+    for axis in axes:
+        if axis.option in RUN:
+            raise ProblemError(
+                f"--{axis.option} takes one value, {len(axis.values)} were given; several angles are --angle"
+                " 0;45;90 or --angle 0..360:10"
+            )
     given = {name: found[0] for name, found in values.items() if len(found) == 1}
     plan = replace(plan, given=given, groups=plan.groups or _grouped(axes, linked))
     if "angle" in known and "angle" not in plan.varied:

@@ -22,13 +22,19 @@ BYTES = 8
 
 @dataclass(frozen=True)
 class Estimate:
-    """The time is that of one core; `refused` is the first point of the sample that was refused, with why."""
+    """Seconds of computing and of writing on one core, and bytes; `refused` is the first point of the sample
+    that was refused, with why."""
 
     rows: int
     parts: int
-    seconds: float
+    computing: float
+    writing: float
     size: float
     refused: tuple[str, str] | None
+
+    def seconds(self, hands: int) -> float:
+        """Return how long it takes so many: one of them writes while all compute."""
+        return max(self.writing, (self.computing + self.writing) / hands)
 
 
 def estimated(sweep: Sweep, form: Form) -> Estimate:
@@ -45,7 +51,8 @@ def estimated(sweep: Sweep, form: Form) -> Estimate:
         if seconds > PATIENCE:
             break
     parts = -(-len(sweep) // sweep.rows_at_once)
-    return Estimate(len(sweep), parts, seconds / rows * len(sweep), _size(sweep, form), refused)
+    size, writing = _file(sweep, form)
+    return Estimate(len(sweep), parts, seconds / rows * len(sweep), writing, size, refused)
 
 
 def _samples(sweep: Sweep) -> Iterator[tuple[int, int]]:
@@ -58,17 +65,22 @@ def _samples(sweep: Sweep) -> Iterator[tuple[int, int]]:
         yield start, start + length
 
 
-def _size(sweep: Sweep, form: Form) -> float:
-    """Return about how many bytes the file has, by one of its first rows."""
-    if not form.streams and form.name != "partitions":
-        return float(len(sweep) * BYTES * sum(column.role != "axis" for column in sweep.columns))
+def _file(sweep: Sweep, form: Form) -> tuple[float, float]:
+    """Return about how many bytes the file has, and how long it is written, by one of its first rows."""
     rows = min(len(sweep), 256 if sweep.rows_at_once <= 4096 else LONGEST)
     batch = batch_of(sweep, sweep.part(0, rows))
     with tempfile.TemporaryDirectory() as folder:
         one = os.path.join(folder, "sample")
         plain = form if form.streams else FORMS_OF_FILES
-        plain.write(sweep, iter([batch]), one, folder)
-        return os.path.getsize(one) / rows * len(sweep)
+        # The first one also pays for what is loaded.
+        for _ in range(2):
+            begun = time.process_time()
+            plain.write(sweep, iter([batch]), one, folder)
+            seconds = time.process_time() - begun
+        size: float = os.path.getsize(one)
+    if not form.streams and form.name != "partitions":
+        size = rows * BYTES * sum(column.role != "axis" for column in sweep.columns)
+    return size / rows * len(sweep), seconds / rows * len(sweep)
 
 
 FORMS_OF_FILES = Form("parquet", (), "kurbel.sweeps.files.parquet:write")

@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from math import inf, isfinite
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -169,10 +170,21 @@ def _compared(first: _Float, op: ast.cmpop, second: _Float, doubtful: Mask) -> A
     return _COMPARED[type(op)](first.value, second.value)
 
 
+def _settled(first: Any, op: ast.cmpop, second: Any) -> Any:
+    """Return how exact numbers compare; of two that no float holds it is not known."""
+    beyond = [isinstance(one, float) and not isfinite(one) for one in (first, second)]
+    if all(beyond) or any(one != one for one in (first, second)):
+        raise OverflowError
+    return _COMPARED[type(op)](first, second)
+
+
 def _power(first: float, second: float) -> float:
     if first < 0 and second != int(second):
         raise ZeroDivisionError
-    return float(first**second)
+    try:
+        return float(first**second)
+    except OverflowError:
+        return -inf if first < 0 and second % 2 else inf
 
 
 def _signed(op: ast.unaryop, value: Any) -> Any:
@@ -197,7 +209,7 @@ def _exact(node: ast.expr, values: Mapping[str, Any]) -> Any:
         case ast.Compare(left=left, ops=ops, comparators=others):
             found = [_exact(one, values) for one in (left, *others)]
             steps = zip(found, ops, found[1:], strict=False)
-            return all(_COMPARED[type(op)](first, second) for first, op, second in steps)
+            return all(_settled(first, op, second) for first, op, second in steps)
         case ast.Name(id=name):
             return values[name]
         case ast.Constant(value=value):

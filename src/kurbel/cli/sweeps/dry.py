@@ -35,7 +35,7 @@ def show_estimate(sweep: Sweep, target: str | None, format: str | None) -> None:
         "columns": ", ".join(one.key for one in sweep.columns) + ", reason",
         "parts": f"{found.parts} of {min(sweep.rows_at_once, found.rows)} rows",
         "size": f"about {_in(found.size, SIZES, 'kB')} as {form.name}",
-        "time": f"about {_in(found.seconds / hands, TIMES, 'seconds')} on {hands} core{'s' * (hands > 1)},"
+        "time": f"about {_in(found.seconds(hands), TIMES, 'seconds')} on {hands} core{'s' * (hands > 1)},"
         " measured on a sample",
     }
     if found.refused:

@@ -60,7 +60,7 @@ def several(parameter: Parameter, texts: Iterable[Any]) -> Sequence[Any]:
     if not all(isinstance(one, str) for one in given):
         return tuple(dict.fromkeys(given))
     if name == "ratio":
-        return notation.ratios(given)
+        return notation.ratios(given, LONGEST)
     if option.unit == "degrees":
         return notation.angles(given) if any(";" in one or ".." in one for one in given) else tuple(given)
     values = values_of(name, given)
