@@ -308,13 +308,13 @@ def test_a_rod_nearly_as_long_as_the_crank_is_searched_in_few_pieces(
     rod = Rod.from_crosshead(Fraction(65, 100), Fraction(35, 100))
     crank = Crank(1 - Fraction(1, 10**7), rod=rod)
     looked: list[int] = []
-    run = Peak._run
+    at = Peak._at
 
     def counted(self: Peak, *words: Any) -> Any:
         looked.append(0)
-        return run(self, *words)
+        return at(self, *words)
 
-    monkeypatch.setattr(Peak, "_run", counted)
+    monkeypatch.setattr(Peak, "_at", counted)
     drive, body = Drive(1 - mp.mpf(10) ** -7, mp.mpf(0)), bodies("0.65", "0.35")["exact"]
     with mp.workdps(60):
         # Beside 90°, where the forces are greatest, the peaks are as wide as the rod's cosine.

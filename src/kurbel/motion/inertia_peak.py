@@ -50,6 +50,7 @@ class Peak:
         self._reached = flint.arb(0)
         self._moved = _places(crank)
         self._balls: dict[int, Masses[arb]] = {}
+        self._refined: dict[Root, tuple[int, arb]] = {}
         self._last: tuple[arb | None, int, Jet] = (None, 0, Jet(0, 0, 0))
 
     @cached_property
@@ -117,26 +118,30 @@ class Peak:
         return reduce(Separation.union, bounds)
 
     def _bound(self, degrees: Fraction) -> Separation:
-        circle = circle_separation(degrees)
-        bound = self._run(self.force.formula, circle, Separation.rational)
+        bound = self._bounded(self.force.formula, degrees, _itself, Separation.rational)
         assert isinstance(bound, Separation)
         return bound
 
-    def _run(self, formula: Any, circle: Circle[Any], of: Any) -> Any:
-        return formula(_loaded(self.crank, circle, of).bearing(Masses(*map(of, map(Fraction, self.masses)))))
+    def _bounded(self, formula: Any, degrees: Fraction, circle: Callable[..., Circle[Any]], of: Any) -> Any:
+        """Return what the formula says of the bounds at an exact place."""
+        key = circle, degrees
+        if key not in self._moved:
+            self._moved[key] = _loaded(self.crank, circle(circle_separation(degrees)), of)
+        return formula(self._moved[key].bearing(Masses(*map(of, map(Fraction, self.masses)))))
 
-    def _at(self, formula: Any, circle: Callable[[arb], Circle[Any]], half_turns: arb) -> Any:
-        """Return what the formula says of a place, a ball; the rod moves there alike in all its forces."""
+    def _at(self, formula: Any, circle: Callable[[Any], Circle[Any]], half_turns: arb | Fraction) -> Any:
+        """Return what the formula says of a place in half turns; the rod moves alike in all its forces."""
         precision = flint.ctx.prec
         masses = self._balls.get(precision)
         if masses is None:
             masses = self._balls[precision] = Masses(*map(ball, map(Fraction, self.masses)))
         return formula(self._moving(circle, half_turns, precision).bearing(masses))
 
-    def _moving(self, circle: Callable[[arb], Circle[Any]], half_turns: arb, precision: int) -> Loaded:
+    def _moving(self, circle: Callable[[Any], Circle[Any]], half_turns: Any, precision: int) -> Loaded:
         """Return the crank at a place, as all forces of the rod and the masses for it ask for it."""
-        middle, away = half_turns.mid().man_exp(), half_turns.rad().man_exp()
-        key = circle, middle, away, precision
+        exact = isinstance(half_turns, Fraction)
+        place = half_turns if exact else (half_turns.mid().man_exp(), half_turns.rad().man_exp())
+        key = circle, place, precision
         if key not in self._moved:
             if len(self._moved) >= MOST_PLACES:
                 self._moved.clear()
@@ -215,8 +220,7 @@ class Peak:
 
     def _is_level(self, quarter: Fraction) -> bool:
         """Whether the slope at a quarter of the turn is zero, proved by its separation bound."""
-        circle = jets(circle_separation(180 * quarter))
-        bits = self._run(self.force.smooth, circle, _constant).slope.bits()
+        bits = self._bounded(self.force.smooth, 180 * quarter, jets, _constant).slope.bits()
         return vanishes(lambda: self._slope(ball(quarter)), float(bits))
 
     def _is_single(self, start: Fraction, end: Fraction) -> bool:
@@ -227,12 +231,17 @@ class Peak:
     def _half_turns(self, place: Root) -> arb:
         if place.is_exact:
             return ball(place.low)
-        return refined(self._slope, self._bend, place)
+        precision, found = self._refined.get(place, (0, None))
+        # One that is known to more bits does as well.
+        if found is None or precision < flint.ctx.prec:
+            found = refined(self._slope, self._bend, place)
+            self._refined[place] = flint.ctx.prec, found
+        return found
 
     def _value_at(self, place: Root) -> arb:
         at = self._half_turns(place)
-        circle = ball_circle(180 * place.low) if place.is_exact else half_turn_circle(at)
-        value: arb = abs(self._run(self.force.formula, circle, ball))
+        found = self._at(self.force.formula, _exact, place.low) if place.is_exact else self._magnitude(at)
+        value: arb = abs(found)
         if place.is_exact or place.rising is not None:
             return value
         nearer = abs(self._around(at))
@@ -261,6 +270,14 @@ def _loaded(crank: Crank, circle: Circle[Any], of: Any) -> Loaded:
     """Return the crank's drive, without masses."""
     offset = of(crank.offset) if crank.offset else None
     return Loaded(circle, of(crank.ratio), Masses(0, 0, 0), offset)
+
+
+def _exact(half_turns: Fraction) -> Circle[arb]:
+    return ball_circle(180 * half_turns)
+
+
+def _itself(circle: Circle[Separation]) -> Circle[Separation]:
+    return circle
 
 
 def _constant(value: Fraction) -> Jet:
