@@ -31,6 +31,8 @@ def sweep(
     bounds: bool = ...,
     zip: str | Iterable[str | Sequence[str]] = ...,
     only: str = ...,
+    sample: str = ...,
+    seed: int = ...,
     strict: bool = ...,
     output: None = ...,
     jobs: int | None = ...,
@@ -45,6 +47,8 @@ def sweep(
     bounds: bool = ...,
     zip: str | Iterable[str | Sequence[str]] = ...,
     only: str = ...,
+    sample: str = ...,
+    seed: int = ...,
     strict: bool = ...,
     output: str | PathLike[str],
     jobs: int | None = ...,
@@ -58,6 +62,8 @@ def sweep(
     bounds: bool = False,
     zip: str | Iterable[str | Sequence[str]] = (),
     only: str = "",
+    sample: str = "",
+    seed: int = 0,
     strict: bool = False,
     output: str | PathLike[str] | None = None,
     jobs: int | None = None,
@@ -69,9 +75,10 @@ def sweep(
     `command` is a function that makes a table, such as `kurbel.delta_table`, or its name, "delta". Its
     options may be given several values: lists, NumPy arrays, ranges as text. The dataset has a dimension
     for each of these, in their order; options that `zip` names, "eps,back", go through their values together
-    and share the dimension "point". So do all where `only`, "eps*back < 1", leaves combinations out. Where
-    nothing can be computed is NaN, and `refused` is true; a small dataset also has the sentences, `reason`. A
-    `strict` sweep raises the first of them.
+    and share the dimension "point". So do all where `only`, "eps*back < 1", leaves combinations out, and
+    where `sample`, "sobol:1024" or "random:1000", takes points of intervals, the same for the same `seed`.
+    Where nothing can be computed is NaN, and `refused` is true; a small dataset also has the sentences,
+    `reason`. A `strict` sweep raises the first of them.
 
     What takes some seconds is computed at once; more becomes arrays of Dask, which compute what is asked of
     them and no more. Values are floats; with `bounds` each has a variable beside it that says how far from
@@ -100,6 +107,8 @@ def sweep(
         bounds=bounds,
         strict=strict,
         only=only,
+        sample=sample,
+        seed=seed,
     )
     asked = Sweep(plan)
     if output is not None:
