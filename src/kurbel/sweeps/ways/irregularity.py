@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from kurbel.drive.crank import Crank
-from kurbel.engine.engine import LARGEST_EXPANSION, Steam
+from kurbel.engine.engine import LARGEST_CLEARANCE, LARGEST_EXPANSION, LARGEST_EXPONENT, LEAST_CURVE, Steam
 from kurbel.engine.irregularity import delta
 from kurbel.engine.request import EngineRequest
 from kurbel.page.subject import Question
@@ -20,12 +21,15 @@ from kurbel.sweeps.plan import Plan
 from kurbel.sweeps.ways.pointwise import Pointwise
 from kurbel.sweeps.ways.way import Asked, Floats, Places, Points, Rows
 
-AXES = frozenset(("eps", "ratio", "back"))
+AXES = frozenset(("eps", "ratio", "back", "clearance", "exponent"))
 KEY, SUBJECT = "delta", "irregularity"
-# Of the work left, in units of what is taken from it: where less is left the single command decides.
+# Of the work left, in units of what is done and taken: where less is left the single command decides.
 NEAR = 1e-9
 # By what share a float can be off where all work is left, and by what for the rounding of its inputs.
-UNITS, ROUNDED = 4e-15, 3e-16
+UNITS, ROUNDED = 8e-15, 3e-16
+# What is left to the kernel's defaults where it is usual, and what the work depends on.
+FURTHER = ("clearance", "exponent")
+KEYS = ("eps", "back", *FURTHER)
 
 
 @dataclass(frozen=True)
@@ -40,20 +44,20 @@ class Irregularities:
 
     def rows(self, points: Points) -> Rows:
         told = self._inputs(points)
-        eps, ratio, back = told["eps"], told["ratio"], told["back"]
-        with np.errstate(divide="ignore", invalid="ignore"):
-            taken = eps * (1 / eps if back is None else back)
-            left = 1 + np.log(eps) - taken
-            good = (eps >= 1) & (eps <= LARGEST_EXPANSION) & (ratio >= 0) & (ratio < 1)
-            good &= left > NEAR * (1 + taken)
-        if back is not None:
-            good &= (back >= 0) & (back <= 1)
+        with np.errstate(all="ignore"):
+            done, taken, stretch = _work(told)
+            good = _valid(told) & (done - taken > NEAR * (done + taken))
         values = {column.key: np.full(len(points), np.nan) for column in self.asked.own}
         if good.any():
-            given = (eps[good], ratio[good], None if back is None else back[good])
-            values[KEY][good] = delta(*given, method=self._method)
+            given: dict[str, Any] = {name: one if one is None else one[good] for name, one in told.items()}
+            for name in FURTHER:
+                if self._usual[name]:
+                    given[name] = None
+            values[KEY][good] = delta(**given, method=self._method)
         if self.asked.plan.bounds:
-            share = UNITS * (1 + (1 + taken[good]) / left[good]) + ROUNDED / np.sqrt(1 - ratio[good])
+            left = (done + taken)[good] / (done - taken)[good]
+            share = (UNITS + ROUNDED * stretch[good]) * (1 + left)
+            share += ROUNDED / np.sqrt(1 - told["ratio"][good])
             values[f"{KEY}{BOUND}"][good] = share * values[KEY][good]
         return Rows(values, self._refused(points, np.flatnonzero(~good), told, values))
 
@@ -65,8 +69,8 @@ class Irregularities:
         for row in rows.tolist():
             # The work does not depend on the ratio, as long as there is one.
             ratio = float(told["ratio"][row])
-            key = (float(told["eps"][row]), *(() if told["back"] is None else (float(told["back"][row]),)))
-            key += (-1.0,) if 0 <= ratio < 1 else (ratio,)
+            key: tuple[float, ...] = (-1.0,) if 0 <= ratio < 1 else (ratio,)
+            key += tuple(float(told[name][row]) for name in KEYS if told[name] is not None)
             if key in self._known:
                 reasons[row] = self._known[key]
                 continue
@@ -81,10 +85,21 @@ class Irregularities:
         steam, crank = self.question.steams[0], self.question.drives[0].crank
         assert isinstance(steam, Steam)
         own = {"eps": steam.expansion, "ratio": crank.ratio, "back": steam.back}
+        own |= {"clearance": steam.clearance, "exponent": steam.exponent}
         told = self._coordinates.at(points)
         return {
             name: told[name] if name in told else None if one is None else np.full(len(points), float(one))
             for name, one in own.items()
+        }
+
+    @cached_property
+    def _usual(self) -> Mapping[str, bool]:
+        """Which options are nowhere other than they are where nothing is said of them."""
+        steam, varied = self.question.steams[0], self.asked.plan.varied
+        assert isinstance(steam, Steam)
+        return {
+            "clearance": steam.clearance == 0 and "clearance" not in varied,
+            "exponent": steam.exponent == 1 and "exponent" not in varied,
         }
 
     @property
@@ -94,6 +109,31 @@ class Irregularities:
     @cached_property
     def _coordinates(self) -> Coordinates:
         return Coordinates(self.asked.plan)
+
+
+def _work(told: Mapping[str, Any]) -> tuple[Floats, Floats, Floats]:
+    """Return the mean pressures of the steam and against it, in units of that before cut-off, and by how much
+    the rounding of the inputs counts in the first one."""
+    clearance, exponent = told["clearance"], told["exponent"]
+    cut = 1 / told["eps"] + clearance
+    stretch = np.log((1 + clearance) / cut)
+    bent = (1 - exponent) * stretch
+    # Of n = 1 the integral of the power is the logarithm.
+    curve = np.where(bent == 0, 1, np.expm1(bent) / np.where(bent == 0, 1, bent))
+    done = 1 / told["eps"] + cut * stretch * curve
+    best = np.exp(-exponent * stretch)
+    return done, best if told["back"] is None else told["back"], exponent * stretch
+
+
+def _valid(told: Mapping[str, Any]) -> Any:
+    """Return where every input is one that the single command takes."""
+    eps, ratio, clearance, exponent = (told[name] for name in ("eps", "ratio", "clearance", "exponent"))
+    good = (eps >= 1) & (eps <= LARGEST_EXPANSION) & (ratio >= 0) & (ratio < 1)
+    good &= (
+        (clearance >= 0) & (clearance <= LARGEST_CLEARANCE) & (exponent > 0) & (exponent <= LARGEST_EXPONENT)
+    )
+    good &= (exponent == 1) | (np.abs(exponent - 1) > float(2 * LEAST_CURVE))
+    return good if told["back"] is None else good & (told["back"] >= 0) & (told["back"] <= 1)
 
 
 def is_irregularity(plan: Plan, question: Question) -> bool:
@@ -110,6 +150,9 @@ def is_irregularity(plan: Plan, question: Question) -> bool:
 
 def _is_plain(question: EngineRequest) -> bool:
     steam, drive = question.steams[0], question.drives[0]
-    usual = isinstance(steam, Steam) and steam == Steam(steam.expansion, steam.back)
+    if not isinstance(steam, Steam):
+        return False
+    if question.methods == ("weisbach",) and (steam.clearance or steam.exponent != Fraction(1)):
+        return False
     straight = question.mechanism.name == "straight" and drive.crank == Crank(drive.crank.ratio)
-    return usual and straight and question.double and len(question.cranks) == 1
+    return straight and question.double and len(question.cranks) == 1
