@@ -124,7 +124,12 @@ def old() -> Any:
     return SimpleNamespace(version_info=SimpleNamespace(short=(0, 60)))
 
 
-@pytest.mark.parametrize("numba", [broken, old])
+def switched_off() -> Any:
+    new, config = SimpleNamespace(short=(0, 99)), SimpleNamespace(DISABLE_JIT=1)
+    return SimpleNamespace(version_info=new, config=config)
+
+
+@pytest.mark.parametrize("numba", [broken, old, switched_off])
 def test_without_a_numba_that_works_arrays_do_it(
     numba: Callable[[], Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -39,7 +39,9 @@ def installed() -> bool:
     if find_spec("numba") is None:
         return False
     try:
-        return bool(_numba().version_info.short >= OLDEST)
+        numba = _numba()
+        # NUMBA_DISABLE_JIT leaves loops to Python, a hundred times slower than arrays.
+        return bool(numba.version_info.short >= OLDEST and not numba.config.DISABLE_JIT)
     except (ImportError, OSError):
         # It refuses a NumPy that it does not know, and its compiler is a shared library.
         return False
