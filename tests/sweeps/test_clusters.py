@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import socket
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 from cli import refusal
 from clusters import Cluster
+from places import ROOT
 from programs import Programs, wait_until
 from small_parts import DEADLY, KILLS, SmallParts, plan_of
 
@@ -82,7 +87,7 @@ def test_workers_that_might_write_other_bytes_are_refused(
     cluster: Cluster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     target = str(tmp_path / "delta.parquet")
-    monkeypatch.setattr(clusters, "PATIENCE", 1)
+    monkeypatch.setattr(clusters, "WORKERS", 1)
     with pytest.raises(
         FailedError, match=r"has no workers, and none came in 1 s; start some by: dask worker tcp"
     ):
@@ -111,6 +116,10 @@ def test_a_scheduler_that_is_not_there_is_one_sentence(
         address = f"tcp://127.0.0.1:{taken.getsockname()[1]}"
         said = refusal("sweep", "delta", "--eps=2..4", "-o", "d.csv", "--scheduler", address, code=1)
     assert said == f"no scheduler answered at {address} within 1 s; start one by: dask scheduler"
+    said = refusal("sweep", "delta", "--eps=2..4", "-o", "d.csv", "--scheduler", "none.json", code=1)
+    assert said.startswith(
+        "there is no none.json, and none came in 1 s; start a scheduler by: dask scheduler"
+    )
     assert not [*tmp_path.iterdir()]
 
 
@@ -121,3 +130,28 @@ def test_what_is_no_address_of_a_scheduler_is_refused(
     said = refusal("sweep", "delta", "--eps=2..4", "-o", "d.csv", "--scheduler", "cluster", code=2)
     assert said.startswith('scheduler "cluster" is no address; write tcp://HOST:8786')
     assert not [*tmp_path.iterdir()]
+
+
+def behind(name: str, code: str) -> str:
+    """Run a line behind a script of the page, in a process of its own, and return what it prints."""
+    page = (ROOT / "docs" / "scale.md").read_text(encoding="utf-8")
+    (script,) = re.findall(rf"^```python file={name}\n(.*?)^```$", page, re.DOTALL | re.MULTILINE)
+    lines = f"__name__ = 'of the page'\n{script}\n{code}"
+    done = subprocess.run([sys.executable, "-c", lines], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.mark.slow
+def test_the_scripts_for_slurm_and_kubernetes_ask_for_what_they_say() -> None:
+    here = 'interface="lo", scheduler_options={"host": "127.0.0.1", "dashboard": False}'
+    job = behind("slurm.py", f"with slurm({here}) as cluster: print(cluster.job_script())")
+    lines = job.splitlines()
+    assert {"#SBATCH -p batch", "#SBATCH --cpus-per-task=16", "#SBATCH -t 04:00:00"} <= {*lines}
+    assert "--nthreads 1 --memory-limit 1.86GiB --nworkers 16" in lines[-2 if not lines[-1] else -1]
+    asked = json.loads(behind("kubernetes.py", "import json; print(json.dumps(spec()))"))
+    assert (asked["apiVersion"], asked["kind"]) == ("kubernetes.dask.org/v1", "DaskCluster")
+    worker = asked["spec"]["worker"]
+    container = worker["spec"]["containers"][0]
+    assert (worker["replicas"], container["args"][-2:]) == (32, ["--nthreads", "1"])
+    assert container["volumeMounts"][0]["name"] == worker["spec"]["volumes"][0]["name"]

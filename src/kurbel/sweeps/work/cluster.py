@@ -7,13 +7,14 @@ the workers themselves where they see the folder of the run, and come over the n
 from __future__ import annotations
 
 import logging
+import os
 import warnings
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import partial
 from importlib.util import find_spec
 from queue import Empty, SimpleQueue
-from time import monotonic
+from time import monotonic, sleep
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from kurbel.errors import ChoiceError, FailedError
@@ -24,8 +25,8 @@ if TYPE_CHECKING:
     from distributed import Client, Future
 
 Made = TypeVar("Made")
-# Seconds in which a scheduler answers, and in which a worker has come to it.
-PATIENCE = 10
+# Seconds in which a scheduler answers, or its file is there, and in which a worker has come to it.
+PATIENCE, WORKERS = 10, 30
 # Seconds in which one comes back when all have gone.
 RETURN = 60
 # How often the cluster is looked at, in seconds.
@@ -162,6 +163,8 @@ def connected(scheduler: str) -> Client:
     from distributed import Client
 
     _quiet()
+    if by_file:
+        _wait_for(scheduler)
     where: dict[str, Any] = {"scheduler_file": scheduler} if by_file else {"address": scheduler}
     try:
         # Other versions are refused, and not warned of.
@@ -171,6 +174,18 @@ def connected(scheduler: str) -> Client:
         raise FailedError(
             f"no scheduler answered at {scheduler} within {PATIENCE} s; start one by: dask scheduler"
         ) from error
+
+
+def _wait_for(file: str) -> None:
+    """Return when a file is there: dask would wait for it without end."""
+    end = monotonic() + PATIENCE
+    while not os.path.exists(file):
+        if monotonic() > end:
+            raise FailedError(
+                f"there is no {file}, and none came in {PATIENCE} s; start a scheduler by:"
+                f" dask scheduler --scheduler-file {file}"
+            )
+        sleep(0.05)
 
 
 def _quiet() -> None:
@@ -183,10 +198,10 @@ def _quiet() -> None:
 def checked(client: Client, scheduler: str, libraries: tuple[str, ...]) -> dict[str, str]:
     """Return by what workers and this process make the same bytes; raise FailedError if one is by others."""
     try:
-        client.wait_for_workers(1, timeout=PATIENCE)
+        client.wait_for_workers(1, timeout=WORKERS)
     except TimeoutError as error:
         raise FailedError(
-            f"the scheduler at {scheduler} has no workers, and none came in {PATIENCE} s; start some by:"
+            f"the scheduler at {scheduler} has no workers, and none came in {WORKERS} s; start some by:"
             f" dask worker {scheduler}"
         ) from error
     found = client.get_versions(packages=[*RUNNERS, *libraries])
