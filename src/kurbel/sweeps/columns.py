@@ -15,6 +15,8 @@ Kind = Literal["number", "decimal", "text"]
 # What records call the axis of an option.
 KEYS = {"eps": "epsilon", "angle": "phi"}
 BOUND = "_bound"
+# What is no number of the command, and the same at all records of a point.
+GIVEN: Literal["given"] = "given"
 
 
 class Column(NamedTuple):
@@ -33,7 +35,7 @@ class Column(NamedTuple):
     formula: str = ""
     source: str = ""
     decimals: int | None = None
-    role: Literal["axis", "value", "bound"] = "value"
+    role: Literal["axis", "value", "bound", "given"] = "value"
     option: str = ""
 
 
@@ -89,9 +91,12 @@ def _of_records(plan: Plan, field: Field, found: Sequence[Any]) -> Iterator[Colu
     numbers = all(isinstance(one, Number) for one in known) and bool(known or field.method)
     about = (plain(field.name), plain(field.symbol), field.unit)
     if not field.method:
-        # What is the same everywhere says nothing; the rest tells the records of a point apart.
+        # What is the same everywhere says nothing, unless it is asked for; the rest tells the records of a
+        # point apart.
         if len({str(one) for one in found}) > 1:
             yield Column(field.key, "number" if numbers else "text", *about, role="axis")
+        elif field.key in plan.columns:
+            yield Column(field.key, "number" if numbers else "text", *about, role=GIVEN)
         return
     if not numbers:
         yield Column(field.key, "text", *about)

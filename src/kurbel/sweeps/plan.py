@@ -82,6 +82,13 @@ class Plan:
         return frozenset(axis.option for group in self.groups for axis in group)
 
     @property
+    def columns(self) -> frozenset[str]:
+        """The names of the columns that are asked for."""
+        given = self.given.get("columns") or ()
+        texts = [given] if isinstance(given, str) else given
+        return frozenset(name.strip() for text in texts for name in text.replace(";", ",").split(","))
+
+    @property
     def carded(self) -> bool:
         """Whether an indicator card is among what is given."""
         cylinders = str(self.given.get("cylinder") or "")

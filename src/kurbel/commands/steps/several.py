@@ -22,7 +22,7 @@ WHOLE = frozenset(
     )
 )
 LONGEST = 10**6
-_MEASURE = re.compile(r"([-−+]?[\d.,]+(?:/\d+)?)\s*(.*)")
+_MEASURE = re.compile(r"([-−+]?[\d.,]+(?:[eE][+-]?\d+)?(?:/\d+)?)\s*(.*)")
 _RANGE = re.compile(r"(.+?)\.\.([^:]+)(?::(.+))?")
 
 

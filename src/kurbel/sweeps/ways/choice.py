@@ -8,6 +8,7 @@ from kurbel.engine.request import EngineRequest
 from kurbel.errors import KurbelError
 from kurbel.motion.page import Request
 from kurbel.page.subject import Question
+from kurbel.sweeps.columns import GIVEN
 from kurbel.sweeps.plan import Plan
 from kurbel.sweeps.ways.certified import CertifiedOverAngle, is_over_angle
 from kurbel.sweeps.ways.irregularity import Irregularities, is_irregularity
@@ -21,6 +22,9 @@ from kurbel.sweeps.ways.way import Asked, Way
 def way_of(asked: Asked) -> Way:
     """Return how the rows of a plan are computed."""
     plan, questions = asked.plan, _some(asked.plan)
+    if any(column.role == GIVEN for column in asked.columns):
+        # It stands in the records alone.
+        return Pointwise(asked)
     if asked.each == 1 and is_motion(plan, questions[0]):
         assert isinstance(questions[0], Request)
         return Motion(asked, questions[0])

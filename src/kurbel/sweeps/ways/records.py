@@ -60,10 +60,11 @@ def _mixed(points: Sequence[int]) -> list[int]:
 
 
 def tried(plan: Plan, most: int = TRIED) -> list[int]:
-    """Return some combinations, spread over the sweep, the first one first."""
+    """Return some combinations, spread over the sweep and closer at its beginning, the first one first."""
     count = len(plan)
-    places = sorted({count * place // most for place in range(min(most, count))} | {count - 1})
-    return [plan.point(place) for place in places]
+    places = {count * place // most for place in range(min(most, count))} | {count - 1}
+    places |= {1 << power for power in range(count.bit_length() - 1)}
+    return [plan.point(place) for place in sorted(places)]
 
 
 def rows_at(
