@@ -18,18 +18,19 @@ from kurbel.drive.crank import Crank
 from kurbel.drive.rod import Moving, Rod
 from kurbel.engine.engine import Engine, Load, Steam
 from kurbel.engine.loads.compressor import Compressor
-from kurbel.engine.long.columns import LongColumns
-from kurbel.engine.long.turn import EnclosedTurn, Places
+from kurbel.engine.long.turn import EnclosedTurn
 from kurbel.engine.quantities import Where, engine_registry, value
 from kurbel.engine.turn import Turn, turn_of
 from kurbel.exact.enclosures.digits import column
+from kurbel.motion.long.columns import LongColumns
+from kurbel.motion.long.places import Places
 from kurbel.reading.notation import Progression
 from kurbel.reading.units import Speed
 
 # Newtons of these engines are below 10^7, and everything else below 100.
 LARGEST_BOUND = 1e-6
 # Degrees.
-NEAR = Fraction(1, 2**46)
+NEAR = Fraction(1, 2**38)
 KEYS = (
     "tangential", "tangential_excess", "energy", "torque_nm", "tangential_kpa", "pin_path", "rod_force",
     "guide_force", "crank_pin_force_n", "radial_force", "bearing_force", "inertia_force", "crosshead_load",
@@ -66,17 +67,23 @@ def test_balls_lie_within_the_bounds_of_floats(engine: Engine, start: int, step:
     turn = turn_of(engine, "exact")
     assert isinstance(turn, Turn)
     enclosed, angles = EnclosedTurn(turn), Progression(Fraction(start), Fraction(step), 4)
-    corners = [Progression(180 * corner - NEAR, 2 * NEAR, 2) for corner in turn.corners()][:2]
+    corners = [beside(180 * corner) for corner in turn.corners()][:2]
     for run in (angles, *corners):
         where: Any = Where(half_turns=Places(run))  # type: ignore[arg-type]
         for key in KEYS:
             quantity = engine_registry()[key]
             found = column(partial(value, quantity, enclosed, where), len(run))
+            assert found is not None
             for near, bound, angle in zip(found.value, found.error, run, strict=True):
                 true: arb = value(quantity, turn, Where(half_turns=angle / 180))
                 assert not abs(arb(float(near)) - true).lower() > float(bound), (key, angle)
                 # Where a float does not tell the stroke, or on which side of a leap it is, it says so.
                 assert bound < LARGEST_BOUND or run is not angles or angle % 90 == 0, (key, angle)
+
+
+def beside(corner: Fraction) -> Progression:
+    """Return angles before a corner and behind it, and between them as near as integers of 64 bits are."""
+    return Progression(round(corner / NEAR) * NEAR - NEAR, NEAR, 3)
 
 
 ENGINES = (

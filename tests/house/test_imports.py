@@ -193,7 +193,10 @@ ARRAYS = {
     "kurbel.kernel.irregularity.extremes",
     "kurbel.kernel.irregularity.half_tangent",
     "kurbel.kernel.irregularity.load",
+    "kurbel.linkage.long",
     "kurbel.motion.arrays",
+    "kurbel.motion.long.columns",
+    "kurbel.motion.long.places",
 }
 
 

@@ -60,9 +60,9 @@ def _listed() -> Iterator[tuple[str, Quantity]]:
 
 
 def _records(request: EngineRequest) -> Records:
-    from kurbel.engine.long import engine_records
+    from kurbel.motion.long import long_records
 
-    return engine_records(request)
+    return long_records(request)
 
 
 def _subject(

@@ -27,12 +27,12 @@ from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question
-from kurbel.page.table import Field, Value
+from kurbel.page.table import Field
 from kurbel.reading.given import choose
 
 if TYPE_CHECKING:
     from kurbel.engine.assembly import Assembly
-    from kurbel.engine.long.columns import LongColumns
+    from kurbel.motion.long.columns import LongColumns
 
 # What pages of a run of crank angles are about.
 OVER_ANGLE = ("turning", "speed", "crank forces", "machine")
@@ -166,17 +166,11 @@ class EngineRequest(Question):
 
     @cached_property
     def long(self) -> LongColumns | None:
-        """The columns in chunks, of so many cells over the crank angle that floats are sooner done."""
-        if len(self.page_columns) * len(self) <= PAGE_CELLS or "angle" not in self.axes or self.carded:
+        if "angle" not in self.axes or len(self.page_columns) * len(self) <= PAGE_CELLS or self.carded:
             return None
-        from kurbel.engine.long import long_columns
+        from kurbel.motion.long import worthwhile
 
-        return long_columns(self)
-
-    def number(self, column: Column, place: Place, times: int = 1) -> Value:
-        long = self.long if times == 1 else None
-        found = None if long is None else long.number(column, place)
-        return super().number(column, place, times) if found is None else found
+        return worthwhile(self, "kurbel.engine.long.columns:EngineColumns")
 
     def where(self, place: Place) -> Where:
         return Where(

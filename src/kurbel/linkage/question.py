@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.drive.mechanisms import LINKAGES, MECHANISMS
@@ -17,11 +18,15 @@ from kurbel.kernel.circle import circle
 from kurbel.linkage.linkage import certified, value
 from kurbel.linkage.quantities import FORCE
 from kurbel.motion.captions import drive_notes, force_notes, moving_notes, turns_label
-from kurbel.motion.evaluation import NEEDS, needed
+from kurbel.motion.evaluation import NEEDS, PAGE_CELLS, needed
 from kurbel.motion.page import AngleQuestion, check_pairs
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Formula, Quantity, Words, enumerated, filled, for_ratio
 from kurbel.page.subject import Subject
+from kurbel.page.table import Records
+
+if TYPE_CHECKING:
+    from kurbel.motion.long.columns import LongColumns
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -51,6 +56,14 @@ class LinkageRequest(AngleQuestion):
 
     def missing(self, quantity: Quantity) -> str:
         return needed(quantity, [drive.crank for drive in self.drives])
+
+    @cached_property
+    def long(self) -> LongColumns | None:
+        if len(self.page_columns) * len(self) <= PAGE_CELLS:
+            return None
+        from kurbel.motion.long import worthwhile
+
+        return worthwhile(self, "kurbel.linkage.long:LinkageColumns")
 
     def curves(self, degrees: Any) -> list[list[Any]]:
         at, kind = circle(degrees), floats()
@@ -86,8 +99,15 @@ def linkage_subject(
         caption=caption or captioned,
         notes=notes,
         listed=listed,
+        rows=_records,
         options=NEEDS,
     )
+
+
+def _records(question: LinkageRequest) -> Records:
+    from kurbel.motion.long import long_records
+
+    return long_records(question)
 
 
 def _number(question: LinkageRequest, column: Column, place: Place, times: int) -> Number:

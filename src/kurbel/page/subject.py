@@ -130,6 +130,8 @@ class Question(Worded):
     axes_suffice: ClassVar[bool] = False
     # Numbers that need not be computed.
     known: ClassVar[Mapping[Known, Number]] = MappingProxyType({})
+    # What computes columns over very many crank angles at once; it knows the numbers of some columns.
+    long: ClassVar[Any] = None
 
     def __post_init__(self) -> None:
         check_rounding(self.digits, self.rounding)
@@ -301,6 +303,10 @@ class Question(Worded):
         """Return what stands at a place, times a factor; None where the column says nothing of it."""
         if self.known and times == 1 and (number := self.known.get(known_at(column, place))) is not None:
             return number
+        if times == 1 and self.long is not None:
+            at_once: Number | None = self.long.number(column, place)
+            if at_once is not None:
+                return at_once
         found = self.subject.number(self, column, place, times)
         if column.least and isinstance(found, Number) and is_short(found, column):
             return self.subject.number(self, column._replace(decimals=column.least), place, times)

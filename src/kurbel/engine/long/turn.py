@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
-from math import lcm
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,23 +14,12 @@ from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, Standing
 from kurbel.engine.speed.run import Run
 from kurbel.engine.turn import Turn
 from kurbel.exact.bulk import Integers
-from kurbel.exact.enclosures.enclosure import UNIT, Enclosure, Floats
+from kurbel.exact.enclosures.enclosure import Enclosure, Floats
 from kurbel.exact.enclosures.functions import ENCLOSURES, enclosed, half_turn_circle
 from kurbel.kernel.circle import Circle
-from kurbel.motion.bulk import integer_angles
-from kurbel.reading.notation import Progression
+from kurbel.motion.long.places import Angle, Places, quotient
 
 Value = Callable[[Cylinder, int, Any], Any]
-
-
-class Angle(Enclosure):
-    """Half turns whose circle is computed once for all that is asked of them."""
-
-    __slots__ = ("__dict__",)
-
-    @cached_property
-    def circle(self) -> Circle[Enclosure]:
-        return half_turn_circle(self)
 
 
 class OnStroke(NamedTuple):
@@ -40,28 +28,6 @@ class OnStroke(NamedTuple):
     stroke: int
     rows: Any
     angle: Angle
-
-
-class Places:
-    """A run of crank angles, as exact half turns: integers over one denominator."""
-
-    def __init__(self, angles: Progression) -> None:
-        numerators, denominator = integer_angles(angles)
-        self.numerators, self.denominator = numerators, 180 * denominator
-        self.strokes: dict[tuple[int, Fraction], list[OnStroke]] = {}
-
-    def __len__(self) -> int:
-        return len(self.numerators)
-
-    @property
-    def half_turns(self) -> Enclosure:
-        return _quotient(self.numerators, self.denominator)
-
-    def since(self, start: Fraction, cycle: int) -> tuple[Integers, int]:
-        """Return the half turns since a start, within a cycle, as numerators and their denominator."""
-        denominator = lcm(self.denominator, start.denominator)
-        gone = self.numerators * (denominator // self.denominator) - int(start * denominator)
-        return gone % (cycle * denominator), denominator
 
 
 class EnclosedTurn(AnyTurn):
@@ -110,10 +76,12 @@ class EnclosedTurn(AnyTurn):
 
     def _on_strokes(self, value: Value, places: Places, part: int, start: Fraction) -> Enclosure:
         """Return what a crank has at each of the places."""
-        if (part, start) not in places.strokes:
-            places.strokes[part, start] = list(self._strokes(places, part, start))
+        # Of unlike turns of one question the dead centres may lie elsewhere.
+        key = self, part, start
+        if key not in places.kept:
+            places.kept[key] = list(self._strokes(places, part, start))
         found = Enclosure(np.empty(len(places)), np.empty(len(places)))
-        for stroke, rows, angle in places.strokes[part, start]:
+        for stroke, rows, angle in places.kept[key]:
             own = Enclosure.of(value(self.cylinders[part], stroke, angle))
             found.value[rows], found.error[rows] = own.value, own.error
         return found
@@ -128,7 +96,7 @@ class EnclosedTurn(AnyTurn):
         for stroke in range(cycle):
             rows = (strokes == stroke).nonzero()[0]
             if len(rows):
-                angle = _quotient(since[rows] - stroke * denominator, denominator)
+                angle = quotient(since[rows] - stroke * denominator, denominator)
                 error = np.where(doubtful[rows], np.inf, angle.error)
                 yield OnStroke(stroke, rows, Angle(angle.value, error))
 
@@ -137,7 +105,7 @@ class EnclosedTurn(AnyTurn):
     ) -> tuple[Integers, Integers, Floats]:
         """Return the strokes, the half turns since the first began, and where neither is known."""
         cycle, whole = len(one.strokes), len(one.strokes) * denominator
-        at, doubtful = _quotient(since, denominator), np.zeros(len(since), bool)
+        at, doubtful = quotient(since, denominator), np.zeros(len(since), bool)
 
         def reached(stroke: int) -> Floats:
             beyond = at - stroke - one.drive.dead_centre(stroke % 2)
@@ -145,7 +113,7 @@ class EnclosedTurn(AnyTurn):
             return beyond.value >= 0
 
         since = np.where(reached(0), np.where(reached(cycle), since - whole, since), since + whole)
-        at = _quotient(since, denominator)
+        at = quotient(since, denominator)
         strokes = sum(reached(stroke).astype(np.int64) for stroke in range(1, cycle))
         return strokes, since, doubtful
 
@@ -175,12 +143,6 @@ class EnclosedRun:
 
     def speed(self, places: Any) -> Any:
         return self.run.law(self.turn.energy_at(places) / abs(self.turn.mean_force()), self.number)
-
-
-def _quotient(numerators: Integers, denominator: int) -> Enclosure:
-    """Return exact fractions; both are below 2**53, so that the division alone rounds."""
-    value = numerators / denominator
-    return Enclosure(value, abs(value) * UNIT)
 
 
 def _circle(half_turns: Any) -> Circle[Enclosure]:

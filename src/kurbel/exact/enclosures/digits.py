@@ -12,15 +12,21 @@ from kurbel.exact.enclosures.enclosure import Enclosure
 
 # Up to this share of doubtful cells floats are worth their while.
 DOUBTFUL_SHARE = 0.1
-# Integers of 64 bits hold a thousand times as much, should a number be so much greater between two probes.
-GREATEST = 2.0**53
+# Integers of 64 bits hold a million times as much, should a number be so much greater between two probes.
+GREATEST = 2.0**43
 
 
-def column(value: Callable[[], Any], size: int) -> Enclosure:
-    """Return a column of so many cells; what knows nothing of a cell has no finite error there."""
-    # Where a bound is infinite, nothing is divided or compared that anybody reads.
+def column(value: Callable[[], Any], size: int) -> Enclosure | None:
+    """Return a column of so many cells, None where its formula is NotImplemented.
+
+    What is not known of a cell makes its error infinite or no number there.
+    """
+    # What is divided by nothing or compared with it is read by nobody.
     with np.errstate(all="ignore"):
-        found = Enclosure.of(value())
+        made = value()
+        if made is NotImplemented:
+            return None
+        found = Enclosure.of(made)
     return Enclosure(*(np.broadcast_to(part, (size,)) for part in (found.value, found.error)))
 
 

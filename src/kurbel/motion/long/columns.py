@@ -1,0 +1,161 @@
+"""Columns over a long progression of crank angles, in floats with bounds; the doubtful cells in balls."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import product
+from math import lcm
+from typing import Any
+
+import numpy as np
+
+from kurbel.drive.crank import Crank
+from kurbel.exact.bulk import Integers
+from kurbel.exact.enclosures.digits import column as enclosed_column
+from kurbel.exact.enclosures.digits import is_worth, settled
+from kurbel.exact.enclosures.enclosure import Enclosure
+from kurbel.exact.kind import floats
+from kurbel.exact.numerals import Number
+from kurbel.motion.evaluation import MOST_DECIMALS
+from kurbel.motion.long.places import Places
+from kurbel.motion.page import CHUNK, Chunk, RecordRows
+from kurbel.page.axes import Axis, Place
+from kurbel.page.quantity import Column
+from kurbel.page.table import Value
+from kurbel.reading.notation import Progression
+
+# Columns at so many places tell whether floats settle nearly all digits.
+PROBES = 1024
+# Half turns and their denominator are floats, and so is a sum of some of them.
+LARGEST_NUMERATOR = 2**50
+# With the rod steeper than that, |sin ψ|, numbers may grow between two probes by more than a million times,
+# for which integers of 64 bits have room.
+STEEPEST, LEAST_TRANSMISSION = Fraction(9999, 10000), 1.0
+
+
+class LongColumns(ABC):
+    """The columns of a question over a long progression of angles, at each place on its other axes."""
+
+    def __init__(self, question: Any) -> None:
+        self.question = question
+        self.columns = {one.key: one for one in question.page_columns}
+        self._whole: dict[tuple[int, ...], dict[str, Integers]] = {}
+
+    @abstractmethod
+    def value(self, one: Column, place: Place, places: Places) -> Any:
+        """Return a column at a run of angles, NotImplemented where it has no formulas on enclosures."""
+
+    @abstractmethod
+    def starts(self) -> Iterator[Fraction]:
+        """Yield half turns that are taken off the angles."""
+
+    @abstractmethod
+    def drives(self) -> Iterator[Any]:
+        """Yield all crank drives."""
+
+    def is_constant(self, one: Column) -> bool:
+        """Whether a column is one number of the whole turn."""
+        return False
+
+    @property
+    def others(self) -> Sequence[Place]:
+        """The places on the other axes, in the order of records."""
+        axes = self.question.axes
+        names = [name for name in axes if name not in ("angle", "column")]
+        every = product(*(range(axes[name].count) for name in names))
+        return [dict(zip(names, indices, strict=True)) for indices in every]
+
+    def is_worth(self) -> bool:
+        """Whether nearly all cells are settled in floats."""
+        angles = self.question.angles
+        if not isinstance(angles, Progression) or not self._is_exact(angles):
+            return False
+        if any(map(_is_steep, self.drives())):
+            return False
+        probes = Places(angles[:: max(1, len(angles) // PROBES)])
+        return all([self._is_worth(one, probes) for one in self.columns.values()])
+
+    def _is_exact(self, angles: Progression) -> bool:
+        """Whether all half turns are exact in integers."""
+        steps = 180 * angles.start.denominator, 180 * angles.step.denominator
+        denominator = lcm(*steps, *(start.denominator for start in self.starts()))
+        largest: Fraction = max(abs(angles[0]), abs(angles[-1]))
+        return (largest / 180 + 8) * denominator < LARGEST_NUMERATOR
+
+    def _is_worth(self, one: Column, probes: Places) -> bool:
+        if self.is_constant(one):
+            return not one.least
+        if one.decimals is None or one.decimals > MOST_DECIMALS or one.least or len(one.methods) > 1:
+            return False
+        found = (self._enclosed(one, place, probes) for place in self.others)
+        return all(own is not None and is_worth(own, one.places) for own in found)
+
+    def _enclosed(self, one: Column, place: Place, places: Places) -> Enclosure | None:
+        return enclosed_column(lambda: self.value(one, place, places), len(places))
+
+    def number(self, column: Column, place: Place) -> Number | None:
+        """Return a number of a page, of which all over the angle is computed at the first; None of the whole
+        turn's."""
+        if self.is_constant(column) or self.columns.get(column.key) is not column:
+            return None
+        engine = tuple(index for name, index in place.items() if name not in ("angle", "column"))
+        if engine not in self._whole:
+            self._whole[engine] = self.scaled(place, 0, len(self.question.angles))
+        return Number(int(self._whole[engine][column.key][place["angle"]]), column.places)
+
+    def scaled(self, place: Place, start: int, size: int) -> dict[str, Integers]:
+        """Return the scaled digits of every column by its key, at so many angles from one on."""
+        places = Places(self.question.angles[start : start + size])
+        return {key: self._scaled(one, place, start, places) for key, one in self.columns.items()}
+
+    def _scaled(self, one: Column, place: Place, start: int, places: Places) -> Integers:
+        def exactly(row: int) -> int:
+            return self.exactly(one, place, start + row).scaled
+
+        if self.is_constant(one):
+            return np.full(len(places), exactly(0))
+        found = self._enclosed(one, place, places)
+        assert found is not None
+        return settled(found, one.places, self.question.rounding, exactly)
+
+    def exactly(self, one: Column, place: Place, angle: int) -> Number:
+        """Return a number in balls."""
+        found = self.question.subject.number(self.question, one, {**place, "angle": angle}, 1)
+        assert isinstance(found, Number)
+        return found
+
+    def decimals(self, one: Column, place: Place) -> int:
+        """Return the decimals of a column, of what is one number of the turn those that it has."""
+        return self.exactly(one, place, 0).decimals if self.is_constant(one) else one.places
+
+
+def _is_steep(drive: Any) -> bool:
+    if hasattr(drive, "least_transmission"):
+        return bool(drive.least_transmission(floats()) < LEAST_TRANSMISSION)
+    crank: Crank = drive.crank
+    return crank.ratio * (1 + abs(crank.offset)) > STEEPEST
+
+
+class LongRows(RecordRows):
+    """The records of a question with long columns."""
+
+    bulk = True
+
+    @property
+    def said(self) -> Sequence[Value]:
+        return [value for place in self.question.long.others for value in self._values(place).values()]
+
+    def chunks(self) -> Iterator[Chunk]:
+        angles, long = self.question.angles, self.question.long
+        for place in long.others:
+            others = self._values(place)
+            decimals = {key: long.decimals(one, place) for key, one in self.columns.items()}
+            for start in range(0, len(angles), CHUNK):
+                part = angles[start : start + CHUNK]
+                yield Chunk(others, part, long.scaled(place, start, len(part)), decimals)
+
+    def _values(self, place: Place) -> Mapping[str, Value]:
+        axes = (self.question.axes[name] for name in place)
+        return {axis.key: axis.value(place) for axis in axes if isinstance(axis, Axis)}
