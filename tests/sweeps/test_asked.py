@@ -107,8 +107,7 @@ def test_a_condition_that_cannot_be_used_is_told_so(text: str, said: str) -> Non
 def test_a_power_without_end_is_no_condition_that_takes_long() -> None:
     # Its exact value would have more figures than there is memory for.
     endless, nine = Condition("eps**eps**eps**99 < 1"), {"eps": np.array([9.0])}
-    with pytest.raises(KurbelError, match="powers beyond"):
-        endless.holds(nine, lambda place: {"eps": Fraction(9)}, 1)
+    assert not endless.holds(nine, lambda place: {"eps": Fraction(9)}, 1).any()
 
 
 def test_too_many_rows_are_refused_before_any_is_computed() -> None:
