@@ -14,6 +14,8 @@ from kurbel.kernel.fast.written import Written, written
 
 # Older ones know no NumPy 2.
 OLDEST = (0, 61)
+# Columns of a loop: 8 take 4 ns a place. Of 16 the compiler no longer proves that they lie apart: 49 ns.
+ROWS = 8
 
 
 def loop(functions: Sequence[Callable[..., Any]], others: int = 0) -> Callable[..., None]:
@@ -24,11 +26,13 @@ def loop(functions: Sequence[Callable[..., Any]], others: int = 0) -> Callable[.
     """
     import numpy as np
 
-    text = written(functions, others)
-    constants, run = np.array(text.constants), compiled(text._replace(constants=()))
+    texts = [written(functions[start : start + ROWS], others) for start in range(0, len(functions), ROWS)]
+    runs = [(compiled(text._replace(constants=())), np.array(text.constants)) for text in texts]
 
     def fill(*arrays: Any) -> None:
-        run(constants, *arrays)
+        inputs, rows = arrays[: others + 1], arrays[others + 1 :]
+        for place, (run, constants) in enumerate(runs):
+            run(constants, *inputs, *rows[place * ROWS : (place + 1) * ROWS])
 
     return fill
 
