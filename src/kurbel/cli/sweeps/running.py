@@ -64,9 +64,14 @@ def _bar(sweep: Sweep, target: str) -> Iterator[Callable[[int], None]]:
 
     def rate(_: Any) -> str:
         each = bar.time_per_iteration
-        return f"{1 / each:.3g} rows/s" if each else ""
+        return _rate(1 / each) if each else ""
 
-    with click.progressbar(
-        length=len(sweep), label=target, item_show_func=rate, file=sys.stderr, show_percent=True
-    ) as bar:
+    bar = click.progressbar(length=len(sweep), label=target, item_show_func=rate, file=sys.stderr)
+    with bar:
         yield lambda rows: bar.update(rows, "")
+
+
+def _rate(rows: float) -> str:
+    """Return rows a second, to three figures."""
+    power = 0 if rows < 999.5 else 1 if rows < 999.5e3 else 2
+    return f"{rows / 1000**power:.3g} {('', 'thousand ', 'million ')[power]}rows/s"
