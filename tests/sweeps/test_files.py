@@ -30,7 +30,7 @@ from hypothesis import strategies as st
 from small_parts import SmallParts
 
 import kurbel as library
-from kurbel.errors import KurbelError, OutputError
+from kurbel.errors import KurbelError, NotationError, OutputError
 from kurbel.sweeps.asked import planned
 from kurbel.sweeps.columns import Column
 from kurbel.sweeps.files.arrow import batch_of, in_sizes
@@ -265,6 +265,21 @@ def test_a_large_dataset_computes_what_is_asked_of_it(monkeypatch: pytest.Monkey
     whole = lazy.compute()
     assert whole["refused"].values.tolist() == [[False] * 3] * 3 + [[True] * 3]
     xarray.testing.assert_identical(whole, small.drop_vars("reason"))
+
+
+def test_options_are_given_as_python_has_them() -> None:
+    one = library.sweep("balance", cranks=[0, 120, 240], ratio=["1:4", 0.2])
+    assert (one.sizes["ratio"], one["ratio"].values.tolist()) == (2, [0.25, 0.2])
+    assert one["order"].values.tolist() == [1, 2, 1, 2]
+    several = library.sweep(library.balance_table, cranks=["0;180", "0;90"], ratio="1:4")
+    assert several["cranks"].values.tolist() == ["0;180", "0;90"]
+    linked = library.sweep("delta", eps=range(2, 5), back=["0", "0.1", "0.2"], zip="eps,back", only="eps < 4")
+    assert (linked["epsilon"].values.tolist(), linked["back"].values.tolist()) == ([2, 3], [0, 0.1])
+    assert linked["delta"].dims == ("point",)
+    with pytest.raises(NotationError, match="write each of them as text: '0;120;240'"):
+        library.sweep("balance", cranks=[[0, 180], [0, 90]])
+    with pytest.raises(NotationError, match="no function that makes a table of a machine"):
+        library.sweep(library.compute, ratio=[0.2])
 
 
 def batches_of(sweep: Sweep, rows: int) -> Iterator[pa.RecordBatch]:

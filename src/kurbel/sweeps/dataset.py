@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, overload
 
 import kurbel
-from kurbel.commands.options import is_given
+from kurbel.commands.options import Parameter, is_given
+from kurbel.commands.steps.several import is_whole
 from kurbel.errors import NotationError
 from kurbel.reading.given import meant
 from kurbel.sweeps.asked import planned
@@ -134,23 +135,23 @@ def _command(command: Callable[..., Any] | str) -> Any:
 
 
 def _named(asking: Any, options: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the options by their names on the command line, arrays as lists."""
-    known = {**{one.name: one.name for one in asking.command.parameters.values()}}
-    known |= {key: one.name for key, one in asking.command.parameters.items()}
-    given = {known[meant(name, known, "option")]: _values(name, value) for name, value in options.items()}
-    return {name: value for name, value in given.items() if is_given(value)}
+    """Return the options by their names on the command line, each with its values as a list."""
+    known = {one.name: one for one in asking.command.parameters.values()} | dict(asking.command.parameters)
+    given = {known[meant(name, known, "option")]: value for name, value in options.items()}
+    return {one.name: _values(one, value) for one, value in given.items() if is_given(value)}
 
 
-def _values(name: str, value: Any) -> Any:
-    """Return several values as a list or a tuple. Raises NotationError."""
-    if (dimensions := getattr(value, "ndim", 0)) > 1:
-        raise NotationError(f"{name} is an array of {dimensions} dimensions; give a list of values")
+def _values(parameter: Parameter, value: Any) -> Any:
     if hasattr(value, "tolist"):
         value = value.tolist()
-    value = list(value) if isinstance(value, range) else value
-    if isinstance(value, list | tuple) and not value:
-        raise NotationError(f"{name} is an empty list; give values, or leave it out")
-    return value
+    if not isinstance(value, list | tuple | range):
+        return value
+    if is_whole(parameter) and not any(isinstance(one, str | list | tuple) for one in value):
+        # Of such an option several numbers are one value, as the function takes them: cranks of an engine.
+        return [tuple(value)]
+    if any(isinstance(one, list | tuple) for one in value):
+        raise NotationError(f"{parameter.name} has lists in a list; write each of them as text: '0;120;240'")
+    return list(value)
 
 
 def _linked(zip: str | Iterable[str | Sequence[str]]) -> list[list[str]]:

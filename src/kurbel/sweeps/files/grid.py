@@ -143,7 +143,8 @@ class Grid:
         said = cf_of(self.about, column)
         if (bound := f"{column.key}_bound") in own:
             said["ancillary_variables"] = bound
-        if others := [array.key for array, _ in self.coordinates() if array.key not in self.dims]:
+        axes = [*self.columns.values(), *self.apart]
+        if others := [one.key for one in axes if one.key not in self.dims]:
             said["coordinates"] = " ".join(others)
         return said
 
