@@ -88,6 +88,7 @@ def compute(
     else:
         from kurbel.commands.arrays.asked import arrays
 
+        _check_degrees(degrees)
         told = {"ratio": ratio, "offset": offset or None, "method": None if method == "exact" else method}
         about = {**{name: one for name, one in told.items() if one is not None}, **given}
         rows = arrays(keys, degrees.ravel(), about)
@@ -103,7 +104,8 @@ def _of_motion(
     if ratio is None:
         raise ProblemError("compute needs the crank ratio; write it as 1:5")
     crank = Crank(as_ratio(ratio), as_fraction(offset))
-    return evaluate([on_floats(bare(_quantity(key), method, 0), crank) for key in keys], degrees)
+    functions = [on_floats(bare(_quantity(key), method, 0), crank) for key in keys]
+    return evaluate(functions, degrees, check=_check_degrees)
 
 
 def typeset(
@@ -160,8 +162,6 @@ def _plain() -> list[str]:
 def _degrees(angles: ArrayLike) -> NDArray[np.float64]:
     import numpy as np
 
-    from kurbel.exact.bulk import within
-
     if isinstance(angles, str):
         angles = [float(angle) for angle in notation.angles([angles])]
     try:
@@ -170,6 +170,10 @@ def _degrees(angles: ArrayLike) -> NDArray[np.float64]:
         degrees = np.asarray(angles, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         raise NotationError("angles must be numbers of degrees, or text such as 0..180:10") from None
-    if not within(degrees.ravel(), LARGEST_ANGLE):
-        raise ProblemError(f"angles must be finite and within {LARGEST_ANGLE}° of zero")
     return degrees
+
+
+def _check_degrees(degrees: NDArray[np.float64]) -> None:
+    # Both extremes are NaN where one of the angles is.
+    if degrees.size and not (degrees.min() >= -LARGEST_ANGLE and degrees.max() <= LARGEST_ANGLE):
+        raise ProblemError(f"angles must be finite and within {LARGEST_ANGLE}° of zero")

@@ -44,27 +44,41 @@ def evaluate(
     angles: NDArray[np.float64],
     *others: NDArray[np.float64],
     fast: bool | None = None,
+    check: Callable[[NDArray[np.float64]], None] | None = None,
 ) -> NDArray[np.float64]:
     """Return one row a function, one column an angle in degrees: shape (len(functions), len(angles)).
 
     Each function maps the circle of a block of angles, and the same block of each of the others, or the
     angles, to an array (or to one number for all of them).
+    `check` may refuse a block of angles, while it is at hand, by an exception.
     Besides them only a block a core is held in memory. The bits depend neither on the number of cores nor on
     `fast`: whether numba computes, where it is installed; None leaves that to `kernel/fast/worth.py`.
     """
     from kurbel.kernel.fast.worth import chosen
 
     out = np.empty((len(functions), len(angles)))
-    plain = [None if isinstance(one, OfDegrees) else one for one in functions]
-    loop = chosen(plain, len(others), out.size, fast)
+    formulas = [None if isinstance(one, OfDegrees) else one for one in functions]
+    loop = chosen(formulas, len(others), out.size, fast)
     done = [] if loop is None else loop[1]
     if loop is not None:
         run, inputs = loop[0], [np.require(one, np.float64, ["C", "A"]) for one in (angles, *others)]
         arrays = [*inputs, *(out[row] for row in done)]
-        in_blocks(lambda block: run(*(one[block] for one in arrays)), len(angles), LONG_BLOCK)
+
+        def compiled(block: slice) -> None:
+            if check is not None:
+                check(angles[block])
+            run(*(one[block] for one in arrays))
+
+        in_blocks(compiled, len(angles), LONG_BLOCK)
     rows = [(one, out[row]) for row, one in enumerate(functions) if row not in done]
     if rows:
-        in_blocks(lambda block: _fill(rows, block, angles, others), len(angles))
+
+        def plain(block: slice) -> None:
+            if check is not None:
+                check(angles[block])
+            _fill(rows, block, angles, others)
+
+        in_blocks(plain, len(angles))
     return out
 
 
@@ -98,19 +112,6 @@ def in_blocks(fill: Callable[[slice], None], size: int, each: int = BLOCK) -> No
     with ThreadPoolExecutor(workers) as pool:
         # The list asks for every result in order, so that the first exception is raised here.
         list(pool.map(fill, blocks))
-
-
-def within(values: NDArray[np.float64], largest: float) -> bool:
-    """Whether all of them are numbers and none is farther from zero."""
-    inside: list[bool] = []
-
-    def look(block: slice) -> None:
-        # Both extremes are NaN where one of the values is.
-        part = values[block]
-        inside.append(bool(part.min() >= -largest and part.max() <= largest))
-
-    in_blocks(look, len(values), LONG_BLOCK)
-    return all(inside)
 
 
 def cores() -> int:
