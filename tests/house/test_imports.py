@@ -186,6 +186,8 @@ ARRAYS = {
     "kurbel.engine.speed.heavy_card",
     "kurbel.exact.bulk",
     "kurbel.exact.enclosures.digits",
+    "kurbel.exact.enclosures.double",
+    "kurbel.exact.enclosures.doubles",
     "kurbel.exact.enclosures.enclosure",
     "kurbel.exact.enclosures.functions",
     "kurbel.formats.columns",

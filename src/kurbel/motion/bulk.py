@@ -1,9 +1,10 @@
-"""Long columns: all values in floats, and in balls those that lie too near to a rounding boundary."""
+"""Long columns: all values in floats, those too near to a rounding boundary in more digits or in balls."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import cached_property
 from importlib import import_module
 from math import lcm
 from typing import TYPE_CHECKING, Any
@@ -19,9 +20,15 @@ if TYPE_CHECKING:
     import numpy as np
 
     from kurbel.exact.bulk import OfDegrees
+    from kurbel.kernel.circle import Circle
 
 # Floats are worth their while as long as few of them are doubtful.
 DOUBTFUL_SHARE = 0.1
+# Of what is known of quantities that have no arcs.
+ARITHMETIC = frozenset(("", "length", "speed", "mean speed"))
+LARGEST_DENOMINATOR = 2**46
+# So many cells take balls as long as sums of two floats take for the first.
+MANY = 200
 
 
 def is_long(columns: Sequence[Column], cranks: Sequence[Crank], angles: Sequence[Fraction]) -> bool:
@@ -34,10 +41,26 @@ def is_long(columns: Sequence[Column], cranks: Sequence[Crank], angles: Sequence
     if max(column.places for column in columns) > MOST_DECIMALS:
         return False
     reach = float(largest(angles))
-    doubtful = (
-        2 * float_bound(column, crank, reach) * 10.0**column.places for column in columns for crank in cranks
-    )
-    return max(doubtful) < DOUBTFUL_SHARE and has_arrays()
+    pairs = [(column, crank) for column in columns for crank in cranks]
+    fit = all(suits_floats(*pair, reach) or suits_doubles(*pair, angles) for pair in pairs)
+    return fit and has_arrays()
+
+
+def suits_floats(column: Column, crank: Crank, reach: float) -> bool:
+    """Whether few cells would be doubtful in floats, of angles up to so many degrees."""
+    return 2 * float_bound(column, crank, reach) * 10.0**column.places < DOUBTFUL_SHARE
+
+
+def suits_doubles(column: Column, crank: Crank, angles: Sequence[Fraction]) -> bool:
+    """Whether the formula is arithmetic, which sums of two floats do as well, and its digits fit 64 bits."""
+    quantity = column.quantity
+    plain = quantity.needs in ARITHMETIC and not quantity.is_arc and not crank.acceleration
+    if not plain or (crank.loaded and LOADED in quantity.formulas) or not isinstance(angles, Progression):
+        return False
+    denominator = lcm(angles.start.denominator, angles.step.denominator)
+    if denominator > LARGEST_DENOMINATOR or largest(angles) * denominator >= 2**60:
+        return False
+    return greatest_value(column, crank) * 10.0**column.places < 2.0**60
 
 
 def has_arrays() -> bool:
@@ -56,10 +79,14 @@ def float_bound(column: Column, crank: Crank, largest_angle: float) -> float:
     angle to floats adds their share times the slope. Powers of 1/(1 - sin² ψ) cover the growth of all of them
     up to the slope of the acceleration as λ nears 1.
     """
+    in_radians = max(largest_angle, 360.0) / 57
+    return float((16 + 4 * in_radians) * 2.0**-53 * greatest_value(column, crank))
+
+
+def greatest_value(column: Column, crank: Crank) -> float:
+    """Return what no value of the column, nor its slopes over λ and the angle, exceeds by much."""
     steepest = float(crank.ratio) * (1 + abs(float(crank.offset)))
     growth = (1 - min(steepest, 1 - 1e-12) ** 2) ** -3.5
-    unit = 2.0**-53
-    in_radians = max(largest_angle, 360.0) / 57
     quantity = column.quantity
     scale = abs(float(quantity.scale(crank, floats()))) if quantity.scale else 1.0
     if quantity.needs in ("force", "torque") and crank.force is not None:
@@ -69,26 +96,82 @@ def float_bound(column: Column, crank: Crank, largest_angle: float) -> float:
         scale *= 8 * float(greatest_load(crank))
     if crank.acceleration:
         scale *= 1 + abs(float(gain(crank, floats())))
-    return float((16 + 4 * in_radians) * unit * growth * quantity.bound * scale)
+    return float(growth * quantity.bound * scale)
 
 
 def columns_in_floats(
     columns: Sequence[Column], crank: Crank, angles: Sequence[Fraction], rounding: str
 ) -> list[np.ndarray]:
     """Return the same as int64 arrays: all values in floats, certified where they are doubtful."""
-    from kurbel.exact.bulk import evaluate, nearest
+    from kurbel.exact.bulk import evaluate
 
     degrees = float_angles(angles)
-    values = evaluate([on_floats(column, crank) for column in columns], degrees)
     reach = float(abs(degrees).max())
-    settled = []
-    for column, found in zip(columns, values, strict=True):
-        bound = float_bound(column, crank, reach)
-        scaled, doubtful = nearest(found, column.places, bound, half_even=rounding == "half-even")
-        for row in doubtful.nonzero()[0].tolist():
-            [[scaled[row]]] = columns_in_balls([column], crank, [angles[row]], rounding)
-        settled.append(scaled)
-    return settled
+    rough = [suits_floats(column, crank, reach) for column in columns]
+    values = evaluate(
+        [on_floats(one, crank) for one, fit in zip(columns, rough, strict=True) if fit], degrees
+    )
+    left, sharp = iter(values), Sharp(crank, angles, rounding)
+    return [
+        sharp.settled(column, *_rounded(column, next(left), float_bound(column, crank, reach), rounding))
+        if fit
+        else sharp.column(column)
+        for column, fit in zip(columns, rough, strict=True)
+    ]
+
+
+def _rounded(column: Column, values: Any, bound: float, rounding: str) -> tuple[Any, Any]:
+    """Return the digits of floats and the rows in which these are doubtful."""
+    from kurbel.exact.bulk import nearest
+
+    scaled, doubtful = nearest(values, column.places, bound, half_even=rounding == "half-even")
+    return scaled, doubtful.nonzero()[0]
+
+
+class Sharp:
+    """Cells that floats do not settle: many of them in sums of two floats, what those leave in balls."""
+
+    def __init__(self, crank: Crank, angles: Sequence[Fraction], rounding: str) -> None:
+        self.crank, self.angles, self.rounding = crank, angles, rounding
+
+    def settled(self, column: Column, scaled: np.ndarray, rows: np.ndarray) -> np.ndarray:
+        """Return the digits with those of these rows settled."""
+        if len(rows) >= MANY and suits_doubles(column, self.crank, self.angles):
+            scaled[rows] = self._digits(column, self._circle(rows), rows)
+        else:
+            for row in rows.tolist():
+                scaled[row] = self._in_balls(column, row)
+        return scaled
+
+    def column(self, column: Column) -> np.ndarray:
+        """Return the digits of all rows."""
+        import numpy as np
+
+        rows = np.arange(len(self.angles))
+        if suits_doubles(column, self.crank, self.angles):
+            return self._digits(column, self._all, rows)
+        return self.settled(column, np.zeros(len(rows), np.int64), rows)
+
+    @cached_property
+    def _all(self) -> Circle[Any]:
+        return self._circle(slice(None))
+
+    def _circle(self, rows: Any) -> Circle[Any]:
+        from kurbel.exact.enclosures.doubles import circle
+
+        assert isinstance(self.angles, Progression)
+        numerators, denominator = integer_angles(self.angles)
+        return circle(numerators[rows], denominator)
+
+    def _digits(self, column: Column, point: Circle[Any], rows: np.ndarray) -> np.ndarray:
+        from kurbel.exact.enclosures.doubles import numbers, settled
+
+        found = value(column.quantity, column.method, self.crank, point, numbers())
+        return settled(found, len(rows), column.places, lambda row: self._in_balls(column, int(rows[row])))
+
+    def _in_balls(self, column: Column, row: int) -> int:
+        [[digits]] = columns_in_balls([column], self.crank, [self.angles[row]], self.rounding)
+        return digits
 
 
 def on_floats(column: Column, crank: Crank) -> Callable[[Any], Any] | OfDegrees:
