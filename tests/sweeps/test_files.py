@@ -278,6 +278,8 @@ def test_options_are_given_as_python_has_them() -> None:
     assert linked["delta"].dims == ("point",)
     with pytest.raises(NotationError, match="write each of them as text: '0;120;240'"):
         library.sweep("balance", cranks=[[0, 180], [0, 90]])
+    with pytest.raises(NotationError, match="resume and restart are for an output"):
+        library.sweep("delta", eps=2, resume=True)
     with pytest.raises(NotationError, match="no function that makes a table of a machine"):
         library.sweep(library.compute, ratio=[0.2])
 

@@ -36,8 +36,6 @@ def sweep(
     seed: int = ...,
     strict: bool = ...,
     output: None = ...,
-    jobs: int | None = ...,
-    scheduler: str | None = ...,
     **options: Any,
 ) -> Dataset: ...
 @overload
@@ -54,6 +52,8 @@ def sweep(
     output: str | PathLike[str],
     jobs: int | None = ...,
     scheduler: str | None = ...,
+    resume: bool = ...,
+    restart: bool = ...,
     **options: Any,
 ) -> Outcome: ...
 def sweep(
@@ -69,6 +69,8 @@ def sweep(
     output: str | PathLike[str] | None = None,
     jobs: int | None = None,
     scheduler: str | None = None,
+    resume: bool = False,
+    restart: bool = False,
     **options: Any,
 ) -> Dataset | Outcome:
     """Compute a command at every combination of what its options are given, as a dataset of xarray.
@@ -85,8 +87,9 @@ def sweep(
     them and no more. Values are floats; with `bounds` each has a variable beside it that says how far from
     the true value it may lie, and with `digits` they are `Decimal`, certified to so many decimals. With an
     `output` all becomes a file instead, whose form its suffix says: .parquet, .arrow, .csv, .nc, .zarr, or a
-    folder. It is computed by so many `jobs` on this machine, or by the cluster of a `scheduler`; what comes
-    back says how many rows there are, and how many of them were refused.
+    folder. It is computed by so many `jobs` on this machine, or by the cluster of a `scheduler`, may `resume`
+    what an earlier run left or `restart` it; what comes back says how many rows there are, and how many of
+    them were refused.
 
     >>> import kurbel
     >>> found = kurbel.sweep("delta", eps=[2, 3, 4], ratio="1:4..1:6")
@@ -99,6 +102,10 @@ def sweep(
     """
     if output is None:
         need("kurbel.sweep", "xarray", "dask")
+        if jobs or scheduler or resume or restart:
+            raise NotationError(
+                "jobs, scheduler, resume and restart are for an output; Dask says what computes a dataset"
+            )
     asking = _command(command)
     plan = planned(
         f"{asking.__module__}:{asking.__name__}",
@@ -113,7 +120,7 @@ def sweep(
     )
     asked = Sweep(plan)
     if output is not None:
-        return run(asked, str(output), Running(scheduler=scheduler, jobs=jobs))
+        return run(asked, str(output), Running(scheduler, jobs, resume, restart))
     from kurbel.sweeps.lazy import dataset_of
 
     return dataset_of(asked)
