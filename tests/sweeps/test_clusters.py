@@ -117,9 +117,9 @@ def test_a_scheduler_that_is_not_there_is_one_sentence(
         said = refusal("sweep", "delta", "--eps=2..4", "-o", "d.csv", "--scheduler", address, code=1)
     assert said == f"no scheduler answered at {address} within 1 s; start one by: dask scheduler"
     said = refusal("sweep", "delta", "--eps=2..4", "-o", "d.csv", "--scheduler", "none.json", code=1)
-    assert said.startswith(
-        "there is no none.json, and none came in 1 s; start a scheduler by: dask scheduler"
-    )
+    assert said.startswith("there is no address of a scheduler in none.json, and none came in 1 s; start one")
+    said = refusal("sweep", "delta", "--eps=2..4", "-o", "d.csv", "--scheduler", "tls://127.0.0.1:1", code=1)
+    assert said.startswith("tls://127.0.0.1:1 needs certificates; name them in the configuration of Dask")
     assert not [*tmp_path.iterdir()]
 
 

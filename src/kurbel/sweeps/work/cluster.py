@@ -6,8 +6,8 @@ the workers themselves where they see the folder of the run, and come over the n
 
 from __future__ import annotations
 
+import json
 import logging
-import os
 import warnings
 from collections.abc import Callable, Mapping
 from contextlib import suppress
@@ -163,29 +163,43 @@ def connected(scheduler: str) -> Client:
     from distributed import Client
 
     _quiet()
-    if by_file:
-        _wait_for(scheduler)
-    where: dict[str, Any] = {"scheduler_file": scheduler} if by_file else {"address": scheduler}
+    address = _noted(scheduler) if by_file else scheduler
+    if address.startswith("tls://"):
+        _check_certificates(scheduler)
     try:
         # Other versions are refused, and not warned of.
         with warnings.catch_warnings(action="ignore"):
-            return Client(**where, timeout=PATIENCE, set_as_default=False)
+            return Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError) as error:
         raise FailedError(
             f"no scheduler answered at {scheduler} within {PATIENCE} s; start one by: dask scheduler"
         ) from error
 
 
-def _wait_for(file: str) -> None:
-    """Return when a file is there: dask would wait for it without end."""
+def _noted(file: str) -> str:
+    """Return the address in the file of a scheduler, which may be just starting."""
     end = monotonic() + PATIENCE
-    while not os.path.exists(file):
-        if monotonic() > end:
-            raise FailedError(
-                f"there is no {file}, and none came in {PATIENCE} s; start a scheduler by:"
-                f" dask scheduler --scheduler-file {file}"
-            )
+    while True:
+        try:
+            with open(file, encoding="utf-8") as noted:
+                return str(json.load(noted)["address"])
+        except (OSError, ValueError, KeyError, TypeError) as error:
+            if monotonic() > end:
+                raise FailedError(
+                    f"there is no address of a scheduler in {file}, and none came in {PATIENCE} s; start one"
+                    f" by: dask scheduler --scheduler-file {file}"
+                ) from error
         sleep(0.05)
+
+
+def _check_certificates(scheduler: str) -> None:
+    from distributed.security import Security
+
+    if Security().get_connection_args("client").get("ssl_context") is None:
+        raise FailedError(
+            f"{scheduler} needs certificates; name them in the configuration of Dask, distributed.comm.tls,"
+            " as its scheduler and workers do"
+        )
 
 
 def _quiet() -> None:
