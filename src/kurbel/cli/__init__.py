@@ -89,8 +89,8 @@ GROUPS = {
 }
 # Characters of a word, such as a path, and of a sentence, which may list all columns.
 LONGEST_WORD, LONGEST_SENTENCE = 300, 3000
-# So many more objects than before let Python look for garbage.
-ALLOCATED = 100_000
+# So many more objects than before let Python look for garbage; a drawing has 190,000.
+ALLOCATED = 250_000
 
 LANGUAGES = "Pages are in German; in English with --lang en, or KURBEL_LANG=en for all."
 SUMMARY = "Compute and typeset tables of the crank drive; every printed digit is right."

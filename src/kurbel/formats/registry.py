@@ -34,8 +34,8 @@ class Format:
     `rank` is its place where formats are listed, `media` what it is in a few words. `decimal` is "language"
     or "point": where the decimal mark comes from unless the user sets it. `usual` formats are built by a
     handbook that names none. Of several, the `legible` one of the lowest number, from 1, shows a reader best
-    what changed. What only pages or compiled documents have is empty here: see `PageFormat` and
-    `CompiledFormat`.
+    what changed. What only pages, records or compiled documents have is empty here: see `PageFormat`,
+    `RecordsFormat` and `CompiledFormat`.
     """
 
     kind: ClassVar[Literal["page", "records", "compiled", "workbook"]]
@@ -56,6 +56,7 @@ class Format:
     draws: bool = False
     interactive: bool = False
     engines: Mapping[str, Engine] = field(default_factory=dict)
+    variant: str = "Writer"
 
     def decimal_name(self, lang: str, decimal: str | None = None) -> str:
         """Return "comma" or "point": what the user asks for, else the rule of the format."""
@@ -87,12 +88,10 @@ class Format:
         return import_module(f"kurbel.formats.{self.name}.{name}".rstrip("."))
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class RecordsFormat(Format):
     """A format of records, which need not fit in memory. One that `excel` opens has a `variant` for it."""
 
     kind = "records"
-    variant: str = "Writer"
 
     @property
     def writer(self) -> RecordsWriter:
