@@ -14,6 +14,8 @@ from kurbel.drive.crank import Crank
 from kurbel.engine.engine import LARGEST_CLEARANCE, LARGEST_EXPANSION, LARGEST_EXPONENT, LEAST_CURVE, Steam
 from kurbel.engine.irregularity import delta
 from kurbel.engine.request import EngineRequest
+from kurbel.exact.bulk import nearest
+from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.page.subject import Question
 from kurbel.sweeps.axes import Coordinates
 from kurbel.sweeps.columns import BOUND
@@ -47,22 +49,40 @@ class Irregularities:
         with np.errstate(all="ignore"):
             done, taken, stretch = _work(told)
             good = _valid(told) & (done - taken > NEAR * (done + taken))
-        values = {column.key: np.full(len(points), np.nan) for column in self.asked.own}
+        found = self._found(told, good)
+        with np.errstate(all="ignore"):
+            share = (UNITS + ROUNDED * stretch) * (1 + (done + taken) / (done - taken))
+            bounds = np.where(good, (share + ROUNDED / np.sqrt(1 - told["ratio"])) * found, np.nan)
+        digits = self.asked.plan.digits
+        if digits is None:
+            values = {KEY: found, f"{KEY}{BOUND}": bounds}
+            own = {column.key: values[column.key] for column in self.asked.own}
+            return Rows(own, self._refused(points, np.flatnonzero(~good), told, own))
+        own = {KEY: np.full(len(points), None, object)}
+        scaled, doubtful = nearest(found[good], digits, bounds[good], half_even=self._half_even)
+        settled = np.flatnonzero(good)[~doubtful]
+        own[KEY][settled] = scaled[~doubtful]
+        left = np.setdiff1d(np.arange(len(points)), settled)
+        reasons = self._refused(points, left, told, own)
+        return Rows({KEY: own[KEY].tolist()}, reasons)
+
+    def _found(self, told: Mapping[str, Any], good: Any) -> Floats:
+        """Return δ where it is good, elsewhere what is no number."""
+        found = np.full(len(good), np.nan)
         if good.any():
             given: dict[str, Any] = {name: one if one is None else one[good] for name, one in told.items()}
             for name in FURTHER:
                 if self._usual[name]:
                     given[name] = None
-            values[KEY][good] = delta(**given, method=self._method)
-        if self.asked.plan.bounds:
-            left = (done + taken)[good] / (done - taken)[good]
-            share = (UNITS + ROUNDED * stretch[good]) * (1 + left)
-            share += ROUNDED / np.sqrt(1 - told["ratio"][good])
-            values[f"{KEY}{BOUND}"][good] = share * values[KEY][good]
-        return Rows(values, self._refused(points, np.flatnonzero(~good), told, values))
+            found[good] = delta(**given, method=self._method)
+        return found
+
+    @property
+    def _half_even(self) -> bool:
+        return self.asked.plan.given.get("rounding") == "half-even"
 
     def _refused(
-        self, points: Points, rows: Places, told: Mapping[str, Any], values: Mapping[str, Floats]
+        self, points: Points, rows: Places, told: Mapping[str, Any], values: Mapping[str, Any]
     ) -> dict[int, str]:
         """Return why these rows were refused; what the single command does not refuse has its values."""
         one, reasons = Pointwise(self.asked), dict[int, str]()
@@ -145,7 +165,8 @@ def is_irregularity(plan: Plan, question: Question) -> bool:
     columns = question.page_columns
     one = [column.quantity.key for column in columns] == [KEY] and len(columns[0].methods) == 1
     single = len(question.steams) == len(question.drives) == 1 and question.wheel is None
-    return plan.digits is None and one and single and _is_plain(question)
+    few = plan.digits is None or plan.digits <= MOST_DECIMALS
+    return few and one and single and _is_plain(question)
 
 
 def _is_plain(question: EngineRequest) -> bool:
