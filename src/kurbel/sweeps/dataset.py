@@ -145,14 +145,19 @@ def _named(asking: Any, options: Mapping[str, Any]) -> dict[str, Any]:
     """Return the options by their names on the command line, each with its values as a list."""
     known = {one.name: one for one in asking.command.parameters.values()} | dict(asking.command.parameters)
     given = {known[meant(name, known, "option")]: value for name, value in options.items()}
-    return {one.name: _values(one, value) for one, value in given.items() if is_given(value)}
+    read = {one.name: _values(one, value) for one, value in given.items()}
+    return {name: value for name, value in read.items() if is_given(value)}
 
 
 def _values(parameter: Parameter, value: Any) -> Any:
+    if (dimensions := getattr(value, "ndim", 0)) > 1:
+        raise NotationError(f"{parameter.name} is an array of {dimensions} dimensions; give a list of values")
     if hasattr(value, "tolist"):
         value = value.tolist()
     if not isinstance(value, list | tuple | range):
         return value
+    if not value:
+        raise NotationError(f"{parameter.name} is an empty list; give values, or leave it out")
     if is_whole(parameter) and not any(isinstance(one, str | list | tuple) for one in value):
         # Of such an option several numbers are one value, as the function takes them: cranks of an engine.
         return [tuple(value)]
