@@ -26,6 +26,7 @@ NAMED = {
     # The acceleration to the first order at R:L = 1:4, cos φ + cos 2φ/4.
     "scan.csv": "phi;p\n0;1,250\n60;0,375\n90;-0,250\n180;-0,750\n",
     "notes.md": "<!-- kurbel: table --ratio 1:5 -->\n<!-- /kurbel -->\n",
+    "sweep.toml": 'command = "delta"\noutput = "delta.parquet"\n[axes]\neps = "2..6"\n',
     "lectures/first.tex": "% kurbel: table\n% /kurbel\n",
 }
 
