@@ -339,6 +339,8 @@ def _by_xarray(target: Path) -> list[dict[str, Any]]:
     with xarray.open_dataset(target, engine="h5netcdf") as found:
         texts = found["reason_text"].values.tolist() if "reason_text" in found else [""]
         rows = found.drop_dims("reason_number", errors="ignore")
+        # A frame needs an axis, also where nothing varies.
+        rows = rows if rows.sizes else rows.expand_dims("point")
         order = [str(dim) for dim in rows["reason"].dims] if "reason" in rows else None
         records = rows.to_dataframe(dim_order=order).reset_index().to_dict("records")
     return [
