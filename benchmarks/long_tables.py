@@ -116,7 +116,7 @@ def races(quick: bool) -> Iterator[Race]:
         [Row(f"`kurbel {words} -f csv`", "kurbel", "each cell in flint's balls", AIM, rows)],
         rounds=3,
     )
-    words, usual = (f"inertia --ratio {ratio} {INERTIA}" for ratio in ("0.9999", "1:5"))
+    words, usual = (f"inertia --ratio {ratio} {INERTIA}" for ratio in ("0.999999", "1:5"))
     yield Race(
         {"near": kurbel(words), f"`kurbel {usual}`": kurbel(usual)},
         [Row(f"`kurbel {words}`", "near", f"`kurbel {usual}`")],
