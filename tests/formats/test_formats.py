@@ -96,6 +96,10 @@ OTHERS = {
     "handbook.problems": {"text"},
     "plot.lettering": {"text"},
     "plot.style": {"pdf"},
+    # A form of the columns of sweeps, which know no tables.
+    "sweeps.files.forms": {"csv", ".csv"},
+    # The file in which a scheduler says where it is.
+    "sweeps.work.cluster": {".json"},
 }
 
 

@@ -11,7 +11,7 @@ from kurbel.page.table import Field
 from kurbel.sweeps.measures import measured
 from kurbel.sweeps.plan import Plan
 
-Kind = Literal["number", "decimal", "text"]
+Kind = Literal["number", "decimal", "words"]
 # What records call the axis of an option.
 KEYS = {"eps": "epsilon", "angle": "phi"}
 BOUND = "_bound"
@@ -77,7 +77,7 @@ def _axis(plan: Plan, option: str, field: Field | None) -> Column:
     name = field.name if field else parameter.option.help.partition(":")[0].partition(";")[0].rstrip(".")
     return Column(
         key_of(option),
-        "text" if numbers is None else "number",
+        "words" if numbers is None else "number",
         plain(name) if field else name,
         plain(field.symbol) if field else "",
         numbers[2] if numbers else "",
@@ -94,12 +94,12 @@ def _of_records(plan: Plan, field: Field, found: Sequence[Any]) -> Iterator[Colu
         # What is the same everywhere says nothing, unless it is asked for; the rest tells the records of a
         # point apart.
         if len({str(one) for one in found}) > 1:
-            yield Column(field.key, "number" if numbers else "text", *about, role="axis")
+            yield Column(field.key, "number" if numbers else "words", *about, role="axis")
         elif field.key in plan.columns:
-            yield Column(field.key, "number" if numbers else "text", *about, role=GIVEN)
+            yield Column(field.key, "number" if numbers else "words", *about, role=GIVEN)
         return
     if not numbers:
-        yield Column(field.key, "text", *about)
+        yield Column(field.key, "words", *about)
         return
     if plan.digits is not None:
         yield Column(field.key, "decimal", *about, decimals=plan.digits)

@@ -106,7 +106,7 @@ def _array(column: Column, values: Any) -> pa.Array:
         return values
     if column.kind == "decimal":
         return decimals_of(column, values)
-    if column.kind == "text":
+    if column.kind == "words":
         return pa.array(values, pa.string())
     return _floats(np.ascontiguousarray(values, np.float64))
 

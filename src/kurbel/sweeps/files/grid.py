@@ -106,7 +106,7 @@ class Grid:
             array = Array(
                 column.key, column.kind, self.dims[-1:], (size,), (size,), cf_of(self.about, column)
             )
-            yield array, np.array(values, object if column.kind == "text" else np.float64)
+            yield array, np.array(values, object if column.kind == "words" else np.float64)
 
     def _point(self) -> Part:
         each = self.sweep.each
@@ -131,7 +131,7 @@ class Grid:
         else:
             each = self.sweep.each
             found = self.sweep.varied(start * each, stop * each)[column.key][::each]
-        return np.array(found, object if column.kind == "text" else np.float64)
+        return np.array(found, object if column.kind == "words" else np.float64)
 
     def variables(self) -> list[Array]:
         """Return the arrays of what is computed."""
@@ -231,7 +231,7 @@ def _fill_axis(into: Any, array: Array, values: Values) -> None:
 
 def values_of(column: pa.Array, kind: str) -> Any:
     """Return a column of Arrow as an array: NaN, or an empty text, where there is nothing."""
-    if kind == "text":
+    if kind == "words":
         return column.fill_null("").to_numpy(zero_copy_only=False).astype(object)
     return column.fill_null(np.nan).to_numpy(zero_copy_only=False) if column.null_count else column.to_numpy()
 
@@ -247,7 +247,7 @@ def _explain(store: Store, texts: list[str]) -> None:
     """Say what the numbers of the sentences mean."""
     count = len(texts)
     array = store.create(
-        Array(REASONS, "text", ("reason_number",), (count,), (count,), {"long_name": "sentence of a reason"})
+        Array(REASONS, "words", ("reason_number",), (count,), (count,), {"long_name": "sentence of a reason"})
     )
     array[:] = np.array(texts, object)
     if count <= MOST_FLAGS:

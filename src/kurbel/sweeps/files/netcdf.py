@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
 # What is longer has no room in an attribute, and becomes a variable without dimensions.
 LONGEST = 60_000
-_TYPES = {"number": np.dtype("f8"), "whole": np.dtype("i4"), "text": h5py.string_dtype()}
-_EMPTY = {"number": np.nan, "whole": None, "text": None}
+_TYPES = {"number": np.dtype("f8"), "whole": np.dtype("i4"), "words": h5py.string_dtype()}
+_EMPTY = {"number": np.nan, "whole": None, "words": None}
 _PACKED: Mapping[str, Any] = {"compression": "gzip", "compression_opts": 1, "shuffle": True}
 
 
@@ -84,7 +84,7 @@ class _File:
         for dim, size in zip(array.dims, array.sizes, strict=True):
             if dim not in self._file.dimensions:
                 self._file.dimensions[dim] = size
-        packed = _PACKED if array.dims and array.kind != "text" else {}
+        packed = _PACKED if array.dims and array.kind != "words" else {}
         variable = self._file.create_variable(
             array.key,
             array.dims,

@@ -18,8 +18,8 @@ from kurbel.sweeps.rows import Sweep
 if TYPE_CHECKING:
     import pyarrow as pa
 
-_TYPES: Mapping[str, Any] = {"number": "float64", "whole": "int32", "text": str}
-_EMPTY: Mapping[str, Any] = {"number": np.nan, "whole": 0, "text": ""}
+_TYPES: Mapping[str, Any] = {"number": "float64", "whole": "int32", "words": str}
+_EMPTY: Mapping[str, Any] = {"number": np.nan, "whole": 0, "words": ""}
 
 
 def write(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, scratch: str) -> None:
@@ -41,7 +41,7 @@ class _Folder:
         self._group = group
 
     def create(self, array: Array) -> Any:
-        packed: Any = {} if array.kind == "text" else {"compressors": BloscCodec(cname="zstd", clevel=1)}
+        packed: Any = {} if array.kind == "words" else {"compressors": BloscCodec(cname="zstd", clevel=1)}
         return self._group.create_array(
             array.key,
             shape=array.sizes,

@@ -75,7 +75,7 @@ def columns_from(asked: Asked, found: Sequence[Mapping[str, Any]], reasons: dict
 
 
 def _values(column: Column, rows: Sequence[Mapping[str, Any]], reasons: dict[int, str] | None) -> Any:
-    if column.kind == "text":
+    if column.kind == "words":
         return [text_of(row.get(column.key)) for row in rows]
     if column.kind == "decimal":
         return [_decimal(column, row.get(column.key), place, reasons) for place, row in enumerate(rows)]
