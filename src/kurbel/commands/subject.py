@@ -93,8 +93,11 @@ class Command(NamedTuple):
     def _units(self, values: Mapping[str, Any]) -> Units | None:
         """Return the units that are asked for, else imperial ones where all measures are given in such."""
         asked = values["units"]
-        measured = [values.get(one.name) for one in self.parameters.values() if one.option.unit]
-        texts = str(measured) + str(values.get("cylinder") or "")
+        names = [one.name for one in self.parameters.values() if one.option.unit]
+        measured = [values[name] for name in (*names, "cylinder") if is_given(values.get(name))]
+        texts = str(measured) if measured else ""
+        if not (texts or is_given(asked)):
+            return None
         if not is_given(asked) and (re.search(_METRIC, texts) or not re.search(_IMPERIAL, texts)):
             return None
         from kurbel.reading.amounts import IMPERIAL, read_units

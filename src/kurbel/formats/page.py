@@ -251,13 +251,13 @@ def blank(tail: str) -> str:
 
 
 # Angles and the like, which a compositor sets as he sets numbers: 2°30', 32°51½', 5/4, 15 %; and nothing.
-_FIGURES = re.compile(r"(?:[-+−]?[0-9][0-9.,°'′″½/ ]*%?)?")
+_FIGURES = r"(?:[-+−]?[0-9][0-9.,°'′″½/ ]*%?)?"
 
 
 def alignment(cells: Iterable[Cell]) -> Literal["left", "right"]:
     """Return "right" for a column of figures, "left" for one with any words or formulas."""
     words = [plain(cell.value) for cell in cells if isinstance(cell.value, str)]
-    return "right" if all(_FIGURES.fullmatch(word) for word in words) else "left"
+    return "right" if all(re.fullmatch(_FIGURES, word) for word in words) else "left"
 
 
 # On a telephone anything longer would hide the figures that scroll behind it.
