@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Sequence
+from decimal import Decimal
 from fractions import Fraction
 from itertools import product
 from pathlib import Path
@@ -16,11 +17,13 @@ from scipy.stats import qmc
 
 from kurbel.errors import KurbelError
 from kurbel.sweeps.asked import planned
+from kurbel.sweeps.dataset import sweep
 from kurbel.sweeps.kept import MOST_TRIED
 from kurbel.sweeps.only import Condition
 
 # Sixty pounds a square inch.
 PSI = float(60 * Fraction("0.45359237") * Fraction("9.80665") / Fraction("0.0254") ** 2)
+PI = Decimal("3.14159265358979323846264338327950288")
 DELTA = "kurbel.commands.engine:delta_table"
 
 
@@ -53,6 +56,38 @@ def test_a_column_has_the_unit_of_the_si_whatever_was_typed() -> None:
     assert [float(row["bore"]) for row in rows[::4]] == [0.4, 0.5, 0.6]
     assert [float(row["pressure"]) for row in rows[:4:2]] == [5e5, PSI]
     assert [float(row["speed"]) for row in rows[:2]] == [100 / 60, 2]
+
+
+@pytest.mark.parametrize(
+    ("speeds", "own"),
+    [
+        ("100..130:15/min", [100, 115, 130]),
+        ("2;2.1/s", [120, 126]),
+        ("10;11rad/s", [float(Decimal(60 * one) / (2 * PI)) for one in (10, 11)]),
+    ],
+)
+def test_an_axis_is_in_the_unit_of_the_commands_own_column(speeds: str, own: list[float]) -> None:
+    engine: dict[str, Any] = {
+        "eps": "3",
+        "pressure": "8bar",
+        "back": "1.1bar",
+        "stroke": "450mm",
+        "bore": "11in;300mm",
+    }
+    rows = swept("power", *(f"--{name}={text}" for name, text in engine.items()), f"--speed={speeds}")
+    assert [float(row["speed"]) for row in rows] == own * 2
+    assert [float(row["bore"]) for row in rows[:: len(own)]] == [279.4, 300]
+    found = sweep("power", **engine, speed=speeds)["speed"]
+    assert (found.attrs["unit"], found.values.tolist()) == ("min⁻¹", own)
+
+
+def test_a_column_that_is_another_thing_than_the_axis_stays() -> None:
+    rows = swept("deadcentres", "--stroke=500mm;600mm", "--ratio=1:4", "--offset=0.2")
+    one = kurbel(
+        "deadcentres", "--stroke=500mm", "--ratio=1:4", "--offset=0.2", "-f", "csv", "--digits=12"
+    ).out
+    assert [float(row["stroke_given"]) for row in rows] == [0.5, 0.6]
+    assert f"{float(rows[0]['stroke']):.12f}" == next(csv.DictReader(one.splitlines()))["stroke"]
 
 
 def exactly(text: str, eps: Sequence[Fraction], back: Sequence[Fraction]) -> list[tuple[Fraction, Fraction]]:

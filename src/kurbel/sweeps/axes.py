@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -23,9 +23,10 @@ LEAST_RUN = 64
 
 @dataclass(frozen=True)
 class Coordinates:
-    """The axes of a plan, as columns have them."""
+    """The axes of a plan, as columns have them: in units by their options, or in those of the SI."""
 
     plan: Plan
+    units: Mapping[str, str] = field(default_factory=dict)
 
     def at(self, points: Points) -> Mapping[str, Any]:
         """Return the values of each axis at these points: an array of floats, or a list of texts."""
@@ -63,12 +64,14 @@ class Coordinates:
 
     @cached_property
     def _known(self) -> Mapping[str, _Values]:
-        return {axis.option: _Values.of(self.plan, axis) for group in self.plan.groups for axis in group}
+        axes = [axis for group in self.plan.groups for axis in group]
+        return {axis.option: _Values.of(self.plan, axis, self.units.get(axis.option, "")) for axis in axes}
 
 
-def values_at(plan: Plan, axis: Axis, places: Places) -> Any:
-    """Return the values of an axis at these places: an array of floats, or a list of texts."""
-    return _Values.of(plan, axis).at(places)
+def values_at(plan: Plan, axis: Axis, places: Places, unit: str = "") -> Any:
+    """Return the values of an axis at these places, in this unit or that of the SI: an array of floats, or a
+    list of texts."""
+    return _Values.of(plan, axis, unit).at(places)
 
 
 @dataclass(frozen=True)
@@ -80,14 +83,15 @@ class _Values:
     texts: Sequence[Any]
 
     @classmethod
-    def of(cls, plan: Plan, axis: Axis) -> _Values:
-        found = measured(plan.asking.parameters[plan.parameter(axis.option)], axis.values)
+    def of(cls, plan: Plan, axis: Axis, unit: str) -> _Values:
+        found = measured(plan.asking.parameters[plan.parameter(axis.option)], axis.values, unit)
         if found is None:
             return cls(None, 1, axis.values)
         numbers, factor, _ = found
         if isinstance(numbers, Progression):
             return cls(numbers, factor, ())
-        return cls(np.array([float(one) for one in numbers]), factor, ())  # type: ignore[arg-type]
+        exact = numbers if factor == 1 else [one * factor for one in numbers]
+        return cls(np.array([float(one) for one in exact]), factor, ())  # type: ignore[arg-type]
 
     def at(self, places: Places) -> Any:
         """Return the values at these places."""

@@ -5,16 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
+from kurbel.commands.steps.several import is_whole
 from kurbel.exact.numerals import Number
 from kurbel.page.labels import plain
 from kurbel.page.table import Field
-from kurbel.sweeps.measures import measured
-from kurbel.sweeps.plan import Plan
+from kurbel.sweeps.measures import into, measured
+from kurbel.sweeps.plan import Axis, Plan
 
 Kind = Literal["number", "decimal", "words"]
 # What records call the axis of an option.
 KEYS = {"eps": "epsilon", "angle": "phi"}
 BOUND = "_bound"
+# Behind the key of an axis whose key another column of the command has.
+BESIDE = "_given"
 # What is no number of the command, and the same at all records of a point.
 GIVEN: Literal["given"] = "given"
 
@@ -61,29 +64,30 @@ def columns_of(plan: Plan, fields: Sequence[Field], rows: Sequence[Sequence[Any]
     """Return the columns of a plan whose command has these records at a point: what varies, what the command
     says, and of floats their bounds."""
     axes = {axis.option: axis for group in plan.groups for axis in group}
-    own = {key_of(option) for option in axes}
     about = {field.key: field for field in fields}
-    found = [_axis(plan, option, about.get(key_of(option))) for option in axes]
+    found = [_axis(plan, axis, about.get(key_of(option))) for option, axis in axes.items()]
+    own = {column.key for column in found}
     for place, field in enumerate(fields):
         if field.key not in own:
             found += _of_records(plan, field, [row[place] for row in rows])
     return tuple(found)
 
 
-def _axis(plan: Plan, option: str, field: Field | None) -> Column:
-    parameter = plan.asking.parameters[plan.parameter(option)]
-    values = next(axis.values for group in plan.groups for axis in group if axis.option == option)
-    numbers = measured(parameter, values)
-    name = field.name if field else parameter.option.help.partition(":")[0].partition(";")[0].rstrip(".")
-    return Column(
-        key_of(option),
-        "words" if numbers is None else "number",
-        plain(name) if field else name,
-        plain(field.symbol) if field else "",
-        numbers[2] if numbers else "",
-        role="axis",
-        option=option,
+def _axis(plan: Plan, axis: Axis, field: Field | None) -> Column:
+    """Return the column of an axis, in the unit of the command's own column of it."""
+    parameter = plan.asking.parameters[plan.parameter(axis.option)]
+    key, numbers = key_of(axis.option), measured(parameter, axis.values)
+    unit = numbers[2] if numbers else ""
+    other = field and (
+        into(unit, plain(field.unit)) is None if numbers else field.method and is_whole(parameter)
     )
+    if field is None or other:
+        name = parameter.option.help.partition(":")[0].partition(";")[0].rstrip(".")
+        symbol, key = "", f"{key}{BESIDE}" if other else key
+    else:
+        name, symbol, unit = plain(field.name), plain(field.symbol), plain(field.unit) if numbers else ""
+    kind: Kind = "words" if numbers is None else "number"
+    return Column(key, kind, name, symbol, unit, role="axis", option=axis.option)
 
 
 def _of_records(plan: Plan, field: Field, found: Sequence[Any]) -> Iterator[Column]:

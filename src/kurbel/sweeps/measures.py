@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from math import pi
 from typing import Any
 
 from kurbel.commands.options import TEXT, Parameter
@@ -34,17 +33,43 @@ SI: Mapping[str, str] = {
     "[length]**2": "m²",
 }
 TURNS = "1/s"
+# 1/(2π), of which a float is rounded once.
+TURN_OF_RADIAN = Fraction("0.159154943091895335768883763372514362034459645740456448747667")
 
 
-def measured(parameter: Parameter, values: Sequence[Any]) -> tuple[Sequence[Any], float, str] | None:
-    """Return numbers, what they are to be multiplied by and their unit, nothing for what are no numbers.
+def measured(
+    parameter: Parameter, values: Sequence[Any], unit: str = ""
+) -> tuple[Sequence[Any], Any, str] | None:
+    """Return exact numbers, what they are to be multiplied by and their unit, nothing for what are no
+    numbers.
 
-    Of a range the numbers are never written out.
+    They are in the unit of the SI, or in this one. Of a range the numbers are never written out.
     """
+    found = _in_si(parameter, values)
+    if found is None or unit in ("", found[2]):
+        return found
+    numbers, factor, si = found
+    return numbers, factor * (into(si, unit) or 1), unit
+
+
+def into(si: str, unit: str) -> Fraction | None:
+    """Return what a unit of the SI is in another, None where they measure different things."""
+    plain = plain_unit(unit) or unit
+    if si == unit:
+        return Fraction(1)
+    if si == TURNS and plain in units.TURNS:
+        return 1 / units.TURNS[plain]
+    if not si and unit == "%":
+        return Fraction(100)
+    dimensions = [known for dimension, known in units.KNOWN.items() if SI.get(dimension) == si]
+    return next((1 / known[plain] for known in dimensions if plain in known), None)
+
+
+def _in_si(parameter: Parameter, values: Sequence[Any]) -> tuple[Sequence[Any], Any, str] | None:
     if parameter.option.kind is not TEXT:
         return None
     if isinstance(values, Progression):
-        return values, 1.0, _own(parameter)
+        return values, 1, _own(parameter)
     if isinstance(values, Written):
         factor, unit = _factor(values.unit, parameter)
         return (values.numbers, factor, unit) if factor else None
@@ -52,7 +77,7 @@ def measured(parameter: Parameter, values: Sequence[Any]) -> tuple[Sequence[Any]
     known = {one[1] for one in found if one is not None}
     if None in found or len(known) != 1:
         return None
-    return [one[0] for one in found if one is not None], 1.0, known.pop()
+    return [one[0] for one in found if one is not None], 1, known.pop()
 
 
 def _value(parameter: Parameter, given: Any) -> tuple[Any, str] | None:
@@ -93,7 +118,7 @@ def _factor(unit: str, parameter: Parameter) -> tuple[Any, str]:
     if plain in units.TURNS:
         return units.TURNS[plain], TURNS
     if plain == units.RADIANS:
-        return 1 / (2 * pi), TURNS
+        return TURN_OF_RADIAN, TURNS
     if plain == f"{units.RADIANS}/s":
         return 1, "rad/s²"
     for dimension, known in units.KNOWN.items():

@@ -92,7 +92,7 @@ class Sweep:
 
     @cached_property
     def _coordinates(self) -> Coordinates:
-        return Coordinates(self.plan)
+        return Coordinates(self.plan, {one.option: one.unit for one in self.columns if one.option})
 
     @cached_property
     def _way(self) -> Way:

@@ -127,7 +127,7 @@ class Grid:
 
     def _along(self, axis: Axis, column: Column, start: int, stop: int) -> Any:
         if self.sweep.plan.kept is None:
-            found = values_at(self.sweep.plan, axis, np.arange(start, stop))
+            found = values_at(self.sweep.plan, axis, np.arange(start, stop), column.unit)
         else:
             each = self.sweep.each
             found = self.sweep.varied(start * each, stop * each)[column.key][::each]
