@@ -352,6 +352,27 @@ def test_no_file_of_other_content_is_removed(tmp_path: Path, target: str, said: 
     assert (tmp_path / "own" / "letter.txt").read_text() == "mine"
 
 
+@pytest.mark.parametrize("place", ["folder/letter.txt", "a.zarr/letter.txt", "a.zarr/delta/c/letter.txt"])
+def test_a_folder_of_a_sweep_keeps_what_somebody_put_there(tmp_path: Path, place: str) -> None:
+    sweep, target = sweep_of(eps=["2;3"], ratio=["1:4;1:5"]), f"{tmp_path}/{place.partition('/')[0]}"
+    (scratch := tmp_path / "scratch").mkdir()
+    form = form_of(f"{target}/")
+    form.write(sweep, batches_of(sweep, 4), target, str(scratch))
+    (tmp_path / place).write_text("mine")
+    before = content_of(tmp_path)
+
+    def late() -> Iterator[pa.RecordBatch]:
+        (tmp_path / place).write_text("mine")
+        yield from batches_of(sweep, 4)
+
+    with pytest.raises(OutputError, match="the folder has other files"):
+        form.write(sweep, batches_of(sweep, 4), target, str(scratch))
+    (tmp_path / place).unlink()
+    with pytest.raises(OutputError, match="the folder has other files"):
+        form.write(sweep, late(), target, str(scratch))
+    assert content_of(tmp_path) == before
+
+
 def test_csv_quotes_what_needs_it() -> None:
     texts = ['a "b"', "c,d", "e\nf", "g"]
     batch = pa.record_batch({"x": pa.array(texts), "y": pa.array([1.5, None, 1e-7, 1e22])})

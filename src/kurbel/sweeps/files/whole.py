@@ -26,6 +26,8 @@ def whole_path(target: str, scratch: str, owned: Callable[[str], bool] | None = 
         _check(target, owned)
         yield half
         _synced(half)
+        # What was put there while this was written.
+        _check(target, owned)
         if os.path.isdir(target):
             # A folder cannot be put in the place of another at once: that one first goes to the scratch.
             os.rename(target, f"{half}.old")

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,6 +22,7 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
 _TYPES: Mapping[str, Any] = {"number": "float64", "whole": "int32", "words": str}
+_ABOUT, _CHUNK = "zarr.json", re.compile(r"c(/\d+)*")
 _EMPTY: Mapping[str, Any] = {"number": np.nan, "whole": 0, "words": ""}
 
 
@@ -33,7 +37,24 @@ def write(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, scratch:
 
 
 def _is_ours(folder: str) -> bool:
-    return os.path.isfile(os.path.join(folder, "zarr.json"))
+    """Whether a folder has nothing but what sweeps write: arrays and their chunks, and what they are of."""
+    try:
+        with open(os.path.join(folder, _ABOUT), encoding="utf-8") as file:
+            about = json.load(file)
+        arrays = {*about["consolidated_metadata"]["metadata"]} if "kurbel" in about["attributes"] else ()
+    except (OSError, ValueError, TypeError, KeyError):
+        return False
+    names = (os.path.join(path, name) for path, *some in os.walk(folder) for name in chain(*some))
+    return all(_is_of(arrays, os.path.relpath(name, folder).split(os.sep)) for name in names)
+
+
+def _is_of(arrays: Collection[str], path: Sequence[str]) -> bool:
+    key, *own = path
+    return path == [_ABOUT] or (key in arrays and (own in ([], [_ABOUT]) or _is_chunk(own)))
+
+
+def _is_chunk(path: Sequence[str]) -> bool:
+    return _CHUNK.fullmatch("/".join(path)) is not None
 
 
 class _Folder:
