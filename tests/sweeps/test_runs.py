@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import json
 import os
+import re
 import resource
 import subprocess
 import sys
@@ -228,7 +229,9 @@ def test_threads_processes_and_one_that_dies_give_the_same_bytes(
 def test_killed_runs_go_on_to_the_same_bytes_and_leave_nothing() -> None:
     script = str(ROOT / "scripts" / "kill_sweeps.py")
     done = subprocess.run([sys.executable, script, "--count=4"], capture_output=True, text=True, check=False)
-    assert done.stdout.startswith("4 kills: the same bytes each time, no litter"), done.stdout + done.stderr
+    # Some of those that go on are killed as well.
+    found = re.match(r"(\d+) kills: the same bytes each time, and nothing left;", done.stdout)
+    assert found and int(found[1]) >= 4 and not done.returncode, done.stdout + done.stderr
 
 
 def test_partitions_are_the_same_whoever_writes_them(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
