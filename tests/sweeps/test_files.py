@@ -170,9 +170,22 @@ def test_a_file_says_what_its_columns_are(tmp_path: Path) -> None:
     assert (said["c_mps"][b"symbol"], said["c_mps"][b"unit"]) == (b"c", b"m/s")
     assert said["phi"][b"unit"].decode() == "°"
     assert "Kolbengeschwindigkeit" in said["c_mps"][b"name"].decode()
+    # Rötscher, eq. (285), of the outstroke.
+    assert said["x"][b"formula"].decode() == "x/R = 1 − cos φ + (1 − cos ψ)/λ, sin ψ = λ sin φ, λ = R/L"
     about = json.loads(schema.metadata[b"kurbel"])
     assert about["kurbel"] == library.__version__
     assert any(note.startswith("x/R = 1 − cos φ") for note in about["notes"])
+
+
+def test_a_column_has_a_formula_where_a_line_holds_it(tmp_path: Path) -> None:
+    name, asked = f"{tmp_path}/a.parquet", ("--angle", "30;60", "--centre", "0.6", "--gyration", "0.4")
+    for command, key, formula, words in (
+        ("forces", "guide_force_return", "N/F = − tan ψ, sin ψ = λ sin φ, λ = R/L", asked[:2]),
+        ("inertia", "inertia_guide", "", asked),
+    ):
+        assert kurbel("sweep", command, "--ratio", "1:4;1:5", "--columns", key, *words, "-o", name).code == 0
+        metadata = pyarrow.parquet.read_schema(name).field(key).metadata
+        assert metadata.get(b"formula", b"").decode() == formula
 
 
 @pytest.mark.parametrize("digits", [25, 40])

@@ -10,6 +10,8 @@ import kurbel
 from kurbel.commands.steps.several import Written
 from kurbel.errors import KurbelError
 from kurbel.exact.numerals import exact_text
+from kurbel.motion.captions import formula_lines
+from kurbel.motion.page import Request
 from kurbel.page.labels import plain
 from kurbel.page.quantity import Quantity
 from kurbel.page.subject import Question
@@ -91,7 +93,7 @@ class About:
         return {name: text for name, text in said.items() if text}
 
     def _formula(self, key: str) -> str:
-        """Return the formula of a quantity as pages print it where they do so in a line of its own."""
+        """Return the formula of a quantity as pages print it, and what its letters are."""
         lines = self._common(lambda one: [*_formulas(one, key)])
         return "; ".join(lines)
 
@@ -127,7 +129,13 @@ def _notes(question: Question) -> Iterator[str]:
 
 def _formulas(question: Question, key: str) -> Iterator[str]:
     for column in question.page_columns:
-        if column.key == key:
+        if column.key != key:
+            continue
+        if isinstance(question, Request):
+            # The line also says what its letters are, which alone is no formula.
+            if any(one.printed for one in column.quantity.formulas.values()):
+                yield from formula_lines(question, [column])
+        else:
             for method in column.methods:
                 if (printed := _printed(column.quantity, method)) and "{" not in printed:
                     yield printed
