@@ -10,9 +10,11 @@ import resource
 import subprocess
 import sys
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from itertools import islice
 from pathlib import Path
+from threading import Event
 
 import pytest
 from places import ROOT
@@ -25,6 +27,7 @@ from kurbel.sweeps.rows import Part, Sweep
 from kurbel.sweeps.run import Running, StoppedError, run
 from kurbel.sweeps.work import joining, units
 from kurbel.sweeps.work.folder import working
+from kurbel.sweeps.work.hands import Threads
 from kurbel.sweeps.work.identity import identity_of
 
 SWEEP = SmallParts(plan_of(6))
@@ -234,10 +237,71 @@ def test_killed_runs_go_on_to_the_same_bytes_and_leave_nothing() -> None:
     assert found and int(found[1]) >= 4 and not done.returncode, done.stdout + done.stderr
 
 
-def test_partitions_are_the_same_whoever_writes_them(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def small_partitions(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(parquet, "GROUP", 4)
     monkeypatch.setattr(parquet, "GROUPS", 2)
     monkeypatch.setattr(units, "ROWS", 8)
+
+
+def test_a_second_ctrl_c_finds_threads_that_leave_their_partitions(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    small_partitions(monkeypatch)
+    begun, stopped, impatient = Event(), Event(), [KeyboardInterrupt()]
+    starts, part, let_go = computed(monkeypatch), SmallParts.computed, Threads.let_go
+    shutdown = ThreadPoolExecutor.shutdown
+
+    def waiting(self: SmallParts, start: int, stop: int) -> Part:
+        if start == 8:
+            begun.set()
+        # The first partition is done in the middle of the second one, which goes on when the run is stopped.
+        assert (begun if start < 8 else stopped).wait(5)
+        return part(self, start, stop)
+
+    def left(self: Threads) -> None:
+        let_go(self)
+        stopped.set()
+
+    def interrupted(self: ThreadPoolExecutor, **options: bool) -> None:
+        if impatient:
+            raise impatient.pop()
+        shutdown(self, **options)
+
+    target, sweep = f"{tmp_path}/out/", InThreads(plan_of(6))
+    with monkeypatch.context() as patch, pytest.raises(StoppedError, match="--resume goes on"):
+        patch.setattr(SmallParts, "computed", waiting)
+        patch.setattr(Threads, "let_go", left)
+        patch.setattr(ThreadPoolExecutor, "shutdown", interrupted)
+        run(sweep, target, Running(jobs=2, watch=stopped_after(1, KeyboardInterrupt())))
+    assert not {10, 12, 14} & {*starts} and not impatient
+    assert len([*Path(f"{tmp_path}/out.parts").rglob("*.parquet")]) == 1
+    assert run(sweep, target, Running(jobs=2, resume=True)).rows == 18
+    assert os.listdir(tmp_path) == ["out"]
+
+
+def test_partitions_that_are_done_outlast_a_full_disk(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    small_partitions(monkeypatch)
+    target, sweep, part = f"{tmp_path}/out/", InThreads(plan_of(6)), SmallParts.computed
+
+    def full(self: SmallParts, start: int, stop: int) -> Part:
+        if start == 12:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        return part(self, start, stop)
+
+    with monkeypatch.context() as patch, pytest.raises(FailedError, match=r"No space .* --resume goes on"):
+        patch.setattr(SmallParts, "computed", full)
+        run(sweep, target, Running(jobs=2))
+    kept = [path.name[:12] for path in Path(f"{tmp_path}/out.parts").rglob("*.parquet")]
+    assert f"{1:012d}" not in kept and f"{0:012d}" in kept
+    starts = computed(monkeypatch)
+    run(sweep, target, Running(jobs=2, resume=True))
+    assert {*starts} >= {8, 10, 12, 14} and not {0, 2, 4, 6} & {*starts}
+
+
+def test_partitions_are_the_same_whoever_writes_them(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    small_partitions(monkeypatch)
     sweep, joined, apart = InThreads(plan_of(6)), f"{tmp_path}/joined/", f"{tmp_path}/apart/"
     with monkeypatch.context() as patch:
         # From parts, as what is computed slowly is.

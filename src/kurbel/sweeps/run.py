@@ -129,7 +129,10 @@ def _hands(unit: Unit, work: Work, running: Running) -> Iterator[Hands]:
     hands = _hired(unit, work, running)
     try:
         yield hands
-    except BaseException:
+    except BaseException as error:
+        # A disk that is full has room for what the others are at, once one has ended.
+        if isinstance(hands, Threads) and isinstance(error, KeyboardInterrupt):
+            hands.let_go()
         hands.end(at_once=True)
         raise
     hands.end(at_once=False)

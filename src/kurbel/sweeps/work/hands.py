@@ -9,7 +9,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from queue import SimpleQueue
-from threading import Lock
+from threading import Event, Lock, local
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -29,6 +29,20 @@ MOST_DEATHS = 3
 FOR_EACH = 2
 # So many more objects than before let a process look for garbage.
 ALLOCATED = 1_000_000
+
+
+# What tells a thread that nobody waits any longer for what it computes.
+_thread = local()
+
+
+class LetGoError(FailedError):
+    """A part that nobody waits for any longer."""
+
+
+def check_wanted() -> None:
+    """Raise LetGoError in a thread that was let go."""
+    if (let_go := getattr(_thread, "let_go", None)) and let_go.is_set():
+        raise LetGoError("the run was stopped")
 
 
 class Hands(Protocol):
@@ -76,7 +90,8 @@ class Threads:
 
         self.most = count * FOR_EACH
         self._make = make
-        self._pool = ThreadPoolExecutor(count)
+        self._let_go = Event()
+        self._pool = ThreadPoolExecutor(count, initializer=self._begin)
         self._done: SimpleQueue[tuple[int, Future[Result]]] = SimpleQueue()
 
     def give(self, number: int) -> None:
@@ -87,8 +102,22 @@ class Threads:
         number, future = self._done.get()
         return number, future.result()
 
+    def _begin(self) -> None:
+        _thread.let_go = self._let_go
+
+    def let_go(self) -> None:
+        """Have no thread finish more than the part of a partition that it is at."""
+        self._let_go.set()
+
     def end(self, at_once: bool) -> None:
-        self._pool.shutdown(cancel_futures=True)
+        while True:
+            try:
+                self._pool.shutdown(cancel_futures=True)
+            except KeyboardInterrupt:
+                # A process cannot end while its threads compute; now they are soon done.
+                self.let_go()
+            else:
+                return
 
 
 class Processes:

@@ -13,7 +13,7 @@ from io import FileIO
 from typing import Any, ClassVar, NamedTuple
 
 from kurbel.sweeps.rows import Part, Sweep
-from kurbel.sweeps.work.hands import BALLS
+from kurbel.sweeps.work.hands import BALLS, check_wanted
 
 # The parts of a folder: as many files as every file system likes.
 IN_A_FOLDER = 1000
@@ -76,6 +76,7 @@ def made(unit: Unit, place: Place, number: int) -> str | bytes:
 
 def computed(sweep: Sweep, start: int, stop: int) -> Part:
     """Return rows without the options that vary, in whatever thread this is."""
+    check_wanted()
     # The precision of balls is that of the process.
     with nullcontext() if sweep.in_threads else BALLS:
         return sweep.computed(start, stop)
