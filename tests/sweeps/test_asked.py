@@ -20,6 +20,7 @@ from kurbel.sweeps.asked import planned
 from kurbel.sweeps.dataset import sweep
 from kurbel.sweeps.kept import MOST_TRIED
 from kurbel.sweeps.only import Condition
+from kurbel.sweeps.rows import Sweep
 
 # Sixty pounds a square inch.
 PSI = float(60 * Fraction("0.45359237") * Fraction("9.80665") / Fraction("0.0254") ** 2)
@@ -137,6 +138,25 @@ def test_a_condition_holds_where_exact_numbers_say_so(text: str) -> None:
 def test_a_condition_that_cannot_be_used_is_told_so(text: str, said: str) -> None:
     with pytest.raises(KurbelError, match=said.replace("?", "[?]")):
         points(eps="2..4", back="0;0.1", only=text)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--digits=3", "--bounds"), "leave one of --bounds and --digits out"),
+        (("--zip=eps",), "--zip eps links one option to nothing"),
+    ],
+)
+def test_what_would_do_nothing_is_refused(words: Sequence[str], said: str) -> None:
+    assert said in refusal("sweep", "delta", "--eps=2;3", "--back=0;0.1", *words, "-ox.csv")
+
+
+def test_what_is_computed_in_balls_has_short_parts_and_a_dataset_its_reasons() -> None:
+    plan = planned("kurbel.commands.orders.harmonics:harmonics_table", {"ratio": "0.001..1.1:0.001"})
+    # Four records each: some seconds in all.
+    assert len(Sweep(plan)) / Sweep(plan).rows_at_once > 8
+    found = sweep("harmonics", ratio="0.2..1.09:0.01")
+    assert found["refused"].any() and found["reason"].values[-1, 0]
 
 
 def test_a_power_without_end_is_no_condition_that_takes_long() -> None:

@@ -59,6 +59,11 @@ def planned(
 
     An option with several values varies; those that are `linked` vary together. Raises KurbelError.
     """
+    if bounds and digits is not None:
+        raise ProblemError(
+            f"bounds are of floats, and with --digits {digits} every decimal is certified; leave one of"
+            " --bounds and --digits out"
+        )
     plan = Plan(command, {}, (), digits, bounds, tuple(defaults), strict, only)
     known = {one.name: one for one in plan.asking.parameters.values()}
     for one in known.values():
@@ -102,6 +107,11 @@ def _grouped(axes: Sequence[Axis], linked: Iterable[Collection[str]]) -> tuple[t
     groups: dict[str, tuple[Axis, ...]] = {axis.option: (axis,) for axis in axes}
     for names in linked:
         found = [meant(name, by_name, "option with several values") for name in names]
+        if len(found) == 1:
+            raise ProblemError(
+                f"--zip {found[0].replace('_', '-')} links one option to nothing; name those that go through"
+                " their values together: --zip eps,back"
+            )
         sizes = {name: len(by_name[name].values) for name in found}
         if len({*sizes.values()}) > 1:
             said = ", ".join(f"{size} of --{name.replace('_', '-')}" for name, size in sizes.items())

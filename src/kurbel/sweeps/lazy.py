@@ -24,6 +24,8 @@ from kurbel.sweeps.work.task import computed
 REFUSED, REASON = "refused", "reason"
 # More tasks than these no scheduler keeps in mind.
 MOST_CHUNKS, LARGEST_CHUNK = 20_000, 1 << 22
+# So many rows are computed at once, and make a chunk, also where parts of files are smaller.
+FEW = 1 << 12
 _ALL_DIGITS = Context(prec=1000)
 
 
@@ -31,7 +33,7 @@ def dataset_of(sweep: Sweep) -> xr.Dataset:
     """Return the dataset. Raises ProblemError for one that is too long."""
     grid = Grid(sweep)
     columns = [one for one in sweep.columns if one.role != "axis"]
-    found = _all(sweep, columns) if len(sweep) <= sweep.rows_at_once else _lazily(sweep, columns)
+    found = _all(sweep, columns) if len(sweep) <= max(sweep.rows_at_once, FEW) else _lazily(sweep, columns)
     about = {one.key: cf_of(grid.about, one) for one in columns}
     return xr.Dataset(
         {key: (grid.dims, array, about.get(key, {})) for key, array in found.items()},
@@ -59,7 +61,7 @@ def _all(sweep: Sweep, columns: list[Column]) -> dict[str, Any]:
 
 def _lazily(sweep: Sweep, columns: list[Column]) -> dict[str, Any]:
     """Return arrays that compute their values, chunk by chunk, each for all columns at once."""
-    most = max(sweep.rows_at_once, -(-len(sweep) // MOST_CHUNKS))
+    most = max(sweep.rows_at_once, FEW, -(-len(sweep) // MOST_CHUNKS))
     if most > LARGEST_CHUNK:
         raise ProblemError(
             f"a dataset of {len(sweep)} rows has too many chunks for arrays of Dask; give an output, or fewer"

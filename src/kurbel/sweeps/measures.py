@@ -73,6 +73,8 @@ def _in_si(parameter: Parameter, values: Sequence[Any]) -> tuple[Sequence[Any], 
     if isinstance(values, Written):
         factor, unit = _factor(values.unit, parameter)
         return (values.numbers, factor, unit) if factor else None
+    if all(type(one) is Fraction for one in values):
+        return values, 1, _own(parameter)
     found = [_value(parameter, one) for one in values]
     known = {one[1] for one in found if one is not None}
     if None in found or len(known) != 1:

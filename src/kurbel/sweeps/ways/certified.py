@@ -17,12 +17,12 @@ from kurbel.page.axes import AngleAxis, shifted
 from kurbel.page.subject import Question
 from kurbel.sweeps.plan import Plan
 from kurbel.sweeps.ways.over_angle import OverAngle, question_at
-from kurbel.sweeps.ways.pointwise import BALLS
+from kurbel.sweeps.ways.pointwise import BALLS, IN_BALLS
 from kurbel.sweeps.ways.records import digits_of, is_small, records_of_question
 from kurbel.sweeps.ways.way import Points, Rows, columns_from
 
-# Rows of which floats settle most digits, and rows of balls: some seconds.
-IN_FLOATS, IN_BALLS = 1 << 17, 1 << 12
+# Rows of which floats settle most digits: some seconds.
+IN_FLOATS = 1 << 17
 
 
 @dataclass(frozen=True)

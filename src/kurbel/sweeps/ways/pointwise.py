@@ -12,15 +12,17 @@ from kurbel.sweeps.ways.records import rows_at
 from kurbel.sweeps.ways.way import Asked, Points, Rows, columns_from
 
 BALLS = Lock()
+# Rows of a part that is computed in balls: about a second.
+IN_BALLS = 1 << 9
 MISSING = "there is no such record of this combination"
 
 
 @dataclass(frozen=True)
 class Pointwise:
-    """Every point is a question; some seconds of them at once."""
+    """Every point is a question; a second of them at once, or less."""
 
     asked: Asked
-    rows_at_once: int = 4096
+    rows_at_once: int = IN_BALLS
     in_threads: bool = False
 
     def rows(self, points: Points) -> Rows:
