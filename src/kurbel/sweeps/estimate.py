@@ -8,6 +8,8 @@ import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+import pyarrow as pa
+
 from kurbel.sweeps.files.arrow import batch_of
 from kurbel.sweeps.files.forms import Form
 from kurbel.sweeps.rows import Sweep
@@ -69,6 +71,16 @@ def _file(sweep: Sweep, form: Form) -> tuple[float, float]:
     """Return about how many bytes the file has, and how long it is written, by one of its first rows."""
     rows = min(len(sweep), 256 if sweep.rows_at_once <= 4096 else LONGEST)
     batch = batch_of(sweep, sweep.part(0, rows))
+    # What a file of no rows takes, such as the exact inputs that it has, does not grow with them.
+    (bare, begin), (size, seconds) = _written(sweep, form, batch[:0]), _written(sweep, form, batch)
+    factor = len(sweep) / rows
+    if not form.streams and form.name != "partitions":
+        size, bare = rows * BYTES * sum(column.role != "axis" for column in sweep.columns), 0
+    return bare + (size - bare) * factor, begin + max(seconds - begin, 0) * factor
+
+
+def _written(sweep: Sweep, form: Form, batch: pa.RecordBatch) -> tuple[float, float]:
+    """Return how many bytes a file of a batch has, and how long it is written."""
     with tempfile.TemporaryDirectory() as folder:
         one = os.path.join(folder, "sample")
         plain = form if form.streams else FORMS_OF_FILES
@@ -77,10 +89,7 @@ def _file(sweep: Sweep, form: Form) -> tuple[float, float]:
             begun = time.process_time()
             plain.write(sweep, iter([batch]), one, folder)
             seconds = time.process_time() - begun
-        size: float = os.path.getsize(one)
-    if not form.streams and form.name != "partitions":
-        size = rows * BYTES * sum(column.role != "axis" for column in sweep.columns)
-    return size / rows * len(sweep), seconds / rows * len(sweep)
+        return os.path.getsize(one), seconds
 
 
 FORMS_OF_FILES = Form("parquet", (), "kurbel.sweeps.files.parquet:write")
