@@ -18,13 +18,14 @@ from kurbel.errors import ProblemError
 from kurbel.sweeps.files.cf import cf_of, cf_of_file
 from kurbel.sweeps.files.grid import Grid, chunks_of
 from kurbel.sweeps.rows import Column, Part, Sweep
+from kurbel.sweeps.ways.pointwise import IN_BALLS
 from kurbel.sweeps.work.task import computed
 
 # What tells whether a place was refused, and why.
 REFUSED, REASON = "refused", "reason"
 # More tasks than these no scheduler keeps in mind.
 MOST_CHUNKS, LARGEST_CHUNK = 20_000, 1 << 22
-# So many rows are computed at once, and make a chunk, also where parts of files are smaller.
+# So many rows of balls are computed at once, and make a chunk, though parts of files are smaller.
 FEW = 1 << 12
 _ALL_DIGITS = Context(prec=1000)
 
@@ -33,13 +34,17 @@ def dataset_of(sweep: Sweep) -> xr.Dataset:
     """Return the dataset. Raises ProblemError for one that is too long."""
     grid = Grid(sweep)
     columns = [one for one in sweep.columns if one.role != "axis"]
-    found = _all(sweep, columns) if len(sweep) <= max(sweep.rows_at_once, FEW) else _lazily(sweep, columns)
+    found = _all(sweep, columns) if len(sweep) <= _at_once(sweep) else _lazily(sweep, columns)
     about = {one.key: cf_of(grid.about, one) for one in columns}
     return xr.Dataset(
         {key: (grid.dims, array, about.get(key, {})) for key, array in found.items()},
         coords=_coordinates(grid),
         attrs=cf_of_file(grid.about),
     )
+
+
+def _at_once(sweep: Sweep) -> int:
+    return FEW if sweep.rows_at_once == IN_BALLS else sweep.rows_at_once
 
 
 def _coordinates(grid: Grid) -> dict[str, Any]:
@@ -61,7 +66,7 @@ def _all(sweep: Sweep, columns: list[Column]) -> dict[str, Any]:
 
 def _lazily(sweep: Sweep, columns: list[Column]) -> dict[str, Any]:
     """Return arrays that compute their values, chunk by chunk, each for all columns at once."""
-    most = max(sweep.rows_at_once, FEW, -(-len(sweep) // MOST_CHUNKS))
+    most = max(_at_once(sweep), -(-len(sweep) // MOST_CHUNKS))
     if most > LARGEST_CHUNK:
         raise ProblemError(
             f"a dataset of {len(sweep)} rows has too many chunks for arrays of Dask; give an output, or fewer"
