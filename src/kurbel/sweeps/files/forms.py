@@ -73,7 +73,7 @@ def form_of(target: str, name: str | None = None) -> Form:
     if target == "-":
         raise ChoiceError("standard output has no suffix; say the format by -f parquet, arrow or csv")
     for form in FORMS:
-        if target.lower().endswith(form.suffixes):
+        if target.rstrip("/" + os.sep).lower().endswith(form.suffixes):
             return form
     if os.path.isdir(target):
         return PARTITIONS
