@@ -274,7 +274,9 @@ def test_a_second_ctrl_c_finds_threads_that_leave_their_partitions(
         patch.setattr(ThreadPoolExecutor, "shutdown", interrupted)
         run(sweep, target, Running(jobs=2, watch=stopped_after(1, KeyboardInterrupt())))
     assert not {10, 12, 14} & {*starts} and not impatient
-    assert len([*Path(f"{tmp_path}/out.parts").rglob("*.parquet")]) == 1
+    # The third partition has one part, and may have been begun as well.
+    kept = {int(path.name.partition(".")[0]) for path in Path(f"{tmp_path}/out.parts").rglob("*.parquet")}
+    assert 0 in kept <= {0, 2}
     assert run(sweep, target, Running(jobs=2, resume=True)).rows == 18
     assert os.listdir(tmp_path) == ["out"]
 
