@@ -69,7 +69,7 @@ def test_balls_lie_within_the_bounds_of_floats(engine: Engine, start: int, step:
     enclosed, angles = EnclosedTurn(turn), Progression(Fraction(start), Fraction(step), 4)
     corners = [beside(180 * corner) for corner in turn.corners()][:2]
     for run in (angles, *corners):
-        where: Any = Where(half_turns=Places(run))  # type: ignore[arg-type]
+        where: Any = Where(half_turns=Places(run))
         for key in KEYS:
             quantity = engine_registry()[key]
             found = column(partial(value, quantity, enclosed, where), len(run))

@@ -10,7 +10,7 @@ import resource
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
-from decimal import Decimal
+from decimal import Decimal, localcontext
 from itertools import islice
 from math import isnan
 from pathlib import Path
@@ -401,3 +401,13 @@ def test_the_bytes_are_the_same_in_every_process(folder: Path, tmp_path: Path) -
     environment = {**os.environ, "PYTHONHASHSEED": "7", "PYTHONPATH": str(SUPPORT)}
     subprocess.run([sys.executable, "-c", code % (("sweep", *ASKED),), *words], check=True, env=environment)
     assert content_of(tmp_path) == content_of(folder)
+
+
+@given(st.lists(st.integers(-(2**62), 2**62), min_size=1, max_size=9), st.sampled_from([0, 3, 20, 30]))
+@settings(deadline=None, max_examples=40)
+def test_decimals_of_arrays_are_the_whole_numbers_of_the_last_place(scaled: list[int], places: int) -> None:
+    column = Column("x", "decimal", decimals=places)
+    found = decimals_of(column, np.array(scaled, np.int64)).to_pylist()
+    with localcontext() as context:
+        context.prec = 80
+        assert [int(one.scaleb(places)) for one in found] == scaled

@@ -93,7 +93,7 @@ def at_angles(request: EngineRequest, quantity: Quantity, method: str, degrees: 
             " kurbel.delta_table"
         )
     # Kernels hand the place on to the turn, and that of arrays takes an array.
-    where = Where(half_turns=degrees / 180)  # type: ignore[arg-type]
+    where = Where(half_turns=degrees / 180)
     return [
         np.broadcast_to(value(quantity, ArrayTurn(engine, method), where), degrees.shape)
         for engine in (

@@ -79,7 +79,8 @@ class Where(NamedTuple):
     """What a quantity is asked for: a span of the turn, a crank angle in half turns, a flywheel."""
 
     stroke: int | None = WHOLE
-    half_turns: Fraction = Fraction(0)
+    # A number, or an array or enclosures of them.
+    half_turns: Any = Fraction(0)
     flywheel: Flywheel | None = None
 
 

@@ -78,7 +78,8 @@ def values_at(plan: Plan, axis: Axis, places: Places, unit: str = "") -> Any:
 class _Values:
     """The values of an axis: of a range they are made where they are wanted."""
 
-    numbers: Sequence[Any] | None
+    # A range, or an array of floats; None of texts.
+    numbers: Any
     factor: Any
     texts: Sequence[Any]
 
@@ -91,14 +92,14 @@ class _Values:
         if isinstance(numbers, Progression):
             return cls(numbers, factor, ())
         exact = numbers if factor == 1 else [one * factor for one in numbers]
-        return cls(np.array([float(one) for one in exact]), factor, ())  # type: ignore[arg-type]
+        return cls(np.array([float(one) for one in exact]), factor, ())
 
     def at(self, places: Places) -> Any:
         """Return the values at these places."""
         if self.numbers is None:
             return [text_of(self.texts[place]) for place in places.tolist()]
         if not isinstance(self.numbers, Progression):
-            return self.numbers[places]  # type: ignore[call-overload]
+            return self.numbers[places]
         first, last = int(places.min()), int(places.max()) + 1
         within = self.numbers[first:last]
         if self.factor != 1:

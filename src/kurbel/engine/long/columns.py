@@ -45,7 +45,7 @@ class EngineColumns(LongColumns):
 
     def value(self, one: Column, place: Place, places: Places) -> Any:
         asked = self._asked(one, place)
-        where = Where(half_turns=places)  # type: ignore[arg-type]
+        where = Where(half_turns=places)
         return NotImplemented if asked is None else value(one.quantity, asked, where)
 
     def _asked(self, one: Column, place: Place) -> Any:

@@ -64,11 +64,11 @@ def compiled(text: Written) -> Callable[..., None]:
     # No fastmath: each operation is done as NumPy does it.
     options: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
     try:
-        found = numba.njit(signature, cache=True, **options)(_function(text))
+        found: Callable[..., None] = numba.njit(signature, cache=True, **options)(_function(text))
     except (RuntimeError, OSError):
         # There is no place for the cache, or no room in it.
         found = numba.njit(signature, **options)(_function(text))
-    return found  # type: ignore[no-any-return]
+    return found
 
 
 def _function(text: Written) -> FunctionType:
