@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from kurbel.commands.balancing.locomotive import locomotive_table
     from kurbel.commands.balancing.rotor import rotor_table
     from kurbel.commands.books import collation_table, example_table
+    from kurbel.commands.constructions.construct import construction_table, plot_construction
     from kurbel.commands.cylinder.inertia import inertia_table
     from kurbel.commands.cylinder.power import power_table
     from kurbel.commands.cylinder.pressures import plot_pressures, pressures_table
@@ -56,6 +57,7 @@ __all__ = [
     "certified",
     "collation_table",
     "compute",
+    "construction_table",
     "dead_centres_table",
     "delta",
     "delta_table",
@@ -66,6 +68,7 @@ __all__ = [
     "harmonics_table",
     "inertia_table",
     "locomotive_table",
+    "plot_construction",
     "plot_engine_forces",
     "plot_engine_polar",
     "plot_forces",
@@ -97,6 +100,7 @@ _MODULES = {
     "kurbel.commands.flywheels.flywheel": ("flywheel_table",),
     "kurbel.commands.engine_plots": ("plot_engine_forces", "plot_engine_polar", "plot_turning"),
     "kurbel.commands.forces": ("forces_table",),
+    "kurbel.commands.constructions.construct": ("construction_table", "plot_construction"),
     "kurbel.commands.cylinder.inertia": ("inertia_table",),
     "kurbel.commands.motion": ("dead_centres_table", "table"),
     "kurbel.commands.numbers": ("certified", "compute", "typeset"),

@@ -70,6 +70,7 @@ COMMANDS = {
     "sources": ("kurbel.cli.books", "List the books that can be collated."),
     "example": ("kurbel.cli.books", "Print a worked example of a book, as printed and recomputed."),
     "plot": ("kurbel.cli.plot", "Draw the motion, the mechanism, the forces or the turning effort."),
+    "construct": ("kurbel.cli.construct", "Draw a construction of the books, and print its lengths."),
     "handbook": ("kurbel.cli.handbook", "Build, check or watch a whole appendix from its manifest."),
     "inject": ("kurbel.cli.inject", "Refresh the tables at marked places of your own documents."),
     "layouts": ("kurbel.cli.lists", "List the page layouts."),
@@ -84,7 +85,7 @@ GROUPS = {
     "Balance": ("balance", "rotor", "locomotive", "firing"),
     "Sweeps": ("sweep",),
     "Books": ("collate", "sources", "example"),
-    "Drawings and documents": ("plot", "handbook", "inject"),
+    "Drawings and documents": ("plot", "construct", "handbook", "inject"),
     "Lists and manual": ("layouts", "quantities", "man"),
 }
 # Characters of a word, such as a path, and of a sentence, which may list all columns.

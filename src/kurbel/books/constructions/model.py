@@ -1,0 +1,207 @@
+"""A construction as data: points, the steps that draw them, and the lengths that are read off."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, NamedTuple, TypeAlias
+
+from kurbel.books.constructions.geometry import Point, distance
+from kurbel.drive.crank import Crank
+from kurbel.exact.kind import Kind
+from kurbel.exact.numerals import Label
+from kurbel.kernel.circle import root
+from kurbel.page.quantity import Words
+
+# A letter with what belongs to it: d', C_1, C_0'.
+_LETTER = re.compile(r"[^\W\d_](?:_?\d+)?'*")
+# The points of a construction by their letters, as the book writes them: "C", "d'".
+Points: TypeAlias = Mapping[str, Point]
+
+# What a line is: a link of the drive, one that is given, one that is drawn to find another, a centre line,
+# a hidden one, the result.
+LINK, GIVEN, AID, CENTRE, HIDDEN, RESULT = "link", "given", "aid", "centre", "hidden", "result"
+
+
+class Line(NamedTuple):
+    """A straight line between two points; with `beyond` it is drawn so much longer, in mm, at both ends."""
+
+    start: str
+    end: str
+    look: str = AID
+    beyond: float = 0.0
+
+
+class Arrow(NamedTuple):
+    """A vector, with its symbol beside it."""
+
+    start: str
+    end: str
+    symbol: Label = ""
+    look: str = RESULT
+
+
+class Arc(NamedTuple):
+    """An arc of a circle about a point from one point to another, the shorter way; drawn further by so many
+    mm at both ends."""
+
+    centre: str
+    start: str
+    end: str
+    look: str = AID
+    beyond: float = 3.0
+
+
+class Circle(NamedTuple):
+    """A whole circle about a point through another."""
+
+    centre: str
+    through: str
+    look: str = AID
+
+
+class RightAngle(NamedTuple):
+    """The mark of a right angle at a corner between the ways to two points."""
+
+    corner: str
+    one: str
+    other: str
+
+
+class Angle(NamedTuple):
+    """An angle at a corner between the ways to two points, with its symbol."""
+
+    corner: str
+    one: str
+    other: str
+    symbol: Label
+
+
+class Measure(NamedTuple):
+    """The dimension of a length: where it lies (level 0), or on a row below (-1, -2) or above (1, 2) all that
+    is drawn."""
+
+    letters: str
+    level: int = 0
+
+
+Element: TypeAlias = Line | Arrow | Arc | Circle | RightAngle | Angle | Measure
+
+
+class Step(NamedTuple):
+    """A step: what is done, in a sentence, the lines that it draws, and the points that have their letters
+    from here on."""
+
+    text: Words
+    drawn: Sequence[Element] = ()
+    points: Sequence[str] = ()
+
+
+class Length(NamedTuple):
+    """A length that is read off the drawing, by the letters of its ends, "ad".
+
+    `symbol` is what it stands for and `formula` how the book computes it, labels. `drawn` is the number by
+    the points and `true` that by the kernel, both in `unit`. `approximate` tells why they differ, nothing
+    where the construction is exact. An arc (in degrees, by `kind.arc`) never ties.
+    """
+
+    letters: str
+    ends: tuple[str, str]
+    symbol: Label
+    formula: Label
+    drawn: Callable[[Points], Any]
+    true: Callable[[Placed], Any]
+    unit: str = "$R$"
+    approximate: Words | None = None
+    is_arc: bool = False
+
+
+@dataclass(frozen=True)
+class Placed:
+    """A drive at a crank angle φ in degrees, from the inner dead centre, on a kind of number.
+
+    Lengths are in units of R, from the shaft O: across towards the crosshead, up on the side of the crank pin
+    on the outstroke.
+    """
+
+    drive: Crank
+    angle: Fraction
+    kind: Kind
+
+    @cached_property
+    def circle(self) -> Any:
+        return self.kind.circle(self.angle)
+
+    @cached_property
+    def ratio(self) -> Any:
+        """λ."""
+        return self.kind.of(self.drive.ratio)
+
+    @cached_property
+    def rod(self) -> Any:
+        """L."""
+        return self.kind.of(1 / self.drive.ratio)
+
+    @cached_property
+    def offset(self) -> Any:
+        """e."""
+        return self.kind.of(self.drive.offset)
+
+    def number(self, value: Fraction | int) -> Any:
+        return self.kind.of(Fraction(value))
+
+    @cached_property
+    def shaft(self) -> Point:
+        return Point(self.number(0), self.number(0))
+
+    @cached_property
+    def pin(self) -> Point:
+        return Point(self.circle.cosine, self.circle.sine)
+
+    @cached_property
+    def crosshead(self) -> Point:
+        return self.crosshead_of(self.pin)
+
+    def crosshead_of(self, pin: Point) -> Point:
+        """Return where the crosshead stands while the crank pin is there."""
+        side = pin.y - self.offset
+        return Point(pin.x + root(self.rod * self.rod - side * side), self.offset)
+
+
+class Construction(NamedTuple):
+    """A construction: its name on the command line, its title and book, the mechanisms for which it holds
+    and the sentence that refuses others, its points, steps and lengths.
+
+    A `mirrored` one is drawn with the crosshead on the left, as its book has it. `angle` is drawn where none
+    is given.
+    """
+
+    name: str
+    title: Words
+    source: Words
+    points: Callable[[Placed], Points]
+    steps: Sequence[Step]
+    lengths: Sequence[Length]
+    holds: tuple[str, ...] = ("straight",)
+    refusal: str = ""
+    mirrored: bool = False
+    angle: str = "50"
+    notes: Sequence[Words] = ()
+
+
+def lettered(letters: str) -> Label:
+    """Return the letters of points as a formula: "ad'" is $a d'$."""
+    return f"${' '.join(_LETTER.findall(letters))}$"
+
+
+def along(start: str, end: str) -> Callable[[Points], Any]:
+    """Return what measures from one point to another along the slide, positive towards the shaft."""
+    return lambda points: points[start].x - points[end].x
+
+
+def between(start: str, end: str) -> Callable[[Points], Any]:
+    """Return what measures the length between two points."""
+    return lambda points: distance(points[start], points[end])

@@ -1,0 +1,151 @@
+"""The page of a construction: each length that it gives beside its true value, with its steps below."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache, cached_property
+from typing import Any
+
+from kurbel.books.constructions.model import Construction, Length, Placed, lettered
+from kurbel.drive.crank import Crank
+from kurbel.exact.kind import Kind, settled
+from kurbel.exact.numerals import Label, Number
+from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_text
+from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, filled, for_ratio, words
+from kurbel.page.subject import Question, Subject
+from kurbel.page.table import Field, Value
+
+DECIMALS = 5
+WORDS: Mapping[str, Words] = {
+    "length": words("Strecke|Length"),
+    "exact": words("genau|exact"),
+    "all": words("Die Konstruktion ist genau|The construction is exact"),
+    "why": words("{letters} ist genähert: {why}|{letters} is approximate: {why}"),
+    "step": words("{number}. {text}|{number}. {text}"),
+}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class ConstructionRequest(Question):
+    """What is asked for: a construction of a drive at a crank angle."""
+
+    construction: Construction
+    drive: Crank
+    angle: Fraction
+
+    @cached_property
+    def ratios(self) -> tuple[Fraction, ...]:
+        return (self.drive.ratio,)
+
+    @property
+    def origin(self) -> Label:
+        return self.construction.source[self.lang]
+
+    @property
+    def key(self) -> str:
+        return self.label or self.construction.name
+
+    def at(self, kind: Kind) -> Placed:
+        return Placed(self.drive, self.angle, kind)
+
+    def drawn(self, length: Length, kind: Kind) -> Any:
+        """Return a length by the points of the construction."""
+        return length.drawn(self.construction.points(self.at(kind)))
+
+    def true(self, length: Length, kind: Kind) -> Any:
+        """Return its true value by the kernel."""
+        return length.true(self.at(kind))
+
+
+def _by(request: ConstructionRequest, length: Length, which: str, kind: Kind) -> Any:
+    if which == "true":
+        return request.true(length, kind)
+    found = request.drawn(length, kind)
+    return found if which == "drawn" else found - request.true(length, kind)
+
+
+def _number(request: ConstructionRequest, column: Column, place: Place, times: int = 1) -> Value:
+    length, key = request.construction.lengths[place["length"]], column.quantity.key
+    if key in _TEXTS:
+        return _TEXTS[key](length)
+    if key == "error" and length.approximate is None:
+        return WORDS["exact"][request.lang]
+    found = settled(
+        lambda kind: times * _by(request, length, key, kind),
+        column.places,
+        request.rounding,
+        not length.is_arc,
+    )
+    return Number(found, column.places)
+
+
+_TEXTS: Mapping[str, Any] = {
+    "symbol": lambda length: length.symbol,
+    "formula": lambda length: length.formula,
+    "unit": lambda length: length.unit,
+}
+
+
+@cache
+def registry() -> Mapping[str, Quantity]:
+    """Return what is said of a length, by its key."""
+    nothing = {"exact": Formula(None)}  # type: ignore[arg-type]
+    found = (
+        entry("symbol", "Bedeutung|Meaning", "", "", None, nothing, "bedeutet|stands for"),
+        entry("formula", "Formel|Formula", "", "", None, nothing, "Formel|Formula"),
+        entry("drawn", "Länge der Zeichnung|Length drawn", "", "", DECIMALS, nothing, "gezeichnet|drawn"),
+        entry("true", "wahrer Wert|True value", "", "", DECIMALS, nothing, "wahr|true"),
+        entry("error", "Abweichung|Error", "", "", DECIMALS, nothing, "Abweichung|error"),
+        entry("unit", "Einheit|Unit", "", "", None, nothing, "Einheit|unit"),
+    )
+    return {one.key: one for one in found}
+
+
+def _lengths(request: ConstructionRequest) -> ListAxis:
+    field = Field("length", WORDS["length"][request.lang])
+    lengths = request.construction.lengths
+    return ListAxis(lengths, field, _written, _written)
+
+
+def _written(length: Length) -> Label:
+    return lettered(length.letters)
+
+
+def caption(request: ConstructionRequest) -> Label:
+    """Return what the construction is of."""
+    lang = request.lang
+    parts = {
+        "{construction}": request.construction.title[lang],
+        "{for_ratio}": for_ratio(request.drive.ratio, lang),
+        "{angle}": angle_text(request.angle),
+    }
+    return filled(request.layout.caption[lang], parts.items())
+
+
+def _notes(request: ConstructionRequest) -> Iterator[Label]:
+    lang, shown = request.lang, request.construction
+    for number, step in enumerate(shown.steps, 1):
+        yield WORDS["step"][lang].format(number=number, text=step.text[lang])
+    doubtful = [one for one in shown.lengths if one.approximate]
+    for one in doubtful:
+        assert one.approximate is not None
+        yield WORDS["why"][lang].format(letters=lettered(one.letters), why=one.approximate[lang])
+    if not doubtful:
+        yield WORDS["all"][lang]
+    for note in shown.notes:
+        yield note[lang]
+
+
+SUBJECT = Subject(
+    key="construction",
+    layout="construction",
+    command="construct",
+    axes={"length": _lengths, "column": ColumnAxis},
+    axis_keys=("length",),
+    quantities=registry,
+    number=_number,
+    caption=caption,
+    notes=_notes,
+)

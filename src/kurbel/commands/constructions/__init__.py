@@ -1,0 +1,1 @@
+"""Constructions as options describe them."""

@@ -1,0 +1,92 @@
+"""A construction of the books: its drawing, and the table of the lengths that it gives."""
+
+from collections.abc import Mapping
+from typing import Annotated, Any, Unpack
+
+from kurbel.books.constructions.page import ConstructionRequest
+from kurbel.books.constructions.registry import CONSTRUCTIONS, construction
+from kurbel.commands import parameters as option
+from kurbel.commands.drawn.size import Sized, page_size
+from kurbel.commands.motion import described, of_other_mechanisms, sheet_of
+from kurbel.commands.options import Choice, Option
+from kurbel.commands.plots import only
+from kurbel.commands.shown import Drawing, mark_of
+from kurbel.commands.subject import draws, makes_table
+from kurbel.errors import ProblemError
+from kurbel.page.layouts import layout_of
+from kurbel.reading.given import Exact, as_angle, as_names
+
+Name = Annotated[
+    str,
+    Option(
+        f"The construction: {', '.join(CONSTRUCTIONS)}.",
+        kind=Choice("construction", CONSTRUCTIONS),
+        positional=True,
+    ),
+]
+
+
+class Given(option.AnyDrive, total=False):
+    """A crank drive at one crank angle."""
+
+    ratio: option.Ratios
+    angle: Annotated[
+        Exact | None,
+        Option("Crank angle from the inner dead centre, in degrees: 50.", "ANGLE", unit="degrees"),
+    ]
+
+
+class Listed(Given, option.Sheet, total=False):
+    """The same on a page."""
+
+
+def _asked(name: str, given: Mapping[str, Any], **sheet: Any) -> ConstructionRequest:
+    """Return what is asked for; raise ProblemError for a drive for which the construction does not hold."""
+    shown, (chosen, said) = construction(name), described(given)
+    if chosen.name not in shown.holds:
+        others = " and ".join(shown.holds)
+        raise ProblemError(shown.refusal or f"construction {name} holds for the {others} crank alone")
+    page = sheet.pop("layout", None) or layout_of("construction", ("construction",), None)
+    drive = only(chosen.drives(said, page.ratios), "angle", "ratios")
+    if not drive.ratio:
+        raise ProblemError("a rod of infinite length cannot be drawn; give a finite one, such as 1:5")
+    angle = as_angle(shown.angle if given["angle"] is None else given["angle"], "angle")
+    return ConstructionRequest(layout=page, construction=shown, drive=drive, angle=angle % 360, **sheet)
+
+
+@makes_table(foreign=of_other_mechanisms)
+def construction_table(
+    name: Name,
+    *,
+    columns: Annotated[option.Names, option.columns_option("construction", "formula,drawn,true")] = (),
+    layout: Annotated[str | None, option.layout_option("construction")] = None,
+    layouts: option.Layouts = None,
+    **given: Unpack[Listed],
+) -> ConstructionRequest:
+    """Print the lengths of a construction beside their true values, and its steps.
+
+    \f
+    >>> import kurbel
+    >>> page = kurbel.construction_table("blau-9", ratio="1:5", angle=45, columns="drawn,true")
+    >>> print(kurbel.typeset(page, "csv").splitlines()[1])
+    ad,0.34308,0.34308
+    """
+    page = layout_of(layout or "construction", ("construction",), layouts)
+    return _asked(name, given, layout=page, columns=as_names(columns, "drawn,true"), **sheet_of(given))
+
+
+class Drawn(Given, Sized, total=False):
+    """The same as a drawing."""
+
+    lang: option.Lang
+    decimal: option.Decimal
+
+
+@draws(foreign=of_other_mechanisms)
+def plot_construction(name: Name, **given: Unpack[Drawn]) -> Drawing:
+    """Draw a construction to scale, with the letters of its book."""
+    from kurbel.plot.construct.drawing import construction_drawing
+
+    mark = mark_of(given["lang"], given["decimal"])
+    asked = _asked(name, given, lang=given["lang"])
+    return Drawing.of(construction_drawing(asked, mark, page_size(given)), given["lang"], mark)

@@ -1,0 +1,1 @@
+"""Constructions as drawings: what books/constructions says, to scale, step by step."""

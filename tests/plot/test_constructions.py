@@ -1,0 +1,45 @@
+"""Lengths read back from the drawing, held against their true values on paper."""
+
+import math
+import random
+import re
+from fractions import Fraction
+
+import pytest
+
+import kurbel
+from kurbel.books.constructions.registry import CONSTRUCTIONS
+from kurbel.exact.numerals import Number
+
+# In mm on paper; a point of SVG is 1/72 in.
+PAPER, POINT = 0.01, 25.4 / 72
+PATH = r'<g id="length-{}">\s*<path d="M ([-\d.]+) ([-\d.]+)\s*L ([-\d.]+) ([-\d.]+)'
+
+
+def drives(name: str, count: int) -> list[tuple[str, str]]:
+    """Return ratios and angles, also beyond 180° and at dead centres, the same in every run."""
+    dice = random.Random(name)
+    some = [(Fraction(dice.randint(120, 600), 100), dice.randint(1, 3599)) for _ in range(count)]
+    return [(f"1:{float(rod)}", str(angle / 10)) for rod, angle in some]
+
+
+@pytest.mark.parametrize("name", CONSTRUCTIONS)
+def test_a_length_on_paper_is_the_printed_one(name: str) -> None:
+    for ratio, angle in drives(name, 3):
+        drawing = kurbel.plot_construction(name, ratio=ratio, angle=angle)
+        svg = drawing.image().decode()
+        scale = float(re.match(r"R = ([\d.e-]+) mm", drawing.about)[1])  # type: ignore[index]
+        page = kurbel.construction_table(
+            name, ratio=ratio, angle=angle, columns="length,drawn,unit", digits=12
+        )
+        for letters, printed, unit in page.records.rows:
+            if unit == "°":
+                continue
+            assert isinstance(printed, Number) and isinstance(letters, str)
+            plain = re.sub(r"[$ ]", "", letters)
+            found = re.search(PATH.format(re.escape(plain)), svg)
+            assert found, (name, ratio, angle, plain)
+            x, y, to_x, to_y = map(float, found.groups())
+            assert math.hypot(to_x - x, to_y - y) * POINT == pytest.approx(
+                abs(printed.scaled) / 10**printed.decimals * scale, abs=PAPER
+            ), (name, ratio, angle, plain)
