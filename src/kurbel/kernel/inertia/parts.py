@@ -1,0 +1,175 @@
+"""The parts of the rod's inertia as Ensslin parts them: accelerations, and forces in A and B for each part.
+
+A is the crank-pin end of the rod and B its crosshead end. The acceleration of a point at the distance x from
+B is p₂ + (p₄ + p₅) x/L: p₂ is that of B, p₄ the turning part at A, square to the rod, p₅ the stretching part
+at A, along the rod. Together p₄ and p₅ are p₃, which with p₂ replaces p₁, the acceleration of A. So the rod
+may be looked at under each part alone, and what is found is added:
+
+- under p₂ it presses on A and B like the masses M a/L in A and M b/L in B,
+- under p₅ like the same masses, of which the one in B is at rest: M a/L p₅ in A, nothing in B,
+- under p₄ there is M (k² + a²)/L² p₄ in A, by moments about B, and in B the rest, M (a b - k²)/L² p₄.
+
+Here a is the distance of the centre of mass from B and b that from A, as Ensslin has them, and `Masses` of
+kernel/rod.py has M a/L as `pin`, M b/L as `crosshead` and M (k² - a b)/L² as `couple`.
+
+What a force along the rod in A holds, one in B can hold as well, for both lie in one line; the accelerations
+do not tell which. `in_pin` and `in_crosshead` share it as Ensslin's two masses do. In a drive without a
+piston force nothing holds the rod's end B along the slide: `guide`, `at_pin` and `torque` are of this share.
+They are the forces of `rod.Loaded` without F, part by part.
+
+An acceleration is positive against X and against Y of kernel/rod.py, its turning part square to the rod
+against Y, its stretching part along the rod with X; forces on the rod are positive with X and with Y. The
+rod presses on pins and guide the other way. Units are R ω² and, with masses of a rod of mass 1, M R ω².
+
+Floats: as close as those of kernel/rod.py. Source: Ensslin, Dinglers Polytechnisches Journal 322 (1907),
+593-595, figures 1 to 7. The forces under p₄ stand in the part of his article that is not transcribed;
+re-derived.
+"""
+
+from dataclasses import dataclass
+from typing import Generic, NamedTuple, TypeVar
+
+from kurbel.kernel.circle import Circle, Number
+from kurbel.kernel.forces import Slant, rod_slant
+from kurbel.kernel.inertia.accelerations import EVEN, Accelerations
+from kurbel.kernel.rod import Masses, magnitude
+from kurbel.kernel.rod import parts as parts_of
+
+Kind = TypeVar("Kind")
+
+COMMON, TURNING, STRETCHING = PARTS = ("common", "turning", "stretching")
+
+
+class Vector(NamedTuple, Generic[Kind]):
+    """What has a component along the slide and one across it."""
+
+    along: Kind
+    across: Kind
+
+    def size(self) -> Kind:
+        """Return its amount."""
+        size: Kind = magnitude(self.along, self.across)
+        return size
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Parted:
+    """The rod at a crank angle, its acceleration in parts.
+
+    `pin` is p₁ and `common` p₂; `turning` and `stretching` are p₄ and p₅. `slant` has the direction of the
+    rod and `crank` that of the crank: X and Y of the crank pin, in R.
+    """
+
+    pin: Vector[Number]
+    common: Vector[Number]
+    turning: Number
+    stretching: Number
+    slant: Slant[Number]
+    crank: Vector[Number]
+    masses: Masses[Number]
+
+    def replaced(self) -> Vector[Number]:
+        """Return p₃ = p₁ - p₂."""
+        return _sum(self._square(self.turning), self._lengthwise(self.stretching))
+
+    def replaced_size(self) -> Number:
+        """Return the amount of p₃, from its two parts square to each other."""
+        return magnitude(self.turning, self.stretching)
+
+    def at_point(self, share: Number) -> Vector[Number]:
+        """Return the acceleration of the point at the distance x from B, from x/L."""
+        replaced = self.replaced()
+        return _sum(self.common, Vector(share * replaced.along, share * replaced.across))
+
+    def part_at(self, part: str, share: Number) -> Vector[Number]:
+        """Return one part of the acceleration of the point at the distance x from B, from x/L."""
+        if part == COMMON:
+            return self.common
+        if part == TURNING:
+            return self._square(share * self.turning)
+        return self._lengthwise(share * self.stretching)
+
+    def mass_in_pin(self, part: str) -> Number:
+        """Return the mass in A that has the forces of a part: M a/L, under p₄ M (k² + a²)/L²."""
+        return self.masses.pin + self.masses.couple if part == TURNING else self.masses.pin
+
+    def mass_in_crosshead(self, part: str) -> Number:
+        """Return what times the part's acceleration, p₂, p₄ or p₅, is the force in B: M b/L, under p₄
+        M (a b - k²)/L² and under p₅ nothing."""
+        if part == COMMON:
+            return self.masses.crosshead
+        return 0 - self.masses.couple if part == TURNING else 0 * self.masses.couple
+
+    def in_pin(self, part: str = "") -> Vector[Number]:
+        """Return the force on the rod in A for a part, without one their sum: that of M a/L p₁ and of the
+        couple M (k² - a b) ψ̈."""
+        if part:
+            return _pull(self.mass_in_pin(part), self.part_at(part, 1))
+        return _sum(_pull(self.masses.pin, self.pin), _pull(self.masses.couple, self._square(self.turning)))
+
+    def in_crosshead(self, part: str = "") -> Vector[Number]:
+        """Return the force on the rod in B for a part, without one their sum: that of M b/L p₂ less that of
+        the couple."""
+        if part:
+            return _pull(self.mass_in_crosshead(part), self.part_at(part, 1))
+        couple = _pull(0 - self.masses.couple, self._square(self.turning))
+        return _sum(_pull(self.masses.crosshead, self.common), couple)
+
+    def guide(self, part: str = "") -> Number:
+        """Return the force of the guide on the rod for a part, where nothing holds B along the slide.
+
+        What `in_crosshead` has along the slide goes through the rod to A.
+        """
+        held = self.in_crosshead(part)
+        return held.across + self._across(held) + 0
+
+    def at_pin(self, part: str = "") -> Vector[Number]:
+        """Return the force of the crank pin on the rod for a part, where nothing holds B along the slide."""
+        own, held = self.in_pin(part), self.in_crosshead(part)
+        return Vector(own.along + held.along + 0, own.across - self._across(held) + 0)
+
+    def torque(self, part: str = "") -> Number:
+        """Return the torque on the shaft for a part, positive as the crank turns, in M R² ω²."""
+        force = self.at_pin(part)
+        return force.along * self.crank.across - force.across * self.crank.along + 0
+
+    def _across(self, held: Vector[Number]) -> Number:
+        """What the slant of the rod makes of a force along the slide in B across it."""
+        return held.along * self.slant.sine / self.slant.cosine
+
+    def _square(self, amount: Number) -> Vector[Number]:
+        """An acceleration square to the rod."""
+        return Vector(amount * self.slant.sine, amount * self.slant.cosine)
+
+    def _lengthwise(self, amount: Number) -> Vector[Number]:
+        """An acceleration along the rod."""
+        return Vector(0 - amount * self.slant.cosine, amount * self.slant.sine)
+
+
+def parted(
+    circle: Circle[Number],
+    ratio: Number,
+    masses: Masses[Number],
+    offset: Number | None = None,
+    by: Accelerations[Number] = EVEN,
+) -> Parted:
+    """Return the rod of the straight or offset crank, its acceleration in parts."""
+    common, turning, stretching = parts_of(circle, ratio, offset, by)
+    return Parted(
+        Vector(by.pin_along(circle), by.pin_across(circle)),
+        Vector(common, 0 * common),
+        turning,
+        stretching,
+        rod_slant(circle, ratio, offset),
+        Vector(circle.cosine, circle.sine),
+        masses,
+    )
+
+
+def _pull(mass: Number, acceleration: Vector[Number]) -> Vector[Number]:
+    """The force with X and Y that a mass asks for; no zero is to have a sign."""
+    return Vector(0 - mass * acceleration.along, 0 - mass * acceleration.across)
+
+
+def _sum(one: Vector[Number], other: Vector[Number]) -> Vector[Number]:
+    return Vector(one.along + other.along, one.across + other.across)
