@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
@@ -81,7 +81,7 @@ def _number(request: ConstructionRequest, column: Column, place: Place, times: i
     return Number(found, column.places)
 
 
-_TEXTS: Mapping[str, Any] = {
+_TEXTS: Mapping[str, Callable[[Length], Label]] = {
     "symbol": lambda length: length.symbol,
     "formula": lambda length: length.formula,
     "unit": lambda length: length.unit,
