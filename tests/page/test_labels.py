@@ -42,6 +42,7 @@ def formula(source: str) -> Formula:
         ("F sqrt((R/L)^2 + 1)", "F √((R/L)² + 1)"),
         ("(sqrt(2.5))/2 cos φ", "√(2,5)/2 cos φ"),
         ("sqrt(x)^2", "√(x)²"),
+        ("overline(f' d')^2 - a d", "f′d′² − a d"),
         ("(-5 ± 3 sqrt(33))/4", "(−5 ± 3 √33)/4"),
         ("sqrt(33)^2", "√(33)²"),
     ],
@@ -70,6 +71,7 @@ def test_formula_in_one_line_of_text(source: str, text: str) -> None:
         ("a · b × c ≤ ∞", r"a\cdot b\times c\le\infty"),
         ("F sqrt((R/L)^2 + 1) a", r"F\sqrt{(R/L)^{2}+1}a"),
         ("a/sqrt(2.5)", r"a/\sqrt{2{,}5}"),
+        ("overline(a d')", r"\overline{ad{}^{\prime}}"),
         ("[sqrt(1 + a/b)]", r"\left[\sqrt{1+\frac{a}{b}}\right]"),
     ],
 )
@@ -112,6 +114,10 @@ def test_only_a_formula_with_a_bar_needs_height_of_its_own() -> None:
         ("a < b", "<mi>a</mi><mo>&lt;</mo><mi>b</mi>"),
         ('"<b>"', "<mtext>&lt;b&gt;</mtext>"),
         ("sqrt(1 + a)", "<msqrt><mn>1</mn><mo>+</mo><mi>a</mi></msqrt>"),
+        (
+            "overline(a d)",
+            '<mover accent="true"><mrow><mi>a</mi><mi>d</mi></mrow><mo>&#x203E;</mo></mover>',
+        ),
         ("sqrt(a)^2", "<msup><msqrt><mi>a</mi></msqrt><mn>2</mn></msup>"),
     ],
 )
@@ -143,6 +149,7 @@ def test_angle_in_prose_has_primes() -> None:
         ("$a/b/c$", "a second / needs parentheses, (a/b)/c or a/(b c)"),
         ("$1/cos ψ$", "a function after / needs parentheses, 1/(cos ψ)"),
         ("$sqrt 2$", "a root needs parentheses, sqrt(2)"),
+        ("$overline a$", "a bar above needs parentheses, overline(a d)"),
         ("$(a$", "an opening ( has no partner"),
         ("$(a]$", "an opening ( has no partner"),
         ("$a)$", "a closing ) has no partner"),

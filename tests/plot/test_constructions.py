@@ -10,9 +10,12 @@ import pytest
 import kurbel
 from kurbel.books.constructions.registry import CONSTRUCTIONS
 from kurbel.exact.numerals import Number
+from kurbel.page.labels import plain
 
 # In mm on paper; a point of SVG is 1/72 in.
 PAPER, POINT = 0.01, 25.4 / 72
+# Indices of letters, C₁, which ids write C_1.
+SMALL = {ord(small): f"_{digit}" for digit, small in enumerate("₀₁₂₃₄₅₆₇₈₉")}
 PATH = r'<g id="length-{}">\s*<path d="M ([-\d.]+) ([-\d.]+)\s*L ([-\d.]+) ([-\d.]+)'
 
 
@@ -36,10 +39,10 @@ def test_a_length_on_paper_is_the_printed_one(name: str) -> None:
             if unit == "°":
                 continue
             assert isinstance(printed, Number) and isinstance(letters, str)
-            plain = re.sub(r"[$ ]", "", letters)
-            found = re.search(PATH.format(re.escape(plain)), svg)
-            assert found, (name, ratio, angle, plain)
+            written = plain(letters).replace("′", "'").translate(SMALL)
+            found = re.search(PATH.format(re.escape(written)), svg)
+            assert found, (name, ratio, angle, written)
             x, y, to_x, to_y = map(float, found.groups())
             assert math.hypot(to_x - x, to_y - y) * POINT == pytest.approx(
                 abs(printed.scaled) / 10**printed.decimals * scale, abs=PAPER
-            ), (name, ratio, angle, plain)
+            ), (name, ratio, angle, written)

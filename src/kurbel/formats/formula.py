@@ -41,7 +41,7 @@ def has_bar(nodes: tree.Nodes) -> bool:
     """Tell whether a sequence has a fraction with a bar, which needs height."""
     return any(
         has_bar(node.content)
-        if isinstance(node, tree.Group | tree.Root)
+        if isinstance(node, tree.Group | tree.Root | tree.Overline)
         else isinstance(node, tree.Fraction) and not has_stroke(nodes, place)
         for place, node in enumerate(nodes)
     )
@@ -103,6 +103,8 @@ class TexMath(NamedTuple):
                 return f"{left}{fences[0]}{self.set(content)}{right}{fences[1]}"
             case tree.Root(content):
                 return f"\\sqrt{{{self.set(content)}}}"
+            case tree.Overline(content):
+                return f"\\overline{{{self.set(content)}}}"
             case tree.Fraction(top, bottom) if has_stroke(nodes, place):
                 below = self.set(bottom if len(bottom) == 1 else (tree.Group(bottom),))
                 return f"{self.set(top)}/{below}"
@@ -145,6 +147,8 @@ def _mathml_node(nodes: tree.Nodes, place: int, mark: str) -> str:
             return f"<mrow>{opening}{mathml(content, mark)}{closing}</mrow>"
         case tree.Root(content):
             return f"<msqrt>{mathml(content, mark)}</msqrt>"
+        case tree.Overline(content):
+            return f'<mover accent="true"><mrow>{mathml(content, mark)}</mrow><mo>&#x203E;</mo></mover>'
         case tree.Fraction(top, bottom) if has_stroke(nodes, place):
             below = mathml(bottom if len(bottom) == 1 else (tree.Group(bottom),), mark)
             return f'{mathml(top, mark)}<mo lspace="0" rspace="0">/</mo>{below}'

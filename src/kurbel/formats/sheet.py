@@ -142,6 +142,8 @@ def _slanted_node(node: tree.Node) -> tree.Node:
             return tree.Group(_slanted(content), fences)
         case tree.Root(content):
             return tree.Root(_slanted(content))
+        case tree.Overline(content):
+            return tree.Overline(_slanted(content))
         case tree.Fraction(top, bottom):
             return tree.Fraction(_slanted(top), _slanted(bottom))
         case tree.Script(base, index, power):

@@ -5,6 +5,7 @@
     2.5 "m/s"             upright text in double quotes; a number has a point whatever the page prints
     R [1 - cos α]         parentheses and brackets are printed
     sqrt(1 + λ^2)         a root; engines set a bar in place of its parentheses
+    overline(a d)         the length between two points, with a bar above; plain text has ad
 
 Spaces are kept: text needs them ("cos φ ± ψ"), other engines set their own.
 """
@@ -16,7 +17,7 @@ from typing import NamedTuple
 
 FENCES = {"(": ")", "[": "]"}
 FUNCTIONS = frozenset(("sin", "cos", "tan", "cot", "arcsin", "arccos", "arctan", "max", "min", "ln", "log"))
-ROOT = "sqrt"
+ROOT, OVERLINE = "sqrt", "overline"
 
 # Sign in the source -> sign in print, LaTeX.
 SIGNS = {
@@ -107,6 +108,12 @@ class Root(NamedTuple):
     content: Nodes
 
 
+class Overline(NamedTuple):
+    """Letters of points with a bar above: the length between them."""
+
+    content: Nodes
+
+
 class Fraction(NamedTuple):
     top: Nodes
     bottom: Nodes
@@ -120,7 +127,9 @@ class Script(NamedTuple):
     sup: Nodes
 
 
-Node = Word | Variable | Numeral | Sign | Symbol | Upright | Space | Group | Root | Fraction | Script
+Node = (
+    Word | Variable | Numeral | Sign | Symbol | Upright | Space | Group | Root | Overline | Fraction | Script
+)
 Nodes = tuple[Node, ...]
 
 
@@ -231,6 +240,8 @@ class _Parser:
             return self.group(token)
         if token == ROOT and self.peek() == "(":
             return Root(self.group(self.take()).content)
+        if token == OVERLINE and self.peek() == "(":
+            return Overline(self.group(self.take()).content)
         if token[:1] in "0123456789" and token:
             return Numeral(token)
         if token in FUNCTIONS:
@@ -259,6 +270,8 @@ def _unexpected(token: str) -> str:
         return "a number, a letter or parentheses are missing"
     if token == ROOT:
         return "a root needs parentheses, sqrt(2)"
+    if token == OVERLINE:
+        return "a bar above needs parentheses, overline(a d)"
     if token.isalpha() and token.isascii():
         return f"{token} is no function; letters of a product stand apart, words in double quotes"
     if token.startswith('"'):

@@ -142,6 +142,8 @@ def _text_node(nodes: tree.Nodes, place: int, mark: str) -> str:
             return f"√{text}"
         case tree.Root(content):
             return f"√({_text(content, mark)})"
+        case tree.Overline(content):
+            return _text(tuple(node for node in content if not isinstance(node, tree.Space)), mark)
         case tree.Fraction(top, bottom):
             return _text_fraction(nodes, place, top, bottom, mark)
         case tree.Script(tree.Root(content), index, power):

@@ -77,21 +77,24 @@ class Letters(NamedTuple):
 class Text(NamedTuple):
     """Letters, the centres of their box to choose from in groups, the best first, and what they belong to.
 
-    A leader line leads from a point to a text that does not touch it, if there is one.
+    A leader line leads from a point to a text that does not touch it, if there is one. `name` is its id in
+    SVG, if it has one.
     """
 
     letters: Letters
     groups: Sequence[Points]
     own: Own
     leader: Points | None = None
+    name: str = ""
 
 
 class Lettering:
     """The texts that a drawing is to have, and their places once all else is drawn; the grounds of those that
-    cover a line."""
+    cover a line. Texts that are asked for while there is a `name` have it in SVG, with a number."""
 
     def __init__(self, axes: Axes) -> None:
         self.axes = axes
+        self.name = ""
         self.texts: list[Text] = []
         self.grounds: list[Hole] = []
 
@@ -118,7 +121,7 @@ class Lettering:
             for broad in BROAD
         )
         beyond = [touching(end, letters.size, end - line[count // 2], NEARER) for end in (line[0], line[-1])]
-        self.texts.append(Text(letters, (near, *(beyond if ends else ()), *far), Own(line, CLEAR)))
+        self._ask(Text(letters, (near, *(beyond if ends else ()), *far), Own(line, CLEAR)))
 
     def beside_point(self, point: Points, outward: Points, text: str, clear: float) -> None:
         """Ask for a small text beside a point, at best in a direction, and so far from it."""
@@ -126,7 +129,7 @@ class Lettering:
         near = touching(point, letters.size, outward, NEARER)
         far = touching(point, letters.size, outward, FARTHER)
         ahead = [one[_ahead(one - point, outward)] for one in (near, far)]
-        self.texts.append(Text(letters, (*ahead, near, far), Own(point[None], clear), point))
+        self._ask(Text(letters, (*ahead, near, far), Own(point[None], clear), point))
 
     def at_end(self, end: Points, side: int, text: str, other: Points) -> None:
         """Ask for a small text at the upper (1) or lower (-1) end of an upright line, as near to its middle
@@ -139,7 +142,11 @@ class Lettering:
         row, opposite = end + across + (0, up), other + across - (0, up)
         lower = np.concatenate([row + side * np.asarray((0, more)) for more in (1.0, 2.5, 4.0)])
         far = touching(end, letters.size, np.asarray((0.0, side)), FARTHER)
-        self.texts.append(Text(letters, (row, lower, opposite, far), Own(end[None], CLEAR), end))
+        self._ask(Text(letters, (row, lower, opposite, far), Own(end[None], CLEAR), end))
+
+    def _ask(self, text: Text) -> None:
+        name = f"{self.name}-text-{len(self.texts)}" if self.name else ""
+        self.texts.append(text._replace(name=name))
 
     def write(self, width: float, height: float) -> None:
         """Write all texts on a page of a size, one after the other, where they cover least."""
@@ -155,18 +162,20 @@ class Lettering:
             ink = ink.more(box_points(place.centre, taken, 0.5), WEIGHTS["text"])
             box = np.stack((place.centre, np.asarray(taken) / 2))
             written = np.concatenate((written, box[None]))
-            self._set(one.letters, place)
+            self._set(one, place)
             if one.leader is not None and not place.covers:
                 leader = np.stack((one.leader, one.leader + _leaders(one.leader, place.centre, size)))
                 if _length(leader) > LEAST_LEADER:
                     ink = ink.more(densely(leader), WEIGHTS["line"])
-                    self.axes.plot(*self.on_axes(leader).T, color=BLACK, linewidth=THIN, zorder=3)
+                    drawn = self.axes.plot(*self.on_axes(leader).T, color=BLACK, linewidth=THIN, zorder=3)
+                    drawn[0].set_gid(f"{one.name}-leader" if one.name else None)
 
-    def _set(self, letters: Letters, place: Spot) -> None:
+    def _set(self, one: Text, place: Spot) -> None:
         """Set letters; those that cover a line have a ground before it, unless it is a strong one."""
+        letters = one.letters
         x, y = map(float, self.on_axes((place.centre - letters.middle)[None])[0])
         look: dict[str, Any] = {"ha": "left", "va": "baseline", "rotation_mode": "anchor", "zorder": 8}
-        self.axes.text(x, y, letters.text, **(look | letters.look))
+        self.axes.text(x, y, letters.text, **(look | letters.look)).set_gid(one.name or None)
         if place.covers:
             self.grounds.append(Hole(place.centre, np.asarray(letters.size) / 2 + GROUND, False, IN_FRONT))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -18,6 +18,9 @@ from kurbel.page.quantity import Words
 
 # A letter with what belongs to it: d', C_1, C_0'.
 _LETTER = re.compile(r"[^\W\d_](?:_?\d+)?'*")
+# Letters one after the other with a space between, and a formula in a label.
+_BESIDE = re.compile(rf"(?<![\w(]){_LETTER.pattern}(?: {_LETTER.pattern})+(?![\w(])")
+_FORMULA = re.compile(r"\$[^$]+\$")
 # The points of a construction by their letters, as the book writes them: "C", "d'".
 Points: TypeAlias = Mapping[str, Point]
 
@@ -191,10 +194,32 @@ class Construction(NamedTuple):
     angle: str = "50"
     notes: Sequence[Words] = ()
 
+    def said(self, label: Label) -> Label:
+        """Return a label in which two letters of points beside each other are the length between them."""
+        return overlined(label, (letter for step in self.steps for letter in step.points))
+
 
 def lettered(letters: str) -> Label:
-    """Return the letters of points as a formula: "ad'" is $a d'$."""
-    return f"${' '.join(_LETTER.findall(letters))}$"
+    """Return the letters of points as a formula: "ad'" is the length $overline(a d')$, "C" is $C$."""
+    found = _LETTER.findall(letters)
+    return f"$overline({' '.join(found)})$" if len(found) == 2 else f"${' '.join(found)}$"
+
+
+def overlined(label: Label, points: Iterable[str]) -> Label:
+    """Return a label in whose formulas two letters of points beside each other are a length, with a bar.
+
+    "$a d = x$" becomes "$overline(a d) = x$". More than two letters, as of a triangle, stay as they are.
+    """
+    known = frozenset(points)
+
+    def length(found: re.Match[str]) -> str:
+        letters = found[0].split()
+        return f"overline({found[0]})" if len(letters) == 2 and known.issuperset(letters) else found[0]
+
+    def formula(found: re.Match[str]) -> str:
+        return found[0] if "overline" in found[0] else _BESIDE.sub(length, found[0])
+
+    return _FORMULA.sub(formula, label)
 
 
 def along(start: str, end: str) -> Callable[[Points], Any]:

@@ -20,7 +20,6 @@ from kurbel.page.table import Field, Value
 DECIMALS = 5
 WORDS: Mapping[str, Words] = {
     "length": words("Strecke|Length"),
-    "exact": words("genau|exact"),
     "all": words("Die Konstruktion ist genau|The construction is exact"),
     "why": words("{letters} ist genähert: {why}|{letters} is approximate: {why}"),
     "step": words("{number}. {text}|{number}. {text}"),
@@ -69,9 +68,9 @@ def _by(request: ConstructionRequest, length: Length, which: str, kind: Kind) ->
 def _number(request: ConstructionRequest, column: Column, place: Place, times: int = 1) -> Value:
     length, key = request.construction.lengths[place["length"]], column.quantity.key
     if key in _TEXTS:
-        return _TEXTS[key](length)
+        return request.construction.said(_TEXTS[key](length))
     if key == "error" and length.approximate is None:
-        return WORDS["exact"][request.lang]
+        return Number(0, 0)
     found = settled(
         lambda kind: times * _by(request, length, key, kind),
         column.places,
@@ -127,15 +126,15 @@ def caption(request: ConstructionRequest) -> Label:
 def _notes(request: ConstructionRequest) -> Iterator[Label]:
     lang, shown = request.lang, request.construction
     for number, step in enumerate(shown.steps, 1):
-        yield WORDS["step"][lang].format(number=number, text=step.text[lang])
+        yield shown.said(WORDS["step"][lang].format(number=number, text=step.text[lang]))
     doubtful = [one for one in shown.lengths if one.approximate]
     for one in doubtful:
         assert one.approximate is not None
-        yield WORDS["why"][lang].format(letters=lettered(one.letters), why=one.approximate[lang])
+        yield shown.said(WORDS["why"][lang].format(letters=lettered(one.letters), why=one.approximate[lang]))
     if not doubtful:
         yield WORDS["all"][lang]
     for note in shown.notes:
-        yield note[lang]
+        yield shown.said(note[lang])
 
 
 SUBJECT = Subject(

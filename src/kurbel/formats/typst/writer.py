@@ -111,6 +111,8 @@ def _typst_node(nodes: tree.Nodes, place: int, mark: str) -> str:
             return f"{fences[0]}{_typst(content, mark)}{fences[1]}"
         case tree.Root(content):
             return f"sqrt({_typst(content, mark)})"
+        case tree.Overline(content):
+            return f"overline({_typst(content, mark)})"
         case tree.Fraction(top, bottom) if has_stroke(nodes, place):
             below = _typst(bottom if len(bottom) == 1 else (tree.Group(bottom),), mark)
             return f"{_typst(top, mark)}\\/{below}"

@@ -81,13 +81,15 @@ def construction_drawing(request: ConstructionRequest, mark: str, size: Size = U
     with style():
         board = _board(shown, points, size, mark)
         for number, step in enumerate(shown.steps, 1):
+            board.sketch.texts.name = f"step-{number}"
             for place, element in enumerate(step.drawn, 1):
                 _named(board, element, f"step-{number}-{place}")
             for letter in step.points:
                 _dot(board, letter, f"step-{number}-{letter}")
         board.sketch.write()
+    said = (plain(shown.said(step.text[request.lang]), mark) for step in shown.steps)
     about = f"R = {1 / board.sketch.mm:.6g} mm; " + " ".join(
-        f"{number}. {plain(step.text[request.lang], mark)}" for number, step in enumerate(shown.steps, 1)
+        f"{number}. {text}" for number, text in enumerate(said, 1)
     )
     return Drawing(board.sketch.figure, caption(request), about)
 
