@@ -32,11 +32,12 @@ if TYPE_CHECKING:
     from kurbel.commands.cylinder.inertia import inertia_table
     from kurbel.commands.cylinder.power import power_table
     from kurbel.commands.cylinder.pressures import plot_pressures, pressures_table
+    from kurbel.commands.drives.dead_centres import dead_centres_table
     from kurbel.commands.engine import delta_table, turning_table
     from kurbel.commands.engine_plots import plot_engine_forces, plot_engine_polar, plot_turning
     from kurbel.commands.flywheels.flywheel import flywheel_table
     from kurbel.commands.forces import forces_table
-    from kurbel.commands.motion import dead_centres_table, table
+    from kurbel.commands.motion import table
     from kurbel.commands.numbers import certified, compute, typeset
     from kurbel.commands.orders.firing import firing_table
     from kurbel.commands.orders.harmonics import harmonics_table
@@ -102,7 +103,8 @@ _MODULES = {
     "kurbel.commands.forces": ("forces_table",),
     "kurbel.commands.constructions.construct": ("construction_table", "plot_construction"),
     "kurbel.commands.cylinder.inertia": ("inertia_table",),
-    "kurbel.commands.motion": ("dead_centres_table", "table"),
+    "kurbel.commands.drives.dead_centres": ("dead_centres_table",),
+    "kurbel.commands.motion": ("table",),
     "kurbel.commands.numbers": ("certified", "compute", "typeset"),
     "kurbel.commands.plots": ("plot_forces", "plot_mechanism", "plot_motion", "plot_polar"),
     "kurbel.commands.shown": ("Drawing", "Table"),

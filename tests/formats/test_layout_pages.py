@@ -12,6 +12,7 @@ from pages import (
     EFFORTS,
     ENGINES,
     LINKAGES,
+    OVER_PATH,
     POWERS,
     PRESSED,
     RODS,
@@ -30,6 +31,7 @@ from kurbel.page.layouts import LANGUAGES, layout_names
 # Two rows show how a page is laid out; that its figures are right is tested where they are computed.
 ROWS = {
     "forces-coupled": ("--angle=0;60",),
+    **dict.fromkeys(("over-path", "forces-path"), ("--shares=0;0.3",)),
     "pressures": ("--shares=0;0.3",),
     "pressures-turn": ("--angle=0;60",),
     "kolbenwege": ("--angle=0;60", "--ratio=1:5;1:4"),
@@ -81,6 +83,8 @@ OTHERS = {
     "solve-blau.en": ("solve", "--ratio=1:5;1:4", "--method=series", "--where=p = 1/6 of dead centre"),
     "solve-units.de": ("solve", *MACHINE, "--where=c = 3 m/s"),
     "solve-offset.en": ("solve", "--ratio=1:4", "--offset=0.5", "--where=psi=2°30'"),
+    "over-path-units.en": ("table", "--over=path", *MACHINE, "--offset=50mm", "--step=50%"),
+    "over-path-arc.de": ("table", "--over=path", "--mechanism=arc", "--rocker=6", "--step=50%"),
     "solve-arc.de": ("solve", "--mechanism=arc", "--rocker=6", "--where=rocker=0"),
     "collate-weisbach-149.en": ("collate", "weisbach-149", "--only=deviations"),
     "collate-blau-35.de": ("collate", "blau-35"),
@@ -115,6 +119,7 @@ PAGES = {
             *PRESSED,
             *COLLATIONS,
             *SOLVED,
+            *OVER_PATH,
             *SOLVED_LOADED,
         )
     },

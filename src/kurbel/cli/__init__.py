@@ -45,7 +45,7 @@ COMMANDS = {
         "Print the flywheel that keeps an engine or a machine even.",
     ),
     "deadcentres": (
-        "kurbel.commands.motion:dead_centres_table",
+        "kurbel.commands.drives.dead_centres:dead_centres_table",
         "Print the dead centres of a beam engine or a crank drive.",
     ),
     "harmonics": (

@@ -22,6 +22,7 @@ from kurbel.commands.cylinder.effort import (
 )
 from kurbel.commands.cylinder.given import Of
 from kurbel.commands.cylinder.slope import LYING, Lying
+from kurbel.commands.drives.given import OVER_PATH
 from kurbel.commands.loads import NAMES, OWN, PARTS
 from kurbel.commands.machines import (
     MASSES,
@@ -34,7 +35,14 @@ from kurbel.commands.machines import (
     weighed,
     weightless,
 )
-from kurbel.commands.motion import angles_of, meant, of_other_mechanisms, sheet_of
+from kurbel.commands.motion import (
+    angles_of,
+    is_over_path,
+    meant,
+    needless_over,
+    of_other_mechanisms,
+    sheet_of,
+)
 from kurbel.commands.options import Choice, LayoutName, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.drive import load
@@ -99,10 +107,14 @@ def _about(values: Mapping[str, Any]) -> str:
 
 
 def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
+    if is_over_path(values):
+        from kurbel.commands.over.loaded import check_piston
+
+        check_piston(_about(values), values)
     lone = {} if is_given(values["axles"]) else _refused(("driven",), "is for coupled axles; add --axles 3")
     if not loads.named(values):
         lone |= _refused(("of",), "names one of several cylinders; add each as --cylinder, or leave it out")
-    return {**lone, **_of_case(values)}
+    return {**lone, **needless_over(values), **_of_case(values)}
 
 
 def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
@@ -156,8 +168,8 @@ def _refused(names: tuple[str, ...], why: str) -> dict[str, str]:
 
 
 class Forces(
-    option.Run, option.AnyDrive, engines.Steam, engines.MovingRod, Lying, Pressing, Rods, Rubbing, Pinned,
-    option.Sheet, total=False,
+    option.Run, option.Over, option.AnyDrive, engines.Steam, engines.MovingRod, Lying, Pressing, Rods,
+    Rubbing, Pinned, option.Sheet, total=False,
 ):  # fmt: skip
     """A crank drive and all that can act on it."""
 
@@ -184,7 +196,7 @@ class Forces(
 @makes_table(
     foreign=_foreign,
     needless=_needless,
-    order="angle from_ to step zero columns offset stroke crank true_stroke"
+    order="angle from_ to step zero over shares columns offset stroke crank true_stroke"
     " time_ratio rod mechanism rocker pivot circuit beam axles"
     " driven force at eps back exponent clearance card other_side single_acting cranks bore pressure"
     " reciprocating rod_mass centre gyration rod_file rotating rocker_inertia vertical slope gravity"
@@ -217,7 +229,7 @@ def forces_table(
             " with --eps or --card engine-forces, with masses machine-forces,"
             " and rod-load for extremes and reversal of the rod's load;"
             f" of the {' or '.join(LINKAGES)} crank {', '.join(f'forces-{name}' for name in LINKAGES)}.",
-            kind=LayoutName((*OF_DRIVES, *OF_ENGINES, "tangent", *SUBJECTS, COUPLED)),
+            kind=LayoutName((*OF_DRIVES, *OF_ENGINES, "tangent", *SUBJECTS, COUPLED, OVER_PATH)),
         ),
     ] = None,
     **given: Unpack[Forces],
@@ -284,6 +296,11 @@ def forces_table(
             return engine_of(page, about_turn, columns=as_names(columns, "thrust,reversal_angle"))
         names = as_names(columns, "epsilon,delta")
         return engine_of(page, about_turn, angles=angles_of(page, over_cycle(given)), columns=names)
+    if is_over_path(all_given):
+        from kurbel.commands.over.loaded import loaded_path
+
+        page = layout_of(layout or "forces-path", (OVER_PATH,), layouts)
+        return loaded_path(chosen, said, page, {**all_given, "columns": columns})
     name = layout or (EFFORT if chosen.crosshead and _has_parts(all_given) else chosen.forces_layout)
     page = layout_of(name, (*OF_DRIVES, *OF_ENGINES) if chosen.crosshead else (chosen.subject,), layouts)
     if page.subject in OF_ENGINES:

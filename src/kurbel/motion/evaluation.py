@@ -202,14 +202,20 @@ def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
 
 
 def value(
-    quantity: Quantity, method: str, crank: Crank, circle: Any, numbers: Kind, degrees: Any = None
+    quantity: Quantity,
+    method: str,
+    crank: Crank,
+    circle: Any,
+    numbers: Kind,
+    degrees: Any = None,
+    way: int | None = None,
 ) -> Any:
     """Return the quantity in its unit, on the kind of number that circle and `numbers` are of.
 
-    A time takes the angle of the circle in `degrees`.
+    A time takes the angle of the circle in `degrees`, friction which `way` the piston goes, where it rests.
     """
     at = _place(quantity.stroke, method, crank, circle, numbers)
-    at.degrees = degrees
+    at.degrees, at.way = degrees, way
     return _value_at(quantity, method, at)
 
 

@@ -12,7 +12,7 @@ from flint import arb
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import half_turn_circle, pi, vanishes
+from kurbel.exact.certify import NEVER_TIES, half_turn_circle, pi, rounded, vanishes
 from kurbel.exact.course import Course
 from kurbel.exact.jet import Jet, ball_jets
 from kurbel.exact.kind import Kind, balls, bounds
@@ -25,7 +25,8 @@ from kurbel.motion.captions import Formulated, drive_notes, formula_lines
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import LOADED, OUT, certified, value
 from kurbel.motion.quantities import registry
-from kurbel.page.quantity import Column, Formula, Quantity
+from kurbel.page.quantity import Column, Formula, Quantity, multiplied
+from kurbel.reading.where import SHARE
 
 
 class SlideDrive(Drive):
@@ -45,6 +46,32 @@ class SlideDrive(Drive):
 
     def value(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
         return value(quantity, self.method, self.crank, circle, numbers)
+
+    def digits(
+        self,
+        column: str,
+        stroke: int,
+        place: Place,
+        decimals: int,
+        rounding: str,
+        times: Fraction = Fraction(1),
+    ) -> int:
+        # No ball tells which way a piston goes that rests: friction is that of the stroke which begins there.
+        way = self._way_from(stroke, place) if self.crank.rubbed and place.degrees is None else None
+        if way is None:
+            return super().digits(column, stroke, place, decimals, rounding, times)
+        quantity = multiplied(self.entries[column]._replace(stroke=stroke), times)
+
+        def at() -> Any:
+            circle = half_turn_circle(place.half_turns())
+            return value(quantity, self.method, self.crank, circle, balls(), way=way)
+
+        return rounded(at, decimals, rounding, NEVER_TIES)
+
+    def _way_from(self, stroke: int, place: Place) -> int | None:
+        """Return which way the piston goes from a dead centre of the stroke, None of another place."""
+        course = self.course(SHARE, stroke)
+        return {course.begin: 1, course.end: -1}.get(place)
 
     def jet(self, quantity: Quantity) -> Jet | None:
         """Return the quantity with its slopes; what masses add to a force has no rational numbers in it."""

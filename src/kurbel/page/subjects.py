@@ -64,6 +64,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "rod masses": Pages("kurbel.motion.rod_masses:SUBJECT", _INERTIA),
     "rocker inertia": Pages("kurbel.linkage.arc.inertia:SUBJECT", f"{_INERTIA} {_ARC}"),
     "roots": Pages("kurbel.solve.page:SUBJECT", "solve --where p=0"),
+    "over path": Pages("kurbel.solve.over.page:SUBJECT", "table --over path"),
     "unknown": Pages("kurbel.solve.unknown_page:SUBJECT", "solve --unknown ratio --angle 80 --where c=max"),
     "loaded roots": Pages("kurbel.solve.load_page:SUBJECT", "solve --eps 4 --where torque=max"),
     "construction": Pages("kurbel.books.constructions.page:SUBJECT", "construct blau-9"),

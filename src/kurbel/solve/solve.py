@@ -135,6 +135,13 @@ def solve(drive: Drive, condition: Condition) -> tuple[Root, ...]:
     return tuple(kept)
 
 
+def at_share(drive: Drive, share: Fraction, stroke: int) -> Root:
+    """Return where the piston has gone a share of a stroke: one place, for between the dead centres it goes
+    one way."""
+    (root,) = _on_stroke(drive, Condition(SHARE, VALUE, share), stroke)
+    return root
+
+
 def _course(root: Root) -> Course:
     return root.drive.course(root.condition.quantity, root.stroke)
 

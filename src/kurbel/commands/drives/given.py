@@ -1,5 +1,6 @@
 """The options that describe a crank drive: which one it is, and its lengths."""
 
+from collections.abc import Iterable
 from typing import Annotated, TypedDict
 
 from kurbel.commands.options import Choice, Option
@@ -15,6 +16,11 @@ Rod = Annotated[
     Exact | None,
     Option("Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m"),
 ]
+
+ANGLE, PATH = "angle", "path"
+AXES = (ANGLE, PATH)
+# What pages over the path are about.
+OVER_PATH = "over path"
 
 
 class Slide(TypedDict, total=False):
@@ -80,3 +86,23 @@ class AnyDrive(Linked, total=False):
     beam: Annotated[
         Exact | None, Option("Beam engine: arm of the beam in units of R, or a length.", "A", unit="R")
     ]
+
+
+class Over(TypedDict, total=False):
+    """What a page runs over."""
+
+    over: Annotated[
+        str,
+        Option(
+            "What the page runs over: angle (default), or path, at equal shares of the stroke, both strokes"
+            " beside each other; with --step 5% or --shares.",
+            kind=Choice("axis", AXES), default=ANGLE,
+        ),
+    ]  # fmt: skip
+    shares: Annotated[
+        Exact | Iterable[Exact] | None,
+        Option(
+            "With --over path: shares of the stroke, 25%, lists 0;0.5;1, ranges; default 0..1:0.1.", "SHARES",
+            many=True,
+        ),
+    ]  # fmt: skip

@@ -1,0 +1,1 @@
+"""Tables over the piston's path in place of the crank angle."""

@@ -1,0 +1,205 @@
+"""Tables over the path: angles at shares of the stroke, found anew in mpmath from crank, rod and slide."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator
+from fractions import Fraction
+from io import StringIO
+from typing import Any
+
+import pytest
+import textbook
+from cli import printed, refusal
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+from mpmath import mp
+
+import kurbel
+
+# mpmath has no types.
+Real = Any
+DIGITS = 20
+CLOSE = mp.mpf(10) ** -DIGITS * mp.mpf("0.51")
+OUT, RETURN = 0, 180
+ratios = st.fractions(Fraction(1, 20), Fraction(7, 10), max_denominator=40)
+shares = st.fractions(Fraction(0), Fraction(1), max_denominator=30)
+
+
+def records(*words: str) -> Iterator[dict[str, str]]:
+    yield from csv.DictReader(StringIO(printed(*words, "-f", "csv").out))
+
+
+def asked(ratio: Fraction, share: Fraction, columns: str, *more: str) -> dict[str, str]:
+    words = ("table", "--over=path", f"--ratio={ratio}", f"--shares={share}", f"--columns=share,{columns}")
+    (found,) = records(*words, f"--digits={DIGITS}", *more)
+    return found
+
+
+class Slide:
+    """Crank, rod and a crosshead on a line that misses the shaft by e: where the crosshead is, in R."""
+
+    def __init__(self, ratio: Fraction, offset: Fraction = Fraction(0)) -> None:
+        self.rod, self.offset = 1 / textbook.real(ratio), textbook.real(offset)
+
+    def place(self, angle: Real) -> Real:
+        """Return how far the crosshead is from the shaft along the slide."""
+        return mp.cos(angle) + mp.sqrt(self.rod**2 - (mp.sin(angle) - self.offset) ** 2)
+
+    def ends(self) -> tuple[Real, Real]:
+        """Return the angles of the dead centres: crank and rod in a line, once stretched and once folded."""
+        return mp.asin(self.offset / (self.rod + 1)), mp.pi + mp.asin(self.offset / (self.rod - 1))
+
+    def angle(self, share: Fraction, stroke: int) -> Real:
+        """Return the angle at a share of a stroke, from the slide direction on."""
+        inner, outer = self.ends()
+        low, high = (inner, outer) if stroke == OUT else (outer, inner + 2 * mp.pi)
+        gone = textbook.real(share) * (self.place(low) - self.place(high))
+        if share in (0, 1):
+            return high if share else low
+        return mp.findroot(
+            lambda angle: self.place(low) - self.place(angle) - gone, (low, high), solver="anderson"
+        )
+
+
+def check(row: dict[str, str], slide: Slide, share: Fraction) -> None:
+    for stroke, back in ((OUT, ""), (RETURN, "_return")):
+        angle, sign = slide.angle(share, stroke), -1 if stroke == OUT else 1
+        true = {
+            f"phi{back}": mp.degrees(angle) - stroke,
+            f"c{back}": sign * mp.diff(slide.place, angle),
+            f"p{back}": sign * mp.diff(slide.place, angle, 2),
+            f"psi{back}": mp.degrees(mp.asin((mp.sin(angle) - slide.offset) / slide.rod)),
+        }
+        for key, value in true.items():
+            given = mp.mpf(row[key])
+            assert abs(given - value) <= CLOSE, f"{key} at {share}: {given} for {value}"
+
+
+COLUMNS = "phi,phi_return,c,c_return,p,p_return,psi,psi_return"
+
+
+@given(ratio=ratios, share=shares)
+@example(ratio=Fraction(1, 5), share=Fraction(1, 10))
+@example(ratio=Fraction(5, 8), share=Fraction(1))
+@settings(deadline=None, max_examples=12)
+def test_angles_velocities_and_accelerations_are_those_of_the_links(ratio: Fraction, share: Fraction) -> None:
+    with mp.workdps(60):
+        check(asked(ratio, share, COLUMNS), Slide(ratio), share)
+
+
+@given(
+    ratio=st.fractions(Fraction(1, 12), Fraction(2, 5), max_denominator=20),
+    offset=st.fractions(Fraction(-9, 10), Fraction(9, 10), max_denominator=12),
+    share=shares,
+)
+@settings(deadline=None, max_examples=10)
+def test_offset_cranks_are_found_from_their_own_dead_centres(
+    ratio: Fraction, offset: Fraction, share: Fraction
+) -> None:
+    with mp.workdps(60):
+        check(asked(ratio, share, COLUMNS, f"--offset={offset}"), Slide(ratio, offset), share)
+
+
+def test_the_return_stroke_is_the_outstroke_from_its_other_end() -> None:
+    rows = list(records("table", "--over=path", "--ratio=1:4", "--step=12.5%"))
+    assert len(rows) == 9
+    for row, other in zip(rows, reversed(rows), strict=True):
+        assert row["c"] == other["c_return"]
+        assert Fraction(row["p"]) == -Fraction(other["p_return"])
+        assert Fraction(row["phi"]) + Fraction(other["phi_return"]) == 180
+
+
+def test_values_on_a_rounding_boundary_are_proved_to_lie_there() -> None:
+    # 1 - cos φ = 1/2 at 60°, and there p = cos 60°.
+    (row,) = records("table", "--over=path", "--method=infinite", "--shares=25%", "--digits=0")
+    assert (row["phi"], row["p"], row["p_return"]) == ("60", "1", "1")
+    # R, L and the way from shaft to crosshead are as 3, 4 and 5: sin φ = 4/5, tan ψ = 3/4, c/v = 5/4.
+    words = ("table", "--over=path", "--ratio=3:4", "--shares=1/3", "--columns=c", "--digits=1")
+    roundings = ("half-even", "half-away")
+    found = [next(records(*words, f"--rounding={one}"))["c"] for one in roundings]
+    assert found == ["1.2", "1.3"]
+
+
+def test_first_order_has_its_own_path() -> None:
+    ratio, share = Fraction(2, 9), Fraction(3, 10)
+    row = asked(ratio, share, "phi,c,p", "--method=series")
+    with mp.workdps(60):
+        lam = textbook.real(ratio)
+        # 1 - y + ½ λ (1 - y²) = 2 s for y = cos φ.
+        under = 1 + lam * (2 + lam - 4 * textbook.real(share))
+        cosine = (mp.sqrt(under) - 1) / lam
+        angle = mp.acos(cosine)
+        assert abs(mp.mpf(row["phi"]) - mp.degrees(angle)) <= CLOSE
+        assert abs(mp.mpf(row["c"]) - (mp.sin(angle) + lam / 2 * mp.sin(2 * angle))) <= CLOSE
+        assert abs(mp.mpf(row["p"]) - (cosine + lam * mp.cos(2 * angle))) <= CLOSE
+
+
+def test_forces_of_masses_are_those_at_the_angle() -> None:
+    about = (
+        "--offset=0.3", "--force=10kN", "--stroke=600mm", "--speed=120/min", "--reciprocating=200kg",
+        "--friction=500N", "--digits=3",
+    )  # fmt: skip
+    (row,) = records(
+        "forces",
+        *about,
+        "--over=path",
+        "--shares=35%",
+        "--columns=phi,torque_nm,guide_force_return_n,phi_return",
+    )
+    fine = asked(Fraction(1, 5), Fraction(7, 20), "phi,phi_return", "--offset=0.3")
+    for angle, key in (("phi", "torque_nm"), ("phi_return", "guide_force_return_n")):
+        (other,) = records("forces", *about, f"--angle={fine[angle]}", f"--columns={key}")
+        assert row[key] == other[key]
+
+
+def test_friction_at_an_end_is_that_of_the_stroke_which_begins_there() -> None:
+    rows = records(
+        "forces", "--over=path", "--offset=0.2", "--force=10kN", "--stroke=600mm", "--friction=500N",
+        "--step=50%", "--columns=friction_force_n,torque_nm",
+    )  # fmt: skip
+    assert [row["friction_force_n"] for row in rows] == ["-500.0", "-500.0", "500.0"]
+
+
+def test_linkages_move_over_their_arcs() -> None:
+    words = ("--mechanism=arc", "--rocker=6", "--ratio=1:5", f"--digits={DIGITS}")
+    rows = list(records("table", "--over=path", *words, "--step=20%", "--columns=share,phi,path,velocity"))
+    whole, unit = Fraction(rows[-1]["path"]), Fraction(1, 10**DIGITS)
+    for row in rows:
+        assert abs(Fraction(row["path"]) - whole * Fraction(row["share"])) <= unit
+        (at,) = records("table", *words, f"--angle={row['phi']}", "--columns=path,velocity")
+        # The angle is printed to as many places as what follows from it.
+        for key in ("path", "velocity"):
+            assert abs(Fraction(at[key]) - Fraction(row[key])) <= 2 * unit
+
+
+def test_python_takes_the_same_words() -> None:
+    page = kurbel.table("1:5", over="path", step=0.25, columns=["share", "phi"])
+    assert kurbel.typeset(page, "csv").splitlines()[1] == "0.00,0.0000"
+    assert len(list(page.records.rows)) == 5
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("--step 5", "write --step 5%"),
+        ("--angle 30", "--shares 0;50%;100% or --step 5%"),
+        ("--zero outer", "which count from the dead centre"),
+        ("--shares 0;101%", "within 0..1"),
+        ("--shares 0 --step 5%", "one or the other"),
+        ("--step 0.001%", "at most 10001"),
+        ("--layout kinematics", "not over the path"),
+        ("--columns velocity,rocker", "another mechanism"),
+        ("--columns c_mps", "--stroke and --speed"),
+        ("--columns time --method series", "--stroke and --speed"),
+        ("--from 50% --to 20%", "the end must not lie before the start"),
+    ],
+)
+def test_what_is_not_over_the_path_is_refused(words: str, said: str) -> None:
+    assert said in refusal("table", "--over", "path", *words.split())
+
+
+def test_shares_need_the_path_and_engines_have_none() -> None:
+    assert "with --over path" in refusal("table", "--shares", "0")
+    assert "kurbel pressures" in refusal("forces", "--over", "path", "--eps", "4")
+    assert "one position" in refusal("forces", "--over", "path", "--at", "tangent")
