@@ -105,6 +105,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "loaded roots": ("solve", "--eps=4", "--where=torque=max", "--where=tangential=0.5"),
     "roots": ("solve", "--where=p=0", "--where=s=25%", "--where=c=max"),
     "over path": ("table", "--over=path"),
+    "forces over path": ("forces", "--over=path"),
 }
 
 
@@ -140,7 +141,7 @@ DRIVES = about("motion", "arc crank", "parallel crank", "beam engine")
 PRESSED = about("pressures", "pressures over the angle")
 RODS = about("mass forces", "inertia", "inertia errors", "rod masses", "rocker inertia", "tangent")
 SOLVED = about("roots")
-OVER_PATH = about("over path")
+OVER_PATH = about("over path", "forces over path")
 SOLVED_LOADED = about("loaded roots", "unknown")
 
 each_layout = pytest.mark.parametrize(
@@ -242,6 +243,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "loaded roots": (kurbel.solve_table, {"eps": 4, "where": ("torque=max", "tangential=0.5")}),
     "roots": (kurbel.solve_table, {"where": ("p=0", "s=25%", "c=max")}),
     "over path": (kurbel.table, {"over": "path"}),
+    "forces over path": (kurbel.forces_table, {"over": "path"}),
 }  # fmt: skip
 
 

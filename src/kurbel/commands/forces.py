@@ -22,7 +22,7 @@ from kurbel.commands.cylinder.effort import (
 )
 from kurbel.commands.cylinder.given import Of
 from kurbel.commands.cylinder.slope import LYING, Lying
-from kurbel.commands.drives.given import OVER_PATH
+from kurbel.commands.drives.given import FORCES_OVER_PATH, OVER_PATH
 from kurbel.commands.loads import NAMES, OWN, PARTS
 from kurbel.commands.machines import (
     MASSES,
@@ -229,7 +229,9 @@ def forces_table(
             " with --eps or --card engine-forces, with masses machine-forces,"
             " and rod-load for extremes and reversal of the rod's load;"
             f" of the {' or '.join(LINKAGES)} crank {', '.join(f'forces-{name}' for name in LINKAGES)}.",
-            kind=LayoutName((*OF_DRIVES, *OF_ENGINES, "tangent", *SUBJECTS, COUPLED, OVER_PATH)),
+            kind=LayoutName(
+                (*OF_DRIVES, *OF_ENGINES, "tangent", *SUBJECTS, COUPLED, FORCES_OVER_PATH, OVER_PATH)
+            ),
         ),
     ] = None,
     **given: Unpack[Forces],
@@ -299,7 +301,7 @@ def forces_table(
     if is_over_path(all_given):
         from kurbel.commands.over.loaded import loaded_path
 
-        page = layout_of(layout or "forces-path", (OVER_PATH,), layouts)
+        page = layout_of(layout or "forces-path", (FORCES_OVER_PATH, OVER_PATH), layouts)
         return loaded_path(chosen, said, page, {**all_given, "columns": columns})
     name = layout or (EFFORT if chosen.crosshead and _has_parts(all_given) else chosen.forces_layout)
     page = layout_of(name, (*OF_DRIVES, *OF_ENGINES) if chosen.crosshead else (chosen.subject,), layouts)

@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.drives.given import OVER_PATH, PATH
+from kurbel.commands.drives.given import FORCES_OVER_PATH, OVER_PATH, PATH
 from kurbel.commands.options import is_given
 from kurbel.commands.parameters import Given, Sheet
 from kurbel.commands.subject import makes_table
@@ -111,7 +111,7 @@ def is_over_path(values: Mapping[str, Any]) -> bool:
     name = values["layout"]
     if name is None:
         return bool(values["over"] == PATH)
-    over = layout_named(name, values["layouts"]).subject == OVER_PATH
+    over = layout_named(name, values["layouts"]).subject in (OVER_PATH, FORCES_OVER_PATH)
     if values["over"] == PATH and not over:
         raise ProblemError(
             f"layout {name} is not over the path; leave --over out, or --layout, for a page of its own"

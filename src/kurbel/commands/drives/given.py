@@ -20,7 +20,7 @@ Rod = Annotated[
 ANGLE, PATH = "angle", "path"
 AXES = (ANGLE, PATH)
 # What pages over the path are about.
-OVER_PATH = "over path"
+OVER_PATH, FORCES_OVER_PATH = "over path", "forces over path"
 
 
 class Slide(TypedDict, total=False):

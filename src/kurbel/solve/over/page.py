@@ -201,7 +201,7 @@ def _listed() -> Iterator[tuple[str, Quantity]]:
     yield from (("table --over path", one) for one in ANGLES.values())
 
 
-SUBJECT = Subject(
+MOTION = Subject(
     key="over path",
     layout="over-path",
     command="table --over path",
@@ -213,4 +213,8 @@ SUBJECT = Subject(
     notes=captions.notes,
     options=NEEDS,
     listed=_listed,
+)
+# The same of forces.
+FORCES = MOTION._replace(
+    key="forces over path", layout="forces-path", command="forces --over path", listed=tuple
 )
