@@ -115,6 +115,8 @@ def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
         "parallel crank",
         "coupled axles",
         "beam engine",
+        "over path",
+        "forces over path",
     )
 
 

@@ -137,7 +137,7 @@ COLLATIONS = about("collation", "formulas")
 EFFORTS = about("effort")
 LINKAGES = about("arc crank", "parallel crank", "coupled axles", "beam engine")
 # What `kurbel table` prints.
-DRIVES = about("motion", "arc crank", "parallel crank", "beam engine")
+DRIVES = about("motion", "arc crank", "parallel crank", "beam engine", "over path")
 PRESSED = about("pressures", "pressures over the angle")
 RODS = about("mass forces", "inertia", "inertia errors", "rod masses", "rocker inertia", "tangent")
 SOLVED = about("roots")
