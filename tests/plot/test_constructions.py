@@ -31,7 +31,8 @@ def test_a_length_on_paper_is_the_printed_one(name: str) -> None:
     for ratio, angle in drives(name, 3):
         drawing = kurbel.plot_construction(name, ratio=ratio, angle=angle)
         svg = drawing.image().decode()
-        scale = float(re.match(r"R = ([\d.e-]+) mm", drawing.about)[1])  # type: ignore[index]
+        # "R = 15 mm, F = 30 mm; 1. …"
+        scales = dict(re.findall(r"(\S+) = ([\d.e-]+) mm", drawing.about.partition(";")[0]))
         page = kurbel.construction_table(
             name, ratio=ratio, angle=angle, columns="length,drawn,unit", digits=12
         )
@@ -44,5 +45,5 @@ def test_a_length_on_paper_is_the_printed_one(name: str) -> None:
             assert found, (name, ratio, angle, written)
             x, y, to_x, to_y = map(float, found.groups())
             assert math.hypot(to_x - x, to_y - y) * POINT == pytest.approx(
-                abs(printed.scaled) / 10**printed.decimals * scale, abs=PAPER
+                abs(printed.scaled) / 10**printed.decimals * float(scales[plain(str(unit))]), abs=PAPER
             ), (name, ratio, angle, written)

@@ -8,6 +8,7 @@ from kurbel.books.constructions.geometry import Point
 from kurbel.books.constructions.model import (
     CENTRE,
     LINK,
+    Angle,
     Arc,
     Circle,
     Construction,
@@ -72,7 +73,7 @@ FIG_9 = Construction(
                 "Kurbel $O c$ um den Winkel $α$ aus der Totlage gedreht, Schubstange $c C = L$"
                 "|Crank $O c$ turned by $α$ out of the dead centre, rod $c C = L$"
             ),
-            (Line("O", "c", LINK), Line("c", "C", LINK)),
+            (Line("O", "c", LINK), Line("c", "C", LINK), Angle("O", "a", "c", "$α$", 1)),
             ("c", "C"),
         ),
         Step(
@@ -101,6 +102,7 @@ FIG_9 = Construction(
             (
                 Line("O", "c'", LINK),
                 Line("c'", "C'", LINK),
+                Angle("O", "b", "c'", "$α$", 1),
                 Arc("C'", "c'", "d'"),
                 Line("c'", "f'"),
                 Measure("bd'", 1),

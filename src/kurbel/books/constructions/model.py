@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
 
 from kurbel.books.constructions.geometry import Point, distance
@@ -75,12 +76,17 @@ class RightAngle(NamedTuple):
 
 
 class Angle(NamedTuple):
-    """An angle at a corner between the ways to two points, with its symbol."""
+    """An angle at a corner between the ways to two points, with its symbol.
+
+    It is the smaller one, or with a `sense` that from the first way to the other as the crank turns (1) or
+    against it (-1), with an arrow at its end.
+    """
 
     corner: str
     one: str
     other: str
     symbol: Label
+    sense: int = 0
 
 
 class Measure(NamedTuple):
@@ -122,10 +128,19 @@ class Length(NamedTuple):
     is_arc: bool = False
 
 
+class Position(NamedTuple):
+    """A position of the straight crank that no angle in degrees says: its place on the circle by λ, and in
+    words."""
+
+    circle: Callable[[Any], Any]
+    said: Words
+
+
 @dataclass(frozen=True)
 class Placed:
     """A drive at a crank angle φ in degrees, from the inner dead centre, on a kind of number.
 
+    A `position` gives the place on the circle of what no angle in degrees says; the angle is then near it.
     Lengths are in units of R, from the shaft O: across towards the crosshead, up on the side of the crank pin
     on the outstroke.
     """
@@ -133,10 +148,11 @@ class Placed:
     drive: Crank
     angle: Fraction
     kind: Kind
+    position: Position | None = None
 
     @cached_property
     def circle(self) -> Any:
-        return self.kind.circle(self.angle)
+        return self.position.circle(self.ratio) if self.position else self.kind.circle(self.angle)
 
     @cached_property
     def ratio(self) -> Any:
@@ -178,8 +194,9 @@ class Construction(NamedTuple):
     """A construction: its name on the command line, its title and book, the mechanisms for which it holds
     and the sentence that refuses others, its points, steps and lengths.
 
-    A `mirrored` one is drawn with the crosshead on the left, as its book has it. `angle` is drawn where none
-    is given.
+    A `mirrored` one is drawn with the crosshead on the left, as its book has it. Where no angle is given
+    `angle` is drawn, or of a straight crank the `position`; `angle_symbol` is the crank angle's. `scales` are
+    the units that are drawn longer or shorter than R, in R.
     """
 
     name: str
@@ -192,7 +209,10 @@ class Construction(NamedTuple):
     refusal: str = ""
     mirrored: bool = False
     angle: str = "50"
+    angle_symbol: Label = "$α$"
     notes: Sequence[Words] = ()
+    position: Position | None = None
+    scales: Mapping[str, Fraction] = MappingProxyType({})
 
     def said(self, label: Label) -> Label:
         """Return a label in which two letters of points beside each other are the length between them."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -28,11 +29,11 @@ WORDS: Mapping[str, Words] = {
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ConstructionRequest(Question):
-    """What is asked for: a construction of a drive at a crank angle."""
+    """What is asked for: a construction of a drive at a crank angle, or in the position of its book."""
 
     construction: Construction
     drive: Crank
-    angle: Fraction
+    angle: Fraction | None
 
     @cached_property
     def ratios(self) -> tuple[Fraction, ...]:
@@ -47,7 +48,24 @@ class ConstructionRequest(Question):
         return self.label or self.construction.name
 
     def at(self, kind: Kind) -> Placed:
-        return Placed(self.drive, self.angle, kind)
+        if self.angle is not None:
+            return Placed(self.drive, self.angle, kind)
+        return Placed(self.drive, self._near, kind, self.construction.position)
+
+    @cached_property
+    def _near(self) -> Fraction:
+        """The angle of the position, to a float."""
+        assert self.construction.position
+        circle = self.construction.position.circle(float(self.drive.ratio))
+        return Fraction(math.degrees(math.atan2(circle.sine, circle.cosine)))
+
+    @property
+    def place(self) -> Label:
+        """Where the crank stands, in words."""
+        if self.angle is not None:
+            return f"{self.construction.angle_symbol[:-1]} = {angle_text(self.angle)}$"
+        assert self.construction.position
+        return self.construction.position.said[self.lang]
 
     def drawn(self, length: Length, kind: Kind) -> Any:
         """Return a length by the points of the construction."""
@@ -118,7 +136,7 @@ def caption(request: ConstructionRequest) -> Label:
     parts = {
         "{construction}": request.construction.title[lang],
         "{for_ratio}": for_ratio(request.drive.ratio, lang),
-        "{angle}": angle_text(request.angle),
+        "{place}": request.place,
     }
     return filled(request.layout.caption[lang], parts.items())
 

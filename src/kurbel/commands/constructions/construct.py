@@ -1,8 +1,10 @@
 """A construction of the books: its drawing, and the table of the lengths that it gives."""
 
 from collections.abc import Mapping
+from fractions import Fraction
 from typing import Annotated, Any, Unpack
 
+from kurbel.books.constructions.model import Construction
 from kurbel.books.constructions.page import ConstructionRequest
 from kurbel.books.constructions.registry import CONSTRUCTIONS, construction
 from kurbel.commands import parameters as option
@@ -12,6 +14,7 @@ from kurbel.commands.options import Choice, Option
 from kurbel.commands.plots import only
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws, makes_table
+from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import layout_of
 from kurbel.reading.given import Exact, as_angle, as_names
@@ -50,8 +53,15 @@ def _asked(name: str, given: Mapping[str, Any], **sheet: Any) -> ConstructionReq
     drive = only(chosen.drives(said, page.ratios), "angle", "ratios")
     if not drive.ratio:
         raise ProblemError("a rod of infinite length cannot be drawn; give a finite one, such as 1:5")
-    angle = as_angle(shown.angle if given["angle"] is None else given["angle"], "angle")
-    return ConstructionRequest(layout=page, construction=shown, drive=drive, angle=angle % 360, **sheet)
+    angle = _angle(shown, drive, given["angle"])
+    return ConstructionRequest(layout=page, construction=shown, drive=drive, angle=angle, **sheet)
+
+
+def _angle(shown: Construction, drive: Crank, given: Exact | None) -> Fraction | None:
+    """Return the crank angle, none for the position of the book."""
+    if given is None and shown.position and not drive.offset:
+        return None
+    return as_angle(shown.angle if given is None else given, "angle") % 360
 
 
 @makes_table(foreign=of_other_mechanisms)
