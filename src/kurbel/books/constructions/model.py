@@ -10,6 +10,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
 
+from kurbel.books.constructions.beside import ALONE, Beside
 from kurbel.books.constructions.geometry import Point, distance
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind
@@ -79,7 +80,8 @@ class Angle(NamedTuple):
     """An angle at a corner between the ways to two points, with its symbol.
 
     It is the smaller one, or with a `sense` that from the first way to the other as the crank turns (1) or
-    against it (-1), with an arrow at its end.
+    against it (-1), with an arrow at its end. `at` is the share of the shorter way at which its arc lies,
+    however small the angle is.
     """
 
     corner: str
@@ -87,6 +89,21 @@ class Angle(NamedTuple):
     other: str
     symbol: Label
     sense: int = 0
+    at: float | None = None
+
+
+class Curve(NamedTuple):
+    """A line through many points, one of the curves of the construction by its name."""
+
+    name: str
+    look: str = AID
+
+
+class Text(NamedTuple):
+    """A text beside a point that has no letter."""
+
+    at: str
+    text: Label
 
 
 class Measure(NamedTuple):
@@ -97,7 +114,7 @@ class Measure(NamedTuple):
     level: int = 0
 
 
-Element: TypeAlias = Line | Arrow | Arc | Circle | RightAngle | Angle | Measure
+Element: TypeAlias = Line | Arrow | Arc | Circle | RightAngle | Angle | Curve | Text | Measure
 
 
 class Step(NamedTuple):
@@ -114,7 +131,8 @@ class Length(NamedTuple):
 
     `symbol` is what it stands for and `formula` how the book computes it, labels. `drawn` is the number by
     the points and `true` that by the kernel, both in `unit`. `approximate` tells why they differ, nothing
-    where the construction is exact. An arc (in degrees, by `kind.arc`) never ties.
+    where the construction is exact. An arc (in degrees, by `kind.arc`) never ties; of one that is `enclosed`
+    balls alone know the true value, which is no tie.
     """
 
     letters: str
@@ -126,6 +144,7 @@ class Length(NamedTuple):
     unit: str = "$R$"
     approximate: Words | None = None
     is_arc: bool = False
+    enclosed: bool = False
 
 
 class Position(NamedTuple):
@@ -149,6 +168,7 @@ class Placed:
     angle: Fraction
     kind: Kind
     position: Position | None = None
+    beside: Beside = ALONE
 
     @cached_property
     def circle(self) -> Any:
@@ -196,7 +216,8 @@ class Construction(NamedTuple):
 
     A `mirrored` one is drawn with the crosshead on the left, as its book has it. Where no angle is given
     `angle` is drawn, or of a straight crank the `position`; `angle_symbol` is the crank angle's. `scales` are
-    the units that are drawn longer or shorter than R, in R.
+    the units that are drawn longer or shorter than R, in R. Without `angle` and `position` it is of no crank
+    angle. `takes` are the options that it takes beside the drive, `curves` its curves, in floats.
     """
 
     name: str
@@ -213,6 +234,8 @@ class Construction(NamedTuple):
     notes: Sequence[Words] = ()
     position: Position | None = None
     scales: Mapping[str, Fraction] = MappingProxyType({})
+    takes: tuple[str, ...] = ()
+    curves: Callable[[Placed], Mapping[str, Sequence[Point]]] | None = None
 
     def said(self, label: Label) -> Label:
         """Return a label in which two letters of points beside each other are the length between them."""

@@ -9,6 +9,7 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
 
+from kurbel.books.constructions.beside import ALONE, Beside
 from kurbel.books.constructions.model import Construction, Length, Placed, lettered
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind, settled
@@ -17,6 +18,7 @@ from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_text
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, filled, for_ratio, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field, Value
+from kurbel.reading.notation import plain
 
 DECIMALS = 5
 WORDS: Mapping[str, Words] = {
@@ -34,6 +36,7 @@ class ConstructionRequest(Question):
     construction: Construction
     drive: Crank
     angle: Fraction | None
+    beside: Beside = ALONE
 
     @cached_property
     def ratios(self) -> tuple[Fraction, ...]:
@@ -49,8 +52,8 @@ class ConstructionRequest(Question):
 
     def at(self, kind: Kind) -> Placed:
         if self.angle is not None:
-            return Placed(self.drive, self.angle, kind)
-        return Placed(self.drive, self._near, kind, self.construction.position)
+            return Placed(self.drive, self.angle, kind, beside=self.beside)
+        return Placed(self.drive, self._near, kind, self.construction.position, self.beside)
 
     @cached_property
     def _near(self) -> Fraction:
@@ -61,7 +64,9 @@ class ConstructionRequest(Question):
 
     @property
     def place(self) -> Label:
-        """Where the crank stands, in words."""
+        """Where the crank stands, in words; of a beam engine that stands nowhere, its arm."""
+        if not (self.construction.angle or self.construction.position):
+            return f"$a = {plain(getattr(self.drive, 'arm', Fraction(0)))} r$"
         if self.angle is not None:
             return f"{self.construction.angle_symbol[:-1]} = {angle_text(self.angle)}$"
         assert self.construction.position
@@ -93,7 +98,7 @@ def _number(request: ConstructionRequest, column: Column, place: Place, times: i
         lambda kind: times * _by(request, length, key, kind),
         column.places,
         request.rounding,
-        not length.is_arc,
+        not (length.is_arc or (length.enclosed and key != "drawn")),
     )
     return Number(found, column.places)
 

@@ -8,8 +8,9 @@ from kurbel.books.constructions.model import Construction
 from kurbel.books.constructions.page import ConstructionRequest
 from kurbel.books.constructions.registry import CONSTRUCTIONS, construction
 from kurbel.commands import parameters as option
+from kurbel.commands.constructions import beside
 from kurbel.commands.drawn.size import Sized, page_size
-from kurbel.commands.motion import described, of_other_mechanisms, sheet_of
+from kurbel.commands.motion import described, meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Choice, Option
 from kurbel.commands.plots import only
 from kurbel.commands.shown import Drawing, mark_of
@@ -30,41 +31,66 @@ Name = Annotated[
 
 
 class Given(option.AnyDrive, total=False):
-    """A crank drive at one crank angle."""
+    """A crank drive at one crank angle, and what some constructions take beside it."""
 
     ratio: option.Ratios
     angle: Annotated[
         Exact | None,
         Option("Crank angle from the inner dead centre, in degrees: 50.", "ANGLE", unit="degrees"),
     ]
+    point: beside.Point
+    centre: beside.Centre
+    gyration: beside.Gyration
+    eps: beside.Eps
+    back: beside.Back
 
 
 class Listed(Given, option.Sheet, total=False):
     """The same on a page."""
 
 
+def _of_others(values: Mapping[str, Any]) -> dict[str, str]:
+    """Return what was given that describes drives of other constructions."""
+    return of_other_mechanisms(_held(values))
+
+
+def _held(given: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return the values with the mechanism for which alone the construction holds, where none is named."""
+    shown = construction(given["name"])
+    named = given["mechanism"] or given["offset"] is not None or "straight" in shown.holds
+    return given if named else {**given, "mechanism": shown.holds[0]}
+
+
 def _asked(name: str, given: Mapping[str, Any], **sheet: Any) -> ConstructionRequest:
     """Return what is asked for; raise ProblemError for a drive for which the construction does not hold."""
-    shown, (chosen, said) = construction(name), described(given)
-    if chosen.name not in shown.holds:
+    shown = construction(name)
+    given = _held({**given, "name": name})
+    if meant(given).name not in shown.holds:
         others = " and ".join(shown.holds)
         raise ProblemError(shown.refusal or f"construction {name} holds for the {others} crank alone")
+    chosen, said = described(given)
     page = sheet.pop("layout", None) or layout_of("construction", ("construction",), None)
     drive = only(chosen.drives(said, page.ratios), "angle", "ratios")
     if not drive.ratio:
         raise ProblemError("a rod of infinite length cannot be drawn; give a finite one, such as 1:5")
-    angle = _angle(shown, drive, given["angle"])
-    return ConstructionRequest(layout=page, construction=shown, drive=drive, angle=angle, **sheet)
+    angle, more = _angle(shown, drive, given["angle"]), beside.read(shown, given, drive)
+    return ConstructionRequest(
+        layout=page, construction=shown, drive=drive, angle=angle, beside=more, **sheet
+    )
 
 
 def _angle(shown: Construction, drive: Crank, given: Exact | None) -> Fraction | None:
     """Return the crank angle, none for the position of the book."""
     if given is None and shown.position and not drive.offset:
         return None
+    if not (shown.angle or shown.position):
+        if given is not None:
+            raise ProblemError(f"construction {shown.name} is of no crank angle; leave --angle out")
+        return Fraction(0)
     return as_angle(shown.angle if given is None else given, "angle") % 360
 
 
-@makes_table(foreign=of_other_mechanisms)
+@makes_table(foreign=_of_others)
 def construction_table(
     name: Name,
     *,
@@ -92,7 +118,7 @@ class Drawn(Given, Sized, total=False):
     decimal: option.Decimal
 
 
-@draws(foreign=of_other_mechanisms)
+@draws(foreign=_of_others)
 def plot_construction(name: Name, **given: Unpack[Drawn]) -> Drawing:
     """Draw a construction to scale, with the letters of its book."""
     from kurbel.plot.construct.drawing import construction_drawing

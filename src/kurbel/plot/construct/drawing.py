@@ -7,7 +7,7 @@ Each line has the id of its step in SVG, "step-3-2", a length that is read off t
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
 # In mm: the largest crank radius, what is left free about the drawing, and a point.
 LARGEST_RADIUS, MARGIN, DOT = 24.0, 7.0, 0.45
+# Higher, in mm, it would not stand on a page with its caption.
+TALLEST = 160.0
 
 
 def construction_drawing(request: ConstructionRequest, mark: str, size: Size = USUAL) -> Drawing:
@@ -42,9 +44,10 @@ def construction_drawing(request: ConstructionRequest, mark: str, size: Size = U
             f"the rod is too long to be drawn; drawn to scale it may be at most {LONGEST_ROD} R, or the crank"
             " is too small to be seen"
         )
-    points = drawn_points(shown, request.at(floats()))
+    at = request.at(floats())
+    points, curves = drawn_points(shown, at), drawn_curves(shown, at)
     with style():
-        board = _board(shown, points, size, mark)
+        board = _board(shown, points, curves, size, mark)
         for number, step in enumerate(shown.steps, 1):
             board.sketch.texts.name = f"step-{number}"
             for place, element in enumerate(step.drawn, 1):
@@ -67,8 +70,21 @@ def drawn_points(shown: Construction, at: Placed) -> Mapping[str, Point]:
     return {letter: (sign * point.x, point.y) for letter, point in shown.points(at).items()}
 
 
-def _board(shown: Construction, points: Mapping[str, Point], size: Size, mark: str) -> Board:
-    low, high = extent(shown, points)
+def drawn_curves(shown: Construction, at: Placed) -> Mapping[str, Sequence[Point]]:
+    """Return the curves likewise."""
+    sign = -1 if shown.mirrored else 1
+    found = shown.curves(at) if shown.curves else {}
+    return {name: [(sign * point.x, point.y) for point in curve] for name, curve in found.items()}
+
+
+def _board(
+    shown: Construction,
+    points: Mapping[str, Point],
+    curves: Mapping[str, Sequence[Point]],
+    size: Size,
+    mark: str,
+) -> Board:
+    low, high = extent(shown, points, curves)
     levels = [one.level for step in shown.steps for one in step.drawn if isinstance(one, model.Measure)]
     below, above = -min((0, *levels)) * ROW, max((0, *levels)) * ROW
     margin = (MARGIN, MARGIN)
@@ -79,12 +95,14 @@ def _board(shown: Construction, points: Mapping[str, Point], size: Size, mark: s
             (high[0] + margin[0] * mm, high[1] + (margin[1] + above) * mm),
         )
 
-    room = WIDTH - 2 * MARGIN
-    usual = math.floor(2 * min(LARGEST_RADIUS, room / (high[0] - low[0]))) / 2
+    room, height = WIDTH - 2 * MARGIN, TALLEST - 2 * MARGIN - above - below
+    largest = min(LARGEST_RADIUS, room / (high[0] - low[0]), height / (high[1] - low[1]))
+    usual = math.floor(2 * largest) / 2
     lower, upper, mm = fitted(corners, usual, size)
     sketch = laid_out(lower, upper, mm)
     lengths = {one.letters: one for one in shown.lengths}
-    return Board(sketch, points, lengths, low[1], high[1], mark, -1 if shown.mirrored else 1)
+    turning = -1 if shown.mirrored else 1
+    return Board(sketch, points, curves, lengths, low[1], high[1], mark, turning)
 
 
 def _named(board: Board, element: Element, name: str) -> None:

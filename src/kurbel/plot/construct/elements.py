@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from kurbel.books.constructions import model
@@ -21,6 +21,8 @@ from kurbel.plot.style import MEDIUM, STRONG, THIN, arrowhead, text_of
 
 # In mm: between rows of dimensions, at a mark, and below that a length has no dimension.
 ROW, CORNER, SHORTEST = 6.0, 2.2, 0.15
+# In mm: below that an angle has no arc, and how far arrows from outside reach.
+LEAST_ANGLE, OUTSIDE = 1.2, 5.0
 # The arrowhead of a vector: its length in mm and how slim it is.
 HEAD = (2.6, 0.17)
 HIDDEN = (0, (6, 3))
@@ -39,6 +41,7 @@ class Board(NamedTuple):
 
     sketch: Sketch
     points: Mapping[str, Point]
+    curves: Mapping[str, Sequence[Point]]
     lengths: Mapping[str, Length]
     low: float
     high: float
@@ -70,12 +73,17 @@ def _line(board: Board, one: model.Line) -> None:
 
 def _arrow(board: Board, one: model.Arrow) -> None:
     start, end = board.points[one.start], board.points[one.end]
+    letters = board.read_off(one.start, one.end)
     if math.dist(start, end) < 0.05 * board.sketch.mm:
+        if letters:
+            _length(board.sketch, start, end, letters, one.look)
         return
     drawn = board.sketch.line(start, end, **{**LOOKS[one.look], "linewidth": MEDIUM})
-    if letters := board.read_off(one.start, one.end):
+    if letters:
         drawn.set(zorder=STRONG_LEVEL, gid=f"length-{letters}")
-    arrowhead(board.sketch.axes, end, towards(start, end), board.sketch.mm, *HEAD)
+    size, slim = HEAD
+    size = min(size, 0.7 * math.dist(start, end) / board.sketch.mm)
+    arrowhead(board.sketch.axes, end, towards(start, end), board.sketch.mm, size, slim)
     if one.symbol:
         board.sketch.beside((start, end), board.text(one.symbol), 0.5, 1)
 
@@ -127,9 +135,13 @@ def _angle(board: Board, one: model.Angle) -> None:
     radius, start, end = arc_of(board.points, model.Arc(one.corner, one.one, one.other))
     if one.sense and (end - start) * one.sense * board.turning < 0:
         end += 360 * one.sense * board.turning
-    radius = min(0.42, 0.6 * reach) if reach < 2 else 0.25 * reach
-    if abs(math.radians(end - start)) * radius < 1.2 * board.sketch.mm:
+    usual = min(0.42, 0.6 * reach) if reach < 2 else 0.25 * reach
+    radius = usual if one.at is None else one.at * reach
+    span = abs(math.radians(end - start)) * radius / board.sketch.mm
+    if one.at is None and span < LEAST_ANGLE:
         return
+    if one.at is not None and span < LEAST_DIMENSION:
+        start, end = _from_outside(board, centre, radius, start, end)
     line = arc_points(centre, radius, start, end)
     board.sketch.line(*line)
     if one.sense:
@@ -138,6 +150,27 @@ def _angle(board: Board, one: model.Angle) -> None:
         way = (-math.sin(lean), math.cos(lean))
         arrowhead(board.sketch.axes, line[-1], moved((0, 0), way, one.sense * board.turning), board.sketch.mm)
     board.sketch.beside(line, board.text(one.symbol), 0.5, 1 if end < start else -1, ends=True)
+
+
+def _from_outside(
+    board: Board, centre: Point, radius: float, start: float, end: float
+) -> tuple[float, float]:
+    """Draw the arrows that point from outside at an angle too small for its letter; return where they
+    begin."""
+    mm = board.sketch.mm
+    by = math.copysign(math.degrees(OUTSIDE * mm / radius), end - start)
+    for turn, outside in ((start, start - by), (end, end + by)):
+        tip, tail = polar_point(centre, radius, turn), polar_point(centre, radius, outside)
+        arrowhead(board.sketch.axes, tip, towards(tail, tip), mm)
+    return start - by, end + by
+
+
+def _curve(board: Board, one: model.Curve) -> None:
+    board.sketch.line(*board.curves[one.name], **LOOKS[one.look])
+
+
+def _said(board: Board, one: model.Text) -> None:
+    board.sketch.beside_points([(board.points[one.at], (0.0, 1.0), board.text(one.text))], CORNER)
 
 
 def _measure(board: Board, one: model.Measure) -> None:
@@ -180,5 +213,7 @@ DRAW: Mapping[type, Callable[[Board, Any], None]] = {
     model.Circle: _circle,
     model.RightAngle: _right_angle,
     model.Angle: _angle,
+    model.Curve: _curve,
+    model.Text: _said,
     model.Measure: _measure,
 }

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
 
 from kurbel.books.constructions import model
 from kurbel.books.constructions.model import Construction
 from kurbel.plot.sketch import Point
 
 
-def extent(shown: Construction, points: Mapping[str, Point]) -> tuple[Point, Point]:
+def extent(
+    shown: Construction, points: Mapping[str, Point], curves: Mapping[str, Sequence[Point]]
+) -> tuple[Point, Point]:
     """Return the lower left and the upper right corner of what is drawn."""
-    xs, ys = zip(*_reached(shown, points), strict=True)
+    xs, ys = zip(*_reached(shown, points), *chain.from_iterable(curves.values()), strict=True)
     return (min(xs), min(ys)), (max(xs), max(ys))
 
 
