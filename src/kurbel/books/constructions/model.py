@@ -112,6 +112,7 @@ class Measure(NamedTuple):
 
     letters: str
     level: int = 0
+    look: str = RESULT
 
 
 Element: TypeAlias = Line | Arrow | Arc | Circle | RightAngle | Angle | Curve | Text | Measure
@@ -132,7 +133,8 @@ class Length(NamedTuple):
     `symbol` is what it stands for and `formula` how the book computes it, labels. `drawn` is the number by
     the points and `true` that by the kernel, both in `unit`. `approximate` tells why they differ, nothing
     where the construction is exact. An arc (in degrees, by `kind.arc`) never ties; of one that is `enclosed`
-    balls alone know the true value, which is no tie.
+    balls alone know the true value, which is no tie. An offset crank has the `offset_formula`, if that is
+    another.
     """
 
     letters: str
@@ -145,6 +147,7 @@ class Length(NamedTuple):
     approximate: Words | None = None
     is_arc: bool = False
     enclosed: bool = False
+    offset_formula: Label = ""
 
 
 class Position(NamedTuple):

@@ -14,6 +14,7 @@ from kurbel.books.constructions.model import Construction, Length, Placed, lette
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
+from kurbel.motion.captions import offset_notes
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_text
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, filled, for_ratio, words
 from kurbel.page.subject import Question, Subject
@@ -90,6 +91,8 @@ def _by(request: ConstructionRequest, length: Length, which: str, kind: Kind) ->
 
 def _number(request: ConstructionRequest, column: Column, place: Place, times: int = 1) -> Value:
     length, key = request.construction.lengths[place["length"]], column.quantity.key
+    if key == "formula" and request.drive.offset and length.offset_formula:
+        return request.construction.said(length.offset_formula)
     if key in _TEXTS:
         return request.construction.said(_TEXTS[key](length))
     if key == "error" and length.approximate is None:
@@ -156,6 +159,7 @@ def _notes(request: ConstructionRequest) -> Iterator[Label]:
         yield shown.said(WORDS["why"][lang].format(letters=lettered(one.letters), why=one.approximate[lang]))
     if not doubtful:
         yield WORDS["all"][lang]
+    yield from offset_notes((request.drive,), lang)
     for note in shown.notes:
         yield shown.said(note[lang])
 

@@ -9,6 +9,9 @@ from kurbel.reading.given import choose, found_at
 
 CONSTRUCTIONS: Mapping[str, str] = {
     "blau-9": "kurbel.books.constructions.blau:FIG_9",
+    "roetscher-1047-line": "kurbel.books.constructions.roetscher:ON_THE_LINE",
+    "roetscher-1047-circle": "kurbel.books.constructions.roetscher:BESIDE_THE_PIN",
+    "forces": "kurbel.books.constructions.triangle:TRIANGLE",
     # Another construction is one more line here.
 }
 

@@ -65,6 +65,8 @@ def _line(board: Board, one: model.Line) -> None:
     start, end = board.points[one.start], board.points[one.end]
     way, by = towards(start, end), one.beyond * board.sketch.mm
     start, end = moved(start, way, -by), moved(end, way, by)
+    if start == end:
+        return
     if one.look == model.CENTRE:
         board.sketch.chain(start, end)
     else:
@@ -179,7 +181,9 @@ def _measure(board: Board, one: model.Measure) -> None:
     start, end = (board.points[letter] for letter in length.ends)
     said = board.text(length.symbol or lettered(one.letters))
     if not one.level:
-        _length(sketch, start, end, one.letters, model.RESULT)
+        _length(sketch, start, end, one.letters, one.look)
+        if math.dist(start, end) < SHORTEST * sketch.mm:
+            return
         sketch.beside((start, end), said, 0.5, 1)
         return
     mm = sketch.mm
