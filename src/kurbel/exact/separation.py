@@ -66,6 +66,10 @@ class Separation:
     def __neg__(self) -> Separation:
         return self
 
+    def __abs__(self) -> Separation:
+        # It is the number or its negative.
+        return self
+
     def __pow__(self, exponent: float | Fraction) -> Separation:
         power = Fraction(exponent)
         if power < 0:

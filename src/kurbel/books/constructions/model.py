@@ -108,11 +108,12 @@ class Text(NamedTuple):
 
 class Measure(NamedTuple):
     """The dimension of a length: where it lies (level 0), or on a row below (-1, -2) or above (1, 2) all that
-    is drawn."""
+    is drawn. One that is not `written` has its line alone."""
 
     letters: str
     level: int = 0
     look: str = RESULT
+    written: bool = True
 
 
 Element: TypeAlias = Line | Arrow | Arc | Circle | RightAngle | Angle | Curve | Text | Measure
@@ -215,7 +216,8 @@ class Placed:
 
 class Construction(NamedTuple):
     """A construction: its name on the command line, its title and book, the mechanisms for which it holds
-    and the sentence that refuses others, its points, steps and lengths.
+    and the sentence that refuses others, its points, steps and lengths. `refused` says of a drive and an angle
+    why the construction fails there, nothing where it holds.
 
     A `mirrored` one is drawn with the crosshead on the left, as its book has it. Where no angle is given
     `angle` is drawn, or of a straight crank the `position`; `angle_symbol` is the crank angle's. `scales` are
@@ -231,6 +233,7 @@ class Construction(NamedTuple):
     lengths: Sequence[Length]
     holds: tuple[str, ...] = ("straight",)
     refusal: str = ""
+    refused: Callable[[Crank, Fraction], str] = lambda drive, angle: ""
     mirrored: bool = False
     angle: str = "50"
     angle_symbol: Label = "$α$"

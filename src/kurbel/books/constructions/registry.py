@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from kurbel.books.constructions.model import Construction
+from kurbel.errors import ChoiceError
 from kurbel.reading.given import choose, found_at
 
 CONSTRUCTIONS: Mapping[str, str] = {
@@ -12,12 +13,40 @@ CONSTRUCTIONS: Mapping[str, str] = {
     "roetscher-1047-line": "kurbel.books.constructions.roetscher:ON_THE_LINE",
     "roetscher-1047-circle": "kurbel.books.constructions.roetscher:BESIDE_THE_PIN",
     "forces": "kurbel.books.constructions.triangle:TRIANGLE",
+    "velocity": "kurbel.books.constructions.rates.velocity:VELOCITY",
+    "klein": "kurbel.books.constructions.rates.klein:KLEIN",
+    "rittershaus": "kurbel.books.constructions.rates.rittershaus:RITTERSHAUS",
+    "autenrieth": "kurbel.books.constructions.rates.autenrieth:AUTENRIETH",
     # Another construction is one more line here.
 }
+
+# Ensslin (1907) names these, too; no text that says their steps was found, so they are not drawn.
+UNFOUND: Mapping[str, str] = {
+    "mohr": "Mohr",
+    "mehmke": "Mehmke",
+    "bour-pröll": "Bour and Pröll",
+    "bour-proell": "Bour and Pröll",
+    "pröll": "Bour and Pröll",
+    "proell": "Bour and Pröll",
+    "bour": "Bour and Pröll",
+}
+
+
+def unfound(name: object) -> str:
+    """Return the sentence for a construction that has no source, nothing for others."""
+    author = UNFOUND.get(name.casefold()) if isinstance(name, str) else None
+    if author is None:
+        return ""
+    return (
+        f"the construction of {author} is not drawn, for no source that says its steps was found; klein,"
+        " rittershaus and autenrieth give the same length"
+    )
 
 
 def construction(name: str) -> Construction:
     """Return the construction of that name; raise ChoiceError where there is none."""
+    if sentence := unfound(name):
+        raise ChoiceError(sentence)
     found = found_at(CONSTRUCTIONS[choose(name, CONSTRUCTIONS, "construction")])
     assert isinstance(found, Construction)
     return found

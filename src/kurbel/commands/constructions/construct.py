@@ -6,7 +6,7 @@ from typing import Annotated, Any, Unpack
 
 from kurbel.books.constructions.model import Construction
 from kurbel.books.constructions.page import ConstructionRequest
-from kurbel.books.constructions.registry import CONSTRUCTIONS, construction
+from kurbel.books.constructions.registry import CONSTRUCTIONS, construction, unfound
 from kurbel.commands import parameters as option
 from kurbel.commands.constructions import beside
 from kurbel.commands.drawn.size import Sized, page_size
@@ -16,15 +16,25 @@ from kurbel.commands.plots import only
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws, makes_table
 from kurbel.drive.crank import Crank
-from kurbel.errors import ProblemError
+from kurbel.errors import ChoiceError, ProblemError
 from kurbel.page.layouts import layout_of
 from kurbel.reading.given import Exact, as_angle, as_names
+
+
+class _Name(Choice):
+    """The name of a construction; one that has no source is told so."""
+
+    def read(self, text: str, typed: Mapping[str, Any]) -> str:
+        if sentence := unfound(text):
+            raise ChoiceError(sentence)
+        return super().read(text, typed)
+
 
 Name = Annotated[
     str,
     Option(
         f"The construction: {', '.join(CONSTRUCTIONS)}.",
-        kind=Choice("construction", CONSTRUCTIONS),
+        kind=_Name("construction", CONSTRUCTIONS),
         positional=True,
     ),
 ]
@@ -74,6 +84,8 @@ def _asked(name: str, given: Mapping[str, Any], **sheet: Any) -> ConstructionReq
     if not drive.ratio:
         raise ProblemError("a rod of infinite length cannot be drawn; give a finite one, such as 1:5")
     angle, more = _angle(shown, drive, given["angle"]), beside.read(shown, given, drive)
+    if angle is not None and (sentence := shown.refused(drive, angle)):
+        raise ProblemError(sentence)
     return ConstructionRequest(
         layout=page, construction=shown, drive=drive, angle=angle, beside=more, **sheet
     )

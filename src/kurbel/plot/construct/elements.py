@@ -182,9 +182,8 @@ def _measure(board: Board, one: model.Measure) -> None:
     said = board.text(length.symbol or lettered(one.letters))
     if not one.level:
         _length(sketch, start, end, one.letters, one.look)
-        if math.dist(start, end) < SHORTEST * sketch.mm:
-            return
-        sketch.beside((start, end), said, 0.5, 1)
+        if one.written and math.dist(start, end) > SHORTEST * sketch.mm:
+            sketch.beside((start, end), said, 0.5, 1)
         return
     mm = sketch.mm
     edge = board.low if one.level < 0 else board.high

@@ -1,0 +1,96 @@
+"""The plan of velocities turned round by 90°, from which the velocity of the crosshead is read off.
+
+Letters and steps are those of Schmolke, Dinglers Polytechnisches Journal 330 (1915), 476, Abb. 3, but for O, P
+and Q, which are those of his Abb. 4. Autenrieth, Technische Mechanik, Fig. 249, has the same line through the
+shaft, by the instantaneous centre of the rod.
+"""
+
+from __future__ import annotations
+
+from kurbel.books.constructions.geometry import Point, plus, turned
+from kurbel.books.constructions.model import (
+    AID,
+    CENTRE,
+    GIVEN,
+    LINK,
+    RESULT,
+    Angle,
+    Arrow,
+    Circle,
+    Construction,
+    Line,
+    Measure,
+    Placed,
+    Points,
+    RightAngle,
+    Step,
+)
+from kurbel.books.constructions.rates import plan
+from kurbel.page.quantity import words
+
+
+def _points(at: Placed) -> Points:
+    pin, head, shaft, c = at.pin, at.crosshead, at.shaft, plan.turned_plan(at)
+    return {
+        "O": shaft,
+        "P": pin,
+        "Q": head,
+        "C": c,
+        "V": plus(pin, turned(pin)),
+        "W": plus(head, turned(c)),
+        "across": Point(head.x, shaft.y),
+        "above": Point(shaft.x, head.y),
+    }
+
+
+VELOCITY = Construction(
+    name="velocity",
+    title=words(
+        "Kolbengeschwindigkeit aus dem gedrehten Geschwindigkeitsplan"
+        "|Velocity of the piston, from the turned-round plan of velocities"
+    ),
+    source=words(
+        "Schmolke, Dinglers Polytechnisches Journal 330 (1915), 476, Abb. 3"
+        "|Schmolke, Dinglers Polytechnisches Journal 330 (1915), 476, Fig. 3"
+    ),
+    points=_points,
+    angle_symbol="$φ$",
+    holds=("straight", "offset"),
+    steps=(
+        Step(
+            plan.said(plan.DRIVE, shaft="O", pin="P", head="Q"),
+            (
+                Circle("O", "P", CENTRE),
+                Line("across", "O", CENTRE, 6),
+                Line("Q", "above", CENTRE, 6),
+                Line("O", "P", LINK),
+                Line("P", "Q", LINK),
+                Angle("O", "across", "P", "$φ$", 1),
+                Arrow("P", "V", "$v$", GIVEN),
+                RightAngle("P", "O", "V"),
+            ),
+            ("O", "P", "Q"),
+        ),
+        Step(
+            plan.said(plan.PLAN, shaft="O", pin="P", head="Q", plan="C"),
+            (
+                Line("P", "C", AID, 3),
+                Line("O", "C", AID, 3),
+                RightAngle("O", "C", "across"),
+                Measure("PC", look=GIVEN),
+                Measure("OC"),
+            ),
+            ("C",),
+        ),
+        Step(
+            words(
+                "Das Dreieck $O P C$ ist der gedrehte Plan: um 90° zurückgedreht ist $O P$ die Geschwindigkeit"
+                " $v$ von $P$ und $O C$ die Geschwindigkeit $c$ von $Q$"
+                "|The triangle $O P C$ is the turned plan: turned back by 90°, $O P$ is the velocity $v$ of $P$"
+                " and $O C$ the velocity $c$ of $Q$"
+            ),
+            (Arrow("Q", "W", "$c$", RESULT),),
+        ),
+    ),
+    lengths=(plan.velocity_length("O", "C"), plan.swing_length("P", "C", "Q")),
+)
