@@ -216,8 +216,8 @@ class Placed:
 
 class Construction(NamedTuple):
     """A construction: its name on the command line, its title and book, the mechanisms for which it holds
-    and the sentence that refuses others, its points, steps and lengths. `refused` says of a drive and an angle
-    why the construction fails there, nothing where it holds.
+    and the sentence that refuses others, its points, steps and lengths. `refused` says of a drive and an
+    angle why the construction fails there, nothing where it holds.
 
     A `mirrored` one is drawn with the crosshead on the left, as its book has it. Where no angle is given
     `angle` is drawn, or of a straight crank the `position`; `angle_symbol` is the crank angle's. `scales` are

@@ -58,7 +58,7 @@ AUTENRIETH = Construction(
     ),
     points=_points,
     angle_symbol="$φ$",
-    refusal="Autenrieth's construction holds for the straight crank alone; klein holds for the offset one, too",
+    refusal=plan.STRAIGHT.format(author="Autenrieth"),
     steps=(
         Step(
             plan.said(plan.DRIVE, shaft="O", pin="P", head="Q"),
@@ -108,11 +108,12 @@ AUTENRIETH = Construction(
         ),
         Step(
             words(
-                "Parallele zu $O P$ durch $E$: sie trifft die Schubrichtung in $G$, $Q G = p/ω^2$; $Q F$ und $F E$"
-                " sind ebenso die Beschleunigung von $Q$ um $P$, nach der Stange und senkrecht zu ihr, $E G$ die"
-                " von $P$"
-                "|Parallel to $O P$ through $E$: it meets the slide line at $G$, $Q G = p/ω^2$; so are $Q F$ and"
-                " $F E$ the acceleration of $Q$ about $P$, along the rod and square to it, and $E G$ that of $P$"
+                "Parallele zu $O P$ durch $E$: sie trifft die Schubrichtung in $G$, $Q G = p/ω^2$; $Q F$ und"
+                " $F E$ sind ebenso die Beschleunigung von $Q$ um $P$, nach der Stange und senkrecht zu ihr,"
+                " $E G$ die von $P$"
+                "|Parallel to $O P$ through $E$: it meets the slide line at $G$, $Q G = p/ω^2$; so are $Q F$"
+                " and $F E$ the acceleration of $Q$ about $P$, along the rod and square to it, and $E G$ that"
+                " of $P$"
             ),
             (
                 Line("E", "G", GIVEN),

@@ -92,10 +92,10 @@ KLEIN = Construction(
         ),
         Step(
             words(
-                "Die gemeinsame Sehne $K L$ der Kreise trifft die Schubstange in $Q$ und die Schubrichtung durch"
-                " $O$ in $N$"
-                "|The common chord $K L$ of the circles meets the rod at $Q$ and the slide direction through $O$"
-                " at $N$"
+                "Die gemeinsame Sehne $K L$ der Kreise trifft die Schubstange in $Q$ und die Schubrichtung"
+                " durch $O$ in $N$"
+                "|The common chord $K L$ of the circles meets the rod at $Q$ and the slide direction through"
+                " $O$ at $N$"
             ),
             (Line("K", "L", AID, 3), Line("Q", "N", AID, 3), RightAngle("Q", "P", "N")),
             ("K", "L", "Q", "N"),

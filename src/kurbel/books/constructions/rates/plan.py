@@ -22,7 +22,8 @@ PLAN = (
     " ${plan}$; ${shaft} {plan} = c/ω$, und ${pin} {plan}$ ist die Geschwindigkeit von ${head}$ um ${pin}$,"
     " beide um 90° gedreht"
     "|Perpendicular to the slide through ${shaft}$: it meets the rod, or the rod produced, at ${plan}$;"
-    " ${shaft} {plan} = c/ω$, and ${pin} {plan}$ is the velocity of ${head}$ about ${pin}$, both turned by 90°"
+    " ${shaft} {plan} = c/ω$, and ${pin} {plan}$ is the velocity of ${head}$ about ${pin}$, both turned by"
+    " 90°"
 )
 
 PARTS = (
@@ -31,6 +32,8 @@ PARTS = (
     "|${end} {shaft} = p/ω^2$; so are ${pin} {share}$ and ${share} {end}$ the acceleration of ${head}$ about"
     " ${pin}$, along the rod and square to it, and ${shaft} {pin}$ that of ${pin}$"
 )
+
+STRAIGHT = "{author}'s construction holds for the straight crank alone; klein holds for the offset one, too"
 
 
 def said(text: str, **letters: str) -> Words:

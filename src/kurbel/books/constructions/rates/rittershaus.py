@@ -48,8 +48,8 @@ def _refused(drive: Crank, angle: Fraction) -> str:
     if angle % 180:
         return ""
     return (
-        "at a dead centre the lines that are to meet in K are one and the same line: Rittershaus's construction"
-        " gives no point there; take klein, or an angle beside it, such as 1"
+        "at a dead centre the lines that are to meet in K are one and the same: Rittershaus's construction"
+        " has no point there; take klein, or an angle beside it, such as 1"
     )
 
 
@@ -63,7 +63,7 @@ RITTERSHAUS = Construction(
     points=_points,
     angle_symbol="$φ$",
     refused=_refused,
-    refusal="Rittershaus's construction holds for the straight crank alone; klein holds for the offset one, too",
+    refusal=plan.STRAIGHT.format(author="Rittershaus"),
     mirrored=True,
     steps=(
         Step(
@@ -98,7 +98,8 @@ RITTERSHAUS = Construction(
         ),
         Step(
             words(
-                "Senkrechte zur Schubrichtung durch $K$: sie trifft die Schubstange oder ihre Verlängerung in $Q$"
+                "Senkrechte zur Schubrichtung durch $K$: sie trifft die Schubstange oder ihre Verlängerung in"
+                " $Q$"
                 "|Perpendicular to the slide through $K$: it meets the rod, or the rod produced, at $Q$"
             ),
             (Line("K", "Q", AID, 3), RightAngle("K", "M", "Q")),

@@ -1,8 +1,7 @@
 """The plan of velocities turned round by 90°, from which the velocity of the crosshead is read off.
 
-Letters and steps are those of Schmolke, Dinglers Polytechnisches Journal 330 (1915), 476, Abb. 3, but for O, P
-and Q, which are those of his Abb. 4. Autenrieth, Technische Mechanik, Fig. 249, has the same line through the
-shaft, by the instantaneous centre of the rod.
+Steps and C are those of Schmolke, Dinglers Polytechnisches Journal 330 (1915), 476, Abb. 3; O, P and Q are
+those of his Abb. 4.
 """
 
 from __future__ import annotations
@@ -84,10 +83,10 @@ VELOCITY = Construction(
         ),
         Step(
             words(
-                "Das Dreieck $O P C$ ist der gedrehte Plan: um 90° zurückgedreht ist $O P$ die Geschwindigkeit"
-                " $v$ von $P$ und $O C$ die Geschwindigkeit $c$ von $Q$"
-                "|The triangle $O P C$ is the turned plan: turned back by 90°, $O P$ is the velocity $v$ of $P$"
-                " and $O C$ the velocity $c$ of $Q$"
+                "Das Dreieck $O P C$ ist der gedrehte Plan: um 90° zurückgedreht ist $O P$ die"
+                " Geschwindigkeit $v$ von $P$ und $O C$ die Geschwindigkeit $c$ von $Q$"
+                "|The triangle $O P C$ is the turned plan: turned back by 90°, $O P$ is the velocity $v$ of"
+                " $P$ and $O C$ the velocity $c$ of $Q$"
             ),
             (Arrow("Q", "W", "$c$", RESULT),),
         ),
