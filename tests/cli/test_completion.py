@@ -101,7 +101,7 @@ def test_a_command_completes_the_layouts_of_its_subject_only() -> None:
     assert completed("bash", "harmonics", "--layout", "h") == ["harmonics"]
     assert completed("bash", "balance", "--layout", "") == ["balance", "balance-angle", "balance-greatest"]
     assert completed("bash", "inertia", "--layout", "") == about(
-        "inertia", "inertia errors", "rod masses", "rocker inertia"
+        "inertia", "inertia errors", "rod masses", "pin masses", "rocker inertia"
     )
     assert completed("bash", "forces", "--layout", "") == about(
         "motion",

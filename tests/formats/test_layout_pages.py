@@ -49,8 +49,8 @@ ROWS = {
 }
 OVER_ANGLES = (
     "arc", "blau-kolbenwege", "engine-forces", "forces", "forces-arc", "forces-effort",
-    "forces-parallel", "forces-verfahren", "inertia",
-    "kinematics", "lueger-kolbenbewegung", "machine-forces", "parallel", "rod-load-turn", "speed",
+    "forces-parallel", "forces-verfahren", "inertia", "ensslin-parts", "ensslin-forces", "inertia-parts",
+    "mollier", "kinematics", "lueger-kolbenbewegung", "machine-forces", "parallel", "rod-load-turn", "speed",
     "torques", "turning", "turning-path",
     "verfahren",
 )  # fmt: skip
@@ -79,6 +79,20 @@ OTHERS = {
     "harmonics-path.de": ("harmonics", "--quantity=x", "--ratio=1:4;1:5", "--orders=4", "--digits=9"),
     "balance-v.en": ("balance", "--engine=v2-90", "--share=0.5", "--orders=2"),
     "inertia-units.de": ("inertia", *ROD_MACHINE, "--offset=0.2", "--angle=60"),
+    "ensslin-forces-units.de": (
+        "inertia",
+        "--layout=ensslin-forces",
+        *ROD_MACHINE,
+        "--offset=0.2",
+        "--angle=60",
+    ),
+    "ensslin-parts-units.en": (
+        "inertia",
+        "--layout=ensslin-parts",
+        *ROD_MACHINE,
+        "--acceleration=20rad/s2",
+        "--angle=60",
+    ),
     "forces-tangent-units.de": ("forces", "--at=tangent", "--force=10kN", "--stroke=600mm"),
     "solve-blau.en": ("solve", "--ratio=1:5;1:4", "--method=series", "--where=p = 1/6 of dead centre"),
     "solve-units.de": ("solve", *MACHINE, "--where=c = 3 m/s"),

@@ -12,9 +12,11 @@ from bodies import (
     Real,
     energy,
     few,
+    fields,
     moment,
     of_body,
     point_on_circle,
+    pulled,
     reactions,
     spread,
 )
@@ -54,29 +56,6 @@ def vector(pair: Vector[Real]) -> Real:
 
 def near(found: Real, true: Real, scale: Real = 1) -> bool:
     return bool(mp.norm(found - true) < 1e-13 * (scale + mp.norm(true)))
-
-
-def fields(drive: Drive, time: Real) -> dict[str, list[Real]]:
-    """The acceleration at A and at B in each part, taken apart by geometry."""
-    of_b = drive.acceleration(time, 1)
-    replaced = drive.acceleration(time, 0) - of_b
-    line = drive.rod(time) * drive.ratio
-    stretching = (replaced.T * line)[0] * line
-    nothing = mp.matrix([0, 0])
-    return {
-        "common": [of_b, of_b],
-        "turning": [replaced - stretching, nothing],
-        "stretching": [stretching, nothing],
-    }
-
-
-def pulled(body: Body, drive: Drive, time: Real, ends: list[Real]) -> tuple[Real, Real]:
-    """The force and its moment about B that a body asks for, accelerated as its ends say."""
-    arm = drive.rod(time)
-    slope = ends[0] - ends[1]
-    pulls = [(p.share - 1, p.mass * (ends[1] + (1 - p.share) * slope)) for p in body]
-    force = sum((pull for _, pull in pulls), mp.matrix([0, 0]))
-    return force, sum(moment(place * arm, pull) for place, pull in pulls)
 
 
 def rod_at(drive: Drive, time: Real, masses: Masses[Real]) -> Parted:

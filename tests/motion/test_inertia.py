@@ -504,7 +504,7 @@ GIVEN = ("--centre=0.6", "--gyration=0.4")
         ),
         (
             (*GIVEN, "--layout=kinematics"),
-            "layout kinematics is about something else; choose from inertia, iner",
+            "layout kinematics is about something else; choose from ensslin-forces, ",
         ),
         (
             (*GIVEN, "--layout=inertia-errors", "--step=5"),

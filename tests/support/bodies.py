@@ -78,6 +78,29 @@ def reactions(drive: Drive, body: Body, time: Real, piston: Real = 0) -> dict[st
     }
 
 
+def fields(drive: Drive, time: Real) -> dict[str, list[Real]]:
+    """The acceleration at A and at B in each of Ensslin's parts, taken apart by geometry."""
+    of_b = drive.acceleration(time, 1)
+    replaced = drive.acceleration(time, 0) - of_b
+    line = drive.rod(time) * drive.ratio
+    stretching = (replaced.T * line)[0] * line
+    nothing = mp.matrix([0, 0])
+    return {
+        "common": [of_b, of_b],
+        "turning": [replaced - stretching, nothing],
+        "stretching": [stretching, nothing],
+    }
+
+
+def pulled(body: Body, drive: Drive, time: Real, ends: list[Real]) -> tuple[Real, Real]:
+    """The force and its moment about B that a body asks for, accelerated as its ends say."""
+    arm = drive.rod(time)
+    slope = ends[0] - ends[1]
+    pulls = [(p.share - 1, p.mass * (ends[1] + (1 - p.share) * slope)) for p in body]
+    force = sum((pull for _, pull in pulls), mp.matrix([0, 0]))
+    return force, sum(moment(place * arm, pull) for place, pull in pulls)
+
+
 def energy(drive: Drive, body: Body, time: Real) -> Real:
     velocities = (
         [mp.diff(lambda at, p=p, i=i: drive.place(at, p.share, p.aside)[i], time) for i in (0, 1)]

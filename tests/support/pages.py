@@ -97,7 +97,10 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "beam engine": ("table", "--mechanism=beam", "--beam=3"),
     "coupled axles": ("forces", "--mechanism=parallel", "--axles=3"),
     "inertia": ("inertia", "--centre=0.65", "--gyration=0.35"),
-    "rod masses": ("inertia", "--centre=325mm", "--gyration=175mm", "--rod=500mm", "--rod-mass=12kg"),
+    **dict.fromkeys(
+        ("rod masses", "pin masses"),
+        ("inertia", "--centre=325mm", "--gyration=175mm", "--rod=500mm", "--rod-mass=12kg"),
+    ),
     "inertia errors": ("inertia", "--centre=0.65", "--gyration=0.35"),
     "rocker inertia": ("inertia", "--centre=0.65", "--gyration=0.35", "--mechanism=arc", "--rocker=6"),
     "tangent": ("forces", "--at=tangent"),
@@ -139,7 +142,9 @@ LINKAGES = about("arc crank", "parallel crank", "coupled axles", "beam engine")
 # What `kurbel table` prints.
 DRIVES = about("motion", "arc crank", "parallel crank", "beam engine", "over path")
 PRESSED = about("pressures", "pressures over the angle")
-RODS = about("mass forces", "inertia", "inertia errors", "rod masses", "rocker inertia", "tangent")
+RODS = about(
+    "mass forces", "inertia", "inertia errors", "rod masses", "pin masses", "rocker inertia", "tangent"
+)
 SOLVED = about("roots")
 OVER_PATH = about("over path", "forces over path")
 SOLVED_LOADED = about("loaded roots", "unknown")
@@ -226,9 +231,10 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     }),
     "beam engine": (kurbel.table, {"mechanism": "beam", "beam": 3}),
     "coupled axles": (kurbel.forces_table, {"mechanism": "parallel", "axles": 3}),
-    "rod masses": (kurbel.inertia_table, {
-        "centre": "325mm", "gyration": "175mm", "rod": 0.5, "rod_mass": 12,
-    }),
+    **dict.fromkeys(
+        ("rod masses", "pin masses"),
+        (kurbel.inertia_table, {"centre": "325mm", "gyration": "175mm", "rod": 0.5, "rod_mass": 12}),
+    ),
     **dict.fromkeys(
         ("inertia", "inertia errors"), (kurbel.inertia_table, {"centre": 0.65, "gyration": "35%"})
     ),

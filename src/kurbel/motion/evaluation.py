@@ -44,6 +44,8 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "rod": ("--centre", "--gyration"),
     "inertia": ("--rod-mass", "--stroke", "--speed"),
     "couple": ("--rod-mass", "--stroke", "--speed", "a finite rod"),
+    "thrust": ("--centre", "--gyration", "a crank that turns evenly"),
+    "thrust inertia": ("--rod-mass", "--stroke", "--speed", "a crank that turns evenly"),
 }
 # What a quantity is of: a stroke, or the turn, of which it is one number.
 OUT, RETURN, TURN = 1, -1, 0
@@ -167,6 +169,8 @@ def is_known(quantity: Quantity, crank: Crank) -> bool:
         "inertia": crank.rod is not None and crank.rod.mass is not None and crank.speed is not None,
     }
     known["couple"] = known["inertia"] and crank.rod_length is not None
+    for thrust, force in (("thrust", "rod"), ("thrust inertia", "inertia")):
+        known[thrust] = known[force] and not crank.acceleration
     return known.get(quantity.needs, True)
 
 
@@ -195,7 +199,7 @@ def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
     if (
         quantity.is_arc
         or crank.speed is None
-        or quantity.needs not in ("speed", "mean speed", "inertia", "couple")
+        or quantity.needs not in ("speed", "mean speed", "inertia", "couple", "thrust inertia")
     ):
         return quantity.is_arc
     return crank.speed.turns is not (quantity.needs == "mean speed")

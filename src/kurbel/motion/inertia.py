@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
-from operator import attrgetter, methodcaller
+from operator import methodcaller
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank, known
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
-from kurbel.kernel import rod
 from kurbel.kernel.rod import Loaded, Masses
 from kurbel.motion.entries import OF_ROD
 from kurbel.motion.evaluation import OFFSET, At
@@ -126,20 +125,16 @@ ROD_COUPLES: Mapping[str, RodForce] = {
     )
 }  # fmt: skip
 
-# Ensslin's parts of the acceleration of the crank-pin end: key, letter, name.
-_PARTS: tuple[tuple[str, str, Words], ...] = (
-    ("common_acceleration", "p_2", words("gemeinsame Beschleunigung|Common acceleration")),
-    ("turning_acceleration", "p_4", words("Drehbeschleunigung|Turning acceleration")),
-    ("stretching_acceleration", "p_5", words("Dehnungsbeschleunigung|Stretching acceleration")),
-)
-
 
 @cache
 def inertia_registry() -> Mapping[str, Quantity]:
-    """Return every force by every model: inertia_guide, inertia_guide_two_mass, inertia_guide_railway_n; and
-    the parts of the acceleration, of which they come."""
-    parts = (_part(*said) for said in _PARTS)
-    return {one.key: one for one in (*rod_entries(_of_slide), *parts)}
+    """Return every force by every model: inertia_guide, inertia_guide_two_mass, inertia_guide_railway_n; the
+    parts of the acceleration, of which they come, and the forces of these."""
+    from kurbel.motion.parts.accelerations import acceleration_entries
+    from kurbel.motion.parts.forces import force_entries
+
+    entries = (*rod_entries(_of_slide), *acceleration_entries(), *force_entries(ROD_MODELS))
+    return {one.key: one for one in entries}
 
 
 def _of_slide(force: RodForce, model: str) -> Callable[[At], Any]:
@@ -171,14 +166,6 @@ def _entries(force: RodForce, model: str, kernel: Callable[[Any], Any]) -> Itera
         spanners=(force.name, words(f"${force.letter}$ in {unit}")),
         needs="couple" if force.is_couple else "inertia",
     )  # fmt: skip
-
-
-def _part(key: str, letter: str, name: Words) -> Quantity:
-    """A part of the acceleration, which the masses do not change."""
-    part = attrgetter(key.removesuffix("_acceleration"))
-    return _entry(
-        key, letter, name, "R ω^2", "exact", lambda at: part(rod.parts(at.circle, at.ratio, at.offset, at.by))
-    )
 
 
 def _entry(

@@ -31,6 +31,9 @@ DEGREE_DECIMALS = 4
 PERCENT_DECIMALS = 2
 PERCENT = "%"
 GREATEST, ERROR = "greatest", "error"
+# Letters of what the straight crank has again at 360° - φ, and has there with the other sign.
+SAME = ("X", "P", "A_2", "A_5", "A_x", "A", "B_2", "B_x", "B", "H")
+OPPOSITE = ("N", "Y", "M_d", "A_4", "A_y", "B_4", "B_y")
 # Of what is in no unit of its own.
 UNITS = "M R ω², M R² ω²"
 WORDS = {
@@ -167,7 +170,7 @@ def _rod_notes(question: CrankQuestion, shown: Collection[str]) -> Iterator[Labe
         return
     said = [
         WORDS[key][lang].format(letters=enumerated_letters([one for one in letters if one in shown], lang))
-        for key, letters in (("same", ("X", "P")), ("opposite", ("N", "Y", "M_d")))
+        for key, letters in (("same", SAME), ("opposite", OPPOSITE))
         if set(letters) & set(shown)
     ]
     if said:

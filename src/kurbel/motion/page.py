@@ -138,6 +138,10 @@ class Request(CrankQuestion, AngleQuestion):
                 f" use --layout {self._plain} or leave the offset out"
             )
         check_pairs(self.layout, "offset cranks")
+        if any(column.quantity.needs.startswith("thrust") for column in self.page_columns):
+            from kurbel.motion.parts.forces import check_poles
+
+            check_poles(self.page_columns, self.cranks, self.angles)
 
     def too_long(self) -> str:
         return f"{len(self.cranks)} ratios at {len(self.angles)} angles make a table of {len(self)} rows"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -165,9 +165,9 @@ def _number(question: RodMassesRequest, column: Column, place: Place, times: int
     return given(times * found * question.unit(quantity), column.decimals, question.rounding)
 
 
-def _model_axis(question: RodMassesRequest) -> ListAxis:
+def _model_axis(question: RodMassesRequest, models: Sequence[str] = tuple(MODELS)) -> ListAxis:
     field = Field("model", MODEL[question.lang])
-    return ListAxis([*MODELS], field, str, lambda key: words(MODELS[key][0])[question.lang], "")
+    return ListAxis(models, field, str, lambda key: words(MODELS[key][0])[question.lang], "")
 
 
 def _notes(question: RodMassesRequest) -> Iterator[Label]:
@@ -205,4 +205,12 @@ SUBJECT = Subject(
     caption=lambda question: question.layout.caption[question.lang],
     notes=_notes,
     letters=True,
+)
+# Ensslin's two masses alone.
+PINS = SUBJECT._replace(
+    key="pin masses",
+    layout="ensslin-masses",
+    command="inertia --layout ensslin-masses",
+    axes={"model": lambda question: _model_axis(question, ["pins"]), "column": ColumnAxis},
+    listed=tuple,
 )

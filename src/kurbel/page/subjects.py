@@ -62,6 +62,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "inertia": Pages("kurbel.motion.inertia_page:INERTIA", _INERTIA),
     "inertia errors": Pages("kurbel.motion.inertia_page:SUBJECT", _INERTIA),
     "rod masses": Pages("kurbel.motion.rod_masses:SUBJECT", _INERTIA),
+    "pin masses": Pages("kurbel.motion.rod_masses:PINS", _INERTIA),
     "rocker inertia": Pages("kurbel.linkage.arc.inertia:SUBJECT", f"{_INERTIA} {_ARC}"),
     "roots": Pages("kurbel.solve.page:SUBJECT", "solve --where p=0"),
     "over path": Pages("kurbel.solve.over.page:MOTION", "table --over path"),

@@ -18,7 +18,8 @@ from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import Exact, as_length, as_names, as_ratios, as_speed
 
-INERTIA, ROCKER_INERTIA = ("inertia", "inertia errors", "rod masses"), "rocker inertia"
+MASSES = ("rod masses", "pin masses")
+INERTIA, ROCKER_INERTIA = ("inertia", "inertia errors", *MASSES), "rocker inertia"
 
 
 class Rods(option.Run, option.AnyDrive, engines.MovingRod, option.Sheet, total=False):
@@ -57,7 +58,7 @@ def _at_rest(values: Mapping[str, Any]) -> Mapping[str, str]:
     unswung = {}
     if values["pendulum"] is None:
         unswung["gravity"] = "--gravity is for the time of a swing; add --pendulum, or leave it out"
-    if layout is None or layout_of(layout, about, values["layouts"]).subject != "rod masses":
+    if layout is None or layout_of(layout, about, values["layouts"]).subject not in MASSES:
         return unswung
     said = f"layout {layout} is of the rod by itself"
     refused = {name: f"{said}; leave --{name} out" for name in _MOVING}
@@ -121,7 +122,7 @@ def inertia_table(
     if not (chosen := _rod_drive(given)).crosshead:
         return _rocker_inertia(chosen, layout, Described.of(given, ratio=ratio), speed, columns, given)
     page = layout_of(layout or "inertia", INERTIA, given["layouts"])
-    if page.subject == "rod masses":
+    if page.subject in MASSES:
         return _masses(page, ratio, columns, given)
     said = Described.of(given, ratio=ratio, speed=speed, method=method, acceleration=acceleration)
     cranks = tuple(replace(crank, rod=rod_of(given, crank.rod_length)) for crank in said.cranks(page.ratios))

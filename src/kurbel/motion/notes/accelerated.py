@@ -41,6 +41,10 @@ WORDS = {
     ),
     "p": words("zu $(p R)/v^2$ kommt $c/v · α/ω^2$|to $(p R)/v^2$ comes $c/v · α/ω^2$"),
     "rod_acceleration": words("zu $ε_L/ω^2$ kommt $ω_L/ω · α/ω^2$|to $ε_L/ω^2$ comes $ω_L/ω · α/ω^2$"),
+    "common_acceleration": words("zu $p_2$ kommt $c/v · R α$|to $p_2$ comes $c/v · R α$"),
+    "turning_acceleration": words(
+        "von $p_4$ geht $(cos {angle})/(cos ψ) · R α$ ab|from $p_4$ goes $(cos {angle})/(cos ψ) · R α$"
+    ),
     "torque": words(
         "$M_d$ und $T$ ohne das, was Kurbel und Schwungrad beschleunigt"
         "|$M_d$ and $T$ without what accelerates crank and flywheel"
@@ -83,10 +87,11 @@ def lines(page: Request, columns: Sequence[Column]) -> Iterator[Label]:
         return
     share = digits_text(lambda kind: gain(crank, kind), 4, algebraic=not known(crank.speed).turns)
     said = [WORDS["crank"][lang].format(given=figure(crank.acceleration), share=share)]
-    for key in ("p", "rod_acceleration", "torque"):
+    formulated = ("common_acceleration", "turning_acceleration") if page.layout.formulas else ()
+    for key in ("p", "rod_acceleration", *formulated, "torque"):
         named = ("tangential_force", "torque", "inertia_torque") if key == "torque" else (key,)
         if any(_stem(column.quantity.key) in named for column in columns):
-            said.append(WORDS[key][lang])
+            said.append(signed(WORDS[key][lang], page, "+", False))
     yield "; ".join(said)
 
 

@@ -1,0 +1,154 @@
+"""Ensslin's accelerations of the rod's ends: p₁ of A, p₂ of B, and what replaces p₁ beside p₂."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, NamedTuple
+
+from kurbel.drive.crank import Crank
+from kurbel.kernel import rod
+from kurbel.kernel.inertia.parts import Parted, parted
+from kurbel.kernel.rod import Masses
+from kurbel.motion.evaluation import OFFSET, At
+from kurbel.page.quantity import Formula, Quantity, Words, words
+
+UNIT = "R ω^2"
+EXACT = words("genau|exact")
+NOTHING: Masses[int] = Masses(0, 0)
+
+Kernel = Callable[[At], Any]
+
+
+class Part(NamedTuple):
+    """A part of the acceleration of A: key of `rod.Parts`, letter, name, and its formula by each method."""
+
+    key: str
+    letter: str
+    name: Words
+    printed: Mapping[str, str]
+
+
+def _formulas(exact: str, series: str, infinite: str, offset: str) -> Mapping[str, str]:
+    return {"exact": exact, "series": series, "infinite": infinite, OFFSET: offset}
+
+
+PARTS = (
+    Part(
+        "common", "p_2", words("gemeinsame Beschleunigung|Common acceleration"),
+        _formulas(
+            "cos {angle} + λ (cos 2 {angle} + λ^2 sin^4 {angle})/(cos^3 ψ)",
+            "cos {angle} + λ cos 2 {angle}", "cos {angle}",
+            "cos {angle} - sin {angle} tan ψ + λ (cos^2 {angle})/(cos^3 ψ)",
+        ),
+    ),
+    Part(
+        "turning", "p_4", words("Drehbeschleunigung|Turning acceleration"),
+        _formulas(
+            "((1 - λ^2) sin {angle})/(cos^3 ψ)", "sin {angle}", "sin {angle}",
+            "(sin {angle} - λ sin ψ (1 - e/R sin {angle}))/(cos^3 ψ)",
+        ),
+    ),
+    Part(
+        "stretching", "p_5", words("Dehnungsbeschleunigung|Stretching acceleration"),
+        _formulas("λ (cos^2 {angle})/(cos^2 ψ)", "λ cos^2 {angle}", "0", "λ (cos^2 {angle})/(cos^2 ψ)"),
+    ),
+)  # fmt: skip
+
+
+class Component(NamedTuple):
+    """What else is shown of an acceleration: the end of its key, its sign in letters, its name."""
+
+    end: str
+    mark: str
+    part: Words
+    kernel: Callable[[Parted], Any]
+
+
+OF_A, REPLACING = (
+    words("Beschleunigung von A|Acceleration of A"),
+    words("Ersatzbeschleunigung|Replacing acceleration"),
+)
+AMOUNT, ALONG, ACROSS = words("Betrag|amount"), words("längs|along"), words("quer|across")
+_OTHERS: tuple[tuple[str, str, Words, str, tuple[Component, ...]], ...] = (
+    (
+        "pin_acceleration", "p_1", OF_A, "",
+        (
+            Component("", "", AMOUNT, lambda rod: rod.pin.size()),
+            Component("_along", "^x", ALONG, lambda rod: rod.pin.along),
+            Component("_across", "^y", ACROSS, lambda rod: rod.pin.across),
+        ),
+    ),
+    (
+        "replaced_acceleration", "p_3", REPLACING, "$p_3^2 = p_4^2 + p_5^2$",
+        (
+            Component("", "", AMOUNT, lambda rod: rod.replaced_size()),
+            Component("_along", "^x", ALONG, lambda rod: rod.replaced().along),
+            Component("_across", "^y", ACROSS, lambda rod: rod.replaced().across),
+        ),
+    ),
+)  # fmt: skip
+
+
+def moved(at: At) -> Parted:
+    """Return the rod at a place by its motion alone."""
+    return parted(at.circle, at.ratio, NOTHING, at.offset, at.by)
+
+
+def acceleration_entries() -> Iterator[Quantity]:
+    """Yield the accelerations in R ω² and in m/s², those that other pages have had first."""
+    own = [_part(one) for one in PARTS]
+    yield from own
+    for key, letter, name, printed, components in _OTHERS:
+        for component in components:
+            share = _component(key, letter, name, printed, component)
+            yield from (share, in_seconds(share))
+    yield from map(in_seconds, own)
+
+
+def _part(part: Part) -> Quantity:
+    """A part that p₁ is made of, by any method."""
+
+    def kernel(at: At) -> Any:
+        return getattr(rod.parts(at.circle, at.ratio, at.offset, at.by), part.key)
+
+    head = f"${part.letter}/({UNIT}) = "
+    formulas = {method: Formula(kernel, f"{head}{said}$") for method, said in part.printed.items()}
+    return _entry(f"{part.key}_acceleration", part.letter, part.name, EXACT, formulas)
+
+
+def _component(key: str, letter: str, name: Words, printed: str, one: Component) -> Quantity:
+    def kernel(at: At) -> Any:
+        return one.kernel(moved(at)) + 0
+
+    formulas = dict.fromkeys(("exact", "infinite", OFFSET), Formula(kernel, printed if not one.end else ""))
+    return _entry(f"{key}{one.end}", f"{letter}{one.mark}", name, one.part, formulas)
+
+
+def in_seconds(share: Quantity) -> Quantity:
+    """Return an acceleration in m/s² from that in R ω²."""
+    letter = share.symbol
+    return share._replace(
+        key=f"{share.key}_mps2",
+        unit=words("m/s²"),
+        decimals=2,
+        scale=Crank.pin_acceleration,
+        spanners=(share.name, words(f"{letter} in m/s²")),
+        needs="speed",
+    )
+
+
+def _entry(key: str, letter: str, name: Words, part: Words, formulas: Mapping[str, Formula]) -> Quantity:
+    return Quantity(
+        key=key,
+        name=name,
+        symbol=f"${letter}$",
+        unit=words(UNIT.replace("^2", "²")),
+        decimals=4,
+        formulas=formulas,
+        # One acceleration by several models stands under its letter.
+        spanners=(name, words(f"${letter}/({UNIT})$")),
+        heading=part,
+        part=part,
+        needs="rod",
+        of="exact",
+    )

@@ -1,0 +1,205 @@
+"""The forces of the rod in A and in B for each part of its acceleration, and Mollier's along the slide."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from kurbel.drive.crank import Crank, known
+from kurbel.errors import ProblemError
+from kurbel.exact.kind import Kind
+from kurbel.kernel.inertia.mollier import moving_force
+from kurbel.kernel.inertia.parts import COMMON, PARTS, STRETCHING, TURNING, Parted, parted
+from kurbel.motion.evaluation import OFFSET, At
+from kurbel.page.quantity import Column, Formula, Quantity, Words, words
+
+EXACT, THRUST = "exact", ("thrust", "thrust inertia")
+UNIT, TORQUE = "M R ω^2", "M R^2 ω^2"
+# The accelerations of which the parts are.
+NUMBERS: Mapping[str, str] = {COMMON: "2", TURNING: "4", STRETCHING: "5"}
+NAMES: Mapping[str, Words] = {
+    COMMON: words("1. gemeinsam|1. common"),
+    TURNING: words("2. Drehung|2. turning"),
+    STRETCHING: words("3. Dehnung|3. stretching"),
+    "": words("Summe|sum"),
+}
+ALONG, ACROSS = words("längs|along"), words("quer|across")
+_IN_A, _IN_B = words("Kraft in A|Force in A"), words("Kraft in B|Force in B")
+
+Kernel = Callable[[Parted], Any]
+
+
+class Share(NamedTuple):
+    """A force of the rod for a part of its acceleration: key, letter, name, what sets it apart, formula."""
+
+    key: str
+    letter: str
+    name: Words
+    part: Words
+    kernel: Kernel
+    unit: str = UNIT
+
+
+def _joined(one: Words, other: Words) -> Words:
+    return {lang: f"{one[lang]}, {other[lang]}" for lang in one}
+
+
+def _ends() -> Iterator[Share]:
+    """Yield the forces in A and B: of each part in its own direction, then along and across the slide."""
+    for key, letter, name in (("a", "A", _IN_A), ("b", "B", _IN_B)):
+        for part in PARTS:
+            yield Share(
+                f"inertia_{key}_{part}", f"{letter}_{NUMBERS[part]}", name, NAMES[part], _own(key, part)
+            )
+        for part in (TURNING, STRETCHING) if key == "a" else (TURNING,):
+            yield from _components(key, letter, name, part)
+        yield from _components(key, letter, name, "")
+        yield Share(f"inertia_{key}", letter, name, _joined(NAMES[""], words("Betrag|amount")), _amount(key))
+
+
+def _components(key: str, letter: str, name: Words, part: str) -> Iterator[Share]:
+    stem, number = (f"inertia_{key}_{part}", NUMBERS[part]) if part else (f"inertia_{key}", "")
+    for index, mark, said in ((0, "x", ALONG), (1, "y", ACROSS)):
+        of = f"{letter}_{number}^{mark}" if number else f"{letter}_{mark}"
+        yield Share(f"{stem}_{mark}", of, name, _joined(NAMES[part], said), _component(key, part, index))
+
+
+def _end(key: str, rod: Parted, part: str = "") -> Any:
+    return rod.in_pin(part) if key == "a" else rod.in_crosshead(part)
+
+
+def _own(key: str, part: str) -> Kernel:
+    """A part's force in its own direction: with X, square to the rod with Y, along the rod with X."""
+
+    def kernel(rod: Parted) -> Any:
+        mass = rod.mass_in_pin(part) if key == "a" else rod.mass_in_crosshead(part)
+        if part == STRETCHING:
+            return mass * rod.stretching + 0
+        return 0 - mass * (rod.common.along if part == COMMON else rod.turning)
+
+    return kernel
+
+
+def _component(key: str, part: str, index: int) -> Kernel:
+    return lambda rod: _end(key, rod, part)[index] + 0
+
+
+def _amount(key: str) -> Kernel:
+    return lambda rod: _end(key, rod).size()
+
+
+def _drive() -> Iterator[Share]:
+    """Yield what each part adds to the forces of the drive."""
+    for key, letter, name, formula, unit in (
+        ("guide", "N", "Führungsdruck|Guide force", lambda rod, part: rod.guide(part), UNIT),
+        ("pin_x", "X", "Zapfenkraft längs|Pin force along", lambda rod, part: rod.at_pin(part).along, UNIT),
+        ("pin_y", "Y", "Zapfenkraft quer|Pin force across", lambda rod, part: rod.at_pin(part).across, UNIT),
+        ("torque", "M", "Drehmoment|Torque", lambda rod, part: rod.torque(part), TORQUE),
+    ):
+        for part in PARTS:
+            kernel = _of_part(formula, part)
+            yield Share(
+                f"inertia_{key}_{part}", f"{letter}_{NUMBERS[part]}", words(name), NAMES[part], kernel, unit
+            )
+
+
+def _of_part(formula: Callable[[Parted, str], Any], part: str) -> Kernel:
+    return lambda rod: formula(rod, part)
+
+
+def force_entries(models: Mapping[str, Words]) -> Iterator[Quantity]:
+    """Yield every force in units of the rod's mass and in newtons, Mollier's by every model of the rod."""
+    for share in (*_ends(), *_drive()):
+        yield from _in_both_units(_entry(share, _held(share.kernel), EXACT), "rod", "inertia")
+    for model, said in models.items():
+        key = "inertia_mollier" + ("" if model == EXACT else f"_{model.replace('-', '_')}")
+        name = words("Kraft am Kreuzkopf nach Mollier|Force at the crosshead after Mollier")
+        one = _entry(Share(key, "H", name, said, lambda rod: rod), _moving(model), model)
+        yield from _in_both_units(one, *THRUST)
+
+
+def _held(kernel: Kernel) -> Callable[[At], Any]:
+    def held(at: At) -> Any:
+        masses = known(at.crank.rod).masses(EXACT, at.numbers.of)
+        return kernel(parted(at.circle, at.ratio, masses, at.offset, at.by))
+
+    return held
+
+
+def _moving(model: str) -> Callable[[At], Any]:
+    def moving(at: At) -> Any:
+        rod = known(at.crank.rod)
+        masses = rod.masses(model, at.numbers.of)
+        if model == EXACT and rod.couple:
+            return moving_force(at.circle, at.ratio, masses, at.offset)
+        # Two masses have no poles, which nothing times something boundless would hide.
+        return masses.crosshead * at.by.piston(at.circle, at.ratio, at.offset)
+
+    return moving
+
+
+# Angles with rational sines.
+_SINES: dict[int, Fraction | int] = {0: 0, 30: Fraction(1, 2), 90: 1, 150: Fraction(1, 2), 180: 0}
+_SINES |= {180 + angle: -sine for angle, sine in _SINES.items()}
+
+
+def check_poles(columns: Iterable[Column], cranks: Iterable[Crank], angles: Collection[Fraction]) -> None:
+    """Raise ProblemError where Mollier's force is asked for at a dead centre of an offset crank, for the rod
+    turns there while the crosshead rests."""
+    named = [one.key for one in columns if one.quantity.needs in THRUST and one.quantity.of == EXACT]
+    for crank in cranks if named else ():
+        if not (crank.offset and known(crank.rod).couple):
+            continue
+        for angle in angles:
+            if _rests(crank, angle % 360):
+                raise ProblemError(
+                    f"at {angle}° this offset crank stands at a dead centre, where no force at the crosshead"
+                    f" moves the rod; leave the angle out, or the column {named[0]}"
+                )
+
+
+def _rests(crank: Crank, angle: Fraction) -> bool:
+    ratio, sine = crank.ratio, _SINES.get(int(angle)) if angle.denominator == 1 else None
+    beyond = 90 <= angle <= 270
+    return sine is not None and sine == crank.offset * ratio / (ratio - 1 if beyond else ratio + 1)
+
+
+def _entry(share: Share, kernel: Callable[[At], Any], model: str) -> Quantity:
+    return Quantity(
+        key=share.key,
+        name=share.name,
+        symbol=f"${share.letter}$",
+        unit=words(share.unit.replace("^2", "²")),
+        decimals=4,
+        # Parts of first order do not add up to p₁.
+        formulas=dict.fromkeys(("exact", "infinite", OFFSET), Formula(kernel)),
+        spanners=(share.name, words(f"${share.letter}/({share.unit})$")),
+        heading=share.part,
+        part=share.part,
+        of=model,
+    )
+
+
+def _in_both_units(share: Quantity, needs: str, newtons: str) -> Iterator[Quantity]:
+    yield share._replace(needs=needs)
+    torque = share.unit["en"] == TORQUE.replace("^2", "²")
+    unit = "N m" if torque else "N"
+    yield share._replace(
+        key=f"{share.key}_{unit.replace(' ', '').lower()}",
+        unit=words(unit),
+        decimals=1,
+        scale=_newton_metres if torque else _newtons,
+        spanners=(share.name, words(f"{share.symbol} in {unit}")),
+        needs=newtons,
+    )
+
+
+def _newtons(crank: Crank, numbers: Kind) -> Any:
+    """M R ω²."""
+    return numbers.of(known(known(crank.rod).mass)) * crank.pin_acceleration(numbers)
+
+
+def _newton_metres(crank: Crank, numbers: Kind) -> Any:
+    """M R² ω²."""
+    return numbers.of(known(crank.radius)) * _newtons(crank, numbers)
