@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import partial
 
 import pytest
-from mpmath import mp, mpf
+from mpmath import mp, mpc, mpf
 
 import kurbel
 from kurbel.books.constructions.geometry import Point, cross, distance, dot, to
@@ -65,8 +65,10 @@ def test_a_length_is_the_derivative_of_the_path_to_the_last_digit(name: str) -> 
     for rod, offset, angle in drives(name, 6):
         with mp.workdps(60):
             place, at = mp.radians(mpf(angle.numerator) / angle.denominator), partial(crosshead, rod, offset)
-            # Both count towards the shaft.
-            true = {"c/ω": -mp.diff(at, place), "p/ω²": -mp.diff(at, place, 2)}
+            slope = mp.diff(at, place)
+            # c and p count towards the shaft; u is how fast the crosshead moves against the crank pin.
+            swing = mp.hypot(slope + mp.sin(place), mp.cos(place))
+            true = {"c/ω": -slope, "p/ω²": -mp.diff(at, place, 2), "u/ω": swing}
             found = lengths(name, rod, offset, angle)
             for symbol in true.keys() & found.keys():
                 drawn, certified, error = found[symbol]
@@ -78,8 +80,56 @@ def test_a_length_is_the_derivative_of_the_path_to_the_last_digit(name: str) -> 
                     angle,
                     symbol,
                 )
-        assert "c/ω" in found
+        assert {"c/ω", "u/ω"} <= found.keys()
         assert all(drawn == certified for drawn, certified, _ in found.values())
+
+
+def rod_end(rod: mpf, rocker: mpf, pivot: mpc, side: int, angle: mpf) -> mpc:
+    """Return where the rod of an arc crank ends: on two circles, right (-1) of the way to the pivot."""
+    pin = mp.expj(angle)
+    way = pivot - pin
+    far = abs(way)
+    along = (far**2 + rod**2 - rocker**2) / (2 * far)
+    return pin + way / far * mpc(along, side * mp.sqrt(rod**2 - along**2))
+
+
+# Rod, rocker, pivot, the way to assemble the links, and on which side of the pivot the rod then ends.
+ARCS = (
+    ("5", "6", "5;6", 1, -1),
+    ("3.5", "4", "3.6;-2.75", 1, 1),
+    ("4", "4.5", "4;0", -1, 1),
+)
+
+
+@pytest.mark.parametrize("arc", ARCS)
+def test_the_velocity_of_an_arc_crank_is_that_along_its_arc(arc: tuple[str, str, str, int, int]) -> None:
+    rod, rocker, at, circuit, side = arc
+    for angle in ("0", "37.5", "90", "171.3", "290"):
+        page = kurbel.construction_table(
+            "velocity",
+            mechanism="arc",
+            ratio=f"1:{rod}",
+            rocker=rocker,
+            pivot=at,
+            circuit=str(circuit),
+            angle=angle,
+            columns="symbol,drawn,true",
+            digits=DIGITS,
+        )
+        found = {
+            row[0]: row[1:] for row in (line.split(",") for line in kurbel.typeset(page, "csv").splitlines())
+        }
+        with mp.workdps(60):
+            pivot = mpc(*map(mpf, at.split(";")))
+            end = partial(rod_end, mpf(rod), mpf(rocker), pivot, side)
+            place = mp.radians(mpf(angle))
+            slope = mp.diff(end, place)
+            # On the outstroke the rod's end comes nearer to the shaft: dead centres are at L + R and L - R.
+            nearer = -mp.sign(mp.re(mp.conj(end(place)) * slope))
+            true = {"c/ω": nearer * abs(slope), "u/ω": abs(slope - mpc(0, 1) * mp.expj(place))}
+            for symbol, value in true.items():
+                assert [*found[symbol]] == [found[symbol][0]] * 2
+                assert abs(mpf(found[symbol][0]) - value) < mpf(10) ** -DIGITS * 0.51, (angle, symbol)
 
 
 def points(name: str, rod: Fraction, offset: Fraction, angle: Fraction) -> Points:

@@ -161,14 +161,15 @@ class Position(NamedTuple):
 
 @dataclass(frozen=True)
 class Placed:
-    """A drive at a crank angle φ in degrees, from the inner dead centre, on a kind of number.
+    """A drive, a Crank or one that has its crank, at a crank angle φ in degrees, on a kind of number. Of a
+    Crank φ counts from the slide direction, as of the straight one from the inner dead centre.
 
     A `position` gives the place on the circle of what no angle in degrees says; the angle is then near it.
     Lengths are in units of R, from the shaft O: across towards the crosshead, up on the side of the crank pin
     on the outstroke.
     """
 
-    drive: Crank
+    drive: Any
     angle: Fraction
     kind: Kind
     position: Position | None = None
@@ -181,17 +182,17 @@ class Placed:
     @cached_property
     def ratio(self) -> Any:
         """λ."""
-        return self.kind.of(self.drive.ratio)
+        return self.kind.of(self.drive.crank.ratio)
 
     @cached_property
     def rod(self) -> Any:
         """L."""
-        return self.kind.of(1 / self.drive.ratio)
+        return self.kind.of(1 / self.drive.crank.ratio)
 
     @cached_property
     def offset(self) -> Any:
         """e."""
-        return self.kind.of(self.drive.offset)
+        return self.kind.of(self.drive.crank.offset)
 
     def number(self, value: Fraction | int) -> Any:
         return self.kind.of(Fraction(value))
@@ -223,6 +224,7 @@ class Construction(NamedTuple):
     `angle` is drawn, or of a straight crank the `position`; `angle_symbol` is the crank angle's. `scales` are
     the units that are drawn longer or shorter than R, in R. Without `angle` and `position` it is of no crank
     angle. `takes` are the options that it takes beside the drive, `curves` its curves, in floats.
+    `variants` are the construction where its steps are others, by mechanism.
     """
 
     name: str
@@ -242,6 +244,11 @@ class Construction(NamedTuple):
     scales: Mapping[str, Fraction] = MappingProxyType({})
     takes: tuple[str, ...] = ()
     curves: Callable[[Placed], Mapping[str, Sequence[Point]]] | None = None
+    variants: Mapping[str, Construction] = MappingProxyType({})
+
+    def of(self, mechanism: str) -> Construction:
+        """Return the construction as it is of a mechanism for which it holds."""
+        return self.variants.get(mechanism, self)
 
     def said(self, label: Label) -> Label:
         """Return a label in which two letters of points beside each other are the length between them."""

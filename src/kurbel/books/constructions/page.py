@@ -35,13 +35,13 @@ class ConstructionRequest(Question):
     """What is asked for: a construction of a drive at a crank angle, or in the position of its book."""
 
     construction: Construction
-    drive: Crank
+    drive: Any
     angle: Fraction | None
     beside: Beside = ALONE
 
     @cached_property
     def ratios(self) -> tuple[Fraction, ...]:
-        return (self.drive.ratio,)
+        return (self.drive.crank.ratio,)
 
     @property
     def origin(self) -> Label:
@@ -60,7 +60,7 @@ class ConstructionRequest(Question):
     def _near(self) -> Fraction:
         """The angle of the position, to a float."""
         assert self.construction.position
-        circle = self.construction.position.circle(float(self.drive.ratio))
+        circle = self.construction.position.circle(float(self.drive.crank.ratio))
         return Fraction(math.degrees(math.atan2(circle.sine, circle.cosine)))
 
     @property
@@ -91,7 +91,7 @@ def _by(request: ConstructionRequest, length: Length, which: str, kind: Kind) ->
 
 def _number(request: ConstructionRequest, column: Column, place: Place, times: int = 1) -> Value:
     length, key = request.construction.lengths[place["length"]], column.quantity.key
-    if key == "formula" and request.drive.offset and length.offset_formula:
+    if key == "formula" and request.drive.crank.offset and length.offset_formula:
         return request.construction.said(length.offset_formula)
     if key in _TEXTS:
         return request.construction.said(_TEXTS[key](length))
@@ -143,7 +143,7 @@ def caption(request: ConstructionRequest) -> Label:
     lang = request.lang
     parts = {
         "{construction}": request.construction.title[lang],
-        "{for_ratio}": for_ratio(request.drive.ratio, lang),
+        "{for_ratio}": for_ratio(request.drive.crank.ratio, lang),
         "{place}": request.place,
     }
     return filled(request.layout.caption[lang], parts.items())
@@ -159,9 +159,19 @@ def _notes(request: ConstructionRequest) -> Iterator[Label]:
         yield shown.said(WORDS["why"][lang].format(letters=lettered(one.letters), why=one.approximate[lang]))
     if not doubtful:
         yield WORDS["all"][lang]
-    yield from offset_notes((request.drive,), lang)
+    yield from _drive_notes(request)
     for note in shown.notes:
         yield shown.said(note[lang])
+
+
+def _drive_notes(request: ConstructionRequest) -> Iterator[Label]:
+    """Yield what is said of the dead centres where they do not lie at 0 and 180°."""
+    if isinstance(request.drive, Crank):
+        yield from offset_notes((request.drive,), request.lang)
+    elif request.drive.at_end:
+        from kurbel.linkage.arc.captions import SPEECH
+
+        yield SPEECH.dead_centres(request.drive, request.lang)
 
 
 SUBJECT = Subject(

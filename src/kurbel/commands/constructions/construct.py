@@ -15,7 +15,6 @@ from kurbel.commands.options import Choice, Option
 from kurbel.commands.plots import only
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws, makes_table
-from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, ProblemError
 from kurbel.page.layouts import layout_of
 from kurbel.reading.given import Exact, as_angle, as_names
@@ -81,8 +80,9 @@ def _asked(name: str, given: Mapping[str, Any], **sheet: Any) -> ConstructionReq
     chosen, said = described(given)
     page = sheet.pop("layout", None) or layout_of("construction", ("construction",), None)
     drive = only(chosen.drives(said, page.ratios), "angle", "ratios")
-    if not drive.ratio:
+    if not drive.crank.ratio:
         raise ProblemError("a rod of infinite length cannot be drawn; give a finite one, such as 1:5")
+    shown = shown.of(chosen.name)
     angle, more = _angle(shown, drive, given["angle"]), beside.read(shown, given, drive)
     if angle is not None and (sentence := shown.refused(drive, angle)):
         raise ProblemError(sentence)
@@ -91,9 +91,9 @@ def _asked(name: str, given: Mapping[str, Any], **sheet: Any) -> ConstructionReq
     )
 
 
-def _angle(shown: Construction, drive: Crank, given: Exact | None) -> Fraction | None:
+def _angle(shown: Construction, drive: Any, given: Exact | None) -> Fraction | None:
     """Return the crank angle, none for the position of the book."""
-    if given is None and shown.position and not drive.offset:
+    if given is None and shown.position and not drive.crank.offset:
         return None
     if not (shown.angle or shown.position):
         if given is not None:

@@ -39,7 +39,7 @@ def construction_drawing(request: ConstructionRequest, mark: str, size: Size = U
     from kurbel.books.constructions.page import caption
 
     shown = request.construction
-    if request.drive.ratio * LONGEST_ROD < 1:
+    if request.drive.crank.ratio * LONGEST_ROD < 1:
         raise ProblemError(
             f"the rod is too long to be drawn; drawn to scale it may be at most {LONGEST_ROD} R, or the crank"
             " is too small to be seen"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from kurbel.books.constructions.geometry import Point, cross, distance, dot, meet, to
-from kurbel.books.constructions.model import Length, Placed, Points, along
+from kurbel.books.constructions.model import Arrow, Length, Placed, Points, Step, along
 from kurbel.kernel import kinematics
 from kurbel.page.quantity import Words, words
 
@@ -33,6 +33,19 @@ PARTS = (
     " ${pin}$, along the rod and square to it, and ${shaft} {pin}$ that of ${pin}$"
 )
 
+BACK = Step(
+    words(
+        "Das Dreieck $O P C$ ist der gedrehte Plan: um 90° zurückgedreht ist $O P$ die"
+        " Geschwindigkeit $v$ von $P$ und $O C$ die Geschwindigkeit $c$ von $Q$"
+        "|The triangle $O P C$ is the turned plan: turned back by 90°, $O P$ is the velocity $v$ of"
+        " $P$ and $O C$ the velocity $c$ of $Q$"
+    ),
+    (Arrow("Q", "W", "$c$"),),
+)
+SCHMOLKE = words(
+    "Schmolke, Dinglers Polytechnisches Journal 330 (1915), 476, Abb. 3"
+    "|Schmolke, Dinglers Polytechnisches Journal 330 (1915), 476, Fig. 3"
+)
 STRAIGHT = "{author}'s construction holds for the straight crank alone; klein holds for the offset one, too"
 
 

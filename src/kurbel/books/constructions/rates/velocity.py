@@ -12,7 +12,6 @@ from kurbel.books.constructions.model import (
     CENTRE,
     GIVEN,
     LINK,
-    RESULT,
     Angle,
     Arrow,
     Circle,
@@ -25,6 +24,7 @@ from kurbel.books.constructions.model import (
     Step,
 )
 from kurbel.books.constructions.rates import plan
+from kurbel.books.constructions.rates.rocker import OF_ROCKER
 from kurbel.page.quantity import words
 
 
@@ -48,13 +48,10 @@ VELOCITY = Construction(
         "Kolbengeschwindigkeit aus dem gedrehten Geschwindigkeitsplan"
         "|Velocity of the piston, from the turned-round plan of velocities"
     ),
-    source=words(
-        "Schmolke, Dinglers Polytechnisches Journal 330 (1915), 476, Abb. 3"
-        "|Schmolke, Dinglers Polytechnisches Journal 330 (1915), 476, Fig. 3"
-    ),
+    source=plan.SCHMOLKE,
     points=_points,
     angle_symbol="$φ$",
-    holds=("straight", "offset"),
+    holds=("straight", "offset", "arc"),
     steps=(
         Step(
             plan.said(plan.DRIVE, shaft="O", pin="P", head="Q"),
@@ -81,15 +78,8 @@ VELOCITY = Construction(
             ),
             ("C",),
         ),
-        Step(
-            words(
-                "Das Dreieck $O P C$ ist der gedrehte Plan: um 90° zurückgedreht ist $O P$ die"
-                " Geschwindigkeit $v$ von $P$ und $O C$ die Geschwindigkeit $c$ von $Q$"
-                "|The triangle $O P C$ is the turned plan: turned back by 90°, $O P$ is the velocity $v$ of"
-                " $P$ and $O C$ the velocity $c$ of $Q$"
-            ),
-            (Arrow("Q", "W", "$c$", RESULT),),
-        ),
+        plan.BACK,
     ),
+    variants={"arc": OF_ROCKER},
     lengths=(plan.velocity_length("O", "C"), plan.swing_length("P", "C", "Q")),
 )
