@@ -3,12 +3,14 @@
 import math
 import random
 import re
+from collections.abc import Mapping
 from fractions import Fraction
+from typing import Any
 
 import pytest
 
 import kurbel
-from kurbel.books.constructions.registry import CONSTRUCTIONS
+from kurbel.books.constructions.registry import CONSTRUCTIONS, construction
 from kurbel.exact.numerals import Number
 from kurbel.page.labels import plain
 
@@ -26,15 +28,26 @@ def drives(name: str, count: int) -> list[tuple[str, str]]:
     return [(f"1:{float(rod)}", str(angle / 10)) for rod, angle in some]
 
 
-@pytest.mark.parametrize("name", CONSTRUCTIONS)
-def test_a_length_on_paper_is_the_printed_one(name: str) -> None:
-    for ratio, angle in drives(name, 3):
-        drawing = kurbel.plot_construction(name, ratio=ratio, angle=angle)
+# What describes drives of a mechanism, at any of the ratios.
+OTHERS: Mapping[str, Mapping[str, str]] = {"offset": {"offset": "-0.15"}, "arc": {"rocker": "6"}}
+ASKED = [
+    (name, mechanism)
+    for name in CONSTRUCTIONS
+    for mechanism in construction(name).holds
+    if mechanism == "straight" or mechanism in OTHERS
+]
+
+
+@pytest.mark.parametrize(("name", "mechanism"), ASKED)
+def test_a_length_on_paper_is_the_printed_one(name: str, mechanism: str) -> None:
+    drive: dict[str, Any] = {"mechanism": mechanism, **OTHERS.get(mechanism, {})}
+    for ratio, angle in drives(name, 3 if mechanism == "straight" else 1):
+        drawing = kurbel.plot_construction(name, ratio=ratio, angle=angle, **drive)
         svg = drawing.image().decode()
         # "R = 15 mm, F = 30 mm; 1. …"
         scales = dict(re.findall(r"(\S+) = ([\d.e-]+) mm", drawing.about.partition(";")[0]))
         page = kurbel.construction_table(
-            name, ratio=ratio, angle=angle, columns="length,drawn,unit", digits=12
+            name, ratio=ratio, angle=angle, columns="length,drawn,unit", digits=12, **drive
         )
         for letters, printed, unit in page.records.rows:
             if unit == "°":
