@@ -32,12 +32,14 @@ LINK, GIVEN, AID, CENTRE, HIDDEN, RESULT = "link", "given", "aid", "centre", "hi
 
 
 class Line(NamedTuple):
-    """A straight line between two points; with `beyond` it is drawn so much longer, in mm, at both ends."""
+    """A straight line between two points; with `beyond` it is drawn so much longer, in mm, at both ends. Its
+    symbol stands beside it, if it has one."""
 
     start: str
     end: str
     look: str = AID
     beyond: float = 0.0
+    symbol: Label = ""
 
 
 class Arrow(NamedTuple):
@@ -106,6 +108,14 @@ class Text(NamedTuple):
     text: Label
 
 
+class Scale(NamedTuple):
+    """A line that is as long as its symbol, to tell the scale."""
+
+    start: str
+    end: str
+    symbol: Label
+
+
 class Measure(NamedTuple):
     """The dimension of a length: where it lies (level 0), or on a row below (-1, -2) or above (1, 2) all that
     is drawn. One that is not `written` has its line alone."""
@@ -116,7 +126,7 @@ class Measure(NamedTuple):
     written: bool = True
 
 
-Element: TypeAlias = Line | Arrow | Arc | Circle | RightAngle | Angle | Curve | Text | Measure
+Element: TypeAlias = Line | Arrow | Arc | Circle | RightAngle | Angle | Curve | Text | Scale | Measure
 
 
 class Step(NamedTuple):

@@ -17,6 +17,13 @@ CONSTRUCTIONS: Mapping[str, str] = {
     "klein": "kurbel.books.constructions.rates.klein:KLEIN",
     "rittershaus": "kurbel.books.constructions.rates.rittershaus:RITTERSHAUS",
     "autenrieth": "kurbel.books.constructions.rates.autenrieth:AUTENRIETH",
+    "ensslin-1": "kurbel.books.constructions.ensslin.accelerations:FIG_1",
+    "ensslin-2": "kurbel.books.constructions.ensslin.accelerations:FIG_2",
+    "ensslin-3": "kurbel.books.constructions.ensslin.alone:FIG_3",
+    "ensslin-4": "kurbel.books.constructions.ensslin.alone:FIG_4",
+    "ensslin-5": "kurbel.books.constructions.ensslin.common:FIG_5",
+    "ensslin-6": "kurbel.books.constructions.ensslin.turning:FIG_6",
+    "ensslin-7": "kurbel.books.constructions.ensslin.stretching:FIG_7",
     # Another construction is one more line here.
 }
 

@@ -21,8 +21,8 @@ from kurbel.plot.style import MEDIUM, STRONG, THIN, arrowhead, text_of
 
 # In mm: between rows of dimensions, at a mark, and below that a length has no dimension.
 ROW, CORNER, SHORTEST = 6.0, 2.2, 0.15
-# In mm: below that an angle has no arc, and how far arrows from outside reach.
-LEAST_ANGLE, OUTSIDE = 1.2, 5.0
+# In mm: below that an angle has no arc, how far arrows from outside reach, half a tick.
+LEAST_ANGLE, OUTSIDE, TICK = 1.2, 5.0, 0.8
 # The arrowhead of a vector: its length in mm and how slim it is.
 HEAD = (2.6, 0.17)
 HIDDEN = (0, (6, 3))
@@ -69,8 +69,12 @@ def _line(board: Board, one: model.Line) -> None:
         return
     if one.look == model.CENTRE:
         board.sketch.chain(start, end)
-    else:
-        board.sketch.line(start, end, **LOOKS[one.look])
+        return
+    drawn = board.sketch.line(start, end, **LOOKS[one.look])
+    if (letters := board.read_off(one.start, one.end)) and not one.beyond:
+        drawn.set(zorder=STRONG_LEVEL, gid=f"length-{letters}")
+    if one.symbol:
+        board.sketch.beside((start, end), board.text(one.symbol), 0.5, 1)
 
 
 def _arrow(board: Board, one: model.Arrow) -> None:
@@ -175,6 +179,16 @@ def _said(board: Board, one: model.Text) -> None:
     board.sketch.beside_points([(board.points[one.at], (0.0, 1.0), board.text(one.text))], CORNER)
 
 
+def _scale(board: Board, one: model.Scale) -> None:
+    start, end = board.points[one.start], board.points[one.end]
+    board.sketch.line(start, end, linewidth=MEDIUM)
+    for point in (start, end):
+        board.sketch.line(
+            moved(point, (0, 1), -TICK * board.sketch.mm), moved(point, (0, 1), TICK * board.sketch.mm)
+        )
+    board.sketch.beside((start, end), board.text(one.symbol), 0.5, 1)
+
+
 def _measure(board: Board, one: model.Measure) -> None:
     """Draw the dimension of a length: in its place, or on a row, where lines lead to its ends."""
     sketch, length = board.sketch, board.lengths[one.letters]
@@ -218,5 +232,6 @@ DRAW: Mapping[type, Callable[[Board, Any], None]] = {
     model.Angle: _angle,
     model.Curve: _curve,
     model.Text: _said,
+    model.Scale: _scale,
     model.Measure: _measure,
 }

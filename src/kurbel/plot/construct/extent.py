@@ -27,5 +27,5 @@ def _reached(shown: Construction, points: Mapping[str, Point]) -> Iterator[Point
                 (x, y), radius = points[one.centre], math.dist(points[one.centre], points[one.through])
                 yield x - radius, y - radius
                 yield x + radius, y + radius
-            elif isinstance(one, model.Line | model.Arrow):
+            elif isinstance(one, model.Line | model.Arrow | model.Scale):
                 yield from (points[one.start], points[one.end])

@@ -1,0 +1,136 @@
+"""What Ensslin's figures share: the rod with the accelerations of its points, built as he builds them.
+
+A is the crank-pin end and B the crosshead end; p₁, that of A, reaches to the shaft O. He takes p₂, that of B,
+for known; all others follow by parallels and perpendiculars.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+from kurbel.books.constructions.geometry import Point, distance, dot, meet, plus, to, turned
+from kurbel.books.constructions.model import AID, CENTRE, LINK, Arrow, Element, Line, Placed, Points, Scale
+from kurbel.drive.rod import Rod
+from kurbel.kernel.inertia.parts import Parted
+from kurbel.kernel.inertia.parts import parted as parted_of
+from kurbel.page.quantity import Words, words
+
+SOURCE = "Ensslin, Dinglers Polytechnisches Journal 322 (1907), 593–595, Fig. {number}"
+ACCELERATION, FORCE = "$v^2/R$", "$M v^2/R$"
+# How long v²/R is drawn, in R: as long as R the ends of all accelerations would lie on the slide.
+SIZE = Fraction(3, 2)
+SCALES: Mapping[str, Fraction] = {ACCELERATION: SIZE}
+HOLDS = ("straight", "offset")
+REFUSAL = (
+    "in Ensslin's figures the crosshead end B of the rod moves along a straight line; take a straight or an"
+    " offset crank"
+)
+# A rod by its a/l, from B, and k/l, where none is given.
+USUAL = Rod.from_crosshead(Fraction(65, 100), Fraction(35, 100))
+QUARTERS = tuple(Fraction(part, 4) for part in range(5))
+# How far the slide is drawn before B, and the scale below it, in R.
+ROOM, DEPTH = Fraction(3, 2), Fraction(3, 5)
+SCALE = words("Maßstab: $v^2/R$ ist $3/2 R$ lang gezeichnet|Scale: $v^2/R$ is drawn $3/2 R$ long")
+P_2 = "$cos φ - sin φ tan ψ + (λ cos^2 φ)/(cos^3 ψ)$"
+P_4, P_5 = "$(sin φ - p_5 sin ψ)/(cos ψ)$", "$(λ cos^2 φ)/(cos^2 ψ)$"
+
+
+def source(number: int) -> Words:
+    said = SOURCE.format(number=number)
+    return {"de": said, "en": said}
+
+
+def rod_of(at: Placed) -> Rod:
+    return at.beside.rod or USUAL
+
+
+def parted(at: Placed) -> Parted:
+    """Return what the kernel knows of the rod."""
+    masses = rod_of(at).masses("exact", at.kind.of)
+    return parted_of(at.circle, at.ratio, masses, at.offset if at.drive.offset else None)
+
+
+def on_rod(points: Points, share: Any) -> Point:
+    """Return the point of the rod at the distance x from B, from x/l."""
+    return plus(points["B"], to(points["B"], points["A"]), share)
+
+
+def rod_points(at: Placed) -> dict[str, Point]:
+    """Return the rod with the vectors p₁ to p₅ as he has them.
+
+    p₂ comes from the turned-round velocities: the rod's line cuts off A K on the perpendicular through O, the
+    velocity of A about B, and A K squared over l is p₅. The end of p₃ lies square to the rod from that of p₅,
+    and as far along the slide from O as p₂ is long.
+    """
+    pin, head, shaft, zero = at.pin, at.crosshead, at.shaft, 0 * at.number(1)
+    rod = to(pin, head)
+    cut = to(pin, meet(pin, rod, shaft, Point(zero, at.number(1))))
+    stretching = Point(*(part * dot(cut, cut) / dot(rod, rod) for part in rod))
+    end = meet(plus(pin, stretching), turned(rod), shaft, Point(at.number(1), zero))
+    replaced = to(pin, end)
+    vectors = {
+        "p_1": to(pin, shaft),
+        "p_2": to(end, shaft),
+        "p_3": replaced,
+        "p_4": plus(replaced, stretching, -1),
+        "p_5": stretching,
+    }
+    size, none = at.number(SIZE), Point(zero, zero)
+    ends = {name: plus(none, vector, size) for name, vector in vectors.items()}
+    return {"O": shaft, "A": pin, "B": head, **ends}
+
+
+def laid_off(points: dict[str, Point], vector: str, *at: str, share: Any = 1) -> dict[str, Point]:
+    """Lay a vector, or a share of it, off from points: its end at A is "p_2 A"."""
+    for one in at:
+        points[f"{vector} {one}"] = plus(points[one], points[vector], share)
+    return points
+
+
+def in_scale(length: Any) -> Any:
+    """Return in v²/R what a length in R stands for."""
+    return length * SIZE.denominator / SIZE.numerator
+
+
+def size(start: str, end: str) -> Callable[[Points], Any]:
+    """Return what measures a vector's amount."""
+    return lambda points: in_scale(distance(points[start], points[end]))
+
+
+def square(start: str, end: str) -> Callable[[Points], Any]:
+    """Return what measures a vector square to the rod, positive as p₄ of the outstroke is."""
+    return lambda points: _over_rod(points, start, end, turned(to(points["B"], points["A"])))
+
+
+def lengthwise(start: str, end: str) -> Callable[[Points], Any]:
+    """Return what measures a vector along the rod, positive from A towards B."""
+    return lambda points: _over_rod(points, start, end, to(points["A"], points["B"]))
+
+
+def _over_rod(points: Points, start: str, end: str, way: Point) -> Any:
+    return in_scale(dot(to(points[start], points[end]), way) / distance(points["A"], points["B"]))
+
+
+ROD: Sequence[Element] = (Line("A", "B", LINK), Line("slide", "slide end", CENTRE))
+SCALE_BAR: Sequence[Element] = (Scale("scale", "scale end", ACCELERATION),)
+
+
+def with_scale(points: dict[str, Point], at: Placed) -> dict[str, Point]:
+    """Add the slide about B, and below it a line as long as R, which has the scale."""
+    head = points["B"]
+    none = Fraction(0)
+    for name, along, across in (
+        ("slide", -ROOM, none),
+        ("slide end", Fraction(1, 2), none),
+        ("scale", -SIZE, -DEPTH),
+        ("scale end", none, -DEPTH),
+    ):
+        points[name] = Point(head.x + at.number(along), head.y + at.number(across))
+    return points
+
+
+def arrows(vector: str, points: Sequence[str], symbol: str = "", look: str = AID) -> Sequence[Arrow]:
+    """Return a vector as it is laid off from points."""
+    return tuple(Arrow(one, f"{vector} {one}", symbol, look) for one in points)
