@@ -30,6 +30,7 @@ Draw path, velocity and acceleration over the crank angle, or what --positions, 
 kurbel plot --ratio 1:5 -o bewegung.svg
 kurbel plot --ratio 1:5 --infinite --width 85 -o spalte.pdf
 kurbel plot --ratio '1:4;1:5' --columns p -o beschleunigung.pdf
+kurbel plot --ratio 1:5 --over path --infinite -o geschwindigkeitsellipse.pdf
 kurbel plot --ratio 1:5 --force 10kN --stroke 600mm -o kraefte.pdf
 kurbel plot --positions 30 --ratio 1:5 -o kurbeltrieb.svg
 kurbel plot --mechanism arc --rocker 6 -o bogenschubkurbel.svg

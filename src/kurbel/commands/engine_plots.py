@@ -1,7 +1,7 @@
 """Drawings of a steam engine: the forces in its crank drive, and its turning effort."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Annotated, Any, Unpack
+from typing import TYPE_CHECKING, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder import engines
@@ -10,12 +10,21 @@ from kurbel.commands.cylinder.given import Cylinders, Of
 from kurbel.commands.cylinder.slope import Lying
 from kurbel.commands.diagram.given import Diagram, foreign, is_diagram, needless
 from kurbel.commands.drawn.size import Sized, page_size
+from kurbel.commands.drives.given import PATH
 from kurbel.commands.engine import Wheeled, beside_wheel
 from kurbel.commands.engine_pages.layouts import has_wheel
 from kurbel.commands.machines import engine_of, is_heavy, load_of, over_cycle, weightless
 from kurbel.commands.motion import of_other_mechanisms
-from kurbel.commands.options import Choice, Option
-from kurbel.commands.plots import CurveStep, DrawnColumns, DrawnSpeed, LabelLang, curve_angles, only, page_of
+from kurbel.commands.plots import (
+    CurveStep,
+    DrawnColumns,
+    DrawnSpeed,
+    LabelLang,
+    Over,
+    curve_angles,
+    only,
+    page_of,
+)
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws
 from kurbel.errors import ProblemError
@@ -24,7 +33,6 @@ from kurbel.reading.given import as_names
 if TYPE_CHECKING:
     from kurbel.engine.request import EngineRequest
 
-AXES = ("angle", "path")
 # The pages whose forces can be drawn, without masses and with them.
 ENGINE_LAYOUT, MACHINE_LAYOUT = "engine-forces", "machine-forces"
 
@@ -46,7 +54,11 @@ class Drawn(engines.Cylinder, engines.MovingRod, Lying, Rods, Rubbing, option.An
     decimal: option.Decimal
 
 
-class DrawnTurning(Drawn, Wheeled, Diagram, total=False):
+class DrawnOver(Over, Drawn, total=False):
+    """The same, over the crank angle or the piston's path."""
+
+
+class DrawnTurning(Over, Drawn, Wheeled, Diagram, total=False):
     """An engine with its flywheel, or a diagram in place of the engine."""
 
 
@@ -57,7 +69,7 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
 
 @draws(foreign=_foreign, needless=weightless)
 def plot_engine_forces(
-    eps: option.Eps = None, *, of: Of = None, columns: DrawnColumns = (), **given: Unpack[Drawn]
+    eps: option.Eps = None, *, of: Of = None, columns: DrawnColumns = (), **given: Unpack[DrawnOver]
 ) -> Drawing:
     """Draw the forces in the crank drive of a steam engine, those of the first crank."""
     from kurbel.plot.drawings import curves_drawing
@@ -65,6 +77,13 @@ def plot_engine_forces(
 
     mark = mark_of(given["lang"], given["decimal"])
     question = _force_question({**given, "eps": eps, "of": of}, FORCES, columns)
+    if given["over"] == PATH:
+        from kurbel.plot.over.engine import around_path, force_panels_over_path
+
+        panels, beside = force_panels_over_path(question), around_path(question)
+        return Drawing.of(
+            curves_drawing(question, panels, mark, beside, page_size(given)), given["lang"], mark
+        )
     drawn = curves_drawing(
         question, force_panels(question), mark, around(question, strokes=True), page_size(given)
     )
@@ -93,13 +112,6 @@ def plot_turning(
     eps: option.Eps = None,
     *,
     cranks: option.Cranks = None,
-    over: Annotated[
-        str,
-        Option(
-            "Axis of the turning effort: angle (default), or path, the crank pin's on its developed circle.",
-            kind=Choice("axis", AXES),
-        ),
-    ] = "angle",
     **given: Unpack[DrawnTurning],
 ) -> Drawing:
     """Draw the turning effort of a steam engine: tangential force, its mean and the excess energy, with a
@@ -109,7 +121,7 @@ def plot_turning(
     from kurbel.plot.drawings import curves_drawing
     from kurbel.plot.engine import TURNING, across_path, around, over_path, turning_panels
 
-    mark, lang = mark_of(given["lang"], given["decimal"]), given["lang"]
+    mark, lang, over = mark_of(given["lang"], given["decimal"]), given["lang"], given["over"]
     about, wheel = {**given, "eps": eps, "cranks": cranks}, None
     if is_diagram(given):
         from kurbel.commands.diagram.page import diagram_drawn
@@ -117,7 +129,7 @@ def plot_turning(
 
         asked = diagram_drawn(about)
         panels, beside = diagram_panels(asked), NOTHING_AROUND
-        if over == "path":
+        if over == PATH:
             panels, beside = over_path(panels), beside._replace(across=across_path(lang))
         return Drawing.of(curves_drawing(asked, panels, mark, beside, page_size(given)), lang, mark)
     if has_wheel(given):
@@ -132,7 +144,7 @@ def plot_turning(
         shown = "speed" if wheel.speed is None else "rpm"
         question = _question("speed", about, (*TURNING, shown), wheel=wheel)
         panels.append(speed_panel(question))
-    if over == "path":
+    if over == PATH:
         panels, beside = over_path(panels), beside._replace(across=across_path(lang))
     return Drawing.of(curves_drawing(question, panels, mark, beside, page_size(given)), lang, mark)
 

@@ -3,12 +3,13 @@
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from importlib import import_module
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, TypeAlias, Unpack
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, TypeAlias, TypedDict, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.drawn.size import Sized, page_size
+from kurbel.commands.drives.given import ANGLE, AXES, PATH
 from kurbel.commands.motion import described, ends_of, meant, of_other_mechanisms, some
-from kurbel.commands.options import FLAG, Columns, Option, is_given
+from kurbel.commands.options import FLAG, Choice, Columns, Option, is_given
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws
 from kurbel.drive.crank import Crank
@@ -94,6 +95,19 @@ class Positions(option.AnyDrive, Sized, total=False):
     decimal: option.Decimal
 
 
+class Over(TypedDict, total=False):
+    """What curves run over."""
+
+    over: Annotated[
+        str,
+        Option(
+            "What curves run over: angle (default), or path, the piston's, with both strokes in one curve, such"
+            " as the velocity ellipse; with --turning the crank pin's path on its developed circle.",
+            kind=Choice("axis", AXES), default=ANGLE,
+        ),
+    ]  # fmt: skip
+
+
 class Curves(option.AnyDrive, Sized, total=False):
     """A crank drive over its crank angle, under a piston force."""
 
@@ -106,6 +120,10 @@ class Curves(option.AnyDrive, Sized, total=False):
     decimal: option.Decimal
 
 
+class OverCurves(Over, Curves, total=False):
+    """The same, over its angle or its path."""
+
+
 @draws(foreign=_of_motion)
 def plot_motion(
     ratio: option.Ratios = None,
@@ -115,9 +133,10 @@ def plot_motion(
     infinite: Annotated[
         bool, Option("Draw the motion with a rod of infinite length as well, dotted.", kind=FLAG)
     ] = False,
-    **given: Unpack[Curves],
+    **given: Unpack[OverCurves],
 ) -> Drawing:
-    """Draw path, velocity and acceleration over the crank angle, or what the columns name."""
+    """Draw path, velocity and acceleration over the crank angle, or what the columns name; over the path
+    velocity and acceleration."""
     from kurbel.plot.curves import motion_keys
 
     about = {**given, "ratio": ratio, "speed": speed}
@@ -148,7 +167,7 @@ def plot_mechanism(
 
 @draws(foreign=_of_forces)
 def plot_forces(
-    ratio: option.Ratios = None, *, columns: DrawnColumns = (), **given: Unpack[Curves]
+    ratio: option.Ratios = None, *, columns: DrawnColumns = (), **given: Unpack[OverCurves]
 ) -> Drawing:
     """Draw the forces in the crank drive under a constant piston force."""
     from kurbel.plot.curves import force_keys
@@ -176,6 +195,11 @@ def _drawn(
 
     mark, asked = mark_of(given["lang"], given["decimal"]), _asked(given, columns, keys, command)
     dotted = _asked({**given, "method": beside}, columns, keys, command).question if beside else None
+    if given["over"] == PATH:
+        from kurbel.commands.over.drawn import drawn_over
+
+        found = drawn_over(asked.question, asked.solved, dotted, mark, page_size(given))
+        return Drawing.of(found, given["lang"], mark)
     panels = motion_panels(asked.question, dotted, asked.solved)
     drawn = curves_drawing(
         asked.question, panels, mark, around(asked.question, asked.solved, dotted), page_size(given)
@@ -198,7 +222,12 @@ def _asked(given: Mapping[str, Any], columns: option.Names, keys: Keys, command:
     drives = some(chosen.drives(said, page.ratios))
     if command == "polar":
         only(drives, "polar", "ratios")
-    names = as_names(columns, chosen.examples.get(command, "")) or keys(chosen, chosen.crank(drives[0]))
+    named, crank = as_names(columns, chosen.examples.get(command, "")), chosen.crank(drives[0])
+    names = named or keys(chosen, crank)
+    if given.get("over") == PATH:
+        from kurbel.commands.over.drawn import names_over
+
+        names = names_over(chosen, crank, names, bool(named))
     question = chosen.question(
         drives, given["method"], layout=page, angles=angles, lang=given["lang"], columns=names
     )

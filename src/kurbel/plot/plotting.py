@@ -81,6 +81,7 @@ def curves(
     with style():
         plans = _plans(panels, span, around, size, mark)
         figure, axes = _laid_out(plans, size)
+        span = plans[0].span
         for number, (one, plan) in enumerate(zip(axes, plans, strict=True), 1):
             _draw(one, plan, number)
             draw_areas(one, plan, number)
@@ -125,6 +126,14 @@ def _plans(
         each = zip(panels, rooms, strict=True)
         return with_one_legend([plan_of(one, span, has._replace(height=height), mark) for one, has in each])
 
+    if any(panel.scale for panel in panels):
+        from kurbel.plot.chart.to_scale import plans_to_scale
+
+        def to_scale(ends: tuple[float, float], rooms: Sequence[Room]) -> list[Plan]:
+            each = zip(panels, rooms, strict=True)
+            return with_one_legend([plan_of(one, ends, has, mark) for one, has in each])
+
+        return plans_to_scale(panels, span, [first, *[room] * (len(panels) - 1)], size, to_scale)
     plans = planned(room.height)
     # In less height a legend may take the place of labels, which takes some height itself.
     for _ in range(2 if size.height else 0):
@@ -143,11 +152,13 @@ def _plans(
 def _laid_out(plans: Sequence[Plan], size: Size) -> tuple[Figure, list[Axes]]:
     """Return the page and its empty panels."""
     total = size.height or BELOW + sum(plan.top() + plan.room.height for plan in plans)
-    figure, top = page(total, size.width), total
+    # What is to scale may be narrower.
+    width = LEFT + plans[0].room.width + RIGHT if any(plan.room.limits for plan in plans) else size.width
+    figure, top = page(total, width), total
     axes: list[Axes] = []
     for plan in plans:
         top -= plan.top() + plan.room.height
-        box = (LEFT / size.width, top / total, plan.room.width / size.width, plan.room.height / total)
+        box = (LEFT / width, top / total, plan.room.width / width, plan.room.height / total)
         axes.append(figure.add_axes(box, label=f"panel {len(axes) + 1}"))
     return figure, axes
 

@@ -7,6 +7,7 @@ from fractions import Fraction
 from math import ceil, floor
 from typing import NamedTuple
 
+from kurbel.errors import NoRootError
 from kurbel.exact.numerals import Number, degrees_text, figures, number_text
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import LOADED, OUT, RETURN, STROKES
@@ -56,6 +57,24 @@ def spots(
         apart = {round(one.angle, 6) % TURN: one for one in reversed(alike)}
         named.extend(_named(apart.values(), quantity, span, power, lang))
     return named
+
+
+def zeros(drive: Drive, quantity: Quantity, span: tuple[float, float], lang: str) -> list[Spot]:
+    """Return where a quantity is zero over the turn, with certified angles."""
+    asked = _conditions(drive).get(quantity.key)
+    if asked is None or not _is_solved(drive, asked):
+        return []
+    try:
+        roots = solve(drive, Condition(asked))
+    except NoRootError:
+        return []
+    number = f"${quantity.symbol.strip('$')} = 0$"
+    found = [(_float(root.angle(True, 1, DECIMALS, ROUNDING)), root) for root in roots]
+    return [
+        Spot(angle, 0.0, AT[lang].format(number=number, angle=_degrees(root, 0)))
+        for angle, root in found
+        if span[0] <= angle <= span[1]
+    ]
 
 
 def strokes_of(drive: Drive, span: tuple[float, float], lang: str) -> Strokes:
@@ -113,10 +132,14 @@ def _named(
         signed = number._replace(scaled=abs(number.scaled) * (-1 if one.value < 0 else 1))
         turns = range(ceil((span[0] - one.angle) / TURN), floor((span[1] - one.angle) / TURN) + 1)
         for turn in turns:
-            minutes = one.root.angle(True, 60, 0, ROUNDING).scaled + 60 * TURN * turn
-            place = degrees_text(Fraction(minutes, 60)) if minutes % 60 else f"{minutes // 60}°"
-            text = AT[lang].format(number=f"${number_text(signed)}$", angle=place)
+            text = AT[lang].format(number=f"${number_text(signed)}$", angle=_degrees(one.root, turn))
             yield Spot(one.angle + TURN * turn, one.value, text if turn == turns[0] else "")
+
+
+def _degrees(root: Root, turn: int) -> str:
+    """Return the angle of a root in so many turns, in degrees and minutes."""
+    minutes = root.angle(True, 60, 0, ROUNDING).scaled + 60 * TURN * turn
+    return degrees_text(Fraction(minutes, 60)) if minutes % 60 else f"{minutes // 60}°"
 
 
 def _number(root: Root, quantity: Quantity, power: int) -> Number:

@@ -51,6 +51,13 @@ def draw_spots(axes: Axes, plan: Plan) -> None:
     """Mark the spots and write beside them."""
     for spot in plan.panel.spots:
         place = (np.asarray([spot.angle]), np.asarray([spot.value]))
+        if spot.way is not None:
+            (tip,), span = plan.on_paper(Course(*place)), (plan.span[1] - plan.span[0])
+            across, up = spot.way
+            rise = up * plan.room.height / (plan.limits[1] - plan.limits[0])
+            way = np.asarray((across * plan.room.width / span, rise))
+            _head(axes, plan, tip, way / np.hypot(*way), 2.8, 0.28)
+            continue
         axes.plot(*place, marker="o", markersize=2 * SPOT * MM, color=BLACK, zorder=5, clip_on=False)
     for one in plan.spots:
         x, y = one.place / plan.size
@@ -166,9 +173,16 @@ def _arrow(axes: Axes, plan: Plan, start: tuple[float, float], end: tuple[float,
         _head(axes, plan, end, UP)
 
 
-def _head(axes: Axes, plan: Plan, tip: tuple[float, float], way: np.ndarray) -> None:
-    """Draw a filled arrowhead; along and across are of two scales."""
-    side = np.asarray((-way[1], way[0])) * 0.17
-    base = np.asarray(tip) - way * ARROW
-    corners = np.stack((np.asarray(tip), base + side * ARROW, base - side * ARROW))
+def _head(
+    axes: Axes,
+    plan: Plan,
+    tip: tuple[float, float],
+    way: np.ndarray,
+    length: float = ARROW,
+    slim: float = 0.17,
+) -> None:
+    """Draw a filled arrowhead of a length in mm; along and across are of two scales."""
+    side = np.asarray((-way[1], way[0])) * slim
+    base = np.asarray(tip) - way * length
+    corners = np.stack((np.asarray(tip), base + side * length, base - side * length))
     axes.fill(*plan.in_values(Course(*corners.T)), color=BLACK, linewidth=0, zorder=6, clip_on=False)

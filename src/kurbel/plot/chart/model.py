@@ -26,11 +26,13 @@ class Curve(NamedTuple):
 
 
 class Spot(NamedTuple):
-    """A point of a curve that is marked, and what is written beside it."""
+    """A point of a curve that is marked, by a dot or by an arrowhead that points a way, and what is written
+    beside it."""
 
     angle: float
     value: float
     text: Label = ""
+    way: tuple[float, float] | None = None
 
 
 class Swing(NamedTuple):
@@ -45,7 +47,7 @@ class Panel(NamedTuple):
     """Curves of one unit over one axis; the label names the axis, a single curve needs none of its own.
 
     With `areas` what the first curve encloses with the second is hatched, above it one way and below it the
-    other.
+    other. With a `scale` it is drawn to one: so many units of its values are as long as a unit of the axis.
     """
 
     curves: Sequence[Curve]
@@ -54,6 +56,7 @@ class Panel(NamedTuple):
     areas: bool = False
     spots: Sequence[Spot] = ()
     swing: Swing | None = None
+    scale: float | None = None
 
     @property
     def power(self) -> int:

@@ -30,13 +30,15 @@ NEAR = 1e-9
 
 class Room(NamedTuple):
     """What a panel has: its width and height in mm, what stands between it and its heading, and beside this
-    at the right, and the angles at which lines lead through it."""
+    at the right, and the angles at which lines lead through it; where they are settled, the ends of the
+    axis of values."""
 
     width: float
     height: float
     strip: float = 0.0
     said: str = ""
     ends: tuple[float, ...] = ()
+    limits: tuple[float, float] | None = None
 
 
 class Written(NamedTuple):
@@ -108,7 +110,7 @@ def plan_of(panel: Panel, span: tuple[float, float], room: Room, mark: str) -> P
     courses = [Course.of(curve) for curve in panel.curves]
     heading = in_rows(text_of(axis_label(panel.label, panel.unit, panel.power), mark), room.width)
     texts = tuple(text_of(curve.label, mark) for curve in panel.curves)
-    limits = _limits(courses, SPOT_ROW / room.height if panel.spots else EDGE)
+    limits = room.limits or _limits(courses, SPOT_ROW / room.height if panel.spots else EDGE)
     plan = Plan(panel, courses, span, limits, room, heading, texts, None, (), 0)
     if any(texts):
         labels = _labels(plan) if len(texts) <= MOST_LABELS else None

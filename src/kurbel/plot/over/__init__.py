@@ -1,0 +1,1 @@
+"""Drawings over the piston's path: both strokes closed into one curve."""

@@ -1,0 +1,202 @@
+"""What drawings show of a crank drive over the piston's path: velocity ellipse and acceleration curve."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import partial
+from math import nan
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kurbel.exact.kind import floats
+from kurbel.exact.numerals import Label
+from kurbel.motion.drives import Drive
+from kurbel.motion.evaluation import OUT, STROKES
+from kurbel.motion.page import AngleQuestion
+from kurbel.page.quantity import Column, Quantity, words
+from kurbel.plot.chart.extremes import spots, zeros
+from kurbel.plot.chart.model import Around, Panel, Spot, Strokes
+from kurbel.plot.curves import said_drive, said_ratio
+from kurbel.plot.panels import Trace, axis_name, check_drawn, degrees, panels_of
+from kurbel.plot.sketch import DEAD_CENTRES
+from kurbel.plot.ticks import Across, Ticks, plain_ticks
+
+# What is drawn to scale, R, v and v²/R of one length, by the beginning of its key.
+VELOCITY, ACCELERATION = ("c", "velocity"), ("p", "acceleration")
+_UNIT = re.compile(r"_mps2?$")
+# Marks of the crank angle, and where arrows point along a curve and have its stroke beside them.
+MARKS, ARROWS = range(0, 360, 30), {45: OUT, 225: -OUT}
+# Degrees from which a direction is taken, and a share of the greatest value that is none.
+NEAR_BY, NOTHING = 1e-4, 1e-6
+STROKE = words("Hub|Stroke")
+EQUAL = words("$R$, $v$ und $v^2/R$ gleich lang|$R$, $v$ and $v^2/R$ of one length")
+
+
+class PathDrawing:
+    """Drives over the path that is the first column of what is asked for; drives as conditions see them."""
+
+    def __init__(
+        self, question: AngleQuestion, drives: Sequence[Drive], beside: AngleQuestion | None = None
+    ) -> None:
+        check_drawn(question.angles, max(len(question.ratios), 1) + (beside is not None))
+        self.question, self.drives, self.beside, self.lang = question, drives, beside, question.lang
+        given = degrees(question.angles)
+        ends = [end for drive in drives for end in _dead_centres(drive, given[0], given[-1])]
+        # With them a curve has its ends, and never the same path twice one after the other.
+        self.angles = np.union1d(given, ends)
+
+    @property
+    def alone(self) -> Drive | None:
+        """The drive of a drawing of one."""
+        return self.drives[0] if len(self.drives) == 1 else None
+
+    def panels(self) -> list[Panel]:
+        """Return a panel for each quantity, or of one drive for each unit. Raises ProblemError."""
+        traces = [*self._traces(self.question), *(self._traces(self.beside, True) if self.beside else ())]
+        apart = len(self.question.ratios) > 1 or self.beside is not None
+        found = panels_of(traces, self.lang, apart=apart)
+        scales = {_label(one.quantity, self.lang): self._scale(one.quantity) for one in traces}
+        return [panel._replace(scale=scales.get(panel.label)) for panel in found]
+
+    def around(self) -> Around:
+        """Return the axis of the path, the dead centres, and what is drawn."""
+        name, heading, unit = axis_name(self._columns[0].quantity, self.lang)
+        known = bool(unit) and any(self._scale(one.quantity) for one in self._columns[1:])
+        label = f"{name} {heading}" + (f" in {unit}" if unit else "")
+        said = said_drive(self.drives[0], self.question) if self.alone and self.beside is None else ""
+        paths = [value for path in self._paths(self.question) for value in path]
+        ends = (min(paths), max(paths))
+        if known:
+            label += f" ({EQUAL[self.lang]})"
+        return Around(said, self._strokes(ends), Across(label, partial(_ticks, ends)))
+
+    @property
+    def _columns(self) -> Sequence[Column]:
+        return self.question.page_columns
+
+    def _paths(self, question: AngleQuestion) -> list[list[float]]:
+        return [path.tolist() for path in question.curves(self.angles)[0]]
+
+    def _strokes(self, ends: tuple[float, float]) -> Strokes | None:
+        """Return the one stroke between the dead centres, if all drives have these and the turn is whole."""
+        longest = [max(path) for path in self._paths(self.question)]
+        angles, near = self.question.angles, NOTHING * ends[1]
+        if max(longest) - min(longest) > near or angles[-1] - angles[0] < 360:
+            return None
+        dead = [DEAD_CENTRES[which][self.lang] for which in ("inner", "outer")]
+        return Strokes(ends, dead, [STROKE[self.lang]])
+
+    def _traces(self, question: AngleQuestion, dotted: bool = False) -> Iterator[Trace]:
+        paths, *drawn = question.curves(self.angles)
+        for place, of_drives in enumerate(drawn, 1):
+            one = question.page_columns[place].quantity
+            for ratio, (path, values) in enumerate(zip(paths, of_drives, strict=True)):
+                stroke = STROKES[one.stroke][self.lang] if one.stroke in STROKES else ""
+                told = (said_ratio(question.ratios[ratio]), stroke) if question.ratios else ()
+                named = partial(self._spots, place) if self.alone and not dotted else None
+                seen = self._once(question, place, ratio)
+                yield Trace(one, told, path[seen].tolist(), values[seen].tolist(), dotted, named)
+
+    def _once(self, question: AngleQuestion, place: int, ratio: int) -> NDArray[np.bool_]:
+        """Return which angles are drawn: of a return over the curve of the outstroke none, lest a pattern be
+        drawn twice."""
+        first, last = self.angles[0], self.angles[-1]
+        there, back = (question.curves(angles) for angles in (self.angles, first + last - self.angles))
+        pairs = ((there[one][ratio], back[one][ratio]) for one in (0, place))
+        alike = all(np.abs(one - other).max() <= NOTHING * np.abs(one).max() for one, other in pairs)
+        return self.angles <= (first + last) / 2 if alike else np.ones(len(self.angles), bool)
+
+    def _scale(self, quantity: Quantity) -> float | None:
+        """Return how much of a quantity is as long as a unit of the path: v and v²/R as long as R."""
+        if _UNIT.sub("", quantity.key) not in (*VELOCITY, *ACCELERATION):
+            return None
+        one, path = (
+            float(each.scale(self.drives[0].crank, floats())) if each.scale else 1.0
+            for each in (quantity, self._columns[0].quantity)
+        )
+        return one / path
+
+    def _spots(self, place: int, power: int) -> Sequence[Spot]:
+        """Return what is named in the curve of a column: extremes, zeros, angles, strokes."""
+        drive, quantity = self.drives[0], self._columns[place].quantity
+        span = float(self.angles[0]), float(self.angles[-1])
+
+        def value(angle: float) -> float:
+            return self._at(angle, place)[1]
+
+        key = _UNIT.sub("", quantity.key)
+        found = spots(drive, quantity, value, span, power, self.lang)
+        if key in ACCELERATION:
+            found += zeros(drive, quantity, span, self.lang)
+        if key in VELOCITY:
+            found += [
+                Spot(float(mark), value(mark), f"$φ = {mark}°$" if mark == MARKS[1] else f"{mark}°")
+                for mark in MARKS
+                if _within(mark, span)
+            ]
+        over = [one._replace(angle=self._at(one.angle, place)[0]) for one in found]
+        return [*_apart(over), *self._ways(place, span)]
+
+    def _ways(self, place: int, span: tuple[float, float]) -> Iterator[Spot]:
+        """Yield arrowheads with the names of the strokes, where these have curves of their own."""
+        apart = np.abs(np.subtract(self._at(105, place), self._at(255, place)))
+        if apart.max() < NOTHING * max(1.0, *np.abs(self._at(105, place))):
+            return
+        for angle, stroke in ARROWS.items():
+            if _within(angle, span):
+                here, there = (np.asarray(self._at(one, place)) for one in (angle, angle + NEAR_BY))
+                across, up = (there - here) / NEAR_BY
+                yield Spot(
+                    float(here[0]), float(here[1]), STROKES[stroke][self.lang], (float(across), float(up))
+                )
+
+    def _at(self, angle: float, place: int) -> tuple[float, float]:
+        """Return path and value at an angle."""
+        found = self.question.curves(np.asarray([angle], float))
+        return float(found[0][0][0]), float(found[place][0][0])
+
+
+def titled(question: AngleQuestion) -> AngleQuestion:
+    """Return what is drawn without the path that it is drawn over."""
+    keys = tuple(column.key for column in question.page_columns[1:])
+    return replace(question, columns=keys)
+
+
+def _label(quantity: Quantity, lang: str) -> Label:
+    name, heading, _ = axis_name(quantity, lang)
+    return f"{name} {heading}"
+
+
+def _ticks(ends: tuple[float, float], low: float, high: float, mark: str, most: int) -> Ticks:
+    """Return the ticks of the path between the dead centres, beyond which there is none."""
+    found, near = plain_ticks(low, high, mark, most), NOTHING * (ends[1] - ends[0])
+    kept = [
+        (place, text) for place, text in zip(*found, strict=True) if ends[0] - near <= place <= ends[1] + near
+    ]
+    places, texts = zip(*kept, strict=True) if kept else ((), ())
+    return Ticks(places, texts)
+
+
+def _dead_centres(drive: Drive, first: float, last: float) -> Iterator[float]:
+    """Yield the dead centres of a drive between two angles."""
+    for place in drive.ends(OUT):
+        begun = 180 * float(place.half_turns().mid())
+        turns = range(int((first - begun) // 360), int((last - begun) // 360) + 1)
+        yield from (begun + 360 * turn for turn in turns if first <= begun + 360 * turn <= last)
+
+
+def _within(angle: float, span: tuple[float, float]) -> bool:
+    return span[0] <= angle <= span[1]
+
+
+def _apart(found: Sequence[Spot]) -> list[Spot]:
+    """Return the spots without those where another one is: the strokes of a straight crank share a curve."""
+    near = NOTHING * max((abs(one.value) for one in found), default=nan)
+    kept: list[Spot] = []
+    for one in found:
+        if all(max(abs(one.angle - other.angle), abs(one.value - other.value)) > near for other in kept):
+            kept.append(one)
+    return kept
