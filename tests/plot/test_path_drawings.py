@@ -1,4 +1,4 @@
-"""Drawings over the path: points of the file lie on the curve of crank and rod, R, v and v²/R of one scale."""
+"""Drawings over the path: points of the file lie on the curve of crank and rod, R, v, v²/R to one scale."""
 
 from __future__ import annotations
 

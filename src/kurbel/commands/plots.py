@@ -101,8 +101,8 @@ class Over(TypedDict, total=False):
     over: Annotated[
         str,
         Option(
-            "What curves run over: angle (default), or path, the piston's, with both strokes in one curve, such"
-            " as the velocity ellipse; with --turning the crank pin's path on its developed circle.",
+            "What curves run over: angle (default), or path, the piston's, both strokes in one curve, such as"
+            " the velocity ellipse; with --turning the crank pin's path on its developed circle.",
             kind=Choice("axis", AXES), default=ANGLE,
         ),
     ]  # fmt: skip
