@@ -3,8 +3,7 @@
 import math
 import random
 import re
-from collections.abc import Mapping
-from fractions import Fraction
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 import pytest
@@ -21,15 +20,21 @@ SMALL = {ord(small): f"_{digit}" for digit, small in enumerate("₀₁₂₃₄�
 PATH = r'<g id="length-{}">\s*<path d="M ([-\d.]+) ([-\d.]+)\s*L ([-\d.]+) ([-\d.]+)'
 
 
-def drives(name: str, count: int) -> list[tuple[str, str]]:
-    """Return ratios and angles, also beyond 180° and at dead centres, the same in every run."""
-    dice = random.Random(name)
-    some = [(Fraction(dice.randint(120, 600), 100), dice.randint(1, 3599)) for _ in range(count)]
-    return [(f"1:{float(rod)}", str(angle / 10)) for rod, angle in some]
+# What some constructions take beside their drive, from dice; the rods have their mass between their pins.
+TAKEN: Mapping[str, Callable[[random.Random], Any]] = {
+    "point": lambda dice: dice.randint(-100, 200) / 100,
+    "centre": lambda dice: dice.randint(30, 80) / 100,
+    "gyration": lambda dice: dice.randint(10, 40) / 100,
+    "eps": lambda dice: dice.randint(100, 600) / 100,
+}
 
 
 # What describes drives of a mechanism, at any of the ratios.
-OTHERS: Mapping[str, Mapping[str, str]] = {"offset": {"offset": "-0.15"}, "arc": {"rocker": "6"}}
+OTHERS: Mapping[str, Mapping[str, str]] = {
+    "offset": {"offset": "-0.15"},
+    "arc": {"rocker": "6"},
+    "beam": {"beam": "3.7"},
+}
 ASKED = [
     (name, mechanism)
     for name in CONSTRUCTIONS
@@ -38,25 +43,44 @@ ASKED = [
 ]
 
 
+def drives(name: str, mechanism: str) -> Iterator[dict[str, Any]]:
+    """Yield what a construction is asked of: ratios and angles, also beyond 180°, the same in every run."""
+    dice, shown = random.Random(name), construction(name)
+    for _ in range(2 if mechanism == "straight" else 1):
+        asked: dict[str, Any] = {"mechanism": mechanism, **OTHERS.get(mechanism, {})}
+        asked["ratio"] = f"1:{dice.randint(120, 600) / 100}"
+        if shown.angle:
+            asked["angle"] = str(dice.randint(1, 3599) / 10)
+        yield asked | {key: str(TAKEN[key](dice)) for key in shown.takes if key in TAKEN}
+
+
 @pytest.mark.parametrize(("name", "mechanism"), ASKED)
 def test_a_length_on_paper_is_the_printed_one(name: str, mechanism: str) -> None:
-    drive: dict[str, Any] = {"mechanism": mechanism, **OTHERS.get(mechanism, {})}
-    for ratio, angle in drives(name, 3 if mechanism == "straight" else 1):
-        drawing = kurbel.plot_construction(name, ratio=ratio, angle=angle, **drive)
+    for asked in drives(name, mechanism):
+        drawing = kurbel.plot_construction(name, **asked)
         svg = drawing.image().decode()
-        # "R = 15 mm, F = 30 mm; 1. …"
-        scales = dict(re.findall(r"(\S+) = ([\d.e-]+) mm", drawing.about.partition(";")[0]))
-        page = kurbel.construction_table(
-            name, ratio=ratio, angle=angle, columns="length,drawn,unit", digits=12, **drive
-        )
+        # "R = 15 mm, M v²/R = 30 mm; 1. …"
+        scales = dict(re.findall(r"(?:^|, )([^=]+) = ([\d.e-]+) mm", drawing.about.partition(";")[0]))
+        page = kurbel.construction_table(name, **asked, columns="length,drawn,unit", digits=12)
         for letters, printed, unit in page.records.rows:
             if unit == "°":
                 continue
             assert isinstance(printed, Number) and isinstance(letters, str)
             written = plain(letters).replace("′", "'").translate(SMALL)
             found = re.search(PATH.format(re.escape(written)), svg)
-            assert found, (name, ratio, angle, written)
+            assert found, (name, asked, written)
             x, y, to_x, to_y = map(float, found.groups())
             assert math.hypot(to_x - x, to_y - y) * POINT == pytest.approx(
                 abs(printed.scaled) / 10**printed.decimals * float(scales[plain(str(unit))]), abs=PAPER
-            ), (name, ratio, angle, written)
+            ), (name, asked, written)
+
+
+@pytest.mark.parametrize(("name", "mechanism"), ASKED)
+def test_an_exact_length_is_the_true_one_to_the_last_digit(name: str, mechanism: str) -> None:
+    """By its points and by the kernel; of an approximate one the error is between them."""
+    approximate = [one.approximate is not None for one in construction(name).lengths]
+    for asked in drives(name, mechanism):
+        page = kurbel.construction_table(name, **asked, columns="drawn,true,error", digits=15)
+        for doubtful, row in zip(approximate, page.records.rows, strict=True):
+            drawn, true, error = (one.scaled for one in row if isinstance(one, Number))
+            assert abs(drawn - true - error) <= doubtful, (name, asked, row)
