@@ -31,6 +31,7 @@ from kurbel.linkage.coupled import coupled_registry
 from kurbel.linkage.parallel import parallel_registry
 from kurbel.motion.inertia import inertia_registry
 from kurbel.motion.inertia_page import error_columns
+from kurbel.motion.points.quantities import points_registry
 from kurbel.motion.quantities import registry
 from kurbel.page.layouts import layout_names
 from kurbel.page.subject import subject
@@ -232,7 +233,7 @@ def test_quantities_are_listed_a_line_each() -> None:
     rods = [*inertia_registry(), *error_columns(), *(one.key for one, _ in subject("rod masses").entries())]
     assert keys == [
         *motion, *engines, *("value" for _ in harmonics.HARMONICS), *torques(), *balance_registry(), *turned,
-        *firing, *links, *rods, *(one.key for _, one in own_columns()),
+        *firing, *links, *points_registry(), *rods, *(one.key for _, one in own_columns()),
         *(one.key for about in ("over path", "unknown") for one, _ in subject(about).entries()),
     ]  # fmt: skip
     assert all(len(line.split()) > 2 for line in lines)

@@ -125,6 +125,8 @@ def test_the_columns_are_those_of_the_mechanism_that_was_typed() -> None:
     assert set(completed("bash", *words)) == {"ratio", "phi", *arc_registry()}
     assert completed("bash", "table", "--layout", "parallel", "--columns", "p") == ["phi"]
     assert completed("bash", "table", "--mechanism", "p") == ["parallel"]
+    points = ("table", "--mechanism", "arc", "--point", "0.5", "--columns", "path_al")
+    assert completed("bash", *points) == ["path_along", "path_along_mm"]
     assert completed("bash", "plot", "--mechanism", "parallel", "--columns", "coupler_p") == ["coupler_path"]
     forces = ("plot", "--forces", "--eps", "4", "--columns", "crank_pin")
     assert completed("bash", *forces) == ["crank_pin_force", "crank_pin_force_n"]

@@ -51,7 +51,7 @@ OVER_ANGLES = (
     "arc", "blau-kolbenwege", "engine-forces", "forces", "forces-arc", "forces-effort",
     "forces-parallel", "forces-verfahren", "inertia", "ensslin-parts", "ensslin-forces", "inertia-parts",
     "mollier", "kinematics", "lueger-kolbenbewegung", "machine-forces", "parallel", "rod-load-turn", "speed",
-    "torques", "turning", "turning-path",
+    "rod-points", "torques", "turning", "turning-path",
     "verfahren",
 )  # fmt: skip
 ROWS |= {name: ("--angle=0;60",) for name in OVER_ANGLES}
@@ -63,6 +63,8 @@ STEAM = ("--back=10%", "--exponent=1,13", "--clearance=5%", "--single-acting")
 OTHERS = {
     "kinematics-units.en": ("table", *MACHINE, "--angle=60"),
     "kinematics-offset.de": ("table", "--ratio=1:4", "--offset=0,5", "--angle=60"),
+    "rod-points-units.en": ("table", "--point=0;0.5,0.1", *MACHINE, "--angle=0;60"),
+    "rod-points-arc.de": ("table", "--point=0.5,0.1", *BELOW[1:]),
     "forces-units.en": ("forces", "--force=10kN", "--stroke=600mm", "--angle=60"),
     "forces-arc-units.en": ("forces", *BELOW[1:], "--force=10kN", "--stroke=600mm"),
     "forces-parallel-units.de": ("forces", "--mechanism=parallel", "--force=10kN", "--angle=30"),

@@ -199,6 +199,7 @@ ARRAYS = {
     "kurbel.motion.arrays",
     "kurbel.motion.long.columns",
     "kurbel.motion.long.places",
+    "kurbel.motion.points.long",
 }
 
 

@@ -82,6 +82,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "formulas": ("collate", "blau-equations"),
     "arc crank": ("table", "--mechanism=arc", "--rocker=6"),
     "parallel crank": ("table", "--mechanism=parallel"),
+    "rod points": ("table", "--point=0.5"),
     "effort": (
         "forces",
         "--bore=300mm",
@@ -138,9 +139,9 @@ TORQUES = about("torque", "excitation", "cylinders")
 FIRINGS = about("firing orders", "firing")
 COLLATIONS = about("collation", "formulas")
 EFFORTS = about("effort")
-LINKAGES = about("arc crank", "parallel crank", "coupled axles", "beam engine")
+LINKAGES = about("arc crank", "parallel crank", "coupled axles", "beam engine", "rod points")
 # What `kurbel table` prints.
-DRIVES = about("motion", "arc crank", "parallel crank", "beam engine", "over path")
+DRIVES = about("motion", "arc crank", "parallel crank", "beam engine", "rod points", "over path")
 PRESSED = about("pressures", "pressures over the angle")
 RODS = about(
     "mass forces", "inertia", "inertia errors", "rod masses", "pin masses", "rocker inertia", "tangent"
@@ -224,6 +225,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "formulas": (kurbel.collation_table, {"table": "blau-equations"}),
     "arc crank": (kurbel.table, {"mechanism": "arc", "rocker": 6}),
     "parallel crank": (kurbel.table, {"mechanism": "parallel"}),
+    "rod points": (kurbel.table, {"point": 0.5}),
     "effort": (kurbel.forces_table, {
         "bore": 0.3, "piston_rod": 0.05, "head_pressure": 150_000, "stroke": 0.6, "speed": 2,
         "reciprocating": 300, "rod_mass": 150, "centre": 0.6, "gyration": "0.3", "friction": 500,

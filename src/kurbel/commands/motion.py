@@ -24,6 +24,8 @@ from kurbel.reading.given import as_angle, as_angles, as_names
 
 HALF_TURN, FULL_TURN = Fraction(180), Fraction(360)
 STEP = Fraction(10)
+# What pages about points of the rod are about.
+POINTS = "rod points"
 
 
 def meant(values: Mapping[str, Any], **instead: Any) -> Mechanism:
@@ -31,7 +33,7 @@ def meant(values: Mapping[str, Any], **instead: Any) -> Mechanism:
     values = {**values, **instead}
     mechanism, offset, layout = values["mechanism"], values["offset"], values.get("layout")
     if not mechanism and layout is not None:
-        subject = layout_of(layout, (*MOTIONS, OVER_PATH), values["layouts"]).subject
+        subject = layout_of(layout, (*MOTIONS, OVER_PATH, POINTS), values["layouts"]).subject
         fitting = [name for name, one in MECHANISMS.items() if one.subject == subject]
         mechanism = fitting[0] if len(fitting) == 1 else None
     return mechanisms.mechanism(mechanism or ("straight" if offset is None else "offset"))
@@ -150,7 +152,7 @@ def some(drives: Sequence[Any]) -> Sequence[Any]:
 @makes_table(
     foreign=of_other_mechanisms,
     needless=needless_over,
-    order="angle from_ to step zero over shares columns offset stroke crank true_stroke"
+    order="point angle from_ to step zero over shares columns offset stroke crank true_stroke"
     " time_ratio rod method speed acceleration mechanism"
     " rocker pivot circuit beam",
 )
@@ -158,7 +160,8 @@ def table(
     ratio: option.Ratios = None,
     *,
     columns: Annotated[option.Names, option.columns_over_angle("kinematics", "phi,x,c,p")] = (),
-    layout: Annotated[str | None, option.layout_option(*MOTIONS, OVER_PATH)] = None,
+    layout: Annotated[str | None, option.layout_option(*MOTIONS, OVER_PATH, POINTS)] = None,
+    point: option.RodPoint = None,
     **given: Unpack[Motion],
 ) -> Question:
     """Print a table of piston path, velocity and acceleration.
@@ -170,6 +173,7 @@ def table(
     kurbel table --stroke 600mm --rod 1500mm --speed 120/min
     kurbel table --mechanism arc --ratio 1:5 --rocker 6
     kurbel table --ratio 1:5 --over path --step 5%
+    kurbel table --ratio 1:5 --point 0.5
     \f
     >>> import kurbel
     >>> page = kurbel.table("1:5", angle=[0, 45, 90], columns=["phi", "x", "c"])
@@ -190,6 +194,11 @@ def table(
     0.5,84.2608,1.0153,1.0153
     """
     chosen, said = described({**given, "layout": layout}, ratio=ratio)
+    if point is not None and is_given(point):
+        from kurbel.commands.points.asked import points_question
+
+        return points_question(chosen, said, point, layout, columns, given)
+    _check_pointless(layout, given)
     if is_over_path({**given, "layout": layout}):
         from kurbel.commands.over.path import over_path
 
@@ -204,3 +213,11 @@ def table(
         columns=as_names(columns, chosen.examples["table"]),
         **sheet_of(given),
     )
+
+
+def _check_pointless(name: str | None, given: Mapping[str, Any]) -> None:
+    if name is not None and layout_named(name, given["layouts"]).subject == POINTS:
+        raise ProblemError(
+            f"layout {name} is about points of the rod, and none was given; add --point, for example"
+            " --point 0.5"
+        )

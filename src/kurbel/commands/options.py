@@ -140,6 +140,8 @@ class Columns(Kind):
 
     def _default(self, typed: Mapping[str, Any]) -> str:
         """The layout that the other options choose."""
+        if typed.get("point"):
+            return "rod-points"
         if mechanism := typed.get("mechanism"):
             from kurbel.motion.mechanism import mechanism as mechanism_of
 

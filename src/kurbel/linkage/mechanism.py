@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any, ClassVar
 
@@ -13,6 +14,7 @@ from kurbel.kernel.circle import Circle
 from kurbel.linkage import linkage
 from kurbel.linkage.linkage import Linkage
 from kurbel.linkage.question import LinkageRequest
+from kurbel.motion.captions import drive_notes, turns_label
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import OUT
 from kurbel.motion.mechanism import FORCES, Mechanism
@@ -76,6 +78,13 @@ class LinkageMechanism(Mechanism):
 
     def question(self, drives: Sequence[Linkage], method: str | None = None, **asked: Any) -> LinkageRequest:
         return LinkageRequest(drives=tuple(drives), **asked)
+
+    def rod_notes(self, drives: Sequence[Linkage], lang: str) -> Iterable[Label]:
+        # Neither the offset nor the mean speed is that of a slide.
+        cranks = [replace(one.crank, offset=Fraction(0), moving=None, speed=None) for one in drives]
+        yield from drive_notes(cranks, lang)
+        if (speed := drives[0].crank.speed) is not None:
+            yield turns_label(speed)
 
     def solved(self, drives: Sequence[Linkage], method: str | None) -> tuple[Drive, ...]:
         return tuple(LinkageDrive(one, self.conditions(), self.layout) for one in drives)

@@ -12,6 +12,7 @@ from kurbel.drive.crank import RODLESS, Crank, Described
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Circle
+from kurbel.kernel.coupler.point import Rod, crank_pin
 from kurbel.kernel.linkage import Place
 from kurbel.kernel.parallel import coupler, coupler_place
 from kurbel.linkage.linkage import At, Linkage, Outline, Point, Stand
@@ -139,6 +140,7 @@ class Parallel(LinkageMechanism):
     title = "the parallel crank"
     layout = "parallel"
     forces_layout = "forces-parallel"
+    rod = "kurbel.linkage.parallel:rod_ends"
 
     def drives(self, said: Described, ratios: Sequence[str]) -> tuple[ParallelCrank, ...]:
         return (ParallelCrank(said.rodless),)
@@ -151,6 +153,14 @@ class Parallel(LinkageMechanism):
 
     def conditions(self) -> Mapping[str, Quantity]:
         return {}
+
+
+def rod_ends(
+    drive: ParallelCrank, method: str, circle: Any, kind: Kind, beside: bool
+) -> tuple[Rod[Any], None]:
+    """Return the ends of the rod, which move alike, as all its points."""
+    end = crank_pin(circle, circle.versine)
+    return Rod(end, end), None
 
 
 MECHANISM = Parallel()

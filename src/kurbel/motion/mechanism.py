@@ -17,6 +17,7 @@ from kurbel.reading.given import found_at
 if TYPE_CHECKING:
     from kurbel.motion.drives import Drive
     from kurbel.motion.page import AngleQuestion, Request
+    from kurbel.motion.points.digits import Ends
     from kurbel.motion.slide import SlideDrive
     from kurbel.page.quantity import Column, Quantity
 
@@ -31,7 +32,8 @@ class Mechanism(ABC):
     is drawn unless columns are named: each quantity, and what stands for it where its unit is known.
     `examples` are columns for messages, by command. `drawing` makes the drawing to scale, of a drive, angles,
     language, decimal mark and size, `moving` what moves on interactive pages, of a drive. A drive with a
-    `crosshead` has its pages of forces in common with engines, and a polar diagram.
+    `crosshead` has its pages of forces in common with engines, and a polar diagram. `rod` finds the ends of
+    its connecting rod, for points on that.
     """
 
     name: ClassVar[str]
@@ -46,6 +48,7 @@ class Mechanism(ABC):
     drawing: ClassVar[str]
     moving: ClassVar[str]
     crosshead: ClassVar[bool] = False
+    rod: ClassVar[str] = ""
 
     @property
     def subject(self) -> str:
@@ -88,6 +91,21 @@ class Mechanism(ABC):
         """Return a column of a page about engines under the heads of this drive."""
         return column
 
+    def rod_ends(self) -> Ends:
+        """Return what finds the ends of its connecting rod, for points on that."""
+        if not self.rod:
+            raise ProblemError(
+                f"{self.title} has no connecting rod whose points are computed; leave --point out"
+            )
+        found: Ends = found_at(self.rod)
+        return found
+
+    def rod_notes(self, drives: Sequence[Any], lang: str) -> Iterable[Label]:
+        """Return what pages of points of the rod say of their drives."""
+        from kurbel.motion.captions import drive_notes
+
+        return drive_notes([self.crank(one) for one in drives], lang)
+
     @abstractmethod
     def question(self, drives: Sequence[Any], method: str | None = None, **asked: Any) -> AngleQuestion:
         """Return what is asked for of drives at crank angles."""
@@ -129,6 +147,7 @@ class StraightCrank(Mechanism):
     drawing = "kurbel.plot.drawings:mechanism_drawing"
     moving = "kurbel.plot.moving.slide:slide_scene"
     crosshead = True
+    rod = "kurbel.motion.points.slide:rod"
 
     def drives(self, said: Described, ratios: Sequence[str]) -> tuple[Crank, ...]:
         return said.cranks(ratios)

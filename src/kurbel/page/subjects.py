@@ -59,6 +59,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "firing": Pages("kurbel.balance.firing_page:FIRING", "firing --order 1-3-4-2"),
     **mechanisms.SUBJECTS,
     "coupled axles": Pages("kurbel.linkage.coupled:SUBJECT", "forces --mechanism parallel --axles 3"),
+    "rod points": Pages("kurbel.motion.points.page:SUBJECT", "table --point 0.5"),
     "inertia": Pages("kurbel.motion.inertia_page:INERTIA", _INERTIA),
     "inertia errors": Pages("kurbel.motion.inertia_page:SUBJECT", _INERTIA),
     "rod masses": Pages("kurbel.motion.rod_masses:SUBJECT", _INERTIA),

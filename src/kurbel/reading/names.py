@@ -11,10 +11,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 # Words for the same, also before _return, _mm and the like: those that names have, then those that none has.
 # Capitals, accents and signs between words do not count, and a number is a word.
 _SAME = """
-    x path coupler_path | position piston_path piston_position displacement weg kolbenweg
+    x path coupler_path path_along | position piston_path piston_position displacement weg kolbenweg
     c velocity coupler_velocity | v piston_velocity geschwindigkeit kolbengeschwindigkeit
     p acceleration coupler_acceleration | a piston_acceleration beschleunigung kolbenbeschleunigung
     x_stroke path_stroke s | stroke_share
+    path_along | xi
+    path_across | eta
     phi crank_angle | angle kurbelwinkel winkel
     psi rod | rod_angle stangenwinkel schubstangenwinkel
     ratio | lambda crank_ratio kurbelverhaltnis
@@ -47,8 +49,8 @@ _SAME = """
 _GROUPS = [tuple(part.split() for part in line.split("|")) for line in _SAME.strip().splitlines()]
 _LETTERS = str.maketrans(
     {"φ": "phi", "ϕ": "phi", "ψ": "psi", "λ": "lambda", "ε": "epsilon", "δ": "delta", "ω": "omega",
-     "μ": "mu", "ν": "nu", "α": "alpha", "η": "eta", "θ": "theta", "ä": "a", "ö": "o", "ü": "u", "∞": "inf",
-     "%": " percent"}
+     "μ": "mu", "ν": "nu", "α": "alpha", "η": "eta", "θ": "theta", "ξ": "xi", "ä": "a", "ö": "o", "ü": "u",
+     "∞": "inf", "%": " percent"}
 )  # fmt: skip
 _UNIT = re.compile(r"\s*\[.*")
 _NUMBER = re.compile(r"[0-9]+")

@@ -22,8 +22,8 @@ BALANCING = "What balances"
 PAGE = "The page"
 
 SECTIONS: Mapping[str, str] = {
-    ASKED: "forces turning polar pressures plot.positions where unknown quantity orders order intervals at of"
-    " detail exact csv only strict sources over infinite table",
+    ASKED: "forces turning polar pressures plot.positions point where unknown quantity orders order intervals"
+    " at of detail exact csv only strict sources over infinite table",
     CRANK: "ratio stroke rod speed machine method mechanism offset crank true_stroke time_ratio acceleration"
     " rocker pivot circuit beam axles driven",
     "The crank angles": "angle step from to zero shares",

@@ -27,14 +27,15 @@ def direct(numbers: Numbers, circle: Circle[Any], of_stroke: bool, kind: Kind) -
     nothing = kind.of(Fraction(0))
     # With θ = 0 at the dead centre the slide direction is its tangent, in which along and across are.
     along, rise = nothing, nothing
+    dead_crank = (nothing, nothing)
     if of_stroke:
-        dead = _dead_turn(numbers, kind.of)
+        dead, dead_crank = _dead_turn(numbers, kind.of)
         along, rise = (dead[0] - sine) / curvature, (dead[1] - cosine) / curvature
     across = circle.sine * cosine - circle.cosine * sine
     facing = circle.cosine * cosine + circle.sine * sine
     velocity = across + facing * slant / slant_cosine
     place = Place(nothing, along, rise, slant, slant_cosine, across, facing, velocity)
-    return place, Arc(ratio, curvature, *5 * [nothing])
+    return place, Arc(ratio, curvature, nothing, nothing, nothing, *dead_crank)
 
 
 def _turn(numbers: Numbers, circle: Circle[Any], of: Callable[[Fraction], Any]) -> tuple[Any, Any, Any, Any]:
@@ -55,19 +56,24 @@ def _turn(numbers: Numbers, circle: Circle[Any], of: Callable[[Fraction], Any]) 
     return sine, cosine, slant, slant_cosine
 
 
-def _dead_turn(numbers: Numbers, of: Callable[[Fraction], Any]) -> tuple[Any, Any]:
-    """Return sin θ and cos θ at the dead centre."""
+def _dead_turn(numbers: Numbers, of: Callable[[Fraction], Any]) -> tuple[tuple[Any, Any], tuple[Any, Any]]:
+    """Return sine and cosine of θ at the dead centre, and those of the crank angle there."""
     ratio, curvature, offset, shift = numbers
     level, up = _pivot(numbers)
     gap = 1 - shift + ratio * (1 - shift**2 - offset**2) / 2
     dead = curvature * gap - ratio * offset
-    return _rocker_turn(
+    root = of((1 + ratio) ** 2 - dead**2) ** 0.5
+    sine, cosine = _rocker_turn(
         of(curvature * dead - ratio),
-        of(curvature) * of((1 + ratio) ** 2 - dead**2) ** 0.5,
+        of(curvature) * root,
         of(level),
         of(up),
         of(level**2 + up**2),
     )
+    # The rod, at sin ψ = dead/(1 + λ) against the arc, is in line with the crank.
+    whole, slant = of(1 + ratio), of(dead)
+    crank = (sine * root - cosine * slant) / whole, (cosine * root + sine * slant) / whole
+    return (sine, cosine), crank
 
 
 def _pivot(numbers: Numbers) -> tuple[Fraction, Fraction]:

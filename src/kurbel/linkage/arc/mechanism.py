@@ -40,11 +40,16 @@ class RockerMechanism(LinkageMechanism):
     motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
     drawing = "kurbel.plot.drawings:arc_drawing"
     moving = "kurbel.plot.moving.rocker:rocker_scene"
+    rod = "kurbel.linkage.arc.rod_ends:rod"
     speech: ClassVar[Speech]
     names: ClassVar[Mapping[str, str]]
 
     def loaded_notes(self, drives: Sequence[Any], lang: str) -> Sequence[Label]:
         return self.speech.engine_notes(drives, lang)
+
+    def rod_notes(self, drives: Sequence[Any], lang: str) -> Iterable[Label]:
+        yield from super().rod_notes(drives, lang)
+        yield from (self.speech.dead_centres(one, lang) for one in drives)
 
     def masses_notes(self, crank: Crank, ratio_symbol: str, lang: str) -> Iterable[Label]:
         return moving_notes(crank, ratio_symbol, lang, self.speech.words)

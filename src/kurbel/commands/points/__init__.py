@@ -1,0 +1,1 @@
+"""Points of the rod: what options ask for of them."""

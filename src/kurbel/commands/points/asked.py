@@ -1,0 +1,45 @@
+"""What options ask for of points of the rod."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from kurbel.commands.motion import POINTS, angles_of, sheet_of
+from kurbel.commands.options import is_given
+from kurbel.commands.parameters import Given, Names
+from kurbel.drive.crank import Described
+from kurbel.errors import ProblemError
+from kurbel.motion.mechanism import Mechanism
+from kurbel.motion.points.page import SUBJECT, PointsRequest
+from kurbel.motion.points.point import points_of
+from kurbel.page.layouts import layout_of
+from kurbel.reading.given import as_names
+
+EXAMPLE = "phi,path_along,path_across"
+
+
+def points_question(
+    chosen: Mechanism,
+    said: Described,
+    point: Given,
+    layout: str | None,
+    columns: Names,
+    given: Mapping[str, Any],
+) -> PointsRequest:
+    """Return what is asked for of points of the rod at crank angles."""
+    if is_given(given["over"]):
+        raise ProblemError("points of the rod are tabulated over the crank angle; leave --over out")
+    chosen.rod_ends()
+    page = layout_of(layout or SUBJECT.layout, (POINTS,), given["layouts"])
+    drives = chosen.drives(said, page.ratios)
+    return PointsRequest(
+        mechanism=chosen,
+        drives=drives,
+        points=points_of(point, [chosen.crank(one) for one in drives]),
+        method=given["method"],
+        layout=page,
+        angles=angles_of(page, given),
+        columns=as_names(columns, EXAMPLE),
+        **sheet_of(given),
+    )

@@ -1,0 +1,1 @@
+"""Any point of the rod: its path, velocity and acceleration."""

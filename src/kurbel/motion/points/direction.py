@@ -1,0 +1,82 @@
+"""The direction of a vector as certified degrees: counted as the crank angle, from 0° to below 360°."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+import flint
+
+from kurbel.exact.certify import GUARD_BITS, NEVER_TIES, ball_degrees, rounded, vanishes
+from kurbel.exact.kind import Kind, balls, bounds
+from kurbel.exact.numerals import nearest
+from kurbel.kernel.coupler.point import Vector, amount
+
+# What makes a vector on a kind of number.
+Made = Callable[[Kind], Vector[Any]]
+TURN, QUARTER = 360, 90
+
+
+def of_floats(vector: Vector[Any]) -> Any:
+    """Return the direction of floats or arrays, in degrees; that of no vector is 0."""
+    import numpy as np
+
+    return np.degrees(np.arctan2(vector.across, 0.0 - vector.along)) % TURN
+
+
+def reduced(degrees: Fraction, decimals: int, rounding: str) -> int:
+    """Return an exact direction times 10**decimals, rounded, within a turn."""
+    return nearest(degrees % TURN, decimals, rounding).scaled % _turn(decimals)
+
+
+def digits(made: Made, decimals: int, rounding: str, exact: bool) -> int | None:
+    """Return the direction of a vector times 10**decimals, rounded correctly; None where there is no vector.
+
+    `exact` says that its parts are algebraic, so that separation bounds tell a vector that is none. The angle
+    of such a vector is no rational number of degrees but at few places, and a tie at none that is known: one
+    is not taken for proved (`certify.rounded` then raises ProblemError).
+    """
+    sector = _sector(made, exact)
+    if sector is None:
+        return None
+    found = rounded(lambda: _in_sector(made(balls()), sector), decimals, rounding, NEVER_TIES)
+    return found % _turn(decimals)
+
+
+def _turn(decimals: int) -> int:
+    whole: int = TURN * 10**decimals
+    return whole
+
+
+def _sector(made: Made, exact: bool) -> int | None:
+    """Return the quarter, from 0, in whose middle or near it the vector points; None if there is none."""
+    bits = _bits(made) if exact else 0.0
+    precision = GUARD_BITS
+    while True:
+        precision *= 2
+        with flint.ctx.workprec(precision):
+            one = made(balls())
+            forth, up = -one.along, one.across
+            level = abs(forth).mid() >= abs(up).mid()
+            strong = forth if level else up
+            if not strong.contains(0):
+                return (0 if strong > 0 else 2) if level else (1 if strong > 0 else 3)
+        if exact and _is_none(made, bits):
+            return None
+
+
+def _is_none(made: Made, bits: float) -> bool:
+    return vanishes(lambda: made(balls()).along, bits) and vanishes(lambda: made(balls()).across, bits)
+
+
+def _bits(made: Made) -> float:
+    found = made(bounds())
+    return max(float(found.along.bits()), float(found.across.bits()))
+
+
+def _in_sector(vector: Vector[Any], sector: int) -> Any:
+    """Return the degrees of a vector in its quarter, within 45° of the middle of that or somewhat more."""
+    forth, up = -vector.along, vector.across
+    aside = (up, -forth, -up, forth)[sector]
+    return QUARTER * sector + ball_degrees(aside / amount(vector))

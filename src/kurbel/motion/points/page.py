@@ -1,0 +1,183 @@
+"""The pages of points of the rod: what is asked for, records, subject."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from kurbel.drive.crank import check_angles
+from kurbel.errors import ProblemError
+from kurbel.exact.kind import floats
+from kurbel.exact.numerals import Label, Number
+from kurbel.kernel.circle import circle
+from kurbel.motion.evaluation import NEEDS, PAGE_CELLS, needed
+from kurbel.motion.page import AngleQuestion, check_pairs
+from kurbel.motion.points import captions
+from kurbel.motion.points.digits import Ends, Moved
+from kurbel.motion.points.point import Point, decimals_of
+from kurbel.motion.points.quantities import points_registry
+from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, RatioAxis
+from kurbel.page.layouts import Layout, LayoutColumn
+from kurbel.page.quantity import Column, Quantity, words
+from kurbel.page.subject import Subject
+from kurbel.page.table import Field, Records
+
+if TYPE_CHECKING:
+    from kurbel.motion.long.columns import LongColumns
+    from kurbel.motion.mechanism import Mechanism
+
+POINT = words("Punkt der Schubstange|Point of the rod")
+RATIO = "ratio"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class PointsRequest(AngleQuestion):
+    """What is asked for of these points on the rods of these drives, alike but for their ratios, at these
+    angles. By the method of the infinite rod all ratios are 1:∞."""
+
+    mechanism: Mechanism
+    drives: tuple[Any, ...]
+    points: tuple[Point, ...]
+    method: str | None = None
+
+    def check(self) -> None:
+        check_angles(self.angles)
+        if not self.drives:
+            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
+        check_pairs(self.layout, "points of the rod")
+        if self.method == "infinite":
+            drives = (replace(one, ratio=Fraction(0)) for one in self.drives)
+            object.__setattr__(self, "drives", tuple(dict.fromkeys(drives)))
+        elif self.method == "series" and any(one.crank.offset for one in self.drives):
+            raise ProblemError(
+                'method "series" has no formulas for an offset crank; use exact, or leave the offset out'
+            )
+        if self.has_ratio and any(one.beside for one in self.points):
+            self._check_finite()
+        if not self.has_ratio and self.layout.subject == SUBJECT.key:
+            object.__setattr__(self, "layout", _without_ratio(self.layout))
+
+    def _check_finite(self) -> None:
+        if all(one.crank.ratio for one in self.drives):
+            return
+        raise ProblemError(
+            "a point beside the axis of an infinite rod is infinitely far from it, for it stands there so"
+            " many rod lengths; give a point on the axis, such as --point 0.5, or the rod a length"
+        )
+
+    @property
+    def has_ratio(self) -> bool:
+        """Whether the motion depends on the length of the rod."""
+        return RATIO in self.mechanism.takes
+
+    @property
+    def subject(self) -> Subject:
+        return SUBJECT if self.has_ratio else RODLESS
+
+    @property
+    def ratios(self) -> list[Fraction]:
+        return [one.crank.ratio for one in self.drives] if self.has_ratio else []
+
+    @property
+    def cranks(self) -> tuple[Any, ...]:
+        """What is known of the cranks."""
+        return tuple(one.crank for one in self.drives)
+
+    @property
+    def moving(self) -> tuple[str, Any]:
+        return self.mechanism.name, self.drives[0]
+
+    def missing(self, quantity: Quantity) -> str:
+        return needed(quantity, self.cranks)
+
+    def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
+        return (self.method or "exact",)
+
+    def too_long(self) -> str:
+        return f"{len(self.points)} points at {len(self.angles)} angles make a table of {len(self)} rows"
+
+    def moved(self, place: Mapping[str, int]) -> Moved:
+        """Return the point at a place on its drive."""
+        ends: Ends = self.mechanism.rod_ends()
+        return Moved(
+            ends, self.drives[place.get(RATIO, 0)], self.method or "exact", self.points[place["point"]]
+        )
+
+    @property
+    def places(self) -> list[dict[str, int]]:
+        """All points on all drives, in the order of records."""
+        return [
+            {RATIO: drive, "point": point}
+            for drive in range(len(self.drives))
+            for point in range(len(self.points))
+        ]
+
+    def curves(self, degrees: Any) -> list[list[Any]]:
+        at, kind, moved = circle(degrees), floats(), [self.moved(place) for place in self.places]
+        return [[one.value(column.quantity, at, kind) for one in moved] for column in self.page_columns]
+
+    @cached_property
+    def long(self) -> LongColumns | None:
+        if len(self.page_columns) * len(self) <= PAGE_CELLS:
+            return None
+        from kurbel.motion.long import worthwhile
+
+        return worthwhile(self, "kurbel.motion.points.long:PointColumns")
+
+
+def _without_ratio(page: Layout) -> Layout:
+    """Return the layout of drives whose motion does not depend on a ratio."""
+    own = vars(page)
+    left = {name: tuple(one for one in own[name] if one != RATIO) for name in ("down", "stub", "across")}
+    return Layout(**{**own, **left, "ratios": ()})
+
+
+class PointAxis(ListAxis):
+    """The points of the rod."""
+
+    def __init__(self, question: PointsRequest) -> None:
+        decimals, name = decimals_of(question.points), POINT[question.lang]
+        super().__init__(
+            question.points,
+            Field("point", name, "$s$", "", decimals),
+            lambda one: one.value(decimals),
+            lambda one: one.label,
+        )
+
+    def over_group(self, place: Place) -> Label:
+        point: Point = self._things[place["point"]]
+        return point.label
+
+
+def _records(question: PointsRequest) -> Records:
+    from kurbel.motion.long import long_records
+
+    return long_records(question)
+
+
+def _number(question: PointsRequest, column: Column, place: Place, times: int) -> Number | None:
+    moved, angle = question.moved(place), question.angles[place["angle"]]
+    scaled = moved.certified(column.quantity, angle, column.places, question.rounding)
+    return None if scaled is None else Number(scaled * times, column.places)
+
+
+SUBJECT = Subject(
+    key="rod points",
+    layout="rod-points",
+    command="table --point 0.5",
+    axes={RATIO: RatioAxis, "point": PointAxis, "angle": AngleAxis, "column": ColumnAxis},
+    axis_keys=(RATIO, "point", "phi"),
+    quantities=points_registry,
+    number=_number,
+    caption=captions.caption,
+    notes=captions.notes,
+    rows=_records,
+    options=NEEDS,
+)
+RODLESS = SUBJECT._replace(
+    axes={"point": PointAxis, "angle": AngleAxis, "column": ColumnAxis}, axis_keys=("point", "phi")
+)
+"""The same of a drive whose motion does not depend on the length of its rod."""

@@ -1,0 +1,170 @@
+"""Points of the rod as they are asked for: 0.5, 50%, 1/3, 500mm; beside the axis 0.5,0.1; several."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from kurbel.drive.crank import Crank
+from kurbel.errors import NotationError, ProblemError
+from kurbel.exact.kind import Kind
+from kurbel.exact.numerals import Label, Number, exact_text, finite_decimals, nearest
+from kurbel.kernel.coupler.point import Point as KernelPoint
+from kurbel.reading import notation
+from kurbel.reading.given import Exact, as_fraction, as_share_or_length
+from kurbel.reading.notation import about, plain, quoted
+
+# Farther from the rod than that nobody asks, in rod lengths.
+FARTHEST = 1000
+# The ends by their letters in the books.
+LETTERS: Mapping[str, Fraction] = {"A": Fraction(1), "B": Fraction(0)}
+_WHAT = "point"
+# What a German writes for 0.5 and 12.5 mm, and what is a place beside the axis with whole numbers.
+_WHOLE = re.compile(r"\s*[-+−]?\d+\s*")
+_PLAIN = re.compile(r"\s*\d+\s*")
+_MEASURED = re.compile(r"\s*\d+\s*[^\d\s.].*")
+EXAMPLE = "0.5, or 0.5,0.1 for one beside the axis of the rod"
+
+
+@dataclass(frozen=True, slots=True)
+class Point:
+    """A point at the share s of the rod from the crosshead pin B to the crank pin A, and t rod lengths beside
+    it, on the side of the crank pin during the outstroke."""
+
+    share: Fraction
+    beside: Fraction = Fraction(0)
+
+    def __post_init__(self) -> None:
+        if max(abs(self.share), abs(self.beside)) > FARTHEST:
+            raise ProblemError(
+                f"the point is {about(max(self.share, self.beside, key=abs))} rod lengths away; at most"
+                f" {FARTHEST} are computed, and 0 to 1 is the rod itself"
+            )
+
+    def on(self, kind: Kind) -> KernelPoint[object]:
+        """Return it on a kind of number."""
+        return KernelPoint(kind.of(self.share), kind.of(self.beside) if self.beside else None)
+
+    @property
+    def is_pin(self) -> bool:
+        """Whether it is the crank pin."""
+        return self.share == 1 and not self.beside
+
+    @property
+    def label(self) -> Label:
+        """What tells it from others: $s = 0.5$, beside the axis $s = 0.5$, $t = 0.1$."""
+        own = f"$s = {exact_text(self.share)}$"
+        return f"{own}, $t = {exact_text(self.beside)}$" if self.beside else own
+
+    @property
+    def text(self) -> str:
+        """It as it is typed: 0.5, or 0.5,0.1."""
+        parts = (self.share, self.beside) if self.beside else (self.share,)
+        return ",".join(plain(one) if finite_decimals(one) is not None else str(one) for one in parts)
+
+    def value(self, decimals: int | None) -> Number | Label:
+        """Return what stands for it in records: a number, to so many decimals; None makes it a text."""
+        return self.text if decimals is None else nearest(self.share, decimals)
+
+
+def decimals_of(points: Sequence[Point]) -> int | None:
+    """Return how many decimals write all points as numbers, None if one of them is none."""
+    counts = [None if one.beside else finite_decimals(one.share) for one in points]
+    known = [count for count in counts if count is not None]
+    return max(known) if len(known) == len(counts) else None
+
+
+def points_of(given: Exact | Iterable[Exact], cranks: Sequence[Crank]) -> tuple[Point, ...]:
+    """Return the points of lists and ranges, each once; lengths count in that of the rod of these cranks."""
+    found = tuple(dict.fromkeys(_each(given, _length_of(cranks))))
+    notation.check_length(len(found), notation.LONGEST_LIST, "points")
+    if not found:
+        raise NotationError(f"no point of the rod was given; write it as {EXAMPLE}")
+    return found
+
+
+def _each(given: Exact | Iterable[Exact], one: Callable[[Exact], Fraction]) -> Iterator[Point]:
+    values = [given] if isinstance(given, str) or not isinstance(given, Iterable) else list(given)
+    for value in values:
+        if not isinstance(value, str):
+            yield Point(as_fraction(value))
+            continue
+        for part in value.split(";"):
+            yield from _read(part, value, one)
+
+
+def _read(part: str, whole: str, one: Callable[[Exact], Fraction]) -> Iterator[Point]:
+    if not part.strip():
+        raise NotationError(f"{_WHAT} {quoted(whole)} has an empty place; write a list as 0;0.5;1")
+    if ".." in part:
+        yield from map(Point, notation.each_number([part], _WHAT, one))
+        return
+    share, comma, beside = part.partition(",")
+    if comma:
+        _check_comma(part, share, beside)
+    try:
+        yield Point(one(share), one(beside) if comma else Fraction(0))
+    except NotationError as error:
+        if "add --" in str(error) or "ratio" in str(error):
+            raise
+        raise NotationError(
+            f"{_WHAT} {quoted(part)} is no place on the rod; write its share from the crosshead pin to the"
+            f" crank pin as {EXAMPLE}"
+        ) from None
+
+
+def _check_comma(part: str, share: str, beside: str) -> None:
+    """Raise NotationError for commas that may be those of decimals."""
+    figures = part.split(",")
+    if len(figures) == 4 and all(map(_PLAIN.fullmatch, figures[1:])):
+        first, second, third, fourth = (one.strip() for one in figures)
+        raise NotationError(
+            f"{_WHAT} {quoted(part)} has commas of decimals and one that parts them; write it as"
+            f" {first}.{second},{third}.{fourth}"
+        )
+    if len(figures) > 2:
+        raise NotationError(f"{_WHAT} {quoted(part)} has {len(figures)} parts; write a list as 0;0.5;1")
+    if _WHOLE.fullmatch(share) and _PLAIN.fullmatch(beside):
+        first, second = share.strip(), beside.strip()
+        raise NotationError(
+            f"{_WHAT} {quoted(part)} could be the share {first}.{second}, or a point {second} rod lengths"
+            f" beside the axis; write {first}.{second}, or {first}.0,{second}.0"
+        )
+    if _WHOLE.fullmatch(share) and _MEASURED.fullmatch(beside):
+        raise NotationError(
+            f"{_WHAT} {quoted(part)} could be one number or two; write {share.strip()}.{beside.strip()}, or a"
+            " point beside the axis with the unit at both, such as 500mm,20mm"
+        )
+
+
+def _length_of(cranks: Sequence[Crank]) -> Callable[[Exact], Fraction]:
+    """Return the reader of a share of the rod, or of a length."""
+    lengths = {crank.rod_length for crank in cranks}
+
+    def read(given: Exact) -> Fraction:
+        from kurbel.reading import units
+
+        if not isinstance(given, str):
+            return as_fraction(given)
+        text = given.strip().removesuffix("L").strip()
+        if text in LETTERS:
+            return LETTERS[text]
+        if not units.is_measure(text):
+            return as_share_or_length(text, _WHAT, None, "")
+        measured = units.displacement(text, _WHAT)
+        if len(lengths) > 1:
+            raise NotationError(
+                f"{_WHAT} {quoted(text)} is a length, and the rods of several ratios have several; give it as"
+                " a share of the rod, such as 0.5"
+            )
+        (whole,) = lengths
+        if whole is None:
+            raise NotationError(
+                f"{_WHAT} {quoted(text)} is a length, but that of the rod is not known; add --rod, for"
+                " example --rod 1500mm, or give a share of the rod, such as 0.5"
+            )
+        return measured / whole
+
+    return read

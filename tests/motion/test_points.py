@@ -1,0 +1,265 @@
+"""Points of the rod: against links closed by mpmath, pages of piston and crank, and second differences."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+from cli import kurbel as typed
+from cli import printed
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from links import CRANKS, DIGITS, arc_crank
+from mpmath import mp
+from numpy.testing import assert_allclose
+from rod_points import values
+
+import kurbel
+from kurbel.drive.crank import Crank
+from kurbel.kernel.circle import circle
+from kurbel.linkage.arc import rod_ends
+from kurbel.linkage.arc.rocker import RockerCrank
+from kurbel.linkage.beam.crank import BeamCrank
+from kurbel.motion.points import slide
+from kurbel.motion.points.digits import Ends, Moved
+from kurbel.motion.points.point import Point
+from kurbel.motion.points.quantities import points_registry
+
+QUANTITIES = {key: one for key, one in points_registry().items() if not one.needs}
+EVERY = ",".join(QUANTITIES)
+PLACES = 12
+
+
+def moved(drive: Crank | RockerCrank, share: str, beside: str = "0") -> Moved:
+    ends: Ends = slide.rod if isinstance(drive, Crank) else rod_ends.rod
+    return Moved(ends, drive, "exact", Point(Fraction(share), Fraction(beside)))
+
+
+def assert_closed(point: Moved, degrees: Fraction) -> None:
+    with mp.workdps(DIGITS):
+        true = values(point.drive, point.point.share, point.point.beside, degrees)
+        for key, one in QUANTITIES.items():
+            found = point.certified(one, degrees, PLACES, "half-away")
+            assert found is not None
+            off = found - true[key] * 10**PLACES
+            if key.endswith("_direction"):
+                turn = 360 * mp.mpf(10) ** PLACES
+                off -= turn * mp.nint(off / turn)
+            assert abs(off) <= mp.mpf("0.501"), f"{key} at {degrees}°: {found}e-12, not {true[key]}"
+
+
+@settings(deadline=None, max_examples=8, derandomize=True)
+@given(
+    rod=st.fractions(2, 9, max_denominator=20),
+    offset=st.fractions(-1, 1, max_denominator=9),
+    share=st.fractions(-2, 3, max_denominator=30),
+    beside=st.sampled_from([Fraction(0), Fraction(1, 7), Fraction(-3, 10)]),
+    degrees=st.fractions(-400, 400, max_denominator=60),
+)
+def test_points_of_a_rod_at_a_crosshead_are_those_of_the_closed_triangle(
+    rod: Fraction, offset: Fraction, share: Fraction, beside: Fraction, degrees: Fraction
+) -> None:
+    drive = Crank(1 / rod, offset * (rod - 1) * Fraction(9, 10))
+    if share or beside:
+        assert_closed(Moved(slide.rod, drive, "exact", Point(share, beside)), degrees)
+
+
+@pytest.mark.parametrize("drive", [*CRANKS[1::3], BeamCrank(Crank(Fraction(1, 5)), Fraction(3))], ids=str)
+def test_points_of_a_rod_at_a_rocker_are_those_of_the_closed_links(drive: RockerCrank) -> None:
+    for share, beside, degrees in (("0.37", "0", "73.1"), ("-0.3", "0.21", "251"), ("1.2", "-0.4", "0")):
+        assert_closed(moved(drive, share, beside), Fraction(degrees))
+
+
+def figures(*words: str) -> list[dict[str, str]]:
+    return printed("table", *words, "-f", "csv").records()
+
+
+def test_both_ends_are_the_crosshead_and_the_crank_pin() -> None:
+    about = ("--ratio=3:10", "--offset=0.4", "--digits=9", "--step=35")
+    piston = figures(*about, "--columns=phi,x,c,p")
+    crosshead = figures(*about, "--point=B", f"--columns=phi,{EVERY}")
+    assert [{key: row[key] for key in "xcp"} for row in piston] == [
+        {
+            letter: row[f"{key}_along"]
+            for letter, key in zip("xcp", ("path", "velocity", "acceleration"), strict=True)
+        }
+        for row in crosshead[: len(piston)]
+    ]
+    assert {row["path_across"] for row in crosshead} == {"0.400000000"}
+    still = {row[key] for row in crosshead for key in ("velocity_across", "acceleration_across")}
+    assert still == {"0.000000000"}
+    assert {row["velocity_direction"] for row in crosshead} == {"0.000000000", "180.000000000"}
+    for row in figures("--ratio=3:10", "--point=A", "--step=35", f"--columns=phi,{EVERY}", "--digits=9"):
+        phi = np.radians(int(row["phi"]))
+        assert float(row["path_across"]) == pytest.approx(np.sin(phi), abs=1e-9)
+        assert (row["velocity"], row["acceleration"]) == ("1.000000000", "1.000000000")
+        # Square to the crank, and along it to the shaft.
+        assert float(row["velocity_direction"]) == (int(row["phi"]) + 90) % 360
+        assert float(row["acceleration_direction"]) == (int(row["phi"]) + 180) % 360
+
+
+def test_what_stands_still_has_no_direction_and_what_points_ahead_is_told_0() -> None:
+    rows = figures("--ratio=1:4", "--point=0;0.5", "--angle=0;180;270", "--columns=velocity_direction")
+    assert [row["velocity_direction"] for row in rows] == ["", "", "0.000", "90.000", "270.000", "0.000"]
+    # e = ½ (L + R): the dead centre is at 30°, where the velocity is no sum of nothing.
+    offset = figures("--ratio=1:4", "--offset=2.5", "--point=0", "--angle=30", "--columns=velocity_direction")
+    assert offset == [{"velocity_direction": ""}]
+    # Of the arc crank whose dead centre is at φ = 0.
+    arc = ("--mechanism=arc", "--ratio=1:3", "--rocker=3", "--pivot=2.2;-2.4", "--angle=0")
+    assert figures(*arc, "--point=0", "--columns=velocity,velocity_direction") == [
+        {"velocity": "0.0000", "velocity_direction": ""}
+    ]
+
+
+def test_ties_are_proved() -> None:
+    # ½ (1.2 + 1): the middle of the rod of 1:5 in its dead centre, and ¼ of sin 30° across.
+    (row,) = figures("--point=0.25", "--angle=30", "--digits=2", "--columns=path_across")
+    assert row["path_across"] == "0.13"
+    # 1 + (1 - s)/4 is 1.125 at the dead centre of 1:4 for s = ½.
+    about = ("--ratio=1:4", "--point=0.5", "--angle=0", "--digits=2", "--columns=acceleration,velocity")
+    assert figures(*about)[0] == {"acceleration": "1.13", "velocity": "0.50"}
+    assert figures(*about, "--rounding=half-even")[0]["acceleration"] == "1.12"
+    # A direction of the crank pin is exact: 22.125° + 90°.
+    (row,) = figures("--point=1", "--angle=22.125", "--columns=velocity_direction", "--digits=2")
+    assert row["velocity_direction"] == "112.13"
+    (row,) = figures("--point=1", "--angle=269.996", "--columns=velocity_direction", "--digits=2")
+    assert row["velocity_direction"] == "0.00"
+
+
+def test_an_accelerated_crank_carries_every_point_along() -> None:
+    # α = 50 rad/s² at ω = 10 rad/s: a = p + ½ c, along and across.
+    about = ("--ratio=1:4", "--point=0.3,0.2", "--angle=40", "--digits=9")
+    rows = [
+        figures(*about, "--stroke=200mm", "--speed=10rad/s", f"--columns={EVERY}", *gain)[0]
+        for gain in ((), ("--acceleration=50rad/s²",))
+    ]
+    even, driven = ({key: float(one) for key, one in row.items()} for row in rows)
+    for part in ("along", "across"):
+        gained = driven[f"acceleration_{part}"] - even[f"acceleration_{part}"]
+        assert gained == pytest.approx(even[f"velocity_{part}"] / 2, abs=2e-9)
+    # p of the crosshead is 1.25 at the dead centre, α/ω² times nothing more, though ω has a factor π.
+    tie = figures(
+        "--ratio=1:4", "--point=0", "--angle=0", "--stroke=1m", "--speed=60/min", "--acceleration=3rad/s²",
+        "--columns=acceleration_along", "--digits=1",
+    )  # fmt: skip
+    assert tie[0]["acceleration_along"] == "1.3"
+
+
+def test_the_infinite_rod_has_ellipses_and_the_parallel_crank_circles() -> None:
+    about = ("--point=0.4", "--step=20", "--digits=8", "--columns=phi,path_along,path_across")
+    for row in figures("--method=infinite", *about):
+        across = float(row["path_across"]) / 0.4
+        assert (1 - float(row["path_along"])) ** 2 + across**2 == pytest.approx(1, abs=1e-7)
+    circles = figures("--mechanism=parallel", "--point=0.4;7.0,2.0", "--step=20", f"--columns=phi,{EVERY}")
+    pin = figures("--ratio=1:5", "--point=1", "--step=20", f"--columns=phi,{EVERY}")
+    assert circles == [*pin, *pin]
+
+
+def test_the_first_order_is_that_of_the_crosshead() -> None:
+    about = ("--ratio=1:4", "--method=series", "--angle=50;130", "--digits=8")
+    point = figures(*about, "--point=0.3,0.2", f"--columns={EVERY}")
+    sine, cosine = np.sin(np.radians([50, 130])), np.cos(np.radians([50, 130]))
+    x, c, p = 1 - cosine + sine**2 / 8, sine + sine * cosine / 4, cosine + np.cos(np.radians([100, 260])) / 4
+    true = {
+        "path_along": 0.7 * x + 0.3 * (1 - cosine) - 0.2 * sine,
+        "path_across": 0.3 * sine + 0.2 * (4 - sine**2 / 8),
+        "velocity_along": 0.7 * c + 0.3 * sine - 0.2 * cosine,
+        "velocity_across": 0.3 * cosine - 0.2 * sine * cosine / 4,
+        "acceleration_along": 0.7 * p + 0.3 * cosine + 0.2 * sine,
+        "acceleration_across": -0.3 * sine - 0.2 * np.cos(np.radians([100, 260])) / 4,
+    }
+    for key, expected in true.items():
+        assert_allclose([float(row[key]) for row in point], expected, rtol=0, atol=6e-9)
+
+
+def test_units_and_lengths_say_the_same() -> None:
+    size = ("--stroke=200mm", "--rod=500mm", "--speed=300/min", "--angle=50", "--digits=6")
+    by_length, by_share = (
+        figures(*size, f"--point={one}", "--columns=path_along_mm,velocity_mps,acceleration_mps2")
+        for one in ("150mm,-50 mm", "0.3,-0.1")
+    )
+    assert by_length == by_share
+    (bare,) = figures(
+        "--ratio=1:5", "--point=0.3,-0.1", "--angle=50", "--digits=12",
+        "--columns=path_along,velocity,acceleration",
+    )  # fmt: skip
+    pin = 0.1 * 10 * np.pi
+    true = [float(one) for one in bare.values()] * np.array([100, pin, pin**2 / 0.1])
+    assert_allclose([float(one) for one in by_length[0].values()], true, rtol=1e-7, atol=0)
+
+
+def test_long_tables_have_the_digits_of_short_ones() -> None:
+    columns = ["path_along", "path_across", "velocity", "acceleration"]
+    page = kurbel.table("1:4", point="0.3,0.1", from_=0, to=360, step="0.05", columns=["phi", *columns])
+    rows = kurbel.typeset(page, "csv").splitlines()[1:]
+    some = rows[::900]
+    angles = [row.split(",")[0] for row in some]
+    short = kurbel.table("1:4", point="0.3,0.1", angle=angles, columns=["phi", *columns])
+    found = [row.split(",")[1:] for row in kurbel.typeset(short, "csv").splitlines()[1:]]
+    assert [row.split(",")[1:] for row in some] == found
+
+
+REFUSED = {
+    "0,5": "could be the share 0.5, or a point 5 rod lengths beside the axis; write 0.5, or 0.0,5.0",
+    "0,5,0,1": "write it as 0.5,0.1",
+    "1;;2": "has an empty place",
+    "400mm": "that of the rod is not known; add --rod",
+    "12,5 mm": "write 12.5 mm, or a point beside the axis with the unit at both",
+    "middle": "is no place on the rod; write its share",
+    "1e4": "10000 rod lengths away; at most 1000",
+}
+
+
+@pytest.mark.parametrize("given_point", REFUSED)
+def test_what_is_no_point_is_answered_by_a_sentence(given_point: str) -> None:
+    result = typed("table", "--ratio=1:5", f"--point={given_point}")
+    assert result.code in (1, 2)
+    assert REFUSED[given_point] in result.err
+    assert result.err.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("--point=0.5,0.1", "--ratio=1:inf"), "infinitely far from it"),
+        (("--point=0.5", "--method=series", "--offset=0.5"), "no formulas for an offset crank"),
+        (("--layout=rod-points",), "add --point, for example --point 0.5"),
+        (("--point=0.5", "--layout=kinematics"), "choose from rod-points"),
+        (("--point=300mm", "--ratio=1:4;1:5", "--stroke=1m"), "the rods of several ratios have several"),
+    ],
+)
+def test_what_cannot_be_asked_of_a_point_is_said(words: tuple[str, ...], sentence: str) -> None:
+    result = typed("table", *words)
+    assert result.code in (1, 2)
+    assert sentence in result.err
+
+
+Curve = Callable[[Any], Any]
+DRIVES = [
+    Crank(Fraction(1, 5)),
+    Crank(Fraction(1, 3), Fraction(-4, 5)),
+    arc_crank("4.5", "7", offset="0.7"),
+    BeamCrank(Crank(Fraction(1, 5)), Fraction(3)),
+]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("drive", DRIVES, ids=str)
+def test_second_differences_of_the_path_are_its_acceleration(drive: Crank | RockerCrank) -> None:
+    """At 10⁴ angles. With steps h the differences are off by h²/12 times a fourth slope of less than 60, and
+    by rounding, 4·10⁻¹⁵/h²: together less than 10⁻⁵; first ones by h²/6 times a third slope."""
+    step = 1e-3
+    degrees = np.linspace(0, 360, 10_000, endpoint=False) + 0.01
+    turns = [circle(degrees + np.degrees(one)) for one in (-step, 0.0, step)]
+    from kurbel.exact.kind import floats
+
+    point = moved(drive, "0.37", "0.2")
+    for part in ("along", "across"):
+        before, here, after = (point.value(QUANTITIES[f"path_{part}"], at, floats()) for at in turns)
+        slope, bend = (after - before) / (2 * step), (after - 2 * here + before) / step**2
+        for key, found in (("velocity", slope), ("acceleration", bend)):
+            own = point.value(QUANTITIES[f"{key}_{part}"], turns[1], floats())
+            assert_allclose(own, found, rtol=0, atol=1e-5)
