@@ -227,6 +227,7 @@ def test_what_is_no_point_is_answered_by_a_sentence(given_point: str) -> None:
         (("--point=0.5,0.1", "--ratio=1:inf"), "infinitely far from it"),
         (("--point=0.5", "--method=series", "--offset=0.5"), "no formulas for an offset crank"),
         (("--layout=rod-points",), "add --point, for example --point 0.5"),
+        (("--point=0.5", "--over=path"), "over the crank angle; leave --over out"),
         (("--point=0.5", "--layout=kinematics"), "choose from rod-points"),
         (("--point=300mm", "--ratio=1:4;1:5", "--stroke=1m"), "the rods of several ratios have several"),
     ],

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from kurbel.commands.drives.given import PATH
 from kurbel.commands.motion import POINTS, angles_of, sheet_of
-from kurbel.commands.options import is_given
 from kurbel.commands.parameters import Given, Names
 from kurbel.drive.crank import Described
 from kurbel.errors import ProblemError
@@ -28,7 +28,7 @@ def points_question(
     given: Mapping[str, Any],
 ) -> PointsRequest:
     """Return what is asked for of points of the rod at crank angles."""
-    if is_given(given["over"]):
+    if given["over"] == PATH:
         raise ProblemError("points of the rod are tabulated over the crank angle; leave --over out")
     chosen.rod_ends()
     page = layout_of(layout or SUBJECT.layout, (POINTS,), given["layouts"])
