@@ -116,7 +116,7 @@ def test_only_a_formula_with_a_bar_needs_height_of_its_own() -> None:
         ("sqrt(1 + a)", "<msqrt><mn>1</mn><mo>+</mo><mi>a</mi></msqrt>"),
         (
             "overline(a d)",
-            '<mover accent="true"><mrow><mi>a</mi><mi>d</mi></mrow><mo>&#x203E;</mo></mover>',
+            '<mover accent="true"><mrow><mi>a</mi><mi>d</mi></mrow><mo stretchy="true">&#x203E;</mo></mover>',
         ),
         ("sqrt(a)^2", "<msup><msqrt><mi>a</mi></msqrt><mn>2</mn></msup>"),
     ],

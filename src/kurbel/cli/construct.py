@@ -4,33 +4,50 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import click
 
+from kurbel.books.constructions.model import Construction
+from kurbel.books.constructions.registry import CONSTRUCTIONS, construction
+from kurbel.cli.listing import Listing, list_formats, plain_lines, show_list
 from kurbel.cli.options import RIVALS, FormatName, Given, Option, Type, click_option, resolved
 from kurbel.cli.tables import TableCommand
 from kurbel.commands.constructions.construct import construction_table, plot_construction
 from kurbel.commands.shown import Drawing
-from kurbel.errors import ProblemError
-from kurbel.formats.registry import FORMATS
+from kurbel.errors import ChoiceError, ProblemError
+from kurbel.formats.registry import DEFAULT, FORMATS
 from kurbel.page.table import Table
 from kurbel.reading.given import choose, found_at
 
 HELP = """\
 Draw a construction of the books to scale, or print the lengths that it gives beside their true values.
 
-The file says which: .svg, .png and .pdf are the drawing, other formats and --table the table. Drawings need
-the extra `plot`.
+The file says which: .svg, .png, .pdf and .pgf, for LaTeX's own fonts, are the drawing, .html is a page with
+the steps to click through; other formats and --table are the table. Drawings need the extra `plot`. Without
+NAME the constructions are listed.
 
 \b
+kurbel construct
 kurbel construct blau-9 --ratio 1:4 --angle 50
 kurbel construct blau-9 --ratio 1:4 --angle 50 -o fig9.svg
-kurbel construct blau-9 --ratio 1:4 --angle 50 -o fig9.pdf
+kurbel construct blau-9 --ratio 1:4 --angle 50 -o fig9.html
+kurbel construct roetscher-1047-line --offset 0.3 --ratio 1:4 -o abb1047.pgf
+kurbel construct forces --ratio 1:4 -o kraefte.pdf
 kurbel construct blau-9 --ratio 1:4 --angle 50 --table -o fig9.tex
 """
 DRAWN = "kurbel.plot.style:FORMATS"
+# What is for the table alone.
+OF_TABLES = (
+    "columns", "layout", "layouts", "digits", "rounding", "label", "units", "caption", "note", "source",
+    "interactive", "standalone", "longtable", "siunitx", "excel",
+)  # fmt: skip
+OF_DRAWINGS = ("width", "height", "text")
+HEADS: Mapping[str, Sequence[str]] = {
+    "de": ("Konstruktion", "was sie zeigt", "Getriebe"),
+    "en": ("construction", "what it shows", "mechanisms"),
+}
 
 
 class AnyFormat(FormatName):
@@ -61,6 +78,8 @@ class ConstructCommand(TableCommand):
         self.help = HELP
 
     def made(self, given: Given) -> tuple[Table | Drawing, int]:  # type: ignore[override]
+        if given.values["name"] is None:
+            raise ProblemError('"construct" prints a list; a document needs the name of a construction')
         if given.values["table"]:
             return super().made(given)
         return self._drawn(given), 0
@@ -68,6 +87,9 @@ class ConstructCommand(TableCommand):
     def run(self, given: Given) -> int:
         from kurbel.formats.render import whole_file
 
+        if given.values["name"] is None:
+            _print_list(given)
+            return 0
         name, output = _drawing_format(given), given.values["output"]
         if given.values["table"] or not name:
             _check_table(given)
@@ -78,6 +100,10 @@ class ConstructCommand(TableCommand):
         with whole_file(output) as stream:
             stream.write(drawn)
         return 0
+
+    def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        with formatter.section("The constructions"):
+            formatter.write_dl([(key, one.title["en"]) for key, one in _constructions()], col_max=26)
 
     def _drawn(self, given: Given) -> Drawing:
         _check_drawn(given)
@@ -90,20 +116,27 @@ def _format_option() -> click.Option:
     return Option(
         ["format", "-f", "--format"], type=Type(AnyFormat("format", FORMATS)),
         envvar="KURBEL_CONSTRUCT_FORMAT",
-        help="Format of the drawing, svg, png or pdf, or of the table; default: by the suffix of -o, else"
-        " text.",
+        help="Format of the drawing, svg, png, pdf, pgf or html, or of the table; default: by the suffix of"
+        " -o, else text.",
     )  # fmt: skip
 
 
 def _drawing_format(given: Given) -> str:
     """Return the format of a drawing that is asked for, nothing for a table."""
-    drawn = found_at(DRAWN)
-    named = given.values["format"] or os.path.splitext(given.values["output"])[1].lower()[1:]
+    suffix = os.path.splitext(given.values["output"])[1].lower()[1:]
+    named = given.values["format"] or ("html" if suffix == "htm" else suffix)
+    drawn = (*found_at(DRAWN), "html")
+    known = [f".{one}" for one in drawn] + [one for form in FORMATS.values() for one in form.suffixes]
+    if not given.typed("format") and given.values["output"] != "-" and f".{suffix}" not in known:
+        raise ChoiceError(
+            f'the file name "{given.values["output"][-60:]}" names neither a drawing nor a table; its suffix'
+            f" must be one of {', '.join(dict.fromkeys(known))}"
+        )
     return named if named in drawn else ""
 
 
 def _check_table(given: Given) -> None:
-    for name in ("width", "height", "text"):
+    for name in OF_DRAWINGS:
         if given.typed(name):
             raise ProblemError(f"--{name} is for the drawing; name a file for it, such as -o kurbel.svg")
     if given.values["format"]:
@@ -111,9 +144,29 @@ def _check_table(given: Given) -> None:
 
 
 def _check_drawn(given: Given) -> None:
-    for name in ("columns", "layout", "layouts", "digits", "rounding", "label", "units", "note", "source"):
+    for name in OF_TABLES:
         if given.typed(name):
             raise ProblemError(f"--{name} is for the table; add --table, or leave it out")
+
+
+def _print_list(given: Given) -> None:
+    """Print the constructions; raise an error for options that the list has no use for."""
+    known = ("lang", "format") if given.values["format"] in list_formats() else ("lang",)
+    for name in given.values:
+        if name not in known and given.typed(name):
+            raise click.UsageError(
+                f"--{name.replace('_', '-')} is for a construction, and none is named; name one, such as"
+                f" blau-9, or leave --{name.replace('_', '-')} out for the list"
+            )
+    lang, form = given.values["lang"], given.values["format"] if given.typed("format") else DEFAULT
+    rows = [(key, one.title[lang], " ".join(one.holds)) for key, one in _constructions()]
+    listing = Listing("constructions", lang, ("construction", "title", "mechanisms"), rows, HEADS[lang], rows)
+    show_list(listing, form, plain_lines([row[:2] for row in rows]))
+
+
+def _constructions() -> Iterator[tuple[str, Construction]]:
+    for key in CONSTRUCTIONS:
+        yield key, construction(key)
 
 
 construct = ConstructCommand()

@@ -171,7 +171,7 @@ def _params() -> list[click.Parameter]:
     output = [
         Option(["format", "-f", "--format"], metavar="FORMAT",
                type=Type(Choice("drawing format", "kurbel.plot.style:FORMATS")),
-               help="svg, png or pdf; default: by the suffix of -o."),
+               help="svg, png, pdf or pgf; default: by the suffix of -o."),
         Option(["output", "-o", "--output"], type=click.Path(allow_dash=True), metavar="FILE", default="-",
                help="File to write, whole or not at all; - is standard output, unless a terminal."),
         Option(["--text"], is_flag=True,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any
 
@@ -121,13 +122,17 @@ class Table(Page):
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Drawing:
-    """A drawing: matplotlib's figure and a title. A notebook shows it, `save` writes SVG, PNG or PDF."""
+    """A drawing: matplotlib's figure and a title. A notebook shows it, `save` writes SVG, PNG, PDF or PGF.
+
+    Of one that has steps `page` makes an HTML page, of its SVG file.
+    """
 
     figure: Any
     title: Label
     lang: str
     mark: str
     about: Label = ""
+    page: Callable[[str], str] | None = None
 
     @classmethod
     def of(cls, drawn: Drawn, lang: str, mark: str) -> Drawing:
@@ -142,11 +147,15 @@ class Drawing:
         return plain(self.title, self.mark)
 
     def image(self, format: str = "svg", *, text: bool = False) -> bytes:
-        """Return the drawing as a file of the format svg, png or pdf; of SVG with `text` letters stay text.
+        """Return the drawing as a file of the format svg, png, pdf or pgf; of SVG with `text` letters stay
+        text. A construction in steps has html, too.
 
         Raises KurbelError.
         """
         from kurbel.plot.style import image
+
+        if self.page and format == "html" and not text:
+            return self.page(self.image().decode()).encode()
 
         return image(self.figure, format, self.plain_title, plain(self.about, self.mark), text)
 
@@ -158,7 +167,9 @@ class Drawing:
         from kurbel.formats.render import whole_file
         from kurbel.plot.style import format_of
 
-        content = self.image(format_of(os.fspath(path)), text=text)
+        name = os.fspath(path)
+        is_page = self.page and name.lower().endswith((".html", ".htm"))
+        content = self.image("html" if is_page else format_of(name), text=text)
         with whole_file(os.fspath(path)) as stream:
             stream.write(content)
 

@@ -148,7 +148,8 @@ def _mathml_node(nodes: tree.Nodes, place: int, mark: str) -> str:
         case tree.Root(content):
             return f"<msqrt>{mathml(content, mark)}</msqrt>"
         case tree.Overline(content):
-            return f'<mover accent="true"><mrow>{mathml(content, mark)}</mrow><mo>&#x203E;</mo></mover>'
+            bar = '<mo stretchy="true">&#x203E;</mo>'
+            return f'<mover accent="true"><mrow>{mathml(content, mark)}</mrow>{bar}</mover>'
         case tree.Fraction(top, bottom) if has_stroke(nodes, place):
             below = mathml(bottom if len(bottom) == 1 else (tree.Group(bottom),), mark)
             return f'{mathml(top, mark)}<mo lspace="0" rspace="0">/</mo>{below}'

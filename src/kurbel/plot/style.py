@@ -88,6 +88,7 @@ FORMATS: Mapping[str, Mapping[str, str | None]] = {
     "svg": {"Date": None, "Creator": None},
     "png": {"Software": None},
     "pdf": {"CreationDate": None, "Creator": "kurbel", "Producer": None},
+    "pgf": {},
 }
 _LOCK = RLock()
 
@@ -186,7 +187,7 @@ def arrowhead(
 
 
 def image(figure: Figure, name: str, title: str = "", about: str = "", text: bool = False) -> bytes:
-    """Return a figure as a file of the format svg, png or pdf.
+    """Return a figure as a file of the format svg, png, pdf or pgf.
 
     The ground of SVG and PDF is transparent, and SVG black is the colour of the text around it. With `text`
     SVG has letters in the reader's fonts in place of their outlines; raises ChoiceError for other formats.
@@ -204,6 +205,10 @@ def image(figure: Figure, name: str, title: str = "", about: str = "", text: boo
         metadata["Title"] = title
     stream = BytesIO()
     with style(OWN_FONTS if text else {}):
+        if name == "pgf":
+            from kurbel.plot.paper.pgf import pgf
+
+            return pgf(figure, title)
         figure.savefig(stream, format=name, metadata=metadata, facecolor=WHITE if name == "png" else "none")
         if name != "svg":
             return stream.getvalue()

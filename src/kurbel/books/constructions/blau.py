@@ -59,6 +59,8 @@ FIG_9 = Construction(
     source=words("Blau 1905, § 6, Fig. 9, Gl. (20)–(22)|Blau 1905, § 6, Fig. 9, eq. (20)–(22)"),
     points=_points,
     mirrored=True,
+    refusal="that the strokes differ by twice the same length fd holds for the straight crank alone;"
+    " roetscher-1047-line is for an offset one",
     steps=(
         Step(
             words(

@@ -145,9 +145,9 @@ TRIANGLE = Construction(
         ),
         Step(
             words(
-                "durch $Q$ senkrecht zur Schubrichtung, durch $P$ parallel zur Schubstange: $Q S = F_Q$ ist"
+                "Durch $Q$ senkrecht zur Schubrichtung, durch $P$ parallel zur Schubstange: $Q S = F_Q$ ist"
                 " die Querkraft der Gleitbahn, $P S = F_S$ die Stangenkraft"
-                "|through $Q$ square to the slide, through $P$ parallel to the rod: $Q S = F_Q$ is the force"
+                "|Through $Q$ square to the slide, through $P$ parallel to the rod: $Q S = F_Q$ is the force"
                 " of the guide, $P S = F_S$ that of the rod"
             ),
             (Arrow("Q", "S", "$F_Q$"), Arrow("P", "S", "$F_S$"), RightAngle("Q", "P", "S")),
@@ -155,9 +155,9 @@ TRIANGLE = Construction(
         ),
         Step(
             words(
-                "am Kurbelzapfen: durch $P$ senkrecht zur Kurbel, durch $S$ parallel zu ihr: $P T = F_T$ ist"
+                "Am Kurbelzapfen: durch $P$ senkrecht zur Kurbel, durch $S$ parallel zu ihr: $P T = F_T$ ist"
                 " die Tangentialkraft, $T S = F_R$ die Radialkraft"
-                "|at the crank pin: through $P$ square to the crank, through $S$ parallel to it: $P T = F_T$"
+                "|At the crank pin: through $P$ square to the crank, through $S$ parallel to it: $P T = F_T$"
                 " is the tangential force, $T S = F_R$ the radial one"
             ),
             (Arrow("P", "T", "$F_T$"), Arrow("T", "S", "$F_R$"), RightAngle("T", "P", "S")),

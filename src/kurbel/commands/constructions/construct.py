@@ -12,7 +12,6 @@ from kurbel.commands.constructions import beside
 from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.motion import described, meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Choice, Option
-from kurbel.commands.plots import only
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws, makes_table
 from kurbel.errors import ChoiceError, ProblemError
@@ -79,7 +78,10 @@ def _asked(name: str, given: Mapping[str, Any], **sheet: Any) -> ConstructionReq
         raise ProblemError(shown.refusal or f"construction {name} holds for the {others} crank alone")
     chosen, said = described(given)
     page = sheet.pop("layout", None) or layout_of("construction", ("construction",), None)
-    drive = only(chosen.drives(said, page.ratios), "angle", "ratios")
+    drives = chosen.drives(said, page.ratios)
+    if len(drives) > 1:
+        raise ProblemError(f"a construction is of one drive, and {len(drives)} ratios were given; choose one")
+    (drive,) = drives
     if not drive.crank.ratio:
         raise ProblemError("a rod of infinite length cannot be drawn; give a finite one, such as 1:5")
     shown = shown.of(chosen.name)
@@ -132,9 +134,25 @@ class Drawn(Given, Sized, total=False):
 
 @draws(foreign=_of_others)
 def plot_construction(name: Name, **given: Unpack[Drawn]) -> Drawing:
-    """Draw a construction to scale, with the letters of its book."""
+    """Draw a construction to scale, with the letters of its book.
+
+    As SVG, PNG, PDF or PGF, or as an HTML page with steps to click through.
+    \f
+    >>> import kurbel
+    >>> drawing = kurbel.plot_construction("blau-9", ratio="1:4", angle=50, lang="en")
+    >>> drawing.plain_title
+    'Piston paths, after Blau, Fig. 9 for R:L = 1:4, α = 50°'
+    >>> drawing.about.split(";")[0]
+    'R = 17.5 mm'
+    """
     from kurbel.plot.construct.drawing import construction_drawing
+    from kurbel.plot.construct.lesson import construction_page
 
     mark = mark_of(given["lang"], given["decimal"])
     asked = _asked(name, given, lang=given["lang"])
-    return Drawing.of(construction_drawing(asked, mark, page_size(given)), given["lang"], mark)
+    drawn = construction_drawing(asked, mark, page_size(given))
+    decimal = given["decimal"]
+    return Drawing(
+        drawn.figure, drawn.title, given["lang"], mark, drawn.about,
+        lambda svg: construction_page(asked, svg, decimal),
+    )  # fmt: skip
