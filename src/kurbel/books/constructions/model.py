@@ -143,9 +143,9 @@ class Length(NamedTuple):
 
     `symbol` is what it stands for and `formula` how the book computes it, labels. `drawn` is the number by
     the points and `true` that by the kernel, both in `unit`. `approximate` tells why they differ, nothing
-    where the construction is exact. An arc (in degrees, by `kind.arc`) never ties; of one that is `enclosed`
-    balls alone know the true value, which is no tie. An offset crank has the `offset_formula`, if that is
-    another.
+    where the construction is exact. An arc, in radians here and printed in degrees, never ties;
+    of one that is `enclosed` balls alone know the true value, which is no tie. An offset crank has the
+    `offset_formula`, if that is another.
     """
 
     letters: str
@@ -249,6 +249,7 @@ class Construction(NamedTuple):
     mirrored: bool = False
     angle: str = "50"
     angle_symbol: Label = "$α$"
+    ratio_symbol: str = "R:L"
     notes: Sequence[Words] = ()
     position: Position | None = None
     scales: Mapping[str, Fraction] = MappingProxyType({})
@@ -262,7 +263,7 @@ class Construction(NamedTuple):
 
     def said(self, label: Label) -> Label:
         """Return a label in which two letters of points beside each other are the length between them."""
-        return overlined(label, (letter for step in self.steps for letter in step.points))
+        return overlined(label, (letter.rstrip("*") for step in self.steps for letter in step.points))
 
 
 def lettered(letters: str) -> Label:

@@ -26,6 +26,7 @@ WORDS: Mapping[str, Words] = {
     "length": words("Strecke|Length"),
     "all": words("Die Konstruktion ist genau|The construction is exact"),
     "why": words("{letters} ist genähert: {why}|{letters} is approximate: {why}"),
+    "whys": words("{letters} sind genähert: {why}|{letters} are approximate: {why}"),
     "step": words("{number}. {text}|{number}. {text}"),
 }
 
@@ -98,7 +99,7 @@ def _number(request: ConstructionRequest, column: Column, place: Place, times: i
     if key == "error" and length.approximate is None:
         return Number(0, 0)
     found = settled(
-        lambda kind: times * _by(request, length, key, kind),
+        lambda kind: times * _by(request, length, key, kind) * (180 / kind.pi if length.is_arc else 1),
         column.places,
         request.rounding,
         not (length.is_arc or (length.enclosed and key != "drawn")),
@@ -143,7 +144,7 @@ def caption(request: ConstructionRequest) -> Label:
     lang = request.lang
     parts = {
         "{construction}": request.construction.title[lang],
-        "{for_ratio}": for_ratio(request.drive.crank.ratio, lang),
+        "{for_ratio}": for_ratio(request.drive.crank.ratio, lang, request.construction.ratio_symbol),
         "{place}": request.place,
     }
     return filled(request.layout.caption[lang], parts.items())
@@ -153,10 +154,13 @@ def _notes(request: ConstructionRequest) -> Iterator[Label]:
     lang, shown = request.lang, request.construction
     for number, step in enumerate(shown.steps, 1):
         yield shown.said(WORDS["step"][lang].format(number=number, text=step.text[lang]))
-    doubtful = [one for one in shown.lengths if one.approximate]
-    for one in doubtful:
-        assert one.approximate is not None
-        yield shown.said(WORDS["why"][lang].format(letters=lettered(one.letters), why=one.approximate[lang]))
+    doubtful: dict[str, list[Label]] = {}
+    for one in shown.lengths:
+        if one.approximate is not None:
+            doubtful.setdefault(one.approximate[lang], []).append(lettered(one.letters))
+    for why, letters in doubtful.items():
+        said = WORDS["why" if len(letters) == 1 else "whys"][lang]
+        yield shown.said(said.format(letters=", ".join(letters), why=why))
     if not doubtful:
         yield WORDS["all"][lang]
     yield from _drive_notes(request)

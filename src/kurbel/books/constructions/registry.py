@@ -24,6 +24,7 @@ CONSTRUCTIONS: Mapping[str, str] = {
     "ensslin-5": "kurbel.books.constructions.ensslin.common:FIG_5",
     "ensslin-6": "kurbel.books.constructions.ensslin.turning:FIG_6",
     "ensslin-7": "kurbel.books.constructions.ensslin.stretching:FIG_7",
+    "weisbach-149": "kurbel.books.constructions.weisbach:BEAM",
     # Another construction is one more line here.
 }
 

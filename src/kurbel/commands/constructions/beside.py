@@ -73,7 +73,8 @@ def _rod(given: Mapping[str, Any], drive: Any) -> Rod | None:
         return None
     from kurbel.drive.rod_file import given_rod
 
-    length = None if drive.radius is None else drive.radius / drive.ratio
+    crank = drive.crank
+    length = None if crank.radius is None else crank.radius / crank.ratio
 
     def share(value: Exact | None, what: str) -> Fraction | None:
         return None if value is None else as_share_or_length(value, what, length, UNKNOWN)

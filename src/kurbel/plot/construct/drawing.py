@@ -20,7 +20,7 @@ from kurbel.plot.construct.elements import DRAW, ROW, Board
 from kurbel.plot.construct.extent import extent
 from kurbel.plot.drawings import Drawing
 from kurbel.plot.moving.positions import LONGEST_ROD
-from kurbel.plot.paper.fit import fitted
+from kurbel.plot.paper.fit import LEAST, fitted
 from kurbel.plot.sketch import Point, laid_out
 from kurbel.plot.style import THIN, USUAL, WIDTH, Size, style
 
@@ -97,6 +97,10 @@ def _board(
 
     room, height = WIDTH - 2 * MARGIN, TALLEST - 2 * MARGIN - above - below
     largest = min(LARGEST_RADIUS, room / (high[0] - low[0]), height / (high[1] - low[1]))
+    if largest < LEAST:
+        raise ProblemError(
+            f"drawn to scale R would be {largest:.2g} mm long, too short to be seen; take a shorter rod or beam"
+        )
     usual = math.floor(2 * largest) / 2
     lower, upper, mm = fitted(corners, usual, size)
     sketch = laid_out(lower, upper, mm)
