@@ -108,6 +108,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "unknown": ("solve", "--unknown=ratio", "--angle=80", "--where=c=max"),
     "loaded roots": ("solve", "--eps=4", "--where=torque=max", "--where=tangential=0.5"),
     "roots": ("solve", "--where=p=0", "--where=s=25%", "--where=c=max"),
+    "construction": ("construct", "blau-9", "--table"),
     "over path": ("table", "--over=path"),
     "forces over path": ("forces", "--over=path"),
 }
@@ -147,6 +148,7 @@ RODS = about(
     "mass forces", "inertia", "inertia errors", "rod masses", "pin masses", "rocker inertia", "tangent"
 )
 SOLVED = about("roots")
+CONSTRUCTED = about("construction")
 OVER_PATH = about("over path", "forces over path")
 SOLVED_LOADED = about("loaded roots", "unknown")
 
@@ -250,6 +252,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "unknown": (kurbel.solve_table, {"unknown": "ratio", "angle": 80, "where": "c=max"}),
     "loaded roots": (kurbel.solve_table, {"eps": 4, "where": ("torque=max", "tangential=0.5")}),
     "roots": (kurbel.solve_table, {"where": ("p=0", "s=25%", "c=max")}),
+    "construction": (kurbel.construction_table, {"name": "blau-9"}),
     "over path": (kurbel.table, {"over": "path"}),
     "forces over path": (kurbel.forces_table, {"over": "path"}),
 }  # fmt: skip

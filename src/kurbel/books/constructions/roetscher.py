@@ -111,8 +111,8 @@ ON_THE_LINE = Construction(
         ),
         Step(
             words(
-                "Kurbel $O C$ um $φ$ aus der inneren Totlage gedreht"
-                "|Crank $O C$ turned by $φ$ out of the inner dead centre"
+                "Kurbel $O C$ unter dem Winkel $φ$ gegen die Schubrichtung"
+                "|Crank $O C$ at the angle $φ$ to the direction of the slide"
             ),
             (Line("O", "C", LINK), Angle("O", "w", "C", "$φ$", 1)),
             ("C",),

@@ -59,7 +59,8 @@ class Listed(Given, option.Sheet, total=False):
 
 def _of_others(values: Mapping[str, Any]) -> dict[str, str]:
     """Return what was given that describes drives of other constructions."""
-    return of_other_mechanisms(_held(values))
+    # Its layout says nothing of the mechanism, as those of tables do.
+    return of_other_mechanisms({**_held(values), "layout": None})
 
 
 def _held(given: Mapping[str, Any]) -> Mapping[str, Any]:
