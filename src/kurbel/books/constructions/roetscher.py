@@ -26,6 +26,7 @@ from kurbel.books.constructions.model import (
     along,
     between,
 )
+from kurbel.books.constructions.rocker_path import OF_ROCKER
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import root
 from kurbel.page.quantity import words
@@ -82,9 +83,10 @@ ON_THE_LINE = Construction(
     points=_line_points,
     mirrored=True,
     angle_symbol="$φ$",
-    holds=("straight", "offset"),
-    refusal="the arc of the rod's length is cut with a straight piston-path line; the crosshead of an arc"
-    " crank moves on a circle, a parallel crank and a beam engine have none",
+    holds=("straight", "offset", "arc"),
+    refusal="the arc of the rod's length is cut with the path of a crosshead or of a rocker's end; a parallel"
+    " crank has none, and that of a beam engine is reckoned along its beam",
+    variants={"arc": OF_ROCKER},
     steps=(
         Step(
             words(
