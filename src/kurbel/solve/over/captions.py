@@ -31,6 +31,7 @@ WORDS: Mapping[str, Words] = {
         "|$x$ from the dead centre where the stroke begins, $φ$ from the slide direction; {stroke}"
     ),
     "length": words("$S$ Hub|$S$ stroke"),
+    "between": words(", $d$ zwischen Welle und Kreuzkopf|, $d$ between shaft and crosshead"),
 }
 # The angle at a path by the triangle of crank, rod and slide; of the return stroke it is the outer angle.
 _TRIANGLE = {
@@ -98,6 +99,6 @@ def _formulas(question: PathRequest) -> Iterator[Label]:
     finite = any(one.ratio for one in question.drives)
     if drive.is_straight and drive.method == "exact" and finite and question.mechanism == "straight":
         _, sign = strokes_of(shown)
-        yield signed(_TRIANGLE[sign], question, sign, False)
+        yield signed(_TRIANGLE[sign], question, sign, False) + WORDS["between"][question.lang]
     if mechanism(question.mechanism).crosshead:
         yield from formula_lines(question, columns)
