@@ -199,6 +199,11 @@ def test_what_is_not_over_the_path_is_refused(words: str, said: str) -> None:
     assert said in refusal("table", "--over", "path", *words.split())
 
 
+def test_defaults_in_degrees_are_left_out() -> None:
+    words = ("table", "--over=path", "--step=20%")
+    assert printed(*words, KURBEL_TABLE_ZERO="outer", KURBEL_TABLE_TO="180").out == printed(*words).out
+
+
 def test_shares_need_the_path_and_engines_have_none() -> None:
     assert "with --over path" in refusal("table", "--shares", "0")
     assert "kurbel pressures" in refusal("forces", "--over", "path", "--eps", "4")

@@ -85,6 +85,10 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what describes other crank drives, and the loads and positions that theirs do not have."""
     chosen = _mechanism(values)
     refused = of_other_mechanisms(values, chosen, ("stroke", "speed") if is_heavy(values) else ("stroke",))
+    if is_over_path(values):
+        from kurbel.commands.over.path import not_shares
+
+        refused |= not_shares(values)
     if chosen.name != "parallel":
         refused |= _refused(AXLES, f"does not belong to {chosen.title}; it is for --mechanism parallel")
     if not chosen.crosshead:

@@ -133,6 +133,16 @@ def needless_over(values: Mapping[str, Any]) -> Mapping[str, str]:
     }
 
 
+def foreign_over(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Return what belongs to other crank drives, and over the path what runs over angles."""
+    refused = of_other_mechanisms(values)
+    if not is_over_path(values):
+        return refused
+    from kurbel.commands.over.path import not_shares
+
+    return {**refused, **not_shares(values)}
+
+
 class Motion(option.Run, option.Over, option.AnyDrive, option.Sheet, total=False):
     """A crank drive that moves, at crank angles or over its path."""
 
@@ -150,7 +160,7 @@ def some(drives: Sequence[Any]) -> Sequence[Any]:
 
 
 @makes_table(
-    foreign=of_other_mechanisms,
+    foreign=foreign_over,
     needless=needless_over,
     order="point angle from_ to step zero over shares columns offset stroke crank true_stroke"
     " time_ratio rod method speed acceleration mechanism"

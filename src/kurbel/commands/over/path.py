@@ -7,7 +7,7 @@ from typing import Any
 from kurbel.commands.motion import sheet_of, some
 from kurbel.commands.options import is_given
 from kurbel.drive.crank import Described
-from kurbel.errors import ProblemError
+from kurbel.errors import NotationError, ProblemError
 from kurbel.motion.mechanism import Mechanism
 from kurbel.page.layouts import Layout
 from kurbel.page.subject import Question
@@ -31,7 +31,8 @@ def over_path(
         drives=chosen.solved(drives, given["method"]),
         shares=shares_of(given),
         columns=as_names(given["columns"], "share,phi,c"),
-        **sheet_of(given),
+        # It counts from the dead centre, whatever pages over angles do.
+        **sheet_of({**given, "zero": None}),
     )
 
 
@@ -45,21 +46,27 @@ def shares_of(given: Mapping[str, Any]) -> Sequence[Fraction]:
                 "--shares lists the shares and --from, --to, --step run through them; use one or the other"
             )
         return as_shares(shares, WHAT)
-    first = Fraction(0) if given["from_"] is None else _share(given["from_"], "from")
-    last = Fraction(1) if given["to"] is None else _share(given["to"], "to")
-    width = STEP if step is None else _share(step, "step")
+    first = Fraction(0) if given["from_"] is None else as_share(given["from_"], WHAT)
+    last = Fraction(1) if given["to"] is None else as_share(given["to"], WHAT)
+    width = STEP if step is None else as_share(step, WHAT)
     if step is None and last > first:
         width = min(STEP, last - first)
     return notation.progression(first, last, width, "share")
 
 
-def _share(value: Any, name: str) -> Fraction:
-    """Return a share from 0 to 1; a whole number beyond is answered with the share that may be meant."""
-    found = as_share(value, WHAT)
+def not_shares(values: Mapping[str, Any]) -> dict[str, str]:
+    """Return what runs over angles, as defaults from elsewhere may, each with its sentence."""
+    names = [name for name in ("from", "to", "step") if is_given(values[name])]
+    return {name: said for name in names if (said := _no_share(values[name], name))}
+
+
+def _no_share(value: Any, name: str) -> str:
+    try:
+        found = as_share(value, WHAT)
+    except NotationError as error:
+        return str(error)
     if 0 <= found <= 1:
-        return found
-    text = str(value).strip()
+        return ""
+    text = str(value).strip()[:40]
     meant = f"; write --{name} {text}%" if text.isdigit() and found <= 100 else ""
-    raise ProblemError(
-        f"--{name} {text[:40]} is no share of the stroke, which runs from 0 to 1, that is 0% to 100%{meant}"
-    )
+    return f"--{name} {text} is no share of the stroke, which runs from 0 to 1, that is 0% to 100%{meant}"
