@@ -11,6 +11,7 @@ from typing import NamedTuple
 from markdown import fenced, plain, toctree
 from pictures import Picture, picture_of
 
+from kurbel.books.constructions.registry import CONSTRUCTIONS, construction
 from kurbel.cli.app import command_of
 from kurbel.cli.asking import asked
 from kurbel.commands.shown import Drawing, Table
@@ -41,12 +42,15 @@ GROUPS: Mapping[str, Group] = {
     "conditions": Group("Conditions", "subjects/solve", ("solve",)),
     "books": Group("Books", "books/index", ("collate",)),
     "drawings": Group("Drawings", "subjects/drawings", ("plot",)),
+    "constructions": Group("Constructions", "subjects/constructions", ("construct",)),
 }
 # Beside the examples in the help of `kurbel plot`.
 DRAWINGS = (
     "plot --polar --ratio 1:5 --force 10kN -o crank-pin-force",
     "plot --positions '30;150' --ratio 1:4 --offset 0.5 -o offset-crank",
 )
+# What describes the drive of a construction that does not hold for the straight crank.
+DRIVES: Mapping[str, Sequence[str]] = {"beam": ("--beam", "3")}
 
 
 class Shown(NamedTuple):
@@ -110,6 +114,9 @@ def _drawings() -> Iterator[str]:
         words = _sample(subject)
         if words[:2] == ["table", "--mechanism"]:
             yield shlex.join(("plot", "--positions", "30", *words[1:], "-o", words[2]))
+    for name in CONSTRUCTIONS:
+        drive = DRIVES.get(construction(name).holds[0], ())
+        yield shlex.join(("construct", name, *drive, "-o", name))
 
 
 def pages() -> Iterator[tuple[str, bytes]]:

@@ -70,7 +70,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "forces over path": Pages("kurbel.solve.over.page:FORCES", "forces --over path"),
     "unknown": Pages("kurbel.solve.unknown_page:SUBJECT", "solve --unknown ratio --angle 80 --where c=max"),
     "loaded roots": Pages("kurbel.solve.load_page:SUBJECT", "solve --eps 4 --where torque=max"),
-    "construction": Pages("kurbel.books.constructions.page:SUBJECT", "construct blau-9"),
+    "construction": Pages("kurbel.books.constructions.page:SUBJECT", "construct blau-9 --table"),
     "collation": Pages("kurbel.books.collate_page:SUBJECT", "collate roetscher-112"),
     "formulas": Pages("kurbel.books.formulas.page:SUBJECT", "collate blau-equations"),
 }

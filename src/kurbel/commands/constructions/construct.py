@@ -64,8 +64,9 @@ def _of_others(values: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _held(given: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Return the values with the mechanism for which alone the construction holds, where none is named."""
-    shown = construction(given["name"])
+    """Return the values with the mechanism for which alone the construction holds, where none is named. No
+    layout of constructions says it."""
+    shown, given = construction(given["name"]), {**given, "layout": None}
     named = given["mechanism"] or given["offset"] is not None or "straight" in shown.holds
     return given if named else {**given, "mechanism": shown.holds[0]}
 
