@@ -51,7 +51,8 @@ ROWS = {
 OVER_ANGLES = (
     "arc", "blau-kolbenwege", "engine-forces", "forces", "forces-arc", "forces-effort",
     "forces-parallel", "forces-verfahren", "inertia", "ensslin-parts", "ensslin-forces", "inertia-parts",
-    "mollier", "kinematics", "lueger-kolbenbewegung", "machine-forces", "parallel", "rod-load-turn", "speed",
+    "ensslin-parts-rocker", "ensslin-forces-rocker", "mollier",
+    "kinematics", "lueger-kolbenbewegung", "machine-forces", "parallel", "rod-load-turn", "speed",
     "rod-points", "torques", "turning", "turning-path",
     "verfahren",
 )  # fmt: skip

@@ -25,8 +25,9 @@ from kurbel.reading.units import Speed
 
 PARTS = ("common", "turning", "stretching")
 KEYS = [key for key in inertia_registry() if "mollier" in key or any(part in key for part in PARTS)]
-for name in ("pin", "replaced"):
+for name in ("pin", "replaced", "common"):
     KEYS += [f"{name}_acceleration{end}{unit}" for end in ("", "_along", "_across") for unit in ("", "_mps2")]
+KEYS = list(dict.fromkeys(KEYS))
 for end in "ab":
     KEYS += [f"inertia_{end}{mark}{unit}" for mark in ("", "_x", "_y") for unit in ("", "_n")]
 
@@ -130,8 +131,8 @@ def true_accelerations(drive: Drive, time: Real) -> dict[str, Real]:
         "turning_acceleration": -(replaced.T * square)[0],
         "stretching_acceleration": (replaced.T * unit)[0],
     }
-    for name, own in (("pin", of_a), ("replaced", replaced)):
-        found[f"{name}_acceleration"] = mp.norm(own)
+    for name, own in (("pin", of_a), ("replaced", replaced), ("common", of_b)):
+        found.setdefault(f"{name}_acceleration", mp.norm(own))
         found |= {f"{name}_acceleration_along": -own[0], f"{name}_acceleration_across": -own[1]}
     return found
 
@@ -155,7 +156,7 @@ def test_every_cell_is_the_force_that_holds_point_masses_under_a_part(ratio: str
     drive, body = Drive(mp.mpf(ratio), mp.mpf(offset)), spread(mp.mpf("0.35"), mp.mpf("0.35") ** 2)
     words = (f"--ratio={ratio}", f"--offset={offset}", "--centre=0.65", "--gyration=0.35")
     shown = [key for key in KEYS if not key.endswith(("_n", "_nm", "_mps2"))]
-    assert len(shown) == 18 + 12 + 3 + 9
+    assert len(shown) == 22 + 12 + 3 + 11
     for found in records(*words, "--angle=37;151;262.5", "--columns=phi," + ",".join(shown)):
         time = found["phi"] * mp.pi / 180
         true = true_forces(drive, body, time) | true_accelerations(drive, time)
@@ -169,7 +170,7 @@ def test_units_are_those_of_mass_radius_and_speed() -> None:
     machine = ("--stroke=600mm", "--speed=120/min", "--rod-mass=80kg")
     rod = ("--ratio=1:4", "--centre=0.65", "--gyration=0.35", "--angle=37;151")
     pairs = [(key.rsplit("_", 1)[0], key) for key in KEYS if key.endswith(("_n", "_nm", "_mps2"))]
-    assert len(pairs) == 18 + 12 + 3 + 9
+    assert len(pairs) == 22 + 12 + 3 + 11
     keys = [key for one in pairs for key in one]
     unit = mp.mpf("0.3") * (4 * mp.pi) ** 2
     for found in records(*rod, *machine, "--digits=9", "--columns=" + ",".join(keys)):
@@ -248,7 +249,11 @@ MACHINE = ("--stroke=600mm", "--speed=120/min")
         ),
         (
             ("--layout=ensslin-parts", "--mechanism=arc", "--rocker=6"),
-            "layout ensslin-parts is about something else; choose from",
+            "layout ensslin-parts is about something else; choose from ensslin-forces-rocker, ",
+        ),
+        (
+            ("--columns=phi,inertia_mollier", "--mechanism=arc", "--rocker=6"),
+            "column inertia_mollier is a force along a slide, and the arc crank has none; leave it out",
         ),
     ],
 )
@@ -289,3 +294,34 @@ def test_an_accelerated_crank_adds_its_own_to_every_part() -> None:
         assert mp.norm(mp.matrix([found[key] for key in keys]) - mp.matrix(true)) < 1e-15
         for force in forces:
             assert abs(sum(found[f"{force}_{part}"] for part in PARTS) - found[force]) < mp.mpf("3e-30")
+
+
+@pytest.mark.parametrize("drive", [("arc", "--rocker=5", "--pivot=4.2;-5.1"), ("beam", "--beam=3")])
+def test_the_parts_add_up_where_the_rod_moves_a_rocker(drive: tuple[str, ...]) -> None:
+    forces = ("guide", "pin_x", "pin_y", "torque")
+    keys = [f"inertia_{force}" for force in forces]
+    keys += [f"inertia_{force}_{part}" for force in forces for part in PARTS]
+    ends = [f"{end}_{mark}" for end in "ab" for mark in "xy"]
+    keys += [f"inertia_{end}" for end in ends]
+    keys += [f"inertia_{end[0]}_{part}_{end[2]}" for end in ends for part in PARTS[:2]]
+    keys += ["inertia_a_stretching_x", "inertia_a_stretching_y"]
+    motion = [f"{name}_acceleration" for name in ("common", "replaced", "pin")]
+    keys += [f"{name}_{way}" for name in motion for way in ("along", "across")]
+    words = ("--ratio=3:10", "--centre=0.65", "--gyration=0.35", "--mechanism", *drive, "--digits=30")
+    for found in records(*words, "--angle=37;250", "--columns=" + ",".join(keys)):
+        last = mp.mpf("3e-30")
+        for force in forces:
+            whole = sum(found[f"inertia_{force}_{part}"] for part in PARTS)
+            assert abs(whole - found[f"inertia_{force}"]) <= last, force
+        for end in ends:
+            of_parts = [f"inertia_{end[0]}_{part}_{end[2]}" for part in PARTS]
+            assert abs(sum(found.get(key, 0) for key in of_parts) - found[f"inertia_{end}"]) <= last, end
+        for way in ("along", "across"):
+            common, replaced, pin = (found[f"{name}_{way}"] for name in motion)
+            assert abs(common + replaced - pin) <= last
+        # What both ends bear is what accelerates the centre of mass, a = 0.65 L from B.
+        for mark, way in (("x", "along"), ("y", "across")):
+            centre = found[f"common_acceleration_{way}"] + found[f"replaced_acceleration_{way}"] * mp.mpf(
+                "0.65"
+            )
+            assert abs(found[f"inertia_a_{mark}"] + found[f"inertia_b_{mark}"] + centre) <= last

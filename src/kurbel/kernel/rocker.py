@@ -116,12 +116,12 @@ class LoadedRocker:
 
     def pin_force_along(self) -> Number:
         """Return the force of the crank pin on the rod along the slide direction, as `rod.Loaded` has it."""
-        along, across, (sine, cosine) = self._along(), self._across(), self._lean
+        along, across, (sine, cosine) = self._along(), self._across(), self.lean
         return along * cosine - across * sine
 
     def pin_force_across(self) -> Number:
         """Return the same across the slide direction."""
-        along, across, (sine, cosine) = self._along(), self._across(), self._lean
+        along, across, (sine, cosine) = self._along(), self._across(), self.lean
         return along * sine + across * cosine
 
     def radial_force(self) -> Number:
@@ -147,7 +147,7 @@ class LoadedRocker:
         return 0 - (self.masses.pin * self.place.sine + self.across)
 
     @property
-    def _lean(self) -> tuple[Number, Number]:
+    def lean(self) -> tuple[Number, Number]:
         """Sine and cosine of the angle from the slide direction to the arc's tangent, as the crank turns."""
         circle, place = self.circle, self.place
         return (

@@ -131,10 +131,10 @@ def inertia_registry() -> Mapping[str, Quantity]:
     """Return every force by every model: inertia_guide, inertia_guide_two_mass, inertia_guide_railway_n; the
     parts of the acceleration, of which they come, and the forces of these."""
     from kurbel.motion.parts.accelerations import acceleration_entries
-    from kurbel.motion.parts.forces import force_entries
+    from kurbel.motion.parts.forces import held, mollier_entries, part_entries
 
-    entries = (*rod_entries(_of_slide), *acceleration_entries(), *force_entries(ROD_MODELS))
-    return {one.key: one for one in entries}
+    parts = (*acceleration_entries(), *part_entries(held), *mollier_entries(ROD_MODELS))
+    return {one.key: one for one in (*rod_entries(_of_slide), *parts)}
 
 
 def _of_slide(force: RodForce, model: str) -> Callable[[At], Any]:

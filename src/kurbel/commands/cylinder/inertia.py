@@ -188,6 +188,11 @@ def _rocker_inertia(
         rod = rod_of(given, crank.rod_length)
         drives.append(drive.of(replace(crank, rod=rod, speed=turns)))
     angles, names = angles_of(page, given), as_names(columns, "phi,inertia_guide")
+    for name in names:
+        if name.startswith("inertia_mollier"):
+            raise ProblemError(
+                f"column {name} is a force along a slide, and {chosen.title} has none; leave it out"
+            )
     return RockerInertiaRequest(
         layout=page, drives=tuple(drives), angles=angles, columns=names, **sheet_of(given)
     )

@@ -23,7 +23,7 @@ rod presses on pins and guide the other way. Units are R ω² and, with masses o
 
 Floats: as close as those of kernel/rod.py. Source: Ensslin, Dinglers Polytechnisches Journal 322 (1907),
 593-595, figures 1 to 7. The forces under p₄ stand in the part of his article that is not transcribed;
-re-derived.
+re-derived, and for a rocker in place of the slide.
 """
 
 from dataclasses import dataclass
@@ -32,6 +32,8 @@ from typing import Generic, NamedTuple, TypeVar
 from kurbel.kernel.circle import Circle, Number
 from kurbel.kernel.forces import Slant, rod_slant
 from kurbel.kernel.inertia.accelerations import EVEN, Accelerations
+from kurbel.kernel.linkage import Arc, Place
+from kurbel.kernel.rocker import LoadedRocker
 from kurbel.kernel.rod import Masses, magnitude
 from kurbel.kernel.rod import parts as parts_of
 
@@ -57,7 +59,8 @@ class Parted:
     """The rod at a crank angle, its acceleration in parts.
 
     `pin` is p₁ and `common` p₂; `turning` and `stretching` are p₄ and p₅. `slant` has the direction of the
-    rod and `crank` that of the crank: X and Y of the crank pin, in R.
+    rod and `crank` that of the crank: X and Y of the crank pin, in R. `way` is the direction in which B is
+    free to move, with X; None is X itself. The guide holds B square to it, with Y.
     """
 
     pin: Vector[Number]
@@ -67,6 +70,7 @@ class Parted:
     slant: Slant[Number]
     crank: Vector[Number]
     masses: Masses[Number]
+    way: Vector[Number] | None = None
 
     def replaced(self) -> Vector[Number]:
         """Return p₃ = p₁ - p₂."""
@@ -116,26 +120,33 @@ class Parted:
         return _sum(_pull(self.masses.crosshead, self.common), couple)
 
     def guide(self, part: str = "") -> Number:
-        """Return the force of the guide on the rod for a part, where nothing holds B along the slide.
+        """Return the force of the guide on the rod for a part, where nothing holds B in its way.
 
-        What `in_crosshead` has along the slide goes through the rod to A.
+        What `in_crosshead` has in the way of B goes through the rod to A.
         """
-        held = self.in_crosshead(part)
-        return held.across + self._across(held) + 0
+        held = _sum(self.in_crosshead(part), self._carried(part))
+        if self.way is None:
+            return held.across + 0
+        return held.across * self.way.along - held.along * self.way.across + 0
 
     def at_pin(self, part: str = "") -> Vector[Number]:
-        """Return the force of the crank pin on the rod for a part, where nothing holds B along the slide."""
-        own, held = self.in_pin(part), self.in_crosshead(part)
-        return Vector(own.along + held.along + 0, own.across - self._across(held) + 0)
+        """Return the force of the crank pin on the rod for a part, where nothing holds B in its way."""
+        own, carried = self.in_pin(part), self._carried(part)
+        return Vector(own.along - carried.along + 0, own.across - carried.across + 0)
 
     def torque(self, part: str = "") -> Number:
         """Return the torque on the shaft for a part, positive as the crank turns, in M R² ω²."""
         force = self.at_pin(part)
         return force.along * self.crank.across - force.across * self.crank.along + 0
 
-    def _across(self, held: Vector[Number]) -> Number:
-        """What the slant of the rod makes of a force along the slide in B across it."""
-        return held.along * self.slant.sine / self.slant.cosine
+    def _carried(self, part: str) -> Vector[Number]:
+        """The force along the rod in B by which it needs none in its way."""
+        held, (sine, cosine) = self.in_crosshead(part), self.slant
+        if self.way is None:
+            return Vector(0 - held.along, held.along * sine / cosine)
+        against = held.along * self.way.along + held.across * self.way.across
+        share = 0 - against / (cosine * self.way.along - sine * self.way.across)
+        return Vector(share * cosine, 0 - share * sine)
 
     def _square(self, amount: Number) -> Vector[Number]:
         """An acceleration square to the rod."""
@@ -163,6 +174,33 @@ def parted(
         rod_slant(circle, ratio, offset),
         Vector(circle.cosine, circle.sine),
         masses,
+    )
+
+
+def parted_rocker(
+    circle: Circle[Number], place: Place[Number], arc: Arc[Number], masses: Masses[Number]
+) -> Parted:
+    """Return the rod that moves a rocker, of which B is the end; the rocker is the guide.
+
+    Along the slide and across it are as at the crank, not along the arc. The acceleration of B has a part
+    towards the pivot, and p₂ is both together. Re-derived.
+    """
+    loaded = LoadedRocker(circle, place, arc, masses)
+    sine, cosine = loaded.lean
+    along, draught = loaded.acceleration, loaded.draught
+    pull = arc.ratio * (place.cosine / place.slant_cosine) ** 2
+    return Parted(
+        Vector(circle.cosine, circle.sine),
+        Vector(along * cosine + draught * sine, along * sine - draught * cosine),
+        loaded.swing,
+        pull + 0,
+        Slant(
+            place.slant * cosine - place.slant_cosine * sine,
+            place.slant_cosine * cosine + place.slant * sine,
+        ),
+        Vector(circle.cosine, circle.sine),
+        masses,
+        Vector(cosine, sine),
     )
 
 

@@ -10,6 +10,7 @@ from typing import Any
 
 from kurbel.drive.crank import known
 from kurbel.exact.numerals import Label
+from kurbel.kernel.inertia.parts import Parted, parted_rocker
 from kurbel.kernel.rocker import LoadedRocker
 from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.linkage.linkage import At
@@ -18,6 +19,8 @@ from kurbel.motion.captions import drive_notes, turns_label
 from kurbel.motion.inertia import RodForce, rod_entries
 from kurbel.motion.mechanism import mechanism
 from kurbel.motion.notes.rod import connecting_rod
+from kurbel.motion.parts.accelerations import rocker_entries
+from kurbel.motion.parts.forces import part_entries
 from kurbel.page.quantity import Quantity
 
 
@@ -32,8 +35,14 @@ class RockerInertiaRequest(LinkageRequest):
 
 @cache
 def rocker_inertia_registry() -> Mapping[str, Quantity]:
-    """Return every force by every model, as of a rod between crank and crosshead."""
-    return {one.key: one for one in rod_entries(_kernel)}
+    """Return every force by every model, as of a rod between crank and crosshead, and Ensslin's parts."""
+    parts = (*rocker_entries(_parted), *part_entries(_parted, slide=False))
+    return {one.key: one for one in (*rod_entries(_kernel), *parts)}
+
+
+def _parted(at: At) -> Parted:
+    masses = known(at.drive.crank.rod).masses("exact", at.kind.of)
+    return parted_rocker(at.circle, at.place, at.arc, masses)
 
 
 def _kernel(force: RodForce, model: str) -> Callable[[At], Any]:

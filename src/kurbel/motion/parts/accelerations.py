@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.kernel import rod
-from kurbel.kernel.inertia.parts import Parted, parted
+from kurbel.kernel.inertia.parts import Parted, Vector, parted
 from kurbel.kernel.rod import Masses
 from kurbel.motion.evaluation import OFFSET, At
 from kurbel.page.quantity import Formula, Quantity, Words, words
@@ -69,21 +69,27 @@ OF_A, REPLACING = (
     words("Ersatzbeschleunigung|Replacing acceleration"),
 )
 AMOUNT, ALONG, ACROSS = words("Betrag|amount"), words("längs|along"), words("quer|across")
+
+
+def _components(of: Callable[[Parted], Vector[Any]]) -> tuple[Component, Component]:
+    return (
+        Component("_along", "^x", ALONG, lambda rod: of(rod).along),
+        Component("_across", "^y", ACROSS, lambda rod: of(rod).across),
+    )
+
+
+COMMON, *_ = PARTS
 _OTHERS: tuple[tuple[str, str, Words, str, tuple[Component, ...]], ...] = (
     (
         "pin_acceleration", "p_1", OF_A, "",
-        (
-            Component("", "", AMOUNT, lambda rod: rod.pin.size()),
-            Component("_along", "^x", ALONG, lambda rod: rod.pin.along),
-            Component("_across", "^y", ACROSS, lambda rod: rod.pin.across),
-        ),
+        (Component("", "", AMOUNT, lambda rod: rod.pin.size()), *_components(lambda rod: rod.pin)),
     ),
+    ("common_acceleration", "p_2", COMMON.name, "", _components(lambda rod: rod.common)),
     (
         "replaced_acceleration", "p_3", REPLACING, "$p_3^2 = p_4^2 + p_5^2$",
         (
             Component("", "", AMOUNT, lambda rod: rod.replaced_size()),
-            Component("_along", "^x", ALONG, lambda rod: rod.replaced().along),
-            Component("_across", "^y", ACROSS, lambda rod: rod.replaced().across),
+            *_components(lambda rod: rod.replaced()),
         ),
     ),
 )  # fmt: skip
@@ -97,12 +103,28 @@ def moved(at: At) -> Parted:
 def acceleration_entries() -> Iterator[Quantity]:
     """Yield the accelerations in R ω² and in m/s², those that other pages have had first."""
     own = [_part(one) for one in PARTS]
-    yield from own
+    yield from (*own, *component_entries(moved), *map(in_seconds, own))
+
+
+def component_entries(parted_of: Callable[[Any], Parted]) -> Iterator[Quantity]:
+    """Yield the amounts and components of the rod at a place."""
     for key, letter, name, printed, components in _OTHERS:
         for component in components:
-            share = _component(key, letter, name, printed, component)
+            share = _component(key, letter, name, printed, component, parted_of)
             yield from (share, in_seconds(share))
-    yield from map(in_seconds, own)
+
+
+def rocker_entries(parted_of: Callable[[Any], Parted]) -> Iterator[Quantity]:
+    """Yield the accelerations of a rod whose end B does not slide."""
+    yield from component_entries(parted_of)
+    for part in PARTS[1:]:
+        formulas = {"exact": Formula(_of_rod(part.key, parted_of))}
+        share = _entry(f"{part.key}_acceleration", part.letter, part.name, EXACT, formulas)
+        yield from (share, in_seconds(share))
+
+
+def _of_rod(key: str, parted_of: Callable[[Any], Parted]) -> Callable[[Any], Any]:
+    return lambda at: getattr(parted_of(at), key)
 
 
 def _part(part: Part) -> Quantity:
@@ -116,9 +138,11 @@ def _part(part: Part) -> Quantity:
     return _entry(f"{part.key}_acceleration", part.letter, part.name, EXACT, formulas)
 
 
-def _component(key: str, letter: str, name: Words, printed: str, one: Component) -> Quantity:
-    def kernel(at: At) -> Any:
-        return one.kernel(moved(at)) + 0
+def _component(
+    key: str, letter: str, name: Words, printed: str, one: Component, parted_of: Callable[[Any], Parted]
+) -> Quantity:
+    def kernel(at: Any) -> Any:
+        return one.kernel(parted_of(at)) + 0
 
     formulas = dict.fromkeys(("exact", "infinite", OFFSET), Formula(kernel, printed if not one.end else ""))
     return _entry(f"{key}{one.end}", f"{letter}{one.mark}", name, one.part, formulas)

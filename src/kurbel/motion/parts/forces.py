@@ -25,7 +25,7 @@ NAMES: Mapping[str, Words] = {
     "": words("Summe|sum"),
 }
 ALONG, ACROSS = words("längs|along"), words("quer|across")
-_IN_A, _IN_B = words("Kraft in A|Force in A"), words("Kraft in B|Force in B")
+_IN = "Kraft in {0}|Force in {0}"
 
 Kernel = Callable[[Parted], Any]
 
@@ -45,14 +45,18 @@ def _joined(one: Words, other: Words) -> Words:
     return {lang: f"{one[lang]}, {other[lang]}" for lang in one}
 
 
-def _ends() -> Iterator[Share]:
-    """Yield the forces in A and B: of each part in its own direction, then along and across the slide."""
-    for key, letter, name in (("a", "A", _IN_A), ("b", "B", _IN_B)):
-        for part in PARTS:
+def _ends(slide: bool) -> Iterator[Share]:
+    """Yield the forces in A and B: of each part in its own direction, then along and across the slide.
+
+    Where B does not slide, p₂ has no direction of its own, and its letter is G, for B is the rocker.
+    """
+    for key, letter in (("a", "A"), ("b", "B" if slide else "G")):
+        name = words(_IN.format(letter))
+        for part in PARTS if slide else (TURNING, STRETCHING):
             yield Share(
                 f"inertia_{key}_{part}", f"{letter}_{NUMBERS[part]}", name, NAMES[part], _own(key, part)
             )
-        for part in (TURNING, STRETCHING) if key == "a" else (TURNING,):
+        for part in PARTS if key == "a" else (COMMON, TURNING):
             yield from _components(key, letter, name, part)
         yield from _components(key, letter, name, "")
         yield Share(f"inertia_{key}", letter, name, _joined(NAMES[""], words("Betrag|amount")), _amount(key))
@@ -108,23 +112,29 @@ def _of_part(formula: Callable[[Parted, str], Any], part: str) -> Kernel:
     return lambda rod: formula(rod, part)
 
 
-def force_entries(models: Mapping[str, Words]) -> Iterator[Quantity]:
-    """Yield every force in units of the rod's mass and in newtons, Mollier's by every model of the rod."""
-    for share in (*_ends(), *_drive()):
-        yield from _in_both_units(_entry(share, _held(share.kernel), EXACT), "rod", "inertia")
+def part_entries(parted_of: Callable[[Any], Parted], slide: bool = True) -> Iterator[Quantity]:
+    """Yield every force of a part in units of the rod's mass and in newtons, of the rod at a place."""
+    for share in (*_ends(slide), *_drive()):
+        yield from _in_both_units(_entry(share, _of_rod(share.kernel, parted_of), EXACT), "rod", "inertia")
+
+
+def _of_rod(kernel: Kernel, parted_of: Callable[[Any], Parted]) -> Callable[[Any], Any]:
+    return lambda at: kernel(parted_of(at))
+
+
+def held(at: At) -> Parted:
+    """Return the rod between crank and crosshead at a place, with its masses."""
+    masses = known(at.crank.rod).masses(EXACT, at.numbers.of)
+    return parted(at.circle, at.ratio, masses, at.offset, at.by)
+
+
+def mollier_entries(models: Mapping[str, Words]) -> Iterator[Quantity]:
+    """Yield Mollier's force by every model of the rod."""
+    name = words("Kraft am Kreuzkopf nach Mollier|Force at the crosshead after Mollier")
     for model, said in models.items():
         key = "inertia_mollier" + ("" if model == EXACT else f"_{model.replace('-', '_')}")
-        name = words("Kraft am Kreuzkopf nach Mollier|Force at the crosshead after Mollier")
-        one = _entry(Share(key, "H", name, said, lambda rod: rod), _moving(model), model)
-        yield from _in_both_units(one, *THRUST)
-
-
-def _held(kernel: Kernel) -> Callable[[At], Any]:
-    def held(at: At) -> Any:
-        masses = known(at.crank.rod).masses(EXACT, at.numbers.of)
-        return kernel(parted(at.circle, at.ratio, masses, at.offset, at.by))
-
-    return held
+        share = Share(key, "H", name, said, lambda rod: rod)
+        yield from _in_both_units(_entry(share, _moving(model), model), *THRUST)
 
 
 def _moving(model: str) -> Callable[[At], Any]:
