@@ -133,20 +133,20 @@ def velocity_length(shaft: str, plan: str) -> Length:
 
 def swing_length(pin: str, plan: str, head: str) -> Length:
     ends = (pin, plan)
-    return Length(pin + plan, ends, "$u/ω$", "$R cos φ/(cos ψ)$", on_rod(*ends, pin, head), swing)
+    return Length(pin + plan, ends, "$u/ω$", "$R (cos φ)/(cos ψ)$", on_rod(*ends, pin, head), swing)
 
 
 def normal_length(start: str, end: str, pin: str, head: str) -> Length:
-    ends, formula = (start, end), "$u^2/(ω^2 L) = R λ cos^2 φ/(cos^2 ψ)$"
+    ends, formula = (start, end), "$u^2/(ω^2 L) = R λ (cos^2 φ)/(cos^2 ψ)$"
     return Length(start + end, ends, "", formula, on_rod(*ends, pin, head), towards_pin)
 
 
 def tangential_length(start: str, end: str, pin: str, head: str) -> Length:
-    ends, formula = (start, end), "$R(sin φ - λ cos^2 φ tan ψ/(cos ψ))/(cos ψ)$"
+    ends, formula = (start, end), "$R(sin φ - (λ cos^2 φ tan ψ)/(cos ψ))/(cos ψ)$"
     return Length(start + end, ends, "", formula, square_to_rod(*ends, pin, head), across_rod)
 
 
 def acceleration_length(start: str, end: str) -> Length:
     """Return the length that is p/ω², positive towards the shaft."""
-    formula = "$R(cos φ - sin φ tan ψ + λ cos^2 φ/(cos^3 ψ))$"
+    formula = "$R(cos φ - sin φ tan ψ + λ (cos^2 φ)/(cos^3 ψ))$"
     return Length(start + end, (start, end), "$p/ω^2$", formula, along(start, end), acceleration)

@@ -118,8 +118,8 @@ OF_ROCKER = Construction(
         plan.BACK,
     ),
     lengths=(
-        Length("OC", ("O", "C"), "$c/ω$", "$R sin δ/(sin μ)$", _along_path, _velocity),
-        Length("PC", ("P", "C"), "$u/ω$", "$R sin η/(sin μ)$", plan.on_rod("P", "C", "P", "Q"), _swing),
+        Length("OC", ("O", "C"), "$c/ω$", "$R (sin δ)/(sin μ)$", _along_path, _velocity),
+        Length("PC", ("P", "C"), "$u/ω$", "$R (sin η)/(sin μ)$", plan.on_rod("P", "C", "P", "Q"), _swing),
     ),
     notes=(
         words(
