@@ -43,12 +43,13 @@ ASKED = [
 ]
 
 
-def drives(name: str, mechanism: str) -> Iterator[dict[str, Any]]:
+def drives(name: str, mechanism: str, count: int = 1) -> Iterator[dict[str, Any]]:
     """Yield what a construction is asked of: ratios and angles, also beyond 180°, the same in every run."""
     dice, shown = random.Random(name), construction(name)
-    for _ in range(2 if mechanism == "straight" else 1):
+    for _ in range(count):
         asked: dict[str, Any] = {"mechanism": mechanism, **OTHERS.get(mechanism, {})}
-        asked["ratio"] = f"1:{dice.randint(120, 600) / 100}"
+        # The crank of a beam engine turns with a longer rod alone.
+        asked["ratio"] = f"1:{dice.randint(200 if mechanism == 'beam' else 120, 600) / 100}"
         if shown.angle:
             asked["angle"] = str(dice.randint(1, 3599) / 10)
         yield asked | {key: str(TAKEN[key](dice)) for key in shown.takes if key in TAKEN}
@@ -56,7 +57,17 @@ def drives(name: str, mechanism: str) -> Iterator[dict[str, Any]]:
 
 @pytest.mark.parametrize(("name", "mechanism"), ASKED)
 def test_a_length_on_paper_is_the_printed_one(name: str, mechanism: str) -> None:
-    for asked in drives(name, mechanism):
+    check_on_paper(name, mechanism, 1)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "mechanism"), ASKED)
+def test_so_is_it_of_many_drives(name: str, mechanism: str) -> None:
+    check_on_paper(name, mechanism, 12)
+
+
+def check_on_paper(name: str, mechanism: str, count: int) -> None:
+    for asked in drives(name, mechanism, count):
         drawing = kurbel.plot_construction(name, **asked)
         svg = drawing.image().decode()
         # "R = 15 mm, M v²/R = 30 mm; 1. …"
@@ -79,7 +90,7 @@ def test_a_length_on_paper_is_the_printed_one(name: str, mechanism: str) -> None
 def test_an_exact_length_is_the_true_one_to_the_last_digit(name: str, mechanism: str) -> None:
     """By its points and by the kernel; of an approximate one the error is between them."""
     approximate = [one.approximate is not None for one in construction(name).lengths]
-    for asked in drives(name, mechanism):
+    for asked in drives(name, mechanism, 3):
         page = kurbel.construction_table(name, **asked, columns="drawn,true,error", digits=15)
         for doubtful, row in zip(approximate, page.records.rows, strict=True):
             drawn, true, error = (one.scaled for one in row if isinstance(one, Number))

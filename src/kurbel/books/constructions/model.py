@@ -144,7 +144,7 @@ class Length(NamedTuple):
     `symbol` is what it stands for and `formula` how the book computes it, labels. `drawn` is the number by
     the points and `true` that by the kernel, both in `unit`. `approximate` tells why they differ, nothing
     where the construction is exact. An arc, in radians here and printed in degrees, never ties;
-    of one that is `enclosed` balls alone know the true value, which is no tie. An offset crank has the
+    `free` are the columns in which others never do. An offset crank has the
     `offset_formula`, if that is another.
     """
 
@@ -157,7 +157,7 @@ class Length(NamedTuple):
     unit: str = "$R$"
     approximate: Words | None = None
     is_arc: bool = False
-    enclosed: bool = False
+    free: tuple[str, ...] = ()
     offset_formula: Label = ""
 
 

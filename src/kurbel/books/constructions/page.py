@@ -102,7 +102,7 @@ def _number(request: ConstructionRequest, column: Column, place: Place, times: i
         lambda kind: times * _by(request, length, key, kind) * (180 / kind.pi if length.is_arc else 1),
         column.places,
         request.rounding,
-        not (length.is_arc or (length.enclosed and key != "drawn")),
+        not (length.is_arc or key in length.free),
     )
     return Number(found, column.places)
 

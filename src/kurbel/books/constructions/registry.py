@@ -25,6 +25,7 @@ CONSTRUCTIONS: Mapping[str, str] = {
     "ensslin-6": "kurbel.books.constructions.ensslin.turning:FIG_6",
     "ensslin-7": "kurbel.books.constructions.ensslin.stretching:FIG_7",
     "weisbach-149": "kurbel.books.constructions.weisbach:BEAM",
+    "radinger": "kurbel.books.constructions.radinger:TANGENTIAL",
     # Another construction is one more line here.
 }
 
