@@ -1032,7 +1032,7 @@ def test_a_file_of_another_suffix_is_refused(name: str, tmp_path: Path) -> None:
 
 
 def test_an_unknown_format_is_answered_with_the_nearest() -> None:
-    sentence = 'there is no drawing format "pgn" (did you mean png?); choose from svg, png, pdf'
+    sentence = 'there is no drawing format "pgn" (did you mean png?); choose from svg, png, pdf, html, gif'
     assert refusal("plot", "-f", "pgn") == sentence
 
 

@@ -111,6 +111,7 @@ def test_only_drawings_know_matplotlib() -> None:
     names = (
         *("plotting", "style", "polar", "mechanism", "arc", "links", "sketch", "lettering"),
         *("chart.legend", "chart.marks", "chart.stroke_lines", "paper.letters"),
+        *(f"film.{one}" for one in ("model", "scene", "mechanism", "curves", "svg", "frames")),
     )
     drawing = {f"kurbel.plot.{name}" for name in names}
     assert importers("matplotlib") == drawing | {"kurbel.plot.drawings"}

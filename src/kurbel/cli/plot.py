@@ -33,6 +33,7 @@ kurbel plot --ratio '1:4;1:5' --columns p -o beschleunigung.pdf
 kurbel plot --ratio 1:5 --over path --infinite -o geschwindigkeitsellipse.pdf
 kurbel plot --ratio 1:5 --force 10kN --stroke 600mm -o kraefte.pdf
 kurbel plot --positions 30 --ratio 1:5 -o kurbeltrieb.svg
+kurbel plot --animate --ratio 1:4 -o drehung.html
 kurbel plot --mechanism arc --rocker 6 -o bogenschubkurbel.svg
 kurbel plot --polar --eps 4 --bore 300mm --pressure 8bar -o zapfenkraft.pdf
 kurbel plot --forces --machine engine.toml -o kraefte.svg
@@ -142,6 +143,22 @@ def _refusal(name: str, kind: Kind, flag: str) -> str:
 
 
 def _format(given: Given) -> str:
+    """Return the format of -f or of the file's suffix; raise an error for one that cannot move, or that is
+    only for what moves."""
+    from kurbel.plot.style import FORMATS, MOVING
+
+    name, moves = _named_format(given), given.values["animate"]
+    if moves and name not in MOVING:
+        raise click.UsageError(
+            f"{name} stands still, and --animate writes html, svg or gif, such as -o turn.html; leave it"
+            f" out for {name}"
+        )
+    if not moves and name not in FORMATS:
+        raise click.UsageError(f"{name} is for drawings that move; add --animate, or take -f svg, png or pdf")
+    return name
+
+
+def _named_format(given: Given) -> str:
     """Return the format of -f or of the file's suffix; raise an error for a terminal, which takes none."""
     name, output = given.values["format"], given.values["output"]
     if not output:
@@ -156,7 +173,7 @@ def _format(given: Given) -> str:
         return str(name)
     from kurbel.plot.style import format_of
 
-    return format_of(output)
+    return format_of(output, moves=given.values["animate"])
 
 
 def _params() -> list[click.Parameter]:
@@ -167,11 +184,12 @@ def _params() -> list[click.Parameter]:
     }
     own = {name: click_option(one._replace(required=False)) for name, one in known.items()}
     flags = [Option([f"--{name}"], is_flag=True, help=text) for name, text in FLAGS.items()]
-    last = ("width", "height", "lang", "decimal")
+    last = ("animate", "seconds", "width", "height", "lang", "decimal")
     output = [
         Option(["format", "-f", "--format"], metavar="FORMAT",
-               type=Type(Choice("drawing format", "kurbel.plot.style:FORMATS")),
-               help="svg, png, pdf or pgf; default: by the suffix of -o."),
+               type=Type(Choice("drawing format", "kurbel.plot.style:FILES")),
+               help="svg, png, pdf or pgf, of drawings that move html, svg or gif; default: by the suffix of"
+               " -o."),
         Option(["output", "-o", "--output"], type=click.Path(allow_dash=True), metavar="FILE", default="-",
                help="File to write, whole or not at all; - is standard output, unless a terminal."),
         Option(["--text"], is_flag=True,

@@ -6,6 +6,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, TypeAlias, TypedDict, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.drawn.film import Filmed, moving_mechanism, paged, shot_of, spoken, still
 from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.drives.given import ANGLE, AXES, PATH
 from kurbel.commands.motion import described, ends_of, meant, of_other_mechanisms, some
@@ -68,12 +69,16 @@ def _of_motion(values: Mapping[str, Any]) -> dict[str, str]:
         refused["infinite"] = (
             "--infinite is for the straight crank alone; leave it out, or the offset or mechanism"
         )
-    return refused
+    return {**refused, **still(values)}
+
+
+def _of_mechanism(values: Mapping[str, Any]) -> dict[str, str]:
+    return {**of_other_mechanisms(values), **still(values)}
 
 
 def _of_forces(values: Mapping[str, Any]) -> dict[str, str]:
     """Refuse what describes other crank drives."""
-    return of_other_mechanisms(values, shared=("stroke",))
+    return {**of_other_mechanisms(values, shared=("stroke",)), **still(values)}
 
 
 def _of_sliding(values: Mapping[str, Any]) -> dict[str, str]:
@@ -87,7 +92,7 @@ def _of_sliding(values: Mapping[str, Any]) -> dict[str, str]:
     }
 
 
-class Positions(option.AnyDrive, Sized, total=False):
+class Positions(option.AnyDrive, Sized, Filmed, total=False):
     """A crank drive to scale."""
 
     ratio: option.Ratios
@@ -124,6 +129,10 @@ class OverCurves(Over, Curves, total=False):
     """The same, over its angle or its path."""
 
 
+class Run(OverCurves, Filmed, total=False):
+    """The same, which may be run through."""
+
+
 @draws(foreign=_of_motion)
 def plot_motion(
     ratio: option.Ratios = None,
@@ -133,7 +142,7 @@ def plot_motion(
     infinite: Annotated[
         bool, Option("Draw the motion with a rod of infinite length as well, dotted.", kind=FLAG)
     ] = False,
-    **given: Unpack[OverCurves],
+    **given: Unpack[Run],
 ) -> Drawing:
     """Draw path, velocity and acceleration over the crank angle, or what the columns name; over the path
     velocity and acceleration."""
@@ -143,7 +152,7 @@ def plot_motion(
     return _drawn(about, columns, motion_keys, "plot", beside=INFINITE if infinite else "")
 
 
-@draws(foreign=of_other_mechanisms)
+@draws(foreign=_of_mechanism)
 def plot_mechanism(
     positions: Annotated[
         option.Given,
@@ -162,13 +171,14 @@ def plot_mechanism(
     drive = only(chosen.drives(said, page_of(chosen.layout).ratios), "positions", "ratios")
     module, _, name = chosen.drawing.partition(":")
     draw = getattr(import_module(module), name)
-    return Drawing.of(draw(drive, angles, lang, mark, page_size(given)), lang, mark)
+    drawn = draw(drive, angles, lang, mark, page_size(given))
+    if given["animate"]:
+        return moving_mechanism(chosen, drive, angles, given, drawn)
+    return Drawing.of(drawn, lang, mark)
 
 
 @draws(foreign=_of_forces)
-def plot_forces(
-    ratio: option.Ratios = None, *, columns: DrawnColumns = (), **given: Unpack[OverCurves]
-) -> Drawing:
+def plot_forces(ratio: option.Ratios = None, *, columns: DrawnColumns = (), **given: Unpack[Run]) -> Drawing:
     """Draw the forces in the crank drive under a constant piston force."""
     from kurbel.plot.curves import force_keys
 
@@ -200,11 +210,13 @@ def _drawn(
 
         found = drawn_over(asked.question, asked.solved, dotted, mark, page_size(given))
         return Drawing.of(found, given["lang"], mark)
-    panels = motion_panels(asked.question, dotted, asked.solved)
+    panels, shot = motion_panels(asked.question, dotted, asked.solved), shot_of(given, asked.question)
     drawn = curves_drawing(
-        asked.question, panels, mark, around(asked.question, asked.solved, dotted), page_size(given)
+        asked.question, panels, mark, around(asked.question, asked.solved, dotted), page_size(given), shot
     )
-    return Drawing.of(drawn, given["lang"], mark)
+    if shot is None:
+        return Drawing.of(drawn, given["lang"], mark)
+    return Drawing.of(drawn, given["lang"], mark, paged(drawn, given["lang"], mark, spoken(asked.question)))
 
 
 class Asked(NamedTuple):

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     from kurbel.exact.numerals import Label
     from kurbel.plot.drawings import Drawing as Drawn
+    from kurbel.plot.film.model import Film
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -124,7 +125,8 @@ class Table(Page):
 class Drawing:
     """A drawing: matplotlib's figure and a title. A notebook shows it, `save` writes SVG, PNG, PDF or PGF.
 
-    Of one that has steps `page` makes an HTML page, of its SVG file.
+    Of one that has steps or moves `page` makes an HTML page, of its SVG file. One that moves has a film, and
+    is saved as GIF as well.
     """
 
     figure: Any
@@ -133,10 +135,11 @@ class Drawing:
     mark: str
     about: Label = ""
     page: Callable[[str], str] | None = None
+    film: Film | None = None
 
     @classmethod
-    def of(cls, drawn: Drawn, lang: str, mark: str) -> Drawing:
-        return cls(drawn.figure, drawn.title, lang, mark, drawn.about)
+    def of(cls, drawn: Drawn, lang: str, mark: str, page: Callable[[str], str] | None = None) -> Drawing:
+        return cls(drawn.figure, drawn.title, lang, mark, drawn.about, page, drawn.film)
 
     def __repr__(self) -> str:
         return f"<kurbel.Drawing: {self.plain_title}>"
@@ -150,14 +153,18 @@ class Drawing:
         """Return the drawing as a file of the format svg, png, pdf or pgf; of SVG with `text` letters stay
         text. A construction in steps has html, too.
 
-        Raises KurbelError.
+        One that moves has html and gif; it stands still in png, pdf and pgf. Raises KurbelError.
         """
-        from kurbel.plot.style import image
+        if self.page and format == "html" and (self.film or not text):
+            return self.page(self.image(text=text).decode()).encode()
+        about = plain(self.about, self.mark)
+        if self.film is None:
+            from kurbel.plot.style import image
 
-        if self.page and format == "html" and not text:
-            return self.page(self.image().decode()).encode()
+            return image(self.figure, format, self.plain_title, about, text)
+        from kurbel.commands.drawn.files import file_of
 
-        return image(self.figure, format, self.plain_title, plain(self.about, self.mark), text)
+        return file_of(self, format, about, text)
 
     def save(self, path: str | os.PathLike[str], *, text: bool = False) -> None:
         """Write the drawing into a file, whole or not at all, in the format of its suffix.
@@ -169,7 +176,8 @@ class Drawing:
 
         name = os.fspath(path)
         is_page = self.page and name.lower().endswith((".html", ".htm"))
-        content = self.image("html" if is_page else format_of(name), text=text)
+        form = "html" if is_page else format_of(name, moves=self.film is not None)
+        content = self.image(form, text=text)
         with whole_file(os.fspath(path)) as stream:
             stream.write(content)
 

@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
     from kurbel.linkage.arc.rocker import RockerCrank
     from kurbel.linkage.linkage import Linkage
+    from kurbel.plot.film.curves import Shot
+    from kurbel.plot.film.model import Film
 
 MOST_POSITIONS = 36
 WORDS = {
@@ -43,11 +45,12 @@ POLAR_WAYS = {"de": ("im Drehsinn", "zur Welle"), "en": ("as the crank turns", "
 
 
 class Drawing(NamedTuple):
-    """A figure, its title, and what it shows in words."""
+    """A figure, its title, and what it shows in words; how it moves, if it does."""
 
     figure: Figure
     title: Label
     about: Label = ""
+    film: Film | None = None
 
 
 def curves_drawing(
@@ -56,10 +59,17 @@ def curves_drawing(
     mark: str,
     around: Around = NOTHING_AROUND,
     size: Size = USUAL,
+    shot: Shot | None = None,
 ) -> Drawing:
-    """Return the curves of what was asked for over the crank angle, or over another axis."""
-    figure = curves(panels, question.lang, mark, around, size)
-    return Drawing(figure, _title(question), "; ".join(_about(panels)))
+    """Return the curves of what was asked for over the crank angle, or over another axis; with a shot they
+    are run through."""
+    title, about = _title(question), "; ".join(_about(panels))
+    if shot is None:
+        return Drawing(curves(panels, question.lang, mark, around, size), title, about)
+    from kurbel.plot.film.curves import curves_film
+
+    chart, film = curves_film(panels, question.lang, mark, shot, around, size)
+    return Drawing(chart.figure, title, about, film)
 
 
 def _about(panels: Sequence[Panel]) -> Iterator[Label]:

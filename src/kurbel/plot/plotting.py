@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.plot.chart.legend import LEGEND_ROW, draw_legend
@@ -74,28 +74,44 @@ def curves(
     the one end to the other. Raises ProblemError for a panel of more curves than can be told apart, or
     without any finite value, for a single angle, and for a size that is too small.
     """
+    with style():
+        return charted(panels, lang, mark, around, size).figure
+
+
+class Chart(NamedTuple):
+    """A drawing of panels, with their axes and their plans."""
+
+    figure: Figure
+    axes: list[Axes]
+    plans: list[Plan]
+
+
+def charted(
+    panels: Sequence[Panel], lang: str, mark: str, around: Around, size: Size, above: float = 0.0
+) -> Chart:
+    """Return such a drawing, with so many mm free above it. Only inside `style`."""
     for panel in panels:
         check_panel(panel)
     span = _span(panels)
     axis = around.across or over_angle(lang)
-    with style():
-        plans = _plans(panels, span, around, size, mark)
-        figure, axes = _laid_out(plans, size)
-        span = plans[0].span
-        for number, (one, plan) in enumerate(zip(axes, plans, strict=True), 1):
-            _draw(one, plan, number)
-            draw_areas(one, plan, number)
-            draw_ends(one, plan)
-            draw_spots(one, plan)
-            draw_swing(one, plan, mark)
-            _value_axis(one, plan, mark)
-            most = min(MOST_STEPS, int(plan.room.width / TICK_WIDTH))
-            _across_axis(one, axis.ticks(*span, mark, most), named=number == len(plans))
-        _said(axes[0], plans[0])
-        if around.strokes:
-            draw_strokes(axes[0], plans[0], around.strokes, mark)
-        axes[-1].set_xlabel(text_of(axis.label, mark), labelpad=3)
-    return figure
+    own = size if size.height is None else size._replace(height=size.height - above)
+    plans = _plans(panels, span, around, own, mark, above)
+    figure, axes = _laid_out(plans, own, above)
+    span = plans[0].span
+    for number, (one, plan) in enumerate(zip(axes, plans, strict=True), 1):
+        _draw(one, plan, number)
+        draw_areas(one, plan, number)
+        draw_ends(one, plan)
+        draw_spots(one, plan)
+        draw_swing(one, plan, mark)
+        _value_axis(one, plan, mark)
+        most = min(MOST_STEPS, int(plan.room.width / TICK_WIDTH))
+        _across_axis(one, axis.ticks(*span, mark, most), named=number == len(plans))
+    _said(axes[0], plans[0])
+    if around.strokes:
+        draw_strokes(axes[0], plans[0], around.strokes, mark)
+    axes[-1].set_xlabel(text_of(axis.label, mark), labelpad=3)
+    return Chart(figure, axes, plans)
 
 
 def _span(panels: Sequence[Panel]) -> tuple[float, float]:
@@ -107,9 +123,14 @@ def _span(panels: Sequence[Panel]) -> tuple[float, float]:
 
 
 def _plans(
-    panels: Sequence[Panel], span: tuple[float, float], around: Around, size: Size, mark: str
+    panels: Sequence[Panel],
+    span: tuple[float, float],
+    around: Around,
+    size: Size,
+    mark: str,
+    above: float,
 ) -> list[Plan]:
-    """Return the panels as they fill the page."""
+    """Return the panels as they fill a page of this size, with so many mm more above it."""
     beside = BESIDE_SWING if any(panel.swing for panel in panels) else RIGHT
     width = size.width - LEFT - beside
     if width < LEAST_WIDTH:
@@ -142,19 +163,20 @@ def _plans(
         height = (size.height - BELOW - tops) / len(panels)
         if height < LEAST_HEIGHT:
             raise ProblemError(
-                f"the height is {size.height:.6g} mm; these curves need"
-                f" {BELOW + tops + LEAST_HEIGHT * len(panels):.6g} mm"
+                f"the height is {size.height + above:.6g} mm; these curves need"
+                f" {BELOW + tops + LEAST_HEIGHT * len(panels) + above:.6g} mm"
             )
         plans = planned(height)
     return plans
 
 
-def _laid_out(plans: Sequence[Plan], size: Size) -> tuple[Figure, list[Axes]]:
+def _laid_out(plans: Sequence[Plan], size: Size, above: float) -> tuple[Figure, list[Axes]]:
     """Return the page and its empty panels."""
-    total = size.height or BELOW + sum(plan.top() + plan.room.height for plan in plans)
+    top = size.height or BELOW + sum(plan.top() + plan.room.height for plan in plans)
+    total = top + above
     # What is to scale may be narrower.
     width = LEFT + plans[0].room.width + RIGHT if any(plan.room.limits for plan in plans) else size.width
-    figure, top = page(total, width), total
+    figure = page(total, width)
     axes: list[Axes] = []
     for plan in plans:
         top -= plan.top() + plan.room.height

@@ -252,7 +252,15 @@ class Sketch(NamedTuple):
 def laid_out(low: Point, high: Point, mm: float, side: int = 1) -> Sketch:
     """Return an empty drawing between two corners. Only inside `style`."""
     figure = page((high[1] - low[1]) / mm, (high[0] - low[0]) / mm)
-    axes = figure.add_axes((0, 0, 1, 1), label="mechanism", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+    return sketch_in(figure, (0, 0, 1, 1), low, high, mm, side)
+
+
+def sketch_in(
+    figure: Figure, box: tuple[float, float, float, float], low: Point, high: Point, mm: float, side: int = 1
+) -> Sketch:
+    """Return an empty drawing between two corners in a box of a page, by shares of it: left, bottom, width,
+    height."""
+    axes = figure.add_axes(box, label="mechanism", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
     axes.set_axis_off()
     return Sketch(figure, axes, mm, side, Lettering(axes), [])
 

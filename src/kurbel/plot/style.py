@@ -90,6 +90,9 @@ FORMATS: Mapping[str, Mapping[str, str | None]] = {
     "pdf": {"CreationDate": None, "Creator": "kurbel", "Producer": None},
     "pgf": {},
 }
+# The formats of drawings that move, and those of all.
+MOVING = ("html", "svg", "gif")
+FILES = dict.fromkeys((*FORMATS, *MOVING))
 _LOCK = RLock()
 
 
@@ -217,12 +220,17 @@ def image(figure: Figure, name: str, title: str = "", about: str = "", text: boo
         return finished(stream.getvalue().decode(), about, text).encode()
 
 
-def format_of(path: str) -> str:
-    """Return the format that a file name asks for; raise ChoiceError if its suffix is that of no drawing."""
+def format_of(path: str, moves: bool = False) -> str:
+    """Return the format that a file name asks for; raise ChoiceError if its suffix is that of no drawing, or
+    of one that moves and this does not."""
     suffix = os.path.splitext(path)[1].lower()
-    if suffix.removeprefix(".") not in FORMATS:
-        known = ", ".join(f".{one}" for one in FORMATS)
-        raise ChoiceError(f'the file name "{path[-60:]}" names no drawing; its suffix must be one of {known}')
+    known = FILES if moves else FORMATS
+    if suffix.removeprefix(".") not in known:
+        listed = ", ".join(f".{one}" for one in known)
+        said = f'the file name "{path[-60:]}" names no drawing; its suffix must be one of {listed}'
+        if suffix.removeprefix(".") in FILES:
+            said = f"{suffix} is for drawings that move, plot --animate; else take one of {listed}"
+        raise ChoiceError(said)
     return suffix[1:]
 
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from kurbel.documents.document import Chapter, Item
 from kurbel.formats.documents import DocumentMaker
-from kurbel.formats.html.live.pages import LIVE, live_in, of_each_step
+from kurbel.formats.html.live.pages import LIVE, RUNS, live_of, of_each_step
 from kurbel.formats.html.svg import inline
 from kurbel.formats.html.writer import panelled
 
@@ -67,7 +67,9 @@ class Maker(DocumentMaker):
             "head": css_string(title),
             "sections": values["chapters"],
             "words": {**values["words"], **WORDS[self.document.lang]},
-            "live": live_in(LIVE) if any(LIVE in one for one in self.fragments.values()) else None,
+            "live": live_of(self.fragments.values())
+            if any(LIVE in one or RUNS in one for one in self.fragments.values())
+            else None,
         }
         return {NAME: self.filled("handbook", values)}
 
@@ -97,9 +99,17 @@ class Maker(DocumentMaker):
                 content = panelled(_numbered(bare, target))
         else:
             title = f"{number}: {self.plain(item.caption, item.lang)}"
-            content = inline(fragment, target, title, own_page=True)
+            content = self.drawing(fragment, target, title, item.lang)
         caption = self.writer.finish(self.titled(item.caption, item.lang))
         return Part(item.kind, target, number, caption, self.other(item.lang), content)
+
+    def drawing(self, svg: str, target: str, title: str, lang: str) -> str:
+        """Return a drawing, and what leads one that moves."""
+        if RUNS not in svg:
+            return inline(svg, target, title, own_page=True)
+        from kurbel.formats.html.live.film import film_block
+
+        return film_block(svg, target, title, lang or self.document.lang, self.document.mark(lang))
 
 
 def css_string(text: str) -> str:

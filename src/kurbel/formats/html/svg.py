@@ -29,6 +29,8 @@ _NAMESPACE = re.compile(r"^\{[^}]*\}")
 # What a style sheet within a drawing says of all of its elements, and would say of the whole page.
 _ALL = re.compile(r"\*\s*\{([^{}]*)\}")
 _SPACE = re.compile(r"\s+")
+# The class of the style sheet by which a drawing moves, and how the names in it begin.
+MOVES, _MOVING = "film-style", re.compile(r"\bfilm-")
 
 
 def inline(svg: str, name: str, title: str, own_page: bool) -> str:
@@ -65,10 +67,10 @@ def _prune(root: Element) -> None:
             tag = _NAMESPACE.sub("", child.tag)
             if tag == "style" and (said := _ALL.search(child.text or "")):
                 root.set("style", said[1])
-            if tag in ("title", "metadata", "style"):
+            if tag in ("title", "metadata", "style") and child.get("class") != MOVES:
                 parent.remove(child)
         parent.tail = None
-        if parent.tag != "desc":
+        if parent.tag not in ("desc", "style"):
             parent.text = None
         attributes = {_NAMESPACE.sub("", key): value for key, value in parent.attrib.items()}
         parent.attrib.clear()
@@ -81,7 +83,9 @@ def _name(root: Element, name: str, own_page: bool) -> None:
     targets = {match[2] for value in values for match in _TARGET.finditer(value)}
     targets |= {one.get("href", "").removeprefix("#") for one in root.iter()}
     for one in root.iter():
-        if one.get("id") not in targets:
+        if one.tag == "style":
+            one.text = _MOVING.sub(f"{name}-film-", one.text or "")
+        if one.get("id") not in targets and not _MOVING.match(one.get("id", "")):
             one.attrib.pop("id", None)
         for key, value in one.attrib.items():
             renamed = _SPACE.sub(" ", _renamed(key, value, name)).strip()

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from kurbel.kernel.circle import circle
 from kurbel.linkage.linkage import Linkage, Outline
 from kurbel.page.steps import Joint, Line, Link, Point, Scene
-from kurbel.plot.moving.turn import crossed, joint
+from kurbel.plot.moving.turn import TURN, crossed, joint
 
 
-def links_scene(drive: Linkage) -> Scene | None:
+def links_scene(drive: Linkage, angles: Sequence[float] = TURN) -> Scene | None:
     """Return the drive, nothing for one without an outline."""
     outline = drive.outline()
     if outline is None:
@@ -24,20 +26,25 @@ def links_scene(drive: Linkage) -> Scene | None:
             *(Line("bearing", (shaft,)) for shaft in outline.shafts),
         ),
         links=tuple(
-            Link("crank" if "crank" in name else name, _end(outline, name, 0), _end(outline, name, 1), letter)
+            Link(
+                "crank" if "crank" in name else name,
+                _end(outline, name, 0, angles),
+                _end(outline, name, 1, angles),
+                letter,
+            )
             for name in first.links
             for letter in [letters.get(name, "")]
         ),
-        pins=tuple(_pin(outline, number) for number in range(len(first.pins))),
+        pins=tuple(_pin(outline, number, angles) for number in range(len(first.pins))),
     )
 
 
-def _end(outline: Outline, link: str, end: int) -> Joint:
-    return joint(lambda angle: outline.stand(_crank_pin(angle)).links[link][end])
+def _end(outline: Outline, link: str, end: int, angles: Sequence[float]) -> Joint:
+    return joint(lambda angle: outline.stand(_crank_pin(angle)).links[link][end], angles)
 
 
-def _pin(outline: Outline, number: int) -> Joint:
-    return joint(lambda angle: outline.stand(_crank_pin(angle)).pins[number])
+def _pin(outline: Outline, number: int, angles: Sequence[float]) -> Joint:
+    return joint(lambda angle: outline.stand(_crank_pin(angle)).pins[number], angles)
 
 
 def _crank_pin(angle: float) -> Point:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 
 from kurbel.page.steps import Joint, Line, Point
 
@@ -12,14 +12,13 @@ LETTERS = {"crank": "R", "rod": "L"}
 SHAFT: Point = (0.0, 0.0)
 
 
-def angles() -> list[float]:
-    """Return the crank angles in degrees at which joints are known."""
-    return [360 * place / PLACES for place in range(PLACES)]
+# The crank angles in degrees at which joints are known.
+TURN = tuple(360 * place / PLACES for place in range(PLACES))
 
 
-def joint(at: Callable[[float], Point]) -> Joint:
-    """Return where a joint is at these angles, once if it stays."""
-    places = tuple(map(at, angles()))
+def joint(at: Callable[[float], Point], angles: Sequence[float]) -> Joint:
+    """Return where a joint is at angles, once if it stays."""
+    places = tuple(map(at, angles))
     return places[:1] if len(set(places)) == 1 else places
 
 

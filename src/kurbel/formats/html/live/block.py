@@ -43,7 +43,8 @@ _PAGE = re.compile(r'(<div class="live-page">\n)(.*?)(</div>\n<script type="appl
 
 
 class Live(NamedTuple):
-    """The script of interactive pages, by what a page allows it, and their style."""
+    """The script of interactive pages, by what a page allows it, and their style: of tables ("live"), of
+    drawings that move ("film"), or of both."""
 
     script: str
     allowed: str
@@ -51,9 +52,12 @@ class Live(NamedTuple):
 
 
 @cache
-def live() -> Live:
+def live(kinds: tuple[str, ...]) -> Live:
     folder = files("kurbel.formats.html").joinpath("templates")
-    script, style = (folder.joinpath(f"live.{kind}").read_text(encoding="utf-8") for kind in ("js", "css"))
+    script, style = (
+        "".join(folder.joinpath(f"{one}.{kind}").read_text(encoding="utf-8") for one in kinds)
+        for kind in ("js", "css")
+    )
     script = f"\n{script}"
     return Live(script, f"sha256-{b64encode(sha256(script.encode()).digest()).decode()}", style)
 
@@ -64,7 +68,7 @@ def block(
     """Return what the template of the block reads; `page` sets the table of a step."""
     steps = table.steps
     assert steps is not None
-    setter = _Setter(writer, mark)
+    setter = Setter(writer, mark)
     data = setter.data(steps, page)
     remark = _REMARK.match(fragment)
     return dict(
@@ -77,7 +81,7 @@ def block(
         cursor=setter.cursor(steps.cursor) if steps.cursor else None,
         quantities=[tuple(map(setter.label, one)) for one in steps.columns],
         drawn=any(move is not None for move in data["moves"]),
-        data=_json(data),
+        data=as_json(data),
     )
 
 
@@ -88,18 +92,18 @@ def finished(page: str, change: Callable[[str], str]) -> str:
         before, fragment, between, text, after = match.groups()
         data = json.loads(text)
         data["pages"] = packed([change(one) for one in unpacked(data["pages"])])
-        return f"{before}{change(fragment)}{between}{_json(data)}{after}"
+        return f"{before}{change(fragment)}{between}{as_json(data)}{after}"
 
     return _PAGE.sub(changed, page)
 
 
-def _json(data: Mapping[str, Any]) -> str:
+def as_json(data: Mapping[str, Any]) -> str:
     # Nothing in it ends the script.
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace("\u2028", "\\u2028").replace("\u2029", "\\u2029")
 
 
-class _Setter:
+class Setter:
     """Sets what stands around the table, in HTML with a decimal mark."""
 
     def __init__(self, writer: PageWriter, mark: str) -> None:

@@ -1,0 +1,258 @@
+"""A mechanism that moves, to scale: what is fixed, its links, φ and the path of the crosshead.
+
+Lengths are in crank radii but where they are said to be in mm. Discs and the crosshead have a white ground,
+for what they hide is another thing at each angle.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import count
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from kurbel.page.steps import Joint, Line, Link, Point, Scene
+from kurbel.plot.film.model import Grown, Part, Seen, Way, crossing, toggled
+from kurbel.plot.moving.slide import GUIDE, HEAD
+from kurbel.plot.place import Points
+from kurbel.plot.sketch import (
+    BEARING,
+    CENTRE,
+    DOWN,
+    HATCH,
+    LEFTWARD,
+    PHI,
+    PIN,
+    SHAFT,
+    UP,
+    Sketch,
+    moved,
+    polar_point,
+)
+from kurbel.plot.style import BLACK, HEAVY, MEDIUM, PALE, STRONG, TEXT_SIZE, THIN, WHITE
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+
+# The levels of what moves: dimensions, crosshead, links, pins, letters.
+DIMENSIONS, CROSSHEAD, LINKS, PINS, LETTERS = 4.5, 5.2, 6.2, 7.2, 8.0
+# In mm: from a line to the middle of its letter, an arrowhead, the shortest path that has a letter.
+BESIDE, ARROW, LEAST_PATH, LEAST_TURN = 2.6, 1.9, 6.0, 12.0
+# Where the letter of a link stands, as a share of it, and the angle beyond which that of φ stays.
+OF_CRANK, OF_LINK, LAST_PHI, LAST_OUTSIDE = 0.6, 0.42, 25.0, 90.0
+ARC, ROOM = 0.46, BEARING + HATCH + 1.2
+# What has a lesser sine is level.
+LEVEL = 1e-9
+GROUNDS = {"bearing": DOWN, "below": DOWN, "hung": UP, "beside": LEFTWARD}
+
+
+class Moving(NamedTuple):
+    """What moves of a mechanism, and what stands still before it."""
+
+    parts: tuple[Part, ...]
+    grown: tuple[Grown, ...]
+    seen: tuple[Seen, ...]
+    above: tuple[Artist, ...]
+
+
+def draw_scene(sketch: Sketch, scene: Scene, angles: Points, at: int) -> Moving:
+    """Draw a mechanism as it stands at one of the angles, for which its scene has all joints."""
+    shafts = [*_fixed(sketch, scene.fixed)]
+    sketch.write()
+    stage = _Stage(sketch, angles, at)
+    parts = [*stage.links(scene), *stage.heads(scene)]
+    turning, grown, seen = stage.turned()
+    parts += turning
+    if scene.path is not None:
+        moving, path, shown = stage.reached(scene.path, scene.heads[0])
+        parts, grown, seen = [*parts, *moving], [*grown, *path], [*seen, *shown]
+    return Moving(tuple(parts), tuple(grown), tuple(seen), tuple(stage.shafts(shafts)))
+
+
+def _fixed(sketch: Sketch, lines: Sequence[Line]) -> Iterator[Point]:
+    """Draw what stands still, and yield the places of shafts."""
+    for kind, points in lines:
+        if kind == "centre":
+            sketch.centre_line(*points) if len(points) == 2 else sketch.chain(*points)
+        elif kind == "circle":
+            sketch.crank_circle(points[0])
+        elif kind == "dead":
+            sketch.dead_centre(points[0])
+        elif kind in ("left", "right"):
+            sketch.ground(points[0], points[1], UP if kind == "left" else DOWN)
+        else:
+            sketch.bearing(points[0], GROUNDS[kind])
+            yield points[0]
+
+
+class _Stage:
+    """Draws what moves at one of the angles, and says how it goes on."""
+
+    def __init__(self, sketch: Sketch, angles: Points, at: int) -> None:
+        self.sketch, self.axes, self.mm = sketch, sketch.axes, sketch.mm
+        self.angles, self.at = angles, at
+
+    def places(self, joint: Joint) -> Points:
+        """Return where a joint is at all angles."""
+        return np.broadcast_to(np.asarray(joint, float), (len(self.angles), 2))
+
+    def part(
+        self, name: str, artists: Sequence[Any], places: Points, turns: Points | float = 0.0, reach: float = 0
+    ) -> Part:
+        """Return a part by the places of a point of it, and its turns; it reaches so far beyond the point."""
+        for one in artists:
+            one.set_clip_on(False)
+        turned = np.broadcast_to(turns, len(self.angles))
+        return Part(
+            name, tuple(artists), self.axes, Way(self.angles, np.column_stack((places, turned))),
+            reach / self.mm,
+        )  # fmt: skip
+
+    def line(self, points: Points, width: float, level: float) -> Any:
+        line = self.sketch.line(*map(tuple, points), linewidth=width, zorder=level)
+        line.set_clip_on(False)
+        return line
+
+    def disc(self, centre: Point, radius: float, filling: str = WHITE, level: float = PINS) -> Any:
+        from matplotlib.patches import Circle
+
+        disc = Circle(centre, radius * self.mm, zorder=level, linewidth=MEDIUM)
+        disc.set(facecolor=filling, edgecolor=BLACK)
+        self.axes.add_patch(disc)
+        return disc
+
+    def letter(self, text: str, point: Points) -> Any:
+        x, y = point
+        return self.axes.text(
+            x, y, text, ha="center", va="center", fontsize=TEXT_SIZE, zorder=LETTERS, clip_on=False
+        )
+
+    def head(self, tip: Points, way: Point) -> Any:
+        """Draw an arrowhead."""
+        base, side = moved(tuple(tip), way, -ARROW * self.mm), (-way[1], way[0])
+        corners = [tip, *(moved(base, side, sign * 0.132 * ARROW * self.mm) for sign in (1, -1))]
+        (found,) = self.axes.fill(*np.asarray(corners).T, color=BLACK, linewidth=0, zorder=DIMENSIONS)
+        return found
+
+    def shafts(self, places: Sequence[Point]) -> Iterator[Any]:
+        """Draw the ends of shafts before the links, again: these are drawn over their bearings."""
+        for place in places:
+            yield self.disc(place, SHAFT, level=PINS + 0.1)
+            yield self.disc(place, CENTRE, BLACK, PINS + 0.2)
+
+    def links(self, scene: Scene) -> Iterator[Part]:
+        """Draw links with their pins and letters."""
+        pins, kinds, numbers = [*scene.pins], [link.kind for link in scene.links], count(1)
+        for link in scene.links:
+            name = link.kind if kinds.count(link.kind) == 1 else f"{link.kind}-{next(numbers)}"
+            start, end = self.places(link.start), self.places(link.end)
+            away = end - start
+            turns = np.degrees(np.unwrap(np.arctan2(*away.T[::-1])))
+            is_crank = link.kind == "crank"
+            here = np.stack((start[self.at], end[self.at]))
+            bar = self.line(here, HEAVY if is_crank else STRONG, LINKS + 0.1 * is_crank)
+            own = [pin for pin in pins if pin in (link.start, link.end)]
+            pins = [pin for pin in pins if pin not in own]
+            discs = [self.disc(tuple(self.places(pin)[self.at]), PIN) for pin in own]
+            length = float(np.hypot(*away[self.at]))
+            yield self.part(name, (bar, *discs), start, turns, length)
+            if link.letter:
+                yield self._named(f"{name}-letter", link, start, away / length)
+
+    def _named(self, name: str, link: Link, start: Points, way: Points) -> Part:
+        """Draw the letter of a link at its left, as it goes, that of a crank which points down at its right:
+        at the other side is the rod."""
+        is_crank, angles = link.kind == "crank", self.angles
+        length = float(math.dist(link.start[0], link.end[0]))
+        left = np.column_stack((-way[:, 1], way[:, 0]))
+        along = start + (OF_CRANK if is_crank else OF_LINK) * length * way
+        places = along + BESIDE * self.mm * left
+        if is_crank:
+            angles, places = crossing(angles, way[:, 1] < -LEVEL, places, along - BESIDE * self.mm * left)
+        here = int(np.searchsorted(angles, self.angles[self.at], side="right")) - 1
+        letter = self.letter(f"${link.letter}$", places[here])
+        return Part(name, (letter,), self.axes, Way(angles, np.column_stack((places, 0 * angles))))
+
+    def heads(self, scene: Scene) -> Iterator[Part]:
+        from matplotlib.patches import Rectangle
+
+        for number, joint in enumerate(scene.heads, 1):
+            places = self.places(joint)
+            x, y = places[self.at]
+            boxes = []
+            for level, look in (
+                (0.0, {"facecolor": WHITE, "linewidth": 0}),
+                (0.1, {"facecolor": PALE, "linewidth": 0}),
+                (0.2, {"fill": False, "linewidth": MEDIUM}),
+            ):
+                box = Rectangle((x - HEAD, y - GUIDE), 2 * HEAD, 2 * GUIDE, zorder=CROSSHEAD + level)
+                box.set(**{"edgecolor": BLACK, **look})
+                boxes.append(self.axes.add_patch(box))
+            yield self.part(f"head-{number}" if number > 1 else "head", boxes, places)
+
+    def turned(self) -> tuple[list[Part], list[Grown], list[Seen]]:
+        """Draw the crank angle φ, within the crank circle or around a small one."""
+        mm, turns = self.mm, self.angles % 360
+        turns = np.where((turns == 0) & (self.angles > self.angles[0]), 360.0, turns)
+        radius = ARC if ROOM * mm < ARC else 1 + 2.4 * mm
+        points = np.asarray([polar_point((0, 0), radius, turn) for turn in range(361)])
+        arc = self.line(points, THIN, DIMENSIONS)
+        # An angle that comes twice ends one turn and begins the next.
+        again = np.flatnonzero(turns == 360)
+        order = np.sort(np.concatenate((np.arange(len(turns)), again[again < len(turns) - 1])))
+        ends = turns[order]
+        ends[1:][np.diff(order) == 0] = 0
+        angles = self.angles[order]
+        lean = self.angles[self.at] - math.degrees(0.5 * ARROW * mm / radius)
+        direction = (-math.sin(math.radians(lean)), math.cos(math.radians(lean)))
+        centre = np.zeros((len(self.angles), 2))
+        tip = self.head(np.asarray(polar_point((0, 0), radius, self.angles[self.at])), direction)
+        beside = np.minimum(ends / 2, LAST_PHI if radius < 1 else LAST_OUTSIDE)
+        outer = radius + BESIDE * mm
+        places = np.asarray([polar_point((0, 0), outer, turn) for turn in beside])
+        here = int(np.flatnonzero(order == self.at)[0])
+        letter = self.letter(PHI, places[here])
+        rows = np.column_stack((places, np.zeros(len(places))))
+        parts = [
+            self.part("turned", [tip], centre, self.angles, radius),
+            Part("phi", (letter,), self.axes, Way(angles, rows)),
+        ]
+        shown = toggled(angles, ends > LEAST_TURN)
+        seen = [Seen("phi-seen", (tip, letter), shown)]
+        return parts, [Grown("arc", arc, self.axes, Way(angles, ends[:, None] / 360))], seen
+
+    def reached(self, path: Point, joint: Joint) -> tuple[list[Part], list[Grown], list[Seen]]:
+        """Draw the path x of the crosshead from its inner dead centre."""
+        mm, (start, level), heads = self.mm, path, self.places(joint)
+        beyond = math.copysign(mm, level - heads[0][1])
+        ends = [heads[0][1] + math.copysign(GUIDE, beyond) + 1.6 * beyond, level + beyond]
+        self.sketch.line((start, ends[0]), (start, ends[1]), zorder=4)
+        far = np.column_stack((heads[:, 0], np.full(len(heads), level)))
+        x = far[self.at][0]
+        follower = self.line(np.asarray([(x, ends[0]), (x, ends[1])]), THIN, DIMENSIONS)
+        least = float(heads[:, 0].min())
+        line = self.line(np.asarray([(start, level), (least, level)]), THIN, DIMENSIONS)
+        tip = self.head(far[self.at], (-1.0, 0.0))
+        still = self.head(np.asarray((start, level)), (1.0, 0.0))
+        middle = np.column_stack(((start + far[:, 0]) / 2, far[:, 1] + 1.9 * mm))
+        letter = self.letter("$x$", middle[self.at])
+        shown = toggled(self.angles, (start - far[:, 0]) / mm > LEAST_PATH)
+        parts = [
+            self.part("path", [follower, tip], far),
+            self.part("path-start", [still], np.broadcast_to((start, level), far.shape)),
+            self.part("path-letter", [letter], middle),
+        ]
+        grown = [
+            Grown(
+                "reach", line, self.axes, Way(self.angles, ((start - far[:, 0]) / (start - least))[:, None])
+            )
+        ]
+        return parts, grown, [Seen("path-seen", (tip, still, letter), shown)]
+
+
+def corners(scene: Scene, margin: float, mm: float) -> tuple[Point, Point]:
+    """Return the corners of a scene with a margin in mm, of which a millimetre is so much of R."""
+    (left, low), (right, high) = scene.low, scene.high
+    return (left - margin * mm, low - margin * mm), (right + margin * mm, high + margin * mm)

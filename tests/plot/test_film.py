@@ -1,0 +1,202 @@
+"""Drawings that move: where their parts are at any time, measured in the file against the geometry."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import random
+import re
+from fractions import Fraction
+from io import BytesIO
+from pathlib import Path
+
+import films
+import numpy as np
+import pytest
+from cli import kurbel as kurbel_run
+from cli import printed, refusal
+from textbook import Drive, evaluate, rounded
+from textbook import printed as as_printed
+from tools import require_library
+
+import kurbel
+
+# In mm on paper: the most by which a moving part may leave its place, and the way along a drawn line, which
+# matplotlib writes with six decimals.
+TOLERANCE, EXACT = 0.01, 0.002
+
+
+@pytest.fixture(autouse=True)
+def library() -> None:
+    require_library("matplotlib")
+
+
+def film_of(*words: str) -> films.Film:
+    result = printed("plot", "--animate", *words, "-f", "svg")
+    return films.read(result.out)
+
+
+def mm(points: list[films.Point]) -> list[complex]:
+    """Return points in mm, across and up."""
+    return [complex(x, -y) / films.MM for x, y in points]
+
+
+@pytest.mark.parametrize(("rod", "offset"), [(1.02, 0.0), (8.0, 0.0), (4.5, 0.4), (2.7, -0.3)])
+def test_rod_and_crosshead_are_where_the_crank_leads_them_at_any_time(rod: float, offset: float) -> None:
+    chance = random.Random(rod)
+    words = [f"--ratio={1 / Fraction(str(rod))}", *([f"--offset={offset}"] if offset else [])]
+    film = film_of(*words, f"--positions={chance.randrange(360)}")
+    shaft, pin = mm(film.points("crank"))
+    radius, drawn = abs(pin - shaft), mm(film.points("rod"))
+    assert abs(drawn[1] - drawn[0]) == pytest.approx(rod * radius, abs=EXACT)
+    corners = []
+    for angle in (film.run[2], *(chance.uniform(0, 360) for _ in range(60))):
+        turned = cmath.rect(1, math.radians(angle))
+        true = complex(turned.real + math.sqrt(rod**2 - (turned.imag - offset) ** 2), offset)
+        ends = mm(film.at("rod", angle))
+        # Rigid, so that its length is right between keyframes too; and at both ends where it should be.
+        assert abs(ends[1] - ends[0]) == pytest.approx(rod * radius, abs=EXACT)
+        assert abs(ends[0] - shaft - radius * turned) < TOLERANCE
+        assert abs(ends[1] - shaft - radius * true) < TOLERANCE
+        crank = mm(film.at("crank", angle))
+        assert abs(crank[1] - shaft - radius * turned) < EXACT
+        (corner, *_) = mm(film.at("head", angle))
+        corners.append(corner - radius * true)
+    assert max(abs(one - corners[0]) for one in corners) < TOLERANCE
+
+
+@pytest.mark.parametrize(
+    "words", [("--mechanism=arc", "--rocker=6"), ("--mechanism=beam", "--beam=3", "--ratio=1:4")]
+)
+def test_links_of_a_rocker_meet_and_keep_their_length(words: tuple[str, ...]) -> None:
+    film, chance = film_of(*words, "--positions=40"), random.Random(7)
+    shaft, pin = mm(film.points("crank"))
+    rod, rocker = (mm(film.points(one)) for one in ("rod", "rocker"))
+    lengths = abs(rod[1] - rod[0]), abs(rocker[1] - rocker[0])
+    pivot = rocker[1] if words[0].endswith("arc") else (rocker[0] + rocker[1]) / 2
+    for angle in (chance.uniform(0, 360) for _ in range(60)):
+        rods = mm(film.at("rod", angle))
+        rockers = mm(film.at("rocker", angle))
+        turned = cmath.rect(abs(pin - shaft), math.radians(angle))
+        middle = rockers[1] if words[0].endswith("arc") else (rockers[0] + rockers[1]) / 2
+        assert abs(rods[0] - shaft - turned) < TOLERANCE
+        assert abs(rods[1] - rockers[0]) < 2 * TOLERANCE
+        assert abs(middle - pivot) < TOLERANCE
+        assert (abs(rods[1] - rods[0]), abs(rockers[1] - rockers[0])) == pytest.approx(lengths, abs=EXACT)
+
+
+def test_dots_run_on_their_curves() -> None:
+    film = film_of("--ratio=1:3")
+    curves = {one.get("id"): one for one in film.root.iter() if one.get("id", "").startswith("curve-")}
+    chance = random.Random(3)
+    for number, (_, curve) in enumerate(sorted(curves.items()), 1):
+        path = curve.find(f"{films.SVG}path")
+        assert path is not None
+        line = np.asarray(
+            [(float(x), float(y)) for x, y in re.findall(r"[ML] (\S+) (\S+)", path.get("d", ""))]
+        )
+        (use,) = film.elements[f"film-dot-{number}-1"].iter(f"{films.SVG}use")
+        still = float(use.get("x", "")), float(use.get("y", ""))
+        for angle in (0, 360, *(chance.uniform(0, 360) for _ in range(40))):
+            ((x, y),) = film.moved(f"dot-{number}-1", [still], angle)
+            share = angle / 360
+            assert x == pytest.approx(line[0][0] + share * (line[-1][0] - line[0][0]), abs=0.03)
+            assert abs(y - np.interp(x, *line.T)) / films.MM < TOLERANCE
+
+
+def test_a_film_stands_still_for_those_who_ask_for_that_and_is_the_same_file_every_time() -> None:
+    words = ("--positions=30;120", "--ratio=1:4", "--seconds=4")
+    film = film_of(*words)
+    assert film.run == (0, 360, 30, 4)
+    reduced = re.search(
+        r"@media \(prefers-reduced-motion:reduce\)\{(.*)\{animation-play-state:paused\}\}", film.sheet
+    )
+    assert reduced is not None
+    assert {*reduced[1].replace("#", "").split(",")} == film.elements.keys() == film.rules.keys()
+    # It begins where it is drawn: 30° are a twelfth of 4 s.
+    assert "animation:4s linear -0.333333s infinite" in film.sheet
+    assert film.root.find(f"{films.SVG}title") is not None
+    assert "<script" not in printed("plot", "--animate", *words, "-f", "svg").out
+    assert film_of(*words).sheet == film.sheet
+
+
+def test_a_gif_has_the_pictures_of_a_turn_and_links_of_their_length(tmp_path: Path) -> None:
+    from PIL import Image
+
+    drawing = kurbel.plot_mechanism(0, ratio="1:3", animate=True, seconds=2, width=90)
+    content = drawing.image("gif")
+    assert content == drawing.image("gif")
+    with Image.open(BytesIO(content)) as picture:
+        assert (getattr(picture, "n_frames", 1), picture.info["loop"]) == (40, 0)
+        film = films.read(drawing.image("svg"))
+        shaft, pin = film.points("crank")
+        scale = 150 / 72
+        times = 0
+        for number in range(40):
+            picture.seek(number)
+            times += picture.info["duration"]
+            grey = np.asarray(picture.convert("L"), float)
+            angle = math.radians(9 * number)
+            radius = abs(pin[0] - shaft[0])
+            start = complex(shaft[0], -shaft[1]) + cmath.rect(radius, angle)
+            end = complex(
+                shaft[0] + radius * (math.cos(angle) + math.sqrt(9 - math.sin(angle) ** 2)), -shaft[1]
+            )
+            along = (end - start) / abs(end - start)
+            for share in (0.25, 0.5, 0.75):
+                place = start + share * (end - start)
+                # Across the rod, the darkest of a row of points is on it: half a dot is 0.08 mm.
+                row = [place + along * 1j * step / 4 / scale for step in range(-24, 25)]
+                dark = [grey[int(-one.imag * scale), int(one.real * scale)] for one in row]
+                assert min(dark[20:29]) < 90, (number, share)
+        assert times == 2000
+
+
+def test_numbers_beside_the_slider_are_certified(tmp_path: Path) -> None:
+    told = films.data(printed("plot", "--animate", "--ratio=1:4", "-f", "html", "--lang=en").out)
+    drive = Drive(Fraction(1, 4))
+    for column, key in enumerate(("x", "c", "p")):
+        for angle in (0, 1, 77, 90, 210, 299, 360):
+            exact = rounded(evaluate(key, "exact", drive, Fraction(angle)), 4)
+            assert exact is not None
+            assert told["values"][column][angle].replace("\u2212", "-") == as_printed(exact, 4)
+    assert [len(one) for one in told["values"]] == [361, 361, 361]
+
+
+def test_what_cannot_move_is_refused() -> None:
+    animate = ("plot", "--animate")
+    assert refusal(*animate, "-f", "pdf").startswith(
+        "pdf stands still, and --animate writes html, svg or gif"
+    )
+    assert "drawings that move, plot --animate" in refusal("plot", "-o", "turn.gif")
+    assert "add --animate" in refusal("plot", "--seconds", "3", "-f", "svg")
+    assert "takes 1 to 120" in refusal(*animate, "--seconds", "500", "-f", "svg")
+    assert "the angles from 0° to 90°" in refusal(*animate, "--to", "90", "-f", "svg")
+    assert "leave it out" in refusal(*animate, "--polar", "-f", "svg")
+
+
+MANIFEST = """
+title = "Turns"
+lang = "en"
+formats = ["html", "latex"]
+[[chapter]]
+title = "Cranks"
+[[chapter.part]]
+run = "plot --animate --positions 30 --ratio 1:4"
+name = "turn"
+caption = "The drive turns"
+"""
+
+
+def test_a_handbook_in_html_takes_it_and_in_print_it_stands_still(tmp_path: Path) -> None:
+    (tmp_path / "handbook.toml").write_text(MANIFEST, encoding="utf-8")
+    assert kurbel_run("handbook", "build", str(tmp_path)).code == 0
+    page = (tmp_path / "pages" / "handbook.html").read_text(encoding="utf-8")
+    assert films.data(page)["start"] == 30
+    names = re.findall(r'id="([\w-]+-film-[\w-]+)"', page)
+    assert "fig-turn-film-rod-1" in names
+    for name in names:
+        assert f"#{name}{{animation-name:" in page
+    assert 'aria-labelledby="fig-turn-title"' in page
+    assert "'unsafe-inline'; script-src 'sha256-" in page
+    assert (tmp_path / "pages" / "figures" / "turn.pdf").read_bytes().startswith(b"%PDF")
