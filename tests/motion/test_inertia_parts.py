@@ -14,9 +14,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import mp
 
+import kurbel
 from kurbel.drive.crank import Crank
 from kurbel.drive.rod import Rod
-from kurbel.motion.bulk import columns_in_floats
+from kurbel.motion.bulk import columns_in_floats, float_bound
 from kurbel.motion.evaluation import certified, columns_in_balls, is_known
 from kurbel.motion.inertia import inertia_registry
 from kurbel.page.quantity import bare
@@ -325,3 +326,16 @@ def test_the_parts_add_up_where_the_rod_moves_a_rocker(drive: tuple[str, ...]) -
                 "0.65"
             )
             assert abs(found[f"inertia_a_{mark}"] + found[f"inertia_b_{mark}"] + centre) <= last
+
+
+def test_beside_a_dead_centre_of_an_offset_crank_no_float_is_trusted() -> None:
+    rod = Rod.from_crosshead(Fraction(3, 5), Fraction(7, 20))
+    crank, column = Crank(Fraction(1, 5), Fraction(2), rod=rod), inertia_registry()["inertia_mollier"]
+    columns, angles = [bare(column, "exact", 9)], Progression(Fraction(209999, 1000), Fraction(1, 1500), 4)
+    assert float_bound(columns[0], crank, 360) == float("inf")
+    (floats,) = columns_in_floats(columns, crank, angles, "half-away")
+    (balls,) = columns_in_balls(columns, crank, angles, "half-away")
+    assert floats.tolist() == list(balls)
+    assert min(map(abs, balls)) > 1000 * 10**9
+    at_rest = kurbel.compute([210], "1:5", "inertia_mollier", offset=2, centre=0.6, gyration=0.35)
+    assert np.isinf(at_rest["inertia_mollier"]).all()

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cached_property
 from importlib import import_module
-from math import lcm
+from math import inf, lcm
 from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import Crank, known, largest
@@ -85,6 +85,11 @@ def float_bound(column: Column, crank: Crank, largest_angle: float) -> float:
 
 def greatest_value(column: Column, crank: Crank) -> float:
     """Return what no value of the column, nor its slopes over λ and the angle, exceeds by much."""
+    if column.quantity.needs.startswith("thrust"):
+        from kurbel.motion.parts.forces import has_poles
+
+        if has_poles(column.quantity, crank):
+            return inf
     steepest = float(crank.ratio) * (1 + abs(float(crank.offset)))
     growth = (1 - min(steepest, 1 - 1e-12) ** 2) ** -3.5
     quantity = column.quantity

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from fractions import Fraction
+from itertools import product
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank, known
@@ -142,11 +143,28 @@ def _moving(model: str) -> Callable[[At], Any]:
         rod = known(at.crank.rod)
         masses = rod.masses(model, at.numbers.of)
         if model == EXACT and rod.couple:
-            return moving_force(at.circle, at.ratio, masses, at.offset)
+            return _without_warning(lambda: moving_force(at.circle, at.ratio, masses, at.offset), at)
         # Two masses have no poles, which nothing times something boundless would hide.
         return masses.crosshead * at.by.piston(at.circle, at.ratio, at.offset)
 
     return moving
+
+
+def _without_warning(force: Callable[[], Any], at: At) -> Any:
+    """Return the force; in arrays what is boundless is infinite, as `kurbel.compute` says of it."""
+    if at.offset is None or not hasattr(at.circle.sine, "dtype"):
+        return force()
+    import numpy as np
+
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return force()
+
+
+def has_poles(quantity: Quantity, crank: Crank) -> bool:
+    """Whether a quantity grows beyond all bounds, so that no float of it has a bound of its own."""
+    return bool(
+        quantity.needs in THRUST and quantity.of == EXACT and crank.offset and known(crank.rod).couple
+    )
 
 
 # Angles with rational sines.
@@ -157,16 +175,13 @@ _SINES |= {180 + angle: -sine for angle, sine in _SINES.items()}
 def check_poles(columns: Iterable[Column], cranks: Iterable[Crank], angles: Collection[Fraction]) -> None:
     """Raise ProblemError where Mollier's force is asked for at a dead centre of an offset crank, for the rod
     turns there while the crosshead rests."""
-    named = [one.key for one in columns if one.quantity.needs in THRUST and one.quantity.of == EXACT]
-    for crank in cranks if named else ():
-        if not (crank.offset and known(crank.rod).couple):
-            continue
-        for angle in angles:
-            if _rests(crank, angle % 360):
-                raise ProblemError(
-                    f"at {angle}° this offset crank stands at a dead centre, where no force at the crosshead"
-                    f" moves the rod; leave the angle out, or the column {named[0]}"
-                )
+    boundless = [(one.key, crank) for one in columns for crank in cranks if has_poles(one.quantity, crank)]
+    for (key, crank), angle in product(boundless, angles if boundless else ()):
+        if _rests(crank, angle % 360):
+            raise ProblemError(
+                f"at {angle}° this offset crank stands at a dead centre, where no force at the crosshead"
+                f" moves the rod; leave the angle out, or the column {key}"
+            )
 
 
 def _rests(crank: Crank, angle: Fraction) -> bool:

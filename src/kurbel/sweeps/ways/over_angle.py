@@ -7,7 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from math import prod
+from math import isfinite, prod
 from typing import Any
 
 import numpy as np
@@ -16,7 +16,7 @@ from kurbel.drive.crank import largest
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.numerals import Number
-from kurbel.motion.bulk import float_angles, float_bound
+from kurbel.motion.bulk import float_angles, float_bound, greatest_value
 from kurbel.motion.page import AngleQuestion, Request
 from kurbel.page.axes import AngleAxis, shifted
 from kurbel.page.quantity import Column, Quantity
@@ -197,6 +197,7 @@ def has_arrays(plan: Plan, question: Question) -> bool:
     if isinstance(question, Request):
         crank = question.cranks[0]
         smooth = not (crank.rubbed or crank.pinned)
+        smooth = smooth and all(isfinite(greatest_value(one, crank)) for one in columns)
         return len(question.cranks) == 1 and smooth and not any(_is_difference(one) for one in columns)
     if plan.bounds:
         return False
