@@ -611,6 +611,7 @@ def test_every_drawing_is_written_in_both_languages_and_the_same_bytes_twice(
         ("png", b"\x89PNG\r\n\x1a\n", b"IEND\xaeB`\x82"),
         ("pdf", b"%PDF-1.", b"%%EOF\n"),
         ("svg", b"<?xml ", b"</svg>\n"),
+        ("pgf", b"% ", b"\\end{pgfpicture}%\n\\makeatother%\n\\endgroup%\n"),
     ],
 )
 def test_each_format_opens(name: str, start: bytes, end: bytes, tmp_path: Path) -> None:
@@ -622,7 +623,7 @@ def test_each_format_opens(name: str, start: bytes, end: bytes, tmp_path: Path) 
 
 
 def test_every_format_is_tested() -> None:
-    assert set(FORMATS) == {"png", "pdf", "svg"}
+    assert set(FORMATS) == {"png", "pdf", "svg", "pgf"}
 
 
 @drawn
@@ -1027,12 +1028,13 @@ def test_a_terminal_gets_a_sentence_instead_of_a_drawing(words: tuple[str, ...])
 @pytest.mark.parametrize("name", ["drawing", "drawing.txt", "drawing.svg.gz"])
 def test_a_file_of_another_suffix_is_refused(name: str, tmp_path: Path) -> None:
     sentence = refusal("plot", "-o", str(tmp_path / name))
-    assert sentence.endswith(f'{name}" names no drawing; its suffix must be one of .svg, .png, .pdf')
+    assert sentence.endswith(f'{name}" names no drawing; its suffix must be one of .svg, .png, .pdf, .pgf')
     assert list(tmp_path.iterdir()) == []
 
 
 def test_an_unknown_format_is_answered_with_the_nearest() -> None:
-    sentence = 'there is no drawing format "pgn" (did you mean png?); choose from svg, png, pdf, html, gif'
+    names = "svg, png, pdf, pgf, html, gif"
+    sentence = f'there is no drawing format "pgn" (did you mean png?); choose from {names}'
     assert refusal("plot", "-f", "pgn") == sentence
 
 

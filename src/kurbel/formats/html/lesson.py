@@ -28,6 +28,7 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "back": "Zurück",
         "next": "Weiter",
         "all": "Alles",
+        "lengths": "Strecken der Zeichnung",
         "keys": "Tasten ← und →",
         "of": "Schritt {} von {}",
         "whole": "Alle {} Schritte",
@@ -38,6 +39,7 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "back": "Back",
         "next": "Next",
         "all": "All",
+        "lengths": "Lengths of the drawing",
         "keys": "Keys ← and →",
         "of": "Step {} of {}",
         "whole": "All {} steps",
@@ -61,16 +63,16 @@ def lesson(
         formula = set_label(label, writer.escape, lambda one: writer.formula(one, mark), lambda note: "")
         return writer.finish(formula)
 
-    title = plain(table.caption, mark)
+    title, words = plain(table.caption, mark), WORDS[table.lang]
     script, style = (_file(f"lesson.{kind}") for kind in ("js", "css"))
     values = {
         "lang": table.lang,
-        "words": WORDS[table.lang],
+        "words": words,
         "title": writer.escape(title),
         "heading": set_text(table.caption),
         "drawing": inline(_numbered(svg, parts), "drawing", title, own_page=True),
         "steps": [set_text(one) for one in steps],
-        "table": panelled(render(replace(table, caption=""), "html", decimal=decimal)),
+        "table": panelled(render(replace(table, caption=words["lengths"]), "html", decimal=decimal)),
         "style": style,
         "script": script,
         "allowed": f"sha256-{b64encode(sha256(script.encode()).digest()).decode()}",

@@ -1,0 +1,119 @@
+"""Constructions in files that only they have: the page with steps to click through, and PGF for LaTeX."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from browser import TELEPHONE, Viewer, assert_readable, assert_readable_in_the_dark
+from playwright.sync_api import Page
+from tex import complaints, compiled
+
+import kurbel
+from kurbel.books.constructions.registry import CONSTRUCTIONS, construction
+
+PREAMBLE = r"""\documentclass{article}
+\usepackage[T1]{fontenc}
+\usepackage{lmodern,amsmath,pgf}
+\usepackage[a4paper,margin=15mm]{geometry}
+\begin{document}
+"""
+# The steps of what is seen of the drawing, and of what has the colour of the present step.
+SEEN = """() => [...new Set([...document.querySelectorAll('svg [data-step]')]
+    .filter(one => getComputedStyle(one).visibility === 'visible')
+    .map(one => Number(one.dataset.step)))].sort()"""
+PRESENT = "() => [...new Set([...document.querySelectorAll('.lesson-now')].map(one => one.dataset.step))]"
+SAID = "() => [...document.querySelectorAll('[aria-current]')].map(one => one.id)"
+
+
+def test_a_page_has_the_parts_and_the_sentence_of_every_step() -> None:
+    drawing = kurbel.plot_construction("roetscher-1047-circle", ratio="1:3", angle=70, lang="en")
+    page = drawing.image("html").decode()
+    steps = construction("roetscher-1047-circle").steps
+    assert len(re.findall(r'<li id="step-\d+">', page)) == len(steps)
+    parts = re.findall(r'data-step="(\d+)"', page)
+    assert {int(one) for one in parts} == set(range(1, len(steps) + 1))
+    # All that is drawn belongs to a step: lines, discs, texts, leaders.
+    svg = drawing.image().decode()
+    drawn = re.findall(r'<g id="((?:line2d|patch|text)_\d+)">', svg)
+    assert set(drawn) <= {"patch_1"}
+    assert "lesson-later" not in re.sub(r"(?s)<style>.*?</style>|<script>.*?</script>", "", page)
+    assert "//" not in re.sub(r"(?s)<script>.*?</script>|<style>.*?</style>|<!--.*?-->", "", page)
+
+
+def test_pgf_has_letters_as_text_and_nothing_of_the_machine(tmp_path: Path) -> None:
+    first, second = (
+        kurbel.plot_construction("blau-9", ratio="1:4", angle=50).image("pgf").decode() for _ in range(2)
+    )
+    assert first == second
+    assert r"$\overline{fd}$" in first
+    assert str(Path.home()) not in first
+    assert "ttf" not in first
+    assert "includegraphics" not in first
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("engine", ["pdflatex", "lualatex"])
+def test_latex_sets_every_construction(engine: str, tmp_path: Path) -> None:
+    for name in CONSTRUCTIONS:
+        drive: dict[str, Any] = {"beam": 3} if "beam" in construction(name).holds else {}
+        kurbel.plot_construction(name, **drive).save(tmp_path / f"{name}.pgf")
+    kurbel.plot_turning(eps=4, ratio="1:5").save(tmp_path / "turning.pgf")
+    names = [*CONSTRUCTIONS, "turning"]
+    text = "\n\n".join(rf"\noindent\input{{{name}.pgf}}" for name in names)
+    log = compiled(engine, f"{PREAMBLE}{text}\n\\end{{document}}\n", tmp_path)
+    assert complaints(log) == []
+    assert "Output written" in log
+
+
+@pytest.fixture
+def page(viewer: Viewer, tmp_path: Path) -> Page:
+    path = tmp_path / "fig9.html"
+    kurbel.plot_construction("blau-9", ratio="1:4", angle=50).save(path)
+    return viewer.open(path)
+
+
+@pytest.mark.slow
+def test_steps_are_gone_through_by_keys_and_buttons(page: Page, viewer: Viewer) -> None:
+    assert page.evaluate(SEEN) == [1]
+    page.keyboard.press("ArrowRight")
+    page.click(".lesson-next")
+    assert (page.evaluate(SEEN), page.evaluate(PRESENT)) == ([1, 2, 3], ["3"])
+    assert page.evaluate(SAID) == ["step-3"]
+    assert page.text_content(".lesson-at") == "Schritt 3 von 5"
+    page.keyboard.press("ArrowLeft")
+    assert page.evaluate(SEEN) == [1, 2]
+    page.click("#step-4")
+    assert page.evaluate(SEEN) == [1, 2, 3, 4]
+    assert page.url.endswith("#step-4")
+    page.click(".lesson-all")
+    assert (page.evaluate(SEEN), page.evaluate(PRESENT)) == ([1, 2, 3, 4, 5], [])
+    page.keyboard.press("ArrowRight")
+    assert page.text_content(".lesson-at") == "Alle 5 Schritte"
+    page.click(".lesson-start")
+    page.emulate_media(media="print")
+    assert page.evaluate(SEEN) == [1, 2, 3, 4, 5]
+    assert viewer.complaints == []
+
+
+@pytest.mark.slow
+def test_without_a_script_the_whole_drawing_is_there(page: Page, viewer: Viewer) -> None:
+    context = page.context.browser.new_context(java_script_enabled=False)  # type: ignore[union-attr]
+    still = context.new_page()
+    still.goto(page.url)
+    assert still.locator("svg [data-step]:visible").count() > 20
+    assert not still.locator(".lesson-choices").is_visible()
+    context.close()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["blau-9", "forces"])
+def test_everybody_can_read_the_page(name: str, viewer: Viewer, tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    kurbel.plot_construction(name, ratio="1:4", lang="en").save(path)
+    assert_readable(viewer, path)
+    assert_readable_in_the_dark(viewer, path)
+    viewer.open(path, TELEPHONE)
+    assert viewer.lost() == []
