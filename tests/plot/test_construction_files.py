@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from browser import TELEPHONE, Viewer, assert_readable, assert_readable_in_the_dark
 from playwright.sync_api import Page
-from tex import complaints, compiled
+from tex import compiled, complaints
 
 import kurbel
 from kurbel.books.constructions.registry import CONSTRUCTIONS, construction

@@ -154,7 +154,4 @@ def plot_construction(name: Name, **given: Unpack[Drawn]) -> Drawing:
     asked = _asked(name, given, lang=given["lang"])
     drawn = construction_drawing(asked, mark, page_size(given))
     decimal = given["decimal"]
-    return Drawing(
-        drawn.figure, drawn.title, given["lang"], mark, drawn.about,
-        lambda svg: construction_page(asked, svg, decimal),
-    )  # fmt: skip
+    return Drawing.of(drawn, given["lang"], mark, lambda svg: construction_page(asked, svg, decimal))
