@@ -105,7 +105,7 @@ TAKEN = words(
 )
 CRANK = (
     Circle("O", "A", CENTRE),
-    Line("O", "B", CENTRE, 4.0),
+    Line("way", "B", CENTRE, 4.0),
     Line("O", "A"),
     Line("A", "B", LINK),
 )
@@ -186,7 +186,13 @@ FIG_2 = Construction(
                 "|Divide the line between the ends as $D$ divides the rod: acceleration $p$ of $D$ at the"
                 " distance $x$ from $B$; likewise at the quarters of the rod"
             ),
-            (Line("p_1 A", "p_2 B"), Arrow("D", "p D", "$p$"), *arrows("p", INNER)),
+            (
+                Line("p_1 A", "p_2 B"),
+                Line("p D", "p_2 B"),
+                Line("B", "D"),
+                Arrow("D", "p D", "$p$"),
+                *arrows("p", INNER),
+            ),
             ("D",),
         ),
         Step(

@@ -94,7 +94,13 @@ FIG_4 = Construction(
                 "|Join its end with $B$: $p_3'$ in all points, parallel to $p_3$ and proportional to the"
                 " distance $x$ from $B$"
             ),
-            (Line("p_3 A", "B"), *arrows("p_3", INNER), Arrow("D", "p_3 D", "$p_3'$")),
+            (
+                Line("p_3 A", "B"),
+                Line("p_3 D", "B"),
+                Line("B", "D"),
+                *arrows("p_3", INNER),
+                Arrow("D", "p_3 D", "$p_3'$"),
+            ),
             ("D",),
         ),
         Step(

@@ -31,6 +31,7 @@ REFUSAL = (
 USUAL = Rod.from_crosshead(Fraction(65, 100), Fraction(35, 100))
 QUARTERS = tuple(Fraction(part, 4) for part in range(5))
 # How far the slide is drawn before B, and the scale below it, in R.
+HALF_TURN = Fraction(180)
 ROOM, DEPTH = Fraction(3, 2), Fraction(3, 5)
 SCALE = words("Maßstab: $v^2/R$ ist $3/2 R$ lang gezeichnet|Scale: $v^2/R$ is drawn $3/2 R$ long")
 P_2 = "$cos φ - sin φ tan ψ + (λ cos^2 φ)/(cos^3 ψ)$"
@@ -79,7 +80,7 @@ def rod_points(at: Placed) -> dict[str, Point]:
     }
     size, none = at.number(SIZE), Point(zero, zero)
     ends = {name: plus(none, vector, size) for name, vector in vectors.items()}
-    return {"O": shaft, "A": pin, "B": head, **ends}
+    return {"O": shaft, "A": pin, "B": head, "way": Point(zero, at.offset), **ends}
 
 
 def laid_off(points: dict[str, Point], vector: str, *at: str, share: Any = 1) -> dict[str, Point]:
@@ -117,15 +118,22 @@ ROD: Sequence[Element] = (Line("A", "B", LINK), Line("slide", "slide end", CENTR
 SCALE_BAR: Sequence[Element] = (Scale("scale", "scale end", ACCELERATION),)
 
 
+def above(at: Placed) -> int:
+    """Return 1 where the rod lies above the slide, -1 below."""
+    return -1 if HALF_TURN < at.angle < 2 * HALF_TURN else 1
+
+
 def with_scale(points: dict[str, Point], at: Placed) -> dict[str, Point]:
-    """Add the slide about B, and below it a line as long as R, which has the scale."""
+    """Add the slide about B, and beside it a line that has the scale."""
     head = points["B"]
     none = Fraction(0)
+    # On the other side than the rod.
+    depth = -DEPTH * above(at)
     for name, along, across in (
         ("slide", -ROOM, none),
         ("slide end", Fraction(1, 2), none),
-        ("scale", -SIZE, -DEPTH),
-        ("scale end", none, -DEPTH),
+        ("scale", -SIZE, depth),
+        ("scale end", none, depth),
     ):
         points[name] = Point(head.x + at.number(along), head.y + at.number(across))
     return points

@@ -20,6 +20,7 @@ from kurbel.books.constructions.ensslin.forces import (
 )
 from kurbel.books.constructions.ensslin.rod import (
     SIZE,
+    above,
     parted,
     rod_of,
     size,
@@ -51,12 +52,12 @@ def _stretching(at: Placed) -> Points:
     points = laden(at)
     way = to(points["B"], points["A"])
     points["p_5"] = plus(nothing(at), points["p_5"], at.rod)
-    beside = plus(nothing(at), turned(way), at.ratio * at.number(BESIDE))
+    beside = plus(nothing(at), turned(way), at.ratio * at.number(BESIDE) * above(at))
     for name, share in (*zip(INNER, QUARTERS, strict=True), ("A", Fraction(1))):
         points[f"low {name}"] = plus(points[name], beside)
         points[f"low p_5 {name}"] = plus(points[f"low {name}"], points["p_5"], at.number(share))
     # p₅ turned by 90°, away from the arrows.
-    points["C"] = plus(points["A"], turned(points["p_5"]))
+    points["C"] = plus(points["A"], turned(points["p_5"]), above(at))
     points["H"] = plus(points["B"], to(points["B"], points["C"]), at.number(1 - rod_of(at).centre))
     points["G"] = plus(points["A"], points["p_5"], -at.number(1 - rod_of(at).centre))
     return points

@@ -25,6 +25,7 @@ from kurbel.books.constructions.ensslin.rod import (
     FORCE,
     SCALES,
     SIZE,
+    above,
     arrows,
     laid_off,
     rod_of,
@@ -63,7 +64,7 @@ def _turning(at: Placed) -> Points:
         )
     way = to(points["B"], points["A"])
     size = at.ratio * root(at.number(rod.gyration_square)) * at.rod
-    points["K"] = plus(points["S"], turned(way), -size)
+    points["K"] = plus(points["S"], turned(way), -size * above(at))
     points["T"] = meet(points["K"], turned(to(points["B"], points["K"])), points["B"], way)
     reach = dot(to(points["B"], points["T"]), way) / dot(way, way)
     points["force"] = plus(nothing(at), points["p_4"], -at.number(1 - rod.centre))
