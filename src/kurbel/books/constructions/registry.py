@@ -17,6 +17,7 @@ CONSTRUCTIONS: Mapping[str, str] = {
     "klein": "kurbel.books.constructions.rates.klein:KLEIN",
     "rittershaus": "kurbel.books.constructions.rates.rittershaus:RITTERSHAUS",
     "autenrieth": "kurbel.books.constructions.rates.autenrieth:AUTENRIETH",
+    "kuhn": "kurbel.books.constructions.rates.kuhn:KUHN",
     "ensslin-1": "kurbel.books.constructions.ensslin.accelerations:FIG_1",
     "ensslin-2": "kurbel.books.constructions.ensslin.accelerations:FIG_2",
     "ensslin-3": "kurbel.books.constructions.ensslin.alone:FIG_3",

@@ -55,8 +55,8 @@ KLEIN = Construction(
     name="klein",
     title=words("Kolbenbeschleunigung nach Klein|Acceleration of the piston, after Klein"),
     source=words(
-        "Khurmi und Gupta, Theory of Machines: Klien’s construction"
-        "|Khurmi and Gupta, Theory of Machines: Klien’s construction"
+        "Khurmi und Gupta, Theory of Machines, Kap. 15, Fig. 15.2: Klien’s construction"
+        "|Khurmi and Gupta, Theory of Machines, ch. 15, Fig. 15.2: Klien’s construction"
     ),
     points=_points,
     angle_symbol="$φ$",

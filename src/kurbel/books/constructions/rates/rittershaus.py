@@ -57,8 +57,8 @@ RITTERSHAUS = Construction(
     name="rittershaus",
     title=words("Kolbenbeschleunigung nach Rittershaus|Acceleration of the piston, after Rittershaus"),
     source=words(
-        "Khurmi und Gupta, Theory of Machines: Ritterhaus’s construction"
-        "|Khurmi and Gupta, Theory of Machines: Ritterhaus’s construction"
+        "Khurmi und Gupta, Theory of Machines, Kap. 15: Ritterhaus’s construction"
+        "|Khurmi and Gupta, Theory of Machines, ch. 15: Ritterhaus’s construction"
     ),
     points=_points,
     angle_symbol="$φ$",
