@@ -10,6 +10,10 @@ if TYPE_CHECKING:
     from kurbel.engine.engine import Steam
 
 
+# Of the rod, in its lengths, where they are not given: its centre of mass from B and its radius of gyration.
+CENTRE, GYRATION = Fraction(65, 100), Fraction(35, 100)
+
+
 class Beside(NamedTuple):
     """The share of the rod from the crosshead pin at which a point of it lies, the rod and the steam, where
     they are given."""

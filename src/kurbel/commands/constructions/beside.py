@@ -6,9 +6,10 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any
 
-from kurbel.books.constructions.beside import ALONE, Beside
+from kurbel.books.constructions.beside import ALONE, CENTRE, GYRATION, Beside
 from kurbel.books.constructions.model import Construction
 from kurbel.commands.options import Option
+from kurbel.commands.parameters import EPS, Given
 from kurbel.errors import ProblemError
 from kurbel.reading.given import Exact, as_numbers, as_share_or_length
 from kurbel.reading.notation import about
@@ -31,18 +32,22 @@ Point = Annotated[
 Centre = Annotated[
     Exact | None,
     Option(
-        "Ensslin's Figs. 5 to 7: centre of mass of the rod from the crosshead pin, in rod lengths: 0.65; or a"
-        " length.",
+        "Ensslin's Figs. 5 to 7: centre of mass of the rod from the crosshead pin, in rod lengths; default:"
+        " 0.65; or a length.",
         "A", unit="rod lengths",
     ),
 ]  # fmt: skip
 Gyration = Annotated[
     Exact | None,
-    Option("Radius of gyration about it, in rod lengths: 0.35; or a length.", "K", unit="rod lengths"),
+    Option(
+        "Radius of gyration about it, in rod lengths; default: 0.35; or a length.", "K", unit="rod lengths"
+    ),
 ]
 Eps = Annotated[
-    Exact | None,
-    Option("Radinger: expansion ratio, cut-off after 1/ε of the stroke: 4; default: a constant force.", "ε"),
+    Given | None,
+    EPS._replace(
+        help="Radinger: expansion ratio, cut-off after 1/ε of the stroke: 4; default: a constant force."
+    ),
 ]
 Back = Annotated[
     Exact | None,
@@ -51,11 +56,17 @@ Back = Annotated[
 NAMES = ("point", "centre", "gyration", "eps", "back")
 
 
-def read(shown: Construction, given: Mapping[str, Any], drive: Any) -> Beside:
-    """Return what is given beside the drive; raise ProblemError for what the construction does not take."""
-    for name in NAMES:
-        if given[name] is not None and name not in shown.takes:
-            raise ProblemError(f"construction {shown.name} takes no --{name}; leave it out")
+def foreign(shown: Construction) -> dict[str, str]:
+    """Return what a construction does not take beside its drive, with the sentences that refuse it."""
+    return {
+        name: f"construction {shown.name} takes no --{name}; leave it out"
+        for name in NAMES
+        if name not in shown.takes
+    }
+
+
+def read(given: Mapping[str, Any], drive: Any) -> Beside:
+    """Return what is given beside the drive."""
     point, rod = ALONE.point, _rod(given, drive)
     if given["point"] is not None:
         point = _only(as_numbers(given["point"], "point of the rod"), "point of the rod")
@@ -71,16 +82,16 @@ def _rod(given: Mapping[str, Any], drive: Any) -> Rod | None:
     centre, gyration = given["centre"], given["gyration"]
     if centre is None and gyration is None:
         return None
-    from kurbel.drive.rod_file import given_rod
+    from kurbel.drive.rod import Rod
 
     crank = drive.crank
     length = None if crank.radius is None else crank.radius / crank.ratio
 
-    def share(value: Exact | None, what: str) -> Fraction | None:
-        return None if value is None else as_share_or_length(value, what, length, UNKNOWN)
+    def share(value: Exact | None, what: str, usual: Fraction) -> Fraction:
+        return usual if value is None else as_share_or_length(value, what, length, UNKNOWN)
 
-    return given_rod(
-        share(centre, "centre of mass"), share(gyration, "radius of gyration"), None, None, length
+    return Rod.from_crosshead(
+        share(centre, "centre of mass", CENTRE), share(gyration, "radius of gyration", GYRATION)
     )
 
 

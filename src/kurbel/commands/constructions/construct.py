@@ -60,7 +60,8 @@ class Listed(Given, option.Sheet, total=False):
 def _of_others(values: Mapping[str, Any]) -> dict[str, str]:
     """Return what was given that describes drives of other constructions."""
     # Its layout says nothing of the mechanism, as those of tables do.
-    return of_other_mechanisms({**_held(values), "layout": None})
+    refused = of_other_mechanisms({**_held(values), "layout": None})
+    return {**refused, **beside.foreign(construction(values["name"]))}
 
 
 def _held(given: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -87,7 +88,7 @@ def _asked(name: str, given: Mapping[str, Any], **sheet: Any) -> ConstructionReq
     if not drive.crank.ratio:
         raise ProblemError("a rod of infinite length cannot be drawn; give a finite one, such as 1:5")
     shown = shown.of(chosen.name)
-    angle, more = _angle(shown, drive, given["angle"]), beside.read(shown, given, drive)
+    angle, more = _angle(shown, drive, given["angle"]), beside.read(given, drive)
     if angle is not None and (sentence := shown.refused(drive, angle)):
         raise ProblemError(sentence)
     return ConstructionRequest(

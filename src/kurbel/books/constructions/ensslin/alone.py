@@ -45,8 +45,8 @@ GIVEN_ROD = words(
 FIG_3 = Construction(
     name="ensslin-3",
     title=words(
-        "Schubstange unter den Beschleunigungen $p_2$, nach Ensslin, Fig. 3"
-        "|The rod under the accelerations $p_2$, after Ensslin, Fig. 3"
+        "Schubstange unter der Beschleunigung von B allein, nach Ensslin, Fig. 3"
+        "|The rod under the acceleration of B alone, after Ensslin, Fig. 3"
     ),
     source=source(3),
     points=any_point,
@@ -75,8 +75,8 @@ FIG_3 = Construction(
 FIG_4 = Construction(
     name="ensslin-4",
     title=words(
-        "Schubstange unter den Beschleunigungen $p_3'$, nach Ensslin, Fig. 4"
-        "|The rod under the accelerations $p_3'$, after Ensslin, Fig. 4"
+        "Schubstange unter dem Rest der Beschleunigungen, nach Ensslin, Fig. 4"
+        "|The rod under the rest of the accelerations, after Ensslin, Fig. 4"
     ),
     source=source(4),
     points=any_point,

@@ -58,8 +58,8 @@ def _common(at: Placed) -> Points:
 FIG_5 = Construction(
     name="ensslin-5",
     title=words(
-        "Schubstange unter den Beschleunigungen $p_2$ allein, nach Ensslin, Fig. 5"
-        "|The rod under the accelerations $p_2$ alone, after Ensslin, Fig. 5"
+        "Kräfte der Schubstange unter der Beschleunigung von B, nach Ensslin, Fig. 5"
+        "|Forces of the rod under the acceleration of B, after Ensslin, Fig. 5"
     ),
     source=source(5),
     points=_common,

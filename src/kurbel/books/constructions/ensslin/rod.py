@@ -10,6 +10,8 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
+from kurbel.books.constructions.beside import CENTRE as CENTRE_OF_MASS
+from kurbel.books.constructions.beside import GYRATION
 from kurbel.books.constructions.geometry import Point, distance, dot, meet, plus, to, turned
 from kurbel.books.constructions.model import AID, CENTRE, LINK, Arrow, Element, Line, Placed, Points, Scale
 from kurbel.drive.rod import Rod
@@ -27,8 +29,7 @@ REFUSAL = (
     "in Ensslin's figures the crosshead end B of the rod moves along a straight line; take a straight or an"
     " offset crank"
 )
-# A rod by its a/l, from B, and k/l, where none is given.
-USUAL = Rod.from_crosshead(Fraction(65, 100), Fraction(35, 100))
+USUAL = Rod.from_crosshead(CENTRE_OF_MASS, GYRATION)
 QUARTERS = tuple(Fraction(part, 4) for part in range(5))
 # How far the slide is drawn before B, and the scale below it, in R.
 HALF_TURN = Fraction(180)

@@ -71,8 +71,8 @@ def _stretched(at: Placed) -> Any:
 FIG_7 = Construction(
     name="ensslin-7",
     title=words(
-        "Schubstange unter den Dehnungsbeschleunigungen $p_5'$ allein, nach Ensslin, Fig. 7"
-        "|The rod under the stretching accelerations $p_5'$ alone, after Ensslin, Fig. 7"
+        "Kräfte der Schubstange unter den Dehnungsbeschleunigungen, nach Ensslin, Fig. 7"
+        "|Forces of the rod under the stretching accelerations, after Ensslin, Fig. 7"
     ),
     source=source(7),
     points=_stretching,

@@ -90,8 +90,8 @@ def _percussion(at: Placed) -> Any:
 FIG_6 = Construction(
     name="ensslin-6",
     title=words(
-        "Schubstange unter den Drehbeschleunigungen $p_4'$ allein, nach Ensslin, Fig. 6"
-        "|The rod under the turning accelerations $p_4'$ alone, after Ensslin, Fig. 6"
+        "Kräfte der Schubstange unter den Drehbeschleunigungen, nach Ensslin, Fig. 6"
+        "|Forces of the rod under the turning accelerations, after Ensslin, Fig. 6"
     ),
     source=source(6),
     points=_turning,
