@@ -46,7 +46,8 @@ def drawn_over(
 ) -> "Drawing":
     """Return the drawing of columns over the first of them, the path."""
     from kurbel.plot.drawings import curves_drawing
-    from kurbel.plot.over.path import PathDrawing, titled
+    from kurbel.plot.over.path import PathDrawing
 
     drawing = PathDrawing(question, drives, beside)
-    return curves_drawing(titled(question), drawing.panels(), mark, drawing.around(), size)
+    drawn = curves_drawing(question, drawing.panels(), mark, drawing.around(), size)
+    return drawn._replace(title=drawing.title)

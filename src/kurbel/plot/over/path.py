@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from functools import partial
 from math import nan
 
@@ -14,15 +13,16 @@ from numpy.typing import NDArray
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Label
 from kurbel.motion.drives import Drive
-from kurbel.motion.evaluation import OUT, STROKES
+from kurbel.motion.evaluation import METHODS, OUT, STROKES
 from kurbel.motion.page import AngleQuestion
-from kurbel.page.quantity import Column, Quantity, words
+from kurbel.page.quantity import Column, Quantity, enumerated, filled, for_ratio, words
 from kurbel.plot.chart.extremes import spots, zeros
 from kurbel.plot.chart.model import Around, Panel, Spot, Strokes
 from kurbel.plot.curves import said_drive, said_ratio
 from kurbel.plot.panels import Trace, axis_name, check_drawn, degrees, panels_of
 from kurbel.plot.sketch import DEAD_CENTRES
 from kurbel.plot.ticks import Across, Ticks, plain_ticks
+from kurbel.solve.over.captions import WORDS
 
 # What is drawn to scale, R, v and v²/R of one length, by the beginning of its key.
 VELOCITY, ACCELERATION = ("c", "velocity"), ("p", "acceleration")
@@ -158,11 +158,17 @@ class PathDrawing:
         found = self.question.curves(np.asarray([angle], float))
         return float(found[0][0][0]), float(found[place][0][0])
 
-
-def titled(question: AngleQuestion) -> AngleQuestion:
-    """Return what is drawn without the path that it is drawn over."""
-    keys = tuple(column.key for column in question.page_columns[1:])
-    return replace(question, columns=keys)
+    @property
+    def title(self) -> Label:
+        """What is drawn, over what and of which drive."""
+        names = (column.quantity.name[self.lang] for column in self._columns[1:])
+        one = len(self.question.ratios) == 1 and self.beside is None
+        parts = {
+            "{quantities}": enumerated(names, self.lang),
+            "{for_ratio}": for_ratio(self.question.ratios[0], self.lang) if one else "",
+            "{method}": METHODS[self.drives[0].method].caption[self.lang],
+        }
+        return filled(WORDS["caption"][self.lang], parts.items())
 
 
 def _label(quantity: Quantity, lang: str) -> Label:
