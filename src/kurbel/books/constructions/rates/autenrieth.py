@@ -124,6 +124,7 @@ AUTENRIETH = Construction(
             ("G",),
         ),
     ),
+    notes=(plan.SIGNS,),
     lengths=(
         plan.velocity_length("O", "C"),
         plan.swing_length("P", "C", "Q"),

@@ -107,6 +107,7 @@ KLEIN = Construction(
             (Measure("CQ", written=False), Measure("QN", written=False), Measure("NO")),
         ),
     ),
+    notes=(plan.SIGNS,),
     lengths=(
         plan.velocity_length("O", "M"),
         plan.swing_length("C", "M", "P"),

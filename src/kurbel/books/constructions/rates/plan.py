@@ -42,6 +42,11 @@ BACK = Step(
     ),
     (Arrow("Q", "W", "$c$"),),
 )
+SIGNS = words(
+    "$c$ ist im Hingang positiv, $p$ nach der Welle hin; die anderen Strecken sind Beträge ihrer Formeln"
+    "|$c$ is positive on the outstroke, $p$ towards the shaft; the other lengths are the amounts of their"
+    " formulas"
+)
 SCHMOLKE = words(
     "Schmolke, Dinglers Polytechnisches Journal 330 (1915), 476, Abb. 3"
     "|Schmolke, Dinglers Polytechnisches Journal 330 (1915), 476, Fig. 3"

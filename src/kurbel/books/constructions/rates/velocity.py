@@ -81,5 +81,11 @@ VELOCITY = Construction(
         plan.BACK,
     ),
     variants={"arc": OF_ROCKER},
+    notes=(
+        words(
+            "$c$ ist im Hingang positiv, $u/ω$ der Betrag der Formel"
+            "|$c$ is positive on the outstroke, $u/ω$ the amount of its formula"
+        ),
+    ),
     lengths=(plan.velocity_length("O", "C"), plan.swing_length("P", "C", "Q")),
 )
