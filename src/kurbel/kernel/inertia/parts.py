@@ -34,12 +34,12 @@ from kurbel.kernel.forces import Slant, rod_slant
 from kurbel.kernel.inertia.accelerations import EVEN, Accelerations
 from kurbel.kernel.linkage import Arc, Place
 from kurbel.kernel.rocker import LoadedRocker
-from kurbel.kernel.rod import Masses, magnitude
+from kurbel.kernel.rod import Masses, Parts, magnitude
 from kurbel.kernel.rod import parts as parts_of
 
 Kind = TypeVar("Kind")
 
-COMMON, TURNING, STRETCHING = PARTS = ("common", "turning", "stretching")
+COMMON, TURNING, STRETCHING = PARTS = Parts._fields
 
 
 class Vector(NamedTuple, Generic[Kind]):

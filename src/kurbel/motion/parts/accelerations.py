@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.kernel import rod
-from kurbel.kernel.inertia.parts import Parted, Vector, parted
 from kurbel.kernel.rod import Masses
 from kurbel.motion.evaluation import OFFSET, At
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
+if TYPE_CHECKING:
+    from kurbel.kernel.inertia.parts import Parted, Vector
+
 UNIT = "R ω^2"
 EXACT = words("genau|exact")
 NOTHING: Masses[int] = Masses(0, 0)
-
-Kernel = Callable[[At], Any]
 
 
 class Part(NamedTuple):
@@ -97,6 +97,8 @@ _OTHERS: tuple[tuple[str, str, Words, str, tuple[Component, ...]], ...] = (
 
 def moved(at: At) -> Parted:
     """Return the rod at a place by its motion alone."""
+    from kurbel.kernel.inertia.parts import parted
+
     return parted(at.circle, at.ratio, NOTHING, at.offset, at.by)
 
 

@@ -5,16 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from fractions import Fraction
 from itertools import product
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.crank import Crank, known
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
-from kurbel.kernel.inertia.mollier import moving_force
-from kurbel.kernel.inertia.parts import COMMON, PARTS, STRETCHING, TURNING, Parted, parted
+from kurbel.kernel.rod import Parts
 from kurbel.motion.evaluation import OFFSET, At
 from kurbel.page.quantity import Column, Formula, Quantity, Words, words
 
+if TYPE_CHECKING:
+    from kurbel.kernel.inertia.parts import Parted
+
+COMMON, TURNING, STRETCHING = PARTS = Parts._fields
 EXACT, THRUST = "exact", ("thrust", "thrust inertia")
 UNIT, TORQUE = "M R ω^2", "M R^2 ω^2"
 # The accelerations of which the parts are.
@@ -28,7 +31,8 @@ NAMES: Mapping[str, Words] = {
 ALONG, ACROSS = words("längs|along"), words("quer|across")
 _IN = "Kraft in {0}|Force in {0}"
 
-Kernel = Callable[[Parted], Any]
+# Of the rod at a place, in parts.
+Kernel = Callable[[Any], Any]
 
 
 class Share(NamedTuple):
@@ -125,6 +129,8 @@ def _of_rod(kernel: Kernel, parted_of: Callable[[Any], Parted]) -> Callable[[Any
 
 def held(at: At) -> Parted:
     """Return the rod between crank and crosshead at a place, with its masses."""
+    from kurbel.kernel.inertia.parts import parted
+
     masses = known(at.crank.rod).masses(EXACT, at.numbers.of)
     return parted(at.circle, at.ratio, masses, at.offset, at.by)
 
@@ -140,6 +146,8 @@ def mollier_entries(models: Mapping[str, Words]) -> Iterator[Quantity]:
 
 def _moving(model: str) -> Callable[[At], Any]:
     def moving(at: At) -> Any:
+        from kurbel.kernel.inertia.mollier import moving_force
+
         rod = known(at.crank.rod)
         masses = rod.masses(model, at.numbers.of)
         if model == EXACT and rod.couple:
