@@ -43,6 +43,13 @@ def test_a_page_has_the_parts_and_the_sentence_of_every_step() -> None:
     assert "//" not in re.sub(r"(?s)<script>.*?</script>|<style>.*?</style>|<!--.*?-->", "", page)
 
 
+@pytest.mark.parametrize("name", ["ensslin-6", "radinger"])
+def test_a_length_that_is_a_line_of_its_own_waits_for_its_step(name: str) -> None:
+    drawing = kurbel.plot_construction(name)
+    drawn = re.findall(r'<g id="(?:step|length)-[^"]+">', drawing.image().decode())
+    assert drawing.image("html").decode().count("data-step=") == len(drawn)
+
+
 def test_pgf_has_letters_as_text_and_nothing_of_the_machine(tmp_path: Path) -> None:
     first, second = (
         kurbel.plot_construction("blau-9", ratio="1:4", angle=50).image("pgf").decode() for _ in range(2)

@@ -34,7 +34,7 @@ def _parts(shown: Construction, svg: str) -> Iterator[tuple[str, int]]:
         for one in step.drawn:
             if isinstance(one, model.Measure):
                 yield f"length-{one.letters}", number
-            elif isinstance(one, model.Arrow) and (one.start, one.end) in ends:
+            elif isinstance(one, model.Arrow | model.Line) and (one.start, one.end) in ends:
                 yield f"length-{ends[one.start, one.end]}", number
     for name in re.findall(r'<g id="(step-[^"]+)">', svg):
         if found := _STEP.match(name):

@@ -67,8 +67,8 @@ FIG_5 = Construction(
         Step(GIVEN_ROD, (*DRAWN_ROD, Scale("scale", "scale end", "$v^2/R$, $M v^2/R$")), ("A", "B", "S")),
         Step(
             words(
-                "In allen Punkten die Beschleunigung $p_2$, wie die der Erde"
-                "|In all points the acceleration $p_2$, like that of gravity"
+                "In allen Punkten die Beschleunigung $p_2$; sie wirkt wie die Erdbeschleunigung"
+                "|In all points the acceleration $p_2$; it acts like gravity"
             ),
             (
                 *arrows("p_2", ("B", *INNER)),

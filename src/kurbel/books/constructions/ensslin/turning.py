@@ -175,6 +175,10 @@ FIG_6 = Construction(
     notes=(
         SCALE_OF_FORCES,
         words(
+            "Die Kräfte dieser Figur stehen in der Fortsetzung, die nicht vorlag; neu hergeleitet"
+            "|The forces of this figure stand in the continuation, which was not at hand; re-derived"
+        ),
+        words(
             "Zwei Massen nach dem Schwerpunktsgesetz drückten auf $A$ mit $M p_4 a/l$ und auf $B$ nicht; sie"
             " sind"
             " hier nur für $k^2 = a b$ genau"
