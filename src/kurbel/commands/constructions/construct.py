@@ -120,9 +120,9 @@ def construction_table(
 
     \f
     >>> import kurbel
-    >>> page = kurbel.construction_table("blau-9", ratio="1:5", angle=45, columns="drawn,true")
+    >>> page = kurbel.construction_table("blau-9", ratio="1:5", angle=45, columns="length,drawn,true")
     >>> print(kurbel.typeset(page, "csv").splitlines()[1])
-    ad,0.34308,0.34308
+    ad,0.34315,0.34315
     """
     page = layout_of(layout or "construction", ("construction",), layouts)
     return _asked(name, given, layout=page, columns=as_names(columns, "drawn,true"), **sheet_of(given))
