@@ -32,6 +32,7 @@ BLOCK = re.compile(r"(?<=```console\n).*?(?=```)", re.DOTALL)
 PART = re.compile(r"^```((\S+)(?: file=(\S+))?)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 # What the Python sessions of a page write.
 SAVED = {
+    "constructions.md": {"fig9.html"},
     "columns.md": {"delta.nc", "delta.parquet"},
     "interactive.md": {"motion.html"},
     "python.md": {"table.tex", "turning.svg"},
