@@ -98,7 +98,7 @@ def test_an_offset_crank_has_its_dead_centres_below_the_table() -> None:
     [
         ((), 'no condition was given; write one as --where p=0 or --where "s = 25%"'),
         (("--where=p>0",), 'condition "p>0" cannot be read; write it as p=0, s=25%, x=1.1, "x = 200 mm"'),
-        (("--where=y=0",), 'there is no quantity "y"; choose from x, s, c, p, psi,'),
+        (("--where=y=0",), 'there is no quantity "y"; choose from x, s, fd, c, p, psi,'),
         (("--where=x = 200 mm",), 'condition "x = 200 mm" is in mm and needs --stroke'),
         (("--where=c = 3 m/s", "--stroke=1m"), 'condition "c = 3 m/s" is in m/s and needs --stroke and'),
         (("--where=x = 2 kg", "--stroke=1m"), 'x "2 kg" is in kilogram; it must be a length such as 600mm'),

@@ -220,7 +220,10 @@ def test_layouts_are_listed_a_line_each() -> None:
 def test_quantities_are_listed_a_line_each() -> None:
     lines = printed("quantities").out.splitlines()
     keys = [line.split()[0] for line in lines]
-    motion = ["ratio", "phi", *registry()]
+    approximated = [
+        one.key for about in ("series errors", "successive") for one, _ in subject(about).entries()
+    ]
+    motion = ["ratio", "phi", *registry(), *approximated]
     loaded = (
         "cylinders", "power", "torques", "areas", "speed", "evenness", "rod load", "flywheel sizing",
         "pressures",

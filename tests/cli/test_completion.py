@@ -199,7 +199,7 @@ def test_every_shell_gets_its_script(shell: str) -> None:
 @pytest.mark.parametrize(
     ("line", "expected"),
     [
-        ("kurbel table --layout roe", ["roetscher-112"]),
+        ("kurbel table --layout roetscher-1", ["roetscher-112"]),
         ("kurbel table --columns phi,x_m", ["phi,x_mm"]),
         ("kurbel table --columns phi,x,psi_", ["phi,x,psi_return"]),
         ("kurbel table -f mark", ["markdown"]),

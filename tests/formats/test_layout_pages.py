@@ -6,6 +6,7 @@ import pytest
 from cli import printed
 from golden import assert_golden
 from pages import (
+    APPROXIMATED,
     BALANCES,
     BEAMS,
     COLLATIONS,
@@ -35,6 +36,8 @@ ROWS = {
     **dict.fromkeys(("over-path", "forces-path"), ("--shares=0;0.3",)),
     "pressures": ("--shares=0;0.3",),
     "pressures-turn": ("--angle=0;60",),
+    "roetscher-gf": ("--angle=0;60",),
+    "series-errors": ("--order=1;3",),
     "kolbenwege": ("--angle=0;60", "--ratio=1:5;1:4"),
     "roetscher-112": ("--angle=0;60", "--ratio=1:5;1:4"),
     "delta-tafel": ("--eps=2;4",),
@@ -49,6 +52,7 @@ ROWS = {
     "balance": ("--orders=2",),
 }
 OVER_ANGLES = (
+    "blau-fd", "ordnungen",
     "arc", "blau-kolbenwege", "engine-forces", "forces", "forces-arc", "forces-effort",
     "forces-parallel", "forces-verfahren", "inertia", "ensslin-parts", "ensslin-forces", "inertia-parts",
     "ensslin-parts-rocker", "ensslin-forces-rocker", "mollier",
@@ -99,6 +103,15 @@ OTHERS = {
     ),
     "forces-tangent-units.de": ("forces", "--at=tangent", "--force=10kN", "--stroke=600mm"),
     "solve-blau.en": ("solve", "--ratio=1:5;1:4", "--method=series", "--where=p = 1/6 of dead centre"),
+    "kinematics-third-order.de": (
+        "table",
+        *MACHINE,
+        "--angle=60",
+        "--method=series",
+        "--order=3",
+        "--columns=phi,x_mm,x_return_mm,fd_mm,c_mps,p",
+    ),
+    "kinematics-ninth-order.en": ("table", "--angle=60", "--method=series", "--order=9"),
     "solve-units.de": ("solve", *MACHINE, "--where=c = 3 m/s"),
     "solve-offset.en": ("solve", "--ratio=1:4", "--offset=0.5", "--where=psi=2°30'"),
     "over-path-units.en": ("table", "--over=path", *MACHINE, "--offset=50mm", "--step=50%"),
@@ -142,6 +155,7 @@ PAGES = {
             *COLLATIONS,
             *SOLVED,
             *OVER_PATH,
+            *APPROXIMATED,
             *CONSTRUCTED,
             *SOLVED_LOADED,
         )

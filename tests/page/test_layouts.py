@@ -69,10 +69,31 @@ def both(key: str, method: str, decimals: int, de: str, en: str) -> Heads:
     return Heads(key, method, decimals, tuple(de.split("|")), tuple(en.split("|")))
 
 
+FD = "$overline(f d) = overline(f' d')$"
 COLUMNS = {
     "blau-kolbenwege": [
         both("x", "series", 3, "Kolbenweg|$x/R$", "Piston path|$x/R$"),
         both("x_stroke", "series", 3, "Kolbenweg|$x/(2 R)$", "Piston path|$x/(2 R)$"),
+    ],
+    "blau-fd": [
+        both("x", "infinite", 4, "$overline(a f) = overline(b f')$", "$overline(a f) = overline(b f')$"),
+        both("fd", "exact", 4, f"{FD}|genau", f"{FD}|exact"),
+        both("fd", "series", 4, *[f"{FD}|$1/2 · R/L sin^2 α$"] * 2),
+        both("x", "exact", 4, "Hingang|$overline(a d)$", "Outstroke|$overline(a d)$"),
+        both("x_return", "exact", 4, "Rückgang|$overline(b' d')$", "Return|$overline(b' d')$"),
+    ],
+    "ordnungen": [
+        both(key, method, 5, f"{de} ${symbol}$|{in_german}", f"{en} ${symbol}$|{in_english}")
+        for key, symbol, de, en in (
+            ("x", "x/R", "Kolbenweg", "Piston path"),
+            ("c", "c/v", "Kolbengeschwindigkeit", "Piston velocity"),
+            ("p", "(p R)/v^2", "Kolbenbeschleunigung", "Piston acceleration"),
+        )
+        for method, in_german, in_english in (
+            ("exact", "genau", "exact"),
+            ("series", "1. Ordnung", "1st order"),
+            ("series-3", "3. Ordnung", "3rd order"),
+        )
     ],
     "kinematics": [
         both("x", "exact", 4, "Kolbenweg|Hingang|$x/R$", "Piston path|Outstroke|$x/R$"),
@@ -134,7 +155,9 @@ def grouped(symbol: str) -> Callable[[str, str, Address], Address]:
 
 # Where a point stands: from ratio, angle and the column's heads to the address of its cell.
 ADDRESSES: dict[str, Callable[[str, str, Address], Address]] = {
+    "blau-fd": grouped("R:L"),
     "blau-kolbenwege": grouped("R:L"),
+    "ordnungen": grouped("R:L"),
     "forces": grouped("R:L"),
     "kinematics": grouped("R:L"),
     "kolbenwege": lambda ratio, angle, heads: ("", angle, *heads, f"${ratio}$"),
@@ -399,9 +422,11 @@ def test_page_whose_heads_state_formulas_takes_no_method(name: str) -> None:
 
 def test_fixed_layouts_are_those_whose_heads_state_every_formula() -> None:
     assert [name for name in layout_names() if layout(name).fixed] == [
+        "blau-fd",
         "blau-kolbenwege",
         "delta-verfahren",
         "forces-verfahren",
+        "ordnungen",
         "roetscher-112",
         "verfahren",
     ]

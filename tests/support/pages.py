@@ -109,6 +109,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "loaded roots": ("solve", "--eps=4", "--where=torque=max", "--where=tangential=0.5"),
     "roots": ("solve", "--where=p=0", "--where=s=25%", "--where=c=max"),
     "construction": ("construct", "blau-9", "--table"),
+    **dict.fromkeys(("series errors", "successive"), ("table",)),
     "over path": ("table", "--over=path"),
     "forces over path": ("forces", "--over=path"),
 }
@@ -142,7 +143,10 @@ COLLATIONS = about("collation", "formulas")
 EFFORTS = about("effort")
 LINKAGES = about("arc crank", "parallel crank", "coupled axles", "beam engine", "rod points")
 # What `kurbel table` prints.
-DRIVES = about("motion", "arc crank", "parallel crank", "beam engine", "rod points", "over path")
+APPROXIMATED = about("series errors", "successive")
+DRIVES = sorted(
+    (*about("motion", "arc crank", "parallel crank", "beam engine", "rod points", "over path"), *APPROXIMATED)
+)
 PRESSED = about("pressures", "pressures over the angle")
 RODS = about(
     "mass forces", "inertia", "inertia errors", "rod masses", "pin masses", "rocker inertia", "tangent"
@@ -253,6 +257,7 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "loaded roots": (kurbel.solve_table, {"eps": 4, "where": ("torque=max", "tangential=0.5")}),
     "roots": (kurbel.solve_table, {"where": ("p=0", "s=25%", "c=max")}),
     "construction": (kurbel.construction_table, {"name": "blau-9"}),
+    **dict.fromkeys(("series errors", "successive"), (kurbel.table, {})),
     "over path": (kurbel.table, {"over": "path"}),
     "forces over path": (kurbel.forces_table, {"over": "path"}),
 }  # fmt: skip

@@ -97,8 +97,8 @@ def printed(scaled: int, decimals: int, mark: str = ".") -> str:
 
 def _path(method: str, drive: Drive, angle: Real) -> Real:
     lam, e = real(drive.ratio), real(drive.offset)
-    if method == "series":
-        return 1 - mp.cos(angle) + lam * mp.sin(angle) ** 2 / 2
+    if method.startswith("series"):
+        return 1 - mp.cos(angle) + _rod_versine(method, drive, angle)
     if method == "infinite" or not lam:
         return 1 - mp.cos(angle)
     if not e:
@@ -108,9 +108,28 @@ def _path(method: str, drive: Drive, angle: Real) -> Real:
     return mp.sqrt((rod + 1) ** 2 - e**2) - crosshead
 
 
+def _rod_versine(method: str, drive: Drive, angle: Real) -> Real:
+    """L (1 - cos ψ) in units of R, Blau's fd; by powers of λ the binomial series of his root."""
+    lam, sine = real(drive.ratio), mp.sin(angle)
+    if method == "infinite" or not lam:
+        return mp.mpf(0)
+    if method == "exact":
+        return (1 - mp.sqrt(1 - (lam * sine) ** 2)) / lam
+    return mp.fsum(binomial * lam ** (2 * k - 1) * sine ** (2 * k) for k, binomial in _binomials(method))
+
+
+def _binomials(method: str) -> list[tuple[int, Real]]:
+    """Return 1, ½; 2, ⅛; 3, 1/16 and so on: k and the coefficient of z^k in 1 - √(1 - z), as far as λ^(2k-1)
+    is kept."""
+    terms = (int(method.partition("-")[2] or 1) + 1) // 2
+    return [(k, (-1) ** (k + 1) * mp.binomial(mp.mpf(1) / 2, k)) for k in range(1, terms + 1)]
+
+
 def _velocity(method: str, drive: Drive, angle: Real) -> Real:
-    if method == "series":
-        return mp.sin(angle) + real(drive.ratio) * mp.sin(2 * angle) / 2
+    if method.startswith("series"):
+        lam, sine = real(drive.ratio), mp.sin(angle)
+        slopes = (2 * k * one * lam ** (2 * k - 1) * sine ** (2 * k - 1) for k, one in _binomials(method))
+        return sine + mp.cos(angle) * mp.fsum(slopes)
     if method == "infinite":
         return mp.sin(angle)
     psi = _rod_angle(drive, angle)
@@ -119,8 +138,12 @@ def _velocity(method: str, drive: Drive, angle: Real) -> Real:
 
 def _acceleration(method: str, drive: Drive, angle: Real) -> Real:
     lam = real(drive.ratio)
-    if method == "series":
-        return mp.cos(angle) + lam * mp.cos(2 * angle)
+    if method.startswith("series"):
+        sine, cosine = mp.sin(angle), mp.cos(angle)
+        return cosine + mp.fsum(
+            2 * k * one * lam ** (2 * k - 1) * sine ** (2 * k - 2) * ((2 * k - 1) * cosine**2 - sine**2)
+            for k, one in _binomials(method)
+        )
     if method == "infinite":
         return mp.cos(angle)
     psi = _rod_angle(drive, angle)
@@ -138,18 +161,34 @@ def _rod_angle(drive: Drive, angle: Real) -> Real:
 
 
 def _rod_velocity(method: str, drive: Drive, angle: Real) -> Real:
-    """Of the pin across the slide: L ψ' cos ψ = R cos φ; to first order cos ψ is 1."""
+    """Of the pin across the slide: L ψ' cos ψ = R cos φ; by powers of λ with those of 1/cos ψ."""
     if method == "infinite":
         return mp.mpf(0)
-    slant = mp.mpf(1) if method == "series" else mp.cos(_rod_angle(drive, angle))
-    return real(drive.ratio) * mp.cos(angle) / slant
+    lam, sine = real(drive.ratio), mp.sin(angle)
+    if method.startswith("series"):
+        steps = (2 * k * one * (lam * sine) ** (2 * k - 2) for k, one in _binomials(method))
+        return lam * mp.cos(angle) * mp.fsum(steps)
+    return lam * mp.cos(angle) / mp.cos(_rod_angle(drive, angle))
 
 
 def _rod_acceleration(method: str, drive: Drive, angle: Real) -> Real:
     """Of the pin across the slide: L (ψ'' cos ψ - ψ'² sin ψ) = -R sin φ."""
     across = -real(drive.ratio) * mp.sin(angle)
-    if method != "exact":
-        return across if method == "series" else mp.mpf(0)
+    if method == "infinite":
+        return mp.mpf(0)
+    if method.startswith("series"):
+        # Of cos φ sin^(2k-2) φ, a term of the velocity.
+        return mp.fsum(
+            2
+            * k
+            * one
+            * real(drive.ratio) ** (2 * k - 1)
+            * (
+                (2 * k - 2) * mp.sin(angle) ** abs(2 * k - 3) * mp.cos(angle) ** 2
+                - mp.sin(angle) ** (2 * k - 1)
+            )
+            for k, one in _binomials(method)
+        )
     psi = _rod_angle(drive, angle)
     return (across + _rod_velocity(method, drive, angle) ** 2 * mp.sin(psi)) / mp.cos(psi)
 
@@ -176,6 +215,7 @@ def _radial_force(method: str, drive: Drive, angle: Real) -> Real:
 
 _VALUES: Mapping[str, Callable[[str, Drive, Real], Real]] = {
     "x": _path,
+    "fd": _rod_versine,
     "c": _velocity,
     "p": _acceleration,
     "psi": _rod_degrees,

@@ -160,9 +160,11 @@ def _complete_lists() -> None:
 def one_line(error: click.ClickException) -> str:
     """Return click's sentences as one of ours."""
     if isinstance(error, click.NoSuchOption):
+        from kurbel.cli.astray import ELSEWHERE
         from kurbel.reading.given import did_you_mean
 
         hint = did_you_mean(error.option_name, error.possibilities or ())
+        hint = hint or ELSEWHERE.get(error.option_name, "")
         message = f'there is no option "{error.option_name[:60]}"{hint}'
     else:
         message = " ".join(error.format_message().split()).rstrip(".").replace(". ", "; ")

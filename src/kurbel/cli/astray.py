@@ -23,6 +23,11 @@ SIDE_BY_SIDE = {
     "forces": "--layout forces-verfahren prints exact and series side by side",
     "plot": "--infinite draws the infinite rod beside the other",
 }
+# What options say of themselves to a command that has them not.
+ELSEWHERE = {
+    "--order": "; series of higher order are those of kurbel table, plot and solve, and elsewhere"
+    " --method series is of first order",
+}
 _LONGEST = 60
 _NUMBER = re.compile(r"[+−-]?\d[\d.,/]*")
 

@@ -197,10 +197,10 @@ def _params() -> list[click.Parameter]:
                " they are outlines, alike everywhere."),
     ]  # fmt: skip
     order = (
-        "ratio", "columns", "over", "infinite", *Diagram.__annotations__, *Wheeled.__annotations__, "method",
-        "from", "to", "step", "offset", "stroke", "crank", "true_stroke", "time_ratio", "rod", "speed",
-        "force", "mechanism", "rocker", "pivot", "circuit", "beam", *STEAM, "cranks", "cylinder", "of",
-        "bore", "pressure", *MASSES, *LYING, *RODS, *RUBBING,
+        "ratio", "columns", "over", "infinite", *Diagram.__annotations__, *Wheeled.__annotations__,
+        "method", "order", "from", "to", "step", "offset", "stroke", "crank", "true_stroke", "time_ratio",
+        "rod", "speed", "force", "mechanism", "rocker", "pivot", "circuit", "beam", *STEAM, "cranks",
+        "cylinder", "of", "bore", "pressure", *MASSES, *LYING, *RODS, *RUBBING,
     )  # fmt: skip
     return [
         machine_option(), own["positions"], *flags, *(own[name] for name in order), *output,

@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.drives.given import FORCES_OVER_PATH, OVER_PATH, PATH
+from kurbel.commands.drives.given import APPROXIMATE, FORCES_OVER_PATH, OVER_PATH, PATH
 from kurbel.commands.options import is_given
 from kurbel.commands.parameters import Given, Sheet
 from kurbel.commands.subject import makes_table
@@ -33,7 +33,7 @@ def meant(values: Mapping[str, Any], **instead: Any) -> Mechanism:
     values = {**values, **instead}
     mechanism, offset, layout = values["mechanism"], values["offset"], values.get("layout")
     if not mechanism and layout is not None:
-        subject = layout_of(layout, (*MOTIONS, OVER_PATH, POINTS), values["layouts"]).subject
+        subject = layout_of(layout, (*MOTIONS, OVER_PATH, POINTS, *APPROXIMATE), values["layouts"]).subject
         fitting = [name for name, one in MECHANISMS.items() if one.subject == subject]
         mechanism = fitting[0] if len(fitting) == 1 else None
     return mechanisms.mechanism(mechanism or ("straight" if offset is None else "offset"))
@@ -143,10 +143,21 @@ def foreign_over(values: Mapping[str, Any]) -> Mapping[str, str]:
     return {**refused, **not_shares(values)}
 
 
+def method_of(given: Mapping[str, Any]) -> str | None:
+    """Return the method, of a series by its order."""
+    if not is_given(given.get("order")):
+        method: str | None = given["method"]
+        return method
+    from kurbel.commands.drives.orders import by_order
+
+    return by_order(given)
+
+
 class Motion(option.Run, option.Over, option.AnyDrive, option.Sheet, total=False):
     """A crank drive that moves, at crank angles or over its path."""
 
     method: option.Method
+    order: option.Order
     speed: option.Speed
     acceleration: option.Acceleration
     layouts: option.Layouts
@@ -163,14 +174,14 @@ def some(drives: Sequence[Any]) -> Sequence[Any]:
     foreign=foreign_over,
     needless=needless_over,
     order="point angle from_ to step zero over shares columns offset stroke crank true_stroke"
-    " time_ratio rod method speed acceleration mechanism"
+    " time_ratio rod method order speed acceleration mechanism"
     " rocker pivot circuit beam",
 )
 def table(
     ratio: option.Ratios = None,
     *,
     columns: Annotated[option.Names, option.columns_over_angle("kinematics", "phi,x,c,p")] = (),
-    layout: Annotated[str | None, option.layout_option(*MOTIONS, OVER_PATH, POINTS)] = None,
+    layout: Annotated[str | None, option.layout_option(*MOTIONS, OVER_PATH, POINTS, *APPROXIMATE)] = None,
     point: option.RodPoint = None,
     **given: Unpack[Motion],
 ) -> Question:
@@ -213,11 +224,15 @@ def table(
         from kurbel.commands.over.path import over_path
 
         page = layout_of(layout or "over-path", (OVER_PATH,), given["layouts"])
-        return over_path(chosen, said, page, {**given, "columns": columns})
-    page = layout_of(layout or chosen.layout, (chosen.subject,), given["layouts"])
+        return over_path(chosen, said, page, {**given, "method": method_of(given), "columns": columns})
+    page = layout_of(layout or chosen.layout, (chosen.subject, *APPROXIMATE), given["layouts"])
+    if page.subject in APPROXIMATE:
+        from kurbel.commands.drives.approximate import approximations
+
+        return approximations(chosen, said, page, {**given, "columns": columns})
     return chosen.question(
         chosen.drives(said, page.ratios),
-        given["method"],
+        method_of(given),
         layout=page,
         angles=angles_of(page, given),
         columns=as_names(columns, chosen.examples["table"]),

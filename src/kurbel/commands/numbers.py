@@ -29,6 +29,7 @@ def certified(
     *,
     digits: int | None = None,
     method: str = "exact",
+    order: int | None = None,
     offset: Exact = 0,
     rounding: str = "half-away",
 ) -> Decimal:
@@ -45,7 +46,7 @@ def certified(
 
     chosen = _quantity(quantity)
     check_rounding(digits, rounding)
-    method = meant(method, METHODS, "method")
+    method = _method(method, order)
     decimals = bare(chosen, method, chosen.decimals).places if digits is None else digits
     crank, at = Crank(as_ratio(ratio), as_fraction(offset)), as_angle(angle)
     check_angles((at,))
@@ -59,6 +60,7 @@ def compute(
     columns: str | Sequence[str] = ("x", "c", "p"),
     *,
     method: str = "exact",
+    order: int | None = None,
     offset: Exact = 0,
     **given: Any,
 ) -> dict[str, NDArray[np.float64]]:
@@ -82,14 +84,19 @@ def compute(
     [0.4403, 0.5902]
     """
     degrees, keys = _degrees(angles), as_names(columns)
-    method = meant(method, METHODS, "method")
+    named, method = method, _method(method, order)
     if not given and all(map(_is_plain, keys)):
         rows: Iterable[NDArray[np.float64]] = _of_motion(keys, degrees.ravel(), ratio, method, offset)
     else:
         from kurbel.commands.arrays.asked import arrays
 
         _check_degrees(degrees)
-        told = {"ratio": ratio, "offset": offset or None, "method": None if method == "exact" else method}
+        told = {
+            "ratio": ratio,
+            "offset": offset or None,
+            "method": None if named == "exact" else named,
+            "order": order,
+        }
         about = {**{name: one for name, one in told.items() if one is not None}, **given}
         rows = arrays(keys, degrees.ravel(), about)
     return {key: row.reshape(degrees.shape) for key, row in zip(keys, rows, strict=True)}
@@ -141,6 +148,13 @@ def typeset(
         siunitx=siunitx,
         excel=excel,
     )
+
+
+def _method(method: str, order: int | None) -> str:
+    from kurbel.commands.motion import method_of
+
+    named = meant(method, METHODS, "method")
+    return method_of({"method": named, "order": order}) or named
 
 
 def _quantity(key: str) -> Quantity:

@@ -42,6 +42,11 @@ METHOD = Option(
     "exact (default), series (first order, as Blau prints) or infinite (rod of infinite length).",
     kind=Choice("method", "kurbel.motion.evaluation:METHODS"),
 )
+ORDER = Option(
+    "With --method series the highest power of λ in x/R, 1 (default, the books') to 9; even powers add"
+    " nothing, and c and p are its slopes.",
+    "N", many=True,
+)  # fmt: skip
 FIRST_ORDER = METHOD._replace(
     help="Of moving masses: exact (default), series (accelerated to first order, the rod at its true angle)"
     " or infinite (rod of infinite length)."
@@ -81,6 +86,7 @@ Ratios = Annotated[Given | None, RATIO]
 From = Annotated[Exact | None, Option("First angle; default 0.", "ANGLE", unit="degrees")]
 To = Annotated[Exact | None, Option("Last angle; default 360, the whole turn.", "ANGLE", unit="degrees")]
 Method = Annotated[str | None, METHOD]
+Order = Annotated[Given | None, ORDER]
 Speed = Annotated[Exact | None, SPEED]
 PlainSpeed = Annotated[Exact | None, SPEED._replace(help="Speed: 120/min, 12.5rad/s.")]
 NeededSpeed = Annotated[Exact, SPEED._replace(help="Speed: 120/min, 12.5rad/s.")]

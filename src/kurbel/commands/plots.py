@@ -9,7 +9,7 @@ from kurbel.commands import parameters as option
 from kurbel.commands.drawn.film import Filmed, moving_mechanism, paged, shot_of, spoken, still
 from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.drives.given import ANGLE, AXES, PATH
-from kurbel.commands.motion import described, ends_of, meant, of_other_mechanisms, some
+from kurbel.commands.motion import described, ends_of, meant, method_of, of_other_mechanisms, some
 from kurbel.commands.options import FLAG, Choice, Columns, Option, is_given
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws
@@ -117,6 +117,7 @@ class Curves(option.AnyDrive, Sized, total=False):
     """A crank drive over its crank angle, under a piston force."""
 
     method: option.Method
+    order: option.Order
     from_: option.From
     to: option.To
     step: CurveStep
@@ -204,7 +205,8 @@ def _drawn(
     from kurbel.plot.drawings import curves_drawing
 
     mark, asked = mark_of(given["lang"], given["decimal"]), _asked(given, columns, keys, command)
-    dotted = _asked({**given, "method": beside}, columns, keys, command).question if beside else None
+    alike = {**given, "method": beside, "order": None}
+    dotted = _asked(alike, columns, keys, command).question if beside else None
     if given["over"] == PATH:
         from kurbel.commands.over.drawn import drawn_over
 
@@ -234,17 +236,16 @@ def _asked(given: Mapping[str, Any], columns: option.Names, keys: Keys, command:
     drives = some(chosen.drives(said, page.ratios))
     if command == "polar":
         only(drives, "polar", "ratios")
+    method = method_of(given)
     named, crank = as_names(columns, chosen.examples.get(command, "")), chosen.crank(drives[0])
     names = named or keys(chosen, crank)
     if given.get("over") == PATH:
         from kurbel.commands.over.drawn import names_over
 
         names = names_over(chosen, crank, names, bool(named))
-    question = chosen.question(
-        drives, given["method"], layout=page, angles=angles, lang=given["lang"], columns=names
-    )
+    question = chosen.question(drives, method, layout=page, angles=angles, lang=given["lang"], columns=names)
     # What rests on no conditions has no drives for them.
-    return Asked(question, chosen.solved(drives, given["method"]) if chosen.conditions() else ())
+    return Asked(question, chosen.solved(drives, method) if chosen.conditions() else ())
 
 
 def page_of(name: str) -> Layout:

@@ -10,7 +10,7 @@ from kurbel.commands.cylinder.given import Of
 from kurbel.commands.cylinder.slope import LYING, Lying
 from kurbel.commands.loads import OWN
 from kurbel.commands.machines import MASSES, STEAM, engine_of, for_masses, is_heavy, weighed, weightless
-from kurbel.commands.motion import described, meant, of_other_mechanisms, sheet_of, some
+from kurbel.commands.motion import described, meant, method_of, of_other_mechanisms, sheet_of, some
 from kurbel.commands.options import Choice, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import NotationError, ProblemError
@@ -20,7 +20,7 @@ from kurbel.reading.given import Exact, as_names
 
 # What conditions on the motion are about, of any crank drive.
 OF_MOTION = (
-    *("x", "s", "c", "p", "psi", "ψ", "path", "velocity", "acceleration", "rocker", "θ"),
+    *("x", "s", "fd", "c", "p", "psi", "ψ", "path", "velocity", "acceleration", "rocker", "θ"),
     *("rod_velocity", "rod_acceleration", "turn_velocity", "turn_acceleration"),
 )
 _UNLOADED = "is for conditions on the forces of an engine; add its load, such as --eps 4"
@@ -107,6 +107,7 @@ class Drives(
 
     ratio: option.Ratios
     method: option.Method
+    order: option.Order
     speed: option.Speed
     force: option.Force
     eps: option.Eps
@@ -121,7 +122,7 @@ class Drives(
     foreign=_of_drives,
     needless=_needless,
     order="ratio columns offset stroke crank true_stroke"
-    " time_ratio rod method speed mechanism rocker pivot circuit beam force"
+    " time_ratio rod method order speed mechanism rocker pivot circuit beam force"
     " eps back exponent clearance card other_side single_acting cranks bore pressure"
     " reciprocating rod_mass centre gyration rod_file rotating rocker_inertia vertical slope"
     " gravity",
@@ -205,7 +206,7 @@ def solve_table(
     drives = some(chosen.drives(said, page.ratios))
     if _is_of_forces({"where": texts}):
         drives = _moving(chosen, drives, given)
-    drives = chosen.solved(drives, given["method"])
+    drives = chosen.solved(drives, method_of(given))
     return SolveRequest(
         layout=page,
         drives=drives,

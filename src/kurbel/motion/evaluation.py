@@ -75,6 +75,8 @@ METHODS = {
         ),
     )
 }  # fmt: skip
+# Series of higher order than the books', and the powers of λ that they reach.
+REACH = {f"series-{order}": order for order in (3, 5, 7, 9)}
 # The gain of a page that shows two methods: exact minus first order, from unrounded values.
 DIFFERENCE = "difference"
 # Further formulas of a quantity: of the offset crank, of a drive with moving masses,
@@ -264,11 +266,25 @@ class Places:
         return self._ways[stroke]
 
 
+def method_named(key: str) -> Method:
+    """Return a method by its key, also one of higher order."""
+    if key not in REACH:
+        return METHODS[key]
+    from kurbel.motion.series.methods import ORDERS
+
+    return ORDERS[key]
+
+
+def typed(method: str | None) -> str:
+    """Return a method as --method names it."""
+    return "series" if method in REACH else method or "exact"
+
+
 def kernel_of(quantity: Quantity, method: str, crank: Crank) -> Callable[[At], Any]:
     """Return the kernel's formula by a method; raise ProblemError if there is none."""
     formulas = quantity.formulas
     if crank.offset and method != "exact":
-        raise ProblemError(f'method "{method}" has no formulas for an offset crank; use exact')
+        raise ProblemError(f'method "{typed(method)}" has no formulas for an offset crank; use exact')
     if method == DIFFERENCE and quantity.needs == "time":
         return lambda at: at.numbers.of(Fraction(0))
     if method == DIFFERENCE:
@@ -277,7 +293,7 @@ def kernel_of(quantity: Quantity, method: str, crank: Crank) -> Callable[[At], A
     if crank.loaded and LOADED in formulas:
         return formulas[LOADED].kernel
     if method not in formulas:
-        raise ProblemError(f'method "{method}" has no formula for {quantity.key}; use exact')
+        raise ProblemError(f'method "{typed(method)}" has no formula for {quantity.key}; use exact')
     if crank.offset and OFFSET not in formulas:
         raise ProblemError(f"{quantity.key} has no formula for an offset crank; leave the offset out")
     return formulas[OFFSET if crank.offset else method].kernel

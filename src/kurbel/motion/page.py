@@ -13,7 +13,7 @@ from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Number
 from kurbel.motion import captions
-from kurbel.motion.evaluation import DIFFERENCE, LOADED, NEEDS, columns_in_balls, fits_page, needed
+from kurbel.motion.evaluation import DIFFERENCE, LOADED, NEEDS, columns_in_balls, fits_page, needed, typed
 from kurbel.motion.quantities import effort_keys, registry
 from kurbel.page.axes import (
     AngleAxis,
@@ -129,7 +129,7 @@ class Request(CrankQuestion, AngleQuestion):
     def _check_offset(self) -> None:
         if self.method not in (None, "exact"):
             raise ProblemError(
-                f'method "{self.method}" has no formulas for an offset crank;'
+                f'method "{typed(self.method)}" has no formulas for an offset crank;'
                 " use exact, or leave the offset out"
             )
         if any(column.method not in (None, "exact") for column in self.layout.columns):

@@ -23,7 +23,7 @@ from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle
 from kurbel.motion.captions import Formulated, drive_notes, formula_lines
 from kurbel.motion.drives import Drive
-from kurbel.motion.evaluation import LOADED, OUT, certified, value
+from kurbel.motion.evaluation import LOADED, OUT, certified, typed, value
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Column, Formula, Quantity, multiplied
 from kurbel.reading.where import SHARE
@@ -160,7 +160,8 @@ def slide_drives(cranks: Sequence[Crank], method: str) -> tuple[SlideDrive, ...]
     """Return the drives of these cranks by a method; that of the infinite rod makes all ratios 1:∞."""
     if method != "exact" and any(crank.offset for crank in cranks):
         raise ProblemError(
-            f'method "{method}" has no formulas for an offset crank; use exact, or leave the offset out'
+            f'method "{typed(method)}" has no formulas for an offset crank;'
+            " use exact, or leave the offset out"
         )
     if method == "infinite":
         cranks = tuple(dict.fromkeys(replace(crank, ratio=Fraction(0)) for crank in cranks))

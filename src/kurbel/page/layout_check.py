@@ -25,7 +25,7 @@ VALUES: Mapping[str, tuple[str, Callable[[Sequence[str]], Any]]] = {
     "expansion": ("expansions", lambda texts: notation.numbers(texts, "expansion ratio")),
     "arm": ("arms", lambda texts: notation.numbers(texts, "arm")),
 }
-METHODS = ("exact", "series", "infinite", "weisbach")
+METHODS = ("exact", "series", "series-3", "series-5", "series-7", "series-9", "infinite", "weisbach")
 _PLACE = re.compile(r"\{[^{}]*\}")
 _KEY = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 

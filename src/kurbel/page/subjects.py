@@ -23,6 +23,8 @@ SUBJECTS: Mapping[str, Pages] = {
     "motion": Pages("kurbel.motion.page:MOTION", "table"),
     "effort": Pages("kurbel.motion.page:EFFORT", _EFFORT),
     "mass forces": Pages("kurbel.motion.page:MASSES", _HEAVY),
+    "series errors": Pages("kurbel.motion.series.errors_page:SUBJECT", "table --layout series-errors"),
+    "successive": Pages("kurbel.motion.series.chord_page:SUBJECT", "table --layout roetscher-gf"),
     "tangent": Pages("kurbel.motion.tangent_page:SUBJECT", "forces --at tangent"),
     "irregularity": Pages("kurbel.engine.page:IRREGULARITY", "delta"),
     "strokes": Pages("kurbel.engine.page:STROKES", "delta"),

@@ -13,7 +13,7 @@ from kurbel.exact.course import Target
 from kurbel.exact.numerals import Label, degrees_text, exact_text, finite_decimals
 from kurbel.motion.captions import loaded_notes
 from kurbel.motion.drives import Drive
-from kurbel.motion.evaluation import METHODS, RETURN, STROKES
+from kurbel.motion.evaluation import RETURN, STROKES, method_named
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import AND, Column, Words, bare, words
 from kurbel.reading.notation import ratio_text
@@ -60,7 +60,7 @@ def caption(request: SolveRequest) -> Label:
         common.append(condition_label(conditions[0], drives[0], lang))
     text = request.layout.caption[lang]
     text = text.replace("{common}", WORDS["for"][lang] + ", ".join(common) if common else "")
-    return text.replace("{method}", METHODS[request.method].caption[lang])
+    return text.replace("{method}", method_named(request.method).caption[lang])
 
 
 def condition_label(condition: Condition, drive: Drive, lang: str) -> Label:

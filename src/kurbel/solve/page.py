@@ -12,7 +12,7 @@ from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, degrees_text
 from kurbel.motion.drives import Drive
-from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES, unknown
+from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES, typed, unknown
 from kurbel.motion.mechanism import mechanism
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import PHI, Axis, ColumnAxis, ListAxis, Place, RatioAxis
@@ -157,7 +157,7 @@ class SolveRequest(Question):
             options = " and ".join(NEEDS[registry()[MEASURES[quantity].column].needs])
             raise ProblemError(f'condition "{condition}" is in {condition.unit} and needs {options}')
         if self.drives[0].column_of(quantity) not in known:
-            raise ProblemError(f'method "{self.method}" has no formula for {quantity}; use exact')
+            raise ProblemError(f'method "{typed(self.method)}" has no formula for {quantity}; use exact')
 
 
 def _condition_axis(question: SolveRequest) -> ListAxis:

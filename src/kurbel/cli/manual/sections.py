@@ -24,8 +24,8 @@ PAGE = "The page"
 SECTIONS: Mapping[str, str] = {
     ASKED: "forces turning polar pressures plot.positions point where unknown quantity orders order intervals"
     " at of detail exact csv only strict sources over infinite table",
-    CRANK: "ratio stroke rod speed machine method mechanism offset crank true_stroke time_ratio acceleration"
-    " rocker pivot circuit beam axles driven",
+    CRANK: "ratio stroke rod speed machine method table.order plot.order solve.order mechanism offset"
+    " crank true_stroke time_ratio acceleration rocker pivot circuit beam axles driven",
     "The crank angles": "angle step from to zero shares",
     LOAD: "force eps bore pressure back card clearance exponent single_acting other_side",
     "A compressor, a pump or a gas engine": "pressure_ratio suction_pressure suction_loss delivery_loss pump"

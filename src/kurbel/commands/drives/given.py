@@ -21,6 +21,8 @@ ANGLE, PATH = "angle", "path"
 AXES = (ANGLE, PATH)
 # What pages over the path are about.
 OVER_PATH, FORCES_OVER_PATH = "over path", "forces over path"
+# Of pages of approximations.
+APPROXIMATE = ("series errors", "successive")
 
 
 class Slide(TypedDict, total=False):

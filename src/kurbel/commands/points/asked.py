@@ -7,6 +7,7 @@ from typing import Any
 
 from kurbel.commands.drives.given import PATH
 from kurbel.commands.motion import POINTS, angles_of, sheet_of
+from kurbel.commands.options import is_given
 from kurbel.commands.parameters import Given, Names
 from kurbel.drive.crank import Described
 from kurbel.errors import ProblemError
@@ -30,6 +31,8 @@ def points_question(
     """Return what is asked for of points of the rod at crank angles."""
     if given["over"] == PATH:
         raise ProblemError("points of the rod are tabulated over the crank angle; leave --over out")
+    if is_given(given["order"]):
+        raise ProblemError("series of points of the rod are of first order; leave --order out")
     chosen.rod_ends()
     page = layout_of(layout or SUBJECT.layout, (POINTS,), given["layouts"])
     drives = chosen.drives(said, page.ratios)

@@ -12,7 +12,7 @@ from kurbel.commands.cylinder.slope import LYING
 from kurbel.commands.loads import OWN
 from kurbel.commands.machines import MASSES as ALL_MASSES
 from kurbel.commands.machines import STEAM
-from kurbel.commands.motion import described
+from kurbel.commands.motion import described, method_of
 from kurbel.commands.options import is_given
 from kurbel.commands.unknown.place import MOTION, Angle
 from kurbel.errors import ProblemError
@@ -52,7 +52,7 @@ class OfRatio:
         chosen, said = described({**known, "ratio": "1:4", "layout": None})
         if not chosen.crosshead:
             raise ProblemError("--unknown ratio is of the straight and the offset crank")
-        self.place, self.drive = place, chosen.solved(chosen.drives(said, ()), given["method"])[0]
+        self.place, self.drive = place, chosen.solved(chosen.drives(said, ()), method_of(given))[0]
         self.condition = read_on(self.drive, text)
         if (
             self.condition.unit

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from kurbel.exact.numerals import Label
 from kurbel.motion.captions import force_notes, formula_lines, loaded_notes, signed, strokes_of
 from kurbel.motion.drives import Drive
-from kurbel.motion.evaluation import METHODS
+from kurbel.motion.evaluation import method_named
 from kurbel.motion.mechanism import mechanism
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Column, Words, bare, enumerated, filled, for_ratio, words
@@ -51,7 +51,7 @@ def caption(question: PathRequest) -> Label:
     parts = {
         "{quantities}": enumerated((column.quantity.name[lang] for column in question.page_columns), lang),
         "{for_ratio}": for_ratio(drives[0].ratio, lang, layout.ratio_symbol) if one else "",
-        "{method}": METHODS[question.method].caption[lang],
+        "{method}": method_named(question.method).caption[lang],
     }
     return filled((WORDS["caption"] if foreign else layout.caption)[lang], parts.items())
 

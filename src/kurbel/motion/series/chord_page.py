@@ -1,0 +1,164 @@
+"""The page of Rötscher's GF, each step a column, and how many steps it takes until the digits stand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+from kurbel.drive.crank import Crank
+from kurbel.exact.numerals import Label, Number
+from kurbel.kernel import kinematics
+from kurbel.kernel.series import chord
+from kurbel.motion.captions import drive_notes
+from kurbel.motion.evaluation import At, columns_in_balls
+from kurbel.motion.page import MOTION, Request
+from kurbel.motion.series.chord import steps_to
+from kurbel.page.axes import Place
+from kurbel.page.layouts import LayoutColumn
+from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio, words
+
+MOST_STEPS = 9
+DECIMALS = 6
+EXACT, COUNT = "gf", "gf_steps"
+FORMULA = "$overline(G F)_(k+1) = overline(C F)^2/(2 L - overline(G F)_k)$"
+WORDS = {
+    "formula": words(
+        "{formula} mit $overline(G F)_0 = 0$, $overline(C F) = R sin {angle}$;"
+        " genau $overline(G F) = L (1 - cos ψ)$, $sin ψ = λ sin {angle}$, $λ = {ratio}$"
+        "|{formula} with $overline(G F)_0 = 0$, $overline(C F) = R sin {angle}$;"
+        " exact $overline(G F) = L (1 - cos ψ)$, $sin ψ = λ sin {angle}$, $λ = {ratio}$"
+    ),
+    "bound": words(
+        "Jeder Schritt läßt weniger als den $q$-ten Teil des Fehlers,"
+        " $q = overline(G F)/(2 L - overline(G F)) = tan^2 (1/2 ψ)$:"
+        " $0 < overline(G F) - overline(G F)_k < q^k overline(G F)$"
+        "|Each step leaves less than $q$ times the error,"
+        " $q = overline(G F)/(2 L - overline(G F)) = tan^2 (1/2 ψ)$:"
+        " $0 < overline(G F) - overline(G F)_k < q^k overline(G F)$"
+    ),
+    "steps": words(
+        "Schritte: nach so vielen stehen {count} Stellen von $overline(G F)/R$ und bleiben"
+        "|Steps: after so many {count} places of $overline(G F)/R$ stand, and stay"
+    ),
+    "never": words(
+        "ohne Zahl: der genaue Wert liegt in der Mitte zwischen zwei gedruckten und ist aufgerundet, jeder"
+        " Schritt liegt darunter"
+        "|without a number: the exact value is half-way between two printed ones and rounded up, and the"
+        " steps lie below it"
+    ),
+}
+_NAME = "GF nach {0} Schritten|GF after {0} steps"
+
+
+@cache
+def quantities() -> Mapping[str, Quantity]:
+    """Return the steps, the exact length and the number of steps, by their keys."""
+    each = range(1, MOST_STEPS + 1)
+    found = [_length(f"gf_{k}", _NAME.format(k), f"$overline(G F)_{k}$", _after(k)) for k in each]
+    found.append(_length(EXACT, "GF, genau|GF, exact", "$overline(G F)$", _exactly))
+    steps, head = (
+        "Schritte, bis die Stellen von GF stehen|Steps until the places of GF stand",
+        "Schritte|Steps",
+    )
+    found.append(entry(COUNT, steps, "", "", 0, {"exact": Formula(_nothing)}, head))
+    return {one.key: one for one in found}
+
+
+def _length(key: str, name: str, symbol: Label, kernel: Callable[[At], Any]) -> Quantity:
+    head = f"{symbol[:-1]}/R$"
+    return entry(key, name, symbol, "$R$", DECIMALS, {"exact": Formula(kernel)}, head)
+
+
+def _after(steps: int) -> Callable[[At], Any]:
+    return lambda at: chord.after(at.circle, at.ratio, steps)
+
+
+def _exactly(at: At) -> Any:
+    return kinematics.rod_versine(at.circle, at.ratio)
+
+
+def _nothing(at: At) -> Any:
+    raise NotImplementedError("steps are counted for the digits of a page")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class ChordRequest(Request):
+    """What is asked for of the steps to GF, of straight cranks at crank angles."""
+
+    no_column = "--columns names no quantity; add one, for example --columns phi,gf_1,gf_2,gf"
+
+    @property
+    def counted_places(self) -> int:
+        """The decimals whose steps are counted."""
+        return DECIMALS if self.digits is None else self.digits
+
+    def decimals(self, column: LayoutColumn, quantity: Quantity) -> int | None:
+        return 0 if quantity.key == COUNT else super().decimals(column, quantity)
+
+    def scaled(self, crank: Crank, angles: Sequence[Fraction]) -> Sequence[Any]:
+        lengths = [column for column in self.page_columns if column.quantity.key != COUNT]
+        found = iter(self._lengths(lengths, crank, angles) if lengths else ())
+        return [
+            self._steps(crank, angles) if column.quantity.key == COUNT else next(found)
+            for column in self.page_columns
+        ]
+
+    def _lengths(self, columns: Sequence[Column], crank: Crank, angles: Sequence[Fraction]) -> Sequence[Any]:
+        if not self.bulk:
+            return columns_in_balls(columns, crank, angles, self.rounding)
+        from kurbel.motion.bulk import columns_in_floats
+
+        return columns_in_floats(columns, crank, angles, self.rounding)
+
+    def _steps(self, crank: Crank, angles: Sequence[Fraction]) -> list[int | None]:
+        return [steps_to(crank, angle, self.counted_places, self.rounding) for angle in angles]
+
+
+def _number(question: ChordRequest, column: Column, place: Place, times: int) -> Number | None:
+    # Records have no place on the axis of columns.
+    index = [one.key for one in question.page_columns].index(column.key)
+    scaled = question.values[place["ratio"]][index][place["angle"]]
+    return None if scaled is None else Number(int(scaled) * times, column.places)
+
+
+def _caption(question: ChordRequest) -> Label:
+    ratios, lang = question.ratios, question.lang
+    ratio = for_ratio(ratios[0], lang, question.layout.ratio_symbol) if len(ratios) == 1 else ""
+    return question.layout.caption[lang].replace("{for_ratio}", ratio)
+
+
+def _notes(question: ChordRequest) -> Iterator[Label]:
+    layout, lang = question.layout, question.lang
+    parts = {
+        "{formula}": FORMULA,
+        "{angle}": layout.angle_symbol,
+        "{ratio}": layout.ratio_symbol.replace(":", "/"),
+        "{count}": str(question.counted_places),
+    }
+    yield from (note[lang] for note in layout.notes)
+    if layout.formulas:
+        yield filled(WORDS["formula"][lang], parts.items())
+        yield WORDS["bound"][lang]
+    places = [place for place, one in enumerate(question.page_columns) if one.quantity.key == COUNT]
+    if places:
+        yield filled(WORDS["steps"][lang], parts.items())
+    if any(None in columns[place] for columns in question.values for place in places):
+        yield WORDS["never"][lang]
+    yield from drive_notes(question.cranks, lang)
+
+
+SUBJECT = MOTION._replace(
+    key="successive",
+    layout="roetscher-gf",
+    command="table --layout roetscher-gf",
+    quantities=quantities,
+    number=_number,
+    caption=_caption,
+    notes=_notes,
+    rows=None,
+    options={},
+    listed=None,
+)
