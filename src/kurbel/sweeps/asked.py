@@ -8,7 +8,7 @@ from math import prod
 from typing import Any
 
 from kurbel.commands.options import TEXT, Parameter, is_given
-from kurbel.commands.steps.several import is_whole, several
+from kurbel.commands.steps.several import PLACES, is_whole, several
 from kurbel.errors import KurbelError, NotationError, ProblemError
 from kurbel.page.axes import AngleAxis, shifted
 from kurbel.page.subject import Question
@@ -32,7 +32,8 @@ def values_of(parameter: Parameter, given: Any) -> Sequence[Any]:
     if is_whole(parameter) and parameter.option.many:
         return (given,)
     found = several(parameter, given if isinstance(given, list | tuple) else [given])
-    if parameter.option.kind is TEXT and not is_whole(parameter) and isinstance(found, tuple):
+    numbers = not is_whole(parameter) and parameter.option.metavar != PLACES
+    if parameter.option.kind is TEXT and numbers and isinstance(found, tuple):
         for one in found if len(found) > 1 else ():
             if isinstance(one, str) and not is_readable(parameter, one):
                 raise NotationError(

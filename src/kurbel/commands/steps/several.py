@@ -21,6 +21,8 @@ WHOLE = frozenset(
         *("D;H", "T", "SCALE", "SECTION", "CONDITION", "ORDER", "TEXT", "NAMES"),
     )
 )
+# What may be two numbers, or a letter.
+PLACES = "POINTS"
 LONGEST = 10**6
 _MEASURE = re.compile(r"([-−+]?[\d.,]+(?:[eE][+-]?\d+)?(?:/\d+)?)\s*(.*)")
 _RANGE = re.compile(r"(.+?)\.\.([^:]+)(?::(.+))?")
