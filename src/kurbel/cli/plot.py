@@ -34,6 +34,7 @@ kurbel plot --ratio 1:5 --over path --infinite -o geschwindigkeitsellipse.pdf
 kurbel plot --ratio 1:5 --force 10kN --stroke 600mm -o kraefte.pdf
 kurbel plot --positions 30 --ratio 1:5 -o kurbeltrieb.svg
 kurbel plot --animate --ratio 1:4 -o drehung.html
+kurbel plot --point 0.5 --ratio 1:5 -o koppelkurve.svg
 kurbel plot --mechanism arc --rocker 6 -o bogenschubkurbel.svg
 kurbel plot --polar --eps 4 --bore 300mm --pressure 8bar -o zapfenkraft.pdf
 kurbel plot --forces --machine engine.toml -o kraefte.svg
@@ -118,12 +119,18 @@ def _kind(given: Given) -> Kind:
     flags = [name for name in KINDS if given.values[name]]
     if len(flags) > 1:
         raise ProblemError(f"--{flags[0]} and --{flags[1]} are two drawings; leave one out")
-    flag = flags[0] if flags else ""
+    flag = flags[0] if flags else _unsaid(given)
     kind = OF_STEAM[flag] if flag in OF_STEAM and _driven_by_steam(given) else KINDS.get(flag, MOTION)
     for name in given.values:
         if name not in SHARED | kind.takes and given.typed(name):
             raise ProblemError(_refusal(name, kind, flag))
     return kind
+
+
+def _unsaid(given: Given) -> str:
+    """Return what is drawn where no flag says it: with a point of the rod alone its path."""
+    over_axis = given.values["columns"] or given.typed("over")
+    return "positions" if given.values["point"] and not over_axis else ""
 
 
 def _driven_by_steam(given: Given) -> bool:
@@ -203,7 +210,7 @@ def _params() -> list[click.Parameter]:
         "cylinder", "of", "bore", "pressure", *MASSES, *LYING, *RODS, *RUBBING,
     )  # fmt: skip
     return [
-        machine_option(), own["positions"], *flags, *(own[name] for name in order), *output,
+        machine_option(), own["positions"], own["point"], *flags, *(own[name] for name in order), *output,
         *(own[name] for name in last),
     ]  # fmt: skip
 

@@ -129,14 +129,12 @@ RockerInertia = Annotated[
     Option("Moment of inertia of the rocker about its pivot: '20kg m²'.", "INERTIA", unit="kg m²"),
 ]
 
-RodPoint = Annotated[
-    Given | None,
-    Option(
-        "Points of the rod by their share from the crosshead pin to the crank pin: 0.5, beyond the ends -0.2;"
-        " beside its axis 0.5,0.1 in rod lengths; with --rod 500mm; lists 0;0.5;1, ranges 0..1:0.25.",
-        "POINTS", many=True,
-    ),
-]  # fmt: skip
+ROD_POINT = Option(
+    "Points of the rod by their share from the crosshead pin to the crank pin: 0.5, beyond the ends -0.2;"
+    " beside its axis 0.5,0.1 in rod lengths; with --rod 150mm; lists 0;0.5;1, ranges 0..1:0.25.",
+    "POINTS", many=True,
+)  # fmt: skip
+RodPoint = Annotated[Given | None, ROD_POINT]
 
 Layouts = Annotated[Path | None, LAYOUTS]
 Lang = Annotated[str, LANG]

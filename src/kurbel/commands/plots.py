@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from importlib import import_module
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, TypeAlias, TypedDict, Unpack
 
 from kurbel.commands import parameters as option
@@ -18,7 +17,7 @@ from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism
 from kurbel.page.layouts import Layout, layout
 from kurbel.reading import notation
-from kurbel.reading.given import Exact, as_angle, as_angles, as_names
+from kurbel.reading.given import Exact, as_angle, as_angles, as_names, found_at
 
 if TYPE_CHECKING:
     from kurbel.motion.drives import Drive
@@ -30,6 +29,8 @@ Keys: TypeAlias = Callable[[Mechanism, Crank], tuple[str, ...]]
 LAYOUT = "kinematics"
 # The crank ratio in all drawings.
 RATIO = "R:L"
+# Where the crank stands beside the path of a point, unless it is said.
+POSITION = "60"
 # The method that is drawn beside another.
 INFINITE = "infinite"
 # So many steps of the range make a curve smooth, half degrees over the turn; over many turns a wider step
@@ -56,6 +57,13 @@ DrawnSpeed = Annotated[
 DrawnForce = Annotated[
     Exact | None,
     option.FORCE._replace(help="Piston force, to draw forces in N and N m: 10kN."),
+]
+DrawnPoint = Annotated[
+    option.Given | None,
+    option.ROD_POINT._replace(
+        help="Draw the paths of points of the rod beside the mechanism, with --columns their motion over the"
+        " crank angle: 0.5, 0.5,0.1, 0;0.5;1."
+    ),
 ]
 LabelLang = Annotated[str, option.LANG._replace(help="Language of the labels: de or en.")]
 
@@ -143,12 +151,17 @@ def plot_motion(
     infinite: Annotated[
         bool, Option("Draw the motion with a rod of infinite length as well, dotted.", kind=FLAG)
     ] = False,
+    point: DrawnPoint = None,
     **given: Unpack[Run],
 ) -> Drawing:
     """Draw path, velocity and acceleration over the crank angle, or what the columns name; over the path
-    velocity and acceleration."""
+    velocity and acceleration. Of points of the rod their velocity and acceleration."""
     from kurbel.plot.curves import motion_keys
 
+    if point is not None and is_given(point):
+        from kurbel.commands.points.drawn import points_drawn
+
+        return points_drawn(point, columns, infinite, {**given, "ratio": ratio, "speed": speed})
     about = {**given, "ratio": ratio, "speed": speed}
     return _drawn(about, columns, motion_keys, "plot", beside=INFINITE if infinite else "")
 
@@ -156,25 +169,35 @@ def plot_motion(
 @draws(foreign=_of_mechanism)
 def plot_mechanism(
     positions: Annotated[
-        option.Given,
+        option.Given | None,
         Option(
             "Draw the mechanism to scale at these crank angles: 30, or 30;90;150.",
             "ANGLES",
             unit="degrees",
             many=True,
         ),
-    ],
+    ] = None,
+    *,
+    point: DrawnPoint = None,
     **given: Unpack[Positions],
 ) -> Drawing:
-    """Draw the mechanism to scale at crank angles, the first one strong."""
-    lang, mark, angles = given["lang"], mark_of(given["lang"], given["decimal"]), as_angles(positions)
+    """Draw the mechanism to scale at crank angles, the first one strong, with the paths of points of its
+    rod."""
+    from kurbel.commands.points.asked import rod_points
+    from kurbel.plot.coupler.paths import coupled
+
+    if positions is None and point is None:
+        raise ProblemError("no crank angle was given; give one, such as 30, or 30;90;150")
+    lang, mark = given["lang"], mark_of(given["lang"], given["decimal"])
+    angles = as_angles(POSITION if positions is None else positions)
     chosen, said = described(given)
-    drive = only(chosen.drives(said, page_of(chosen.layout).ratios), "positions", "ratios")
-    module, _, name = chosen.drawing.partition(":")
-    draw = getattr(import_module(module), name)
-    drawn = draw(drive, angles, lang, mark, page_size(given))
+    flag = "point" if positions is None else "positions"
+    drive = only(chosen.drives(said, page_of(chosen.layout).ratios), flag, "ratios")
+    points = () if point is None else rod_points(chosen, drive, point)
+    paths = coupled(points, found_at(chosen.moving)(drive)) if points else ()
+    drawn = found_at(chosen.drawing)(drive, angles, lang, mark, page_size(given), paths)
     if given["animate"]:
-        return moving_mechanism(chosen, drive, angles, given, drawn)
+        return moving_mechanism(chosen, drive, angles, given, drawn, points)
     return Drawing.of(drawn, lang, mark)
 
 

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Number
+from kurbel.exact.numerals import Label, Number
 from kurbel.motion import captions
 from kurbel.motion.evaluation import DIFFERENCE, LOADED, NEEDS, columns_in_balls, fits_page, needed, typed
 from kurbel.motion.quantities import effort_keys, registry
@@ -65,6 +65,11 @@ class AngleQuestion(Question, ABC):
     @abstractmethod
     def ratios(self) -> list[Fraction]:
         """The ratios of the drives, where they have one."""
+
+    @property
+    def told(self) -> list[tuple[Label, ...]]:
+        """What tells the drives of curves from each other."""
+        return [(f"$R:L = {ratio_text(ratio)}$",) for ratio in self.ratios] or [()]
 
     @abstractmethod
     def curves(self, degrees: Any) -> list[list[Any]]:

@@ -20,6 +20,7 @@ from kurbel.reading.given import choose, found_at, meant
 from kurbel.reading.notation import MOST_ROWS
 
 if TYPE_CHECKING:
+    from kurbel.page.steps import Scene
     from kurbel.reading.amounts import Units
 
 Limit: TypeAlias = Callable[[Fraction], object]
@@ -166,6 +167,12 @@ class Question(Worded):
     def moving(self) -> tuple[str, Any] | None:
         """The mechanism, by its name, and the drive of which it is asked; of several the first."""
         return None
+
+    def carrying(
+        self, scene: "Scene | None", whole: "Callable[[], Scene | None] | None" = None
+    ) -> "Scene | None":
+        """Return what moves with what the page shows of it besides; `whole` makes it of a whole turn."""
+        return scene
 
     @property
     def columnless(self) -> str:

@@ -11,6 +11,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats
 from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.motion.evaluation import OUT, RETURN
+from kurbel.plot.coupler.paths import Coupled, around, draw_paths, usual_scale
 from kurbel.plot.mechanism import LARGEST_RADIUS, LEFT, LONGEST_ROD
 from kurbel.plot.moving.arcs import arc_pivot, swept
 from kurbel.plot.moving.arcs import arc_position as arc_position
@@ -77,7 +78,12 @@ class _Drive(NamedTuple):
 
 
 def arc_mechanism(
-    crank: RockerCrank, angles: Sequence[float | Fraction], lang: str, mark: str, size: Size = USUAL
+    crank: RockerCrank,
+    angles: Sequence[float | Fraction],
+    lang: str,
+    mark: str,
+    size: Size = USUAL,
+    paths: Sequence[Coupled] = (),
 ) -> Figure:
     """Return a drawing of the arc crank, true to scale, by itself 120 mm wide at most.
 
@@ -88,7 +94,7 @@ def arc_mechanism(
     drive = _drive(crank)
     positions = [arc_position(crank, float(angle)) for angle in angles]
     with style():
-        sketch = _laid_out(drive, size)
+        sketch = _laid_out(drive, size, paths)
         _fixed_lines(sketch, drive)
         for one in positions[1:]:
             links = (0, 0), one.pin, one.head, drive.end(one.head)
@@ -96,6 +102,7 @@ def arc_mechanism(
         _pivot_dimensions(sketch, drive)
         _position_dimensions(sketch, drive, positions[0])
         _strong(sketch, drive, positions[0])
+        draw_paths(sketch, paths, positions[0].pin, positions[0].head, mark)
         dead = [(drive.inner, DEAD_CENTRES["inner"][lang]), (drive.outer, DEAD_CENTRES["outer"][lang])]
         leader = LEADER * sketch.mm
         names = [(drive.beyond(one.head, leader), drive.away(one.head), name) for one, name in dead]
@@ -123,12 +130,13 @@ def _drive(crank: RockerCrank) -> _Drive:
     return _Drive(pivot, float(crank.rocker), crank.letter, not crank.at_end, inner, outer, low, high)
 
 
-def _laid_out(drive: _Drive, size: Size) -> Sketch:
+def _laid_out(drive: _Drive, size: Size, paths: Sequence[Coupled]) -> Sketch:
     side = 1 if drive.pivot[1] >= 0 else -1
     width, height = drive.high[0] - drive.low[0], drive.high[1] - drive.low[1]
-    beside, around = LEFT + RIGHT, 2 * OUTSIDE + DIMENSIONS
-    radius = min(LARGEST_RADIUS, (WIDTH - beside) / width, (MOST_HEIGHT - around) / height)
-    low, high, mm = fitted(lambda mm: _corners(drive, side, mm), radius, size)
+    beside, above = LEFT + RIGHT, 2 * OUTSIDE + DIMENSIONS
+    radius = min(LARGEST_RADIUS, (WIDTH - beside) / width, (MOST_HEIGHT - above) / height)
+    corners = around(lambda mm: _corners(drive, side, mm), paths)
+    low, high, mm = fitted(corners, usual_scale(corners, radius, paths), size)
     return laid_out(low, high, mm, side)
 
 

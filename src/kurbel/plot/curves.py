@@ -55,23 +55,23 @@ def motion_panels(
     a single drive as conditions see it the extremes are named. Raises ProblemError for one angle, or more
     than can be drawn.
     """
-    check_drawn(question.angles, max(len(question.ratios), 1) + (beside is not None))
+    told = len(question.told)
+    check_drawn(question.angles, told + (beside is not None))
     drive = drives[0] if len(drives) == 1 else None
     traces = [*_traces(question, drive), *(_traces(beside, dotted=True) if beside else ())]
-    apart = len(question.ratios) > 1 or beside is not None
+    apart = told > 1 or beside is not None
     return panels_of(traces, question.lang, apart=apart)
 
 
 def _traces(question: AngleQuestion, drive: Drive | None = None, dotted: bool = False) -> Iterator[Trace]:
-    lang, angles, ratios = question.lang, degrees(question.angles), question.ratios
+    lang, angles, told = question.lang, degrees(question.angles), question.told
     drawn = question.curves(np.asarray(angles))
     for place, (column, of_drives) in enumerate(zip(question.page_columns, drawn, strict=True)):
         one = column.quantity
         named = None if drive is None else partial(_spots, question, place, drive)
-        for ratio, values in enumerate(of_drives):
+        for telling, values in zip(told, of_drives, strict=True):
             stroke = STROKES[one.stroke][lang] if one.stroke in STROKES else ""
-            told = (said_ratio(ratios[ratio]), stroke) if ratios else ()
-            yield Trace(one, told, angles, values.tolist(), dotted, named)
+            yield Trace(one, (*telling, stroke) if telling else (), angles, values.tolist(), dotted, named)
 
 
 def around(question: AngleQuestion, drives: Sequence[Drive], beside: AngleQuestion | None = None) -> Around:

@@ -16,6 +16,7 @@ from kurbel.page.quantity import for_ratio, words
 from kurbel.page.subject import Question
 from kurbel.plot.chart.model import NOTHING_AROUND, Around, Panel
 from kurbel.plot.chart.vector import PinForce
+from kurbel.plot.coupler.paths import Coupled
 from kurbel.plot.mechanism import mechanism
 from kurbel.plot.plotting import curves
 from kurbel.plot.polar import polar
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
 MOST_POSITIONS = 36
 WORDS = {
     "drive": words("Kurbeltrieb|Crank drive"),
+    "paths": words("Bahn von Punkten der Schubstange|path of points of the connecting rod"),
 }
 # The diagram turns with the crank.
 POLAR_TITLE = words(
@@ -97,16 +99,28 @@ def _title(question: Question) -> Label:
 
 
 def mechanism_drawing(
-    crank: Crank, angles: Sequence[Fraction], lang: str, mark: str, size: Size = USUAL
+    crank: Crank,
+    angles: Sequence[Fraction],
+    lang: str,
+    mark: str,
+    size: Size = USUAL,
+    paths: Sequence[Coupled] = (),
 ) -> Drawing:
     """Return the crank drive to scale at crank angles, the first one strong."""
     _check_positions(angles)
-    figure = mechanism(float(crank.ratio), float(crank.offset), angles, lang, mark, size)
-    return Drawing(figure, WORDS["drive"][lang] + for_ratio(crank.ratio, lang), _at(angles, lang, mark))
+    figure = mechanism(float(crank.ratio), float(crank.offset), angles, lang, mark, size, paths)
+    return Drawing(
+        figure, WORDS["drive"][lang] + for_ratio(crank.ratio, lang), _at(angles, lang, mark, paths)
+    )
 
 
 def arc_drawing(
-    crank: RockerCrank, angles: Sequence[Fraction], lang: str, mark: str, size: Size = USUAL
+    crank: RockerCrank,
+    angles: Sequence[Fraction],
+    lang: str,
+    mark: str,
+    size: Size = USUAL,
+    paths: Sequence[Coupled] = (),
 ) -> Drawing:
     """Return the arc crank to scale, likewise."""
     from kurbel.plot.arc import arc_mechanism
@@ -114,11 +128,17 @@ def arc_drawing(
     _check_positions(angles)
     rocker = f"${crank.letter} = {plain(crank.rocker)} R$"
     title = f"{crank.noun[lang]}{for_ratio(crank.crank.ratio, lang)}, {rocker}"
-    return Drawing(arc_mechanism(crank, angles, lang, mark, size), title, _at(angles, lang, mark))
+    figure = arc_mechanism(crank, angles, lang, mark, size, paths)
+    return Drawing(figure, title, _at(angles, lang, mark, paths))
 
 
 def links_drawing(
-    drive: Linkage, angles: Sequence[Fraction], lang: str, mark: str, size: Size = USUAL
+    drive: Linkage,
+    angles: Sequence[Fraction],
+    lang: str,
+    mark: str,
+    size: Size = USUAL,
+    paths: Sequence[Coupled] = (),
 ) -> Drawing:
     """Return a drive to scale by its outline, likewise."""
     from kurbel.plot.links import outlined
@@ -127,13 +147,16 @@ def links_drawing(
     outline = drive.outline()
     assert outline is not None
     ratio = for_ratio(drive.crank.ratio, lang) if drive.crank.ratio else ""
-    figure = outlined(outline, angles, mark, size)
-    return Drawing(figure, outline.title[lang] + ratio, _at(angles, lang, mark))
+    figure = outlined(outline, angles, mark, size, paths)
+    return Drawing(figure, outline.title[lang] + ratio, _at(angles, lang, mark, paths))
 
 
-def _at(angles: Sequence[Fraction], lang: str, mark: str) -> str:
-    """Return the crank angles of a drawing, the strong one first."""
-    return f"{PHI[lang]} {'; '.join(degrees(angle, mark) for angle in angles)}"
+def _at(angles: Sequence[Fraction], lang: str, mark: str, paths: Sequence[Coupled]) -> Label:
+    """Return the crank angles of a drawing, the strong one first, and whose paths it has."""
+    said = f"{PHI[lang]} {'; '.join(degrees(angle, mark) for angle in angles)}"
+    if not paths:
+        return said
+    return f"{said}; {WORDS['paths'][lang]} {'; '.join(one.label for one in paths)}"
 
 
 def _check_positions(angles: Sequence[Fraction]) -> None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from kurbel.kernel.circle import circle
 from kurbel.linkage.linkage import Outline, Point, Stand
+from kurbel.plot.coupler.paths import Coupled, around, draw_paths, usual_scale
 from kurbel.plot.paper.fit import fitted
 from kurbel.plot.sketch import DOWN, HANGING, UP, Sketch, laid_out, pin_texts
 from kurbel.plot.style import USUAL, WIDTH, Size, style
@@ -19,7 +20,13 @@ if TYPE_CHECKING:
 BESIDE, ABOVE, DIMENSIONS = 9.0, 7.0, 9.0
 
 
-def outlined(outline: Outline, angles: Sequence[float | Fraction], mark: str, size: Size = USUAL) -> Figure:
+def outlined(
+    outline: Outline,
+    angles: Sequence[float | Fraction],
+    mark: str,
+    size: Size = USUAL,
+    paths: Sequence[Coupled] = (),
+) -> Figure:
     """Return a drawing of the drive, true to scale, by itself 120 mm wide.
 
     Cranks turn counter-clockwise from the line of shafts. The first angle is drawn strong, with its
@@ -28,7 +35,7 @@ def outlined(outline: Outline, angles: Sequence[float | Fraction], mark: str, si
     pins = [_pin(float(angle)) for angle in angles]
     first, *others = map(outline.stand, pins)
     with style():
-        sketch = _laid_out(outline, size)
+        sketch = _laid_out(outline, size, paths)
         _fixed_lines(sketch, outline)
         for one in others:
             for chain in one.chains:
@@ -38,6 +45,8 @@ def outlined(outline: Outline, angles: Sequence[float | Fraction], mark: str, si
         for shaft in outline.shafts:
             sketch.bearing(shaft, UP if pins[0][1] < -HANGING else DOWN)
         sketch.joints(first.pins)
+        if paths:
+            draw_paths(sketch, paths, *first.links["rod"], mark)
         sketch.beside_points(pin_texts(pins, angles, mark))
         sketch.write()
     return sketch.figure
@@ -48,9 +57,10 @@ def _pin(angle: float) -> Point:
     return point.cosine, point.sine
 
 
-def _laid_out(outline: Outline, size: Size) -> Sketch:
+def _laid_out(outline: Outline, size: Size, paths: Sequence[Coupled]) -> Sketch:
     usual = (WIDTH - 2 * BESIDE) / (outline.right - outline.left)
-    return laid_out(*fitted(lambda mm: _corners(outline, mm), usual, size))
+    corners = around(lambda mm: _corners(outline, mm), paths)
+    return laid_out(*fitted(corners, usual_scale(corners, usual, paths), size))
 
 
 def _corners(outline: Outline, mm: float) -> tuple[Point, Point]:

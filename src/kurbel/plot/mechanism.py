@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.kernel.kinematics import dead_centre_sine
+from kurbel.plot.coupler.paths import Coupled, around, draw_paths, usual_scale
 from kurbel.plot.moving.positions import LONGEST_ROD as LONGEST_ROD
 from kurbel.plot.moving.positions import Position
 from kurbel.plot.moving.positions import position as position
@@ -55,17 +56,19 @@ def mechanism(
     lang: str,
     mark: str,
     size: Size = USUAL,
+    paths: Sequence[Coupled] = (),
 ) -> Figure:
     """Return a drawing of the crank drive, true to scale, by λ = R/L, the offset e/R, angles.
 
     The shaft is at the left, the slide to the right of it and, by the offset, above; the crank turns
     counter-clockwise from φ = 0, where it points along the slide. The first angle is drawn strong, with its
-    dimensions, the others light. Raises ProblemError for a rod too long or a page too small to be drawn.
+    dimensions, the others light, with the paths of points of the rod. Raises ProblemError for a rod too long
+    or a page too small to be drawn.
     """
     drive = _drive(ratio, offset)
     positions = [position(ratio, offset, float(angle)) for angle in angles]
     with style():
-        sketch = _laid_out(drive, positions[0], size)
+        sketch = _laid_out(drive, positions[0], size, paths)
         _lines_and_circle(sketch, drive)
         _guides(sketch, drive)
         for one in positions[1:]:
@@ -73,6 +76,7 @@ def mechanism(
         _dimensions_of_drive(sketch, drive, lang)
         _dimensions_of_position(sketch, drive, positions[0])
         _strong(sketch, positions[0])
+        draw_paths(sketch, paths, positions[0].pin, positions[0].head, mark)
         sketch.beside_points(pin_texts([one.pin for one in positions], angles, mark))
         sketch.write()
     return sketch.figure
@@ -92,10 +96,11 @@ def _drive(ratio: float, offset: float) -> _Drive:
     return _Drive(ratio, offset, inner, outer, min(LARGEST_RADIUS, room / (1 + inner.head[0])))
 
 
-def _laid_out(drive: _Drive, first: Position, size: Size) -> Sketch:
+def _laid_out(drive: _Drive, first: Position, size: Size, paths: Sequence[Coupled]) -> Sketch:
     # The dimensions stand on that side of the slide where the rod is not.
     side = -1 if first.pin[1] >= drive.offset else 1
-    low, high, mm = fitted(lambda mm: _corners(drive, side, mm), drive.radius, size)
+    corners = around(lambda mm: _corners(drive, side, mm), paths)
+    low, high, mm = fitted(corners, usual_scale(corners, drive.radius, paths), size)
     return laid_out(low, high, mm, side)
 
 

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
     from kurbel.motion.mechanism import Mechanism
     from kurbel.motion.page import AngleQuestion
+    from kurbel.motion.points.point import Point
+    from kurbel.page.steps import Scene
     from kurbel.page.table import Value
     from kurbel.plot.drawings import Drawing as Drawn
     from kurbel.plot.film.curves import Shot
@@ -96,7 +98,13 @@ def shot_of(given: Mapping[str, Any], question: Any) -> "Shot | None":
     span = float(question.angles[-1] - question.angles[0])
     seconds = seconds_of(given) * max(1.0, span / 360)
     alone = len(question.ratios) < 2 and question.moving is not None
-    return Shot(seconds, staged(*question.moving) if alone else None)
+    return Shot(seconds, partial(_carrying, question, staged(*question.moving)) if alone else None)
+
+
+def _carrying(question: Any, show: "Staged", *angles: Sequence[float]) -> "Scene | None":
+    """Return what moves with what a question shows of it besides."""
+    found: Scene | None = question.carrying(show(*angles), show)
+    return found
 
 
 def spoken(question: "AngleQuestion") -> tuple[Spoken, ...]:
@@ -132,23 +140,41 @@ def paged(drawn: "Drawn", lang: str, mark: str, numbers: tuple[Spoken, ...]) -> 
 
 
 def moving_mechanism(
-    chosen: "Mechanism", drive: Any, angles: Sequence[Fraction], given: Mapping[str, Any], drawn: "Drawn"
+    chosen: "Mechanism",
+    drive: Any,
+    angles: Sequence[Fraction],
+    given: Mapping[str, Any],
+    drawn: "Drawn",
+    points: "Sequence[Point]" = (),
 ) -> "Drawing":
-    """Return a mechanism that moves in place of the drawing in which it stands still."""
+    """Return a mechanism that moves in place of the drawing in which it stands still, with points of its
+    rod."""
     from kurbel.commands.shown import Drawing, mark_of
-    from kurbel.page.layouts import layout
-    from kurbel.plot.curves import motion_keys
     from kurbel.plot.film.mechanism import mechanism_film
 
     lang, mark = given["lang"], mark_of(given["lang"], given["decimal"])
-    show = staged(chosen.name, drive)
+    question = _asked_beside(chosen, drive, lang, points)
+    show = partial(_carrying, question, staged(chosen.name, drive))
     made = mechanism_film(show, angles, mark, seconds_of(given), page_size(given))
     # A drive that was drawn has a scene.
     assert made is not None
-    keys = motion_keys(chosen, chosen.crank(drive))
-    turn = (Fraction(0), Fraction(360))
-    question = chosen.question(
-        (drive,), None, layout=layout(chosen.layout), angles=turn, lang=lang, columns=keys
-    )
     found = drawn._replace(figure=made[0], film=made[1])
     return Drawing.of(found, lang, mark, paged(found, lang, mark, spoken(question)))
+
+
+def _asked_beside(chosen: "Mechanism", drive: Any, lang: str, points: "Sequence[Point]") -> "AngleQuestion":
+    """Return what is told beside a mechanism: the motion of the driven end, or of points of the rod."""
+    from kurbel.page.layouts import layout
+    from kurbel.plot.curves import motion_keys
+
+    turn = (Fraction(0), Fraction(360))
+    if points:
+        from kurbel.commands.points.asked import usual_columns
+        from kurbel.motion.points.page import SUBJECT, PointsRequest
+
+        return PointsRequest(
+            mechanism=chosen, drives=(drive,), points=tuple(points), layout=layout(SUBJECT.layout),
+            angles=turn, lang=lang, columns=usual_columns(chosen.crank(drive)),
+        )  # fmt: skip
+    keys = motion_keys(chosen, chosen.crank(drive))
+    return chosen.question((drive,), None, layout=layout(chosen.layout), angles=turn, lang=lang, columns=keys)

@@ -9,15 +9,33 @@ from kurbel.commands.drives.given import PATH
 from kurbel.commands.motion import POINTS, angles_of, sheet_of
 from kurbel.commands.options import is_given
 from kurbel.commands.parameters import Given, Names
-from kurbel.drive.crank import Described
+from kurbel.drive.crank import Crank, Described
 from kurbel.errors import ProblemError
+from kurbel.motion.evaluation import is_known
 from kurbel.motion.mechanism import Mechanism
 from kurbel.motion.points.page import SUBJECT, PointsRequest
-from kurbel.motion.points.point import points_of
+from kurbel.motion.points.point import Point, points_of
+from kurbel.motion.points.quantities import points_registry
 from kurbel.page.layouts import layout_of
 from kurbel.reading.given import as_names
 
 EXAMPLE = "phi,path_along,path_across"
+
+
+# What is drawn and told of points unless columns are named, and what stands for it where its unit is known.
+USUAL = (("velocity", "velocity_mps"), ("acceleration", "acceleration_mps2"))
+
+
+def rod_points(chosen: Mechanism, drive: Any, point: Given) -> tuple[Point, ...]:
+    """Return the points on the rod of a drive."""
+    chosen.rod_ends()
+    return points_of(point, [chosen.crank(drive)])
+
+
+def usual_columns(crank: Crank) -> tuple[str, ...]:
+    """Return what is drawn of points by itself."""
+    known = points_registry()
+    return tuple(unit if is_known(known[unit], crank) else share for share, unit in USUAL)
 
 
 def points_question(

@@ -142,4 +142,4 @@ def _scene(question: Question, scenes: dict[Any, Scene | None]) -> Scene | None:
     bare = drive.of(Crank(drive.crank.ratio, drive.crank.offset))
     if bare not in scenes:
         scenes[bare] = found_at(mechanism(name).moving)(bare)
-    return scenes[bare]
+    return question.carrying(scenes[bare])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -17,6 +17,7 @@ from kurbel.motion.evaluation import NEEDS, PAGE_CELLS, needed
 from kurbel.motion.page import AngleQuestion, check_pairs
 from kurbel.motion.points import captions
 from kurbel.motion.points.digits import Ends, Moved
+from kurbel.motion.points.direction import continued
 from kurbel.motion.points.point import Point, decimals_of
 from kurbel.motion.points.quantities import points_registry
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, RatioAxis
@@ -28,6 +29,7 @@ from kurbel.page.table import Field, Records
 if TYPE_CHECKING:
     from kurbel.motion.long.columns import LongColumns
     from kurbel.motion.mechanism import Mechanism
+    from kurbel.page.steps import Scene
 
 POINT = words("Punkt der Schubstange|Point of the rod")
 RATIO = "ratio"
@@ -90,6 +92,11 @@ class PointsRequest(AngleQuestion):
     def moving(self) -> tuple[str, Any]:
         return self.mechanism.name, self.drives[0]
 
+    def carrying(self, scene: Scene | None, whole: Callable[[], Scene | None] | None = None) -> Scene | None:
+        from kurbel.motion.points.carried import with_points
+
+        return None if scene is None else with_points(scene, self.points, whole and whole())
+
     def missing(self, quantity: Quantity) -> str:
         return needed(quantity, self.cranks)
 
@@ -115,9 +122,16 @@ class PointsRequest(AngleQuestion):
             for point in range(len(self.points))
         ]
 
+    @property
+    def told(self) -> list[tuple[Label, ...]]:
+        return [(*drive, one.label) for drive in super().told for one in self.points]
+
     def curves(self, degrees: Any) -> list[list[Any]]:
         at, kind, moved = circle(degrees), floats(), [self.moved(place) for place in self.places]
-        return [[one.value(column.quantity, at, kind) for one in moved] for column in self.page_columns]
+        return [
+            [continued(column.quantity, one.value(column.quantity, at, kind)) for one in moved]
+            for column in self.page_columns
+        ]
 
     @cached_property
     def long(self) -> LongColumns | None:

@@ -1,0 +1,1 @@
+"""Points of the rod in drawings of mechanisms."""
