@@ -36,6 +36,8 @@ from kurbel.plot.style import BLACK, HEAVY, MEDIUM, PALE, STRONG, TEXT_SIZE, THI
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
 
+# The radius of a point of a link, in mm.
+POINT = 0.9
 # The levels of what moves: dimensions, crosshead, links, pins, letters.
 DIMENSIONS, CROSSHEAD, LINKS, PINS, LETTERS = 4.5, 5.2, 6.2, 7.2, 8.0
 # In mm: from a line to the middle of its letter, an arrowhead, the shortest path that has a letter.
@@ -160,6 +162,10 @@ class _Stage:
             yield self.part(name, (bar, *discs), start, turns, length)
             if link.letter:
                 yield self._named(f"{name}-letter", link, start, away / length)
+        # What is no end of a link is a point of one.
+        for number, pin in enumerate(pins, 1):
+            places = self.places(pin)
+            yield self.part(f"point-{number}", (self.disc(tuple(places[self.at]), POINT, BLACK),), places)
 
     def _named(self, name: str, link: Link, start: Points, way: Points) -> Part:
         """Draw the letter of a link at its left, as it goes, that of a crank which points down at its right:
