@@ -17,14 +17,15 @@ from kurbel.commands.shown import Drawing, mark_of
 from kurbel.errors import ProblemError
 from kurbel.motion.points.page import SUBJECT, PointsRequest
 from kurbel.motion.points.point import points_of
-from kurbel.plot.chart.model import Around
-from kurbel.plot.curves import motion_panels
-from kurbel.plot.drawings import curves_drawing
 from kurbel.reading.given import as_names
 
 
 def points_drawn(point: Given, columns: Names, infinite: bool, given: Mapping[str, Any]) -> Drawing:
     """Draw columns of points of the rod over the crank angle."""
+    from kurbel.plot.chart.model import Around
+    from kurbel.plot.curves import motion_panels
+    from kurbel.plot.drawings import curves_drawing
+
     if given["over"] == PATH:
         raise ProblemError("points of the rod are drawn over the crank angle; leave --over out")
     if given["force"] is not None:
