@@ -52,7 +52,7 @@ def test_layouts_formats_and_columns_are_completed(shell: str) -> None:
     assert completed(shell, "table", "-f", "m") == ["markdown"]
     assert set(completed(shell, "table", "--columns", "")) == {"ratio", "phi", *registry()}
     assert completed(shell, "table", "--columns", "x_m") == ["x_mm"]
-    assert completed(shell, "plot", "--format", "") == ["svg", "png", "pdf"]
+    assert completed(shell, "plot", "--format", "") == ["svg", "png", "pdf", "pgf", "html", "gif"]
     assert completed(shell, "plot", "--columns", "x,c_mp") == ["x,c_mps"]
 
 

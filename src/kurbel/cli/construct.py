@@ -19,7 +19,7 @@ from kurbel.commands.shown import Drawing
 from kurbel.errors import ChoiceError, ProblemError
 from kurbel.formats.registry import DEFAULT, FORMATS
 from kurbel.page.table import Table
-from kurbel.reading.given import choose, found_at
+from kurbel.reading.given import choose, found_at, meant
 
 HELP = """\
 Draw a construction of the books to scale, or print the lengths that it gives beside their true values.
@@ -54,7 +54,12 @@ class AnyFormat(FormatName):
     """A format of tables or of drawings."""
 
     def read(self, text: str, typed: Mapping[str, Any]) -> str:
-        return text if text in found_at(DRAWN) else super().read(text, typed)
+        if text in found_at(DRAWN):
+            return text
+        try:
+            return super().read(text, typed)
+        except ChoiceError:
+            return meant(text, self.known(typed), self.name)
 
     def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
         return dict.fromkeys((*super().known(typed), *found_at(DRAWN)))
