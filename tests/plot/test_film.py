@@ -104,6 +104,26 @@ def test_dots_run_on_their_curves() -> None:
             assert abs(y - np.interp(x, *line.T)) / films.MM < TOLERANCE
 
 
+def test_where_steam_changes_sides_dots_jump_and_in_a_polar_diagram_one_runs() -> None:
+    film = film_of("--forces", "--eps=4", "--ratio=1:4", "--columns=piston_force")
+    (use,) = film.elements["film-dot-1-1"].iter(f"{films.SVG}use")
+    still = float(use.get("x", "")), float(use.get("y", ""))
+    (before, after) = (film.moved("dot-1-1", [still], 180 + step)[0] for step in (-0.01, 0.01))
+    # From Q of expanded steam behind the piston to Q of fresh steam before it.
+    assert after[1] - before[1] > 20 * films.MM
+    polar = film_of("--polar", "--ratio=1:4")
+    (use,) = polar.elements["film-dot"].iter(f"{films.SVG}use")
+    still = float(use.get("x", "")), float(use.get("y", ""))
+    places = {angle: complex(*polar.moved("dot", [still], angle)[0]) for angle in (0, 90, 180, 77.3)}
+    # At both dead centres the force is radial; at right angles its radial part is that of the slanted rod.
+    unit = (places[180] - places[0]) / 2
+    for angle in (90, 77.3):
+        turned, slant = math.radians(angle), math.asin(math.sin(math.radians(angle)) / 4)
+        tangential, radial = math.sin(turned + slant), math.cos(turned + slant)
+        true = places[0] + unit - (unit * radial + unit * 1j * tangential) / math.cos(slant)
+        assert abs(places[angle] - true) / films.MM < TOLERANCE
+
+
 def test_a_film_stands_still_for_those_who_ask_for_that_and_is_the_same_file_every_time() -> None:
     words = ("--positions=30;120", "--ratio=1:4", "--seconds=4")
     film = film_of(*words)
@@ -172,7 +192,7 @@ def test_what_cannot_move_is_refused() -> None:
     assert "add --animate" in refusal("plot", "--seconds", "3", "-f", "svg")
     assert "takes 1 to 120" in refusal(*animate, "--seconds", "500", "-f", "svg")
     assert "the angles from 0° to 90°" in refusal(*animate, "--to", "90", "-f", "svg")
-    assert "leave it out" in refusal(*animate, "--polar", "-f", "svg")
+    assert "leave it out" in refusal(*animate, "--pressures", "--eps", "4", "-f", "svg")
 
 
 MANIFEST = """

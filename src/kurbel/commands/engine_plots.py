@@ -9,7 +9,8 @@ from kurbel.commands.cylinder.effort import Rods, Rubbing
 from kurbel.commands.cylinder.given import Cylinders, Of
 from kurbel.commands.cylinder.slope import Lying
 from kurbel.commands.diagram.given import Diagram, foreign, is_diagram, needless
-from kurbel.commands.drawn.size import Sized, page_size
+from kurbel.commands.drawn.film import Filmed, curves_of, polar_of, still
+from kurbel.commands.drawn.size import Sized
 from kurbel.commands.drives.given import PATH
 from kurbel.commands.engine import Wheeled, beside_wheel
 from kurbel.commands.engine_pages.layouts import has_wheel
@@ -25,7 +26,7 @@ from kurbel.commands.plots import (
     only,
     page_of,
 )
-from kurbel.commands.shown import Drawing, mark_of
+from kurbel.commands.shown import Drawing
 from kurbel.commands.subject import draws
 from kurbel.errors import ProblemError
 from kurbel.reading.given import as_names
@@ -37,7 +38,9 @@ if TYPE_CHECKING:
 ENGINE_LAYOUT, MACHINE_LAYOUT = "engine-forces", "machine-forces"
 
 
-class Drawn(engines.Cylinder, engines.MovingRod, Lying, Rods, Rubbing, option.AnyDrive, Sized, total=False):
+class Drawn(
+    engines.Cylinder, engines.MovingRod, Lying, Rods, Rubbing, option.AnyDrive, Sized, Filmed, total=False
+):
     """An engine, as it is drawn."""
 
     cylinder: Cylinders
@@ -64,7 +67,7 @@ class DrawnTurning(Over, Drawn, Wheeled, Diagram, total=False):
 
 def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what describes other crank drives."""
-    return of_other_mechanisms(values, shared=("stroke", "speed", "method"))
+    return {**of_other_mechanisms(values, shared=("stroke", "speed", "method")), **still(values)}
 
 
 @draws(foreign=_foreign, needless=weightless)
@@ -72,42 +75,38 @@ def plot_engine_forces(
     eps: option.Eps = None, *, of: Of = None, columns: DrawnColumns = (), **given: Unpack[DrawnOver]
 ) -> Drawing:
     """Draw the forces in the crank drive of a steam engine, those of the first crank."""
-    from kurbel.plot.drawings import curves_drawing
-    from kurbel.plot.engine import FORCES, around, force_panels
+    from kurbel.plot.engine import FORCES, around, force_panels, lettered
 
-    mark = mark_of(given["lang"], given["decimal"])
     question = _force_question({**given, "eps": eps, "of": of}, FORCES, columns)
     if given["over"] == PATH:
         from kurbel.plot.over.engine import around_path, force_panels_over_path
 
         panels, beside = force_panels_over_path(question), around_path(question)
-        return Drawing.of(
-            curves_drawing(question, panels, mark, beside, page_size(given)), given["lang"], mark
-        )
-    drawn = curves_drawing(
-        question, force_panels(question), mark, around(question, strokes=True), page_size(given)
-    )
-    return Drawing.of(drawn, given["lang"], mark)
+        return curves_of(question, panels, beside, given)
+    beside = around(question, strokes=True)
+    return curves_of(question, force_panels(question), beside, given, lettered(question))
 
 
 @draws(foreign=_foreign, needless=weightless)
 def plot_engine_polar(eps: option.Eps = None, *, of: Of = None, **given: Unpack[Drawn]) -> Drawing:
     """Draw the polar diagram of the force on the crank pin of a steam engine."""
-    from kurbel.plot.drawings import polar_drawing
     from kurbel.plot.engine import PIN_FORCE, engine_pin_force
 
-    mark = mark_of(given["lang"], given["decimal"])
     question = _force_question({**given, "eps": eps, "of": of}, PIN_FORCE)
     only(question.steams, "polar", question.words.several)
     only(question.drives, "polar", "ratios")
-    drawn = polar_drawing(question, engine_pin_force(question), mark, page_size(given))
-    return Drawing.of(drawn, given["lang"], mark)
+    return polar_of(question, engine_pin_force(question), given)
 
 
-@draws(
-    foreign=foreign(_foreign, "from", "to", "over", "decimal", *Sized.__annotations__),
-    needless=needless(beside_wheel),
-)
+# What says something of diagrams without an engine, too.
+_OF_DIAGRAMS = ("from", "to", "over", "decimal", *Sized.__annotations__, *Filmed.__annotations__)
+
+
+def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
+    return {**needless(beside_wheel)(values), **still(values)}
+
+
+@draws(foreign=foreign(_foreign, *_OF_DIAGRAMS), needless=_needless)
 def plot_turning(
     eps: option.Eps = None,
     *,
@@ -118,10 +117,9 @@ def plot_turning(
     flywheel the speed as well. Without an engine, draw a turning-moment diagram and its load.
     """
     from kurbel.plot.chart.model import NOTHING_AROUND
-    from kurbel.plot.drawings import curves_drawing
-    from kurbel.plot.engine import TURNING, across_path, around, over_path, turning_panels
+    from kurbel.plot.engine import TURNING, across_path, around, lettered, over_path, turning_panels
 
-    mark, lang, over = mark_of(given["lang"], given["decimal"]), given["lang"], given["over"]
+    lang, over = given["lang"], given["over"]
     about, wheel = {**given, "eps": eps, "cranks": cranks}, None
     if is_diagram(given):
         from kurbel.commands.diagram.page import diagram_drawn
@@ -131,7 +129,7 @@ def plot_turning(
         panels, beside = diagram_panels(asked), NOTHING_AROUND
         if over == PATH:
             panels, beside = over_path(panels), beside._replace(across=across_path(lang))
-        return Drawing.of(curves_drawing(asked, panels, mark, beside, page_size(given)), lang, mark)
+        return curves_of(asked, panels, beside, given)
     if has_wheel(given):
         from kurbel.drive.wheel import given_wheel
 
@@ -146,7 +144,7 @@ def plot_turning(
         panels.append(speed_panel(question))
     if over == PATH:
         panels, beside = over_path(panels), beside._replace(across=across_path(lang))
-    return Drawing.of(curves_drawing(question, panels, mark, beside, page_size(given)), lang, mark)
+    return curves_of(question, panels, beside, given, lettered(question))
 
 
 def _force_question(

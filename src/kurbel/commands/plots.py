@@ -5,7 +5,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, TypeAlias, TypedDict, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.drawn.film import Filmed, moving_mechanism, paged, shot_of, spoken, still
+from kurbel.commands.drawn.film import Filmed, curves_of, moving_mechanism, polar_of, still
 from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.drives.given import ANGLE, AXES, PATH
 from kurbel.commands.motion import described, ends_of, meant, method_of, of_other_mechanisms, some
@@ -93,7 +93,7 @@ def _of_sliding(values: Mapping[str, Any]) -> dict[str, str]:
     """Refuse what a crank drive with a crosshead does not have, the only one with a polar diagram."""
     chosen = meant(values)
     if chosen.crosshead:
-        return of_other_mechanisms(values, chosen)
+        return {**of_other_mechanisms(values, chosen), **still(values)}
     return {
         "mechanism": f"the polar diagram of {chosen.title} is not drawn; leave --mechanism out",
         **of_other_mechanisms(values, meant(values, mechanism=None)),
@@ -121,7 +121,7 @@ class Over(TypedDict, total=False):
     ]  # fmt: skip
 
 
-class Curves(option.AnyDrive, Sized, total=False):
+class Curves(option.AnyDrive, Sized, Filmed, total=False):
     """A crank drive over its crank angle, under a piston force."""
 
     method: option.Method
@@ -138,10 +138,6 @@ class OverCurves(Over, Curves, total=False):
     """The same, over its angle or its path."""
 
 
-class Run(OverCurves, Filmed, total=False):
-    """The same, which may be run through."""
-
-
 @draws(foreign=_of_motion)
 def plot_motion(
     ratio: option.Ratios = None,
@@ -152,7 +148,7 @@ def plot_motion(
         bool, Option("Draw the motion with a rod of infinite length as well, dotted.", kind=FLAG)
     ] = False,
     point: DrawnPoint = None,
-    **given: Unpack[Run],
+    **given: Unpack[OverCurves],
 ) -> Drawing:
     """Draw path, velocity and acceleration over the crank angle, or what the columns name; over the path
     velocity and acceleration. Of points of the rod their velocity and acceleration."""
@@ -202,7 +198,9 @@ def plot_mechanism(
 
 
 @draws(foreign=_of_forces)
-def plot_forces(ratio: option.Ratios = None, *, columns: DrawnColumns = (), **given: Unpack[Run]) -> Drawing:
+def plot_forces(
+    ratio: option.Ratios = None, *, columns: DrawnColumns = (), **given: Unpack[OverCurves]
+) -> Drawing:
     """Draw the forces in the crank drive under a constant piston force."""
     from kurbel.plot.curves import force_keys
 
@@ -213,19 +211,16 @@ def plot_forces(ratio: option.Ratios = None, *, columns: DrawnColumns = (), **gi
 def plot_polar(ratio: option.Ratios = None, **given: Unpack[Curves]) -> Drawing:
     """Draw the polar diagram of the force on the crank pin under a constant piston force."""
     from kurbel.plot.curves import pin_force, pin_force_keys
-    from kurbel.plot.drawings import polar_drawing
 
-    mark = mark_of(given["lang"], given["decimal"])
     asked = _asked({**given, "ratio": ratio}, (), pin_force_keys, "polar")
     force = pin_force(asked.question, asked.solved[0])
-    return Drawing.of(polar_drawing(asked.question, force, mark, page_size(given)), given["lang"], mark)
+    return polar_of(asked.question, force, given)
 
 
 def _drawn(
     given: Mapping[str, Any], columns: option.Names, keys: Keys, command: str, beside: str = ""
 ) -> Drawing:
     from kurbel.plot.curves import around, motion_panels
-    from kurbel.plot.drawings import curves_drawing
 
     mark, asked = mark_of(given["lang"], given["decimal"]), _asked(given, columns, keys, command)
     alike = {**given, "method": beside, "order": None}
@@ -235,13 +230,8 @@ def _drawn(
 
         found = drawn_over(asked.question, asked.solved, dotted, mark, page_size(given))
         return Drawing.of(found, given["lang"], mark)
-    panels, shot = motion_panels(asked.question, dotted, asked.solved), shot_of(given, asked.question)
-    drawn = curves_drawing(
-        asked.question, panels, mark, around(asked.question, asked.solved, dotted), page_size(given), shot
-    )
-    if shot is None:
-        return Drawing.of(drawn, given["lang"], mark)
-    return Drawing.of(drawn, given["lang"], mark, paged(drawn, given["lang"], mark, spoken(asked.question)))
+    panels = motion_panels(asked.question, dotted, asked.solved)
+    return curves_of(asked.question, panels, around(asked.question, asked.solved, dotted), given)
 
 
 class Asked(NamedTuple):

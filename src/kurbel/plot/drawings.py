@@ -84,12 +84,20 @@ def _about(panels: Sequence[Panel]) -> Iterator[Label]:
         yield ": ".join(filter(None, (axis_label(panel.label, panel.unit, panel.power), told)))
 
 
-def polar_drawing(question: Question, force: PinForce, mark: str, size: Size = USUAL) -> Drawing:
-    """Return the polar diagram of the force on the crank pin, of which names and unit are given."""
+def polar_drawing(
+    question: Question, force: PinForce, mark: str, size: Size = USUAL, shot: Shot | None = None
+) -> Drawing:
+    """Return the polar diagram of the force on the crank pin, of which names and unit are given; with a shot
+    a dot runs along it."""
     across, up = (axis_label(name, force.unit, force.power) for name in force.names)
     figure = polar(force, mark, POLAR_WAYS[question.lang], size)
     about = "; ".join((across, up, *(force.strokes.names if force.strokes else ())))
-    return Drawing(figure, f"{POLAR_TITLE[question.lang]}: {_title(question)}", about)
+    title = f"{POLAR_TITLE[question.lang]}: {_title(question)}"
+    if shot is None:
+        return Drawing(figure, title, about)
+    from kurbel.plot.film.vector import polar_film
+
+    return Drawing(figure, title, about, polar_film(figure, force, shot.seconds))
 
 
 def _title(question: Question) -> Label:

@@ -17,8 +17,11 @@ if TYPE_CHECKING:
     from kurbel.motion.mechanism import Mechanism
     from kurbel.motion.page import AngleQuestion
     from kurbel.motion.points.point import Point
+    from kurbel.page.quantity import Column
     from kurbel.page.steps import Scene
     from kurbel.page.table import Value
+    from kurbel.plot.chart.model import Around, Panel
+    from kurbel.plot.chart.vector import PinForce
     from kurbel.plot.drawings import Drawing as Drawn
     from kurbel.plot.film.curves import Shot
     from kurbel.plot.film.mechanism import Staged
@@ -97,8 +100,13 @@ def shot_of(given: Mapping[str, Any], question: Any) -> "Shot | None":
 
     span = float(question.angles[-1] - question.angles[0])
     seconds = seconds_of(given) * max(1.0, span / 360)
-    alone = len(question.ratios) < 2 and question.moving is not None
-    return Shot(seconds, partial(_carrying, question, staged(*question.moving)) if alone else None)
+    # A diagram of torques has no drive, and of several cranks none is that of the drawing.
+    moving, first = getattr(question, "moving", None), getattr(question, "first", None)
+    several = (getattr(question, "ratios", ()), getattr(question, "cranks", ()), getattr(first, "parts", ()))
+    alone = all(len(one) < 2 for one in several)
+    if moving is None or not alone:
+        return Shot(seconds)
+    return Shot(seconds, partial(_carrying, question, staged(moving[0], moving[1])))
 
 
 def _carrying(question: Any, show: "Staged", *angles: Sequence[float]) -> "Scene | None":
@@ -107,8 +115,9 @@ def _carrying(question: Any, show: "Staged", *angles: Sequence[float]) -> "Scene
     return found
 
 
-def spoken(question: "AngleQuestion") -> tuple[Spoken, ...]:
-    """Return the printed numbers of a question at whole degrees of its run; none of several drives."""
+def spoken(question: "AngleQuestion", columns: Sequence["Column"] = ()) -> tuple[Spoken, ...]:
+    """Return the printed numbers of a question at whole degrees of its run; none of several drives. Their
+    names and units may be those of other columns, one for each of its own."""
     from kurbel.page.build import shown_at
     from kurbel.page.quantity import named
 
@@ -120,7 +129,7 @@ def spoken(question: "AngleQuestion") -> tuple[Spoken, ...]:
     none = dict.fromkeys(asked.axes, 0)
     found = []
     for number, column in enumerate(asked.page_columns[:MOST_COLUMNS]):
-        one = column.quantity
+        one = columns[number].quantity if columns else column.quantity
         places = ({**none, "angle": place, "column": number} for place in range(len(angles)))
         values = tuple(shown_at(asked, column, place) for place in places)
         unit = "" if one.minutes else one.unit[asked.lang]
@@ -137,6 +146,37 @@ def paged(drawn: "Drawn", lang: str, mark: str, numbers: tuple[Spoken, ...]) -> 
         return film_page(svg, drawn.title, lang, mark, numbers)
 
     return page
+
+
+def curves_of(
+    question: Any,
+    panels: Sequence["Panel"],
+    around: "Around",
+    given: Mapping[str, Any],
+    columns: Sequence["Column"] = (),
+) -> "Drawing":
+    """Return the curves of a question, which are run through if that is asked for; its numbers may have the
+    names of other columns."""
+    from kurbel.commands.shown import Drawing, mark_of
+    from kurbel.plot.drawings import curves_drawing
+
+    lang, mark = given["lang"], mark_of(given["lang"], given["decimal"])
+    shot = shot_of(given, question)
+    drawn = curves_drawing(question, panels, mark, around, page_size(given), shot)
+    return Drawing.of(
+        drawn, lang, mark, paged(drawn, lang, mark, spoken(question, columns)) if shot else None
+    )
+
+
+def polar_of(question: Any, force: "PinForce", given: Mapping[str, Any]) -> "Drawing":
+    """Return the polar diagram of a force, which is run through if that is asked for."""
+    from kurbel.commands.shown import Drawing, mark_of
+    from kurbel.plot.drawings import polar_drawing
+
+    lang, mark = given["lang"], mark_of(given["lang"], given["decimal"])
+    shot = shot_of(given, question)
+    drawn = polar_drawing(question, force, mark, page_size(given), shot)
+    return Drawing.of(drawn, lang, mark, paged(drawn, lang, mark, spoken(question)) if shot else None)
 
 
 def moving_mechanism(

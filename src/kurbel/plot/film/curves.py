@@ -17,6 +17,7 @@ from kurbel.plot.film.mechanism import MARGIN, TURN, Staged, run_through
 from kurbel.plot.film.model import Film, Part, Seen, Way, straight_way, toggled
 from kurbel.plot.film.scene import Moving, corners, draw_scene
 from kurbel.plot.film.svg import named
+from kurbel.plot.place import Chosen, Points
 from kurbel.plot.plotting import Chart, charted
 from kurbel.plot.sketch import sketch_in
 from kurbel.plot.style import LINES, MEDIUM, MM, MM_PER_INCH, USUAL, WHITE, Size, style
@@ -53,14 +54,7 @@ def curves_film(
 
     Raises ProblemError for curves over no whole turns, or what cannot be drawn.
     """
-    angles = [angle for panel in panels for curve in panel.curves for angle in curve.angles]
-    first, last = min(angles), max(angles)
-    if last == first or (last - first) % TURN:
-        raise ProblemError(
-            f"a drawing that moves runs through whole turns, and these are the angles from"
-            f" {about(Fraction(first))}° to {about(Fraction(last))}°; leave --from, --to and --step out, or"
-            " --animate"
-        )
+    first, last = whole_turns([angle for panel in panels for curve in panel.curves for angle in curve.angles])
     at = first + (BEGIN - first) % TURN
     run = run_through(first, last, at)
     scene = shot.staged(run.tolist()) if shot.staged else None
@@ -77,6 +71,18 @@ def curves_film(
     film = Film(first, last, at, shot.seconds, parts, moving.grown, seen, moving.above)
     named(film)
     return chart, film
+
+
+def whole_turns(angles: Sequence[float]) -> tuple[float, float]:
+    """Return the least and the greatest angle; raise ProblemError where no whole turns lie between them."""
+    first, last = min(angles), max(angles)
+    if last == first or (last - first) % TURN:
+        raise ProblemError(
+            f"a drawing that moves runs through whole turns, and these are the angles from"
+            f" {about(Fraction(first))}° to {about(Fraction(last))}°; leave --from, --to and --step out, or"
+            " --animate"
+        )
+    return first, last
 
 
 def _radius(scene: Scene, width: float) -> float:
@@ -129,13 +135,17 @@ def _colour(plan: Plan, number: int) -> str:
     return LINES[number].colour if several else RUNNING
 
 
+def filled(angles: Points, rows: Points, known: Chosen) -> Points:
+    """Return the rows, with those that are not known on the way between their neighbours."""
+    if known.all():
+        # A row beside a jump stays as it is.
+        return rows
+    return np.column_stack([np.interp(angles, angles[known], column[known]) for column in rows.T])
+
+
 def _course(course: Course) -> tuple[Way, Way | None]:
     """Return the way along a curve, and where that is no number, if anywhere."""
     known = np.isfinite(course.values)
-    values = (
-        np.interp(course.angles, course.angles[known], course.values[known])
-        if not known.all()
-        else course.values
-    )
+    values = filled(course.angles, course.values[:, None], known)
     rows = np.column_stack((course.angles, values, np.zeros(len(values))))
     return Way(course.angles, rows), None if known.all() else toggled(course.angles, known)

@@ -28,10 +28,11 @@
       if (still.matches) this.rest();
     }
 
-    // The last angle is that at which the next run begins, and is shown before it does.
+    // The last angle is that at which the next run begins, and is shown before it does. Before its time 0 an
+    // animation does nothing, so what comes before the start is shown as in the next run.
     turn(angle) {
       const share = Math.min((angle - this.data.first) / this.span, 1 - 1e-6) - this.begun;
-      for (const one of this.parts) one.currentTime = share * this.data.seconds * 1000;
+      for (const one of this.parts) one.currentTime = (share < 0 ? share + 1 : share) * this.data.seconds * 1000;
       this.say(angle);
     }
 
