@@ -111,7 +111,7 @@ def test_only_drawings_know_matplotlib() -> None:
     names = (
         *("plotting", "style", "polar", "mechanism", "arc", "links", "sketch", "lettering"),
         *("chart.legend", "chart.marks", "chart.stroke_lines", "paper.letters", "paper.pgf"),
-        *(f"film.{one}" for one in ("model", "scene", "mechanism", "curves", "svg", "frames")),
+        *(f"film.{one}" for one in ("model", "scene", "mechanism", "curves", "vector", "svg", "frames")),
     )
     drawing = {f"kurbel.plot.{name}" for name in names}
     assert importers("matplotlib") == drawing | {"kurbel.plot.drawings"}
