@@ -208,3 +208,4 @@ def test_shares_need_the_path_and_engines_have_none() -> None:
     assert "with --over path" in refusal("table", "--shares", "0")
     assert "kurbel pressures" in refusal("forces", "--over", "path", "--eps", "4")
     assert "one position" in refusal("forces", "--over", "path", "--at", "tangent")
+    assert "--layout turning-path" in refusal("turning", "--over", "path")

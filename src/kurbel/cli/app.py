@@ -160,12 +160,13 @@ def _complete_lists() -> None:
 def one_line(error: click.ClickException) -> str:
     """Return click's sentences as one of ours."""
     if isinstance(error, click.NoSuchOption):
-        from kurbel.cli.astray import ELSEWHERE
+        from kurbel.cli.astray import elsewhere
         from kurbel.reading.given import did_you_mean
 
-        hint = did_you_mean(error.option_name, error.possibilities or ())
-        hint = hint or ELSEWHERE.get(error.option_name, "")
-        message = f'there is no option "{error.option_name[:60]}"{hint}'
+        name = error.option_name
+        hint = did_you_mean(name, error.possibilities or ())
+        hint = hint or elsewhere(getattr(error.ctx, "command_path", ""), name)
+        message = f'there is no option "{name[:60]}"{hint}'
     else:
         message = " ".join(error.format_message().split()).rstrip(".").replace(". ", "; ")
     command = getattr(getattr(error, "ctx", None), "command_path", "")

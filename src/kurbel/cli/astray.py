@@ -23,10 +23,14 @@ SIDE_BY_SIDE = {
     "forces": "--layout forces-verfahren prints exact and series side by side",
     "plot": "--infinite draws the infinite rod beside the other",
 }
-# What options say of themselves to a command that has them not.
+# What options say of themselves to commands that have them not: to one, or to all others.
 ELSEWHERE = {
-    "--order": "; series of higher order are those of kurbel table, plot and solve, and elsewhere"
+    ("", "--order"): "series of higher order are those of kurbel table, plot and solve, and elsewhere"
     " --method series is of first order",
+    ("turning", "--over"): "--layout turning-path has the tangential force over the developed crank circle",
+    ("pressures", "--over"): "pressures stand over the stroke by themselves, at --shares of it",
+    ("inertia", "--over"): "forces over the path, those of masses too, are of kurbel forces",
+    ("solve", "--over"): 'kurbel table has --over path, and here --where "s = 25%" is a share of the stroke',
 }
 _LONGEST = 60
 _NUMBER = re.compile(r"[+−-]?\d[\d.,/]*")
@@ -37,6 +41,12 @@ def twice(flag: str, values: Iterable[Any], command: str | None) -> str:
     listed = " and as ".join(str(value)[:_LONGEST] for value in values)
     hint = SIDE_BY_SIDE.get(command or "") if flag == "--method" else None
     return f"{flag} is given as {listed}, and takes one value{f'; {hint}' if hint else ''}"
+
+
+def elsewhere(command: str, flag: str) -> str:
+    """Return what an option says to a command that has it not, after a semicolon, nothing if none."""
+    found = ELSEWHERE.get((command.rpartition(" ")[2], flag)) or ELSEWHERE.get(("", flag))
+    return f"; {found}" if found else ""
 
 
 def stray(text: str, command: click.Command, words: Sequence[str]) -> str:
