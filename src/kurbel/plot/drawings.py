@@ -35,7 +35,12 @@ if TYPE_CHECKING:
 MOST_POSITIONS = 36
 WORDS = {
     "drive": words("Kurbeltrieb|Crank drive"),
-    "paths": words("Bahn von Punkten der Schubstange|path of points of the connecting rod"),
+    "path": words(
+        ", Bahn des Punktes {points} der Schubstange|, path of the point {points} of the connecting rod"
+    ),
+    "paths": words(
+        ", Bahnen der Punkte {points} der Schubstange|, paths of the points {points} of the connecting rod"
+    ),
 }
 # The diagram turns with the crank.
 POLAR_TITLE = words(
@@ -117,9 +122,8 @@ def mechanism_drawing(
     """Return the crank drive to scale at crank angles, the first one strong."""
     _check_positions(angles)
     figure = mechanism(float(crank.ratio), float(crank.offset), angles, lang, mark, size, paths)
-    return Drawing(
-        figure, WORDS["drive"][lang] + for_ratio(crank.ratio, lang), _at(angles, lang, mark, paths)
-    )
+    title = WORDS["drive"][lang] + for_ratio(crank.ratio, lang) + _of_paths(paths, lang)
+    return Drawing(figure, title, _at(angles, lang, mark))
 
 
 def arc_drawing(
@@ -137,7 +141,7 @@ def arc_drawing(
     rocker = f"${crank.letter} = {plain(crank.rocker)} R$"
     title = f"{crank.noun[lang]}{for_ratio(crank.crank.ratio, lang)}, {rocker}"
     figure = arc_mechanism(crank, angles, lang, mark, size, paths)
-    return Drawing(figure, title, _at(angles, lang, mark, paths))
+    return Drawing(figure, title + _of_paths(paths, lang), _at(angles, lang, mark))
 
 
 def links_drawing(
@@ -156,15 +160,21 @@ def links_drawing(
     assert outline is not None
     ratio = for_ratio(drive.crank.ratio, lang) if drive.crank.ratio else ""
     figure = outlined(outline, angles, mark, size, paths)
-    return Drawing(figure, outline.title[lang] + ratio, _at(angles, lang, mark, paths))
+    title = outline.title[lang] + ratio + _of_paths(paths, lang)
+    return Drawing(figure, title, _at(angles, lang, mark))
 
 
-def _at(angles: Sequence[Fraction], lang: str, mark: str, paths: Sequence[Coupled]) -> Label:
-    """Return the crank angles of a drawing, the strong one first, and whose paths it has."""
-    said = f"{PHI[lang]} {'; '.join(degrees(angle, mark) for angle in angles)}"
+def _at(angles: Sequence[Fraction], lang: str, mark: str) -> str:
+    """Return the crank angles of a drawing, the strong one first."""
+    return f"{PHI[lang]} {'; '.join(degrees(angle, mark) for angle in angles)}"
+
+
+def _of_paths(paths: Sequence[Coupled], lang: str) -> Label:
+    """Return what the title says of the paths of points of the rod."""
     if not paths:
-        return said
-    return f"{said}; {WORDS['paths'][lang]} {'; '.join(one.label for one in paths)}"
+        return ""
+    points = "; ".join(one.label for one in paths)
+    return WORDS["path" if len(paths) == 1 else "paths"][lang].format(points=points)
 
 
 def _check_positions(angles: Sequence[Fraction]) -> None:
