@@ -24,7 +24,6 @@ from kurbel.books.constructions.model import (
     RightAngle,
     Step,
     along,
-    between,
 )
 from kurbel.books.constructions.rocker_path import OF_ROCKER
 from kurbel.kernel import kinematics
@@ -281,11 +280,11 @@ BESIDE_THE_PIN = Construction(
         ),
     ),
     lengths=(
-        Length("CE", ("C", "E"), "$x$", "$F A + G F$", between("C", "E"), _path(1)),
+        Length("CE", ("C", "E"), "$x$", "$F A + G F$", along("E", "C"), _path(1)),
         Length("FA", ("A", "F"), "", "$R(1 - cos φ)$", along("A", "F"), lambda at: at.circle.versine),
         Length("CF", ("C", "F"), "", "$R sin φ$", lambda points: points["C"].y, lambda at: at.circle.sine),
         Length("GF", ("F", "G"), "", "$L - sqrt(L^2 - C F^2)$", along("F", "G"), _cut),
-        Length("DE'", ("D", "E'"), "$x$", "$F' B - G' F'$", between("D", "E'"), _path(-1)),
+        Length("DE'", ("D", "E'"), "$x$", "$F' B - G' F'$", along("D", "E'"), _path(-1)),
         Length("F'B", ("F'", "B"), "", "$R(1 - cos φ)$", along("F'", "B"), lambda at: at.circle.versine),
         Length("G'F'", ("F'", "G'"), "", "$G F$", along("F'", "G'"), _cut),
     ),
