@@ -117,6 +117,15 @@ def test_what_is_named_is_what_conditions_find(tmp_path: Path) -> None:
         assert text in svg
 
 
+def test_series_of_higher_order_are_drawn_and_said(tmp_path: Path) -> None:
+    words = ("--ratio=1:5", "--method=series", "--order=3", "--lang=en", "--columns=p")
+    svg = drawing(tmp_path, *words)
+    assert "piston path" in svg.partition("</title>")[0] and "third-order" in svg.partition("</title>")[0]
+    curve = points(svg, "curve-1-1")
+    # p = cos φ + λ cos 2φ + ½ λ³ sin² φ (3 cos² φ - sin² φ), of which the first and the last place are 1 ± λ.
+    assert abs((curve[0, 1] - curve[-1, 1]) / np.ptp(curve[:, 0]) - 1) < 1e-6
+
+
 def test_forces_of_an_engine_lie_over_its_stroke(tmp_path: Path) -> None:
     file = tmp_path / "forces.svg"
     words = ("plot", "--forces", "--eps=4", "--back=10%", "--over=path", "--columns=piston_force")

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Label
 from kurbel.motion.drives import Drive
-from kurbel.motion.evaluation import METHODS, OUT, STROKES
+from kurbel.motion.evaluation import OUT, STROKES, method_named
 from kurbel.motion.page import AngleQuestion
 from kurbel.page.quantity import Column, Quantity, enumerated, filled, for_ratio, words
 from kurbel.plot.chart.extremes import spots, zeros
@@ -166,7 +166,7 @@ class PathDrawing:
         parts = {
             "{quantities}": enumerated(names, self.lang),
             "{for_ratio}": for_ratio(self.question.ratios[0], self.lang) if one else "",
-            "{method}": METHODS[self.drives[0].method].caption[self.lang],
+            "{method}": method_named(self.drives[0].method).caption[self.lang],
         }
         return filled(WORDS["caption"][self.lang], parts.items())
 
