@@ -37,7 +37,15 @@ from kurbel.page.quantity import words
 SIZE = Fraction(3, 4)
 # In R: where the developed circle begins, how far below the shaft it lies, and the force above the slide.
 LEFT, LOW, CARD = Fraction(-2), Fraction(-33, 10), Fraction(1, 2)
+# A rod that is shorter has the force as high as this.
+SHORT, HIGH = Fraction(13, 5), Fraction(21, 10)
 STEPS, TURN = 360, 360
+
+
+def _base(at: Placed) -> Fraction:
+    """Return how high the force on the stroke is drawn: of a short rod above the diagram, else beside it."""
+    crank = at.drive.crank
+    return HIGH if crank.ratio * SHORT > 1 else crank.offset + CARD
 
 
 def _stroke(at: Placed) -> int:
@@ -106,7 +114,7 @@ def _points(at: Placed) -> Points:
     points["up"] = Point(zero, one if stroke == 0 else -one)
     turning = points["E"].y * points["up"].y
     points["F"] = plus(pin, pin, turning)
-    base = at.offset + at.number(CARD)
+    base = at.number(_base(at))
     points["I"], points["J"] = Point(head.x, base), Point(head.x, base + size * force)
     if at.kind.pi is None:
         return points
@@ -136,7 +144,7 @@ def _curves(at: Placed) -> Mapping[str, Sequence[Point]]:
         Point(float(LEFT) + math.radians(angle), float(LOW) + value)
         for angle, value in zip(angles, values, strict=True)
     ]
-    base = at.offset + float(CARD)
+    base = float(_base(at))
     card = sorted(
         Point(place.crosshead.x, base + size * _force(place)) for place in places if _stroke(place) == stroke
     )
@@ -178,6 +186,7 @@ TANGENTIAL = Construction(
                 Line("A", "B", LINK),
                 Line("slide", "B", CENTRE, 4.0),
                 Curve("force", AID),
+                Line("B", "I"),
                 Line("I", "J", GIVEN, 0.0, "$P$"),
             ),
             ("O", "A", "B", "I", "J"),
