@@ -43,6 +43,20 @@ def test_path_and_its_slopes_are_those_of_taylors_polynomial(order: int) -> None
             assert abs(real(Fraction(found)) - true) < mp.mpf("0.51e-20"), key
 
 
+@pytest.mark.parametrize("order", [1, 4, 7])
+def test_the_rod_turns_by_taylors_polynomial_of_its_angle(order: int) -> None:
+    def angle(at: Real, ratio: Real) -> Real:
+        powers = mp.taylor(lambda one: mp.asin(one * mp.sin(at)), 0, order)
+        return mp.fsum(power * ratio**exponent for exponent, power in enumerate(powers))
+
+    with mp.workdps(60):
+        at = mp.mpf("71.3") * mp.pi / 180
+        for slopes, key in enumerate(("rod_velocity", "rod_acceleration"), 1):
+            true = mp.diff(lambda one: angle(one, mp.mpf(3) / 7), at, slopes)
+            found = certified(key, "3:7", "71.3", digits=20, method="series", order=order)
+            assert abs(real(Fraction(found)) - true) < mp.mpf("0.51e-20"), key
+
+
 @pytest.mark.parametrize("order", [3, 9])
 def test_floats_of_long_columns_are_as_near_as_stated(order: int) -> None:
     # Angles and ratios that floats hold exactly.

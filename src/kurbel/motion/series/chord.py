@@ -14,8 +14,8 @@ from kurbel.exact.kind import Kind, balls, bounds, settled
 from kurbel.kernel import kinematics
 from kurbel.kernel.series import chord
 
-# Of a first guess, which exact digits put right.
-_BITS = 128
+# Of a first guess, which exact digits put right, and so many of them are sure.
+_BITS, _SURE_BITS = 128, 40
 
 
 def steps_to(crank: Crank, angle: Fraction, decimals: int, rounding: str) -> int | None:
@@ -32,14 +32,12 @@ def steps_to(crank: Crank, angle: Fraction, decimals: int, rounding: str) -> int
         return None
 
     def stands(steps: int) -> bool:
-        found = settled(lambda kind: chord.after(*_at(crank, angle, kind), steps), decimals, rounding)
+        found = settled(lambda kind: chord.closed(*_at(crank, angle, kind), steps), decimals, rounding)
         return found == wanted
 
     steps = _guess(crank, angle, lowest)
     while not stands(steps):
         steps += 1
-    while stands(steps - 1):
-        steps -= 1
     return steps
 
 
@@ -57,7 +55,7 @@ def _is_exactly(crank: Crank, angle: Fraction, value: Fraction) -> bool:
 
 
 def _guess(crank: Crank, angle: Fraction, lowest: Fraction) -> int:
-    """Return about how many steps reach a number below GF: (GF - g)/(2 L - GF - g) is q^(k+1)."""
+    """Return how many steps reach a number below GF, or one too few: (GF - g)/(2 L - GF - g) is q^(k+1)."""
     precision = _BITS
     while True:
         with flint.ctx.workprec(precision):
@@ -65,6 +63,6 @@ def _guess(crank: Crank, angle: Fraction, lowest: Fraction) -> int:
             circle, ratio = _at(crank, angle, kind)
             whole, share = kinematics.rod_versine(circle, ratio), chord.shrinking(circle, ratio)
             left = (whole - kind.of(lowest)) / (whole / share - kind.of(lowest))
-            if left > 0:
+            if left.rel_accuracy_bits() > _SURE_BITS:
                 return max(1, floor(float((left.log() / share.log()).mid())) - 1)
         precision *= 2
