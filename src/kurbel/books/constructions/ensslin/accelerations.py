@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
+from kurbel.books.constructions.ensslin.rocker import of_rocker
 from kurbel.books.constructions.ensslin.rod import (
     ACCELERATION,
     HOLDS,
@@ -92,6 +93,10 @@ P_3_LENGTH = Length(
     "p_3", ("A", "p_3 A"), "", "$sqrt(p_1^2 + p_2^2 - 2 p_1 p_2 cos φ)$", size("A", "p_3 A"),
     lambda at: parted(at).replaced_size(), ACCELERATION,
 )  # fmt: skip
+# Where B moves on an arc p₂ has any direction.
+COMMON_LENGTH = Length(
+    "p_2", ("B", "p_2 B"), "", "", size("B", "p_2 B"), lambda at: parted(at).common.size(), ACCELERATION
+)
 SHARE_LENGTH = Length(
     "p_3'", ("D", "p_3 D"), "", "$p_3 x/l$", _share,
     lambda at: at.number(at.beside.point) * parted(at).replaced_size(), ACCELERATION,
@@ -111,7 +116,7 @@ CRANK = (
 )
 POINT = ("point",)
 
-FIG_1 = Construction(
+_FIG_1 = Construction(
     name="ensslin-1",
     title=words(
         "Beschleunigung des Kurbelzapfens nach Ensslin, Fig. 1"
@@ -167,7 +172,7 @@ FIG_1 = Construction(
     notes=(SCALE,),
 )  # fmt: skip
 
-FIG_2 = Construction(
+_FIG_2 = Construction(
     name="ensslin-2",
     title=words(
         "Beschleunigung eines Stangenpunktes nach Ensslin, Fig. 2"
@@ -239,3 +244,8 @@ FIG_2 = Construction(
     notes=(SCALE,),
     takes=POINT,
 )  # fmt: skip
+
+FIG_1, FIG_2 = (
+    one._replace(holds=(*HOLDS, "arc"), variants={"arc": of_rocker(one, COMMON_LENGTH)})
+    for one in (_FIG_1, _FIG_2)
+)

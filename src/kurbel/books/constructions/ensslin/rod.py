@@ -12,6 +12,7 @@ from typing import Any
 
 from kurbel.books.constructions.beside import CENTRE as CENTRE_OF_MASS
 from kurbel.books.constructions.beside import GYRATION
+from kurbel.books.constructions.ensslin import rocker
 from kurbel.books.constructions.geometry import Point, distance, dot, meet, plus, to, turned
 from kurbel.books.constructions.model import AID, CENTRE, LINK, Arrow, Element, Line, Placed, Points, Scale
 from kurbel.drive.rod import Rod
@@ -51,6 +52,8 @@ def rod_of(at: Placed) -> Rod:
 def parted(at: Placed) -> Parted:
     """Return what the kernel knows of the rod."""
     masses = rod_of(at).masses("exact", at.kind.of)
+    if hasattr(at.drive, "rocker"):
+        return rocker.parted(at, masses)
     return parted_of(at.circle, at.ratio, masses, at.offset if at.drive.offset else None)
 
 
@@ -62,15 +65,24 @@ def on_rod(points: Points, share: Any) -> Point:
 def rod_points(at: Placed) -> dict[str, Point]:
     """Return the rod with the vectors p₁ to p₅ as he has them.
 
-    p₂ comes from the turned-round velocities: the rod's line cuts off A K on the perpendicular through O, the
-    velocity of A about B, and A K squared over l is p₅. The end of p₃ lies square to the rod from that of p₅,
-    and as far along the slide from O as p₂ is long.
+    p₂ comes from the turned-round velocities: the line through O square to the way of B cuts off A K on the
+    rod's, the velocity of A about B, and A K squared over l is p₅. The end of p₃ lies square to the rod from
+    that of p₅, and as far along that way from O as p₂ is long; of a rocker the part of p₂ towards its pivot
+    is taken off before.
     """
-    pin, head, shaft, zero = at.pin, at.crosshead, at.shaft, 0 * at.number(1)
+    pin, shaft, zero = at.pin, at.shaft, 0 * at.number(1)
+    guided = hasattr(at.drive, "rocker")
+    pivot = rocker.pivot_of(at) if guided else shaft
+    head = rocker.end_of(at, pivot) if guided else at.crosshead
+    across = to(pivot, head) if guided else Point(zero, at.number(1))
     rod = to(pin, head)
-    cut = to(pin, meet(pin, rod, shaft, Point(zero, at.number(1))))
+    middle = meet(pin, rod, shaft, across)
+    cut = to(pin, middle)
     stretching = Point(*(part * dot(cut, cut) / dot(rod, rod) for part in rod))
-    end = meet(plus(pin, stretching), turned(rod), shaft, Point(at.number(1), zero))
+    start = shaft
+    if guided:
+        start = plus(shaft, rocker.towards_pivot(head, pivot, distance(shaft, middle)), -1)
+    end = meet(plus(pin, stretching), turned(rod), start, turned(across))
     replaced = to(pin, end)
     vectors = {
         "p_1": to(pin, shaft),
@@ -81,7 +93,8 @@ def rod_points(at: Placed) -> dict[str, Point]:
     }
     size, none = at.number(SIZE), Point(zero, zero)
     ends = {name: plus(none, vector, size) for name, vector in vectors.items()}
-    return {"O": shaft, "A": pin, "B": head, "way": Point(zero, at.offset), **ends}
+    guide = {"P": pivot} if guided else {"way": Point(zero, at.offset)}
+    return {"O": shaft, "A": pin, "B": head, **guide, **ends}
 
 
 def laid_off(points: dict[str, Point], vector: str, *at: str, share: Any = 1) -> dict[str, Point]:
