@@ -11,6 +11,7 @@ import kurbel
 from kurbel.exact.numerals import Number
 
 DIGITS = 12
+ROCKER = 3
 # Of mpmath's differences, at 30 digits.
 CLOSE = 1e-11
 
@@ -23,8 +24,13 @@ def drawn(name: str, **asked: Any) -> dict[str, Any]:
 
 
 def positions(rod: Any, offset: Any, turn: Any) -> tuple[Any, Any]:
-    """Return where A and B are, as complex numbers, from the shaft."""
+    """Return where A and B are, as complex numbers, from the shaft; without an offset B is on a rocker."""
     pin = mp.expj(turn)
+    if offset is None:
+        # As far from the shaft as the rod is long, B hanging below.
+        way = rod + 1j * ROCKER - pin
+        along = (rod**2 - ROCKER**2 + abs(way) ** 2) / (2 * abs(way))
+        return pin, pin + way / abs(way) * (along - 1j * mp.sqrt(rod**2 - along**2))
     return pin, pin.real + mp.sqrt(rod**2 - (pin.imag - offset) ** 2) + 1j * offset
 
 
@@ -36,12 +42,18 @@ def accelerations(rod: Any, offset: Any, turn: Any) -> tuple[Any, Any, Any]:
 
 
 def cases() -> Iterator[tuple[dict[str, Any], Any, Any, Any]]:
-    """Yield straight and offset cranks: what is asked, rod, offset and angle in radians."""
+    """Yield cranks of three kinds: what is asked, rod, offset and angle in radians."""
     dice = random.Random(1907)
-    for offset in ("0", "0", "0.4", "-0.3"):
-        rod, angle = dice.randint(160, 600) / 100, dice.randint(1, 3599) / 10
-        drive = {"ratio": f"1:{rod}", "angle": str(angle)} | ({} if offset == "0" else {"offset": offset})
-        yield drive, mpf(str(rod)), mpf(offset), mp.radians(mpf(str(angle)))
+    guides: list[tuple[dict[str, Any], Any]] = [
+        ({}, mpf(0)),
+        ({}, mpf(0)),
+        ({"offset": "-0.3"}, mpf("-0.3")),
+        ({"mechanism": "arc", "rocker": str(ROCKER)}, None),
+    ]
+    for guide, offset in guides:
+        rod, angle = dice.randint(260, 600) / 100, dice.randint(1, 3599) / 10
+        drive = {"ratio": f"1:{rod}", "angle": str(angle)} | guide
+        yield drive, mpf(str(rod)), offset, mp.radians(mpf(str(angle)))
 
 
 @pytest.fixture(autouse=True)
@@ -57,7 +69,9 @@ def test_accelerations_of_ensslins_figures_are_second_derivatives() -> None:
         rest = (pin - head) / way
         first, second = drawn("ensslin-1", **drive), drawn("ensslin-2", **drive, point="0.3")
         fourth = drawn("ensslin-4", **drive, point="0.3")
-        expected = {"$p_1$": abs(pin), "$p_2$": -head.real, "$p_3$": abs(rest)}
+        # On a slide p₂ has a sign.
+        amount = abs(head) if offset is None else -head.real
+        expected = {"$p_1$": abs(pin), "$p_2$": amount, "$p_3$": abs(rest)}
         # Square to the rod, and along it towards B.
         parts = {"$p_4$": rest.imag, "$p_5$": -rest.real}
         assert first == pytest.approx(expected | {"$p$": abs(pin + head) / 2}, abs=CLOSE)
@@ -81,7 +95,8 @@ def test_forces_of_ensslins_figures_are_those_of_two_point_masses() -> None:
             in_pin = sum(force * at for force, at in forces)
             return in_pin, sum(force for force, _ in forces) - in_pin
 
-        common, turning = held(lambda _, head=head: -head.real), held(lambda at, rest=rest: rest.imag * at)
+        amount = abs(head) if offset is None else -head.real
+        common, turning = held(lambda _, amount=amount: amount), held(lambda at, rest=rest: rest.imag * at)
         fifth, sixth = drawn("ensslin-5", **drive, **given), drawn("ensslin-6", **drive, **given)
         seventh = drawn("ensslin-7", **drive, **given)
         assert [fifth["$overline(H K)$"], fifth["$overline(S H)$"]] == pytest.approx(common, abs=CLOSE)

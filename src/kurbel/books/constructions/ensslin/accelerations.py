@@ -5,7 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from kurbel.books.constructions.ensslin.rocker import of_rocker
+from kurbel.books.constructions.ensslin.rocker import GIVEN as GIVEN_ROCKER
+from kurbel.books.constructions.ensslin.rocker import with_rocker
 from kurbel.books.constructions.ensslin.rod import (
     ACCELERATION,
     HOLDS,
@@ -245,7 +246,4 @@ _FIG_2 = Construction(
     takes=POINT,
 )  # fmt: skip
 
-FIG_1, FIG_2 = (
-    one._replace(holds=(*HOLDS, "arc"), variants={"arc": of_rocker(one, COMMON_LENGTH)})
-    for one in (_FIG_1, _FIG_2)
-)
+FIG_1, FIG_2 = (with_rocker(one, COMMON_LENGTH, given=GIVEN_ROCKER) for one in (_FIG_1, _FIG_2))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from kurbel.books.constructions.ensslin.accelerations import (
+    COMMON_LENGTH,
     INNER,
     P_2_LENGTH,
     P_3_LENGTH,
@@ -10,6 +11,7 @@ from kurbel.books.constructions.ensslin.accelerations import (
     SHARE_LENGTH,
     any_point,
 )
+from kurbel.books.constructions.ensslin.rocker import ON_ARC, with_rocker
 from kurbel.books.constructions.ensslin.rod import (
     ACCELERATION,
     HOLDS,
@@ -28,6 +30,7 @@ from kurbel.books.constructions.ensslin.rod import (
 )
 from kurbel.books.constructions.model import (
     HIDDEN,
+    LINK,
     RESULT,
     Arrow,
     Construction,
@@ -42,7 +45,7 @@ GIVEN_ROD = words(
     "Die Schubstange $A B = l$; $B$ bewegt sich auf der Geraden|The rod $A B = l$; $B$ moves along the line"
 )
 
-FIG_3 = Construction(
+_FIG_3 = Construction(
     name="ensslin-3",
     title=words(
         "Schubstange unter der Beschleunigung von B allein, nach Ensslin, Fig. 3"
@@ -72,7 +75,7 @@ FIG_3 = Construction(
     notes=(SCALE,),
 )  # fmt: skip
 
-FIG_4 = Construction(
+_FIG_4 = Construction(
     name="ensslin-4",
     title=words(
         "Schubstange unter dem Rest der Beschleunigungen, nach Ensslin, Fig. 4"
@@ -146,3 +149,6 @@ FIG_4 = Construction(
     notes=(SCALE,),
     takes=POINT,
 )  # fmt: skip
+
+ON_ROCKER = Step(ON_ARC, (Line("A", "B", LINK), *SCALE_BAR), ("A", "B"))
+FIG_3, FIG_4 = (with_rocker(one, COMMON_LENGTH, given=ON_ROCKER) for one in (_FIG_3, _FIG_4))

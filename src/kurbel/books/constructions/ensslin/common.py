@@ -15,6 +15,7 @@ from kurbel.books.constructions.ensslin.forces import (
     slidewise,
     whole,
 )
+from kurbel.books.constructions.ensslin.rocker import with_rocker
 from kurbel.books.constructions.ensslin.rod import (
     FORCE,
     P_2,
@@ -23,6 +24,7 @@ from kurbel.books.constructions.ensslin.rod import (
     arrows,
     laid_off,
     rod_of,
+    size,
     source,
 )
 from kurbel.books.constructions.geometry import plus, to
@@ -55,7 +57,7 @@ def _common(at: Placed) -> Points:
     return points
 
 
-FIG_5 = Construction(
+_FIG_5 = Construction(
     name="ensslin-5",
     title=words(
         "Kräfte der Schubstange unter der Beschleunigung von B, nach Ensslin, Fig. 5"
@@ -123,4 +125,13 @@ FIG_5 = Construction(
     scales={**SCALES, FORCE: SIZE},
     notes=(SCALE_OF_FORCES,),
     **BY,
+)
+
+FIG_5 = with_rocker(
+    _FIG_5,
+    *(
+        one._replace(formula="$M p_2$" if one.letters == "SK" else one.formula, drawn=size(*one.ends))
+        for one in _FIG_5.lengths
+        if one.unit == FORCE
+    ),
 )

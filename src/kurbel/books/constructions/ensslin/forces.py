@@ -62,7 +62,11 @@ def pressed(part: str, of: str) -> Callable[[Placed], Any]:
 
     def pressed(at: Placed) -> Any:
         rod = parted(at)
-        amount = rod.common.along if part == COMMON else getattr(rod, part)
+        if part == COMMON:
+            # Of a rocker p₂ has any direction.
+            amount = rod.common.size() if hasattr(at.drive, "rocker") else rod.common.along
+        else:
+            amount = getattr(rod, part)
         return (rod.mass_in_pin(part) if of == "A" else rod.mass_in_crosshead(part)) * amount
 
     return pressed

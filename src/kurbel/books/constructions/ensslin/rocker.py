@@ -1,4 +1,4 @@
-"""Ensslin's Figs. 1 and 2 of the arc crank: B moves on an arc, and p₂ has a part towards the pivot.
+"""Ensslin's figures of the arc crank: B moves on an arc, and p₂ has a part towards the pivot.
 
 His theorem is of any straight rod, however it is guided.
 """
@@ -26,6 +26,14 @@ CHI = words(
 )
 
 
+# The line along which B moves, elsewhere than on an arc.
+SLIDE = Line("slide", "slide end", CENTRE)
+ON_ARC = words(
+    "Die Schubstange $A B = l$; $B$ bewegt sich auf dem Bogen der Schwinge"
+    "|The rod $A B = l$; $B$ moves on the arc of the rocker"
+)
+
+
 def pivot_of(at: Placed) -> Point:
     drive = at.drive
     return Point(at.number(1 / drive.crank.ratio + drive.shift), at.number(drive.pivot_height))
@@ -50,15 +58,34 @@ def parted(at: Placed, masses: Any) -> Parted:
     return parted_rocker(found.circle, found.place, found.arc, masses)
 
 
-def of_rocker(shown: Construction, common: Length) -> Construction:
-    """Return a figure as it is of the arc crank, with its length of p₂."""
-    lengths = (
-        common if one.letters == "p_2" else one._replace(formula=one.formula.replace("cos φ", "cos χ"))
-        for one in shown.lengths
-    )
+def of_rocker(shown: Construction, *own: Length, given: Step | None = None) -> Construction:
+    """Return a figure as it is of the arc crank, with the lengths that are others, and its first step.
+
+    Without one the first step is as it was, but for the line of the slide.
+    """
+    others = {one.letters: one for one in own}
+    first = shown.steps[0]
+    drawn = tuple(one for one in first.drawn if one != SLIDE)
     return shown._replace(
         holds=("arc",),
-        steps=(GIVEN, *shown.steps[1:]),
-        lengths=tuple(lengths),
-        notes=(*shown.notes, CHI),
+        steps=(given or first._replace(drawn=drawn), *shown.steps[1:]),
+        lengths=tuple(others.get(one.letters) or _general(one) for one in shown.lengths),
+        notes=(*shown.notes, CHI)
+        if any("χ" in _general(one).formula for one in shown.lengths)
+        else shown.notes,
     )
+
+
+def _general(length: Length) -> Length:
+    """Return a length whose formula does not hold for the straight line alone."""
+    formula = length.formula.replace("- 2 p_1 p_2 cos φ", "- 2 p_1 p_2 cos χ")
+    formula = formula.replace("+ 2 p_1 p_2 cos φ", "+ 2 p_1 p_2 cos χ").replace(
+        "(p_1 cos φ -", "(p_1 cos χ -"
+    )
+    return length._replace(formula="" if "φ" in formula else formula)
+
+
+def with_rocker(shown: Construction, *own: Length, given: Step | None = None) -> Construction:
+    """Return a figure that holds for the arc crank, too."""
+    holds = (*shown.holds, "arc")
+    return shown._replace(holds=holds, variants={"arc": of_rocker(shown, *own, given=given)})

@@ -14,7 +14,7 @@ from kurbel.books.constructions.beside import CENTRE as CENTRE_OF_MASS
 from kurbel.books.constructions.beside import GYRATION
 from kurbel.books.constructions.ensslin import rocker
 from kurbel.books.constructions.geometry import Point, distance, dot, meet, plus, to, turned
-from kurbel.books.constructions.model import AID, CENTRE, LINK, Arrow, Element, Line, Placed, Points, Scale
+from kurbel.books.constructions.model import AID, LINK, Arrow, Element, Line, Placed, Points, Scale
 from kurbel.drive.rod import Rod
 from kurbel.kernel.inertia.parts import Parted
 from kurbel.kernel.inertia.parts import parted as parted_of
@@ -26,10 +26,7 @@ ACCELERATION, FORCE = "$v^2/R$", "$M v^2/R$"
 SIZE = Fraction(3, 2)
 SCALES: Mapping[str, Fraction] = {ACCELERATION: SIZE}
 HOLDS = ("straight", "offset")
-REFUSAL = (
-    "in Ensslin's figures the crosshead end B of the rod moves along a straight line; take a straight or an"
-    " offset crank"
-)
+REFUSAL = "Ensslin's figures are drawn of the straight, the offset and the arc crank; take one of these"
 USUAL = Rod.from_crosshead(CENTRE_OF_MASS, GYRATION)
 QUARTERS = tuple(Fraction(part, 4) for part in range(5))
 # How far the slide is drawn before B, and the scale below it, in R.
@@ -128,7 +125,7 @@ def _over_rod(points: Points, start: str, end: str, way: Point) -> Any:
     return in_scale(dot(to(points[start], points[end]), way) / distance(points["A"], points["B"]))
 
 
-ROD: Sequence[Element] = (Line("A", "B", LINK), Line("slide", "slide end", CENTRE))
+ROD: Sequence[Element] = (Line("A", "B", LINK), rocker.SLIDE)
 SCALE_BAR: Sequence[Element] = (Scale("scale", "scale end", ACCELERATION),)
 
 

@@ -18,6 +18,7 @@ from kurbel.books.constructions.ensslin.forces import (
     nothing,
     pressed,
 )
+from kurbel.books.constructions.ensslin.rocker import with_rocker
 from kurbel.books.constructions.ensslin.rod import (
     SIZE,
     above,
@@ -68,7 +69,7 @@ def _stretched(at: Placed) -> Any:
     return parted(at).stretching * at.rod
 
 
-FIG_7 = Construction(
+_FIG_7 = Construction(
     name="ensslin-7",
     title=words(
         "Kräfte der Schubstange unter den Dehnungsbeschleunigungen, nach Ensslin, Fig. 7"
@@ -144,3 +145,5 @@ FIG_7 = Construction(
     ),
     **BY,
 )
+
+FIG_7 = with_rocker(_FIG_7)

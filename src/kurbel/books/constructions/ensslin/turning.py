@@ -21,6 +21,7 @@ from kurbel.books.constructions.ensslin.forces import (
     pressed,
     whole,
 )
+from kurbel.books.constructions.ensslin.rocker import with_rocker
 from kurbel.books.constructions.ensslin.rod import (
     FORCE,
     SCALES,
@@ -87,7 +88,7 @@ def _percussion(at: Placed) -> Any:
     return at.number(rod.gyration_square / (1 - rod.centre)) * at.rod
 
 
-FIG_6 = Construction(
+_FIG_6 = Construction(
     name="ensslin-6",
     title=words(
         "Kräfte der Schubstange unter den Drehbeschleunigungen, nach Ensslin, Fig. 6"
@@ -189,3 +190,5 @@ FIG_6 = Construction(
     ),
     **BY,
 )
+
+FIG_6 = with_rocker(_FIG_6)
