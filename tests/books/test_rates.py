@@ -20,7 +20,14 @@ from kurbel.exact.kind import floats
 RATES = {
     name for name, place in CONSTRUCTIONS.items() if place.startswith("kurbel.books.constructions.rates")
 }
-ACCELERATIONS = ["autenrieth", "klein", "rittershaus"]
+# The parts of the crosshead's acceleration about the crank pin, along the rod and square to it.
+PARTS = {
+    "acceleration": ("p′x", "xq′"),
+    "autenrieth": ("QF", "FE"),
+    "klein": ("CQ", "QN"),
+    "rittershaus": ("CQ", "QN"),
+}
+ACCELERATIONS = [*PARTS]
 EXACT = ["velocity", *ACCELERATIONS]
 DIGITS = 20
 
@@ -103,34 +110,51 @@ ARCS = (
 
 
 @pytest.mark.parametrize("arc", ARCS)
-def test_the_velocity_of_an_arc_crank_is_that_along_its_arc(arc: tuple[str, str, str, int, int]) -> None:
+def test_the_end_of_an_arc_crank_moves_along_its_arc(arc: tuple[str, str, str, int, int]) -> None:
     rod, rocker, at, circuit, side = arc
     for angle in ("0", "37.5", "90", "171.3", "290"):
-        page = kurbel.construction_table(
-            "velocity",
-            mechanism="arc",
-            ratio=f"1:{rod}",
-            rocker=rocker,
-            pivot=at,
-            circuit=str(circuit),
-            angle=angle,
-            columns="symbol,drawn,true",
-            digits=DIGITS,
-        )
-        found = {
-            row[0]: row[1:] for row in (line.split(",") for line in kurbel.typeset(page, "csv").splitlines())
-        }
+        found = {}
+        for name in ("velocity", "acceleration"):
+            page = kurbel.construction_table(
+                name,
+                mechanism="arc",
+                ratio=f"1:{rod}",
+                rocker=rocker,
+                pivot=at,
+                circuit=str(circuit),
+                angle=angle,
+                columns="length,symbol,drawn,true",
+                digits=DIGITS,
+            )
+            rows = (line.split(",") for line in kurbel.typeset(page, "csv").splitlines()[1:])
+            found[name] = {symbol or letters: values for letters, symbol, *values in rows}
         with mp.workdps(60):
-            pivot = mpc(*map(mpf, at.split(";")))
-            end = partial(rod_end, mpf(rod), mpf(rocker), pivot, side)
-            place = mp.radians(mpf(angle))
-            slope = mp.diff(end, place)
-            # On the outstroke the rod's end comes nearer to the shaft: dead centres are at L + R and L - R.
-            nearer = -mp.sign(mp.re(mp.conj(end(place)) * slope))
-            true = {"c/ω": nearer * abs(slope), "u/ω": abs(slope - mpc(0, 1) * mp.expj(place))}
-            for symbol, value in true.items():
-                assert [*found[symbol]] == [found[symbol][0]] * 2
-                assert abs(mpf(found[symbol][0]) - value) < mpf(10) ** -DIGITS * 0.51, (angle, symbol)
+            true = of_arc(mpf(rod), mpf(rocker), mpc(*map(mpf, at.split(";"))), side, mp.radians(mpf(angle)))
+            assert {*found["acceleration"]} == {*true}
+            for symbol, values in (*found["velocity"].items(), *found["acceleration"].items()):
+                assert values[0] == values[1]
+                assert abs(mpf(values[0]) - true[symbol]) < mpf(10) ** -DIGITS * 0.51, (angle, symbol)
+
+
+def of_arc(rod: mpf, rocker: mpf, pivot: mpc, side: int, angle: mpf) -> dict[str, mpf]:
+    """Return what moves the rod's end, by derivatives: its velocity and acceleration, and those about the
+    crank pin, in parts along the links and square to them."""
+    end, pin = partial(rod_end, rod, rocker, pivot, side), mp.expj(angle)
+    place, slope, bend = (mp.diff(end, angle, order) for order in range(3))
+    # On the outstroke the rod's end comes nearer to the shaft: dead centres are at L + R and L - R.
+    nearer = -mp.sign(mp.re(mp.conj(place) * slope))
+    about, link = bend + pin, place - pin
+    on_link = mp.conj(link / abs(link)) * about
+    on_path = mp.conj(slope / abs(slope)) * bend
+    return {
+        "c/ω": nearer * abs(slope),
+        "u/ω": abs(slope - mpc(0, 1) * pin),
+        "p′x": -mp.re(on_link),
+        "xq′": abs(mp.im(on_link)),
+        "p/ω²": nearer * mp.re(on_path),
+        "o′y": abs(mp.im(on_path)),
+        "o′q′": abs(bend),
+    }
 
 
 def points(name: str, rod: Fraction, offset: Fraction, angle: Fraction) -> Points:
@@ -181,14 +205,28 @@ def test_the_points_of_autenrieth_lie_on_their_lines() -> None:
         assert parallel(to(at["Q"], at["G"]), to(at["O"], at["Q"]))
 
 
+def test_the_altitude_and_the_sides_of_the_plan_lie_on_their_lines() -> None:
+    for drive in drives("acceleration", 12):
+        at = points("acceleration", *drive)
+        rod = to(at["P"], at["Q"])
+        assert distance(at["P"], at["D"]) == pytest.approx(distance(at["P"], at["C"]), abs=1e-12)
+        assert square(to(at["P"], at["D"]), rod)
+        assert square(to(at["D"], at["E"]), to(at["D"], at["Q"]))
+        assert parallel(to(at["P"], at["E"]), rod)
+        assert to(at["o'"], at["p'"]) == pytest.approx(to(at["P"], at["O"]))
+        assert to(at["p'"], at["x"]) == pytest.approx(to(at["P"], at["E"]), abs=1e-12)
+        assert square(to(at["x"], at["q'"]), rod)
+        assert at["o'"].y == pytest.approx(at["q'"].y)
+        # The polygon is clear of the drive.
+        assert max(at[one].y for one in ("o'", "p'", "x", "q'")) < min(-1.0, *(at[one].y for one in "OPQCDE"))
+
+
 @pytest.mark.parametrize("name", ACCELERATIONS)
 def test_the_parts_are_the_sides_of_the_acceleration(name: str) -> None:
     # p of the crosshead is that of the crank pin, of length R, and the two parts square to each other.
     for rod, offset, angle in drives(name, 4):
         found = lengths(name, rod, offset, angle)
-        along, across = (
-            float(found[letters][0]) for letters in (("QF", "FE") if name == "autenrieth" else ("CQ", "QN"))
-        )
+        along, across = (float(found[letters][0]) for letters in PARTS[name])
         p = float(found["p/ω²"][0])
         turn = mp.radians(mpf(angle.numerator) / angle.denominator)
         # The difference of both accelerations, along the slide and across it.

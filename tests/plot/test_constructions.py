@@ -89,7 +89,7 @@ def check_on_paper(name: str, mechanism: str, count: int) -> None:
 @pytest.mark.parametrize(("name", "mechanism"), ASKED)
 def test_an_exact_length_is_the_true_one_to_the_last_digit(name: str, mechanism: str) -> None:
     """By its points and by the kernel; of an approximate one the error is between them."""
-    approximate = [one.approximate is not None for one in construction(name).lengths]
+    approximate = [one.approximate is not None for one in construction(name).of(mechanism).lengths]
     for asked in drives(name, mechanism, 3):
         page = kurbel.construction_table(name, **asked, columns="drawn,true,error", digits=15)
         for doubtful, row in zip(approximate, page.records.rows, strict=True):

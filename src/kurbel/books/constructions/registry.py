@@ -14,6 +14,7 @@ CONSTRUCTIONS: Mapping[str, str] = {
     "roetscher-1047-circle": "kurbel.books.constructions.roetscher:BESIDE_THE_PIN",
     "forces": "kurbel.books.constructions.triangle:TRIANGLE",
     "velocity": "kurbel.books.constructions.rates.velocity:VELOCITY",
+    "acceleration": "kurbel.books.constructions.rates.acceleration:ACCELERATION",
     "klein": "kurbel.books.constructions.rates.klein:KLEIN",
     "rittershaus": "kurbel.books.constructions.rates.rittershaus:RITTERSHAUS",
     "autenrieth": "kurbel.books.constructions.rates.autenrieth:AUTENRIETH",

@@ -62,7 +62,7 @@ KLEIN = Construction(
     angle_symbol="$φ$",
     holds=("straight", "offset"),
     refusal="Klein's construction holds for the straight and the offset crank alone: the rod's end of others"
-    " is not accelerated along a line; velocity holds for the arc crank, too",
+    " is not accelerated along a line; acceleration holds for the arc crank, too",
     mirrored=True,
     steps=(
         Step(

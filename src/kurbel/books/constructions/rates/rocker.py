@@ -31,7 +31,8 @@ from kurbel.motion.evaluation import OUT
 from kurbel.page.quantity import words
 
 
-def _points(at: Placed) -> Points:
+def rocker_points(at: Placed) -> Points:
+    """Return the links, the turned plan and the velocities of both ends of the rod."""
     drive, shaft, pin = at.drive, at.shaft, at.pin
     along = 1 / drive.crank.ratio + drive.shift
     pivot = Point(at.number(along), at.number(drive.pivot_height))
@@ -52,10 +53,14 @@ def _points(at: Placed) -> Points:
     }
 
 
+def on_path(points: Points, vector: Point) -> Any:
+    """Return how long a vector is along the path of Q, positive the way of the outstroke, from Q to T."""
+    return dot(vector, to(points["Q"], points["T"])) / distance(points["Q"], points["T"])
+
+
 def _along_path(points: Points) -> Any:
-    """Return O C, positive where turned back it points the way of the outstroke, from Q to T."""
-    way = to(points["Q"], points["T"])
-    return dot(turned(to(points["O"], points["C"])), way) / distance(points["Q"], points["T"])
+    """Return O C, positive where turned back it points the way of the outstroke."""
+    return on_path(points, turned(to(points["O"], points["C"])))
 
 
 def _velocity(at: Placed) -> Any:
@@ -68,6 +73,29 @@ def _swing(at: Placed) -> Any:
     return abs(at.rod * linkage.rod_velocity(found.place, found.arc))
 
 
+DRIVE = words(
+    "Kurbelkreis um $O$, Kurbel $O P = R$, Schubstange $P Q = L$, Schwinge $A Q = B$; die Geschwindigkeit"
+    " $v = ω R$ des Kurbelzapfens ist so lang wie $R$"
+    "|Crank circle about $O$, crank $O P = R$, rod $P Q = L$, rocker $A Q = B$; the velocity $v = ω R$ of the"
+    " crank pin is as long as $R$"
+)
+PLAN = words(
+    "Parallele zur Schwinge durch $O$, senkrecht zur Bahn von $Q$: sie trifft die Schubstange oder ihre"
+    " Verlängerung in $C$; $O C = c/ω$, und $P C$ ist die Geschwindigkeit von $Q$ um $P$, beide um 90°"
+    " gedreht"
+    "|Parallel to the rocker through $O$, square to the path of $Q$: it meets the rod, or the rod produced,"
+    " at $C$; $O C = c/ω$, and $P C$ is the velocity of $Q$ about $P$, both turned by 90°"
+)
+ANGLES = words(
+    "$δ$ zwischen Kurbel und Schubstange, $μ$ zwischen Schubstange und Schwinge, $η$ zwischen Kurbel und"
+    " Schwinge; $c$ längs der Bahn von $Q$, im Hingang positiv"
+    "|$δ$ between crank and rod, $μ$ between rod and rocker, $η$ between crank and rocker; $c$ along the path"
+    " of $Q$, positive on the outstroke"
+)
+LENGTHS = (
+    Length("OC", ("O", "C"), "$c/ω$", "$R (sin δ)/(sin μ)$", _along_path, _velocity),
+    Length("PC", ("P", "C"), "$u/ω$", "$R (sin η)/(sin μ)$", plan.on_rod("P", "C", "P", "Q"), _swing),
+)
 OF_ROCKER = Construction(
     name="velocity",
     title=words(
@@ -75,17 +103,12 @@ OF_ROCKER = Construction(
         "|Velocity of the rod's end, from the turned-round plan of velocities"
     ),
     source=plan.SCHMOLKE,
-    points=_points,
+    points=rocker_points,
     angle_symbol="$φ$",
     holds=("arc",),
     steps=(
         Step(
-            words(
-                "Kurbelkreis um $O$, Kurbel $O P = R$, Schubstange $P Q = L$, Schwinge $A Q = B$; die"
-                " Geschwindigkeit $v = ω R$ des Kurbelzapfens ist so lang wie $R$"
-                "|Crank circle about $O$, crank $O P = R$, rod $P Q = L$, rocker $A Q = B$; the velocity"
-                " $v = ω R$ of the crank pin is as long as $R$"
-            ),
+            DRIVE,
             (
                 Circle("O", "P", CENTRE),
                 Line("across", "O", CENTRE, 6),
@@ -99,14 +122,7 @@ OF_ROCKER = Construction(
             ("O", "P", "Q", "A"),
         ),
         Step(
-            words(
-                "Parallele zur Schwinge durch $O$, senkrecht zur Bahn von $Q$: sie trifft die Schubstange"
-                " oder ihre Verlängerung in $C$; $O C = c/ω$, und $P C$ ist die Geschwindigkeit von $Q$ um"
-                " $P$, beide um 90° gedreht"
-                "|Parallel to the rocker through $O$, square to the path of $Q$: it meets the rod, or the rod"
-                " produced, at $C$; $O C = c/ω$, and $P C$ is the velocity of $Q$ about $P$, both turned by"
-                " 90°"
-            ),
+            PLAN,
             (
                 Line("P", "C", AID, 3),
                 Line("O", "C", AID, 3),
@@ -117,16 +133,6 @@ OF_ROCKER = Construction(
         ),
         plan.BACK,
     ),
-    lengths=(
-        Length("OC", ("O", "C"), "$c/ω$", "$R (sin δ)/(sin μ)$", _along_path, _velocity),
-        Length("PC", ("P", "C"), "$u/ω$", "$R (sin η)/(sin μ)$", plan.on_rod("P", "C", "P", "Q"), _swing),
-    ),
-    notes=(
-        words(
-            "$δ$ zwischen Kurbel und Schubstange, $μ$ zwischen Schubstange und Schwinge, $η$ zwischen Kurbel"
-            " und Schwinge; $c$ längs der Bahn von $Q$, im Hingang positiv"
-            "|$δ$ between crank and rod, $μ$ between rod and rocker, $η$ between crank and rocker; $c$ along"
-            " the path of $Q$, positive on the outstroke"
-        ),
-    ),
+    lengths=LENGTHS,
+    notes=(ANGLES,),
 )
