@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import Any
 
 import pytest
 from browser import TELEPHONE, Viewer, assert_readable, assert_readable_in_the_dark
@@ -65,8 +64,7 @@ def test_pgf_has_letters_as_text_and_nothing_of_the_machine(tmp_path: Path) -> N
 @pytest.mark.parametrize("engine", ["pdflatex", "lualatex"])
 def test_latex_sets_every_construction(engine: str, tmp_path: Path) -> None:
     for name in CONSTRUCTIONS:
-        drive: dict[str, Any] = {"beam": 3} if "beam" in construction(name).holds else {}
-        kurbel.plot_construction(name, **drive).save(tmp_path / f"{name}.pgf")
+        kurbel.plot_construction(name).save(tmp_path / f"{name}.pgf")
     kurbel.plot_turning(eps=4, ratio="1:5").save(tmp_path / "turning.pgf")
     names = [*CONSTRUCTIONS, "turning"]
     text = "\n\n".join(rf"\noindent\input{{{name}.pgf}}" for name in names)

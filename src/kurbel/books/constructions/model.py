@@ -233,8 +233,8 @@ class Construction(NamedTuple):
     A `mirrored` one is drawn with the crosshead on the left, as its book has it. Where no angle is given
     `angle` is drawn, or of a straight crank the `position`; `angle_symbol` is the crank angle's. `scales` are
     the units that are drawn longer or shorter than R, in R. Without `angle` and `position` it is of no crank
-    angle. `takes` are the options that it takes beside the drive, `curves` its curves, in floats.
-    `variants` are the construction where its steps are others, by mechanism.
+    angle. `takes` are the options that it takes beside the drive, `usual` what its book has of the drive,
+    `curves` its curves, in floats. `variants` are the construction where its steps are others, by mechanism.
     """
 
     name: str
@@ -254,6 +254,7 @@ class Construction(NamedTuple):
     position: Position | None = None
     scales: Mapping[str, Fraction] = MappingProxyType({})
     takes: tuple[str, ...] = ()
+    usual: Mapping[str, str] = MappingProxyType({})
     curves: Callable[[Placed], Mapping[str, Sequence[Point]]] | None = None
     variants: Mapping[str, Construction] = MappingProxyType({})
 

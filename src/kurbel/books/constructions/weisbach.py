@@ -240,6 +240,7 @@ BEAM = Construction(
     refusal=(
         "Weisbach's § 149 is of the beam engine; leave the mechanism out and give its arm, such as --beam 3"
     ),
+    usual={"beam": "3"},
     angle="",
     ratio_symbol="r:l",
     notes=(

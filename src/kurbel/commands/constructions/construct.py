@@ -65,11 +65,14 @@ def _of_others(values: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _held(given: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Return the values with the mechanism for which alone the construction holds, where none is named. No
-    layout of constructions says it."""
+    """Return the values with the mechanism for which alone the construction holds, where none is named, and
+    with what its book takes for it. No layout of constructions says it."""
     shown, given = construction(given["name"]), {**given, "layout": None}
     named = given["mechanism"] or given["offset"] is not None or "straight" in shown.holds
-    return given if named else {**given, "mechanism": shown.holds[0]}
+    if not named:
+        given = {**given, "mechanism": shown.holds[0]}
+    usual = shown.usual if given["mechanism"] in shown.holds else {}
+    return {**given, **{name: value for name, value in usual.items() if given[name] is None}}
 
 
 def _asked(name: str, given: Mapping[str, Any], **sheet: Any) -> ConstructionRequest:
