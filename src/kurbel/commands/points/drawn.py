@@ -6,14 +6,13 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from kurbel.commands.drawn.film import paged, shot_of, spoken
-from kurbel.commands.drawn.size import page_size
+from kurbel.commands.drawn.film import curves_of
 from kurbel.commands.drives.given import PATH
 from kurbel.commands.motion import described, some
 from kurbel.commands.parameters import Given, Names
 from kurbel.commands.plots import curve_angles, page_of
 from kurbel.commands.points.asked import EXAMPLE, usual_columns
-from kurbel.commands.shown import Drawing, mark_of
+from kurbel.commands.shown import Drawing
 from kurbel.errors import ProblemError
 from kurbel.motion.points.page import SUBJECT, PointsRequest
 from kurbel.motion.points.point import points_of
@@ -24,7 +23,6 @@ def points_drawn(point: Given, columns: Names, infinite: bool, given: Mapping[st
     """Draw columns of points of the rod over the crank angle."""
     from kurbel.plot.chart.model import Around
     from kurbel.plot.curves import motion_panels
-    from kurbel.plot.drawings import curves_drawing
 
     if given["over"] == PATH:
         raise ProblemError("points of the rod are drawn over the crank angle; leave --over out")
@@ -45,10 +43,6 @@ def points_drawn(point: Given, columns: Names, infinite: bool, given: Mapping[st
         columns=as_names(columns, EXAMPLE) or usual_columns(cranks[0]),
     )
     dotted = replace(question, method="infinite") if infinite else None
-    mark = mark_of(given["lang"], given["decimal"])
     panels = motion_panels(question, dotted)
     lone = question.told[0] if len(question.told) == 1 and dotted is None else ()
-    shot = shot_of(given, question)
-    drawn = curves_drawing(question, panels, mark, Around(", ".join(lone)), page_size(given), shot)
-    numbers = paged(drawn, given["lang"], mark, spoken(question)) if shot else None
-    return Drawing.of(drawn, given["lang"], mark, numbers)
+    return curves_of(question, panels, Around(", ".join(lone)), given)

@@ -19,8 +19,8 @@ from kurbel.page.labels import plain
 # What the file of a drawing that moves says of its run: first and last angle, that of the start, seconds.
 RUN = re.compile(RUNS + r'([^"]*)"')
 WORDS: Mapping[str, Mapping[str, str]] = {
-    "de": {"choose": "Kurbelwinkel wählen", "values": "Werte beim Kurbelwinkel"},
-    "en": {"choose": "Choose the crank angle", "values": "Values at the crank angle"},
+    "de": {"choose": "Kurbelwinkel wählen", "numbers": "Werte beim Kurbelwinkel"},
+    "en": {"choose": "Choose the crank angle", "numbers": "Values at the crank angle"},
 }
 KEY = "film"
 
