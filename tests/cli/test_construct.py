@@ -34,6 +34,13 @@ def test_the_table_is_that_of_a_drawing_format_where_it_is_asked_for(tmp_path: P
     assert "<svg" not in page
 
 
+def test_a_file_says_its_format_also_where_the_environment_has_another(tmp_path: Path) -> None:
+    environment = {"KURBEL_FORMAT": "csv"}
+    assert printed("construct", "blau-9", **environment).out.startswith("length,symbol,")
+    printed("construct", "blau-9", "-o", str(tmp_path / "fig.svg"), **environment)
+    assert (tmp_path / "fig.svg").read_bytes().startswith(b"<?xml")
+
+
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [

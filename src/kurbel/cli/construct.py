@@ -99,7 +99,7 @@ class ConstructCommand(TableCommand):
         if given.values["table"] or not name:
             _check_table(given)
             return super().run(given)
-        if output == "-" and sys.stdout.isatty():
+        if output == "-" and name != "html" and sys.stdout.isatty():
             raise click.UsageError(f"a terminal shows no drawings; name a file, such as -o kurbel.{name}")
         drawn = self._drawn(given).image(name, text=given.values["text"])
         with whole_file(output) as stream:
@@ -120,7 +120,7 @@ class ConstructCommand(TableCommand):
 def _format_option() -> click.Option:
     return Option(
         ["format", "-f", "--format"], type=Type(AnyFormat("format", FORMATS)),
-        envvar="KURBEL_CONSTRUCT_FORMAT",
+        envvar=["KURBEL_CONSTRUCT_FORMAT", "KURBEL_FORMAT"],
         help="Format of the drawing, svg, png, pdf, pgf or html, or of the table; default: by the suffix of"
         " -o, else text.",
     )  # fmt: skip
@@ -129,7 +129,8 @@ def _format_option() -> click.Option:
 def _drawing_format(given: Given) -> str:
     """Return the format of a drawing that is asked for, nothing for a table."""
     suffix = os.path.splitext(given.values["output"])[1].lower()[1:]
-    named = given.values["format"] or ("html" if suffix == "htm" else suffix)
+    by_name = given.typed("format") or given.values["output"] == "-"
+    named = given.values["format"] if by_name else "html" if suffix == "htm" else suffix
     drawn = (*found_at(DRAWN), "html")
     known = [f".{one}" for one in drawn] + [one for form in FORMATS.values() for one in form.suffixes]
     if not given.typed("format") and given.values["output"] != "-" and f".{suffix}" not in known:
