@@ -31,13 +31,13 @@ WORDS: Mapping[str, Words] = {
         "|$x$ from the dead centre where the stroke begins, $φ$ from the slide direction; {stroke}"
     ),
     "length": words("$S$ Hub|$S$ stroke"),
-    "between": words(", $d$ zwischen Welle und Kreuzkopf|, $d$ between shaft and crosshead"),
+    "between": words(", $y$ zwischen Welle und Kreuzkopf|, $y$ between shaft and crosshead"),
 }
 # The angle at a path by the triangle of crank, rod and slide; of the return stroke it is the outer angle.
 _TRIANGLE = {
-    "+": "$cos {angle} = (R^2 + d^2 - L^2)/(2 R d)$, $d = R + L - x$",
-    "-": "$cos {angle} = (L^2 - R^2 - d^2)/(2 R d)$, $d = L - R + x$",
-    "±": "$cos {angle} = ±(R^2 + d^2 - L^2)/(2 R d)$, $d = L ± (R - x)$",
+    "+": "$cos {angle} = (R^2 + y^2 - L^2)/(2 R y)$, $y = R + L - x$",
+    "-": "$cos {angle} = (L^2 - R^2 - y^2)/(2 R y)$, $y = L - R + x$",
+    "±": "$cos {angle} = ±(R^2 + y^2 - L^2)/(2 R y)$, $y = L ± (R - x)$",
 }
 
 
