@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
+
+from kurbel.exact.numerals import Label, exact_text
+from kurbel.page.quantity import Words, words
 
 if TYPE_CHECKING:
     from kurbel.drive.rod import Rod
@@ -24,3 +28,24 @@ class Beside(NamedTuple):
 
 
 ALONE = Beside()
+WORDS: Mapping[str, Words] = {
+    "point": words("$D$ liegt um $x = {x} l$ von $B$|$D$ lies $x = {x} l$ from $B$"),
+    "constant": words("Die Kolbenkraft ist überall $P = Q$|The piston force is $P = Q$ throughout"),
+    "steam": words(
+        "Dampf mit dem Expansionsverhältnis $ε = {eps}$ und dem Gegendruck $R_b = {back}$; $Q$ vor der"
+        " Absperrung"
+        "|Steam with the expansion ratio $ε = {eps}$ and the back pressure $R_b = {back}$; $Q$ before cut-off"
+    ),
+}
+
+
+def said_of(beside: Beside, takes: Collection[str], lang: str) -> Iterator[Label]:
+    """Yield what pages say of what stands beside the drive."""
+    if "point" in takes:
+        yield WORDS["point"][lang].format(x=exact_text(beside.point))
+    if "eps" in takes and beside.steam is None:
+        yield WORDS["constant"][lang]
+    elif beside.steam is not None:
+        back, ratio = beside.steam.back, exact_text(beside.steam.expansion)
+        said = "Q/ε" if back is None else f"{exact_text(back)} Q" if back else "0"
+        yield WORDS["steam"][lang].format(eps=ratio, back=said)

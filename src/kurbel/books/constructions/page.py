@@ -9,7 +9,7 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
 
-from kurbel.books.constructions.beside import ALONE, Beside
+from kurbel.books.constructions.beside import ALONE, Beside, said_of
 from kurbel.books.constructions.model import Construction, Length, Placed, lettered
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind, settled
@@ -164,6 +164,7 @@ def _notes(request: ConstructionRequest) -> Iterator[Label]:
     if not doubtful:
         yield WORDS["all"][lang]
     yield from _drive_notes(request)
+    yield from said_of(request.beside, shown.takes, lang)
     for note in shown.notes:
         yield shown.said(note[lang])
 
