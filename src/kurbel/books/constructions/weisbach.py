@@ -245,9 +245,8 @@ BEAM = Construction(
     ratio_symbol="r:l",
     notes=(
         words(
-            "Die Totlagen liegen $180° ± (ν - μ)$ auseinander; der Winkel $B_1 A B_3$ ist der auf der Seite"
-            " von $D$"
-            "|The dead centres lie $180° ± (ν - μ)$ apart; the greater $B_1 A B_3$ lies on the side of $D$"
+            "Der Winkel $B_1 A B_3$ auf der Seite von $D$ ist $180° + (ν - μ)$, der andere $180° - (ν - μ)$"
+            "|The angle $B_1 A B_3$ on the side of $D$ is $180° + (ν - μ)$, the other one $180° - (ν - μ)$"
         ),
         words(
             "$r$ Kurbelhalbmesser, $l$ Stangenlänge, $a$ Arm des Balanciers"
