@@ -49,6 +49,21 @@ def test_a_length_that_is_a_line_of_its_own_waits_for_its_step(name: str) -> Non
     assert drawing.image("html").decode().count("data-step=") == len(drawn)
 
 
+def test_a_drawing_up_to_a_step_has_what_the_whole_one_has_in_its_place() -> None:
+    whole, first, all_steps = (
+        kurbel.plot_construction("blau-9", ratio="1:4", angle=50, steps=last).image().decode()
+        for last in (None, 3, 5)
+    )
+    assert all_steps == whole
+    kept = set(re.findall(r'<g id="([^"]+)">', first))
+    assert {"step-3-1", "length-ad", "step-3-d"} < kept
+    assert not {one for one in kept if re.match(r"step-[45]|length-(?!ad$)", one)}
+    assert first.splitlines()[3] == whole.splitlines()[3]
+    for name in ("length-ad", "step-2-1", "step-1-A"):
+        place = re.compile(rf'<g id="{name}">(.*?)</g>', re.DOTALL)
+        assert place.findall(first) == place.findall(whole)
+
+
 def test_pgf_has_letters_as_text_and_nothing_of_the_machine(tmp_path: Path) -> None:
     first, second = (
         kurbel.plot_construction("blau-9", ratio="1:4", angle=50).image("pgf").decode() for _ in range(2)

@@ -43,7 +43,7 @@ OF_TABLES = (
     "columns", "layout", "layouts", "digits", "rounding", "label", "units", "caption", "note", "source",
     "interactive", "standalone", "longtable", "siunitx", "excel",
 )  # fmt: skip
-OF_DRAWINGS = ("width", "height", "text")
+OF_DRAWINGS = ("steps", "width", "height", "text")
 HEADS: Mapping[str, Sequence[str]] = {
     "de": ("Konstruktion", "was sie zeigt", "Getriebe"),
     "en": ("construction", "what it shows", "mechanisms"),
@@ -77,6 +77,7 @@ class ConstructCommand(TableCommand):
         self.params += [
             Option(["--table"], is_flag=True, help="The table of the lengths, also as PDF."),
             Option(["--text"], is_flag=True, help="SVG: letters stay text, to be searched and edited."),
+            own["steps"],
             own["width"],
             own["height"],
         ]

@@ -23,7 +23,7 @@ PAGE = "The page"
 
 SECTIONS: Mapping[str, str] = {
     ASKED: "forces turning polar pressures plot.positions point where unknown quantity orders order intervals"
-    " at of detail exact csv only strict sources over infinite table",
+    " at of detail exact csv only strict sources over infinite table steps",
     CRANK: "ratio stroke rod speed machine method table.order plot.order solve.order mechanism offset"
     " crank true_stroke time_ratio acceleration rocker pivot circuit beam axles driven",
     "The crank angles": "angle step from to zero shares",

@@ -11,7 +11,7 @@ from kurbel.commands import parameters as option
 from kurbel.commands.constructions import beside
 from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.motion import described, meant, of_other_mechanisms, sheet_of
-from kurbel.commands.options import Choice, Option
+from kurbel.commands.options import Choice, Count, Option
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws, makes_table
 from kurbel.errors import ChoiceError, ProblemError
@@ -36,6 +36,10 @@ Name = Annotated[
         positional=True,
     ),
 ]
+
+
+# No construction has more.
+MOST_STEPS = 20
 
 
 class Given(option.AnyDrive, total=False):
@@ -134,6 +138,14 @@ def construction_table(
 class Drawn(Given, Sized, total=False):
     """The same as a drawing."""
 
+    steps: Annotated[
+        int | None,
+        Option(
+            "The drawing up to its step N, on the same page as the whole: 3. Default: all steps.",
+            "N",
+            Count("steps", 1, MOST_STEPS, "is no step"),
+        ),
+    ]
     lang: option.Lang
     decimal: option.Decimal
 
@@ -156,6 +168,15 @@ def plot_construction(name: Name, **given: Unpack[Drawn]) -> Drawing:
 
     mark = mark_of(given["lang"], given["decimal"])
     asked = _asked(name, given, lang=given["lang"])
-    drawn = construction_drawing(asked, mark, page_size(given))
+    last, count = given["steps"], len(asked.construction.steps)
+    if last is not None and last > count:
+        raise ProblemError(f"construction {name} has {count} steps, and step {last} was asked for")
+    drawn = construction_drawing(asked, mark, page_size(given), last)
     decimal = given["decimal"]
-    return Drawing.of(drawn, given["lang"], mark, lambda svg: construction_page(asked, svg, decimal))
+
+    def page(svg: str) -> str:
+        if last is not None:
+            raise ProblemError("an HTML page goes through all steps; leave --steps out")
+        return construction_page(asked, svg, decimal)
+
+    return Drawing.of(drawn, given["lang"], mark, page)

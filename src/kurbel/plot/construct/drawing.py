@@ -18,6 +18,7 @@ from kurbel.exact.kind import floats
 from kurbel.page.labels import plain
 from kurbel.plot.construct.elements import DRAW, ROW, Board
 from kurbel.plot.construct.extent import extent
+from kurbel.plot.construct.steps import hide_later
 from kurbel.plot.drawings import Drawing
 from kurbel.plot.moving.positions import LONGEST_ROD
 from kurbel.plot.paper.fit import LEAST, fitted
@@ -33,9 +34,11 @@ LARGEST_RADIUS, MARGIN, DOT = 24.0, 7.0, 0.45
 TALLEST = 160.0
 
 
-def construction_drawing(request: ConstructionRequest, mark: str, size: Size = USUAL) -> Drawing:
-    """Return the drawing of a construction with all its steps. Raises ProblemError for a rod that is too long
-    or a page too small to be drawn."""
+def construction_drawing(
+    request: ConstructionRequest, mark: str, size: Size = USUAL, last: int | None = None
+) -> Drawing:
+    """Return the drawing of a construction with its steps, up to the last one. Raises ProblemError for a rod
+    that is too long or a page too small to be drawn."""
     from kurbel.books.constructions.page import caption
 
     shown = request.construction
@@ -55,7 +58,9 @@ def construction_drawing(request: ConstructionRequest, mark: str, size: Size = U
             for letter in step.points:
                 _dot(board, letter, f"step-{number}-{letter}")
         board.sketch.write()
-    said = (plain(shown.said(step.text[request.lang]), mark) for step in shown.steps)
+    if last is not None:
+        hide_later(board.sketch.axes, shown, last)
+    said = (plain(shown.said(step.text[request.lang]), mark) for step in shown.steps[:last])
     scales = {"$R$": Fraction(1), **shown.scales}
     about = ", ".join(
         f"{plain(unit, mark)} = {float(times) / board.sketch.mm:.6g} mm" for unit, times in scales.items()
