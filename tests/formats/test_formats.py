@@ -75,12 +75,14 @@ OTHERS = {
     "__init__": {"pdf"},
     "books.source": {".csv"},
     "cli.handbook_list": {"text"},
-    # What stands in a drawing.
+    # What stands in a drawing; a page to be clicked through is a drawing, too, and so is one that moves.
     "cli.plot": {"text"},
+    "cli.construct": {"text", "html"},
+    "commands.drawn.film": {"html"},
     "commands.diagram.given": {".csv"},
     # A kind of option.
     "commands.options": {"text"},
-    "commands.shown": {"html", "latex", "markdown"},
+    "commands.shown": {"html", ".html", ".htm", "latex", "markdown"},
     "documents.document": {"text"},
     "documents.markdown": {"html", "text"},
     "formats.documents": {"text"},
@@ -95,7 +97,10 @@ OTHERS = {
     "handbook.pages": {"text"},
     "handbook.problems": {"text"},
     "plot.lettering": {"text"},
-    "plot.style": {"pdf"},
+    "plot.construct.lesson": {"html"},
+    # The letters of PGF are LaTeX's.
+    "plot.paper.pgf": {"latex"},
+    "plot.style": {"pdf", "html"},
     # A form of the columns of sweeps, which know no tables.
     "sweeps.files.forms": {"csv", ".csv"},
     # The file in which a scheduler says where it is.

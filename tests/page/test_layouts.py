@@ -208,7 +208,8 @@ def test_defaults_are_the_ratios_and_angles_of_the_layout(name: str, lang: str) 
 @each_layout
 def test_every_layout_builds_with_its_defaults(name: str, lang: str) -> None:
     table = default_page(name, lang)
-    key = {"collation": "roetscher-112", "formulas": "blau-equations"}.get(name, name)
+    named = {"collation": "roetscher-112", "formulas": "blau-equations", "construction": "blau-9"}
+    key = named.get(name, name)
     assert (table.lang, table.key, table.layout) == (lang, key, name)
     for text in (table.caption, table.source, *(note.text for note in table.notes)):
         assert "{" not in text
