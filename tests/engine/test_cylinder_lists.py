@@ -372,9 +372,10 @@ def test_the_torque_is_that_of_all_whichever_cylinder_is_seen() -> None:
 def test_every_command_takes_the_cylinders_of_a_machine_or_refuses_them() -> None:
     options = {name: {param.name for param in command_of(name).params} for name in COMMANDS}
     one = [name for name, own in options.items() if {"machine", "eps"} <= own and "cylinder" not in own]
-    assert one == ["pressures", "power"]
+    assert one == ["pressures", "power", "construct"]
     machine = ("--machine", str(MACHINES / "compound.toml"))
-    assert "is about one" in refusal("pressures", *machine, code=1)
+    for words in (("pressures",), ("construct", "radinger")):
+        assert "is about one" in refusal(*words, *machine, code=1)
     for name in ("balance", "power"):
         assert "is about cylinders alike" in refusal(name, *machine, code=1)
     assert "are of one cylinder" in refusal("plot", "--pressures", *machine, "-o", "none.svg")

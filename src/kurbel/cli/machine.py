@@ -10,7 +10,7 @@ from kurbel.errors import MachineError
 from kurbel.reading.given import File
 
 # What those commands are about that a list of unlike cylinders says nothing to.
-_ALIKE = {"pressures": "one", "power": "cylinders alike", "balance": "cylinders alike"}
+_ALIKE = {"pressures": "one", "construct": "one", "power": "cylinders alike", "balance": "cylinders alike"}
 
 
 def machine_defaults(command: click.Command, file: File) -> dict[str, Any]:
