@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import re
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -11,7 +13,12 @@ from playwright.sync_api import Page
 from tex import compiled, complaints
 
 import kurbel
+from kurbel.books.constructions.model import Placed, lettered
 from kurbel.books.constructions.registry import CONSTRUCTIONS, construction
+from kurbel.drive.crank import Crank
+from kurbel.exact.kind import floats
+from kurbel.plot.construct.drawing import drawn_points
+from kurbel.plot.style import text_of
 
 PREAMBLE = r"""\documentclass{article}
 \usepackage[T1]{fontenc}
@@ -137,3 +144,18 @@ def test_everybody_can_read_the_page(name: str, viewer: Viewer, tmp_path: Path) 
     assert_readable_in_the_dark(viewer, path)
     viewer.open(path, TELEPHONE)
     assert viewer.lost() == []
+
+
+@pytest.mark.parametrize("name", ["roetscher-1047-circle", "forces"])
+def test_a_letter_is_nearest_to_its_own_point(name: str) -> None:
+    figure = kurbel.plot_construction(name, ratio="1:4", angle=50).figure
+    shown, at = construction(name), Placed(Crank(Fraction(1, 4)), Fraction(50), floats())
+    points = drawn_points(shown, at)
+    letters = {text_of(lettered(one), "."): one for step in shown.steps for one in step.points}
+    axes = figure.axes[0]
+    boxes = {letters[one.get_text()]: one for one in axes.texts if one.get_text() in letters}
+    assert set(boxes) == set(letters.values())
+    for letter, text in boxes.items():
+        box = axes.transData.inverted().transform_bbox(text.get_window_extent(figure.canvas.get_renderer()))
+        middle = ((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2)
+        assert min(boxes, key=lambda one: math.dist(middle, points[one])) == letter

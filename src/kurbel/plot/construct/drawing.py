@@ -130,7 +130,4 @@ def _dot(board: Board, letter: str, name: str) -> None:
     sketch, at = board.sketch, board.points[letter]
     sketch.disc(at, DOT, THIN, "#000000")
     sketch.axes.patches[-1].set_gid(name)
-    outward = (at[0] - board.middle[0], at[1] - board.middle[1])
-    if not any(outward):
-        outward = (0.0, -1.0)
-    sketch.beside_points([(at, outward, board.text(lettered(letter)))], DOT + 0.5)
+    sketch.beside_points([(at, board.outward(at), board.text(lettered(letter)))], DOT + 0.5)

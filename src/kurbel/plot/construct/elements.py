@@ -23,6 +23,8 @@ from kurbel.plot.style import MEDIUM, STRONG, THIN, arrowhead, text_of
 ROW, CORNER, SHORTEST = 6.0, 2.2, 0.15
 # In mm: below that an angle has no arc, how far arrows from outside reach, half a tick.
 LEAST_ANGLE, OUTSIDE, TICK = 1.2, 5.0, 0.8
+# Points nearer to each other than that, in R, are one for their letters.
+NEAREST = 0.01
 # The arrowhead of a vector: its length in mm and how slim it is.
 HEAD = (2.6, 0.17)
 HIDDEN = (0, (6, 3))
@@ -55,10 +57,16 @@ class Board(NamedTuple):
         """Return the letters of the length that has these ends, nothing where there is none."""
         return next((one.letters for one in self.lengths.values() if one.ends == (start, end)), "")
 
-    @property
-    def middle(self) -> Point:
-        xs, ys = zip(*self.points.values(), strict=True)
-        return sum(xs) / len(xs), sum(ys) / len(ys)
+    def outward(self, at: Point) -> Point:
+        """Return the direction away from the other points, the nearest above all, in which a letter is not
+        taken for one of theirs."""
+        across, up = 0.0, -1e-6
+        for other in self.points.values():
+            away = math.dist(at, other)
+            if away > NEAREST:
+                across += (at[0] - other[0]) / away**3
+                up += (at[1] - other[1]) / away**3
+        return across, up
 
 
 def _line(board: Board, one: model.Line) -> None:
