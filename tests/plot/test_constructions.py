@@ -6,15 +6,18 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
+import numpy as np
 import pytest
+from matplotlib.textpath import TextPath
 
 import kurbel
 from kurbel.books.constructions.registry import CONSTRUCTIONS, construction
 from kurbel.exact.numerals import Number
 from kurbel.page.labels import plain
+from kurbel.plot.style import style
 
-# In mm on paper; a point of SVG is 1/72 in.
-PAPER, POINT = 0.01, 25.4 / 72
+# In mm on paper; a point of SVG is 1/72 in. How far lines are from letters.
+PAPER, POINT, CLEAR = 0.01, 25.4 / 72, 0.3
 # Indices of letters, C₁, which ids write C_1.
 SMALL = {ord(small): f"_{digit}" for digit, small in enumerate("₀₁₂₃₄₅₆₇₈₉")}
 PATH = r'<g id="length-{}">\s*<path d="M ([-\d.]+) ([-\d.]+)\s*L ([-\d.]+) ([-\d.]+)'
@@ -95,3 +98,45 @@ def test_an_exact_length_is_the_true_one_to_the_last_digit(name: str, mechanism:
         for doubtful, row in zip(approximate, page.records.rows, strict=True):
             drawn, true, error = (one.scaled for one in row if isinstance(one, Number))
             assert abs(drawn - true - error) <= doubtful, (name, asked, row)
+
+
+# Where many lines cross about the crank, or about the crosshead.
+CROWDED = [
+    ("klein", 44),
+    ("klein", 55),
+    ("klein", 224),
+    ("rittershaus", 62),
+    ("autenrieth", 80),
+    ("autenrieth", 314),
+    ("ensslin-2", 53),
+    ("acceleration", 75),
+]
+
+
+@pytest.mark.parametrize(("name", "angle"), CROWDED)
+def test_no_letter_stands_on_a_line_or_on_another(name: str, angle: int) -> None:
+    figure = kurbel.plot_construction(name, ratio="1:4", angle=angle).figure
+    (axes,) = figure.axes
+    to_mm = 25.4 / figure.dpi
+
+    def on_page(points: Any) -> Any:
+        return axes.transData.transform(points) * to_mm
+
+    boxes = []
+    for text in axes.texts:
+        with style():
+            outline = TextPath((0, 0), text.get_text(), size=text.get_fontsize())
+        # Where a contour closes no point is drawn.
+        ink = outline.vertices[outline.codes != TextPath.CLOSEPOLY] * POINT
+        low, high = (edge + on_page([text.get_position()])[0] for edge in (ink.min(0), ink.max(0)))
+        boxes.append(((low + high) / 2, (high - low) / 2))
+    for place, (middle, half) in enumerate(boxes):
+        own = f"{axes.texts[place].get_gid()}-leader"
+        for line in (one for one in axes.lines if one.get_gid() != own):
+            corners = on_page(np.asarray(line.get_xydata()))
+            shares = np.linspace(0, 1, 200)[:, None, None]
+            points = (corners[:-1] + shares * np.diff(corners, axis=0)).reshape(-1, 2)
+            away = np.hypot(*np.maximum(np.abs(points - middle) - half, 0).T)
+            assert np.nanmin(away) > CLEAR, (axes.texts[place].get_text(), line.get_gid())
+        for other, other_half in boxes[:place]:
+            assert (np.abs(middle - other) > half + other_half).any(), axes.texts[place].get_text()

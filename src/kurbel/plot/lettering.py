@@ -77,8 +77,8 @@ class Letters(NamedTuple):
 class Text(NamedTuple):
     """Letters, the centres of their box to choose from in groups, the best first, and what they belong to.
 
-    A leader line leads from a point to a text that does not touch it, if there is one. `name` is its id in
-    SVG, if it has one.
+    A leader line leads from a point to a text that does not touch it, if there is one; to one of those `far`
+    only where it would cover something in all groups. `name` is its id in SVG, if it has one.
     """
 
     letters: Letters
@@ -86,6 +86,7 @@ class Text(NamedTuple):
     own: Own
     leader: Points | None = None
     name: str = ""
+    far: Points | None = None
 
 
 class Lettering:
@@ -103,12 +104,19 @@ class Lettering:
         return np.asarray(self.axes.transData.transform(points)) / DOTS_PER_MM
 
     def beside_line(
-        self, points: Points, text: str, share: float, side: int, turned: bool = False, ends: bool = False
+        self,
+        points: Points,
+        text: str,
+        share: float,
+        side: int,
+        turned: bool = False,
+        ends: bool = False,
+        led: bool = False,
     ) -> None:
         """Ask for a text beside a line, on its left (1) or right (-1), at best at a share of its length.
 
-        With `ends` it may stand around one of them where there is no other room, the first at best. A turned
-        text is read from the right.
+        With `ends` it may stand around one of them where there is no other room, the first at best, and one
+        that may be `led` at the end of a leader line from there. A turned text is read from the right.
         """
         letters = Letters.of(text, TEXT_SIZE, turned)
         line = densely(points, min(0.5, _length(points) / 12))
@@ -121,7 +129,12 @@ class Lettering:
             for broad in BROAD
         )
         beyond = [touching(end, letters.size, end - line[count // 2], NEARER) for end in (line[0], line[-1])]
-        self._ask(Text(letters, (near, *(beyond if ends else ()), *far), Own(line, CLEAR)))
+        asked = Text(letters, (near, *(beyond if ends else ()), *far), Own(line, CLEAR))
+        if led:
+            at, along = line[int(share * (count - 1))], line[-1] - line[0]
+            away = touching(at, letters.size, side * np.asarray((-along[1], along[0])), FARTHER)
+            asked = asked._replace(leader=at, far=away[_across(away - at, along)])
+        self._ask(asked)
 
     def beside_point(self, point: Points, outward: Points, text: str, clear: float) -> None:
         """Ask for a small text beside a point, at best in a direction, and so far from it."""
@@ -152,10 +165,16 @@ class Lettering:
         """Write all texts on a page of a size, one after the other, where they cover least."""
         frame = (MARGIN, MARGIN, width - MARGIN, height - MARGIN)
         ink, written = self._ink(), np.empty((0, 2, 2))
-        for one in self.texts:
-            size = one.letters.size
-            allowed = partial(_unhindered, point=one.leader, size=size, written=written)
+        # What a line is called stands near it: letters of points have room farther away, too.
+        for one in sorted(self.texts, key=lambda text: text.far is None):
+            size, led = one.letters.size, one.leader if one.far is None else None
+            allowed = partial(_unhindered, point=led, size=size, written=written)
             place = spot(one.groups, size, one.own, ink, frame, allowed)
+            if one.far is not None and (place is None or place.covers):
+                allowed = partial(_unhindered, point=one.leader, size=size, written=written)
+                away = spot((one.far,), size, one.own, ink, frame, allowed)
+                if away is not None and not away.covers:
+                    place, led = away, one.leader
             if place is None:
                 continue
             taken = size[0] + SPACE[0], size[1] + SPACE[1]
@@ -163,8 +182,8 @@ class Lettering:
             box = np.stack((place.centre, np.asarray(taken) / 2))
             written = np.concatenate((written, box[None]))
             self._set(one, place)
-            if one.leader is not None and not place.covers:
-                leader = np.stack((one.leader, one.leader + _leaders(one.leader, place.centre, size)))
+            if led is not None and not place.covers:
+                leader = np.stack((led, led + _leaders(led, place.centre, size)))
                 if _length(leader) > LEAST_LEADER:
                     ink = ink.more(densely(leader), WEIGHTS["line"])
                     drawn = self.axes.plot(*self.on_axes(leader).T, color=BLACK, linewidth=THIN, zorder=3)
@@ -207,6 +226,11 @@ def _edges(points: Points, width: float) -> list[Points]:
 
 def _length(points: Points) -> float:
     return float(np.hypot(*np.diff(points, axis=0).T).sum())
+
+
+def _across(ways: Points, along: Points) -> Chosen:
+    """Return which ways lead rather away from a line than along it."""
+    return np.asarray(np.abs(ways @ along) <= 0.8 * np.hypot(*ways.T) * np.hypot(*along))
 
 
 def _ahead(ways: Points, outward: Points) -> Chosen:

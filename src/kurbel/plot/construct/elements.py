@@ -82,7 +82,7 @@ def _line(board: Board, one: model.Line) -> None:
     if (letters := board.read_off(one.start, one.end)) and not one.beyond:
         drawn.set(zorder=STRONG_LEVEL, gid=f"length-{letters}")
     if one.symbol:
-        board.sketch.beside((start, end), board.text(one.symbol), 0.5, 1)
+        board.sketch.beside((start, end), board.text(one.symbol), 0.5, 1, led=True)
 
 
 def _arrow(board: Board, one: model.Arrow) -> None:
@@ -99,7 +99,7 @@ def _arrow(board: Board, one: model.Arrow) -> None:
     size = min(size, 0.7 * math.dist(start, end) / board.sketch.mm)
     arrowhead(board.sketch.axes, end, towards(start, end), board.sketch.mm, size, slim)
     if one.symbol:
-        board.sketch.beside((start, end), board.text(one.symbol), 0.5, 1)
+        board.sketch.beside((start, end), board.text(one.symbol), 0.5, 1, led=True)
 
 
 def _arc(board: Board, one: model.Arc) -> None:
@@ -194,7 +194,7 @@ def _scale(board: Board, one: model.Scale) -> None:
         board.sketch.line(
             moved(point, (0, 1), -TICK * board.sketch.mm), moved(point, (0, 1), TICK * board.sketch.mm)
         )
-    board.sketch.beside((start, end), board.text(one.symbol), 0.5, 1)
+    board.sketch.beside((start, end), board.text(one.symbol), 0.5, 1, led=True)
 
 
 def _measure(board: Board, one: model.Measure) -> None:
@@ -205,7 +205,7 @@ def _measure(board: Board, one: model.Measure) -> None:
     if not one.level:
         _length(sketch, start, end, one.letters, one.look)
         if one.written and math.dist(start, end) > SHORTEST * sketch.mm:
-            sketch.beside((start, end), said, 0.5, 1)
+            sketch.beside((start, end), said, 0.5, 1, led=True)
         return
     mm = sketch.mm
     edge = board.low if one.level < 0 else board.high
