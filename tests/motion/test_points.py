@@ -21,10 +21,13 @@ import kurbel
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import balls, floats
 from kurbel.kernel.circle import circle
+from kurbel.linkage import parallel
 from kurbel.linkage.arc import rod_ends
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.linkage.beam.crank import BeamCrank
+from kurbel.linkage.linkage import Linkage
+from kurbel.linkage.parallel import ParallelCrank
 from kurbel.motion.points import slide
 from kurbel.motion.points.digits import Ends, Moved
 from kurbel.motion.points.point import Point
@@ -35,8 +38,11 @@ EVERY = ",".join(QUANTITIES)
 PLACES = 12
 
 
-def moved(drive: Crank | RockerCrank, share: str, beside: str = "0") -> Moved:
-    ends: Ends = slide.rod if isinstance(drive, Crank) else rod_ends.rod
+ENDS: dict[type, Ends] = {Crank: slide.rod, ParallelCrank: parallel.rod_ends}
+
+
+def moved(drive: Crank | Linkage, share: str, beside: str = "0") -> Moved:
+    ends = ENDS.get(type(drive), rod_ends.rod)
     return Moved(ends, drive, "exact", Point(Fraction(share), Fraction(beside)))
 
 
@@ -256,12 +262,13 @@ DRIVES = [
     Crank(Fraction(1, 3), Fraction(-4, 5)),
     arc_crank("4.5", "7", offset="0.7"),
     BeamCrank(Crank(Fraction(1, 5)), Fraction(3)),
+    ParallelCrank(),
 ]
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("drive", DRIVES, ids=str)
-def test_second_differences_of_the_path_are_its_acceleration(drive: Crank | RockerCrank) -> None:
+def test_second_differences_of_the_path_are_its_acceleration(drive: Crank | Linkage) -> None:
     """At 10⁴ angles. With steps h the differences are off by h²/12 times a fourth slope of less than 60, and
     by rounding, 4·10⁻¹⁵/h²: together less than 10⁻⁵; first ones by h²/6 times a third slope."""
     step = 1e-3
