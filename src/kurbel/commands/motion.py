@@ -225,7 +225,10 @@ def table(
 
         page = layout_of(layout or "over-path", (OVER_PATH,), given["layouts"])
         return over_path(chosen, said, page, {**given, "method": method_of(given), "columns": columns})
-    page = layout_of(layout or chosen.layout, (chosen.subject, *APPROXIMATE), given["layouts"])
+    # A linkage has none of these pages: they are refused by themselves, and not offered in place of others.
+    asked = layout is not None and layout_named(layout, given["layouts"]).subject in APPROXIMATE
+    subjects = (chosen.subject, *APPROXIMATE) if chosen.crosshead or asked else (chosen.subject,)
+    page = layout_of(layout or chosen.layout, subjects, given["layouts"])
     if page.subject in APPROXIMATE:
         from kurbel.commands.drives.approximate import approximations
 
