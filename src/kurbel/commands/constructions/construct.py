@@ -84,7 +84,8 @@ def _asked(name: str, given: Mapping[str, Any], **sheet: Any) -> ConstructionReq
     shown = construction(name)
     given = _held({**given, "name": name})
     if meant(given).name not in shown.holds:
-        others = " and ".join(shown.holds)
+        *first, last = shown.holds
+        others = f"{', '.join(first)} and {last}" if first else last
         raise ProblemError(shown.refusal or f"construction {name} holds for the {others} crank alone")
     chosen, said = described(given)
     page = sheet.pop("layout", None) or layout_of("construction", ("construction",), None)
