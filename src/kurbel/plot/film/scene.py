@@ -215,6 +215,9 @@ class _Stage:
         direction = (-math.sin(math.radians(lean)), math.cos(math.radians(lean)))
         centre = np.zeros((len(self.angles), 2))
         tip = self.head(np.asarray(polar_point((0, 0), radius, self.angles[self.at])), direction)
+        # From the pin to an arc around the circle leads a line.
+        out = [polar_point((0, 0), one, self.angles[self.at]) for one in (1.0, radius + 1.6 * mm)]
+        beyond = [self.line(np.asarray(out), THIN, DIMENSIONS)] if radius > 1 else []
         beside = np.minimum(ends / 2, LAST_PHI if radius < 1 else LAST_OUTSIDE)
         outer = radius + BESIDE * mm
         places = np.asarray([polar_point((0, 0), outer, turn) for turn in beside])
@@ -222,7 +225,7 @@ class _Stage:
         letter = self.letter(PHI, places[here])
         rows = np.column_stack((places, np.zeros(len(places))))
         parts = [
-            self.part("turned", [tip], centre, self.angles, radius),
+            self.part("turned", [tip, *beyond], centre, self.angles, radius),
             Part("phi", (letter,), self.axes, Way(angles, rows)),
         ]
         shown = toggled(angles, ends > LEAST_TURN)
