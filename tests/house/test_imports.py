@@ -110,7 +110,14 @@ def test_only_its_start_knows_the_command_line() -> None:
 def test_only_drawings_know_matplotlib() -> None:
     names = (
         *("plotting", "style", "polar", "mechanism", "arc", "links", "sketch", "lettering"),
-        *("chart.legend", "chart.marks", "chart.stroke_lines", "paper.letters", "paper.pgf"),
+        *(
+            "chart.legend",
+            "chart.marks",
+            "chart.stroke_lines",
+            "paper.letters",
+            "paper.pgf",
+            "construct.steps",
+        ),
         *(f"film.{one}" for one in ("model", "scene", "mechanism", "curves", "vector", "svg", "frames")),
     )
     drawing = {f"kurbel.plot.{name}" for name in names}
