@@ -49,7 +49,7 @@ def test_the_keyboard_leads_the_links_to_their_places_and_the_numbers_with_them(
     angle = int(page.locator(".film-slider").input_value())
     assert angle > 7
     assert page.locator(".film-slider").get_attribute("aria-valuetext") == f"{angle}°"
-    assert page.get_by_label("Crank angle").count() == 1
+    assert page.get_by_role("slider", name="Crank angle").count() == 1
     shaft, pin = ends(page, "crank-1")
     start, end = ends(page, "rod-1")
     radius, turned = abs(pin - shaft), cmath.rect(1, math.radians(angle))

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 # In mm.
-TOLERANCE = 0.004
+TOLERANCE = 0.0035
 # The share of the run between the two keyframes of a jump, in percent.
 JUMP = 0.0001
 PREFIX = "film-"
