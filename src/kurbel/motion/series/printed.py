@@ -32,25 +32,25 @@ def velocity(order: int) -> str:
 
 
 def acceleration(order: int) -> str:
-    """λ cos 2φ + 1/2 λ³ sin² φ (3 cos² φ - sin² φ)"""
+    """λ cos 2φ + 1/2 λ³ sin² φ (4 cos² φ - 1)"""
 
     def one(term: int) -> str:
         if term == 1:
             return "λ cos 2 {angle}"
-        bracket = f"({2 * term - 1} cos^2 {{angle}} - sin^2 {{angle}})"
+        bracket = f"({2 * term} cos^2 {{angle}} - 1)"
         return f"{_share(slope(term))}{_power(term)} {_sine(2 * term - 2)} {bracket}"
 
     return _sum(order, one)
 
 
 def rod_acceleration(order: int) -> str:
-    """1 - 1/2 λ² (2 cos² φ - sin² φ): what -λ sin φ is multiplied with."""
+    """1 - 1/2 λ² (3 cos² φ - 1): what -λ sin φ is multiplied with."""
 
     def one(term: int) -> str:
         if term == 1:
             return "1"
         sine = f" {_sine(2 * term - 4)}" if term > 2 else ""
-        bracket = f"({2 * term - 2} cos^2 {{angle}} - sin^2 {{angle}})"
+        bracket = f"({2 * term - 1} cos^2 {{angle}} - 1)"
         return f"{_share(slope(term))}{_even(term)}{sine} {bracket}"
 
     return _sum(order, one, " - ")
