@@ -42,7 +42,7 @@ def mm(points: list[films.Point]) -> list[complex]:
 
 
 @pytest.mark.parametrize(
-    ("rod", "offset"), [(1.02, 0.0), (2.7, -0.3), pytest.param(8.0, 0.0, marks=pytest.mark.slow)]
+    ("rod", "offset"), [(1.0001, 0.0), (2.7, -0.3), pytest.param(8.0, 0.0, marks=pytest.mark.slow)]
 )
 def test_rod_and_crosshead_are_where_the_crank_leads_them_at_any_time(rod: float, offset: float) -> None:
     chance = random.Random(rod)

@@ -13,7 +13,7 @@ from kurbel.page.steps import Scene
 from kurbel.plot.chart.course import Course
 from kurbel.plot.chart.model import NOTHING_AROUND, Around, Panel
 from kurbel.plot.chart.plan import SPOT, Plan
-from kurbel.plot.film.mechanism import MARGIN, TURN, Staged, run_through
+from kurbel.plot.film.mechanism import MARGIN, TURN, Staged, refined, run_through
 from kurbel.plot.film.model import Film, Part, Seen, Way, straight_way, toggled
 from kurbel.plot.film.scene import Moving, corners, draw_scene
 from kurbel.plot.film.svg import named
@@ -57,6 +57,7 @@ def curves_film(
     first, last = whole_turns([angle for panel in panels for curve in panel.curves for angle in curve.angles])
     at = first + (BEGIN - first) % TURN
     run = run_through(first, last, at)
+    run = refined(shot.staged, run) if shot.staged else run
     scene = shot.staged(run.tolist()) if shot.staged else None
     with style():
         above = _height(scene, size.width) if scene else 0.0

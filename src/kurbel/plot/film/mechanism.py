@@ -26,6 +26,8 @@ Staged = Callable[[Sequence[float]], Scene | None]
 # In mm.
 MARGIN, LARGEST_RADIUS, MOST_HEIGHT = 3.0, 24.0, 150.0
 TURN = 360.0
+# In R: so far from a straight line between two known places links may be; a step is halved so often at most.
+STRAIGHT, MOST_HALVED = 2e-5, 8
 
 
 def mechanism_film(
@@ -34,7 +36,7 @@ def mechanism_film(
     """Return a mechanism that moves, drawn at the first angle, at the others light; nothing for one whose
     links are too long. Raises ProblemError for a page that is too small."""
     at = float(angles[0]) % TURN
-    run = run_through(0.0, TURN, at)
+    run = refined(staged, run_through(0.0, TURN, at))
     scene = staged(run.tolist())
     if scene is None:
         return None
@@ -53,6 +55,27 @@ def run_through(first: float, last: float, at: float) -> Points:
     count = max(STEPS, round((last - first) / TURN * STEPS))
     even = first + (last - first) * np.arange(count + 1) / count
     return np.union1d(even[np.abs(even - at) > 1e-9], at)
+
+
+def refined(staged: Staged, run: Points) -> Points:
+    """Return the angles of a run with further ones between those where links leave straight ways: the rod
+    of R:L near 1 swings within a degree."""
+    for _ in range(MOST_HALVED):
+        middles = (run[:-1] + run[1:]) / 2
+        known, between = staged(run.tolist()), staged(middles.tolist())
+        if known is None or between is None:
+            return run
+        bent = np.zeros(len(middles), bool)
+        for here, there in zip(known.links, between.links, strict=True):
+            for ends, halfway in ((here.start, there.start), (here.end, there.end)):
+                if len(ends) > 1:
+                    places = np.asarray(ends)
+                    away = np.asarray(halfway) - (places[:-1] + places[1:]) / 2
+                    bent |= np.hypot(*away.T) > STRAIGHT
+        if not bent.any():
+            return run
+        run = np.union1d(run, middles[bent])
+    return run
 
 
 def _usual(scene: Scene) -> float:
