@@ -32,7 +32,7 @@ WORDS = {
         " exact $overline(G F) = L (1 - cos ψ)$, $sin ψ = λ sin {angle}$, $λ = {ratio}$"
     ),
     "bound": words(
-        "Jeder Schritt läßt weniger als den $q$-ten Teil des Fehlers,"
+        "Jeder Schritt lässt weniger als den $q$-ten Teil des Fehlers,"
         " $q = overline(G F)/(2 L - overline(G F)) = tan^2 (1/2 ψ)$:"
         " $0 < overline(G F) - overline(G F)_k < q^k overline(G F)$"
         "|Each step leaves less than $q$ times the error,"
