@@ -54,6 +54,11 @@ def test_a_file_says_its_format_also_where_the_environment_has_another(tmp_path:
         ("blau-9 --ratio=1:30 -o a.svg", "the rod is too long to be drawn; drawn to scale it may be"),
         ("blau-9 --offset=0.2", "that the strokes differ by twice the same length fd holds for the"),
         ("forces --mechanism=arc --rocker=6", "the triangle of forces has one side square to a straight"),
+        ("ensslin-2 --point=0.5,0.1", "point 0.5,0.1 lies beside the axis of the rod, where Ensslin's"),
+        (
+            "velocity --mechanism=beam --beam=3",
+            "construction velocity holds for the straight, offset and arc crank",
+        ),
         ("blau-9 --steps=9 -o a.svg", "construction blau-9 has 5 steps, and step 9 was asked for"),
         ("blau-9 --steps=2 -o a.html", "an HTML page goes through all steps; leave --steps out"),
         ("forces --angle=5;6", 'angle "5;6" is not an angle in degrees; write it as 22.5 or'),

@@ -89,6 +89,12 @@ def check_on_paper(name: str, mechanism: str, count: int) -> None:
             ), (name, asked, written)
 
 
+@pytest.mark.parametrize("name", ["acceleration", "klein", "autenrieth"])
+def test_where_the_rod_does_not_turn_circles_are_points(name: str) -> None:
+    svg = kurbel.plot_construction(name, ratio="1:4", angle=90).image().decode()
+    assert f'id="step-{len(construction(name).steps)}-' in svg
+
+
 @pytest.mark.parametrize(("name", "mechanism"), ASKED)
 def test_an_exact_length_is_the_true_one_to_the_last_digit(name: str, mechanism: str) -> None:
     """By its points and by the kernel; of an approximate one the error is between them."""

@@ -148,7 +148,7 @@ class Parallel(LinkageMechanism):
     def solved(self, drives: Sequence[Any], method: str | None) -> NoReturn:
         raise ProblemError(
             "the rod of the parallel crank moves as the piston with a rod of infinite length;"
-            " use --method infinite"
+            " leave --mechanism out and use --method infinite"
         )
 
     def conditions(self) -> Mapping[str, Quantity]:

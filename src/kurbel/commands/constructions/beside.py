@@ -11,7 +11,8 @@ from kurbel.books.constructions.model import Construction
 from kurbel.commands.options import Option
 from kurbel.commands.parameters import EPS, Given
 from kurbel.errors import ProblemError
-from kurbel.reading.given import Exact, as_numbers, as_share_or_length
+from kurbel.exact.numerals import exact_text
+from kurbel.reading.given import Exact, as_share_or_length
 from kurbel.reading.notation import about
 
 if TYPE_CHECKING:
@@ -25,7 +26,8 @@ UNKNOWN = "that of the rod is not known; add --stroke, or give a share of the ro
 Point = Annotated[
     Exact | None,
     Option(
-        "Ensslin's Figs. 2 and 4: the point of the rod, in rod lengths from the crosshead pin: 0.5.",
+        "Ensslin's Figs. 2 and 4: the point of the rod, in rod lengths from the crosshead pin: 0.5, 50%, or a"
+        " length.",
         "SHARE",
     ),
 ]
@@ -69,13 +71,28 @@ def read(given: Mapping[str, Any], drive: Any) -> Beside:
     """Return what is given beside the drive."""
     point, rod = ALONE.point, _rod(given, drive)
     if given["point"] is not None:
-        point = _only(as_numbers(given["point"], "point of the rod"), "point of the rod")
+        point = _point(given["point"], drive)
         if not -FARTHEST <= point <= 1 + FARTHEST:
             raise ProblemError(
                 f"the point of the rod is {about(point)} L from the crosshead pin; it must lie within -1..2,"
                 " at most a rod's length beyond its pins"
             )
     return Beside(point, rod, _steam(given))
+
+
+def _point(given: Exact, drive: Any) -> Fraction:
+    from kurbel.motion.points.point import points_of
+
+    points = points_of(given, [drive.crank])
+    if len(points) != 1:
+        raise ProblemError(f"a construction is of one point of the rod; {len(points)} are given")
+    (point,) = points
+    if point.beside:
+        raise ProblemError(
+            f"point {point.text} lies beside the axis of the rod, where Ensslin's figures have no point;"
+            f" write {exact_text(point.share)}, or take kurbel table --point {point.text}"
+        )
+    return point.share
 
 
 def _rod(given: Mapping[str, Any], drive: Any) -> Rod | None:

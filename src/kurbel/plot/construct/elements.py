@@ -105,6 +105,8 @@ def _arrow(board: Board, one: model.Arrow) -> None:
 def _arc(board: Board, one: model.Arc) -> None:
     centre = board.points[one.centre]
     radius, start, end = arc_of(board.points, one)
+    if radius == 0:
+        return
     by = math.degrees(one.beyond * board.sketch.mm / radius) * math.copysign(1, end - start)
     board.sketch.line(*arc_points(centre, radius, start - by, end + by), **LOOKS[one.look])
 
