@@ -9,12 +9,8 @@ from __future__ import annotations
 from kurbel.books.constructions.geometry import Point, meet, plus, to, turned
 from kurbel.books.constructions.model import (
     AID,
-    CENTRE,
     GIVEN,
-    LINK,
-    Angle,
     Arrow,
-    Circle,
     Construction,
     Line,
     Measure,
@@ -66,28 +62,9 @@ ACCELERATION = Construction(
     holds=("straight", "offset", "arc"),
     variants={"arc": OF_ROCKER},
     steps=(
-        Step(
-            plan.said(plan.DRIVE, shaft="O", pin="P", head="Q"),
-            (
-                Circle("O", "P", CENTRE),
-                Line("across", "O", CENTRE, 6),
-                Line("Q", "above", CENTRE, 6),
-                Line("O", "P", LINK),
-                Line("P", "Q", LINK),
-                Angle("O", "across", "P", "$φ$", 1),
-            ),
-            ("O", "P", "Q"),
-        ),
-        Step(
-            plan.said(plan.PLAN, shaft="O", pin="P", head="Q", plan="C"),
-            (
-                Line("P", "C", AID, 3),
-                Line("O", "C", AID, 3),
-                RightAngle("O", "C", "across"),
-                Measure("PC", look=GIVEN, written=False),
-                Measure("OC", look=GIVEN, written=False),
-            ),
-            ("C",),
+        plan.drive_step("P", "Q"),
+        plan.plan_step(
+            "P", "Q", "C", Measure("PC", look=GIVEN, written=False), Measure("OC", look=GIVEN, written=False)
         ),
         polygon.ALTITUDE,
         polygon.NORMAL,

@@ -9,10 +9,7 @@ from __future__ import annotations
 from kurbel.books.constructions.geometry import meet, plus, to, turned
 from kurbel.books.constructions.model import (
     AID,
-    CENTRE,
     GIVEN,
-    LINK,
-    Angle,
     Circle,
     Construction,
     Line,
@@ -60,28 +57,8 @@ AUTENRIETH = Construction(
     angle_symbol="$φ$",
     refusal=plan.STRAIGHT.format(author="Autenrieth"),
     steps=(
-        Step(
-            plan.said(plan.DRIVE, shaft="O", pin="P", head="Q"),
-            (
-                Circle("O", "P", CENTRE),
-                Line("Q", "O", CENTRE, 6),
-                Line("O", "P", LINK),
-                Line("P", "Q", LINK),
-                Angle("O", "Q", "P", "$φ$", 1),
-            ),
-            ("O", "P", "Q"),
-        ),
-        Step(
-            plan.said(plan.PLAN, shaft="O", pin="P", head="Q", plan="C"),
-            (
-                Line("P", "C", AID, 3),
-                Line("O", "C", AID, 3),
-                RightAngle("O", "C", "Q"),
-                Measure("PC", look=GIVEN, written=False),
-                Measure("OC"),
-            ),
-            ("C",),
-        ),
+        plan.drive_step("P", "Q", offset=False),
+        plan.plan_step("P", "Q", "C", Measure("PC", look=GIVEN, written=False), Measure("OC"), offset=False),
         Step(
             words(
                 "Kreis um $Q$ mit dem Halbmesser $P C$, Tangente $P D$ an ihn"

@@ -11,10 +11,7 @@ from fractions import Fraction
 from kurbel.books.constructions.geometry import Point, meet, plus, to, turned
 from kurbel.books.constructions.model import (
     AID,
-    CENTRE,
     GIVEN,
-    LINK,
-    Angle,
     Circle,
     Construction,
     Line,
@@ -65,29 +62,8 @@ KLEIN = Construction(
     " is not accelerated along a line; acceleration holds for the arc crank, too",
     mirrored=True,
     steps=(
-        Step(
-            plan.said(plan.DRIVE, shaft="O", pin="C", head="P"),
-            (
-                Circle("O", "C", CENTRE),
-                Line("across", "O", CENTRE, 6),
-                Line("P", "above", CENTRE, 6),
-                Line("O", "C", LINK),
-                Line("C", "P", LINK),
-                Angle("O", "across", "C", "$φ$", 1),
-            ),
-            ("O", "C", "P"),
-        ),
-        Step(
-            plan.said(plan.PLAN, shaft="O", pin="C", head="P", plan="M"),
-            (
-                Line("C", "M", AID, 3),
-                Line("O", "M", AID, 3),
-                RightAngle("O", "M", "across"),
-                Measure("CM", look=GIVEN, written=False),
-                Measure("OM"),
-            ),
-            ("M",),
-        ),
+        plan.drive_step("C", "P"),
+        plan.plan_step("C", "P", "M", Measure("CM", look=GIVEN, written=False), Measure("OM")),
         Step(words("Kreis um $C$ durch $M$|Circle about $C$ through $M$"), (Circle("C", "M"),)),
         Step(
             words("Kreis über dem Durchmesser $C P$|Circle with the diameter $C P$"), (Circle("middle", "C"),)

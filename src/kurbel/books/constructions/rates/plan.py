@@ -5,7 +5,23 @@ from __future__ import annotations
 from typing import Any
 
 from kurbel.books.constructions.geometry import Point, cross, distance, dot, meet, to
-from kurbel.books.constructions.model import Arrow, Length, Placed, Points, Step, along
+from kurbel.books.constructions.model import (
+    AID,
+    CENTRE,
+    LINK,
+    Angle,
+    Arrow,
+    Circle,
+    Element,
+    Length,
+    Line,
+    Measure,
+    Placed,
+    Points,
+    RightAngle,
+    Step,
+    along,
+)
 from kurbel.kernel import kinematics
 from kurbel.page.quantity import Words, words
 
@@ -57,6 +73,34 @@ STRAIGHT = "{author}'s construction holds for the straight crank alone; klein ho
 def said(text: str, **letters: str) -> Words:
     """Return a sentence in both languages with the letters of a book."""
     return words(text.format(**letters))
+
+
+def drive_step(pin: str, head: str, *more: Element, offset: bool = True) -> Step:
+    """Return the step that draws the drive; where there may be an offset, the shaft has a line of its own."""
+    slide = "across" if offset else head
+    lines = (Line("across", "O", CENTRE, 6), Line(head, "above", CENTRE, 6)) if offset else ()
+    return Step(
+        said(DRIVE, shaft="O", pin=pin, head=head),
+        (
+            Circle("O", pin, CENTRE),
+            *(lines or (Line(head, "O", CENTRE, 6),)),
+            Line("O", pin, LINK),
+            Line(pin, head, LINK),
+            Angle("O", slide, pin, "$φ$", 1),
+            *more,
+        ),
+        ("O", pin, head),
+    )
+
+
+def plan_step(pin: str, head: str, plan: str, *measures: Measure, offset: bool = True) -> Step:
+    """Return the step that draws the turned plan."""
+    slide = "across" if offset else head
+    return Step(
+        said(PLAN, shaft="O", pin=pin, head=head, plan=plan),
+        (Line(pin, plan, AID, 3), Line("O", plan, AID, 3), RightAngle("O", plan, slide), *measures),
+        (plan,),
+    )
 
 
 def turned_plan(at: Placed) -> Point:

@@ -10,11 +10,7 @@ from fractions import Fraction
 from kurbel.books.constructions.geometry import meet, to, turned
 from kurbel.books.constructions.model import (
     AID,
-    CENTRE,
     GIVEN,
-    LINK,
-    Angle,
-    Circle,
     Construction,
     Line,
     Measure,
@@ -66,28 +62,8 @@ RITTERSHAUS = Construction(
     refusal=plan.STRAIGHT.format(author="Rittershaus"),
     mirrored=True,
     steps=(
-        Step(
-            plan.said(plan.DRIVE, shaft="O", pin="C", head="P"),
-            (
-                Circle("O", "C", CENTRE),
-                Line("P", "O", CENTRE, 6),
-                Line("O", "C", LINK),
-                Line("C", "P", LINK),
-                Angle("O", "P", "C", "$φ$", 1),
-            ),
-            ("O", "C", "P"),
-        ),
-        Step(
-            plan.said(plan.PLAN, shaft="O", pin="C", head="P", plan="M"),
-            (
-                Line("C", "M", AID, 3),
-                Line("O", "M", AID, 3),
-                RightAngle("O", "M", "P"),
-                Measure("CM", look=GIVEN, written=False),
-                Measure("OM"),
-            ),
-            ("M",),
-        ),
+        plan.drive_step("C", "P", offset=False),
+        plan.plan_step("C", "P", "M", Measure("CM", look=GIVEN, written=False), Measure("OM"), offset=False),
         Step(
             words(
                 "Parallele zur Schubrichtung durch $M$: sie trifft die Kurbel oder ihre Verlängerung in $K$"

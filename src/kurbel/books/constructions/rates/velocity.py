@@ -8,20 +8,13 @@ from __future__ import annotations
 
 from kurbel.books.constructions.geometry import Point, plus, turned
 from kurbel.books.constructions.model import (
-    AID,
-    CENTRE,
     GIVEN,
-    LINK,
-    Angle,
     Arrow,
-    Circle,
     Construction,
-    Line,
     Measure,
     Placed,
     Points,
     RightAngle,
-    Step,
 )
 from kurbel.books.constructions.rates import plan
 from kurbel.books.constructions.rates.rocker import OF_ROCKER
@@ -53,31 +46,8 @@ VELOCITY = Construction(
     angle_symbol="$φ$",
     holds=("straight", "offset", "arc"),
     steps=(
-        Step(
-            plan.said(plan.DRIVE, shaft="O", pin="P", head="Q"),
-            (
-                Circle("O", "P", CENTRE),
-                Line("across", "O", CENTRE, 6),
-                Line("Q", "above", CENTRE, 6),
-                Line("O", "P", LINK),
-                Line("P", "Q", LINK),
-                Angle("O", "across", "P", "$φ$", 1),
-                Arrow("P", "V", "$v$", GIVEN),
-                RightAngle("P", "O", "V"),
-            ),
-            ("O", "P", "Q"),
-        ),
-        Step(
-            plan.said(plan.PLAN, shaft="O", pin="P", head="Q", plan="C"),
-            (
-                Line("P", "C", AID, 3),
-                Line("O", "C", AID, 3),
-                RightAngle("O", "C", "across"),
-                Measure("PC", look=GIVEN),
-                Measure("OC"),
-            ),
-            ("C",),
-        ),
+        plan.drive_step("P", "Q", Arrow("P", "V", "$v$", GIVEN), RightAngle("P", "O", "V")),
+        plan.plan_step("P", "Q", "C", Measure("PC", look=GIVEN), Measure("OC")),
         plan.BACK,
     ),
     variants={"arc": OF_ROCKER},
