@@ -54,6 +54,10 @@ def test_a_file_says_its_format_also_where_the_environment_has_another(tmp_path:
         ("blau-9 --ratio=1:30 -o a.svg", "the rod is too long to be drawn; drawn to scale it may be"),
         ("blau-9 --offset=0.2", "that the strokes differ by twice the same length fd holds for the"),
         ("forces --mechanism=arc --rocker=6", "the triangle of forces has one side square to a straight"),
+        (
+            "forces --ratio=1:1.001 --angle=90 -o a.svg",
+            "drawn to scale R would be 3.1 mm long, too short to be seen, for the whole is ",
+        ),
         ("ensslin-2 --point=0.5,0.1", "point 0.5,0.1 lies beside the axis of the rod, where Ensslin's"),
         (
             "velocity --mechanism=beam --beam=3",

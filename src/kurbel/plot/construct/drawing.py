@@ -104,8 +104,9 @@ def _board(
     largest = min(LARGEST_RADIUS, room / (high[0] - low[0]), height / (high[1] - low[1]))
     if largest < LEAST:
         raise ProblemError(
-            f"drawn to scale R would be {largest:.2g} mm long, too short to be seen; take a shorter rod or"
-            " beam"
+            f"drawn to scale R would be {largest:.2g} mm long, too short to be seen, for the whole is"
+            f" {high[0] - low[0]:.3g} R wide and {high[1] - low[1]:.3g} R high; take another angle or other"
+            " lengths, or --table for the numbers"
         )
     usual = math.floor(2 * largest) / 2
     lower, upper, mm = fitted(corners, usual, size)
