@@ -91,6 +91,21 @@ def test_links_of_a_rocker_meet_and_keep_their_length(words: tuple[str, ...]) ->
         assert (abs(rods[1] - rods[0]), abs(rockers[1] - rockers[0])) == pytest.approx(lengths, abs=EXACT)
 
 
+@pytest.mark.parametrize(("point", "joined"), [("0.5,0.2", 2), ("1.3", 1), ("0.4", 0)])
+def test_a_point_that_is_not_on_the_rod_hangs_on_its_ends(point: str, joined: int) -> None:
+    film, chance = film_of("--ratio=1:3", f"--point={point}", "--positions=40"), random.Random(point)
+    arms = [f"point-1-arm-{number + 1}" for number in range(joined)]
+    assert sum("-arm-" in name for name in film.frames) == joined
+    share, beside = (float(one) for one in f"{point},0".split(",")[:2])
+    for angle in (chance.uniform(0, 360) for _ in range(30)):
+        pin, head = mm(film.at("rod", angle))
+        place = head + complex(share, -beside) * (pin - head)
+        for arm, end in zip(arms, (pin, head), strict=False):
+            start, tip = mm(film.at(arm, angle))
+            assert abs(start - end) < TOLERANCE
+            assert abs(tip - place) < 2 * TOLERANCE
+
+
 def test_dots_run_on_their_curves() -> None:
     film = film_of("--ratio=1:3")
     curves = {one.get("id"): one for one in film.root.iter() if one.get("id", "").startswith("curve-")}

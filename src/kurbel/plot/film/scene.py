@@ -45,6 +45,8 @@ BESIDE, ARROW, LEAST_PATH, LEAST_TURN = 2.6, 1.9, 6.0, 12.0
 # Where the letter of a link stands, as a share of it, and the angle beyond which that of φ stays.
 OF_CRANK, OF_LINK, LAST_PHI, LAST_OUTSIDE = 0.6, 0.42, 25.0, 90.0
 ARC, ROOM = 0.46, BEARING + HATCH + 1.2
+# Nearer to the rod a point is on it, in mm.
+NEAR = 0.05
 # What has a lesser sine is level.
 LEVEL = 1e-9
 GROUNDS = {"bearing": DOWN, "below": DOWN, "hung": UP, "beside": LEFTWARD}
@@ -166,6 +168,21 @@ class _Stage:
         for number, pin in enumerate(pins, 1):
             places = self.places(pin)
             yield self.part(f"point-{number}", (self.disc(tuple(places[self.at]), POINT, BLACK),), places)
+            yield from self._arms(f"point-{number}", scene.links, places)
+
+    def _arms(self, name: str, links: Sequence[Link], places: Points) -> Iterator[Part]:
+        """Draw what joins a point that is not on the rod to its ends, beyond one to that end alone."""
+        rod = next(link for link in links if link.kind == "rod")
+        start, end = self.places(rod.start), self.places(rod.end)
+        here, along = places[self.at] - start[self.at], end[self.at] - start[self.at]
+        share = float(here @ along / (along @ along))
+        beside = math.dist(here, share * along) > NEAR * self.mm
+        joined = [(start, beside or share < 0), (end, beside or share > 1)]
+        for number, joint in enumerate((joint for joint, is_joined in joined if is_joined), 1):
+            away = places - joint
+            turns = np.degrees(np.unwrap(np.arctan2(*away.T[::-1])))
+            line = self.line(np.stack((joint[self.at], places[self.at])), THIN, LINKS - 0.1)
+            yield self.part(f"{name}-arm-{number}", (line,), joint, turns, float(np.hypot(*away[self.at])))
 
     def _named(self, name: str, link: Link, start: Points, way: Points) -> Part:
         """Draw the letter of a link at its left, as it goes, that of a crank which points down at its right:
