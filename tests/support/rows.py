@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import subprocess
+from html import unescape
 from pathlib import Path
 
 from tools import require
@@ -16,6 +17,49 @@ from kurbel.page.table import Row, Table
 def text_of_pdf(folder: Path) -> str:
     subprocess.run([require("pdftotext"), "-layout", "page.pdf", "page.txt"], cwd=folder, check=True)
     return (folder / "page.txt").read_text(encoding="utf-8")
+
+
+def lines_of_pdf(folder: Path) -> list[list[str]]:
+    """Return the lines of each page, by the places of its words.
+
+    Signs above the line, such as those of degrees, part lines for `pdftotext -layout`; here they are lines of
+    their own.
+    """
+    subprocess.run([require("pdftotext"), "-bbox", "page.pdf"], cwd=folder, check=True)
+    pages = (folder / "page.html").read_text(encoding="utf-8").split("<page ")[1:]
+    return [_lines(_WORD.findall(page)) for page in pages]
+
+
+_WORD = re.compile(r'xMin="([\d.]+)" yMin="([\d.]+)" xMax="([\d.]+)" yMax="([\d.]+)">(.*)</word>')
+
+
+def _lines(words: list[tuple[str, ...]]) -> list[str]:
+    """Return words as lines; those of a line have their middles at nearly one height."""
+    found: list[list[tuple[float, str]]] = []
+    last = float("-inf")
+    for height, along, text in sorted(_placed(words)):
+        if height - last > SAME_LINE:
+            found.append([])
+        last = height
+        found[-1].append((along, text))
+    return [unescape(" ".join(text for _, text in sorted(line))) for line in found]
+
+
+def _placed(words: list[tuple[str, ...]]) -> list[tuple[float, float, str]]:
+    """Return words with the height of their middles and where they begin, as one reads them: a wide table is
+    turned to the left."""
+    boxes = [
+        (float(left), float(up), float(right), float(down), text) for left, up, right, down, text in words
+    ]
+    wide = sum(right - left for left, _, right, _, _ in boxes)
+    tall = sum(down - up for _, up, _, down, _ in boxes)
+    if wide > tall:
+        return [((up + down) / 2, left, text) for left, up, _, down, text in boxes]
+    return [((left + right) / 2, -down, text) for left, _, right, down, text in boxes]
+
+
+# In points; the lines of a table are at least 9 apart.
+SAME_LINE = 2.0
 
 
 def assert_rows_stand_in(lines: list[str], page: Table, angles: bool = True) -> None:
