@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -171,3 +172,16 @@ def test_what_says_nothing_of_a_page_is_refused(options: str, said: str) -> None
     assert (result.code, result.out) == (2, "") or result.code == 1
     assert said in result.err
     assert result.err.count("\n") == 1
+
+
+def test_steps_until_decimals_stand_can_be_swept(tmp_path: Path) -> None:
+    words = ("sweep", "table", "--layout=roetscher-gf", "--ratio=1:4;1:5", "--angle=0;90", "-o")
+    counted = []
+    for digits in ((), ("--digits=6",), ("--digits=2",)):
+        assert kurbel(*words, str(tmp_path / "gf.csv"), "--restart", *digits).code == 0
+        rows = (tmp_path / "gf.csv").read_text(encoding="utf-8").splitlines()[1:]
+        counted.append([float(row.split(",")[-2]) for row in rows])
+    # At 1:5 and 90° four steps give six places, as on the page; more decimals take more steps.
+    assert counted[1] == [0, 4, 0, 4]
+    assert all(more >= some >= few for more, some, few in zip(*counted, strict=True))
+    assert counted[0] != counted[1] != counted[2]

@@ -83,7 +83,7 @@ class ConstructCommand(TableCommand):
         ]
         self.help = HELP
 
-    def made(self, given: Given) -> tuple[Table | Drawing, int]:  # type: ignore[override]
+    def made(self, given: Given) -> tuple[Table | Drawing, int]:
         if given.values["name"] is None:
             raise ProblemError('"construct" prints a list; a document needs the name of a construction')
         if given.values["table"]:

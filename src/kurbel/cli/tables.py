@@ -109,7 +109,7 @@ class TableCommand(MakingCommand):
         """Return what the command ends with, once it has printed."""
         return 0
 
-    def made(self, given: Given) -> tuple[Table, int]:
+    def made(self, given: Given) -> tuple[Table | Drawing, int]:
         """Return the table and the exit code, for a document."""
         # What cannot be printed so is refused, too.
         Printing.chosen(given)

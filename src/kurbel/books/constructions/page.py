@@ -83,23 +83,15 @@ class ConstructionRequest(Question):
         return length.true(self.at(kind))
 
 
-def _by(request: ConstructionRequest, length: Length, which: str, kind: Kind) -> Any:
-    if which == "true":
-        return request.true(length, kind)
-    found = request.drawn(length, kind)
-    return found if which == "drawn" else found - request.true(length, kind)
-
-
 def _number(request: ConstructionRequest, column: Column, place: Place, times: int = 1) -> Value:
     length, key = request.construction.lengths[place["length"]], column.quantity.key
-    if key == "formula" and request.drive.crank.offset and length.offset_formula:
-        return request.construction.said(length.offset_formula)
-    if key in _TEXTS:
-        return request.construction.said(_TEXTS[key](length))
+    told = column.quantity.formulas["exact"].kernel
+    if column.quantity.decimals is None:
+        return request.construction.said(told(request, length))
     if key == "error" and length.approximate is None:
         return Number(0, 0)
     found = settled(
-        lambda kind: times * _by(request, length, key, kind) * (180 / kind.pi if length.is_arc else 1),
+        lambda kind: times * told(request, length, kind) * (180 / kind.pi if length.is_arc else 1),
         column.places,
         request.rounding,
         not (length.is_arc or key in length.free),
@@ -107,24 +99,33 @@ def _number(request: ConstructionRequest, column: Column, place: Place, times: i
     return Number(found, column.places)
 
 
-_TEXTS: Mapping[str, Callable[[Length], Label]] = {
-    "symbol": lambda length: length.symbol,
-    "formula": lambda length: length.formula,
-    "unit": lambda length: length.unit,
-}
+def _formula(request: ConstructionRequest, length: Length) -> Label:
+    """Return the book's formula of a length, or that of the offset crank."""
+    return (request.drive.crank.offset and length.offset_formula) or length.formula
+
+
+def _error(request: ConstructionRequest, length: Length, kind: Kind) -> Any:
+    return request.drawn(length, kind) - request.true(length, kind)
+
+
+def _told(
+    key: str, name: str, heading: str, kernel: Callable[..., Any], decimals: int | None = None
+) -> Quantity:
+    """Return what is said of a length: a label, or a number on a kind of number."""
+    return entry(key, name, "", "", decimals, {"exact": Formula(kernel)}, heading)
 
 
 @cache
 def registry() -> Mapping[str, Quantity]:
     """Return what is said of a length, by its key."""
-    nothing = {"exact": Formula(None)}  # type: ignore[arg-type]
+    asked = ConstructionRequest
     found = (
-        entry("symbol", "Bedeutung|Meaning", "", "", None, nothing, "bedeutet|stands for"),
-        entry("formula", "Formel|Formula", "", "", None, nothing, "Formel|Formula"),
-        entry("drawn", "Länge der Zeichnung|Length drawn", "", "", DECIMALS, nothing, "gezeichnet|drawn"),
-        entry("true", "wahrer Wert|True value", "", "", DECIMALS, nothing, "wahr|true"),
-        entry("error", "Abweichung|Error", "", "", DECIMALS, nothing, "Abweichung|error"),
-        entry("unit", "Einheit|Unit", "", "", None, nothing, "Einheit|unit"),
+        _told("symbol", "Bedeutung|Meaning", "bedeutet|stands for", lambda request, length: length.symbol),
+        _told("formula", "Formel|Formula", "Formel|Formula", _formula),
+        _told("drawn", "Länge der Zeichnung|Length drawn", "gezeichnet|drawn", asked.drawn, DECIMALS),
+        _told("true", "wahrer Wert|True value", "wahr|true", asked.true, DECIMALS),
+        _told("error", "Abweichung|Error", "Abweichung|error", _error, DECIMALS),
+        _told("unit", "Einheit|Unit", "Einheit|unit", lambda request, length: length.unit),
     )
     return {one.key: one for one in found}
 

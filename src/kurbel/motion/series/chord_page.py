@@ -9,6 +9,7 @@ from functools import cache
 from typing import Any
 
 from kurbel.drive.crank import Crank
+from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel import kinematics
 from kurbel.kernel.series import chord
@@ -81,7 +82,8 @@ def _exactly(at: At) -> Any:
 
 
 def _nothing(at: At) -> Any:
-    raise NotImplementedError("steps are counted for the digits of a page")
+    # Sweeps then take the digits of the page.
+    raise ProblemError(f"column {COUNT} counts steps to decimals, which floats have not")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
