@@ -295,12 +295,13 @@ def test_a_command_that_fails_in_the_second_place_leaves_the_first_alone(tmp_pat
         ("table --help", "kurbel table was asked for its help; "),
         ("table --angle 2°30'", "the marker has a quotation mark or a backslash without its second half; "),
         ("table --machine missing.toml", "cannot read the machine missing.toml: "),
-        ("plot", "a drawing can stand in HTML only; "),
+        ("plot", "a drawing can stand in HTML only; write it into a file with kurbel plot -o"),
+        ("construct klein", "a drawing can stand in HTML only; write it into a file with kurbel construct "),
         ("collate weisbach-150 --strict", '"collate weisbach-150 --strict" fails, '),
     ],
 )
 def test_a_command_that_fails_is_named_with_its_line(words: str, sentence: str, tmp_path: Path) -> None:
-    if words == "plot":
+    if words in ("plot", "construct klein"):
         require_library("matplotlib")
     path = written(tmp_path, f"text\n{place('.md', words)}")
     assert refused(path).startswith(f"notes.md:2: {sentence}")

@@ -105,7 +105,7 @@ def _document(name: str) -> Document:
     if kind.labelled:
         made = list(_labelled(found, made, name))
     contents = tuple(
-        content(_text(one, form, kind, f"kurbel-{number}", f"{name}:{place.line}"), place, kind)
+        content(_text(one, form, kind, number, place, name), place, kind)
         for number, (place, one) in enumerate(zip(found, made, strict=True), 1)
     )
     _check_encoding(old, contents, name)
@@ -166,8 +166,9 @@ def _labelled(found: Sequence[Place], made: Sequence[Asked], name: str) -> Itera
         yield one._replace(made=table)
 
 
-def _text(one: Asked, form: PageFormat, kind: Kind, identifier: str, where: str) -> str:
+def _text(one: Asked, form: PageFormat, kind: Kind, number: int, place: Place, name: str) -> str:
     """Return a table as a fragment of the document, a drawing for HTML as SVG."""
+    where = f"{name}:{place.line}"
     if isinstance(one.made, Table):
         from kurbel.formats.render import render
 
@@ -175,11 +176,12 @@ def _text(one: Asked, form: PageFormat, kind: Kind, identifier: str, where: str)
             say(f"{where}: {remark}")
         return render(one.made, form.name, decimal=one.decimal, longtable=one.longtable, siunitx=one.siunitx)
     if not form.draws:
+        command = next(word for word in place.words.split() if word != "kurbel")
         raise MarkerError(
-            f"{where}: a drawing can stand in HTML only; write it into a file with kurbel plot -o, and"
+            f"{where}: a drawing can stand in HTML only; write it into a file with kurbel {command} -o, and"
             f" include that in {kind.name}"
         )
-    return form.writer.drawing(one.made.image().decode(), identifier, one.made.plain_title)
+    return form.writer.drawing(one.made.image().decode(), f"kurbel-{number}", one.made.plain_title)
 
 
 def _check_encoding(old: bytes, contents: Sequence[bytes], name: str) -> None:
