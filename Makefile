@@ -60,8 +60,7 @@ peers: $(DEV) ## set one table with kurbel and its peers side by side, docs/gall
 	$(BIN)/python -m pip install --quiet --group peers
 	$(BIN)/python docs/gallery/peers
 
-docs: $(DOCS) ## build the site of the documentation in build/site, manual pages in build/man, and what is made ahead
-	$(BIN)/python scripts/made_ahead.py
+docs: $(DOCS) ## build the site of the documentation in build/site and manual pages in build/man
 	$(BIN)/python docs/generate/schemas.py
 	$(BIN)/python docs/generate/website.py build/site --playground
 

@@ -3,7 +3,7 @@
 python scripts/walk.py [COMMAND ...]      by default the three commands below
 
 A module is entered where one of its functions runs; what runs only as it is imported does not count. A
-template is no module, be it compiled ahead, and neither is what fills it, Jinja or `formats/filling`.
+template is no module.
 """
 
 from __future__ import annotations
@@ -62,8 +62,7 @@ def room_of(frame: FrameType) -> str | None:
     path = frame.f_code.co_filename
     if not (path.startswith(PACKAGE) and path.endswith(".py")):
         return None
-    name = path.removeprefix(PACKAGE).removesuffix(".py")
-    return None if name == "formats/filling" or name.endswith("/ahead") else name
+    return path.removeprefix(PACKAGE).removesuffix(".py")
 
 
 def walked(words: list[str]) -> Walk:

@@ -188,11 +188,6 @@ class PageFormat(Format):
         writer: PageWriter = self.module("writer").Writer()
         return writer
 
-    @property
-    def templates(self) -> str:
-        """The folder of the format's templates."""
-        return os.path.join(os.path.dirname(self.module().__file__), "templates")
-
     def is_tall(self, table: Table) -> bool:
         return self.breaks and self.writer.is_tall(table)
 

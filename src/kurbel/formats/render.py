@@ -104,11 +104,6 @@ def render_document(
 
 
 def _filled(form: PageFormat, template: str, values: Mapping[str, object], templates: str | None) -> str:
-    if templates is None and template == f"base/{form.name}.jinja":
-        from kurbel.formats.filling import filled as filled_ahead
-
-        if (text := filled_ahead(form, values)) is not None:
-            return text
     environment = environment_of(form, templates)
     if templates is None:
         return environment.get_template(template).render(values)
@@ -129,17 +124,16 @@ def _own_template(table: Table, name: str, templates: str | None) -> str:
 @cache
 def environment_of(form: PageFormat, templates: str | None) -> Environment:
     """Return what loads the templates of a format; a user's own run in a sandbox."""
-    from jinja2 import BaseLoader, ChoiceLoader, Environment, FileSystemLoader, PrefixLoader, StrictUndefined
+    from jinja2 import BaseLoader, Environment, FileSystemLoader, StrictUndefined
 
     from kurbel.formats.page import blank
 
     kind: type[Environment] = Environment
-    own = PrefixLoader({"base": FileSystemLoader(form.templates)})
-    loader: BaseLoader = ChoiceLoader([own, FileSystemLoader(template_folder())])
+    loader: BaseLoader = FileSystemLoader(template_folder())
     if templates is not None:
         from kurbel.formats.sandbox import Folders, Sandbox
 
-        kind, loader = Sandbox, Folders(templates, {"base": form.templates})
+        kind, loader = Sandbox, Folders(templates)
     # No autoescape: every string of a page is finished text of its format, formulas included.
     environment = kind(
         loader=loader,

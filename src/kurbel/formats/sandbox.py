@@ -74,10 +74,8 @@ def _is_within(path: str, folder: str) -> bool:
 class Folders(BaseLoader):
     """Loads templates from a user's folder, and from ours those that it does not have."""
 
-    def __init__(self, folder: str, ours: Mapping[str, str]) -> None:
-        """`ours` are folders of the format by the names under which templates look for them."""
+    def __init__(self, folder: str) -> None:
         self.folder = folder
-        self.ours = ours
 
     def get_source(self, environment: Environment, template: str) -> tuple[str, str, Callable[[], bool]]:
         path = self._path(template)
@@ -90,11 +88,9 @@ class Folders(BaseLoader):
 
     def _path(self, template: str) -> str:
         """Return the file of a template; one outside the folders is refused, however it is reached."""
-        first, *others = parts = split_template_path(template)
-        places = [(self.folder, parts), (template_folder(), parts)]
-        places += [(self.ours[first], others)] if first in self.ours else []
-        for folder, names in places:
-            path = os.path.realpath(os.path.join(folder, *names))
+        parts = split_template_path(template)
+        for folder in (self.folder, template_folder()):
+            path = os.path.realpath(os.path.join(folder, *parts))
             if not os.path.isfile(path):
                 continue
             if not _is_within(path, folder):

@@ -195,6 +195,13 @@ def template_folder() -> str:
     raise LayoutError(f"there are no templates beside {package}; the installation is not complete")
 
 
+@cache
+def template_text(name: str) -> str:
+    """Return a file that stands beside the templates of pages and is none, such as live.js."""
+    with open(os.path.join(template_folder(), "base", name), encoding="utf-8") as file:
+        return file.read()
+
+
 def layout_names(folder: Folder | None = None) -> tuple[str, ...]:
     """Return the names of kurbel's layouts, and of those in a folder of the user's.
 
@@ -260,23 +267,11 @@ def layout(name: str, folder: Folder | None = None) -> Layout:
 
 @cache
 def _own(name: str) -> Layout:
+    import tomllib
+
     file = layout_file(template_folder(), choose(name, layout_names(), "layout"))
     with open(file, "rb") as stream:
-        return Layout(key=name, **_values(_read_ahead(stream.read())))
-
-
-def _read_ahead(text: bytes) -> Mapping[str, Any]:
-    """Return what a layout of kurbel's own says, as it was read ahead; to read it costs a tenth of a page."""
-    from zlib import crc32
-
-    from kurbel.page.ahead import LAYOUTS
-
-    # One that was changed since has another checksum.
-    if (found := LAYOUTS.get(crc32(text))) is None:
-        import tomllib
-
-        return tomllib.loads(text.decode())
-    return found
+        return Layout(key=name, **_values(tomllib.load(stream)))
 
 
 def _values(given: Mapping[str, Any]) -> dict[str, Any]:

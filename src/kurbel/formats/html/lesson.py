@@ -9,9 +9,7 @@ import re
 from base64 import b64encode
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import cache
 from hashlib import sha256
-from importlib.resources import files
 
 from kurbel.exact.numerals import Label
 from kurbel.formats.html.svg import inline
@@ -19,6 +17,7 @@ from kurbel.formats.html.writer import panelled
 from kurbel.formats.registry import PageFormat, by_name
 from kurbel.formats.render import render, render_document
 from kurbel.page.labels import plain, set_label
+from kurbel.page.layouts import template_text
 from kurbel.page.table import Table
 
 WORDS: Mapping[str, Mapping[str, str]] = {
@@ -64,7 +63,7 @@ def lesson(
         return writer.finish(formula)
 
     title, words = plain(table.caption, mark), WORDS[table.lang]
-    script, style = (_file(f"lesson.{kind}") for kind in ("js", "css"))
+    script, style = ("\n" + template_text(f"lesson.{kind}") for kind in ("js", "css"))
     values = {
         "lang": table.lang,
         "words": words,
@@ -88,8 +87,3 @@ def _numbered(svg: str, parts: Mapping[str, int]) -> str:
         return f'{found[0][:-1]} data-step="{step}">' if step else found[0]
 
     return _GROUP.sub(numbered, svg)
-
-
-@cache
-def _file(name: str) -> str:
-    return "\n" + files("kurbel.formats.html").joinpath("templates", name).read_text(encoding="utf-8")

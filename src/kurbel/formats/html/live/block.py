@@ -8,7 +8,6 @@ from base64 import b64encode
 from collections.abc import Callable, Mapping
 from functools import cache
 from hashlib import sha256
-from importlib.resources import files
 from typing import Any, NamedTuple
 
 from kurbel.exact.numerals import Label, Number, number_text
@@ -16,6 +15,7 @@ from kurbel.formats.html.live.packing import SPACE, packed, separator_of, unpack
 from kurbel.formats.html.live.scenes import scenes_of
 from kurbel.formats.writer import PageWriter
 from kurbel.page.labels import plain, set_label
+from kurbel.page.layouts import template_text
 from kurbel.page.steps import Cursor, Slider, Steps
 from kurbel.page.table import Table, Value
 
@@ -53,11 +53,7 @@ class Live(NamedTuple):
 
 @cache
 def live(kinds: tuple[str, ...]) -> Live:
-    folder = files("kurbel.formats.html").joinpath("templates")
-    script, style = (
-        "".join(folder.joinpath(f"{one}.{kind}").read_text(encoding="utf-8") for one in kinds)
-        for kind in ("js", "css")
-    )
+    script, style = ("".join(template_text(f"{one}.{kind}") for one in kinds) for kind in ("js", "css"))
     script = f"\n{script}"
     return Live(script, f"sha256-{b64encode(sha256(script.encode()).digest()).decode()}", style)
 
