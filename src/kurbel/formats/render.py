@@ -71,12 +71,9 @@ def render(
     from kurbel.formats.writer import Wishes
 
     mark, writer = form.decimal_mark(table.lang, decimal), form.writer
-    if not _own_template(table, form.name, templates):
-        written = (writer.coloured if colours else writer.written)(table, mark, width)
-        if written is not None:
-            return written
     ready = page(table, writer, mark)
-    values = {"page": ready, **writer.values(table, ready, mark, Wishes(longtable, siunitx, standalone))}
+    wishes = Wishes(longtable, siunitx, standalone, width, colours)
+    values = {"page": ready, **writer.values(table, ready, mark, wishes)}
 
     def filled(name: str, more: dict[str, str]) -> str:
         template = _own_template(table, name, templates) or f"base/{name}.jinja"

@@ -59,11 +59,14 @@ class WorkbookWriter(ABC):
 
 class Wishes(NamedTuple):
     """How a page is to be written beside its decimal mark: whether it may break over pages, has numbers as
-    they are typed, for siunitx, and stands `alone` in its document."""
+    they are typed, for siunitx, and stands `alone` in its document; on a terminal no wider than `width`
+    characters, and in `colours`."""
 
     longtable: bool = False
     siunitx: bool = False
     alone: bool = False
+    width: int | None = None
+    colours: bool = False
 
 
 class PageWriter:
@@ -97,14 +100,6 @@ class PageWriter:
     def finish(self, label: str) -> str:
         """Return a label of which all parts are set."""
         return label
-
-    def written(self, table: Table, mark: str, width: int | None) -> str | None:
-        """Return the page if it needs no template, no wider than `width` characters where that is given."""
-        return None
-
-    def coloured(self, table: Table, mark: str, width: int | None) -> str | None:
-        """Return the same with colours, where the format has them."""
-        return self.written(table, mark, width)
 
     def filters(self) -> Mapping[str, Callable[..., Any]]:
         """Return the filters of its templates."""

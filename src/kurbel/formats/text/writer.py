@@ -5,15 +5,15 @@ Widths count characters; labels have no combining or double-width ones.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import accumulate, islice, zip_longest
 from textwrap import fill
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple
 
 from kurbel.formats.page import Page, PageCell, PagePanel, page
-from kurbel.formats.writer import PageWriter
-from kurbel.page.table import HeadCell, Table
+from kurbel.formats.writer import PageWriter, Wishes
+from kurbel.page.table import HeadCell, Table, Tone
 
 # A table is no wider than the first, or else the second of these if closer columns are a help.
 USUAL, WIDEST = 80, 100
@@ -30,27 +30,38 @@ CLOSER = ((0, NEXT), (1, NEXT), (1, 1), (2, 1))
 TIGHTEST = len(CLOSER) - 1
 # Characters for an em, which is the height of a line.
 PER_EM = 1.5
-HEAVY, LIGHT = "━", "─"
 
 
 class Writer(PageWriter):
     linked = False
 
-    def written(self, table: Table, mark: str, width: int | None) -> str:
-        return text_page(self._fitted(table, mark, width), width)
+    def filters(self) -> Mapping[str, Callable[..., Any]]:
+        return {"balanced": balanced, "middle": middle, "toned": toned, "trimmed": trimmed, "wrapped": wrapped}
 
-    def coloured(self, table: Table, mark: str, width: int | None) -> str:
-        from kurbel.formats.text.colour import painted
-
-        return text_page(self._fitted(table, mark, width), width, painted)
-
-    def _fitted(self, table: Table, mark: str, width: int | None) -> Page:
-        ready = page(table, self, mark)
+    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, Any]:
+        width = wishes.width
         if width is not None and grid_of(ready, width).total > width:
             from kurbel.formats.text.narrow import narrowed
 
             ready = narrowed(table, ready, lambda parted: page(parted, self, mark), width)
-        return ready
+        grids = grids_of(ready, width)
+        aligned = ready._replace(panels=tuple(map(_aligned, ready.panels, grids)))
+        return {"page": aligned, "text": _layout(grids, width), "colours": wishes.colours}
+
+
+class Span(NamedTuple):
+    """Where something stands in a line: the spaces before it, its width, and its texts in several lines."""
+
+    before: int
+    width: int
+    lines: tuple[str, ...] = ()
+
+
+def _spans(places: Iterable[tuple[int, int]]) -> Iterator[Span]:
+    end = 0
+    for left, width in places:
+        yield Span(left - end, width)
+        end = left + width
 
 
 class Grid(NamedTuple):
@@ -68,46 +79,36 @@ class Grid(NamedTuple):
     def total(self) -> int:
         return self.lefts[-1] + self.widths[-1] + 1
 
-    def lines(self, cell: HeadCell) -> tuple[str, ...]:
-        """Return the lines of a spanner."""
-        return (cell.text,) if self.is_flat else cell.lines
+    @property
+    def columns(self) -> tuple[Span, ...]:
+        """The columns, from left to right."""
+        return tuple(_spans(zip(self.lefts, self.widths, strict=True)))
 
-    def extent(self, cell: HeadCell) -> int:
-        return self.lefts[cell.last] + self.widths[cell.last] - self.lefts[cell.first]
+    def spans(self, spanners: Sequence[HeadCell]) -> tuple[Span, ...]:
+        """Return where the spanners of a level stand, a short one at the bottom of their lines."""
+        texts = [(cell.text,) if self.is_flat else cell.lines for cell in spanners]
+        deepest = max(map(len, texts), default=0)
+        ends = ((self.lefts[cell.first], self.lefts[cell.last] + self.widths[cell.last]) for cell in spanners)
+        places = _spans((left, right - left) for left, right in ends)
+        return tuple(
+            place._replace(lines=("",) * (deepest - len(own)) + own)
+            for place, own in zip(places, texts, strict=True)
+        )
 
 
-# Gives the line of a row its colours.
-Paint: TypeAlias = Callable[[str, Sequence[PageCell], Grid], str]
+class TextLayout(NamedTuple):
+    """How a page is set: the grid of each panel, and the characters that the caption and the notes may take."""
+
+    grids: Sequence[Grid]
+    over: int
+    below: int
 
 
-def text_page(page: Page, width: int | None = None, paint: Paint | None = None) -> str:
-    """Return the whole page: caption, panels, notes and source; prose no wider than `width`."""
-    grids = grids_of(page, width)
+def _layout(grids: Sequence[Grid], width: int | None) -> TextLayout:
     total = max(grid.total for grid in grids)
-    room = min(max(NARROWEST, total), width or WIDEST + total)
+    below = min(max(NARROWEST, total), width or WIDEST + total)
     over = min(total, round(OF_LINE * min(width or WIDEST, WIDEST)))
-    over = max(over, min(NARROWEST_CAPTION, room))
-    parts = [balanced(page.caption, over) + "\n"] if page.caption else []
-    panels = (panel_lines(panel, grid, paint) for panel, grid in zip(page.panels, grids, strict=True))
-    parts.append("\n\n".join("\n".join(lines) for lines in panels))
-    for note in page.notes:
-        hang = len(note.mark) + 1 if note.mark else 0
-        parts.append(wrapped(f"{note.mark} {note.text}" if note.mark else note.text, room, hang))
-    if page.source:
-        parts.append(wrapped(f"{page.words['source']}: {page.source}", room))
-    return "\n".join(parts) + "\n"
-
-
-def panel_lines(panel: PagePanel, grid: Grid, paint: Paint | None) -> list[str]:
-    """Return the lines of one panel, from the heavy rule above its head to the one below its body."""
-    lines = [HEAVY * grid.total]
-    for spanners in panel.spanners:
-        lines += _over_columns(spanners, grid)
-    lines += [_line(texts, panel, grid) for texts in panel.heading_lines]
-    lines.append(LIGHT * grid.total)
-    lines += _body(panel, grid, paint)
-    lines.append(HEAVY * grid.total)
-    return [_plain_spaces(line).rstrip() for line in lines]
+    return TextLayout(grids, max(over, min(NARROWEST_CAPTION, below)), below)
 
 
 def wrapped(text: str, room: int, indent: int = 0) -> str:
@@ -269,49 +270,37 @@ def _seen(cell: PageCell) -> str:
     return cell.text if cell.down else ""
 
 
-def _placed(pieces: Iterable[tuple[int, str]]) -> str:
-    """Return a line with each text at its place, counted from the left edge."""
-    line = ""
-    for left, text in pieces:
-        line = line.ljust(left) + text
-    return line
+def middle(text: str, width: int) -> str:
+    """Return a text in the middle of a width, an odd space on the left."""
+    # str.center gives it to either side by the parity of the width, and heading and figures would lean apart.
+    return (" " * ((width - len(text) + 1) // 2) + text).ljust(width)
 
 
-def _over_columns(spanners: Sequence[HeadCell], grid: Grid) -> Iterator[str]:
-    """Yield the lines of spanners, a short one at the bottom, and the rules below them."""
-    texts = [grid.lines(cell) for cell in spanners]
-    deepest = max(map(len, texts), default=0)
-    for line in zip(*(("",) * (deepest - len(own)) + own for own in texts), strict=True):
-        named = zip(spanners, line, strict=True)
-        yield _placed((grid.lefts[cell.first], text.center(grid.extent(cell))) for cell, text in named)
-    yield _placed((grid.lefts[cell.first], LIGHT * grid.extent(cell)) for cell in spanners if cell.text)
+def trimmed(lines: str) -> str:
+    """Return lines without spaces at their ends, and with no other spaces than those of every terminal."""
+    return "\n".join(line.rstrip() for line in _plain_spaces(lines).split("\n"))
 
 
-def _line(texts: Sequence[str], panel: PagePanel, grid: Grid) -> str:
-    """Return a line of the head or the body: figures and their headings centred, words at the left."""
-    return _placed(
-        (left, _centred(text, width) if column.align == "right" else text)
-        # A panel may have fewer columns than the grid.
-        for text, column, left, width in zip(texts, panel.columns, grid.lefts, grid.widths, strict=False)
+# Green, yellow, cyan and bold red: the colours that a terminal's theme makes legible on its ground.
+CODES: Mapping[Tone, str] = {"right": "32", "near": "33", "other": "36", "wrong": "1;31"}
+
+
+def toned(text: str, tone: Tone) -> str:
+    """Return a text in the colour that a terminal has for what a cell is to be taken as."""
+    shown = text.strip()
+    return text.replace(shown, f"\x1b[{CODES[tone]}m{shown}\x1b[0m") if tone and shown else text
+
+
+def _aligned(panel: PagePanel, grid: Grid) -> PagePanel:
+    """Return the panel with cells that are as wide as the figures of their column, with all that they show."""
+    blocks = [
+        [text.rjust(room) for text in _block(panel, place)]
+        for place, room in zip(range(len(panel.columns)), grid.figures, strict=False)
+    ]
+    lines = zip(panel.rows, zip(*blocks, strict=True), strict=True)
+    rows = (
+        tuple(cell._replace(text=text, marks="", tail="") for cell, text in zip(cells, texts, strict=True))
+        for cells, texts in lines
     )
-
-
-def _centred(text: str, width: int) -> str:
-    # str.center gives the odd space to either side by the parity of the width;
-    # here it is always on the left, so that heading and figures lean the same way.
-    return " " * ((width - len(text) + 1) // 2) + text
-
-
-def _body(panel: PagePanel, grid: Grid, paint: Paint | None) -> Iterator[str]:
-    lines = zip(*(_block(panel, place) for place in range(len(panel.columns))), strict=True)
-    for place, group in enumerate(panel.groups):
-        if place:
-            yield ""
-        if group.label:
-            yield f" {group.label}"
-        for row, texts in enumerate(islice(lines, len(group.rows))):
-            if row in group.pauses:
-                yield ""
-            in_line = [text.rjust(room) for text, room in zip(texts, grid.figures, strict=False)]
-            line = _line(in_line, panel, grid)
-            yield paint(line, group.rows[row], grid) if paint else line
+    groups = (group._replace(rows=tuple(islice(rows, len(group.rows)))) for group in panel.groups)
+    return panel._replace(groups=tuple(groups))
