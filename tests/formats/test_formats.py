@@ -15,6 +15,7 @@ from cli import printed, refusal
 import kurbel.formats
 from kurbel.errors import ChoiceError
 from kurbel.formats.registry import FORMATS, PageFormat, by_name, for_suffix
+from kurbel.page.layouts import template_folder
 
 
 def test_every_format_is_found_by_each_of_its_suffixes() -> None:
@@ -25,13 +26,11 @@ def test_every_format_is_found_by_each_of_its_suffixes() -> None:
             assert for_suffix(f"a.b{suffix.upper()}") is entry
 
 
-def test_every_page_format_is_a_folder_with_its_templates() -> None:
+def test_every_page_format_has_its_templates() -> None:
+    folder = Path(template_folder()) / "base"
     for entry in FORMATS.values():
         if isinstance(entry, PageFormat):
-            folder = Path(entry.templates)
-            assert folder.parent.name == entry.name
-            # Plain text is a grid and no template.
-            assert (folder / f"{entry.name}.jinja").exists() == (entry.name != "text")
+            assert (folder / f"{entry.name}.jinja").exists()
             assert (folder / f"{entry.name}.document.jinja").exists() == entry.standalone
 
 

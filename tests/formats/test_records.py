@@ -191,7 +191,7 @@ def test_lines_of_an_example_begin_with_an_apostrophe_where_they_begin_with_an_e
 
 def test_records_are_streamed() -> None:
     table = endless()
-    assert list(islice(CsvWriter().rows(table, "point"), 3)) == ["x\n", "0.1\n", "0.2\n"]
+    assert "".join(islice(CsvWriter().rows(table, "point"), 60)).startswith("x\n0.1\n0.2\n0.3\n")
     assert isinstance(table.records.rows, Endless)
     assert table.records.rows.asked == 2
     assert '{"x": 0.3},\n{"x": 0.4}' in "".join(islice(JsonWriter().rows(table, "point"), 20))

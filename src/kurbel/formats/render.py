@@ -63,7 +63,7 @@ def render(
     form, templates = by_name(format), templates or table.templates or None
     if isinstance(form, RecordsFormat):
         form = form.for_excel if excel else form
-        return "".join(form.writer.rows(table, form.decimal_name(table.lang, decimal)))
+        return "".join(form.writer.rows(table, form.decimal_name(table.lang, decimal), templates))
     if not isinstance(form, PageFormat):
         assert isinstance(form, BytesFormat)
         raise ChoiceError(form.no_text.format(name=form.name))
@@ -76,8 +76,7 @@ def render(
     values = {"page": ready, **writer.values(table, ready, mark, wishes)}
 
     def filled(name: str, more: dict[str, str]) -> str:
-        template = _own_template(table, name, templates) or f"base/{name}.jinja"
-        return _filled(form, template, values | more, templates)
+        return _filled(form, _template(table, name, templates), values | more, templates)
 
     fragment = filled(form.name, {})
     if table.steps is not None and form.interactive:
@@ -100,7 +99,20 @@ def render_document(
     return _filled(form, f"base/{name}.{form.name}.jinja", values, templates)
 
 
-def _filled(form: PageFormat, template: str, values: Mapping[str, object], templates: str | None) -> str:
+def pieces(
+    form: RecordsFormat, table: Table, values: Mapping[str, object], templates: str | None
+) -> Iterator[str]:
+    """Yield what the template of a format of records makes of the values, as they come."""
+    template = _template(table, form.name, templates)
+    if templates is None:
+        yield from environment_of(form, None).get_template(template).generate(values)
+    else:
+        yield _filled(form, template, values, templates)
+
+
+def _filled(
+    form: PageFormat | RecordsFormat, template: str, values: Mapping[str, object], templates: str | None
+) -> str:
     environment = environment_of(form, templates)
     if templates is None:
         return environment.get_template(template).render(values)
@@ -109,17 +121,17 @@ def _filled(form: PageFormat, template: str, values: Mapping[str, object], templ
     return filled(environment, template, values, templates)
 
 
-def _own_template(table: Table, name: str, templates: str | None) -> str:
-    """Return the template of the layout, if it has its own, here or in the user's folder."""
+def _template(table: Table, name: str, templates: str | None) -> str:
+    """Return the template of a page: that of its layout, if it has its own, here or in the user's folder."""
     own = f"{table.layout or table.key}/{name}.jinja"
     folders = [template_folder(), *([templates] if templates else [])]
-    if any(os.path.exists(os.path.join(folder, own)) for folder in folders):
-        return own
-    return f"base/{name}.jinja" if templates and os.path.exists(f"{templates}/base/{name}.jinja") else ""
+    return (
+        own if any(os.path.exists(os.path.join(folder, own)) for folder in folders) else f"base/{name}.jinja"
+    )
 
 
 @cache
-def environment_of(form: PageFormat, templates: str | None) -> Environment:
+def environment_of(form: PageFormat | RecordsFormat, templates: str | None) -> Environment:
     """Return what loads the templates of a format; a user's own run in a sandbox."""
     from jinja2 import BaseLoader, Environment, FileSystemLoader, StrictUndefined
 

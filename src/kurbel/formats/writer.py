@@ -28,9 +28,15 @@ Chunks = Callable[[str], Iterator[Mapping[str, "Field"]]]
 class RecordsWriter(ABC):
     """Writes records."""
 
+    delimiters: ClassVar[Mapping[str, Any]] = {}
+
     @abstractmethod
-    def rows(self, table: Table, decimal: str) -> Iterator[str]:
-        """Yield the records in pieces; `decimal` is "comma" or "point"."""
+    def rows(self, table: Table, decimal: str, templates: str | None = None) -> Iterator[str]:
+        """Yield the records in pieces; `decimal` is "comma" or "point", `templates` is as in `render`."""
+
+    def filters(self) -> Mapping[str, Callable[..., Any]]:
+        """Return the filters of its template, if it has one."""
+        return {}
 
     @abstractmethod
     def bulk(self, table: Table, names: Sequence[str], chunks: Chunks, decimal: str) -> Iterator[bytes]:

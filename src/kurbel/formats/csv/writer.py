@@ -1,13 +1,12 @@
-"""Records as CSV, written row by row so that they need not fit in memory."""
+"""Records as CSV: what its template reads, and long tables column by column, which need not fit in memory."""
 
 from __future__ import annotations
 
-import csv
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from itertools import chain
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from kurbel.exact.numerals import DECIMALS, Number, number_text
 from kurbel.formats.writer import Chunks, RecordsWriter
@@ -19,22 +18,27 @@ if TYPE_CHECKING:
 
 
 class Writer(RecordsWriter):
-    def rows(self, table: Table, decimal: str) -> Iterator[str]:
-        """Yield the header and the records, each with its line end.
+    """With a decimal comma the separator is a semicolon. A missing value is empty. Text that a spreadsheet
+    would run as a formula has an apostrophe before it; numbers are never changed.
+    """
 
-        With a decimal comma the separator is a semicolon. A missing value is empty. Text that a spreadsheet
-        would run as a formula has an apostrophe before it; numbers are never changed.
-        """
-        records, mark = table.records, DECIMALS[decimal]
-        writer = csv.writer(_Line(), delimiter=SEPARATORS[decimal], lineterminator="\n")
-        # The writer returns what its file's `write` returns: here the line itself.
-        yield writer.writerow([field.key for field in records.fields])
-        for row in records.rows:
-            yield writer.writerow([self.value(value, mark) for value in row])
+    excel: ClassVar[bool] = False
 
-    def value(self, value: Value, mark: str) -> str:
-        """Return what stands in a field."""
-        return _csv_value(value, mark)
+    def rows(self, table: Table, decimal: str, templates: str | None = None) -> Iterator[str]:
+        from kurbel.formats.csv import FORMAT
+        from kurbel.formats.render import pieces
+
+        values = {
+            "fields": table.records.fields,
+            "rows": table.records.rows,
+            "mark": DECIMALS[decimal],
+            "separator": SEPARATORS[decimal],
+            "excel": self.excel,
+        }
+        yield from pieces(FORMAT, table, values, templates)
+
+    def filters(self) -> Mapping[str, Callable[..., Any]]:
+        return {"field": field_text, "quoted": quoted}
 
     def bulk(self, table: Table, names: Sequence[str], chunks: Chunks, decimal: str) -> Iterator[bytes]:
         """Yield the header and the lines of each chunk."""
@@ -53,15 +57,10 @@ class Writer(RecordsWriter):
 class ForExcel(Writer):
     """CSV that Excel opens by a double click: it knows the encoding, and takes no ratio for a time."""
 
-    def rows(self, table: Table, decimal: str) -> Iterator[str]:
-        yield from chain([BYTE_ORDER_MARK], super().rows(table, decimal))
+    excel = True
 
     def bulk(self, table: Table, names: Sequence[str], chunks: Chunks, decimal: str) -> Iterator[bytes]:
         yield from chain([BYTE_ORDER_MARK.encode()], super().bulk(table, names, chunks, decimal))
-
-    def value(self, value: Value, mark: str) -> str:
-        text = super().value(value, mark)
-        return text if value is None or isinstance(value, Number) else no_time(text, mark)
 
     def field(self, field: Field) -> Field:
         return no_time(field.decode(), ",").encode() if isinstance(field, bytes) else field
@@ -86,17 +85,23 @@ def no_time(text: str, mark: str) -> str:
 SEPARATORS = {"comma": ";", "point": ","}
 
 
-class _Line:
-    """A file that hands back what is written to it."""
-
-    def write(self, line: str) -> Any:
-        return line
+# What a field is put in quotation marks for, beside the separator.
+_QUOTED = re.compile(r'["\r\n]')
 
 
-def _csv_value(value: Value, mark: str) -> str:
+def field_text(value: Value, mark: str, excel: bool = False) -> str:
+    """Return what stands in a field; for Excel no time."""
     if isinstance(value, Number):
         return number_text(value, mark)
-    return _harmless(_plain(value, mark)) if value else ""
+    text = _harmless(_plain(value, mark)) if value else ""
+    return no_time(text, mark) if excel else text
+
+
+def quoted(text: str, separator: str, row: Sequence[Value]) -> str:
+    """Return the text of a field in quotation marks if it needs them; alone in its row nothing does."""
+    if separator in text or _QUOTED.search(text) or (not text and len(row) == 1):
+        return '"' + text.replace('"', '""') + '"'
+    return text
 
 
 # White space before them is no hindrance to every spreadsheet; `plain` leaves no other than spaces.

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from itertools import chain
 from typing import Any, NamedTuple
 
@@ -33,7 +34,7 @@ class Writer(PageWriter):
         return escape(formula_plain(formula, mark))
 
     def filters(self) -> Mapping[str, Callable[..., Any]]:
-        return {"pipe_tables": pipe_tables}
+        return {"parts": parts, "pipe_table": pipe_table}
 
 
 _OBEYED = re.compile(r"[\\`*_\[\]<>|~$]|&(?=[#A-Za-z])")
@@ -51,32 +52,49 @@ def _escape_start(match: re.Match[str]) -> str:
     return f"{space}{start}\\" if start.isdigit() else f"{space}\\{start}"
 
 
-class PipeTable(NamedTuple):
+class Part(NamedTuple):
+    """Rows of a panel that are a table of their own, and the label that stands over it."""
+
     label: str
-    lines: tuple[str, ...]
+    rows: Sequence[Sequence[PageCell]]
 
 
-def pipe_tables(panel: PagePanel) -> Iterator[PipeTable]:
-    """Yield a table for each group, or one for all of them if none has a label."""
+def parts(panel: PagePanel) -> list[Part]:
+    """Return a table for each group, or one for all of them if none has a label."""
     if any(group.label for group in panel.groups):
-        parts = [(group.label, group.rows) for group in panel.groups]
-    else:
-        parts = [("", panel.rows)]
-    for label, rows in parts:
-        yield PipeTable(label, tuple(_lines(panel, rows)))
+        return [Part(group.label, group.rows) for group in panel.groups]
+    return [Part("", panel.rows)]
 
 
-def _lines(panel: PagePanel, rows: Sequence[Sequence[PageCell]]) -> Iterator[str]:
-    right = [column.align == "right" for column in panel.columns]
-    texts = [_headings(panel), *([cell.text + cell.marks for cell in row] for row in rows)]
-    widths = [max(3, *map(len, column)) for column in zip(*texts, strict=True)]
-    rule = ["-" * (width - 1) + ":" if end else "-" * width for width, end in zip(widths, right, strict=True)]
-    for line in (texts[0], rule, *texts[1:]):
-        padded = (
-            text.rjust(width) if end else text.ljust(width)
-            for text, width, end in zip(line, widths, right, strict=True)
+def pipe_table(rows: Sequence[Sequence[PageCell]], panel: PagePanel) -> str:
+    """Return rows of a panel below its heads, as a pipe table."""
+    from tabulate import tabulate
+
+    with _counted_letters():
+        return tabulate(
+            [[cell.text + cell.marks for cell in row] for row in rows],
+            headers=_headings(panel),
+            tablefmt="pipe",
+            colalign=[column.align for column in panel.columns],
+            disable_numparse=True,
         )
-        yield f"| {' | '.join(padded)} |"
+
+
+@contextmanager
+def _counted_letters() -> Iterator[None]:
+    """Let tabulate count letters, and give heads no more room than figures.
+
+    Where a library for it is installed it counts the places that letters take on a terminal, and the same
+    page would have other bytes.
+    """
+    import tabulate
+
+    before = tabulate.WIDE_CHARS_MODE, tabulate.MIN_PADDING
+    tabulate.WIDE_CHARS_MODE, tabulate.MIN_PADDING = False, 0
+    try:
+        yield
+    finally:
+        tabulate.WIDE_CHARS_MODE, tabulate.MIN_PADDING = before
 
 
 def _headings(panel: PagePanel) -> list[str]:

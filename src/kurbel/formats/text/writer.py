@@ -36,7 +36,13 @@ class Writer(PageWriter):
     linked = False
 
     def filters(self) -> Mapping[str, Callable[..., Any]]:
-        return {"balanced": balanced, "middle": middle, "toned": toned, "trimmed": trimmed, "wrapped": wrapped}
+        return {
+            "balanced": balanced,
+            "middle": middle,
+            "toned": toned,
+            "trimmed": trimmed,
+            "wrapped": wrapped,
+        }
 
     def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, Any]:
         width = wishes.width
@@ -97,7 +103,7 @@ class Grid(NamedTuple):
 
 
 class TextLayout(NamedTuple):
-    """How a page is set: the grid of each panel, and the characters that the caption and the notes may take."""
+    """The grid of each panel, and the characters that a line of the caption and of the notes may have."""
 
     grids: Sequence[Grid]
     over: int
@@ -292,7 +298,7 @@ def toned(text: str, tone: Tone) -> str:
 
 
 def _aligned(panel: PagePanel, grid: Grid) -> PagePanel:
-    """Return the panel with cells that are as wide as the figures of their column, with all that they show."""
+    """Return the panel with cells that have all that they show, as wide as the figures of their column."""
     blocks = [
         [text.rjust(room) for text in _block(panel, place)]
         for place, room in zip(range(len(panel.columns)), grid.figures, strict=False)
