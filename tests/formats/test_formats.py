@@ -143,10 +143,10 @@ def test_the_words_of_formats_are_found_in_a_module() -> None:
 @pytest.fixture
 def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """A folder of formats with one, `tabs`."""
-    (tmp_path / "tabs" / "templates").mkdir(parents=True)
+    (tmp_path / "tabs" / "base").mkdir(parents=True)
     (tmp_path / "tabs" / "__init__.py").write_text(TABS)
     (tmp_path / "tabs" / "writer.py").write_text(WRITER)
-    (tmp_path / "tabs" / "templates" / "tabs.jinja").write_text(
+    (tmp_path / "tabs" / "base" / "tabs.jinja").write_text(
         "{% for group in page.panels[0].groups %}{% for row in group.rows %}\n"
         "{{ row|map(attribute='text')|join('\\t') }}\n{% endfor %}{% endfor %}"
     )

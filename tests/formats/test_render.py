@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 import sys
 from dataclasses import replace
@@ -22,6 +23,7 @@ from kurbel.exact.numerals import Number
 from kurbel.formats.page import page
 from kurbel.formats.registry import FORMATS, by_name
 from kurbel.formats.render import render
+from kurbel.page.layouts import template_folder
 from kurbel.page.table import DITTO, Cell, Column, Group, Note, Panel, Records, Row, Table
 
 PAGES = [entry.name for entry in FORMATS.values() if entry.kind == "page"]
@@ -64,6 +66,7 @@ def test_table_without_caption_notes_and_source_is_set(name: str) -> None:
 
 
 def test_layout_may_bring_a_template_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    shutil.copytree(Path(template_folder()) / "base", tmp_path / "base")
     (tmp_path / "mine").mkdir()
     for form in ("text", "markdown"):
         (tmp_path / "mine" / f"{form}.jinja").write_text("mine: {{ page.caption }}\n")

@@ -78,6 +78,11 @@ class Format:
         """Yield what its author should know of a table in the format, which may break over pages or not."""
         yield from ()
 
+    @property
+    def home(self) -> str:
+        """The format's folder, where its templates stand in `base` if not among those of pages."""
+        return os.path.dirname(self.module().__file__)
+
     def module(self, name: str = "") -> Any:
         """Return a module of the format's folder.
 

@@ -138,11 +138,12 @@ def environment_of(form: PageFormat | RecordsFormat, templates: str | None) -> E
     from kurbel.formats.page import blank
 
     kind: type[Environment] = Environment
-    loader: BaseLoader = FileSystemLoader(template_folder())
+    ours = template_folder(), form.home
+    loader: BaseLoader = FileSystemLoader(ours)
     if templates is not None:
         from kurbel.formats.sandbox import Folders, Sandbox
 
-        kind, loader = Sandbox, Folders(templates)
+        kind, loader = Sandbox, Folders(templates, *ours)
     # No autoescape: every string of a page is finished text of its format, formulas included.
     environment = kind(
         loader=loader,

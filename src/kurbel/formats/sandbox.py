@@ -17,7 +17,6 @@ from jinja2.loaders import split_template_path
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from kurbel.errors import KurbelError, LayoutError
-from kurbel.page.layouts import template_folder
 
 LONGEST_FILE, LONGEST_PAGE = 1_000_000, 10_000_000
 
@@ -74,8 +73,9 @@ def _is_within(path: str, folder: str) -> bool:
 class Folders(BaseLoader):
     """Loads templates from a user's folder, and from ours those that it does not have."""
 
-    def __init__(self, folder: str) -> None:
+    def __init__(self, folder: str, *ours: str) -> None:
         self.folder = folder
+        self.folders = folder, *ours
 
     def get_source(self, environment: Environment, template: str) -> tuple[str, str, Callable[[], bool]]:
         path = self._path(template)
@@ -89,7 +89,7 @@ class Folders(BaseLoader):
     def _path(self, template: str) -> str:
         """Return the file of a template; one outside the folders is refused, however it is reached."""
         parts = split_template_path(template)
-        for folder in (self.folder, template_folder()):
+        for folder in self.folders:
             path = os.path.realpath(os.path.join(folder, *parts))
             if not os.path.isfile(path):
                 continue
