@@ -194,4 +194,4 @@ def test_records_are_streamed() -> None:
     assert "".join(islice(CsvWriter().rows(table, "point"), 60)).startswith("x\n0.1\n0.2\n0.3\n")
     assert isinstance(table.records.rows, Endless)
     assert table.records.rows.asked < 60
-    assert '{"x": 0.3},\n{"x": 0.4}' in "".join(islice(JsonWriter().rows(table, "point"), 20))
+    assert '{"x": 0.1},\n{"x": 0.2}' in "".join(islice(JsonWriter().rows(endless(), "point"), 20))
