@@ -59,7 +59,7 @@ WORDS = {
         "mit $J_δ$ bleibt die Geschwindigkeit der Maschine mit ihren Massen genau in $ω (1 ± δ/2)$"
         "|with $J_δ$ the speed of the machine with its masses stays exactly within $ω (1 ± δ/2)$"
     ),
-    "radius": words('$ρ = {radius} "m"$'),
+    "radius": words("$ρ = {radius}$"),
     "turn": words(
         "Winkel vom Totpunkt des Hubes, in der Umdrehung vom inneren Totpunkt"
         "|Angles from the dead centre of the stroke, over the turn from the inner one"
@@ -153,7 +153,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
             yield WORDS["true_inertia"][lang]
         radius = request.flywheels[0].radius
         if radius is not None:
-            yield WORDS["radius"][lang].format(radius=exact_text(radius))
+            yield WORDS["radius"][lang].format(radius=amount(radius, "m", exact_text))
     if subject in BY_STROKE:
         yield WORDS["turn" if request.first.plain else "whole_turn"][lang]
     if subject in (*BY_STROKE, *OF_FORCES, *OF_LOAD, *OVER_ANGLE) or any(

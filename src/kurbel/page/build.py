@@ -48,7 +48,7 @@ def build(question: Question, pages: bool = True) -> Table:
 
 def enlarged(question: Question) -> Question:
     """Return the question with larger units where its page has long numbers."""
-    if not any(column.quantity.unit["en"] in LARGER for column in question.page_columns):
+    if not any(column.quantity.unit["en"].partition(",")[0] in LARGER for column in question.page_columns):
         return question
     from kurbel.page import larger
 

@@ -245,6 +245,10 @@ class Question(Worded):
         (column,) = self.chosen([key])
         return bool(self.missing(self.entry(column.quantity)))
 
+    def of_page(self, unit: Label) -> Fraction:
+        """Return how many units of the page one of metric pages is."""
+        return Fraction(1) if self.units is None else self.units.times(unit)
+
     def printed(self, column: LayoutColumn) -> Column:
         """Return a column in the units of the page."""
         own = self.column(column)

@@ -19,10 +19,8 @@ if TYPE_CHECKING:
 
 WORDS = {
     "weight": words(
-        "Gewicht {parts}: Schubrichtung unter ${angle}°$ gegen die Waagerechte, {where}, $g = {gravity}"
-        ' "m/s"^2$'
-        "|Weight of {parts}: slide at ${angle}°$ to the horizontal, {where}, $g = {gravity}"
-        ' "m/s"^2$'
+        "Gewicht {parts}: Schubrichtung unter ${angle}°$ gegen die Waagerechte, {where}, $g = {gravity}$"
+        "|Weight of {parts}: slide at ${angle}°$ to the horizontal, {where}, $g = {gravity}$"
     ),
     "pressures": words(
         "$F = π/4 ({cover} p_D - {other} p_K)$ zur Welle hin: $p_D = {head}$ auf der"
@@ -73,7 +71,7 @@ def weight_notes(moving: Moving, lang: str) -> Iterator[Label]:
         parts=WORDS[parts][lang],
         angle=figure(moving.slope.angle),
         where=_where(moving.slope, lang),
-        gravity=figure(moving.slope.gravity),
+        gravity=amount(moving.slope.gravity, "m/s²"),
     )
 
 
