@@ -96,7 +96,7 @@ class Weighed:
         return Scale.pin_acceleration(self.crank).times(self.mass * self._arm(residual))
 
     def _arm(self, residual: str) -> Fraction:
-        """Return what a force in newtons is multiplied by for the unit of the page: of moments by a length."""
+        """Return by what a force in newtons becomes one in the unit of the page, or a moment."""
         arm, unit = (Fraction(1), "N") if residual == "force" else (known(self.spacing), "N m")
         return arm if self.units is None else arm * self.units.times(unit)
 

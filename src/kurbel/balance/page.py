@@ -136,9 +136,7 @@ class BalanceRequest(OrdersRequest):
     def residuals(self) -> Mapping[tuple[str, int], Residual]:
         """The forces and moments of all orders, each found once."""
         found = {"force": force, "moment": moment}
-        return {
-            (key, order): found[key](self.placed, order) for key in RESIDUALS for order in self.orders
-        }
+        return {(key, order): found[key](self.placed, order) for key in RESIDUALS for order in self.orders}
 
 
 def arranged(

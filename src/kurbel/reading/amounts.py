@@ -82,6 +82,8 @@ def _units() -> Iterable[Unit]:
     yield Unit("lb/in³", "density", POUND / INCH**3, "lbin3")
     yield Unit("m³/min", "flow", Fraction(1, 60), "m3min")
     yield Unit("ft³/min", "flow", FOOT**3 / 60, "ft3min")
+    yield Unit("m³/kg", "specific volume", Fraction(1), "m3kg")
+    yield Unit("ft³/lb", "specific volume", FOOT**3 / POUND, "ft3lb")
     yield Unit("kg/h", "mass flow", Fraction(1, 3600), "kgh")
     yield Unit("lb/h", "mass flow", POUND / 3600, "lbh")
     yield Unit("kg/kWh", "mass per work", 1 / (3600 * thousand), "kwh")
@@ -98,7 +100,7 @@ LARGER: Mapping[str, str] = {
 LONG = 10_000
 OF_SYSTEM = {
     IMPERIAL: "in; ft/s; ft/s²; mph; lbf; lbf ft; ft lbf; hp; psi; lb; lb ft; lb ft²; in²; lb/in³; ft³/min;"
-    " lb/h; lb/(hp h)",
+    " ft³/lb; lb/h; lb/(hp h)",
     METRIC: "",
 }
 
@@ -227,8 +229,8 @@ def unit_of_page(symbol: str, value: Fraction = Fraction(0)) -> tuple[Fraction, 
     if taken is not None and _is_own(symbol) and (longer := larger(symbol, value)) != symbol:
         printed = longer
         taken.add(longer)
-    name = printed.removesuffix("²")
-    return UNITS[symbol].size / UNITS[printed].size, f'"{name}"{"" if name == printed else "^2"}'
+    label = f'"{printed}"'.replace("³/", '"^3/"').replace('²"', '"^2')
+    return UNITS[symbol].size / UNITS[printed].size, label
 
 
 def _is_own(symbol: str) -> bool:

@@ -105,7 +105,8 @@ def locomotive_table(
     \f
     >>> import kurbel
     >>> page = kurbel.locomotive_table(
-    ...     spacing=0.6, gauge=1.5, stroke=0.6, reciprocating=300, speed=5, share="2/3", columns="pull_n,sway_nm"
+    ...     spacing=0.6, gauge=1.5, stroke=0.6, reciprocating=300, speed=5, share="2/3",
+    ...     columns="pull_n,sway_nm",
     ... )
     >>> print(kurbel.typeset(page, "csv"), end="")
     pull_n,sway_nm

@@ -60,8 +60,8 @@ WORDS = {
     ),
     "given": words("Gegeben: {given}|Given: {given}"),
     "steam": words(
-        'Dampf eines wirksamen Hubes {volume} $V_h/v$, $v = {specific} "m"^3/"kg"$ vor der Absperrung'
-        '|Steam of a working stroke {volume} $V_h/v$, $v = {specific} "m"^3/"kg"$ before cut-off'
+        "Dampf eines wirksamen Hubes {volume} $V_h/v$, $v = {specific}$ vor der Absperrung"
+        "|Steam of a working stroke {volume} $V_h/v$, $v = {specific}$ before cut-off"
     ),
     "kept": words(
         "; der schädliche Raum enthält noch Dampf vom Gegendruck $p_b$"
@@ -146,7 +146,7 @@ def _steam_taken(source: Acting, duty: Duty, lang: str) -> Label:
     assert volume is not None
     kept = "p_b/p" if steam.exponent == 1 else f"(p_b/p)^(1/{figure(steam.exponent)})"
     taken = f"$1/ε + κ (1 - {kept})$" if steam.clearance else "$1/ε$"
-    said = WORDS["steam"][lang].format(volume=taken, specific=figure(volume))
+    said = WORDS["steam"][lang].format(volume=taken, specific=amount(volume, "m³/kg"))
     return said + (WORDS["kept"][lang] if steam.clearance else "")
 
 

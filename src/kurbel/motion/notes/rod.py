@@ -37,7 +37,7 @@ def _swing(rod: Rod, lang: str) -> Label:
         return ""
     time, pin, gravity = rod.swing
     said = WORDS["swing"][lang].format(time=figure(time), pin=WORDS[f"swing_{pin}"][lang])
-    return f'{said}, $g = {amount(gravity, "m/s²")}$'
+    return f"{said}, $g = {amount(gravity, 'm/s²')}$"
 
 
 def _root(square: Fraction) -> str:
