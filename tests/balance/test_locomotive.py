@@ -124,3 +124,13 @@ def test_what_is_balanced_wholly_or_not_at_all_is_nought() -> None:
 )
 def test_a_locomotive_that_is_not_described_is_refused(words: tuple[str, ...], sentence: str) -> None:
     assert refusal("locomotive", "--reciprocating=300kg", *words).startswith(sentence)
+
+
+@pytest.mark.parametrize(
+    ("name", "key"),
+    [("blow_left", "blow_left_n"), ("load_least", "load_least_n"), ("pull", "pull_n"), ("sway", "sway_nm")],
+)
+def test_a_force_is_asked_for_with_its_unit(name: str, key: str) -> None:
+    words = ("--spacing=1m", "--gauge=1m", "--stroke=1m", "--reciprocating=300kg", "--speed=4/s")
+    said = refusal("locomotive", *words, f"--columns={name}")
+    assert said.startswith(f'there is no column "{name}" (did you mean {key}')

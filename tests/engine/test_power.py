@@ -113,6 +113,29 @@ def test_a_power_finds_what_is_not_given(
     assert found["indicated_power"] == 75
 
 
+@pytest.mark.parametrize(
+    ("lang", "indicated", "brake"),
+    [
+        ("de", "Dampf je kWh, indiziert", "Dampf je kWh an der Welle"),
+        ("en", "Steam per kWh, indicated", "Steam per kWh at the shaft"),
+    ],
+)
+def test_steam_of_indicated_and_of_brake_work_is_told_apart(lang: str, indicated: str, brake: str) -> None:
+    words = (
+        "--eps=4",
+        "--pressure=8bar",
+        "--specific-volume=0.24m3/kg",
+        "--efficiency=0.8",
+        f"--lang={lang}",
+    )
+    sized = ("--bore=300mm", "--stroke=450mm", "--speed=200/min")
+    page = printed("power", *words, *sized).out
+    assert f" {indicated} D/Nᵢ " in page and f" {brake} D/Nₑ " in page
+    imperial = printed("power", *words, *sized, "--units=imperial").out
+    assert f" {indicated.replace('kWh', 'hp h')} D/Nᵢ " in imperial
+    assert f" {brake.replace('kWh', 'hp h')} D/Nₑ " in imperial
+
+
 def test_a_rod_lessens_the_area_of_its_end() -> None:
     words = ("--mean-pressure=4bar", "--working-strokes=2", *SIZES)
     found = record(*words, "--piston-rod=60mm", "--tail-rod=45mm")
