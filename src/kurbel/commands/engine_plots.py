@@ -17,6 +17,7 @@ from kurbel.commands.engine_pages.layouts import has_wheel
 from kurbel.commands.machines import engine_of, is_heavy, load_of, over_cycle, weightless
 from kurbel.commands.motion import of_other_mechanisms
 from kurbel.commands.plots import (
+    AxisUnits,
     CurveStep,
     DrawnColumns,
     DrawnSpeed,
@@ -54,6 +55,7 @@ class Drawn(
     rotating: option.Rotating
     rocker_inertia: option.RockerInertia
     lang: LabelLang
+    units: AxisUnits
     decimal: option.Decimal
 
 
@@ -99,7 +101,7 @@ def plot_engine_polar(eps: option.Eps = None, *, of: Of = None, **given: Unpack[
 
 
 # What says something of diagrams without an engine, too.
-_OF_DIAGRAMS = ("from", "to", "over", "decimal", *Sized.__annotations__, *Filmed.__annotations__)
+_OF_DIAGRAMS = ("from", "to", "over", "units", "decimal", *Sized.__annotations__, *Filmed.__annotations__)
 
 
 def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:

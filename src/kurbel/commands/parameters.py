@@ -193,17 +193,18 @@ class Plain(TypedDict, total=False):
     source: SourceLine
 
 
+UNITS = Option(
+    "Units of pages and data: metric, imperial or a list, cm;kN. Default: metric; pages of what is given in"
+    " imperial units alone have these.",
+    "UNITS",
+    last=True,
+)
+
+
 class Sheet(Plain, total=False):
     """The same of one whose columns have units."""
 
-    units: Annotated[
-        str | None,
-        Option(
-            "Units of pages and data: metric, imperial or a list, cm;kN. Default: metric; pages of what is"
-            " given in imperial units alone have these.",
-            "UNITS", last=True,
-        ),
-    ]  # fmt: skip
+    units: Annotated[str | None, UNITS]
 
 
 class Run(TypedDict, total=False):

@@ -34,6 +34,8 @@ _METRIC = _MARK % "[cdkmµ]?m|[km]?gm?|t|[kM]?Nm?|[hkM]?Pa|m?bar|atm?|[kM]?W|PS|
 OWN_WORDS = ("caption", "note", "source")
 # What a page is called or where its layout lies, and its language, which its document has, too.
 UNTOLD = frozenset(("label", "caption", "note", "source", "layouts", "layout", "lang"))
+# What has units, but not those of the drive.
+UNMEASURED = frozenset(("units", "width", "height"))
 # A longer name nobody would type.
 LONGEST = 40
 _FIGURES = r"[A-Za-z0-9.,:;/% -]*"
@@ -94,7 +96,7 @@ class Command(NamedTuple):
         """Return the units that are asked for, else imperial ones where all measures are given in such."""
         asked = values["units"]
         names = {one.name for one in self.parameters.values() if one.option.unit or one.option.kind is TEXT}
-        read = (names | {"cylinder"}) - UNTOLD - {"units"}
+        read = (names | {"cylinder"}) - UNTOLD - UNMEASURED
         measured = [values[name] for name in sorted(read) if is_given(values.get(name))]
         texts = str(measured) if measured else ""
         if not (texts or is_given(asked)):

@@ -29,9 +29,11 @@ def in_units(column: Column, units: Units, lang: str, counted: bool) -> Column:
     return column._replace(
         quantity=multiplied(quantity, times)._replace(
             name={one: _renamed(name, own, other, one) for one, name in quantity.name.items()},
+            heading={one: _renamed(head, own, other, one) for one, head in quantity.heading.items()},
             unit=dict.fromkeys(quantity.unit, other.symbol),
+            decimals=_shifted(quantity.decimals, more),
         ),
-        decimals=decimals if decimals is None or counted else max(0, decimals + more),
+        decimals=decimals if counted else _shifted(decimals, more),
         least=more if is_taken else 0,
         heading=tuple(_renamed(label, own, other, lang) for label in column.heading),
         spanners=tuple(_renamed(label, own, other, lang) for label in column.spanners),
@@ -41,7 +43,7 @@ def in_units(column: Column, units: Units, lang: str, counted: bool) -> Column:
 def _renamed(label: Label, own: Unit, other: Unit, lang: str) -> Label:
     """Return the name or the head of a column with the unit that it names, if it names one, in its place."""
     if names_unit(label, own.symbol):
-        return label.removesuffix(own.symbol) + (other.named[lang] if other.named else other.symbol)
+        return label.removesuffix(own.symbol) + other.said(lang)
     over, instead = (f" {_PER[lang]} {one.symbol.partition('/')[2].strip('()')}" for one in (own, other))
     return re.sub(rf"{over}\b", instead, label)
 
@@ -49,6 +51,10 @@ def _renamed(label: Label, own: Unit, other: Unit, lang: str) -> Label:
 def names_unit(label: Label, symbol: str) -> bool:
     """Whether the head of a column is the unit or ends with it: "$F$ in N"."""
     return label == symbol or f" {label}".endswith(f" in {symbol}")
+
+
+def _shifted(decimals: int | None, more: int) -> int | None:
+    return None if decimals is None else max(0, decimals + more)
 
 
 def _more_decimals(times: Fraction) -> int:

@@ -31,6 +31,10 @@ class Unit(NamedTuple):
     ending: str
     named: Mapping[str, str] | None = None
 
+    def said(self, lang: str) -> str:
+        """Return what heads call it."""
+        return self.named[lang] if self.named else self.symbol
+
 
 def _units() -> Iterable[Unit]:
     thousand, pound_foot = Fraction(1000), POUND_FORCE * FOOT

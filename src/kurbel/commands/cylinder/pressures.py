@@ -1,6 +1,7 @@
 """The pressures on the piston of one cylinder: a table of them, and a drawing."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
@@ -11,7 +12,7 @@ from kurbel.commands.loads import OWN
 from kurbel.commands.machines import engine_of, for_masses, weighed
 from kurbel.commands.motion import described, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Option, is_given
-from kurbel.commands.plots import DrawnSpeed, LabelLang
+from kurbel.commands.plots import AxisUnits, DrawnSpeed, LabelLang
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws, makes_table
 from kurbel.drive.load import MASSES
@@ -122,6 +123,7 @@ class DrawnPiston(engines.Cylinder, engines.MovingRod, option.AnyDrive, Sized, t
     speed: DrawnSpeed
     reciprocating: option.Reciprocating
     lang: LabelLang
+    units: AxisUnits
     decimal: option.Decimal
 
 
@@ -139,7 +141,7 @@ def plot_pressures(eps: option.Eps = None, **given: Unpack[DrawnPiston]) -> Draw
     pressed = pressed_of(page, {**given, "eps": eps})
     asked = PressuresRequest(layout=page, pressed=pressed, shares=(Fraction(0),), lang=lang)
     drawn = tuple(key for key, one in registry().items() if one.needs and not asked.missing(one))
-    question = PressuresRequest(layout=page, pressed=pressed, shares=(Fraction(0),), lang=lang, columns=drawn)
+    question = replace(asked, units=given["units"], columns=drawn)
     around = Around(across=across_stroke(lang))
     drawing = curves_drawing(question, pressure_panels(question), mark, around, page_size(given))
     return Drawing.of(drawing, lang, mark)
