@@ -202,11 +202,11 @@ def _number(question: ErrorsRequest, column: Column, place: Place, times: int) -
     # No algebraic number makes up for the factor π² of turns a second.
     by_turns = quantity.needs == "inertia" and known(peak.crank.speed).turns
     exact = not by_turns and all(one.separation() is not None for one in concerned)
-    kernel, times = quantity.formulas[EXACT].kernel, Fraction(1)
+    kernel, unit = quantity.formulas[EXACT].kernel, Fraction(1)
     if quantity.needs == "inertia":
-        times = question.of_page("N m" if peak.force.is_torque or peak.force.is_couple else "N")
+        unit = question.of_page("N m" if peak.force.is_torque or peak.force.is_couple else "N")
     return Number(
-        settled(lambda kind: kind.of(times) * kernel(peak, whole, kind), decimals, rounding, exact), decimals
+        settled(lambda kind: kind.of(unit) * kernel(peak, whole, kind), decimals, rounding, exact), decimals
     )
 
 

@@ -139,9 +139,9 @@ def plot_pressures(eps: option.Eps = None, **given: Unpack[DrawnPiston]) -> Draw
 
     mark, lang, page = mark_of(given["lang"], given["decimal"]), given["lang"], page_of("pressures")
     pressed = pressed_of(page, {**given, "eps": eps})
-    asked = PressuresRequest(layout=page, pressed=pressed, shares=(Fraction(0),), lang=lang)
+    asked = PressuresRequest(layout=page, pressed=pressed, shares=(Fraction(0),), **sheet_of(given))
     drawn = tuple(key for key, one in registry().items() if one.needs and not asked.missing(one))
-    question = replace(asked, units=given["units"], columns=drawn)
+    question = replace(asked, columns=drawn)
     around = Around(across=across_stroke(lang))
     drawing = curves_drawing(question, pressure_panels(question), mark, around, page_size(given))
     return Drawing.of(drawing, lang, mark)
