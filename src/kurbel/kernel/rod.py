@@ -272,8 +272,8 @@ class Loaded:
         rod's mass at the pin, if the crank does not turn evenly, but nothing of the crank's own. Re-derived.
         """
         # The couple's part is its force on the guide times cos φ, the share of R across the slide.
-        work = self.push * self.by.lever(self.circle, self.ratio, self.offset)
-        found = work + self.turning * self.by.rod_lever(self.circle, self.slant) + 0
+        work = self.push * tangential_force(self.circle, self.ratio, self.offset)
+        found = work + self.turning * (self.circle.cosine / self.slant.cosine) + 0
         if self.weight is not None:
             found = found + pin_torque(self.weight, self.circle)
         return found if self.by.gain is None else found - self.by.gain * self.masses.pin
