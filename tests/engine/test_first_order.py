@@ -95,7 +95,7 @@ def test_the_same_force_on_the_piston_has_the_same_effect_as_steam_and_as_a_forc
 
 
 @pytest.mark.parametrize("rod", [{}, {"rod_mass": "120kg", "centre": "0.62", "gyration": "0.29"}])
-def test_tangential_and_radial_force_make_the_force_of_the_crank_pin(rod: dict[str, str]) -> None:
+def test_tangential_and_radial_force_make_the_force_of_the_crank_pin(rod: dict[str, Any]) -> None:
     engine = {key: value for key, value in ENGINE.items() if key not in MASSES} | {"speed": "14rad/s"}
     page = kurbel.forces_table(
         eps=4, method="series", reciprocating="230kg", angle="0..350:7", digits=4, **engine, **rod,

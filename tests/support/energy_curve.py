@@ -1,9 +1,9 @@
 """The turning of a steam engine by brute force: force, energy and speed, without kurbel's formulas.
 
 The kinematics are the textbook's, x = 1 - cos φ + (1 - cos ψ)/λ and its slope over the whole turn; the return
-stroke is the same path seen from its other end. Energy is the force on the piston times this slope, integrated
-over the angle, never a formula for the work. Lengths are in R, forces in the piston force Q before cut-off. `Curve` walks a
-fine grid in NumPy, `Exact` works in mpmath at the precision in force.
+stroke is the same path seen from its other end. Energy is the force on the piston times this slope,
+integrated over the angle, never a formula for the work. Lengths are in R, forces in the piston force Q before
+cut-off. `Curve` walks a fine grid in NumPy, `Exact` works in mpmath at the precision in force.
 """
 
 from __future__ import annotations

@@ -62,7 +62,7 @@ class Moved(ABC):
         """Return the slope of the velocity."""
 
     def lever(self, stroke: int, circle: Circle[Any]) -> Number:
-        """Return the tangential force of a unit force on the piston: by virtual displacements the velocity."""
+        """Return the tangential force of a unit force on the piston, by virtual work the velocity."""
         return self.velocity(stroke, circle)
 
     @abstractmethod

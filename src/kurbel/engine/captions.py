@@ -22,6 +22,8 @@ OF_WORK = ("work", "mean_pressure")
 OF_DELTA = ("delta", "v_min", "v_max")
 ERRORS = words("geschätzter Fehler|estimated error")
 PLAIN_CAPTION = words("{quantities} {machine}{for_engine}; {method}")
+# Whose pages say in which angles their solutions are.
+SOLVED = "loaded roots"
 # What the tangential force is of.
 OF_EFFORT = ("tangential", "torque")
 # What is of the speed under a given flywheel.
@@ -77,6 +79,18 @@ WORDS = {
     ),
     "whole_turn": words(
         "Winkel vom inneren Totpunkt der ersten Kurbel|Angles from the inner dead centre of the first crank"
+    ),
+    "from_slide": words(
+        "$α$ vom Totpunkt, $φ$ anderer Seiten von der Schubrichtung: $φ = α + φ_i$, auf dem Rückgang"
+        " $φ = α + φ_o$"
+        "|$α$ from the dead centre, $φ$ of other pages from the slide direction: $φ = α + φ_i$, on the return"
+        " $φ = α + φ_o$"
+    ),
+    "over_slide": words(
+        "$φ$ von der Schubrichtung, der innere Totpunkt bei $φ_i$; $α$ anderer Seiten von dort:"
+        " $φ = α + φ_i$"
+        "|$φ$ from the slide direction, the inner dead centre at $φ_i$; $α$ of other pages from there:"
+        " $φ = α + φ_i$"
     ),
     "difference": words(
         "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet."
@@ -167,6 +181,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
             yield WORDS["radius"][lang].format(radius=exact_text(radius))
     if subject in BY_STROKE:
         yield WORDS["turn" if request.first.plain else "whole_turn"][lang]
+    yield from _zero(request)
     if subject in (*BY_STROKE, *OF_FORCES, *OF_LOAD, *OVER_ANGLE) or any(
         one.quantity.key in OF_WORK for one in columns
     ):
@@ -184,6 +199,15 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     yield from _first_order(request)
     if request.carded and subject not in OF_FORCES:
         yield from _errors(request)
+
+
+def _zero(request: EngineRequest) -> Iterator[Label]:
+    """Where angles of a drive begin whose inner dead centre is not where φ begins."""
+    subject, columns = request.layout.subject, request.page_columns
+    shown = subject in OVER_ANGLE or any(one.quantity.minutes for one in columns)
+    if shown and subject != SOLVED and not from_dead_centre(request, columns[0].methods[0]):
+        of_slide = subject in (*OVER_ANGLE, *OF_FORCES)
+        yield WORDS["over_slide" if of_slide else "from_slide"][request.lang]
 
 
 def _first_order(request: EngineRequest) -> Iterator[Label]:
@@ -217,7 +241,9 @@ def engine_notes(request: EngineRequest) -> Iterator[Label]:
 
         yield from masses_notes(request, lang)
     elif request.first.crank.loaded:
-        yield from request.mechanism.masses_notes(request.first.crank, request.layout.ratio_symbol, lang)
+        shown = [one.key for one in request.page_columns]
+        crank, letters = request.first.crank, request.layout.ratio_symbol
+        yield from request.mechanism.masses_notes(crank, letters, lang, shown)
 
 
 def _of_delta(request: EngineRequest) -> bool:

@@ -155,7 +155,7 @@ def _total(of: Callable[[Cylinder, int, Any], Any], segment: Segment, half_turns
     return sum(map(jet_of, found), Jet(0, 0, 0))
 
 
-_tangential = partial(_total, Cylinder.effort)
+_tangential: Callable[[Segment, arb], Jet] = partial(_total, Cylinder.effort)
 
 
 def _excess(segment: Segment, half_turns: arb) -> Jet:
