@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from places import CARDS
 
 import kurbel
 
@@ -105,3 +106,29 @@ def test_tangential_and_radial_force_make_the_force_of_the_crank_pin(rod: dict[s
     composed = np.hypot(found["tangential_force"], found["radial_force"])
     assert found["crank_pin_force"] == pytest.approx(composed, rel=0, abs=2e-4)
     assert column(page, "torque_nm") == pytest.approx(found["tangential_force"] * RADIUS, rel=0, abs=1e-4)
+
+
+def test_every_command_has_the_tangential_force_of_the_forces() -> None:
+    asked: dict[str, Any] = {"eps": 4, "method": "series", **ENGINE}
+    page = kurbel.forces_table(angle="0..350:14", columns="tangential_force_n", digits=4, **asked)
+    torque = np.array(column(page, "tangential_force_n")) * RADIUS
+    page = kurbel.turning_table(angle="0..350:14", columns="torque_nm", digits=4, **asked)
+    assert column(page, "torque_nm") == pytest.approx(torque, rel=0, abs=1e-4)
+    arrays = {key: value for key, value in asked.items() if key != "ratio"}
+    drawn = kurbel.compute(np.arange(0.0, 351.0, 14.0), "1:4", "torque_nm", **arrays)
+    assert drawn["torque_nm"].ravel() == pytest.approx(torque, rel=0, abs=1e-4)
+
+
+@pytest.mark.parametrize("card", [None, "ideal-2.csv"])
+def test_harmonics_are_those_of_the_tangential_force(card: str | None) -> None:
+    load: dict[str, Any] = {"eps": 2, "back": "0.5"} if card is None else {"card": CARDS / card}
+    page = kurbel.harmonics_table("1:3", quantity="torque", method="series", orders=4, digits=6, **load)
+    degrees = np.arange(0, 360, 0.5) + 0.25
+    turn = kurbel.turning_table(
+        ratio="1:3", method="series", angle="0.25..359.75:0.5", columns="tangential", digits=9, **load
+    )
+    force = np.array(column(turn, "tangential"))
+    for order, cosine, sine in zip(*(column(page, key) for key in ("order", "cosine", "sine")), strict=True):
+        wave = 2 * (force * np.exp(1j * order * np.radians(degrees))).mean()
+        # The power of first order would be off by ten times as much.
+        assert complex(cosine, sine) == pytest.approx(complex(wave), abs=1e-4)
