@@ -170,7 +170,7 @@ class Loaded:
         return self.piston_force if self.friction is None else self.piston_force + self.friction
 
     def couple(self) -> Number:
-        """Return the inertia couple M (k² - a b) ψ̈ over L, by which the two masses are wrong.
+        """Return the inertia couple -M (k² - a b) ψ̈ over L, by which the two masses are wrong.
 
         It is the force with Y at A, and against Y at B, square to the rod, that makes the couple.
         """
