@@ -139,7 +139,7 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
             return {
                 **own,
                 **_refused(("acceleration",), even),
-                **for_masses("speed", "method")(values),
+                **for_masses("speed")(values),
                 **weightless(values),
                 **needless_beside_load(values),
                 **(_refused(("stroke",), newton_metres) if bare else {}),

@@ -144,8 +144,8 @@ class Balls(Spectrum):
 class Floats(Spectrum):
     """The harmonics of a card, in floats, from the energy of its curves.
 
-    T - P is the slope of the excess energy E, which comes again with each cycle: ∫ T e^(ikφ) dφ is
-    -ik ∫ E e^(ikφ) dφ.
+    The power less P is the slope of the excess energy E, which comes again with each cycle: its integral with
+    e^(ikφ) is -ik ∫ E e^(ikφ) dφ. What T is beyond the power, to first order, is integrated as it is.
     """
 
     def __init__(self, turn: CardTurn, parts: int = PARTS) -> None:
@@ -156,30 +156,36 @@ class Floats(Spectrum):
     def cylinder(self, part: int, order: Fraction) -> Wave:
         import numpy as np
 
-        places, weights, energies, cycle = self._energies(part)
-        share = -float(order) * 2 / cycle * weights * energies
+        places, weights, energies, beyond, cycle = self._energies(part)
+        share, own = -float(order) * 2 / cycle * weights * energies, 2 / cycle * weights * beyond
         angles = float(order) * pi * places
+        cosine, sine = np.cos(angles), np.sin(angles)
         # -i (cos + i sin) is sin - i cos.
-        return Wave(float(-(share * np.sin(angles)).sum()), float((share * np.cos(angles)).sum()))
+        return Wave(
+            float((own * cosine).sum() - (share * sine).sum()), float((own * sine + share * cosine).sum())
+        )
 
-    def _energy(self, part: int) -> tuple[Any, Any, Any, int]:
-        """Return places over a cycle in half turns, their weights, the energies there, and the cycle."""
+    def _energy(self, part: int) -> tuple[Any, Any, Any, Any, int]:
+        """Return places over a cycle in half turns, their weights, the energies there, what the tangential
+        force is beyond the power, and the cycle."""
         import numpy as np
 
         cylinder = self.turn.cylinders[part]
         cycle, drive = len(cylinder.strokes), cylinder.drive
         begins = [stroke + float(drive.dead_centre(stroke % 2)) for stroke in range(cycle + 1)]
         abscissas, weights = np.polynomial.legendre.leggauss(POINTS)
-        found: list[list[Any]] = [[], [], []]
+        found: list[list[Any]] = [[], [], [], []]
         for stroke, (begin, end) in enumerate(pairwise(begins)):
             edges = np.linspace(begin, end, self.parts + 1)
             half = (edges[1] - edges[0]) / 2
             places = ((edges[:-1] + half)[:, None] + half * abscissas).ravel()
             found[0].append(places)
             found[1].append(np.tile(half * weights, self.parts))
-            found[2].append(cylinder.energy(stroke, places - stroke))
-        places, weights, energies = (np.concatenate(one) for one in found)
-        return places, weights, energies, cycle
+            angles = places - stroke
+            found[2].append(cylinder.energy(stroke, angles))
+            found[3].append(cylinder.effort(stroke, angles) - cylinder.power(stroke, angles))
+        places, weights, energies, beyond = (np.concatenate(one) for one in found)
+        return places, weights, energies, beyond, cycle
 
 
 def spectrum_of(turn: AnyTurn) -> Spectrum:

@@ -33,8 +33,10 @@ WORDS = {
         "|$F = π/4 d^2 Δp$ towards the shaft: $Δp = {head}$ more on the side of the cover"
     ),
     "rods": words(
-        "{rods}: Kolbenstange und durchgeführte Stange auf ihrer Seite von der Kolbenfläche abgezogen"
-        "|{rods}: areas of piston rod and tail rod taken off on their sides of the piston"
+        "{rods}: Kolbenstange und durchgeführte Stange auf ihrer Seite von der Kolbenfläche abgezogen; auf"
+        " ihren Querschnitt wirkt kein Druck, auch nicht der der Luft"
+        "|{rods}: areas of piston rod and tail rod taken off on their sides of the piston; no pressure acts"
+        " on their sections, not even that of the atmosphere"
     ),
     "pins": words(
         "$M_R$ weniger dem, was die Zapfen nehmen, mit Reibungskreisen $d/2 sin ρ$, $tan ρ = {friction}$:"
