@@ -84,8 +84,8 @@ def asked(
     `defaults` are options by their names, for those commands that have them; `machine` is a machine's file,
     which they outdo. Names of files count from the folder, in which they lie if they are to be `inside`, of a
     handbook or a document. With a format the table is for this one only, and the words may say what else is
-    set for a document at once: its label, and for LaTeX that it may break over pages. Raises KurbelError, also
-    for a mistake that click finds.
+    set for a document at once: its label, and for LaTeX that it may break over pages. Raises KurbelError,
+    also for a mistake that click finds.
     """
     words = words[1:] if words[:1] in (["kurbel"], ("kurbel",)) else words
     if not words:

@@ -14,7 +14,7 @@ from kurbel.cli import say
 from kurbel.cli.app import show
 from kurbel.cli.asking import Asked, asked
 from kurbel.documents.inject import Kind, Place, content, filled, places
-from kurbel.errors import KurbelError, MarkerError
+from kurbel.errors import KurbelError, LayoutError, MarkerError
 from kurbel.formats.registry import PageFormat, kind_of
 from kurbel.page.table import Table
 from kurbel.reading.inside import DOCUMENT
@@ -177,7 +177,11 @@ def _text(one: Asked, form: PageFormat, kind: Kind, number: int, place: Place, n
 
         for remark in form.remarks(one.made, one.longtable):
             say(f"{where}: {remark}")
-        return render(one.made, form.name, decimal=one.decimal, longtable=one.longtable, siunitx=one.siunitx)
+        wishes = {"longtable": one.longtable, "siunitx": one.siunitx}
+        try:
+            return render(one.made, form.name, decimal=one.decimal, **wishes)
+        except LayoutError as error:
+            raise MarkerError(f"{where}: {error}") from None
     if not form.draws:
         command = next(word for word in place.words.split() if word != "kurbel")
         raise MarkerError(
