@@ -6,6 +6,7 @@ import os
 import shlex
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 import click
@@ -177,9 +178,9 @@ def _text(one: Asked, form: PageFormat, kind: Kind, number: int, place: Place, n
 
         for remark in form.remarks(one.made, one.longtable):
             say(f"{where}: {remark}")
-        wishes = {"longtable": one.longtable, "siunitx": one.siunitx}
+        wishes = partial(render, decimal=one.decimal, longtable=one.longtable, siunitx=one.siunitx)
         try:
-            return render(one.made, form.name, decimal=one.decimal, **wishes)
+            return wishes(one.made, form.name)
         except LayoutError as error:
             raise MarkerError(f"{where}: {error}") from None
     if not form.draws:
