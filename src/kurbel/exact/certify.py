@@ -17,8 +17,7 @@ import flint
 from flint import arb
 
 from kurbel.errors import ProblemError
-from kurbel.exact.size import MOST_BITS as MOST_SIZE
-from kurbel.exact.size import TooLargeError
+from kurbel.exact.numerals import MOST_FIGURES
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinematics import rod_sine
 
@@ -31,7 +30,7 @@ GUARD_BITS = 40
 MOST_BITS = 20_000
 # A proof that a value is a tie may need more; beyond these it takes minutes.
 MOST_TIE_BITS = 200_000
-_ENDLESS = flint.arb(2) ** MOST_SIZE
+_ENDLESS = flint.arb(10) ** MOST_FIGURES
 
 
 def ball(value: Fraction | int) -> arb:
@@ -93,7 +92,7 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
             scaled = value() * unit
             magnitude = abs(scaled)
             if magnitude > _ENDLESS:
-                raise ProblemError(f"a value is not settled: {TooLargeError()}")
+                raise ProblemError(f"a value has more than {MOST_FIGURES} figures, which are not printed")
             raised = magnitude + flint.arb(0.5)
             nearest = raised.floor().unique_fmpz()
             # A ball that touches a boundary from above, such as the exact 1.25, is settled for half away.

@@ -9,14 +9,15 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable
 from fractions import Fraction
+from math import log2
 from typing import Any
 
 from kurbel.errors import NotationError
+from kurbel.exact.numerals import MOST_FIGURES
 from kurbel.exact.separation import Separation
 
-# Numerator and denominator together: a power of so many takes a thousandth of a second, and Python writes
-# them out. A number that is typed has 3500 at the most.
-MOST_BITS = 10_000
+# Numerator and denominator together. A power of so many takes a thousandth of a second.
+MOST_BITS = log2(10) * MOST_FIGURES
 # Of the logarithms of two such numbers.
 _DOUBT = 1e-9
 
@@ -26,7 +27,7 @@ class TooLargeError(NotationError):
 
     def __init__(self) -> None:
         super().__init__(
-            f"a number of more than {MOST_BITS * 3 // 10} figures would come out, which is not computed;"
+            f"a number of more than {MOST_FIGURES} figures would come out, which is not computed;"
             " write it with smaller numbers and powers"
         )
 

@@ -144,7 +144,8 @@ def _on_line(
     from kurbel.exact.roots import LEAST_WIDTH, isolate
 
     torque, slope = functions(excess, number, unit)
-    for root in _merged(isolate(_counted(torque, len(excess.waves.amplitudes)), slope, start / unit, end / unit)):
+    counted = _counted(torque, len(excess.waves.amplitudes))
+    for root in _merged(isolate(counted, slope, start / unit, end / unit)):
         zero = Zero(None, number, root, excess, unit)
         exact = _recognised(zero)
         is_open = exact is None and root.rising is None and unit != UNITS[-1]
