@@ -178,7 +178,7 @@ def test_a_power_without_end_is_no_condition_that_takes_long() -> None:
 )
 def test_a_number_that_would_outgrow_all_is_refused_before_it_is_computed(text: str) -> None:
     before = process_time()
-    with pytest.raises(KurbelError, match="more than 3000 figures|beyond 10\\^308"):
+    with pytest.raises(KurbelError, match=r"more than 3000 figures|beyond 10\^308"):
         points(eps="2..4", ratio="1:5", only=text)
     assert process_time() - before < SOME_SECONDS
 
@@ -190,7 +190,7 @@ def test_a_number_that_would_outgrow_all_is_refused_before_it_is_computed(text: 
         ("ratio*1e-400 > 0", 3),
         ("eps < 1e999", 3),
         ("eps**1000 > 10**500", 1),
-        ("(1 + eps/10**30)**70 > 1", 3),
+        ("(1 + eps/10**20)**70 > 1", 3),
         ("2**1000 < eps**1000 <= 3**1000", 1),
     ],
 )
