@@ -53,11 +53,11 @@ class MarkerError(FailedError):
 
 
 class OutsideError(FailedError):
-    """A file that a handbook may not read, for it lies elsewhere."""
+    """A file that a handbook, or a document, may not read, for it lies elsewhere."""
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: str, whose: str) -> None:
         super().__init__(
-            f'"{name[:60]}" leads out of the folder of the handbook; put what it names into that folder,'
+            f'"{name[:60]}" leads out of the folder of the {whose}; put what it names into that folder,'
             " or add --allow-outside"
         )
 

@@ -92,7 +92,8 @@ def test_kernel_and_table_know_neither_click_nor_jinja(name: str) -> None:
 def test_only_render_knows_jinja() -> None:
     assert importers("jinja2") == {"kurbel.formats.render", "kurbel.formats.sandbox"}
     assert {name for name in MODULES if "kurbel.formats.sandbox" in imported(name)} == {
-        "kurbel.formats.render"
+        "kurbel.formats.apart",
+        "kurbel.formats.render",
     }
 
 

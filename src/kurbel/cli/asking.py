@@ -19,10 +19,12 @@ from kurbel.cli.machine import machine_defaults
 from kurbel.cli.options import MACHINE, Document, FileName, Given
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
+from kurbel.formats.apart import one_page
 from kurbel.formats.registry import FORMATS, WorkbookFormat
-from kurbel.handbook.pool import GIGABYTES, About, Made, Task, deadline
+from kurbel.handbook.pool import About, Made, Task
 from kurbel.page.table import Table
 from kurbel.reading.given import File, meant
+from kurbel.reading.inside import HANDBOOK
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
@@ -75,14 +77,15 @@ def asked(
     machine: str | None = None,
     format: str | None = None,
     folder: str = "",
-    inside: bool = False,
+    inside: str = "",
 ) -> Asked:
     """Return what the words, a command and its options, ask for.
 
     `defaults` are options by their names, for those commands that have them; `machine` is a machine's file,
-    which they outdo. Names of files count from the folder; with `inside` they lie in it. With a format the
-    table is for this one only, and the words may say what else is set for a document at once: its label, and
-    for LaTeX that it may break over pages. Raises KurbelError, also for a mistake that click finds.
+    which they outdo. Names of files count from the folder, in which they lie if they are to be `inside`, of a
+    handbook or a document. With a format the table is for this one only, and the words may say what else is
+    set for a document at once: its label, and for LaTeX that it may break over pages. Raises KurbelError,
+    also for a mistake that click finds.
     """
     words = words[1:] if words[:1] in (["kurbel"], ("kurbel",)) else words
     if not words:
@@ -150,7 +153,8 @@ def make_part(task: Task) -> Made:
 
     part = task.part
     options = {**part.options, "label": part.name}
-    answer = asked(part.words, options, task.machine, folder=task.folder, inside=not task.outside)
+    inside = "" if task.outside else HANDBOOK
+    answer = asked(part.words, options, task.machine, folder=task.folder, inside=inside)
     if answer.code:
         raise FailedError("the command ends with 1, for printed values deviate and it is strict")
     made = answer.made
@@ -167,7 +171,7 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
     told = table.told and (part.caption or table.told[0], table.told[1])
     data = replace(named, caption=caption, told=told)
     named = replace(named, caption=_caption(task, table.caption, table.lang), steps=_steps(task, table))
-    with deadline(task.patience, GIGABYTES, bool(task.templates or named.templates)):
+    with one_page():
         files = {
             f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(
                 data if FORMATS[name].kind == "records" else named, name, answer.decimal, task.templates

@@ -17,6 +17,7 @@ import flint
 from flint import arb
 
 from kurbel.errors import ProblemError
+from kurbel.exact.numerals import MOST_FIGURES
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinematics import rod_sine
 
@@ -29,6 +30,7 @@ GUARD_BITS = 40
 MOST_BITS = 20_000
 # A proof that a value is a tie may need more; beyond these it takes minutes.
 MOST_TIE_BITS = 200_000
+_ENDLESS = flint.arb(10) ** MOST_FIGURES
 
 
 def ball(value: Fraction | int) -> arb:
@@ -88,12 +90,15 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
         precision *= 2
         with flint.ctx.workprec(precision):
             scaled = value() * unit
-            raised = abs(scaled) + flint.arb(0.5)
+            magnitude = abs(scaled)
+            if magnitude > _ENDLESS:
+                raise ProblemError(f"a value has more than {MOST_FIGURES} figures, which are not printed")
+            raised = magnitude + flint.arb(0.5)
             nearest = raised.floor().unique_fmpz()
             # A ball that touches a boundary from above, such as the exact 1.25, is settled for half away.
             if nearest is not None and (rounding == "half-away" or not raised.contains_integer()):
                 return _signed(int(nearest), scaled)
-            above = (2 * abs(scaled) + flint.arb(0.5)).floor().unique_fmpz()
+            above = (2 * magnitude + flint.arb(0.5)).floor().unique_fmpz()
             if above is None and precision <= MOST_TIE_BITS:
                 continue
             if above is None:

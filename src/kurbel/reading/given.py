@@ -30,12 +30,13 @@ _EITHER_WAY = r"\s*(?:±|\+/?[-−])\s*(?=[\d.,])"
 class File(os.PathLike[str]):
     """A file by its name, which counts from a folder; no folder is the one in which kurbel runs.
 
-    One that is `inside` is refused where it is opened elsewhere, and so is what it names beside itself.
+    One that is `inside`, of a handbook or a document, is refused where it is opened elsewhere, and so is what
+    it names beside itself.
     """
 
     __slots__ = ("folder", "inside", "name")
 
-    def __init__(self, name: str, folder: str = "", inside: bool = False) -> None:
+    def __init__(self, name: str, folder: str = "", inside: str = "") -> None:
         self.name = name
         self.folder = folder
         self.inside = inside
@@ -45,7 +46,7 @@ class File(os.PathLike[str]):
         if self.inside:
             from kurbel.reading.inside import check_inside
 
-            check_inside(path, self.folder, self.name)
+            check_inside(path, self.folder, self.name, self.inside)
         return path
 
     def __bool__(self) -> bool:

@@ -13,6 +13,7 @@ from kurbel.books.formulas.form import Algebra, Form, Letters
 from kurbel.books.formulas.points import BITS, Balls, Series, at_points, cells, ends, order_of
 from kurbel.books.formulas.polynomial import Quotient, UnprovableError
 from kurbel.books.formulas.proof import PARTS, Symbols
+from kurbel.exact.size import TooLargeError
 
 # How a formula follows from one before it: it begins; it is equal; it is so but for what the book neglects;
 # it is the same equation for a letter; its value of a letter solves the equation.
@@ -143,7 +144,7 @@ def _proved(step: Step, free: frozenset[str], sign: int, times: Fraction = Fract
         try:
             left, right = step.sides(symbols, {**given, SIGN: symbols.of(Fraction(sign))})
             same: bool = Quotient.equals(left * symbols.of(times), right)
-        except UnprovableError:
+        except (UnprovableError, TooLargeError):
             continue
         return same
     return False
