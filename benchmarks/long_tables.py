@@ -23,9 +23,10 @@ phi = numpy.linspace(0, 360, {rows})
 sine, cosine = numpy.sin(numpy.radians(phi)), numpy.cos(numpy.radians(phi))
 double = numpy.cos(2 * numpy.radians(phi))
 def columns(ratio):
-    w = numpy.sqrt(1 - (ratio * sine) ** 2)
+    square = sine * sine
+    w = numpy.sqrt(1 - ratio * ratio * square)
     return [1 - cosine + (1 - w) / ratio, sine + ratio * sine * cosine / w,
-            cosine + ratio * (double + ratio**2 * sine**4) / w**3]
+            cosine + ratio * (double + ratio * ratio * square * square) / (w * w * w)]
 both = dict(enumerate([phi, *columns(1 / {ratio}), *columns(-1 / {ratio})]))
 polars.DataFrame({{str(key): column for key, column in both.items()}}).write_csv(
     "table.csv", float_precision=4)

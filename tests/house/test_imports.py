@@ -188,6 +188,7 @@ ARRAYS = {
     "kurbel.engine.card.force",
     "kurbel.engine.card.turn",
     "kurbel.engine.irregularity",
+    "kurbel.engine.long.irregularity",
     "kurbel.engine.long.columns",
     "kurbel.engine.long.turn",
     "kurbel.engine.rodload.card",

@@ -162,7 +162,7 @@ class Request(CrankQuestion, AngleQuestion):
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return (column.method or self.method or "exact",)
 
-    @property
+    @cached_property
     def bulk(self) -> bool:
         """Whether so many cells are computed in arrays."""
         if fits_page(self.page_columns, self.cranks, self.angles):

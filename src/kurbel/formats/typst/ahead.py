@@ -208,8 +208,7 @@ def root(context, environment):
             l_1_panel = undefined("parameter 'panel' was not provided", name='panel')
         pass
         l_1_labelled = (t_5(t_6(environment.getattr(l_1_panel, 'groups'), 'label')) == [])
-        l_2_loop = missing
-        for l_2_group, l_2_loop in LoopContext(environment.getattr(l_1_panel, 'groups'), undefined):
+        for l_2_group in environment.getattr(l_1_panel, 'groups'):
             _loop_vars = {}
             pass
             if environment.getattr(l_2_group, 'label'):
@@ -221,16 +220,15 @@ def root(context, environment):
                     str(environment.getattr(l_2_group, 'label')),
                     ']),\n',
                 ))
-            l_3_loop = missing
-            for l_3_cells, l_3_loop in LoopContext(environment.getattr(l_2_group, 'rows'), undefined):
+            for (l_3_cells, l_3_span) in environment.getattr(l_2_group, 'spanned_rows'):
                 _loop_vars = {}
                 pass
                 t_15.extend((
-                    str(context.call((undefined(name='filled') if l_0_filled is missing else l_0_filled), context.call((undefined(name='row') if l_0_row is missing else l_0_row), l_3_cells, l_1_panel, _loop_vars=_loop_vars), l_1_panel, environment.getitem(environment.getattr(l_2_group, 'spans'), environment.getattr(l_3_loop, 'index0')), _loop_vars=_loop_vars)),
+                    str(context.call((undefined(name='filled') if l_0_filled is missing else l_0_filled), context.call((undefined(name='row') if l_0_row is missing else l_0_row), l_3_cells, l_1_panel, _loop_vars=_loop_vars), l_1_panel, l_3_span, _loop_vars=_loop_vars)),
                     '\n',
                 ))
-            l_3_loop = l_3_cells = missing
-        l_2_loop = l_2_group = missing
+            l_3_cells = l_3_span = missing
+        l_2_group = missing
         return concat(t_15)
     context.exported_vars.add('body')
     context.vars['body'] = l_0_body = Macro(environment, macro, 'body', ('panel',), False, False, False, context.eval_ctx.autoescape)
@@ -407,4 +405,4 @@ def root(context, environment):
     yield ')]\n'
 
 
-TEMPLATES = {3720348464: root}
+TEMPLATES = {3399593310: root}
