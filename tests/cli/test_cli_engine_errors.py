@@ -383,14 +383,12 @@ def test_a_wrong_flywheel_is_answered_with_a_sentence(words: tuple[str, ...], se
     assert refusal(*flywheel(*words)) == sentence
 
 
-@pytest.mark.parametrize("missing", ["--power", "--speed", "--delta"])
-def test_a_flywheel_needs_power_speed_and_irregularity(missing: str) -> None:
+@pytest.mark.parametrize("missing", ["--speed", "--delta"])
+def test_a_flywheel_needs_speed_and_irregularity(missing: str) -> None:
     words = [word for name, text in FLYWHEEL.items() if name != missing for word in (name, text)]
     examples = {"--speed": "--speed 120/min", "--delta": "--delta 1:100"}
     told = f"the flywheel of an engine needs {missing}; add it, for example {examples.get(missing)}"
-    # With masses it follows from the steam.
-    power = "a flywheel needs the power of the engine; add --power, for example --power 50kW"
-    assert refusal("flywheel", *words) == (power if missing == "--power" else told)
+    assert refusal("flywheel", *words) == told
 
 
 def test_pages_of_engines_are_not_printed_as_tables_of_motion() -> None:
