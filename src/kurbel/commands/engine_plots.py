@@ -14,7 +14,7 @@ from kurbel.commands.drawn.size import Sized
 from kurbel.commands.drives.given import PATH
 from kurbel.commands.engine import Wheeled, beside_wheel
 from kurbel.commands.engine_pages.layouts import has_wheel
-from kurbel.commands.machines import engine_of, is_heavy, load_of, over_cycle, weightless
+from kurbel.commands.machines import engine_of, is_heavy, load_of, needless_of_load, over_cycle
 from kurbel.commands.motion import of_other_mechanisms
 from kurbel.commands.plots import (
     CurveStep,
@@ -70,7 +70,7 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
     return {**of_other_mechanisms(values, shared=("stroke", "speed", "method")), **still(values)}
 
 
-@draws(foreign=_foreign, needless=weightless)
+@draws(foreign=_foreign, needless=needless_of_load)
 def plot_engine_forces(
     eps: option.Eps = None, *, of: Of = None, columns: DrawnColumns = (), **given: Unpack[DrawnOver]
 ) -> Drawing:
@@ -87,7 +87,7 @@ def plot_engine_forces(
     return curves_of(question, force_panels(question), beside, given, lettered(question))
 
 
-@draws(foreign=_foreign, needless=weightless)
+@draws(foreign=_foreign, needless=needless_of_load)
 def plot_engine_polar(eps: option.Eps = None, *, of: Of = None, **given: Unpack[Drawn]) -> Drawing:
     """Draw the polar diagram of the force on the crank pin of a steam engine."""
     from kurbel.plot.engine import PIN_FORCE, engine_pin_force

@@ -1,5 +1,6 @@
 """Compressors, pumps and the cycles of gas engines, as options describe them."""
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
@@ -138,6 +139,25 @@ def loads_of(given: Mapping[str, Any]) -> Sequence["Acting"]:
                 f"{_flag(name)} does not belong to {LOADS[OWN[key][0]].title}; it is for {_owners(name)}"
             )
     return _READERS[key](given)
+
+
+def uncounted(given: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse the pressures of a load in which nothing is counted: they make newtons with a bore."""
+    if is_given(given["card"]):
+        return {
+            "pressure": "--pressure is that of ideal steam, and an indicator card has its own; leave it out"
+        }
+    if is_given(given.get("cylinder")) or given["bore"] is not None:
+        return {}
+    ends = given["pump"] if is_given(given["pump"]) else None
+    if ends is not None:
+        alike = ends == "double" and not given["single_acting"]
+        names = ("suction_pressure", "delivery_pressure") if alike else ("delivery_pressure",)
+        names = names if alike or given["suction_pressure"] is None else ()
+    else:
+        others = (given["other_side"], given["peak_pressure"], given["exhaust_pressure"])
+        names = () if any(re.search("[a-z]", str(one or "")) for one in others) else ("suction_pressure",)
+    return {name: f"{_flag(name)} makes newtons of the load only with --bore; add that" for name in names}
 
 
 def load_of(given: Mapping[str, Any]) -> "Load | None":

@@ -164,6 +164,21 @@ def lone_lengths(values: Mapping[str, Any]) -> Mapping[str, str]:
     }
 
 
+def unsized(values: Mapping[str, Any], what: str = "load") -> Mapping[str, str]:
+    """Refuse a length that makes neither newton metres of a load nor a ratio."""
+    if is_heavy(values) or is_given(values.get("cylinder")) or values["bore"] is not None:
+        return {}
+    refused = {**lone_lengths(values)}
+    if "stroke" in refused:
+        refused["stroke"] = f"--stroke makes newton metres of the {what} only with --bore; add that"
+    return refused
+
+
+def needless_of_load(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse what says something of a weight or of pressures, where nothing has or counts in one."""
+    return {**weightless(values), **loads.uncounted(values)}
+
+
 def weightless(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what says something of a weight where nothing has one."""
     if not any(is_given(values.get(name)) for name in LYING):
@@ -185,6 +200,11 @@ def steams_of(given: Mapping[str, Any], page: Layout) -> Sequence[Acting]:
         back = _read(as_share_or_pressure, given["back"], "back pressure", given["pressure"])
         exponent = as_number(1 if given["exponent"] is None else given["exponent"], "exponent")
         clearance = as_share(0 if given["clearance"] is None else given["clearance"], "clearance")
+        if given["eps"] is None and not page.expansions:
+            raise ProblemError(
+                "what acts on the piston is not known; add the expansion ratio of its steam, --eps 4, or"
+                " --card, --pressure-ratio, --pump or --compression"
+            )
         values = as_expansions(page.expansions if given["eps"] is None else given["eps"])
         return [Steam(expansion, back, exponent, clearance) for expansion in values]
     return cards_of(given)

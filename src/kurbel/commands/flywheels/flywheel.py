@@ -5,10 +5,10 @@ from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder import engines
+from kurbel.commands.cylinder.effort import RODS, RUBBING
 from kurbel.commands.diagram.given import Diagram, is_diagram
 from kurbel.commands.engine import ORDER
 from kurbel.commands.flywheels.options import Body, Press, Rim, Swing, Wheel
-from kurbel.commands.cylinder.effort import RODS, RUBBING
 from kurbel.commands.loads import OWN
 from kurbel.commands.machines import (
     EXAMPLE,
@@ -16,8 +16,8 @@ from kurbel.commands.machines import (
     has_back_pressure,
     is_heavy,
     lone_lengths,
+    needless_of_load,
     of_load,
-    weightless,
 )
 from kurbel.commands.motion import meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Option, is_given
@@ -87,7 +87,7 @@ def _of_nothing(values: Mapping[str, Any]) -> Mapping[str, str]:
 def _power_of_steam(values: Mapping[str, Any]) -> Mapping[str, str]:
     if not _is_engine(values):
         return _of_nothing(values)
-    light = weightless(values)
+    light = needless_of_load(values)
     if is_heavy(values):
         return {"power": WITH_MASSES, **light}
     if is_given(values["cylinder"]):
@@ -114,7 +114,8 @@ def flywheel_table(
         Exact | None,
         Option(
             "Power of the engine: 50kW, 68PS; left out, it follows from pressure, bore, stroke and speed.",
-            "POWER", unit="W",
+            "POWER",
+            unit="W",
         ),
     ] = None,
     speed: Annotated[
