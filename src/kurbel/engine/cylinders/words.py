@@ -11,6 +11,7 @@ from kurbel.engine.axes import LoadWords, load_text, words_of
 from kurbel.engine.captions import inner
 from kurbel.exact.numerals import Label
 from kurbel.page.axes import angle_text
+from kurbel.page.labels import unprompted
 from kurbel.page.quantity import words
 from kurbel.reading.amounts import amount
 from kurbel.reading.notation import plain, ratio_text
@@ -31,6 +32,7 @@ WORDS = {
         " delivered; there the mean $T$ and the work are negative"
     ),
     "single": words("einfachwirkend|single-acting"),
+    "double": words("doppeltwirkend|double-acting"),
     "count": words("{count} Zylinder|{count} cylinders"),
     "one": words("1 Zylinder|1 cylinder"),
 }
@@ -44,7 +46,7 @@ _SINGLE = words("der Maschine mit einem Zylinder|of the engine of one cylinder")
 
 
 @dataclass(frozen=True)
-class _Alone:
+class Alone:
     """A cylinder as a page of its own would know it."""
 
     first: Engine
@@ -114,7 +116,7 @@ def _within(line: Label, lang: str) -> Label:
 
 
 def _said(part: Engine, first: int, lang: str) -> Iterator[Label]:
-    alone = _Alone(part)
+    alone = Alone(part)
     if part.load is not None:
         yield alone.words.newtons(part.steam, part.load)
     sizes = f"$R:L = {ratio_text(part.crank.ratio)}$"
@@ -125,6 +127,8 @@ def _said(part: Engine, first: int, lang: str) -> Iterator[Label]:
         yield WORDS["lag"][lang].format(angle=f"${angle_text(part.lag)}$", number=first)
     if alone.words.captioned:
         yield load_text(part.steam, lang)
-    yield from (_within(line, lang) for line in alone.words.lines(cast("EngineRequest", alone), lang))
-    if not part.double and alone.words.halved:
-        yield WORDS["single"][lang]
+    lines = alone.words.lines(cast("EngineRequest", alone), lang)
+    # What is assumed is said by an entry of the cylinder.
+    yield from (_within(unprompted(line), lang) for line in lines)
+    if alone.words.halved:
+        yield WORDS["double" if part.double else "single"][lang]
