@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, cast
 from kurbel.engine.axes import LoadWords, load_text, words_of
 from kurbel.engine.captions import inner
 from kurbel.exact.numerals import Label
+from kurbel.motion import captions as motion
 from kurbel.page.axes import angle_text
 from kurbel.page.labels import unprompted
 from kurbel.page.quantity import words
@@ -103,11 +104,17 @@ def masses_notes(request: EngineRequest, lang: str) -> Iterator[Label]:
     numbers = request.numbers or range(1, len(request.first.parts) + 1)
     every = zip(numbers, request.first.parts, strict=True)
     parts = [(number, part.crank) for number, part in every if part.crank.loaded]
-    same = len({crank for _, crank in parts}) == 1
+    same, weightless = len({crank for _, crank in parts}) == 1, motion.WORDS["weightless"][lang]
+    noted = False
     for number, crank in parts[:1] if same else parts:
         prefix = "" if same else WORDS["cylinder"][lang].format(number=number)
         for note in request.mechanism.masses_notes(crank, request.layout.ratio_symbol, lang):
-            yield prefix + note
+            if note == weightless:
+                noted = True
+            else:
+                yield prefix + note
+    if noted:
+        yield weightless
 
 
 def _within(line: Label, lang: str) -> Label:
