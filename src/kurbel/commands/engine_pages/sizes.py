@@ -38,7 +38,7 @@ def needless_sizes(
     weighed = ("bore", "pressure") if any(is_given(values.get(one)) for one in (*RUBBING, *RODS)) else ()
     refused = for_masses(*(name for name in names if name not in weighed))(values)
     lone = lone_lengths(values)
-    refused |= {"rod": lone.get("rod", "")}
+    refused = {**refused, "rod": lone.get("rod", "")}
     refused = {
         name: said
         for name, said in refused.items()
