@@ -48,6 +48,15 @@ RATIOS = (
         *((MASSES, option, "add --ratio") for option in ("--stroke 1m", "--crank 1m")),
         (f"{MASSES} --rod 1m", "--ratio 1:5", "--rod gives"),
         *((command, "--rod 1750mm", "gives the ratio with --stroke") for command in RATIOS),
+        *(
+            (f"plot {drawing} --eps 4 -f svg", option, why)
+            for drawing in ("--turning", "--forces", "--polar")
+            for option, why in (
+                ("--rod 1m", "the ratio with --stroke"),
+                ("--stroke 1m", "only with --bore"),
+                ("--speed 120/min", "for moving masses"),
+            )
+        ),
         ("construct klein --table", "--stroke 1m", "gives the ratio with --rod"),
         (HARMONICS, "--stroke 1m", "only with --bore"),
         (HARMONICS, "--speed 120/min", "for moving masses"),
