@@ -384,7 +384,11 @@ def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
 @pytest.mark.parametrize(
     ("choices", "sentence"),
     [
-        ({"power": None}, "a flywheel needs the power of the engine; add --power, for example --power 50kW"),
+        (
+            {"power": None},
+            "a flywheel needs the power of the engine; add --power, for example --power 50kW, or --stroke,"
+            " --bore and --pressure, from which it follows",
+        ),
         ({"delta": ()}, "no degree of irregularity was given; write one as 1:100"),
         ({"eps": []}, "no expansion ratio was given; write them as 4, 2;3;4 or 2..6"),
         ({"ratio": []}, "no crank ratio was given; write one as 1:5"),

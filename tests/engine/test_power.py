@@ -240,3 +240,54 @@ def test_a_back_pressure_is_its_share_of_the_steam_pressure() -> None:
     for words in (("delta",), ("forces", "--step=90"), ("solve", "--where=torque=max")):
         share = printed(*words, "--eps=3", "--back=0.15", "-f", "csv").out
         assert printed(*words, "--eps=3", "--back=1.2bar", "--pressure=8bar", "-f", "csv").out == share
+
+
+MACHINE = """
+crank = {ratio = "1:4", stroke = "450mm", speed = "200/min"}
+%s
+flywheel = {delta = "1:100"}
+"""
+HEAT = 12 * (1 - 6**-0.4)
+
+
+@pytest.mark.parametrize(
+    ("load", "options", "joules"),
+    [
+        # In a turn, of the swept volume in m³.
+        (
+            'steam = {eps = 3, pressure = "8bar", back = "1.1bar", bore = "300mm"}',
+            ("--piston-rod=60mm",),
+            2 * (8e5 * (1 + log(3)) / 3 - 1.1e5) * (1 - (60 / 300) ** 2 / 2),
+        ),
+        (
+            'gas = {compression = 6, heat = 12, suction_pressure = "0.9bar", bore = "300mm"}',
+            ("--cranks=0;120;240",),
+            3 / 2 * HEAT * 0.9e5 / (1 - 1 / 6),
+        ),
+        ('pump = {kind = "single", delivery_pressure = "6bar", bore = "300mm"}', (), 6e5),
+    ],
+)
+def test_a_flywheel_takes_the_power_of_its_engine(
+    load: str, options: tuple[str, ...], joules: float, tmp_path: Path
+) -> None:
+    machine = tmp_path / "engine.toml"
+    machine.write_text(MACHINE % load, encoding="utf-8")
+    words = (f"--machine={machine}", *options)
+    power = joules * pi / 4 * 0.3**2 * 0.45 * 200 / 60
+    assert record(*words)["indicated_power"] == pytest.approx(power / 1e3, abs=1e-9)
+    (row,) = printed("flywheel", *words, "--columns=power,mean_torque", "--digits=6", "-f", "csv").records()
+    assert float(row["power"]) == pytest.approx(power, abs=1e-6)
+    assert float(row["mean_torque"]) == pytest.approx(power / (2 * pi * 200 / 60), abs=1e-6)
+    assert "r = 225 mm" in printed("flywheel", *words).out
+
+
+@pytest.mark.parametrize(
+    ("words", "missing"),
+    [((), "--stroke, --bore and --pressure"), (("--stroke=450mm", "--bore=300mm"), "--pressure")],
+)
+def test_a_flywheel_asks_for_what_its_power_follows_from(words: tuple[str, ...], missing: str) -> None:
+    said = refusal("flywheel", "--eps=3", "--speed=200/min", "--delta=1:100", *words)
+    assert said == (
+        "a flywheel needs the power of the engine; add --power, for example --power 50kW, or"
+        f" {missing}, from which it follows"
+    )

@@ -228,9 +228,9 @@ def test_open_torsion_reads_the_excitation(tmp_path: Path) -> None:
         ("--offset=0.2", "harmonics of the motion are known for the straight crank, without --offset"),
         ("--stroke=600mm", "--stroke gives the ratio with --rod"),
         ("--quantity=torque --method=infinite", "is that of --ratio 1:∞; leave --method out"),
-        ("--quantity=torque --columns=star", "column star needs several cranks with cylinders alike"),
-        ("--quantity=torque --columns=frequency", "column frequency needs --speed"),
-        ("--layout=excitation --speed=120/min", "column amplitude_nm needs --stroke, --bore"),
+        ("--quantity=torque --eps=4 --columns=star", "column star needs several cranks with cylinders alike"),
+        ("--quantity=torque --eps=4 --columns=frequency", "column frequency needs --speed"),
+        ("--layout=excitation --eps=4 --speed=120/min", "column amplitude_nm needs --stroke, --bore"),
     ],
 )  # fmt: skip
 def test_what_has_no_harmonics_is_refused(words: str, said: str) -> None:

@@ -289,7 +289,7 @@ def test_a_table_loads_no_reader_of_models_and_a_long_one_no_balls() -> None:
 PAGES = [
     ("table", "--ratio", "1:5"),
     ("delta", "--eps", "2..6"),
-    ("turning",),
+    ("turning", "--eps", "4"),
     ("deadcentres",),
     ("harmonics",),
     ("balance",),

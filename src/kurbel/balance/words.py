@@ -39,7 +39,8 @@ WORDS: Mapping[str, Words] = {
         "|$m$ reciprocating mass of a cylinder, $R$ crank radius, $ω$ angular velocity"
     ),
     "balanced": words(
-        "; die umlaufenden Massen gelten als ausgeglichen|; rotating masses are taken as balanced"
+        "; die umlaufenden Massen gelten als ausgeglichen (--revolving)"
+        "|; rotating masses are taken as balanced (--revolving)"
     ),
     "share": words(
         "Gegengewichte, der Kurbel gegenüber umlaufend, gleichen von jeder Masse $m$ den Teil {share} aus"

@@ -6,7 +6,7 @@ nor the folder in which kurbel runs.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -22,7 +22,7 @@ from kurbel.errors import ChoiceError, FailedError, ProblemError
 from kurbel.formats.apart import one_page
 from kurbel.formats.registry import FORMATS, WorkbookFormat
 from kurbel.handbook.pool import About, Made, Task
-from kurbel.page.table import Table
+from kurbel.page.table import Note, Table
 from kurbel.reading.given import File, meant
 from kurbel.reading.inside import HANDBOOK
 
@@ -107,9 +107,23 @@ def asked(
             made, code = command.made(Given(context))
     except click.ClickException as error:
         raise ProblemError(one_line(error)) from None
+    if isinstance(made, Table):
+        made = _unprompted(made)
     values = context.params
     wishes = (values.get("longtable", False), values.get("siunitx", False))
     return Asked(made, values["lang"], values["decimal"], _files(context, own), code, *wishes)
+
+
+def _unprompted(table: Table) -> Table:
+    """Return a table of a document, whose readers have no options."""
+    from kurbel.page.labels import unprompted
+
+    def quiet(notes: Iterable[Note]) -> tuple[Note, ...]:
+        return tuple(note._replace(text=unprompted(note.text)) for note in notes)
+
+    told = table.told and (table.told[0], quiet(table.told[1]))
+    steps = table.steps and table.steps.named(_unprompted)
+    return replace(table, notes=quiet(table.notes), told=told, steps=steps)
 
 
 def _defaults(command: click.Command, defaults: Mapping[str, Any], machine: File | None) -> dict[str, Any]:

@@ -188,11 +188,17 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
         yield request.words.forces[lang]
     yield from _directions(request, [column.quantity for column in columns])
     needs = {column.quantity.needs for column in columns}
-    newtons, alike = needs & {"load", "torque", "power", "flow"}, request.assembly is None
+    alike = request.assembly is None
+    # The power of an engine that is not given follows from its sizes.
+    powered = alike and any(one.power is None for one in request.flywheels)
+    newtons = powered or needs & {"load", "torque", "power", "flow"}
     if alike and request.load is not None and (request.first.crank.loaded or newtons):
         yield request.words.newtons(request.steams[0], request.load)
-    if needs & {"power", "flow"} and request.first.crank.moving is None:
-        yield _sized(request)
+    if request.first.crank.moving is None:
+        if powered:
+            yield _radius(request)
+        elif needs & {"power", "flow"}:
+            yield _sized(request)
     if any(column.methods == ("weisbach",) and column.quantity.of not in OF_RUNS for column in columns):
         yield WORDS["weisbach"][lang]
     yield from engine_notes(request)
@@ -259,12 +265,16 @@ def _sized(request: EngineRequest) -> Label:
     from kurbel.motion.captions import turns_label
 
     crank = request.first.crank
-    assert crank.radius is not None
     assert crank.speed is not None
     if request.assembly is not None:
         return turns_label(crank.speed)
-    radius = f"${request.layout.ratio_symbol[0]} = {amount(crank.radius, 'mm', exact_text)}$"
-    return f"{radius}, {turns_label(crank.speed)}"
+    return f"{_radius(request)}, {turns_label(crank.speed)}"
+
+
+def _radius(request: EngineRequest) -> Label:
+    radius = request.first.crank.radius
+    assert radius is not None
+    return f"${request.layout.ratio_symbol[0]} = {amount(radius, 'mm', exact_text)}$"
 
 
 def from_dead_centre(request: EngineRequest, method: str) -> bool:

@@ -67,6 +67,9 @@ WORDS: Mapping[str, Words] = {
         "|; {turns}$v = {pin} {unit}$, mean piston speed $c_m = {mean} {unit}$, $v:c_m = {quotient}$"
     ),
     "masses": words("Massen: |Masses: "),
+    "weightless": words(
+        "Gewicht der Massen nicht gerechnet (--slope)|Weight of the masses left out (--slope)"
+    ),
     "reciprocating": words("Kolben und Kreuzkopf|piston and crosshead"),
     "rotating": words("Kurbel weniger Gegengewicht, am Zapfen|crank less counterweight, at its pin"),
     "connecting_rod": words(
@@ -243,6 +246,8 @@ def loaded_notes(crank: Crank, ratio_symbol: str, lang: str) -> Iterator[Label]:
         yield from effort_notes(crank.effort, lang)
     if crank.moving is not None:
         yield from moving_notes(crank, ratio_symbol, lang)
+        if crank.moving.slope is None and (crank.moving.rod or crank.moving.reciprocating):
+            yield WORDS["weightless"][lang]
 
 
 def moving_notes(

@@ -120,7 +120,9 @@ def inertia_table(
     0.0067
     """
     if not (chosen := _rod_drive(given)).crosshead:
-        return _rocker_inertia(chosen, layout, Described.of(given, ratio=ratio), speed, columns, given)
+        return _rocker_inertia(
+            chosen, layout, Described.of(given, ratio=ratio, method=method), speed, columns, given
+        )
     page = layout_of(layout or "inertia", INERTIA, given["layouts"])
     if page.subject in MASSES:
         return _masses(page, ratio, columns, given)

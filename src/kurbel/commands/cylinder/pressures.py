@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Unpack
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder import engines
 from kurbel.commands.drawn.size import Sized, page_size
-from kurbel.commands.loads import OWN
-from kurbel.commands.machines import engine_of, for_masses, weighed
+from kurbel.commands.loads import FURTHER, OWN, PARTS, astray, uncounted
+from kurbel.commands.machines import STEAM, engine_of, for_masses, is_heavy, lone_lengths, weighed
 from kurbel.commands.motion import described, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Option, is_given
 from kurbel.commands.plots import AxisUnits, DrawnSpeed, LabelLang
@@ -37,6 +37,19 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
     return of_other_mechanisms({**values, "layout": None}, shared=("stroke", "speed"))
 
 
+def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse what says nothing of the masses or of the load, where there are none."""
+    refused = {**for_masses("speed")(values), **({} if is_heavy(values) else lone_lengths(values))}
+    if any(is_given(values[name]) for name in LOADS):
+        return {**refused, **uncounted(values)}
+    of_steam = ("pressure", *(name for name in STEAM if name not in FURTHER))
+    steam = {
+        name: f"--{name.replace('_', '-')} is for the steam of an engine; add --eps or --card"
+        for name in of_steam
+    }
+    return {**refused, **steam, **{name: astray(name) for name in PARTS}}
+
+
 class Piston(option.AnyDrive, engines.Cylinder, engines.MovingRod, option.Sheet, total=False):
     """A piston that masses and a load press on."""
 
@@ -47,7 +60,7 @@ class Piston(option.AnyDrive, engines.Cylinder, engines.MovingRod, option.Sheet,
 
 @makes_table(
     foreign=_foreign,
-    needless=for_masses("speed"),
+    needless=_needless,
     order="eps back exponent clearance card other_side single_acting bore pressure ratio mechanism"
     " offset rocker pivot circuit beam stroke crank true_stroke"
     " time_ratio rod speed reciprocating rod_mass centre"
@@ -127,7 +140,7 @@ class DrawnPiston(engines.Cylinder, engines.MovingRod, option.AnyDrive, Sized, t
     decimal: option.Decimal
 
 
-@draws(foreign=_foreign)
+@draws(foreign=_foreign, needless=_needless)
 def plot_pressures(eps: option.Eps = None, **given: Unpack[DrawnPiston]) -> Drawing:
     """Draw the acceleration pressure under the indicator diagram, over the stroke: what the masses take of
     the pressure on the piston, and what is left."""

@@ -36,6 +36,12 @@ def needless_of_ratio(values: Mapping[str, Any], texts: Sequence[Any]) -> Mappin
     return refused
 
 
+def needless_of_motion() -> Mapping[str, str]:
+    """Return the sentences that refuse what says nothing of a condition on the motion."""
+    why = "is of forces, and the condition is on the motion of the piston; leave it out"
+    return {name: f"--{name.replace('_', '-')} {why}" for name in ("force", *OF_FORCES)}
+
+
 class OfRatio:
     """The crank ratio of the straight or offset crank, its crosshead's motion known by formulas."""
 
@@ -52,6 +58,8 @@ class OfRatio:
         chosen, said = described({**known, "ratio": "1:4", "layout": None})
         if not chosen.crosshead:
             raise ProblemError("--unknown ratio is of the straight and the offset crank")
+        if said.method == "infinite":
+            raise ProblemError("--method infinite is of a rod without a ratio; leave it out")
         self.place, self.drive = place, chosen.solved(chosen.drives(said, ()), method_of(given))[0]
         self.condition = read_on(self.drive, text)
         if (

@@ -204,6 +204,13 @@ def _notes(question: PressuresRequest) -> Iterator[Label]:
         yield WORDS["slide"][lang].format(inner=inner)
     if pressed.engine is not None and getattr(pressed.engine.steam, "driven", False):
         yield WORDS["driven"][lang]
+    if pressed.engine is not None:
+        from kurbel.engine.axes import engine_lines, load_text
+        from kurbel.engine.cylinders.words import Alone
+
+        alone: Any = Alone(pressed.engine)
+        load = [load_text(pressed.engine.steam, lang)] if alone.words.captioned else []
+        yield "; ".join((*load, *engine_lines(alone, lang)))
     if pressed.heavy:
         rod = WORDS["rod"][lang] if known(pressed.crank.moving).rod is not None else ""
         bore = amount(known(pressed.bore), "mm")

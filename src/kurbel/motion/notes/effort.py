@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from kurbel.drive.load import figure
+from kurbel.drive.slope import STANDARD_GRAVITY
 from kurbel.exact.numerals import Label
 from kurbel.motion.evaluation import OUT
 from kurbel.page.quantity import Column, words
@@ -69,12 +70,18 @@ def weight_notes(moving: Moving, lang: str) -> Iterator[Label]:
     if moving.slope is None:
         return
     parts = "all" if moving.rod and moving.reciprocating else "rod" if moving.rod else "reciprocating"
-    yield WORDS["weight"][lang].format(
+    said = WORDS["weight"][lang].format(
         parts=WORDS[parts][lang],
         angle=figure(moving.slope.angle),
         where=_where(moving.slope, lang),
         gravity=amount(moving.slope.gravity, "m/s²"),
     )
+    yield said + usual_gravity(moving.slope.gravity)
+
+
+def usual_gravity(gravity: Fraction) -> str:
+    """Return the option that gives another acceleration of gravity than the standard one."""
+    return " (--gravity)" if gravity == STANDARD_GRAVITY else ""
 
 
 def _where(slope: Slope, lang: str) -> str:
