@@ -30,19 +30,19 @@ WATCHER: ContextVar[Callable[[int], Callable[[], None]] | None] = ContextVar("wa
 def build(question: Question, pages: bool = True) -> Table:
     """Return the table that was asked for; without `pages` only its records, which need no memory.
 
-    Pages have larger units for long numbers, records have not.
+    Pages have larger units for long numbers and leave columns out that give way, records do not.
     """
     if not pages:
-        return _in_units(question, pages, False)
+        return _in_units(question.full, pages, False)
     shown = enlarged(question)
     token = TAKEN.set(set())
     try:
         page = _in_units(shown, pages, True)
-        if shown is question and not TAKEN.get():
+        if shown is question.full and not TAKEN.get():
             return page
     finally:
         TAKEN.reset(token)
-    plain = _in_units(question, pages, False)
+    plain = _in_units(question.full, pages, False)
     return replace(page, records=plain.records, told=(plain.caption, plain.notes))
 
 
