@@ -17,7 +17,7 @@ from kurbel.page.quantity import Column, Known, Quantity, is_short, known_at
 from kurbel.page.subjects import SUBJECTS
 from kurbel.page.table import Field, Note, Records, Tone, Value, check_label
 from kurbel.page.wording import Worded
-from kurbel.reading.given import choose, found_at, meant
+from kurbel.reading.given import Given, choose, found_at, meant
 from kurbel.reading.notation import MOST_ROWS
 
 if TYPE_CHECKING:
@@ -113,7 +113,7 @@ def subject(key: str) -> Subject:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Question(Worded):
+class Question(Worded, Given):
     """A layout that is asked for, with the digits, the language and the columns of its page.
 
     `digits` None leaves the decimals to the layout and the quantities, no `columns` the columns to the
