@@ -14,7 +14,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, degrees_text
 from kurbel.page.axes import Axis, Grid, Place, angle_text, places
 from kurbel.page.layouts import Layout
-from kurbel.page.quantity import Column
+from kurbel.page.quantity import Column, letter
 from kurbel.page.subject import Question
 from kurbel.page.table import DITTO, UNIT, Cell, Group, Note, Panel, Records, Row, Table, Value
 from kurbel.page.table import Column as Printed
@@ -78,7 +78,7 @@ def _built(question: Question, pages: bool, whole: bool) -> Table:
         source=question.origin,
         templates=layout.folder,
         pause=layout.pause,
-        quantities=tuple(column.quantity for column in question.page_columns),
+        quantities=tuple(letter(column.quantity, question.lang) for column in question.page_columns),
     )
     spoken = question.note or question.caption is not None or question.source is not None
     return question.worded(page) if spoken else page
