@@ -74,7 +74,7 @@ playground: $(DOCS) ## build kurbel for browsers in build/site/playground; needs
 
 golden: $(DEV) ## write anew what pages and golden files print, and show the difference, which is to be read
 	KURBEL_PROMOTE=1 $(BIN)/python -m pytest -q $(IN_PARALLEL) tests
-	git diff --stat --patch -- tests docs README.md
+	git diff --stat --patch -- tests docs README.md examples/notes.md
 
 tools: $(DEV) ## install TeX, Chromium, poppler, fish, axe and veraPDF, which some tests need (Debian, as root)
 	sh scripts/debian-tools.sh
