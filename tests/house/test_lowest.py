@@ -36,7 +36,7 @@ def test_the_lowest_versions_suffice(tmp_path: Path) -> None:
     # What needs a compiler is not for users; the tools of the tests themselves may be as new as they are.
     direct = ("--resolution", "lowest-direct", "--only-binary", ":all:", "--python", sys.executable)
     uv("pip", "compile", "--quiet", *direct, "--all-extras", project, "--output-file", str(lowest))
-    uv("venv", "--quiet", "--python", sys.executable, str(python.parents[1]))
+    uv("venv", "--quiet", "--seed", "--python", sys.executable, str(python.parents[1]))
     environment = ("--python", str(python), "--constraint", str(lowest), "--group", "dev", "--all-extras")
     uv("pip", "install", "--quiet", *environment, "--requirement", project, "--editable", str(ROOT))
     clean = {name: text for name, text in os.environ.items() if "KURBEL" not in name}
