@@ -1,6 +1,5 @@
 """What kurbel says when it cannot go on: one sentence each."""
 
-import copyreg
 from typing import Any
 
 
@@ -14,7 +13,7 @@ class KurbelError(Exception):
 
     def __reduce__(self) -> tuple[Any, ...]:
         # An exception is made anew of its sentence, which some are not made of.
-        return copyreg.__newobj__, (type(self), *self.args), vars(self)
+        return Exception.__new__, (type(self), *self.args), vars(self)
 
 
 class FailedError(KurbelError):
