@@ -1,5 +1,7 @@
 """What kurbel says when it cannot go on: one sentence each."""
 
+from typing import Any
+
 
 class KurbelError(Exception):
     """A sentence for the user: what was given, what is allowed, and why.
@@ -8,6 +10,10 @@ class KurbelError(Exception):
     """
 
     exit_code = 2
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # An exception is made anew of its sentence, which some are not made of.
+        return Exception.__new__, (type(self), *self.args), vars(self)
 
 
 class FailedError(KurbelError):

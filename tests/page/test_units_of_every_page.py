@@ -176,3 +176,33 @@ def test_a_drawing_has_the_units_that_are_given(words: str, metric: str, imperia
         (told,) = re.findall("<desc>(.*?)</desc>", drawn.out)
         assert said in told
         assert bool(METRIC.search(told.replace("N:", ""))) is (said == metric)
+
+
+# What a page has in units of the drive without lengths and speed, and the columns of these.
+SHARES = {
+    "table --angle 30": "x,x_return,c,c_return,p,p_return",
+    "table --mechanism arc --rocker 6 --angle 30": "path,velocity_return,acceleration",
+    "table --mechanism beam --beam 3 --angle 30": "path,velocity_return,acceleration",
+    "table --layout series-errors": "error_x,error_c,error_p",
+    "solve --where c=max": "x,c",
+    "turning --layout turning-path --angle 30": "pin_path",
+    "deadcentres --offset 0.2": "stroke",
+}
+
+
+@pytest.mark.parametrize("words", SHARES)
+def test_a_machine_is_printed_in_millimetres_and_metres_alone(words: str) -> None:
+    def rows(*options: str) -> str:
+        """Return what a page has between its outer rules, heads included."""
+        result = kurbel_in(*words.split(), *options, "-f", "text")
+        assert result.code == 0, result.err
+        return result.out.split("━\n")[1]
+
+    # The turning effort knows a speed of moving masses alone.
+    machine = f"{MACHINE} {STEAM}".split()[: None if words.startswith("turning") else 4]
+    share = re.compile(r"x/R|c/v|p R/v²|s/r| R$", re.MULTILINE)
+    assert share.search(rows())
+    assert not share.search(rows(*machine))
+    assert share.search(rows(*machine, "--columns", SHARES[words]))
+    keys = {one["key"] for one in page((*words.split(), *machine))["columns"]}
+    assert keys > {*SHARES[words].split(",")}

@@ -7,11 +7,12 @@ formula (separation.py) and still touches, the value lies on the boundary: a tie
 
 from __future__ import annotations
 
+import copyreg
 from collections.abc import Callable
 from fractions import Fraction
 from functools import lru_cache
 from math import inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import flint
 from flint import arb
@@ -31,6 +32,19 @@ MOST_BITS = 20_000
 # A proof that a value is a tie may need more; beyond these it takes minutes.
 MOST_TIE_BITS = 200_000
 _ENDLESS = flint.arb(10) ** MOST_FIGURES
+
+
+def _pickled(found: arb) -> tuple[Any, ...]:
+    """Return how a finite ball is made anew, with no bit lost."""
+    parts = (found.mid().man_exp(), found.rad().man_exp())
+    return _unpickled, tuple((int(bits), int(power)) for bits, power in parts)
+
+
+def _unpickled(middle: tuple[int, int], radius: tuple[int, int]) -> arb:
+    return arb(middle, radius)
+
+
+copyreg.pickle(arb, _pickled)
 
 
 def ball(value: Fraction | int) -> arb:

@@ -6,7 +6,6 @@ A page has one unit for all columns of a dimension, by the greatest number of th
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from copy import copy
 from fractions import Fraction
 from functools import partial
 
@@ -16,9 +15,6 @@ from kurbel.page.quantity import Column, Known, known_at
 from kurbel.page.subject import Question
 from kurbel.page.units import names_unit
 from kurbel.reading.amounts import LARGER, UNITS, Unit, Units, larger
-
-# What a question finds once and depends on the units; all else that was found stays.
-OF_UNITS = ("page_columns", "axes", "for_data", "values")
 
 
 def enlarged(question: Question) -> Question:
@@ -37,12 +33,8 @@ def enlarged(question: Question) -> Question:
         return question
     asked = question.units.chosen if question.units else {}
     units = Units({**asked, **taken}, data=False, taken=frozenset(taken))
-    other = copy(question)
-    for name in OF_UNITS:
-        vars(other).pop(name, None)
     counted = question.digits is not None
-    vars(other).update(units=units, known={} if counted else _moved(known, columns, units))
-    return other
+    return question.varied(units=units, known={} if counted else _moved(known, columns, units))
 
 
 def _symbols(column: Column) -> list[str]:

@@ -103,8 +103,8 @@ def _faults_of_columns(page: Layout) -> Iterator[tuple[Place, str]]:
         yield ("columns",), "columns is an empty list; it must have a column"
     for index, column in enumerate(page.columns):
         place: Place = ("columns", index)
-        for key, name in (("quantity", column.quantity), ("unless", column.unless)):
-            if name or key == "quantity":
+        for key in ("quantity", "unless", "unless_printed"):
+            if (name := getattr(column, key)) or key == "quantity":
                 yield from _unknown((*place, key), name, fitting, f"quantity of {page.subject}")
         if column.method is not None and column.quantity in quantities:
             allowed = _methods(quantities[column.quantity].formulas)

@@ -9,11 +9,12 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import fields
 from decimal import Decimal
 from fractions import Fraction
 from importlib import import_module
 from itertools import chain
-from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeAlias
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeAlias, cast
 
 from kurbel.errors import ChoiceError, NotationError
 from kurbel.reading import notation
@@ -25,6 +26,13 @@ if TYPE_CHECKING:
 Exact: TypeAlias = str | int | float | Fraction | Decimal
 P = ParamSpec("P")
 _EITHER_WAY = r"\s*(?:±|\+/?[-−])\s*(?=[\d.,])"
+
+
+class Given:
+    """A frozen dataclass that is pickled and copied as what was given; what it found since is found again."""
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {field.name: getattr(self, field.name) for field in fields(cast("Any", self))}
 
 
 class File(os.PathLike[str]):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import flint
@@ -35,6 +34,10 @@ FINE = (STARTS, HOLDS, AGREES, ORDER)
 Point = Mapping[str, Fraction]
 
 
+# The point of what is found of no point.
+NOWHERE: Point = {}
+
+
 class Finding(NamedTuple):
     """What is found: the kind, and what belongs to it.
 
@@ -45,7 +48,7 @@ class Finding(NamedTuple):
     kind: str
     order: int = 0
     factor: Fraction = Fraction(1)
-    point: Point = MappingProxyType({})
+    point: Point = NOWHERE
     sides: tuple[Any, ...] = ()
 
 

@@ -15,6 +15,7 @@ from typing import Any, TypeAlias
 
 from kurbel.exact.kind import Kind
 from kurbel.exact.size import plus, times
+from kurbel.reading.given import Given
 
 # Of a wave its order k and its phase α, at least 0° and below 180°, of a constant at most 90°.
 Wave: TypeAlias = tuple[Fraction, Fraction]
@@ -24,7 +25,7 @@ HALF_TURN, QUARTER = Fraction(180), Fraction(90)
 
 
 @dataclass(frozen=True)
-class Waves:
+class Waves(Given):
     """A sum of waves by their amplitudes, each of which is not zero."""
 
     amplitudes: Mapping[Wave, Fraction]
