@@ -211,7 +211,14 @@ class Run(TypedDict, total=False):
 
     angle: Annotated[Given | None, ANGLE]
     from_: From
-    to: To
+    to: Annotated[
+        Exact | None,
+        Option(
+            "Last angle; default 360, the whole turn, and 180 where outstroke and return stand side by side."
+            " Beyond 180 a page is of whole turns, with one column a quantity.",
+            "ANGLE", unit="degrees",
+        ),
+    ]  # fmt: skip
     step: Annotated[Exact | None, STEP]
     zero: Annotated[
         Exact | None,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from math import inf, nextafter, ulp
-from typing import Any
+from typing import Any, NamedTuple
 
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, Number
@@ -29,29 +29,38 @@ def records_at(plan: Plan, values: Mapping[str, Any], digits: int) -> Records:
     return records_of_question(plan.question(values, digits).for_data)
 
 
+class First(NamedTuple):
+    """What a command answers at a combination: fields, records, and the keys that tell these apart."""
+
+    fields: tuple[Field, ...]
+    rows: list[Sequence[Any]]
+    apart: list[str]
+
+
 def records_of_question(question: Question) -> Records:
     """Return the records of a question for data."""
     return question.subject.rows(question) if question.subject.rows else records_of(question)
 
 
-def first_of(plan: Plan) -> tuple[tuple[Field, ...], list[Sequence[Any]]]:
-    """Return the fields and the records of a combination, of some that are not refused the one with most.
+def first_of(plan: Plan) -> First:
+    """Return what is answered at a combination, of some that are not refused the one with most records.
 
     Raises the error of the first one where all are refused.
     """
     refused: list[KurbelError] = []
-    found: list[tuple[tuple[Field, ...], list[Sequence[Any]]]] = []
+    found: list[First] = []
     for point in _mixed(tried(plan)):
         try:
-            records = records_at(plan, plan.at(point), digits_of(plan))
-            found.append((records.fields, [*records.rows]))
+            question = plan.question(plan.at(point), digits_of(plan)).for_data
+            records = records_of_question(question)
+            found.append(First(records.fields, [*records.rows], question.apart))
         except KurbelError as error:
             refused.append(error)
         if len(found) == COUNTED:
             break
     if not found:
         raise refused[0]
-    return max(found, key=lambda one: len(one[1]))
+    return max(found, key=lambda one: len(one.rows))
 
 
 def _mixed(points: Sequence[int]) -> list[int]:
