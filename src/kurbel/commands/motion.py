@@ -92,14 +92,20 @@ def angles_of(page: Layout, given: Mapping[str, Any], turn: Fraction = FULL_TURN
 
 
 def over_strokes(question: "AngleQuestion", given: Mapping[str, Any]) -> "AngleQuestion":
-    """Return the question over both strokes, where these stand side by side at all of its angles, at which a
-    run without an end ends; else over whole turns."""
-    run = given["to"] is None and any(given[name] is not None for name in ("from_", "step"))
-    if run and question.has_return and not question.zero and question.angles[0] <= HALF_TURN:
-        question = replace(question, angles=angles_of(question.layout, given, HALF_TURN))
+    """Return the question over both strokes, where these stand side by side at all of its angles; else over
+    whole turns. Where no last angle is given, both strokes end at 180°."""
     from kurbel.motion.page import is_beyond
 
-    return replace(question, whole_turns=True) if is_beyond(question.angles) else question
+    if not is_beyond(question.angles):
+        return question
+    ended = question.zero or given["to"] is not None or given["angle"] is not None
+    if ended or not question.has_return or not 0 <= question.angles[0] <= HALF_TURN:
+        return replace(question, whole_turns=True)
+    angles = angles_of(question.layout, given, HALF_TURN)
+    # Angles of a layout have no end to be given.
+    return replace(
+        question, angles=tuple(one for one in angles if one <= HALF_TURN) if is_beyond(angles) else angles
+    )
 
 
 def _counted_angles(page: Layout, given: Mapping[str, Any], turn: Fraction) -> Sequence[Fraction]:

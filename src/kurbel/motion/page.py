@@ -101,9 +101,8 @@ class AngleQuestion(Question, ABC):
         if not self.whole_turns or quantity.stroke != RETURN:
             return super().missing(quantity)
         return (
-            f"column {quantity.key} is of the return stroke, whose angles are 0° to 180° from the outer dead"
-            " centre, and others were given; leave it out, for that of the outstroke goes on through the"
-            " whole turn"
+            f"column {quantity.key} is of the return stroke, which ends at 180°, and other angles were given;"
+            f" leave it out, for {quantity.key.replace('_return', '')} goes on through the whole turn"
         )
 
     def entry(self, key: str) -> Quantity:
