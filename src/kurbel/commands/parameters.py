@@ -65,7 +65,7 @@ LAYOUTS = Option(
     "Folder with layouts of your own: DIR/<name>/layout.toml.", "DIR", FILE,
     environment="KURBEL_LAYOUTS", first=True,
 )  # fmt: skip
-LISTED = "; `kurbel quantities` lists them."
+LISTED = "; `kurbel quantities` lists them. What tells rows apart is always among them."
 
 
 def columns_option(layout: str, example: str, more: str = LISTED) -> Option:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from math import inf, nextafter, ulp
 from typing import Any, NamedTuple
 
@@ -24,9 +25,16 @@ TRIED = 64
 COUNTED, MIXED = 8, 9
 
 
-def records_at(plan: Plan, values: Mapping[str, Any], digits: int) -> Records:
-    """Return the records of the command with these values. Raises KurbelError."""
-    return records_of_question(plan.question(values, digits).for_data)
+def records_at(plan: Plan, values: Mapping[str, Any], digits: int, keys: Sequence[str]) -> Records:
+    """Return the records of the command with these values, and with those of these keys that tell records
+    apart elsewhere. Raises KurbelError."""
+    question = plan.question(values, digits).for_data
+    records = records_of_question(question)
+    known = {*question.axis_keys, *question.named}
+    if question.columns and {*keys} & known > {field.key for field in records.fields} & known:
+        question = replace(question, columns=tuple(key for key in keys if key in known))
+        return records_of_question(question)
+    return records
 
 
 class First(NamedTuple):
@@ -89,7 +97,7 @@ def rows_at(
     Raises KurbelError where it is refused.
     """
     digits, keys = digits_of(plan), [one.key for one in fields]
-    found = records_at(plan, values, digits)
+    found = records_at(plan, values, digits, keys)
     rows, there = [*found.rows], [one.key for one in found.fields]
     if there != keys:
         raise ProblemError(
@@ -97,7 +105,7 @@ def rows_at(
             " some that are everywhere, with --columns"
         )
     if plan.digits is None and digits < MOST_DIGITS and is_small(rows):
-        rows = [*records_at(plan, values, MOST_DIGITS).rows]
+        rows = [*records_at(plan, values, MOST_DIGITS, keys).rows]
     return _placed([dict(zip(keys, row, strict=True)) for row in rows], apart, count)
 
 
