@@ -1,4 +1,4 @@
-"""Outstroke and return stand side by side up to 180°; beyond, a page is of whole turns and names no stroke."""
+"""Outstroke and return stand side by side up to 180°; beyond, a page is of whole turns."""
 
 from __future__ import annotations
 
