@@ -79,9 +79,9 @@ def test_the_whole_turn_goes_through_the_return_stroke(words: str) -> None:
 
 def test_one_stroke_alone_goes_through_the_turn_or_ends_with_it() -> None:
     table = kurbel.table("1:5", step=60, columns="phi,x", lang="en")
-    assert (len(table.records.rows), [*heads(table)]) == (7, ["Piston path", "$x/R$"])
+    assert (len([*table.records.rows]), [*heads(table)]) == (7, ["Piston path", "$x/R$"])
     table = kurbel.table("1:5", step=60, columns="phi,x_return", lang="en")
-    assert (len(table.records.rows), [*heads(table)]) == (4, ["Piston path", "Return", "$x/R$"])
+    assert (len([*table.records.rows]), [*heads(table)]) == (4, ["Piston path", "Return", "$x/R$"])
 
 
 def test_angles_of_a_layout_end_with_the_return_stroke_that_is_asked_for() -> None:
