@@ -43,6 +43,7 @@ from kurbel.commands.motion import (
     meant,
     needless_over,
     of_other_mechanisms,
+    over_strokes,
     sheet_of,
 )
 from kurbel.commands.options import Choice, LayoutName, Option, is_given
@@ -312,7 +313,7 @@ def forces_table(
     if page.subject in OF_ENGINES:
         raise ProblemError(f"layout {name} is of a steam engine; add --eps or --card")
     drives = weighed(chosen, chosen.drives(said, page.ratios), all_given)
-    return chosen.question(
+    question = chosen.question(
         rubbed(chosen, drives, all_given),
         method,
         layout=page,
@@ -320,3 +321,4 @@ def forces_table(
         columns=as_names(columns, chosen.examples["forces"]),
         **sheet,
     )
+    return over_strokes(question, given)

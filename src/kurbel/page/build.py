@@ -159,12 +159,13 @@ def records_of(question: Question) -> Records:
     columns = {one.key: one for column in question.page_columns for one in _followed(question, column)}
     own = {column.key: column for column in question.page_columns}
     names = question.named or (*question.axis_keys, *own)
+    axes = {axis.key: axis for axis in question.axes.values() if isinstance(axis, Axis)}
     keys = [
         key
-        for name in names
+        # What tells records apart is a column, asked for or not.
+        for name in (*(one for one in question.apart if one not in names), *names)
         for key in ([one.key for one in _followed(question, own[name])] if name in own else [name])
     ]
-    axes = {axis.key: axis for axis in question.axes.values() if isinstance(axis, Axis)}
     fields = [axes[key].field() if key in axes else question.field(columns[key]) for key in keys]
     return Records(tuple(fields), Rows(question, axes, columns, keys))
 

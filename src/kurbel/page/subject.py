@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeAlias
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label, Number
-from kurbel.page.axes import Grid, PageAxis, Place
+from kurbel.page.axes import Axis, Grid, PageAxis, Place
 from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Known, Quantity, is_short, known_at
 from kurbel.page.subjects import SUBJECTS
@@ -227,6 +227,11 @@ class Question(Worded, Given):
     @cached_property
     def axes(self) -> Mapping[str, PageAxis]:
         return {name: axis(self) for name, axis in self.subject.axes.items()}
+
+    @property
+    def apart(self) -> list[str]:
+        """The keys of the axes that tell records apart."""
+        return [one.key for one in self.axes.values() if isinstance(one, Axis) and one.tells_apart]
 
     def __len__(self) -> int:
         """How many records there are."""

@@ -187,6 +187,7 @@ class _RootAxis(Axis):
     """The crank angles on a stroke, on pages in degrees and minutes."""
 
     key = "phi"
+    found = True
 
     def __init__(self, question: SolveRequest) -> None:
         super().__init__(max(map(len, question.found.values())))

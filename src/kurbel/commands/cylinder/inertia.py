@@ -8,7 +8,7 @@ from typing import Annotated, Any, Unpack
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder import engines
 from kurbel.commands.machines import check_whole, rod_of
-from kurbel.commands.motion import angles_of, meant, of_other_mechanisms, sheet_of
+from kurbel.commands.motion import angles_of, meant, of_other_mechanisms, over_strokes, sheet_of
 from kurbel.commands.options import Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.drive.crank import Described
@@ -142,7 +142,10 @@ def inertia_table(
     from kurbel.motion.page import Request
 
     angles, names = angles_of(page, given), as_names(columns)
-    return Request(layout=page, cranks=cranks, angles=angles, columns=names, method=method, **sheet_of(given))
+    question = Request(
+        layout=page, cranks=cranks, angles=angles, columns=names, method=method, **sheet_of(given)
+    )
+    return over_strokes(question, given)
 
 
 def _masses(

@@ -100,13 +100,13 @@ def pressures_table(
     >>> masses = {"reciprocating": 300, "stroke": 0.6, "bore": 0.3, "speed": 2}
     >>> page = kurbel.pressures_table("1:5", shares="0;0.5;1", columns="share,inertia_pressure", **masses)
     >>> print(kurbel.typeset(page, "csv"), end="")
-    share,inertia_pressure
-    0.0,2.413
-    0.5,-0.201
-    1.0,-1.608
-    0.0,1.608
-    0.5,0.201
-    1.0,-2.413
+    stroke,share,inertia_pressure
+    1,0.0,2.413
+    1,0.5,-0.201
+    1,1.0,-1.608
+    2,0.0,1.608
+    2,0.5,0.201
+    2,1.0,-2.413
     """
     from kurbel.engine.pressures.page import PressuresRequest
 

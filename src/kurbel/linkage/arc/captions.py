@@ -144,9 +144,9 @@ class Speech:
             if not (heavy and LOADED in one.formulas)
         ]
         formulas = [
-            formula.printed.replace("{part}", one.part[lang])
+            formula.printed.replace("{part} ", f"{one.part[lang]} " if one.part else "")
             for one, formula in shown
-            if formula.printed and one.part
+            if formula.printed
         ]
         # The path's, which tells the strokes apart by name, comes first.
         formulas.sort(key=lambda line: line.startswith("$"))

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from fractions import Fraction
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from kurbel.drive.load import figure
 from kurbel.drive.slope import STANDARD_GRAVITY
 from kurbel.exact.numerals import Label
-from kurbel.motion.evaluation import OUT
-from kurbel.page.quantity import Column, words
+from kurbel.page.quantity import words
 from kurbel.reading.amounts import amount
 
 if TYPE_CHECKING:
@@ -44,10 +42,6 @@ WORDS = {
         " Kreuzkopfzapfen $d = {crosshead}$, Kurbelzapfen $d = {crank}$, Welle $d = {shaft}$"
         "|$M_R$ less what the pins take, with circles of friction $d/2 sin ρ$, $tan ρ = {friction}$:"
         " crosshead pin $d = {crosshead}$, crank pin $d = {crank}$, shaft $d = {shaft}$"
-    ),
-    "outward": words(
-        "jenseits des äußeren Totpunkts bleiben die Richtungen die des Hingangs"
-        "|beyond the outer dead centre directions remain those of the outstroke"
     ),
     "friction": words("Reibung ${force}$ gegen die Bewegung|Friction ${force}$ against the motion"),
     "reciprocating": words("von Kolben und Kreuzkopf|piston and crosshead"),
@@ -90,13 +84,6 @@ def _where(slope: Slope, lang: str) -> str:
     height = "level" if side in (0, 180) else "above" if side < 180 else "below"
     turning = "" if slope.upright else WORDS["over" if slope.over else "under"][lang]
     return WORDS[height][lang] + turning
-
-
-def direction_notes(angles: Iterable[Fraction], columns: Sequence[Column], lang: str) -> Iterator[Label]:
-    """Yield the line about columns of the outstroke at angles of the return."""
-    directed = any(one.quantity.stroke == OUT and one.quantity.direction for one in columns)
-    if directed and any(angle % 360 > 180 for angle in angles):
-        yield WORDS["outward"][lang]
 
 
 def effort_notes(effort: Effort, lang: str) -> Iterator[Label]:
