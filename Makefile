@@ -62,6 +62,7 @@ peers: $(DEV) ## set one table with kurbel and its peers side by side, docs/gall
 
 docs: $(DOCS) ## build the site of the documentation in build/site and manual pages in build/man
 	$(BIN)/python docs/generate/schemas.py
+	$(BIN)/kurbel man --output build/man
 	$(BIN)/python docs/generate/website.py build/site --playground
 
 links: docs ## try the links of the documentation that lead elsewhere; needs a network
@@ -70,9 +71,9 @@ links: docs ## try the links of the documentation that lead elsewhere; needs a n
 playground: $(DOCS) ## build kurbel for browsers in build/site/playground; needs npm
 	$(BIN)/python docs/playground/build.py build/site/playground
 
-golden: $(DEV) ## write the golden files anew; then read the difference
+golden: $(DEV) ## write anew what pages and golden files print, and show the difference, which is to be read
 	KURBEL_PROMOTE=1 $(BIN)/python -m pytest -q $(IN_PARALLEL) tests
-	git diff --stat -- tests/golden
+	git diff --stat --patch -- tests docs README.md examples/notes.md
 
 tools: $(DEV) ## install TeX, Chromium, poppler, fish, axe and veraPDF, which some tests need (Debian, as root)
 	sh scripts/debian-tools.sh

@@ -19,13 +19,14 @@ INERTIA = "--centre 0.65 --gyration 0.35 --layout inertia-errors"
 # Floats that nobody has certified: the same columns to as many decimals.
 FLOATS = """
 import numpy, polars
-phi = numpy.linspace(0, 360, {rows})
+phi = numpy.linspace(0, 180, {rows})
 sine, cosine = numpy.sin(numpy.radians(phi)), numpy.cos(numpy.radians(phi))
 double = numpy.cos(2 * numpy.radians(phi))
 def columns(ratio):
-    w = numpy.sqrt(1 - (ratio * sine) ** 2)
+    square = sine * sine
+    w = numpy.sqrt(1 - ratio * ratio * square)
     return [1 - cosine + (1 - w) / ratio, sine + ratio * sine * cosine / w,
-            cosine + ratio * (double + ratio**2 * sine**4) / w**3]
+            cosine + ratio * (double + ratio * ratio * square * square) / (w * w * w)]
 both = dict(enumerate([phi, *columns(1 / {ratio}), *columns(-1 / {ratio})]))
 polars.DataFrame({{str(key): column for key, column in both.items()}}).write_csv(
     "table.csv", float_precision=4)
@@ -34,20 +35,20 @@ polars.DataFrame({{str(key): column for key, column in both.items()}}).write_csv
 
 def motion_in_balls(rows: int) -> Run:
     """x, c and p of both strokes, to four decimals."""
-    return _in_balls(rows, lambda phi: [one for rod in (1, -1) for one in _motion(phi, rod)])
+    return _in_balls(rows, 180, lambda phi: [one for rod in (1, -1) for one in _motion(phi, rod)])
 
 
 def turning_in_balls(rows: int) -> Run:
     """The turning effort, its mean, its excess and the work of that, as `kurbel turning` has them."""
-    return _in_balls(rows, _turning)
+    return _in_balls(rows, 360, _turning)
 
 
-def _in_balls(rows: int, columns: Any) -> Run:
+def _in_balls(rows: int, last: int, columns: Any) -> Run:
     from flint import arb, ctx, fmpq
 
     def text() -> list[str]:
         ctx.prec = BITS
-        places = [fmpq(360 * row, rows - 1) for row in range(0, rows, EVERY)]
+        places = [fmpq(last * row, rows - 1) for row in range(0, rows, EVERY)]
         return [",".join(_decimals(value) for value in columns(arb(place))) for place in places]
 
     return text
@@ -93,7 +94,7 @@ def _ratio() -> Any:
 
 
 def races(quick: bool) -> Iterator[Race]:
-    step, rows = ("0.01", 36_001) if quick else ("0.001", 360_001)
+    step, rows = ("0.005", 36_001) if quick else ("0.0005", 360_001)
     words = f"table --ratio 1:{RATIO} --step {step}"
     yield Race(
         {

@@ -36,12 +36,14 @@ Run = Callable[[], object]
 
 
 class Taken(NamedTuple):
-    """Seconds on the clock and of the processors, the peak of memory in MiB, and the sum of the result."""
+    """Seconds on the clock and of the processors, the peak of memory in MiB, the sum of the result, and its
+    errors in units of the last place, by what is told of them."""
 
     wall: float
     processor: float
     memory: float
     sum: float | None = None
+    errors: Mapping[str, float] = {}
 
 
 class Contestant(Protocol):
@@ -61,7 +63,8 @@ class Contestant(Protocol):
 class Task:
     """Work within Python: `prepare` gives the function that is timed, in a process that stays.
 
-    The modules named in `without` are missing there. `sums` adds up a result, so that all can be compared.
+    The modules named in `without` are missing there. `sums` adds up a result, so that all can be compared;
+    `errors` tells how far it is off.
     A slow one does a `share` of the work, and its time is that of the whole. Memory is what the process has
     at its peak beyond what it was prepared with.
     """
@@ -72,6 +75,7 @@ class Task:
     sums: Callable[[Any], float] | None = None
     share: float = 1
     needs: str = ""
+    errors: Callable[[Any], Mapping[str, float]] | None = None
 
     @contextmanager
     def ready(self) -> Iterator[Callable[[], Taken]]:
@@ -106,7 +110,8 @@ def _serve(pipe: Connection, task: Task) -> None:
         wall, processor = time.perf_counter() - wall, time.process_time() - processor
         memory = _peak(resource.getrusage(resource.RUSAGE_SELF)) - before
         wall, processor = wall / task.share, processor / task.share
-        pipe.send(Taken(wall, processor, memory, task.sums(result) if task.sums else None))
+        total, errors = task.sums(result) if task.sums else None, task.errors(result) if task.errors else {}
+        pipe.send(Taken(wall, processor, memory, total, errors))
         del result
 
 
@@ -172,7 +177,8 @@ class Row(NamedTuple):
     """A row of the table: one of the contestants, kurbel, beside another.
 
     `aim` is how many times the other's figure it may be at most, `times` how many things were done, whose
-    rate is of interest, `limit` a peak of memory in MiB that the other's stands for.
+    rate is of interest, `limit` a peak of memory in MiB that the other's stands for. `error` is what is told
+    of the errors, where these are compared.
     """
 
     what: str
@@ -181,6 +187,7 @@ class Row(NamedTuple):
     aim: float | None = None
     times: int = 0
     limit: float = 0
+    error: str = ""
 
 
 @dataclass(frozen=True)
@@ -208,7 +215,10 @@ def run(race: Race, rounds: int | None = None) -> dict[str, Taken]:
 
 def _least(taken: Sequence[Taken]) -> Taken:
     return Taken(
-        min(one.wall for one in taken), min(one.processor for one in taken), max(one.memory for one in taken)
+        min(one.wall for one in taken),
+        min(one.processor for one in taken),
+        max(one.memory for one in taken),
+        errors=taken[0].errors,
     )
 
 

@@ -37,6 +37,9 @@ def _cells(row: Row, race: Race, taken: Mapping[str, Taken]) -> Cells:
     if row.limit:
         figures, show = (taken[row.kurbel].memory, row.limit), memory
         shown = [show(one) for one in figures]
+    elif row.error:
+        figures = (taken[row.kurbel].errors[row.error], taken[row.beside].errors[row.error])
+        shown = [f"{_three(one)} ulp" for one in figures]
     else:
         figures = (getattr(taken[row.kurbel], race.clock), getattr(taken[row.beside], race.clock))
         shown = [time(one, row.times) for one in figures]

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The checks of action.yml: handbooks in FOLDERS, documents in FILES, one a line. Handbooks read no files outside
-# of their folders unless ALLOW_OUTSIDE is true.
+# The checks of action.yml: handbooks in FOLDERS, documents in FILES, one a line. Neither reads files
+# outside of its folder unless ALLOW_OUTSIDE is true.
 # What is stale goes to the log and to the job's summary, what is wrong to annotations. Runs in bash 3.2.
 set -euo pipefail
 
@@ -74,6 +74,6 @@ while IFS= read -r pattern; do
         while IFS= read -r document; do documents+=("$document"); done < <(compgen -G "$pattern")
     fi
 done <<<"$patterns"
-[ "${#documents[@]}" -eq 0 ] || checked inject --check -- "${documents[@]}" </dev/null
+[ "${#documents[@]}" -eq 0 ] || checked inject --check ${outside[@]+"${outside[@]}"} -- "${documents[@]}" </dev/null
 
 exit "$failed"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 
 import pytest
@@ -12,6 +13,14 @@ from programs import Programs
 # How long an example takes says how busy the machine is.
 settings.register_profile("kurbel", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("kurbel")
+
+
+def pytest_configure() -> None:
+    if os.environ.get("KURBEL_PROMOTE") == "1" and os.environ.get("CI", "").lower() not in ("", "0", "false"):
+        raise pytest.UsageError(
+            "KURBEL_PROMOTE=1 writes what is printed as what is expected, so that no test fails; in CI (the"
+            " variable CI is set) it is refused: write golden files on a machine of your own, and read them"
+        )
 
 
 @pytest.fixture(scope="session")

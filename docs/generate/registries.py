@@ -12,6 +12,7 @@ from kurbel.formats.registry import FORMATS
 from kurbel.motion.drives import condition_names
 from kurbel.motion.evaluation import METHODS
 from kurbel.motion.mechanism import mechanism, uncomputed
+from kurbel.page.labels import plain
 from kurbel.page.layouts import layout, layout_names
 from kurbel.page.subject import subject
 from kurbel.page.subjects import SUBJECTS
@@ -36,17 +37,19 @@ def pages() -> Iterator[tuple[str, str]]:
 def _quantities() -> Iterator[str]:
     yield "# Quantities\n"
     yield "Keys of `--columns`, of CSV headers and of JSON; they stay stable. `ratio` is the crank ratio"
-    yield "R:L, `phi` the crank angle in degrees from the dead centre of its stroke. `card` stands in place"
-    yield "of `epsilon` where there is one, and the unit of a residual `moment` is that of a `force` times"
-    yield "a. Beside its own keys `kurbel solve` has those of `kurbel table` without `_return`, which stand"
-    yield "for either stroke."
+    yield "R:L, `phi` the crank angle in degrees from the dead centre of its stroke, of the offset crank, the"
+    yield "arc crank and the beam engine from the slide direction. `card` stands in place of `epsilon` where"
+    yield "there is one, and the unit of a residual `moment` is that of a `force` times a. Behind a colon is"
+    yield "said how a quantity counts. Beside its own keys `kurbel solve` has those of `kurbel table` without"
+    yield "`_return`, which stand for either stroke."
     rows: dict[str, list[str]] = {}
     axes: dict[str, list[str]] = {}
     for about in map(subject, SUBJECTS):
         for one, command in about.entries():
             name, unit = about.name_of(one, "en"), one.plain_unit("en")
             decimals = "" if not one.formulas else "5 figures" if one.decimals is None else one.decimals
-            row = f"| `{one.key}` | {name} | {unit} | {decimals} | `{command}` |"
+            counts = f": {plain(one.direction['en'])}" if one.direction else ""
+            row = f"| `{one.key}` | {name}{counts} | {unit} | {decimals} | `{command}` |"
             rows.setdefault(command.split()[0], []).append(row)
         axes.setdefault(about.command.split()[0], []).extend(about.axis_keys)
     for command, lines in rows.items():

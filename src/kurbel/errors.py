@@ -1,5 +1,7 @@
 """What kurbel says when it cannot go on: one sentence each."""
 
+from typing import Any
+
 
 class KurbelError(Exception):
     """A sentence for the user: what was given, what is allowed, and why.
@@ -8,6 +10,10 @@ class KurbelError(Exception):
     """
 
     exit_code = 2
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # An exception is made anew of its sentence, which some are not made of.
+        return Exception.__new__, (type(self), *self.args), vars(self)
 
 
 class FailedError(KurbelError):
@@ -53,11 +59,11 @@ class MarkerError(FailedError):
 
 
 class OutsideError(FailedError):
-    """A file that a handbook may not read, for it lies elsewhere."""
+    """A file that a handbook, or a document, may not read, for it lies elsewhere."""
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: str, whose: str) -> None:
         super().__init__(
-            f'"{name[:60]}" leads out of the folder of the handbook; put what it names into that folder,'
+            f'"{name[:60]}" leads out of the folder of the {whose}; put what it names into that folder,'
             " or add --allow-outside"
         )
 

@@ -49,9 +49,9 @@ def test_wheels_and_frame_bear_what_the_turned_masses_do(
     ]
     along = SQUARE * sum(pull for pull, _ in pulls)
     sway = SQUARE * sum(pull * z for pull, z in pulls)
-    assert float(row["pull"]) == pytest.approx(np.max(along), rel=1e-4, abs=1e-2)
-    assert float(row["sway"]) == pytest.approx(np.max(sway), rel=1e-4, abs=1e-2)
-    for found, curve, unit in ((row["pull_phi"], along, "pull"), (row["sway_phi"], sway, "sway")):
+    assert float(row["pull_n"]) == pytest.approx(np.max(along), rel=1e-4, abs=1e-2)
+    assert float(row["sway_nm"]) == pytest.approx(np.max(sway), rel=1e-4, abs=1e-2)
+    for found, curve, unit in ((row["pull_phi"], along, "pull_n"), (row["sway_phi"], sway, "sway_nm")):
         if float(row[unit]) > 1:
             there = np.interp(math.radians(float(found)), PHI, curve)
             assert there == pytest.approx(np.max(curve), rel=1e-4)
@@ -64,8 +64,8 @@ def test_wheels_and_frame_bear_what_the_turned_masses_do(
         other = -sign * GAUGE / 2
         borne = SQUARE * sum(pull * (z - other) for pull, z in upright) / (sign * GAUGE)
         blows.append(np.max(np.abs(borne)))
-        assert float(row[f"blow_{side}"]) == pytest.approx(blows[-1], rel=1e-4, abs=1e-2)
-    assert float(row["load_least"]) == pytest.approx(61_000 - max(blows), rel=1e-4, abs=2)
+        assert float(row[f"blow_{side}_n"]) == pytest.approx(blows[-1], rel=1e-4, abs=1e-2)
+    assert float(row["load_least_n"]) == pytest.approx(61_000 - max(blows), rel=1e-4, abs=2)
     if row["lift_speed"]:
         lifted = (float(row["lift_speed"]) / 60 / TURNS) ** 2 * max(blows)
         assert lifted == pytest.approx(61_000, rel=1e-4)
@@ -80,15 +80,15 @@ def test_cranks_at_right_angles_have_the_textbook_s_formulas() -> None:
     (row,) = page(*words, "--wheel=1.6m", "--share=2/3", "--hammer-blow=10kN")
     omega = 20 / 0.8
     whole = 300 * 0.3 * omega**2
-    assert float(row["pull"]) == pytest.approx(math.sqrt(2) * whole / 3, abs=1e-6)
-    assert float(row["sway"]) == pytest.approx(whole / 3 * 0.7 / math.sqrt(2), abs=1e-6)
+    assert float(row["pull_n"]) == pytest.approx(math.sqrt(2) * whole / 3, abs=1e-6)
+    assert float(row["sway_nm"]) == pytest.approx(whole / 3 * 0.7 / math.sqrt(2), abs=1e-6)
     assert (row["pull_phi"], row["sway_phi"]) == ("315.000000", "225.000000")
     inner, outer = 1.1 / 1.5, 0.4 / 1.5
-    assert float(row["blow_left"]) == pytest.approx(2 / 3 * whole * math.hypot(inner, outer), abs=1e-6)
+    assert float(row["blow_left_n"]) == pytest.approx(2 / 3 * whole * math.hypot(inner, outer), abs=1e-6)
     assert float(row["share_most"]) == pytest.approx(1e4 / whole / math.hypot(inner, outer), abs=1e-6)
     (coupled,) = page(*words, "--wheel=1.6m", "--share=2/3", "--axles=3", "--revolving=150kg")
-    assert float(coupled["blow_left"]) == pytest.approx(float(row["blow_left"]) / 3, abs=1e-6)
-    assert coupled["pull"] == row["pull"]
+    assert float(coupled["blow_left_n"]) == pytest.approx(float(row["blow_left_n"]) / 3, abs=1e-6)
+    assert coupled["pull_n"] == row["pull_n"]
     at_pins = (150 + 300 * 2 / 9) * 0.3 * math.hypot(inner, outer)
     assert float(coupled["balance_left"]) == pytest.approx(at_pins, abs=1e-6)
     assert float(row["angle_left"]) == pytest.approx(180 + math.degrees(math.atan(outer / inner)), abs=1e-6)
@@ -98,8 +98,8 @@ def test_cranks_at_right_angles_have_the_textbook_s_formulas() -> None:
 def test_what_is_balanced_wholly_or_not_at_all_is_nought() -> None:
     words = ("--spacing=2m", "--gauge=1.5m", "--stroke=60cm", "--reciprocating=300kg", "--speed=20rad/s")
     none, whole = page(*words, "--share=0;1", digits="--lang=de")
-    assert (none["blow_left"], none["balance_left"], none["angle_left"]) == ("0", "0", "")
-    assert (whole["pull"], whole["sway"], whole["pull_phi"]) == ("0", "0", "")
+    assert (none["blow_left_n"], none["balance_left"], none["angle_left"]) == ("0", "0", "")
+    assert (whole["pull_n"], whole["sway_nm"], whole["pull_phi"]) == ("0", "0", "")
 
 
 @pytest.mark.parametrize(
@@ -124,3 +124,13 @@ def test_what_is_balanced_wholly_or_not_at_all_is_nought() -> None:
 )
 def test_a_locomotive_that_is_not_described_is_refused(words: tuple[str, ...], sentence: str) -> None:
     assert refusal("locomotive", "--reciprocating=300kg", *words).startswith(sentence)
+
+
+@pytest.mark.parametrize(
+    ("name", "key"),
+    [("blow_left", "blow_left_n"), ("load_least", "load_least_n"), ("pull", "pull_n"), ("sway", "sway_nm")],
+)
+def test_a_force_is_asked_for_with_its_unit(name: str, key: str) -> None:
+    words = ("--spacing=1m", "--gauge=1m", "--stroke=1m", "--reciprocating=300kg", "--speed=4/s")
+    said = refusal("locomotive", *words, f"--columns={name}")
+    assert said.startswith(f'there is no column "{name}" (did you mean {key}')

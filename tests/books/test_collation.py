@@ -8,6 +8,7 @@ import math
 import re
 from fractions import Fraction
 from pathlib import Path
+from time import process_time
 from typing import Any
 
 import pytest
@@ -536,6 +537,30 @@ def test_a_book_that_cannot_be_used_is_answered_with_a_sentence(
     assert result.code in (1, 2)
     assert sentence in result.err
     assert "Traceback" not in result.err
+
+
+SOME_SECONDS = 2.0
+POWERS = "".join(f"a{n};a{n - 1}^9;1\n" for n in range(1, 9))
+TOO_LARGE = "a number of more than 3000 figures would come out"
+
+
+@pytest.mark.parametrize(
+    ("rows", "sentence"),
+    [
+        ("a;((((1.1^9)^9)^9)^9)^9;1,1\n", f"line 2: a: {TOO_LARGE}"),
+        (f"a0;1.2;1,2\n{POWERS}", f"line 6: a4: {TOO_LARGE}"),
+        (f"a0;sqrt(2);1,4\n{POWERS}", "line 7: a5: a value has more than 3000 figures"),
+        # A sum of fractions grows as a product does.
+        ("a0;1/3+1;1\n" + "".join(f"a{n};1/a{n - 1}+a{n - 1};1\n" for n in range(1, 40)), TOO_LARGE),
+    ],
+    ids=["nested", "by-reference", "irrational", "sums"],
+)
+def test_a_formula_that_outgrows_all_ends_with_a_sentence(rows: str, sentence: str, tmp_path: Path) -> None:
+    folder = own(tmp_path, values=f"place;formula;printed\n{rows}")
+    before = process_time()
+    result = kurbel("collate", "author-1", "--sources", folder)
+    assert process_time() - before < SOME_SECONDS
+    assert (result.code, sentence in result.err, "Traceback" in result.err) == (1, True, False)
 
 
 def test_a_formula_without_a_label_is_headed_by_its_place(tmp_path: Path) -> None:

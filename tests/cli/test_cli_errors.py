@@ -73,7 +73,7 @@ ANGLES = [
     ),
     (
         ("--step", "0.001"),
-        "a page of 2160006 numbers is too long; at most 300000 are set, use -f csv or -f json",
+        "a page of 1080006 numbers is too long; at most 300000 are set, use -f csv or -f json",
     ),
 ]
 CHOICES = [

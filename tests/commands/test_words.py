@@ -183,7 +183,7 @@ def test_what_cannot_be_is_refused_in_the_words_of_the_command_line(call: Any, w
 def test_a_question_is_what_would_be_made() -> None:
     question = kurbel.table.question("1:5", step=90)
     assert isinstance(question, Question)
-    assert len(question) == 5
+    assert len(question) == 3
     with pytest.raises(AttributeError):
         question.lang = "en"  # type: ignore[misc]
 

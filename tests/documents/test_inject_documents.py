@@ -307,6 +307,45 @@ def test_a_command_that_fails_is_named_with_its_line(words: str, sentence: str, 
     assert refused(path).startswith(f"notes.md:2: {sentence}")
 
 
+LAYOUT = """\
+title = "Winkel|Angle"
+caption = "Stangenwinkel"
+ratios = ["1:4"]
+angles = ["0..180:60"]
+down = ["ratio", "angle"]
+stub = ["angle"]
+across = ["column"]
+[[columns]]
+quantity = "psi"
+"""
+
+
+@pytest.mark.parametrize(
+    ("template", "sentence"),
+    [
+        # One long operation, which no watch in Python would end.
+        ("{{ 10 ** (10 ** 10) }}", "were stopped after 1 s, or at 1 gigabytes"),
+        ("{{ 'a' * 10**10 }}", "markdown.jinja, line 1 cannot be used: it needs more memory than there is"),
+    ],
+)
+def test_a_template_in_a_marker_has_the_limits_of_handbooks(
+    template: str, sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("kurbel.formats.apart.PATIENCE", 1.0)
+    monkeypatch.setattr("kurbel.formats.apart.GIGABYTES", 1)
+    own = tmp_path / "mine/slant"
+    own.mkdir(parents=True)
+    (own / "layout.toml").write_text(LAYOUT)
+    (own / "markdown.jinja").write_text("{{ page.caption }}!\n")
+    path = written(tmp_path, place(".md", "table --layouts mine --layout slant"))
+    assert "Stangenwinkel!" in refreshed(path).decode()
+    (own / "markdown.jinja").write_text(template)
+    words = ("table", "--layouts", f"{tmp_path}/mine", "--layout", "slant", "-f", "markdown")
+    for result in (kurbel("inject", str(path)), kurbel("inject", "--check", str(path)), kurbel(*words)):
+        assert (result.code, sentence in result.err) == (1, True), result.err
+    assert "Stangenwinkel!" in path.read_text()
+
+
 @pytest.mark.parametrize("suffix", [".html", ".tex", ".typ"])
 def test_a_label_that_comes_twice_is_named_with_both_lines(suffix: str, tmp_path: Path) -> None:
     path = written(tmp_path, place(suffix, "table") * 2, f"notes{suffix}")

@@ -220,7 +220,7 @@ def test_errors_stand_beside_the_columns_that_were_picked() -> None:
 
 
 def test_an_ideal_engine_has_no_errors() -> None:
-    for words in (("delta", "--detail"), ("turning",)):
+    for words in (("delta", "--eps=2", "--detail"), ("turning", "--eps=4")):
         assert "error" not in printed(*words, "-f", "csv").out
         assert "Fehler" not in printed(*words).out
 

@@ -288,7 +288,7 @@ def test_a_machine_may_be_a_compressor_and_what_is_typed_outdoes_it(tmp_path: Pa
         (("--pressure-ratio=4", "--layout=weisbach-150"), "which a compressor does not have; use --layout c"),
         (("--layout=compressor", "--eps=4"), "layout compressor is of a compressor; add --pressure-ratio"),
         (("--pump=single", "--suction-pressure=-1bar"), "compared with what the pump makes; add --delivery-"),
-        (("--pump", "--suction-pressure=3bar", "--delivery-pressure=2bar"), "a pump raises the pressure"),
+        (("--pump", "--bore=1m", "--suction-pressure=3bar", "--delivery-pressure=2bar"), "a pump raises"),
         (("--pump", "--small-area=0.4"), "--small-area is for --pump differential, which has a ring"),
         (("--pump=triple",), 'there is no pump "triple"; choose from double,'),
         (("--compression=6",), "the Otto cycle needs --heat or --peak-pressure, for example"),

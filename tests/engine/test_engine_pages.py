@@ -11,6 +11,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 import pytest
+from cli import printed
 from pages import BEAMS, ENGINES, Address, cells, default_page, page_of, shown
 
 import kurbel
@@ -383,7 +384,11 @@ def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
 @pytest.mark.parametrize(
     ("choices", "sentence"),
     [
-        ({"power": None}, "a flywheel needs the power of the engine; add --power, for example --power 50kW"),
+        (
+            {"power": None},
+            "a flywheel needs the power of the engine; add --power, for example --power 50kW, or --stroke,"
+            " --bore and --pressure, from which it follows",
+        ),
         ({"delta": ()}, "no degree of irregularity was given; write one as 1:100"),
         ({"eps": []}, "no expansion ratio was given; write them as 4, 2;3;4 or 2..6"),
         ({"ratio": []}, "no crank ratio was given; write one as 1:5"),
@@ -406,3 +411,47 @@ def test_pages_of_engines_are_not_made_as_tables_of_motion(name: str) -> None:
         kurbel.table(layout=name)
     with pytest.raises(KurbelError, match=r"^layout kinematics is about something else; choose from "):
         kurbel.delta_table(layout="kinematics")
+
+
+OBLIQUE = (("--offset=0.5",), ("--mechanism=arc", "--rocker=5"), ("--mechanism=beam", "--beam=4"))
+FROM_SLIDE = {"de": "von der Schubrichtung", "en": "from the slide direction"}
+
+
+def at_dead_centre(drive: tuple[str, ...]) -> str:
+    """φ_i of a drive in degrees."""
+    places = printed("deadcentres", "--ratio=1:5", *drive, "--columns=phi_i", "--digits=9", "-f", "csv")
+    return places.records()[0]["phi_i"]
+
+
+@pytest.mark.parametrize("drive", OBLIQUE, ids=str)
+def test_alpha_and_phi_are_the_dead_centre_apart(drive: tuple[str, ...]) -> None:
+    engine, inner = ("--ratio=1:5", "--eps=4", *drive), at_dead_centre(drive)
+    speeds = ("delta", *engine, "--columns=alpha_min,alpha_max", "-f", "csv", "--digits=9")
+    angles = [float(Fraction(alpha) + Fraction(inner)) for alpha in printed(*speeds).records()[0].values()]
+    turning = ("turning", *engine, "--angle={};{}".format(*angles), "--columns=tangential_excess")
+    # The speed is least or greatest where the tangential force is its mean.
+    for record in printed(*turning, "--digits=6", "-f", "csv").records():
+        assert abs(float(record["tangential_excess"])) < 2e-6
+
+
+@pytest.mark.parametrize("drive", OBLIQUE, ids=str)
+@pytest.mark.parametrize("lang", LANGUAGES)
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("delta", "--detail"), ("turning", "--step=90"), ("harmonics", "--quantity=torque"),
+        ("forces", "--step=90"), ("forces", "--layout=rod-load"),
+    ],
+    ids=" ".join,
+)  # fmt: skip
+def test_pages_of_oblique_drives_say_from_where_their_angles_count(
+    drive: tuple[str, ...], lang: str, words: tuple[str, ...]
+) -> None:
+    page = " ".join(printed(*words, "--ratio=1:5", "--eps=4", *drive, f"--lang={lang}").out.split())
+    assert FROM_SLIDE[lang] in page
+    assert f"{float(at_dead_centre(drive)):.3f}".replace(".", "," if lang == "de" else ".") in page
+
+
+@pytest.mark.parametrize("words", [("delta", "--detail"), ("turning", "--step=90"), ("forces", "--step=90")])
+def test_pages_of_the_straight_crank_count_from_the_dead_centre(words: tuple[str, ...]) -> None:
+    assert FROM_SLIDE["en"] not in printed(*words, "--eps=4", "--lang=en").out

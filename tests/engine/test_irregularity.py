@@ -8,11 +8,13 @@ from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
 from itertools import product
+from time import process_time
 from typing import Any
 
 import flint
 import numpy as np
 import pytest
+from cli import printed
 from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import mp
@@ -38,6 +40,7 @@ Floats = NDArray[np.float64]
 
 DIGITS = 30
 ACCURACY = 2e-15
+MOST_SECONDS = 8
 
 # By another program in mpmath, R:L = 1:5, b = 1/ε, ε = 2..6.
 KNOWN = {
@@ -427,3 +430,16 @@ def test_the_first_bad_engine_of_all_blocks_is_named(monkeypatch: pytest.MonkeyP
 def test_the_example_of_the_docstring_is_true() -> None:
     result = doctest.testmod(irregularity)
     assert (result.failed, result.attempted) == (0, 1)
+
+
+def test_ten_thousand_engines_have_the_digits_of_each_alone() -> None:
+    before = process_time()
+    many = printed("delta", "--eps=1.001..11:0.001", "--digits=10", "-f", "csv").records()
+    assert process_time() - before < MOST_SECONDS
+    assert len(many) == 10_000
+    # So few are settled in balls.
+    few = printed("delta", "--eps=1.001..11:0.1", "--digits=10", "-f", "csv").records()
+    assert few == many[::100]
+    for record in many[1234::2345]:
+        true = on_paper(float(record["epsilon"]), 0.2, None, "exact")
+        assert abs(float(record["delta"]) - true) < 0.5e-10 + 1e-15

@@ -113,6 +113,29 @@ def test_a_power_finds_what_is_not_given(
     assert found["indicated_power"] == 75
 
 
+@pytest.mark.parametrize(
+    ("lang", "indicated", "brake"),
+    [
+        ("de", "Dampf je kWh, indiziert", "Dampf je kWh an der Welle"),
+        ("en", "Steam per kWh, indicated", "Steam per kWh at the shaft"),
+    ],
+)
+def test_steam_of_indicated_and_of_brake_work_is_told_apart(lang: str, indicated: str, brake: str) -> None:
+    words = (
+        "--eps=4",
+        "--pressure=8bar",
+        "--specific-volume=0.24m3/kg",
+        "--efficiency=0.8",
+        f"--lang={lang}",
+    )
+    sized = ("--bore=300mm", "--stroke=450mm", "--speed=200/min")
+    page = printed("power", *words, *sized).out
+    assert f" {indicated} D/Nᵢ " in page and f" {brake} D/Nₑ " in page
+    imperial = printed("power", *words, *sized, "--units=imperial").out
+    assert f" {indicated.replace('kWh', 'hp h')} D/Nᵢ " in imperial
+    assert f" {brake.replace('kWh', 'hp h')} D/Nₑ " in imperial
+
+
 def test_a_rod_lessens_the_area_of_its_end() -> None:
     words = ("--mean-pressure=4bar", "--working-strokes=2", *SIZES)
     found = record(*words, "--piston-rod=60mm", "--tail-rod=45mm")
@@ -217,3 +240,54 @@ def test_a_back_pressure_is_its_share_of_the_steam_pressure() -> None:
     for words in (("delta",), ("forces", "--step=90"), ("solve", "--where=torque=max")):
         share = printed(*words, "--eps=3", "--back=0.15", "-f", "csv").out
         assert printed(*words, "--eps=3", "--back=1.2bar", "--pressure=8bar", "-f", "csv").out == share
+
+
+MACHINE = """
+crank = {ratio = "1:4", stroke = "450mm", speed = "200/min"}
+%s
+flywheel = {delta = "1:100"}
+"""
+HEAT = 12 * (1 - 6**-0.4)
+
+
+@pytest.mark.parametrize(
+    ("load", "options", "joules"),
+    [
+        # In a turn, of the swept volume in m³.
+        (
+            'steam = {eps = 3, pressure = "8bar", back = "1.1bar", bore = "300mm"}',
+            ("--piston-rod=60mm",),
+            2 * (8e5 * (1 + log(3)) / 3 - 1.1e5) * (1 - (60 / 300) ** 2 / 2),
+        ),
+        (
+            'gas = {compression = 6, heat = 12, suction_pressure = "0.9bar", bore = "300mm"}',
+            ("--cranks=0;120;240",),
+            3 / 2 * HEAT * 0.9e5 / (1 - 1 / 6),
+        ),
+        ('pump = {kind = "single", delivery_pressure = "6bar", bore = "300mm"}', (), 6e5),
+    ],
+)
+def test_a_flywheel_takes_the_power_of_its_engine(
+    load: str, options: tuple[str, ...], joules: float, tmp_path: Path
+) -> None:
+    machine = tmp_path / "engine.toml"
+    machine.write_text(MACHINE % load, encoding="utf-8")
+    words = (f"--machine={machine}", *options)
+    power = joules * pi / 4 * 0.3**2 * 0.45 * 200 / 60
+    assert record(*words)["indicated_power"] == pytest.approx(power / 1e3, abs=1e-9)
+    (row,) = printed("flywheel", *words, "--columns=power,mean_torque", "--digits=6", "-f", "csv").records()
+    assert float(row["power"]) == pytest.approx(power, abs=1e-6)
+    assert float(row["mean_torque"]) == pytest.approx(power / (2 * pi * 200 / 60), abs=1e-6)
+    assert "r = 225 mm" in printed("flywheel", *words).out
+
+
+@pytest.mark.parametrize(
+    ("words", "missing"),
+    [((), "--stroke, --bore and --pressure"), (("--stroke=450mm", "--bore=300mm"), "--pressure")],
+)
+def test_a_flywheel_asks_for_what_its_power_follows_from(words: tuple[str, ...], missing: str) -> None:
+    said = refusal("flywheel", "--eps=3", "--speed=200/min", "--delta=1:100", *words)
+    assert said == (
+        "a flywheel needs the power of the engine; add --power, for example --power 50kW, or"
+        f" {missing}, from which it follows"
+    )

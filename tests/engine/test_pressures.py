@@ -244,3 +244,14 @@ def test_the_turning_effort_is_drawn_over_the_path_of_the_pin() -> None:
         angles, path = (axes.lines[0].get_xydata() for axes in (one, other))
         np.testing.assert_allclose(np.radians(angles[:, 0]), path[:, 0], rtol=1e-12, atol=0)
         assert (angles[:, 1] == path[:, 1]).all()
+
+
+@pytest.mark.parametrize(
+    "drive", [("--offset=0.5",), ("--mechanism=beam", "--beam=4"), ("--offset=0",)], ids=str
+)
+def test_the_page_says_where_its_angles_begin(drive: tuple[str, ...]) -> None:
+    words = ("pressures", "--ratio=1:5", "--bore=300mm", *drive, *STEAM)
+    first = printed(*words, "--shares=0", "--columns=crank_angle", "-f", "csv").records()[0]["crank_angle"]
+    page = " ".join(printed(*words, "--lang=en").out.split())
+    said = f"φ from the slide direction, the inner dead centre at φᵢ = {first}°"
+    assert (said in page) == (float(first) != 0)

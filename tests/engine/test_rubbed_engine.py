@@ -117,3 +117,15 @@ def test_a_torque_of_weight_alone_may_be_a_tie() -> None:
 def test_friction_and_rods_that_no_engine_has_are_refused(options: dict[str, Any], sentence: str) -> None:
     with pytest.raises(ProblemError, match=re.escape(sentence)):
         kurbel.delta_table(**{"eps": 3, **options})
+
+
+def test_no_atmosphere_acts_on_the_section_of_the_piston_rod_as_pages_say() -> None:
+    engine = {**STEAM, "stroke": "600mm", "ratio": "1:5", "piston_rod": "60mm", "angle": (20, 200)}
+    page = kurbel.forces_table(**engine, columns="piston_force_n", digits=3)
+    whole, ring, steam = 0.3**2 / 4 * pi, (0.3**2 - 0.06**2) / 4 * pi, 6e5
+    # Towards the shaft, before the cut-off of either stroke: pressures times areas and nothing else.
+    expected = [steam * (whole - 0.1 * ring), steam * (0.1 * whole - ring)]
+    assert [row["piston_force_n"] for row in rows_of(page)] == pytest.approx(expected, abs=1e-3)
+    for lang, sentence in (("de", "auch nicht der der Luft"), ("en", "not even that of the atmosphere")):
+        said = kurbel.typeset(kurbel.forces_table(**engine, columns="piston_force_n", lang=lang), "text")
+        assert sentence in " ".join(said.split())

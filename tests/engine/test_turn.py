@@ -363,7 +363,7 @@ def turns_beyond_cut_off(plant: Plant, stroke: int) -> bool:
     if plant.expansion == 1:
         return False
     angle = stroke * mp.pi + series.cut_off_angle(bool(stroke))
-    return bool(series.force(angle) > 2 / mp.pi * mp.quad(series.pressure, [0, series.cut_off, 1]))
+    return bool(series.power(angle) > 2 / mp.pi * mp.quad(series.pressure, [0, series.cut_off, 1]))
 
 
 def angle_of(place: Any) -> Any:

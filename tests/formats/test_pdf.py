@@ -90,7 +90,7 @@ def test_python_and_the_command_line_make_the_same_file(tmp_path: Path) -> None:
     [
         ("table", "--standalone"),
         ("delta", "--eps", "2..6"),
-        ("turning",),
+        ("turning", "--eps", "4"),
         ("solve", "--where", "p=0"),
         ("collate", "blau-33"),
         ("example", "blau", "33"),

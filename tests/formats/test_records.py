@@ -189,6 +189,42 @@ def test_lines_of_an_example_begin_with_an_apostrophe_where_they_begin_with_an_e
     assert "'= R(1.097 − 0.186)" in cells
 
 
+@pytest.mark.parametrize(
+    ("words", "apart"),
+    [
+        ("delta --pump double --columns v_min", "stroke"),
+        ("delta --eps 2 --detail --columns v_max", "stroke"),
+        ("delta --eps 2;3 --ratio 1:4;1:5 --columns delta", "epsilon ratio"),
+        ("flywheel --power 9kW --speed 90/min --eps 2;3 --delta 1:50;0.1 --columns swing", "epsilon target"),
+        ("solve --ratio 1:5 --where psi=5 --columns x", "stroke phi"),
+        ("solve --ratio 1:5 --where psi=max --columns x", "stroke phi"),
+        ("solve --ratio 1:5 --where psi=5 --where x=1 --columns x", "condition stroke phi"),
+        ("solve --eps 4 --where torque=0 --columns energy", "phi"),
+        ("table --ratio 1:4;1:5 --angle 30;60 --columns x", "ratio phi"),
+        ("table --ratio 1:4;1:5 --angle 30 --columns x", "ratio"),
+        ("table --ratio 1:5 --point 0;1 --angle 30;60 --columns path_along", "point phi"),
+        ("table --over path --shares 0;50% --columns c", "share"),
+        ("forces --mechanism parallel --axles 3 --angle 30 --columns tangential_force", "axle"),
+        ("forces --eps 4 --layout rod-load --columns reversal_angle", "end"),
+        ("inertia --centre 0.6 --gyration 0.3 --layout inertia-errors --columns error_phi", "force model"),
+        ("balance --cranks 0;90 --ratio 1:4 --columns along", "residual order"),
+        ("firing --order 1-3-2 --columns crank", "cylinder"),
+        ("collate blau-32 --columns printed", "place"),
+        ("collate blau-equations --columns printed", "place"),
+    ],
+)  # fmt: skip
+def test_what_tells_rows_apart_is_a_column_whatever_is_asked_for(words: str, apart: str) -> None:
+    rows = printed(*words.split(), "-f", "csv").records()
+    asked = words.rpartition(" ")[2]
+    assert [*rows[0]] == [*apart.split(), asked]
+    assert len({tuple(row[key] for key in apart.split()) for row in rows}) == len(rows) > 1
+
+
+def test_what_is_named_stands_where_it_is_named() -> None:
+    (row, *_) = printed("table", "--ratio=1:4;1:5", "--angle=30;60", "--columns=x,phi", "-f", "csv").records()
+    assert [*row] == ["ratio", "x", "phi"]
+
+
 def test_records_are_streamed() -> None:
     table = endless()
     assert "".join(islice(CsvWriter().rows(table, "point"), 60)).startswith("x\n0.1\n0.2\n0.3\n")

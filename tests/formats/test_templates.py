@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import os
-import resource
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -26,13 +24,8 @@ def folder(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def little_memory() -> Iterator[None]:
-    """Give half a gigabyte more than there is, as handbooks give four to the process of a page."""
-    before = resource.getrlimit(resource.RLIMIT_AS)
-    taken = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
-    resource.setrlimit(resource.RLIMIT_AS, (taken + 500_000_000, before[1]))
-    yield
-    resource.setrlimit(resource.RLIMIT_AS, before)
+def little_memory(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("kurbel.formats.apart.GIGABYTES", 0.7)
 
 
 def made(folder: Path, template: str) -> str:

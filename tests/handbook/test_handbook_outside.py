@@ -1,7 +1,8 @@
-"""What a manifest names lies in its folder, wherever links lead, unless --allow-outside says otherwise."""
+"""What a manifest or a document names lies in its folder, wherever links lead, but with --allow-outside."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,7 @@ MACHINE = (
     '[crank]\nstroke = "600mm"\nrod = "1.5m"\nspeed = "90/min"\n[steam]\nbore = "300mm"\npressure = "8bar"\n'
 )
 SAID = "leads out of the folder of the handbook; put what it names into that folder, or add --allow-outside"
+OF_A_DOCUMENT = SAID.replace("handbook", "document")
 RUNS = {
     "beside": "collate --csv ../secret.csv",
     "by-its-root": "collate --csv {outside}/secret.csv",
@@ -22,6 +24,8 @@ RUNS = {
     "by-a-rod": "inertia --rod-file ../secret.csv --stroke 1m --rod 2m --speed 1/s",
     "by-a-book": "collate --sources books",
     "by-layouts": "table --layouts pages-of-mine --layout mine",
+    "by-a-folder-of-layouts": "table --layouts linked --layout mine",
+    "by-a-torque": "flywheel --torque-file ../secret.csv --delta 1:100 --speed 1/s",
     "by-a-machine-elsewhere": "table --machine ../elsewhere.toml",
 }
 
@@ -33,10 +37,12 @@ def folder(tmp_path: Path) -> Path:
     (tmp_path / "elsewhere.toml").write_text(MACHINE)
     (tmp_path / "outside/book").mkdir(parents=True)
     folder = tmp_path / "book"
-    for made in ("books/one", "pages-of-mine/mine"):
+    (tmp_path / "outside/layout.toml").write_text(SECRET)
+    for made in ("books/one", "linked", "pages-of-mine/mine"):
         (folder / made).mkdir(parents=True)
     (folder / "link.csv").symlink_to("../secret.csv")
     (folder / "way").symlink_to("..")
+    (folder / "linked/mine").symlink_to("../../outside")
     (folder / "books/one/source.toml").symlink_to(tmp_path / "secret.csv")
     (folder / "pages-of-mine/mine/layout.toml").symlink_to(tmp_path / "secret.csv")
     (folder / "engine.toml").write_text(f'{MACHINE}card = "../secret.csv"\n')
@@ -62,6 +68,27 @@ def test_no_command_reads_outside(command: str, folder: Path) -> None:
     allowed = build(folder, parts, "--allow-outside", command=command)
     assert SAID not in allowed.err
     assert allowed.err.count(SECRET) > 3
+
+
+@pytest.mark.parametrize("words", [("inject",), ("inject", "--check")])
+@pytest.mark.parametrize("run", RUNS.values(), ids=RUNS)
+def test_no_marker_reads_outside(run: str, words: Sequence[str], folder: Path) -> None:
+    marker = f"<!-- kurbel: {run.format(outside=folder.parent)} -->\n<!-- /kurbel -->\n"
+    notes = folder / "notes.md"
+    notes.write_text(marker)
+    done = kurbel(*words, str(notes))
+    assert (done.code, done.err.startswith(f"kurbel: {notes}:1: ")) == (1, True)
+    assert done.err.endswith(f"{OF_A_DOCUMENT}\n")
+    assert SECRET not in done.err + done.out
+    assert notes.read_text() == marker
+    assert OF_A_DOCUMENT not in kurbel(*words, "--allow-outside", str(notes)).err
+
+
+def test_a_document_reads_outside_where_that_is_allowed(folder: Path) -> None:
+    notes = folder / "notes.md"
+    notes.write_text(f"<!-- kurbel: {RUNS['by-a-machine-elsewhere']} -->\n<!-- /kurbel -->\n")
+    assert kurbel("inject", "--allow-outside", str(notes)).code == 0
+    assert "R:L = 1:5" in notes.read_text()
 
 
 @pytest.mark.parametrize(

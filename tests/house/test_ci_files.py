@@ -18,6 +18,7 @@ from places import ROOT
 from pre_commit.clientlib import load_manifest
 from tools import require
 
+from kurbel import __version__
 from kurbel.formats.registry import kinds
 
 GUIDE = (ROOT / "docs" / "howto" / "ci.md").read_text(encoding="utf-8")
@@ -250,3 +251,54 @@ def test_the_workflow_of_the_guide_uses_inputs_that_there_are() -> None:
     assert set(given) <= set(ACTION["inputs"])
     hooks = yaml.safe_load(snippet("pre-commit", "yaml"))["repos"][0]["hooks"]
     assert {hook["id"] for hook in hooks} <= {hook["id"] for hook in HOOKS}
+
+
+@pytest.mark.parametrize(
+    "page", sorted(path for path in (ROOT / "docs").rglob("*.md")), ids=lambda page: page.name
+)
+def test_versions_of_kurbel_in_the_documentation_are_that_of_the_package(page: Path) -> None:
+    named = re.findall(r"(?:kurbel(?:@v|:|==)|rev: v)(\d+\.\d+\.\d+)", page.read_text(encoding="utf-8"))
+    mend = f"sed -i 's/{{}}/{__version__}/' {page.relative_to(ROOT)}"
+    assert {*named} <= {__version__}, [mend.format(old) for old in named if old != __version__]
+
+
+def test_actions_of_others_are_pinned_by_hash() -> None:
+    used = re.findall(r"uses: (\S+)(.*)", f"{GUIDE}\n{(ROOT / 'action.yml').read_text(encoding='utf-8')}")
+    others = [(name, comment) for name, comment in used if not name.startswith("OWNER/")]
+    assert len(others) == 2
+    for name, comment in others:
+        assert re.fullmatch(r"actions/[a-z-]+@[0-9a-f]{40}", name) and re.fullmatch(
+            r" # v\d+(\.\d+)+", comment
+        )
+
+
+def test_in_ci_nothing_is_promoted(tmp_path: Path) -> None:
+    def collected(**variables: str) -> subprocess.CompletedProcess[str]:
+        words = [sys.executable, "-m", "pytest", "--collect-only", "-q", "-p", "no:cacheprovider", __file__]
+        job = {name: text for name, text in environment().items() if name != "CI"} | variables
+        return subprocess.run(words, cwd=ROOT, env=job, capture_output=True, text=True, check=False)
+
+    refused = collected(CI="true", KURBEL_PROMOTE="1")
+    assert refused.returncode == 4
+    assert "KURBEL_PROMOTE=1 writes what is printed as what is expected" in refused.stderr
+    assert collected(CI="true").returncode == collected(KURBEL_PROMOTE="1").returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("target", "line"),
+    [
+        ("docs", "kurbel man --output build/man"),
+        ("golden", "git diff --stat --patch -- tests docs README.md examples/notes.md"),
+    ],
+)
+def test_make_does_what_its_targets_promise(target: str, line: str) -> None:
+    make = ["make", "--dry-run", "--always-make", target]
+    done = subprocess.run(make, cwd=ROOT, env=environment(), capture_output=True, text=True, check=True)
+    assert any(one.endswith(line) for one in done.stdout.splitlines())
+
+
+def test_the_root_holds_nothing_that_a_program_left() -> None:
+    listed = subprocess.run(["git", "ls-files", ":/*"], cwd=ROOT, capture_output=True, text=True, check=True)
+    packed = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["hatch"]["build"]
+    known = {*packed["targets"]["sdist"]["include"], "pyproject.toml", ".gitignore"}
+    assert {line.partition("/")[0] for line in listed.stdout.splitlines()} <= known

@@ -63,6 +63,22 @@ def test_the_reference_describes_every_name_of_the_library(pages: dict[str, str]
         assert re.search(rf"^:+{{py:\w+}} {name}\b", described, re.MULTILINE), name
 
 
+def test_the_reference_says_how_quantities_count(pages: dict[str, str]) -> None:
+    rows = pages["reference/quantities.md"].splitlines()
+    for key, command, said in (
+        (
+            "turn_velocity",
+            "table --mechanism arc",
+            "turning of the rocker positive in the direction of the stroke",
+        ),
+        ("turn_acceleration", "table --mechanism beam", "turning of the beam positive in the direction"),
+        ("rod_acceleration", "table", "turning of the rod positive against the sense of the crank"),
+        ("guide_force", "table", "on the crosshead, towards the side on which the crank pin runs"),
+    ):
+        [row] = [row for row in rows if row.startswith(f"| `{key}` |") and row.endswith(f"`{command}` |")]
+        assert said in row
+
+
 def test_links_lead_to_pages_that_there_are(pages: dict[str, str]) -> None:
     """Those that are made with the site stand in no folder; the gallery is made of pictures."""
     made = {(DOCS / name).resolve() for name in pages} | {DOCS / "gallery" / "index.md"}

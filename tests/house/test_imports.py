@@ -92,7 +92,8 @@ def test_kernel_and_table_know_neither_click_nor_jinja(name: str) -> None:
 def test_only_render_knows_jinja() -> None:
     assert importers("jinja2") == {"kurbel.formats.render", "kurbel.formats.sandbox"}
     assert {name for name in MODULES if "kurbel.formats.sandbox" in imported(name)} == {
-        "kurbel.formats.render"
+        "kurbel.formats.apart",
+        "kurbel.formats.render",
     }
 
 
@@ -187,6 +188,7 @@ ARRAYS = {
     "kurbel.engine.card.force",
     "kurbel.engine.card.turn",
     "kurbel.engine.irregularity",
+    "kurbel.engine.long.irregularity",
     "kurbel.engine.long.columns",
     "kurbel.engine.long.turn",
     "kurbel.engine.rodload.card",
@@ -284,7 +286,7 @@ def test_a_table_loads_no_reader_of_models_and_a_long_one_no_balls() -> None:
 PAGES = [
     ("table", "--ratio", "1:5"),
     ("delta", "--eps", "2..6"),
-    ("turning",),
+    ("turning", "--eps", "4"),
     ("deadcentres",),
     ("harmonics",),
     ("balance",),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import zipfile
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
@@ -22,10 +23,24 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return built
 
 
+def texts(wheel: Path, names: Iterable[str]) -> Iterator[tuple[str, str]]:
+    """Yield what a wheel says of itself."""
+    for name in names:
+        if ".dist-info/" in name:
+            yield name, zipfile.ZipFile(wheel).read(name).decode()
+
+
 @pytest.mark.slow
 def test_the_wheel_holds_templates_sources_and_types(wheel: Path) -> None:
     names = zipfile.ZipFile(wheel).namelist()
     assert "kurbel/py.typed" in names
+    # The licence of the font, and who it is from, go along with that of kurbel.
+    licences = {name: text for name, text in texts(wheel, names) if "/licenses/" in name}
+    assert any(text.startswith("MIT License") for text in licences.values())
+    assert any("The Libertinus Project Authors" in text for text in licences.values())
+    (metadata,) = (text for name, text in texts(wheel, names) if name.endswith(".dist-info/METADATA"))
+    assert "License-Expression: MIT AND OFL-1.1\n" in metadata
+    assert metadata.count("License-File: ") == len(licences) == 2
     for layout in (ROOT / "templates").rglob("*.*"):
         assert f"kurbel/templates/{layout.relative_to(ROOT / 'templates').as_posix()}" in names
     for file in (ROOT / "src" / "kurbel").glob("books/sources/**/*.*"):

@@ -90,7 +90,7 @@ def test_a_page_of_the_motion_has_the_speeds_of_the_turn_as_fields() -> None:
         "--ratio=1:3.1",
         "--offset=-1.9",
         "--stroke=340mm",
-        "--angle=7;200",
+        "--angle=7;170",
         "--digits=12",
         "--format=csv",
     )

@@ -104,6 +104,30 @@ def test_what_is_typed_in_inches_is_printed_in_inches_but_data_stay_metric() -> 
     assert "x in mm" in printed(*words[:3], "--rod", "60cm").out
 
 
+@pytest.mark.parametrize(
+    ("units", "key", "unit", "force", "moment"),
+    [
+        ("imperial", "along_lbf", "lbf, lbf ft", FORCE, FORCE * FOOT),
+        ("kN; kN m", "along_kn", "kN, kN m", Fraction(1000), Fraction(1000)),
+        ("kN", "along_kn_nm", "kN, N m", Fraction(1000), Fraction(1)),
+        ("lbf ft", "along_n_lbfft", "N, lbf ft", Fraction(1), FORCE * FOOT),
+        ("lbf; lbf in", "along_lbf_lbfin", "lbf, lbf in", FORCE, FORCE * FOOT / 12),
+    ],
+)
+def test_a_column_of_forces_and_moments_has_each_in_its_unit(
+    units: str, key: str, unit: str, force: Fraction, moment: Fraction
+) -> None:
+    words = f"balance --cranks 0;90 --reciprocating 31kg --spacing 1.3m {SIZES}"
+    asked = (*words.split(), "--columns", "residual,order,along_n", "--digits", "9", "-f", "json", "--units")
+    metric, other = (json.loads(printed(*asked, one).out) for one in ("metric", units))
+    assert (other["columns"][-1]["key"], other["columns"][-1]["unit"]) == (key, unit)
+    for before, after in zip(metric["rows"], other["rows"], strict=True):
+        size = moment if before["residual"] == "moment" else force
+        was, now = Fraction(str(before["along_n"])), Fraction(str(after[key]))
+        assert abs(was / size - now) <= (1 / size + 1) / (2 * 10**9)
+    assert f"in {unit}" in printed(*words.split(), "--units", units, "--lang", "en").out
+
+
 @settings(max_examples=25, deadline=None)
 @given(st.integers(1, 4000), st.sampled_from([0, 2, 5]))
 def test_what_lies_half_way_between_two_printed_numbers_is_rounded_away(eighths: int, digits: int) -> None:

@@ -216,7 +216,7 @@ def test_a_folder_that_cannot_be_used_is_answered_with_a_sentence(tmp_path: Path
     ("command", "own_layout", "key", "value", "said"),
     [
         ("delta", "weisbach-150", "expansions", "0.5", "expansion ratio ε is 0.5; it must be 1"),
-        ("turning", "turning", "expansions", "1e9", "expansion ratio ε is 1000000000; at most"),
+        ("delta", "delta-tafel", "expansions", "1e9", "expansion ratio ε is 1000000000; at most"),
         (
             "deadcentres",
             "weisbach-149",

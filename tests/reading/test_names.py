@@ -36,8 +36,8 @@ def test_path_velocity_and_acceleration_have_the_same_names_in_every_mechanism(
         for names in (*zip(*WORDS, strict=True), ("Weg", "Geschwindigkeit", "BESCHLEUNIGUNG"))
     }
     assert len(pages) == 1
-    # Three different columns.
-    assert len(set(pages.pop().splitlines()[1].split(","))) == 3
+    # The angle and three different columns.
+    assert len(set(pages.pop().splitlines()[1].split(","))) == 4
 
 
 @pytest.mark.parametrize("mechanism", ["straight", "arc"])

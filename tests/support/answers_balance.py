@@ -147,9 +147,9 @@ def inside_cylinders(
             "angle_left": polar(left)[1],
             "mass_right": abs(right) * crank / at,
             "angle_right": polar(right)[1],
-            "blow_left": lifting * crank * speed**2,
-            "pull": max(abs(one + other) for one, other in both) * pull,
-            "sway": max(abs(one - other) for one, other in both) * pull * spacing / 2,
+            "blow_left_n": lifting * crank * speed**2,
+            "pull_n": max(abs(one + other) for one, other in both) * pull,
+            "sway_nm": max(abs(one - other) for one, other in both) * pull * spacing / 2,
         }
     ]
 

@@ -1,9 +1,9 @@
 """The turning of a steam engine by brute force: force, energy and speed, without kurbel's formulas.
 
 The kinematics are the textbook's, x = 1 - cos φ + (1 - cos ψ)/λ and its slope over the whole turn; the return
-stroke is the same path seen from its other end. Energy is the tangential force integrated over the angle,
-never a formula for the work. Lengths are in R, forces in the piston force Q before cut-off. `Curve` walks a
-fine grid in NumPy, `Exact` works in mpmath at the precision in force.
+stroke is the same path seen from its other end. Energy is the force on the piston times this slope,
+integrated over the angle, never a formula for the work. Lengths are in R, forces in the piston force Q before
+cut-off. `Curve` walks a fine grid in NumPy, `Exact` works in mpmath at the precision in force.
 """
 
 from __future__ import annotations
@@ -129,17 +129,26 @@ class Exact:
         return ((self.cut_off + self.clearance) / (share + self.clearance)) ** self.exponent
 
     def force(self, angle: Real) -> Real:
-        """The tangential force of all cranks."""
-        return mp.fsum(self._force_of_one(angle - start) for start in self.starts)
+        """The tangential force of all cranks: of the force on the piston, at the angle ψ of the rod."""
+        return mp.fsum(
+            self._pressure_of_one(one) * mp.sin(one + rod) / mp.cos(rod)
+            for one in (angle - start for start in self.starts)
+            for rod in [mp.asin(self.ratio * mp.sin(one))]
+        )
 
-    def _force_of_one(self, angle: Real) -> Real:
+    def power(self, angle: Real) -> Real:
+        """The work of all cranks over the angle: of the force on the piston, over its path."""
+        return mp.fsum(self._power_of_one(angle - start) for start in self.starts)
+
+    def _power_of_one(self, angle: Real) -> Real:
+        return self._pressure_of_one(angle) * self._motion(angle)[1]
+
+    def _pressure_of_one(self, angle: Real) -> Real:
+        """The force on the piston in the direction of the outstroke."""
         angle = angle - 2 * mp.pi * mp.floor(angle / (2 * mp.pi))
-        returning = angle > mp.pi
-        if returning and not self.plant.double:
-            return mp.mpf(0)
-        path, velocity = self._motion(angle)
-        share = (2 - path if returning else path) / 2
-        return self.pressure(share) * abs(velocity)
+        if angle <= mp.pi:
+            return self.pressure(self._motion(angle)[0] / 2)
+        return -self.pressure(1 - self._motion(angle)[0] / 2) if self.plant.double else mp.mpf(0)
 
     def _motion(self, angle: Real) -> tuple[Real, Real]:
         """Path and velocity, from one sine and one cosine."""
@@ -152,22 +161,22 @@ class Exact:
 
     @cached_property
     def mean_force(self) -> Real:
-        """The force integrated over the turn, divided by the turn."""
+        """The power integrated over the turn, divided by the turn."""
         return self.integral(mp.mpf(0), 2 * mp.pi) / (2 * mp.pi)
 
     def integral(self, start: Real, end: Real) -> Real:
-        """∫ of the tangential force, crank by crank."""
+        """∫ of the power, crank by crank."""
         return mp.fsum(
             self._work_of_one(end - crank) - self._work_of_one(start - crank) for crank in self.starts
         )
 
     def _work_of_one(self, angle: Real) -> Real:
-        """∫ of one crank's tangential force since its dead centre, to a corner and on from there."""
+        """∫ of one crank's power since its dead centre, to a corner and on from there."""
         turns = mp.floor(angle / (2 * mp.pi))
         angle -= 2 * mp.pi * turns
         below = max(place for place, (corner, _) in enumerate(self._corners) if corner <= angle)
         corner, work = self._corners[below]
-        return turns * self._corners[-1][1] + work + mp.quad(self._force_of_one, (corner, angle))
+        return turns * self._corners[-1][1] + work + mp.quad(self._power_of_one, (corner, angle))
 
     @cached_property
     def _corners(self) -> list[tuple[Real, Real]]:
@@ -176,7 +185,7 @@ class Exact:
         if self.plant.expansion > 1:
             places += [self.cut_off_angle(False), mp.pi + self.cut_off_angle(True)]
         places.sort()
-        spans = [mp.quad(self._force_of_one, span) for span in pairwise(places)]
+        spans = [mp.quad(self._power_of_one, span) for span in pairwise(places)]
         return list(zip(places, accumulate(spans, initial=mp.mpf(0)), strict=True))
 
     def cut_off_angle(self, returning: bool) -> Real:
@@ -189,10 +198,10 @@ class Exact:
         return mp.findroot(short, (mp.mpf(0), mp.pi), solver="anderson", tol=mp.eps, verify=False)
 
     def stationary(self, near: float) -> Real:
-        """The angle near some degrees at which the force is its mean."""
+        """The angle near some degrees at which the power is its mean."""
         start = mp.mpf(near) * mp.pi / 180
         around = (start - mp.mpf("1e-6"), start + mp.mpf("1e-6"))
-        return mp.findroot(lambda angle: self.force(angle) - self.mean_force, around, verify=False)
+        return mp.findroot(lambda angle: self.power(angle) - self.mean_force, around, verify=False)
 
     def energy(self, angle: Real) -> Real:
         """The work of the excess since the first crank's inner dead centre."""

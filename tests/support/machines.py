@@ -253,6 +253,9 @@ class Draw:
         if self.random.random() < 0.4:
             masses, more = self._masses(load, options)
             options |= more
+        elif options.get("pump") == "double":
+            # Without a bore nothing is counted in them.
+            del options["suction_pressure"], options["delivery_pressure"]
         return Machine(drive, forces, options, cranks, masses)
 
     def _straight(self) -> tuple[Slide, dict[str, Any]]:

@@ -27,21 +27,28 @@ STEAM = (
 COMMANDS: Mapping[str, tuple[str, ...]] = {
     "motion": ("table",),
     "irregularity": ("delta",),
-    "strokes": ("delta",),
+    "strokes": ("delta", "--eps=2"),
     "evenness": ("delta", "--flywheel=50"),
     "compressor": ("delta", "--pressure-ratio=2..6", "--clearance=4%", "--exponent=1.3"),
     "pump": ("delta", "--pump"),
     "gas cycle": ("delta", "--compression=5..8", "--heat=10"),
     "power": ("power", "--eps=2;3", "--power=75kW", "--stroke-bore=1.5", *STEAM),
-    "turning": ("turning",),
+    "turning": ("turning", "--eps=4"),
     "torques": ("turning", "--torque=5000 + 1500 sin(3φ)", "--inertia=500kgm2", "--speed=300/min"),
     "areas": ("turning", "--areas=+52;-124;+92;-140;+85;-72;+107", "--area-scale=500 N m; 6°"),
-    "speed": ("turning", "--flywheel=50", "--speed=120/min"),
+    "speed": ("turning", "--eps=4", "--flywheel=50", "--speed=120/min"),
     "crank forces": ("forces", "--eps=4"),
     "machine": ("forces", "--eps=4", *MACHINE, "--reciprocating=300kg", *ROD, "--rotating=-40kg"),
     "rod load": ("forces", "--eps=4"),
     "mass forces": ("forces", "--force=10kN", *MACHINE[:2], "--reciprocating=300kg"),
-    "flywheel": ("flywheel", "--power=50kW", "--speed=120/min", "--delta=1:50;1:100", "--radius=1.5m"),
+    "flywheel": (
+        "flywheel",
+        "--eps=4",
+        "--power=50kW",
+        "--speed=120/min",
+        "--delta=1:50;1:100",
+        "--radius=1.5m",
+    ),
     "flywheel sizing": (
         "flywheel",
         "--swing=56kJ",
@@ -169,7 +176,8 @@ def command(name: str) -> tuple[str, ...]:
 # The same for Python: the function, and what it cannot do without.
 FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "motion": (kurbel.table, {}),
-    **dict.fromkeys(("irregularity", "strokes"), (kurbel.delta_table, {})),
+    "irregularity": (kurbel.delta_table, {}),
+    "strokes": (kurbel.delta_table, {"eps": 2}),
     "evenness": (kurbel.delta_table, {"flywheel": 50}),
     "compressor": (
         kurbel.delta_table, {"pressure_ratio": "2..6", "clearance": "4%", "exponent": "1.3"}
@@ -181,21 +189,21 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
         "diagram_factor": 0.8, "efficiency": "85%", "stroke_bore": 1.5, "speed": "250/min",
         "specific_volume": 0.24,
     }),
-    "turning": (kurbel.turning_table, {}),
+    "turning": (kurbel.turning_table, {"eps": 4}),
     "torques": (kurbel.turning_table, {"torque": "5000 + 1500 sin(3φ)", "inertia": 500, "speed": 5}),
     "areas": (kurbel.turning_table, {
         "areas": [52, -124, 92, -140, 85, -72, 107], "area_scale": "500 N m; 6°",
     }),
-    "speed": (kurbel.turning_table, {"flywheel": 50, "speed": 2}),
+    "speed": (kurbel.turning_table, {"eps": 4, "flywheel": 50, "speed": 2}),
     "crank forces": (kurbel.forces_table, {"eps": 4}),
     "machine": (kurbel.forces_table, {
         "eps": 4, "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000, "reciprocating": 300,
         "rod_mass": 150, "centre": 0.6, "gyration": "0.3", "rotating": -40,
     }),
     "rod load": (kurbel.forces_table, {"eps": 4}),
-    "flywheel": (
-        kurbel.flywheel_table, {"power": 50_000, "speed": 2, "delta": "1:50;1:100", "radius": "1.5m"}
-    ),
+    "flywheel": (kurbel.flywheel_table, {
+        "eps": 4, "power": 50_000, "speed": 2, "delta": "1:50;1:100", "radius": "1.5m",
+    }),
     "flywheel sizing": (kurbel.flywheel_table, {
         "swing": 56_000, "speed": 2, "delta": "1:60;1:80", "rim_diameter": 3, "density": 7200,
         "rim_section": "2:1", "rim_share": "92%", "radius": 1.5,

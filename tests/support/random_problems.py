@@ -272,9 +272,9 @@ def locomotive(random: Random) -> Asked:
     row = {
         "mass_left": abs(left_wheel(weight)) * mpf(crank) / mpf(at),
         "angle_left": polar(left_wheel(weight))[1],
-        "blow_left": abs(left_wheel(lifting)) * mpf(crank) / 1000 * omega2,
-        "pull": abs(pins[0] + pins[1]) * pull,
-        "sway": abs(pins[0] - pins[1]) * pull * arm / 1000,
+        "blow_left_n": abs(left_wheel(lifting)) * mpf(crank) / 1000 * omega2,
+        "pull_n": abs(pins[0] + pins[1]) * pull,
+        "sway_nm": abs(pins[0] - pins[1]) * pull * arm / 1000,
     }
     words = ["--spacing", f"{spacing}mm", "--gauge", f"{gauge}mm", "--crank", f"{crank}mm"]
     words += ["--revolving", f"{turning}kg", "--reciprocating", f"{mass}kg", "--share", share]

@@ -10,8 +10,8 @@ import csv
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from decimal import Decimal
-from itertools import product
-from math import isnan, prod
+from itertools import accumulate, product
+from math import isnan
 from pathlib import Path
 from random import Random
 from typing import Any, NamedTuple
@@ -264,13 +264,16 @@ def deviations(asked: Asked, more: Sequence[str], folder: Path, form: str) -> It
         return
     rows = READERS[form](target)
     target.unlink()
-    count = prod(map(len, asked.axes.values()))
-    if len(rows) % count:
-        yield f"{' '.join(asked.words())}: {len(rows)} rows at {count} points"
+    # Arrays have as many places at every point.
+    sizes = [1 if isinstance(one, str) else len(one) for one in points]
+    if form == "nc":
+        sizes = [len(rows) // len(points)] * len(points)
+    if sum(sizes) != len(rows):
+        yield f"{' '.join(asked.words())}: {len(rows)} rows, and {sum(sizes)} records"
         return
-    each = len(rows) // count
-    for point, (single, words) in enumerate(zip(points, asked.single(), strict=True)):
-        own = rows[each * point : each * (point + 1)]
+    ends = accumulate(sizes)
+    for end, size, single, words in zip(ends, sizes, points, asked.single(), strict=True):
+        own = rows[end - size : end]
         for said in _compared(own, single, {KEYS.get(one, one) for one in asked.axes}):
             yield f"{' '.join(words)} {' '.join(more)}: {said}"
 
@@ -288,7 +291,9 @@ def _compared(
     rows: Sequence[Mapping[str, Any]], single: list[dict[str, str]] | str, axes: set[str]
 ) -> Iterator[str]:
     if isinstance(single, str):
-        yield from (f"reason {row['reason']!r} for {single!r}" for row in rows if row["reason"] != single)
+        reasons = [row["reason"] for row in rows]
+        if reasons != [single, *[MISSING] * (len(rows) - 1)]:
+            yield f"reasons {reasons!r} for {single!r}"
         return
     there = [row for row in rows if row["reason"] != MISSING]
     if len(there) != len(single):

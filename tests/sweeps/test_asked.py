@@ -8,6 +8,7 @@ from decimal import Decimal
 from fractions import Fraction
 from itertools import product
 from pathlib import Path
+from time import process_time
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,7 @@ from kurbel.sweeps.rows import Sweep
 
 # Sixty pounds a square inch.
 PSI = float(60 * Fraction("0.45359237") * Fraction("9.80665") / Fraction("0.0254") ** 2)
+SOME_SECONDS = 2.0
 PI = Decimal("3.14159265358979323846264338327950288")
 DELTA = "kurbel.commands.engine:delta_table"
 
@@ -163,6 +165,37 @@ def test_a_power_without_end_is_no_condition_that_takes_long() -> None:
     # Its exact value would have more figures than there is memory for.
     endless, nine = Condition("eps**eps**eps**99 < 1"), {"eps": np.array([9.0])}
     assert not endless.holds(nine, lambda place: {"eps": Fraction(9)}, 1).any()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "((((ratio**64)**64)**64)**64)**64 == 0",
+        "((((1 + ratio)**64)**64)**64)**64 == (((1 + ratio)**64)**64)**128",
+        "ratio**-99999999999 * ratio == 1",
+        "(1 + ratio/10**50)**(10**9) == 1",
+    ],
+)
+def test_a_number_that_would_outgrow_all_is_refused_before_it_is_computed(text: str) -> None:
+    before = process_time()
+    with pytest.raises(KurbelError, match=r"more than 3000 figures|beyond 10\^308"):
+        points(eps="2..4", ratio="1:5", only=text)
+    assert process_time() - before < SOME_SECONDS
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        # What floats would take for 0, for infinite or for 1.
+        ("ratio*1e-400 > 0", 3),
+        ("eps < 1e999", 3),
+        ("eps**1000 > 10**500", 1),
+        ("(1 + eps/10**20)**70 > 1", 3),
+        ("2**1000 < eps**1000 <= 3**1000", 1),
+    ],
+)
+def test_large_and_small_numbers_are_exact(text: str, count: int) -> None:
+    assert len(points(eps="2..4", ratio="1:5", only=text)) == count
 
 
 def test_too_many_rows_are_refused_before_any_is_computed() -> None:

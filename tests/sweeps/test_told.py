@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
-from math import log
+from math import asin, degrees, log, radians, sin
 from pathlib import Path
 
+import pyarrow.parquet
 import pytest
 from cli import kurbel
+from random_sweeps import READERS
 
 from kurbel.sweeps import estimate
 from kurbel.sweeps.asked import planned
@@ -26,6 +28,49 @@ def test_of_refused_rows_one_reason_is_named_even_where_each_has_its_own(tmp_pat
         result.err,
     )
     assert said, result.err
+
+
+@pytest.mark.parametrize("form", ["parquet", "arrow"])
+def test_a_refused_combination_stands_once_and_no_row_is_of_no_record(form: str, tmp_path: Path) -> None:
+    # sin ψ = λ sin φ reaches 15° at λ = 1/3 in two places of the outstroke, and not at λ = 1/5.
+    target = tmp_path / f"roots.{form}"
+    result = kurbel("sweep", "solve", "--ratio=1:3;1:5", "--where=psi=15", "-o", str(target))
+    assert f"{target}: 3 rows, of which 1 was refused and has no values" in result.err
+    *found, refused = READERS[form](target)
+    angle = degrees(asin(3 * sin(radians(15))))
+    assert [row["phi"] for row in found] == pytest.approx([angle, 180 - angle], rel=1e-12)
+    assert {(row["ratio"], row["stroke"], row["reason"]) for row in found} == {(1 / 3, "outstroke", None)}
+    assert (refused["ratio"], refused["stroke"], refused["phi"]) == (1 / 5, None, None)
+    assert refused["reason"].startswith("psi = 15 is reached nowhere for R:L = 1:5")
+
+
+@pytest.mark.parametrize(
+    ("words", "keys", "rows"),
+    [
+        ("delta --pump double --ratio 1:4;1:5 --columns v_min", "ratio stroke v_min reason", 6),
+        ("delta --pump double;single --ratio 1:4 --columns v_min", "pump stroke v_min reason", 4),
+        ("delta --pump double --ratio 1:4;3:1 --columns v_min", "ratio stroke v_min reason", 4),
+        ("balance --cranks 0;90 --ratio 1:4;3:1 --columns along", "ratio residual order along reason", 5),
+        ("solve --ratio 1:4;1:5 --where psi=max --columns c", "ratio stroke phi c reason", 4),
+    ],
+)
+def test_rows_are_told_apart_by_columns(words: str, keys: str, rows: int) -> None:
+    found = kurbel("sweep", *words.split(), "-f", "csv", "-o", "-").records()
+    assert [*found[0]] == keys.split()
+    assert len({tuple(row[key] for key in keys.split()[:-2]) for row in found}) == len(found) == rows
+
+
+def test_rows_beyond_a_stroke_are_of_no_stroke_in_names_and_columns(tmp_path: Path) -> None:
+    target = tmp_path / "turn.parquet"
+    for angles in ("--angle=30;240", "--to=360"):
+        kurbel("sweep", "table", "--ratio=1:4;1:5", angles, "-o", str(target))
+        schema = pyarrow.parquet.read_schema(target)
+        assert schema.names == ["ratio", "phi", "x", "c", "p", "reason"]
+        assert schema.field("x").metadata[b"name"] == b"Piston path"
+    kurbel("sweep", "table", "--ratio=1:4;1:5", "--step=90", "-o", str(target))
+    table = pyarrow.parquet.read_table(target)
+    assert (table.num_rows, max(table["phi"].to_pylist())) == (6, 180)
+    assert "x_return" in table.column_names
 
 
 def test_an_estimate_multiplies_only_what_grows_with_the_rows(monkeypatch: pytest.MonkeyPatch) -> None:

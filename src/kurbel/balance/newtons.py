@@ -19,7 +19,7 @@ from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, figure
 from kurbel.motion.captions import moving_notes, turns_label
 from kurbel.page.quantity import Words, words
-from kurbel.reading.amounts import amount
+from kurbel.reading.amounts import Units, amount, unit_of_page
 from kurbel.reading.notation import about
 
 IN_NEWTONS = "_n"
@@ -33,8 +33,8 @@ WORDS: Mapping[str, Words] = {
         "|Revolving masses at the crank radius: {masses}, of which the share {share} is balanced"
     ),
     "counterweights": words(
-        "Gegengewichte der Kurbel gegenüber, Masse mal Halbmesser in kg m: {moments}"
-        "|Counterweights opposite the crank, mass times radius in kg m: {moments}"
+        "Gegengewichte der Kurbel gegenüber, Masse mal Halbmesser in {unit}: {moments}"
+        "|Counterweights opposite the crank, mass times radius in {unit}: {moments}"
     ),
     "at_radius": words("; am Halbmesser {radius}: {masses}|; at the radius {radius}: {masses}"),
 }
@@ -56,8 +56,8 @@ class Weighed:
     revolving: tuple[Fraction, ...] = ()
     revolving_share: Fraction = Fraction(0)
     balance_radius: Fraction | None = None
-    # How many units of the page a newton, or a newton metre, is.
-    unit: Fraction = Fraction(1)
+    # Those of the page, None of one in newtons.
+    units: Units | None = None
 
     def __post_init__(self) -> None:
         if self.spacing is not None and self.spacing <= 0:
@@ -81,8 +81,7 @@ class Weighed:
 
     def times(self, factor: Factor, residual: str) -> Factor:
         """Return a factor in units of m R ω² in newtons, for a moment in newton metres, or their unit."""
-        arm = Fraction(1) if residual == "force" else known(self.spacing)
-        exact = self.mass * arm * self.unit
+        exact = self.mass * self._arm(residual)
         if isinstance(factor, Fraction) and not known(self.crank.speed).turns:
             return factor * exact * known(self.crank.radius) * known(self.crank.speed).value ** 2
 
@@ -94,8 +93,12 @@ class Weighed:
 
     def scale(self, residual: str) -> Scale:
         """Return the unit m R ω² of a residual in newtons, of a moment in newton metres."""
-        arm = Fraction(1) if residual == "force" else known(self.spacing)
-        return Scale.pin_acceleration(self.crank).times(self.mass * arm * self.unit)
+        return Scale.pin_acceleration(self.crank).times(self.mass * self._arm(residual))
+
+    def _arm(self, residual: str) -> Fraction:
+        """Return by what a force in newtons becomes one in the unit of the page, or a moment."""
+        arm, unit = (Fraction(1), "N") if residual == "force" else (known(self.spacing), "N m")
+        return arm if self.units is None else arm * self.units.times(unit)
 
     def on(self, arrangement: Arrangement) -> Arrangement:
         """Return the arrangement with the masses of its cylinders, in units of m."""
@@ -149,8 +152,10 @@ class Weighed:
             )
         told = self.revolving or self.balance_radius is not None
         if told and any(weights := self.counterweights(arrangement)):
-            moments = "; ".join(f"${figure(one)}$" for one in dict.fromkeys(weights))
-            yield WORDS["counterweights"][lang].format(moments=moments) + self._at_radius(weights, lang)
+            times, unit = unit_of_page("kg m")
+            moments = "; ".join(f"${figure(times * one)}$" for one in dict.fromkeys(weights))
+            said = WORDS["counterweights"][lang].format(unit=f"${unit}$", moments=moments)
+            yield said + self._at_radius(weights, lang)
 
     def _at_radius(self, weights: Sequence[Fraction], lang: str) -> Label:
         if self.balance_radius is None:

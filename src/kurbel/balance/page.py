@@ -37,7 +37,7 @@ from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis, angle_text
 from kurbel.page.quantity import Column, Formula, Quantity, entry, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
-from kurbel.reading.amounts import BOTH, amount
+from kurbel.reading.amounts import BOTH, amount, unit_of_page
 from kurbel.reading.given import choose
 
 DEFAULT_ENGINE = "inline-4"
@@ -120,15 +120,23 @@ class BalanceRequest(OrdersRequest):
     def in_newtons(self) -> Weighed:
         """The masses, whose forces are in the unit of the page."""
         weighed = known(self.weighed)
-        return weighed if self.units is None else replace(weighed, unit=self.units.times(BOTH))
+        spacing = 1 / self.of_page("m") if self.metres else weighed.spacing
+        return replace(weighed, units=self.units, spacing=spacing)
+
+    @cached_property
+    def placed(self) -> Arrangement:
+        """The arrangement, whose positions are in the page's unit of length where they are lengths."""
+        if not self.metres or self.units is None:
+            return self.arrangement
+        times = self.of_page("m")
+        cylinders = (one._replace(position=times * one.position) for one in self.arrangement.cylinders)
+        return replace(self.arrangement, cylinders=tuple(cylinders))
 
     @cached_property
     def residuals(self) -> Mapping[tuple[str, int], Residual]:
         """The forces and moments of all orders, each found once."""
         found = {"force": force, "moment": moment}
-        return {
-            (key, order): found[key](self.arrangement, order) for key in RESIDUALS for order in self.orders
-        }
+        return {(key, order): found[key](self.placed, order) for key in RESIDUALS for order in self.orders}
 
 
 def arranged(
@@ -226,10 +234,8 @@ def balance_notes(request: BalanceRequest) -> Iterator[Label]:
     yield WORDS["angles"][lang]
     revolving = request.weighed is not None and request.weighed.revolving
     yield WORDS["symbols"][lang] + ("" if revolving else WORDS["balanced"][lang])
-    spacing = "spacing" if request.engine else "unit"
-    if request.metres:
-        spacing = "metre"
-    yield WORDS[spacing][lang] + _about(request)
+    spacing = "length" if request.metres else "spacing" if request.engine else "unit"
+    yield WORDS[spacing][lang].format(unit=unit_of_page("m")[1]) + _about(request)
     if request.weighed is not None:
         yield from request.weighed.notes(
             request.arrangement, request.layout.ratio_symbol, lang, request.metres

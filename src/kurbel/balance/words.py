@@ -33,13 +33,14 @@ WORDS: Mapping[str, Words] = {
     "banks": words("Zylinderachsen: |Axes of the cylinders: "),
     "positions": words("Lagen in $a$: |Positions in $a$: "),
     "lengths": words("Lagen: |Positions: "),
-    "metre": words('$a = 1 "m"$'),
+    "length": words("$a = 1 {unit}$"),
     "symbols": words(
         "$m$ hin- und hergehende Masse eines Zylinders, $R$ Kurbelhalbmesser, $ω$ Winkelgeschwindigkeit"
         "|$m$ reciprocating mass of a cylinder, $R$ crank radius, $ω$ angular velocity"
     ),
     "balanced": words(
-        "; die umlaufenden Massen gelten als ausgeglichen|; rotating masses are taken as balanced"
+        "; die umlaufenden Massen gelten als ausgeglichen (--revolving)"
+        "|; rotating masses are taken as balanced (--revolving)"
     ),
     "share": words(
         "Gegengewichte, der Kurbel gegenüber umlaufend, gleichen von jeder Masse $m$ den Teil {share} aus"

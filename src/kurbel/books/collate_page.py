@@ -19,7 +19,7 @@ from kurbel.books.apparatus import (
 )
 from kurbel.books.collation import Collated
 from kurbel.books.source import AXIS_KEYS, SourceCell, SourceTable
-from kurbel.books.verdict import ALL, DEVIATIONS, RIGHT, VERDICTS, tone_of
+from kurbel.books.verdict import ALL, DEVIATIONS, RIGHT, VERDICTS, columns_or, tone_of
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, SourceError
 from kurbel.exact.numerals import Label, Number
@@ -202,7 +202,7 @@ def _filled(request: CollateRequest, note: Label) -> Label:
 
 
 def _records(request: CollateRequest) -> Records:
-    keys, lang = request.columns or KEYS, request.lang
+    keys, lang = columns_or(KEYS, request.columns), request.lang
     names = {key: texts[lang] for key, texts in WORDS.items()} | {"ratio": RATIO[lang], "phi": PHI[lang]}
     rows = [[record[key] for key in keys] for record in (_record(request, one) for one in request.shown)]
     return Records(tuple(Field(key, names.get(key, key)) for key in keys), rows)

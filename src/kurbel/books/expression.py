@@ -8,24 +8,17 @@ can be a tie.
 from __future__ import annotations
 
 import ast
-import operator
-import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from math import isqrt
 from typing import Any, NamedTuple
 
 from kurbel.errors import NotationError
+from kurbel.exact.size import power
+from kurbel.reading.arithmetic import OPERATIONS, parsed
 
-LONGEST = 500
-OPERATIONS: Mapping[type, Callable[[Any, Any], Any]] = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.truediv,
-}
+UNREAD = '"{}" is no expression; write one such as 1 - cos(45)'
 FUNCTIONS = ("sin", "cos", "sqrt", "ln", "arccos")
-_NUMBER = re.compile(r"[0-9]+(\.[0-9]+)?")
 
 
 class Kind(NamedTuple):
@@ -65,7 +58,7 @@ class Expression:
         self, text: str, numbers: Mapping[str, Fraction] | None = None, *, later: bool = False
     ) -> None:
         self.text = text
-        self._tree = parsed(text, numbers or {})
+        self._tree = parsed(text, "expression", UNREAD.format(text[:60]), numbers or {})
         _check(self._tree, text, later)
         named = {node.id for node in ast.walk(self._tree) if isinstance(node, ast.Name)}
         self.names = frozenset(named - {*FUNCTIONS})
@@ -80,51 +73,14 @@ class Expression:
         return _value(self._tree, kind, cell)
 
 
-def parsed(text: str, numbers: Mapping[str, Fraction]) -> ast.expr:
-    """Return the tree of an expression, its numbers Fractions; what may stand in it others check."""
-    if len(text) > LONGEST:
-        raise NotationError(f"an expression of {len(text)} characters is too long; {LONGEST} are allowed")
-    written = text.replace("^", "**")
-    try:
-        tree = ast.parse(written, mode="eval")
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        raise NotationError(f'"{text[:60]}" is no expression; write one such as 1 - cos(45)') from None
-    read: ast.expr = _Numbers(written, numbers).visit(tree).body
-    return read
-
-
-class _Numbers(ast.NodeTransformer):
-    """Takes the numbers from the characters, for a decimal fraction is no float."""
-
-    def __init__(self, written: str, numbers: Mapping[str, Fraction]) -> None:
-        self.written = written
-        self.numbers = numbers
-
-    def visit_Name(self, node: ast.Name) -> ast.expr:
-        """Put its number for a name that has one."""
-        return _constant(self.numbers[node.id], node) if node.id in self.numbers else node
-
-    def visit_Constant(self, node: ast.Constant) -> ast.Constant:
-        """Put a Fraction for the number as it is written."""
-        said = ast.get_source_segment(self.written, node) or ""
-        if not _NUMBER.fullmatch(said):
-            raise NotationError(f'"{said[:40]}" is no number of an expression; write digits, such as 0.125')
-        return _constant(Fraction(said), node)
-
-
-def _constant(value: Fraction, place: ast.expr) -> ast.Constant:
-    # The tree is never compiled, so that a constant may be what Python's own are not.
-    return ast.copy_location(ast.Constant(value), place)  # type: ignore[arg-type]
-
-
 def _check(tree: ast.expr, text: str, later: bool) -> None:
     """Raise NotationError for anything but numbers, names, the four operations, powers and functions."""
     match tree:
-        case ast.Constant() | ast.Name():
+        case ast.Constant(value=Fraction()) | ast.Name():
             return
         case ast.UnaryOp(op=ast.USub(), operand=inner):
             _check(inner, text, later)
-        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=power)) if power in range(10):
+        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=height)) if height in range(10):
             _check(left, text, later)
         case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATIONS:
             _check(left, text, later)
@@ -167,8 +123,8 @@ def _value(tree: ast.expr, kind: Kind, cell: Callable[[str], Any]) -> Any:
             return cell(name)
         case ast.UnaryOp(operand=inner):
             return -_value(inner, kind, cell)
-        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=Fraction() as power)):
-            return _value(left, kind, cell) ** int(power)
+        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=Fraction() as height)):
+            return power(_value(left, kind, cell), int(height))
         case ast.BinOp(left=left, op=op, right=right):
             return OPERATIONS[type(op)](_value(left, kind, cell), _value(right, kind, cell))
         case ast.Call(func=ast.Name(id="sin"), args=[inner]):

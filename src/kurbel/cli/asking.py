@@ -6,7 +6,7 @@ nor the folder in which kurbel runs.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -19,10 +19,12 @@ from kurbel.cli.machine import machine_defaults
 from kurbel.cli.options import MACHINE, Document, FileName, Given
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
+from kurbel.formats.apart import one_page
 from kurbel.formats.registry import FORMATS, WorkbookFormat
-from kurbel.handbook.pool import GIGABYTES, About, Made, Task, deadline
-from kurbel.page.table import Table
+from kurbel.handbook.pool import About, Made, Task
+from kurbel.page.table import Note, Table
 from kurbel.reading.given import File, meant
+from kurbel.reading.inside import HANDBOOK
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
@@ -75,14 +77,15 @@ def asked(
     machine: str | None = None,
     format: str | None = None,
     folder: str = "",
-    inside: bool = False,
+    inside: str = "",
 ) -> Asked:
     """Return what the words, a command and its options, ask for.
 
     `defaults` are options by their names, for those commands that have them; `machine` is a machine's file,
-    which they outdo. Names of files count from the folder; with `inside` they lie in it. With a format the
-    table is for this one only, and the words may say what else is set for a document at once: its label, and
-    for LaTeX that it may break over pages. Raises KurbelError, also for a mistake that click finds.
+    which they outdo. Names of files count from the folder, in which they lie if they are to be `inside`, of a
+    handbook or a document. With a format the table is for this one only, and the words may say what else is
+    set for a document at once: its label, and for LaTeX that it may break over pages. Raises KurbelError,
+    also for a mistake that click finds.
     """
     words = words[1:] if words[:1] in (["kurbel"], ("kurbel",)) else words
     if not words:
@@ -104,9 +107,23 @@ def asked(
             made, code = command.made(Given(context))
     except click.ClickException as error:
         raise ProblemError(one_line(error)) from None
+    if isinstance(made, Table):
+        made = _unprompted(made)
     values = context.params
     wishes = (values.get("longtable", False), values.get("siunitx", False))
     return Asked(made, values["lang"], values["decimal"], _files(context, own), code, *wishes)
+
+
+def _unprompted(table: Table) -> Table:
+    """Return a table of a document, whose readers have no options."""
+    from kurbel.page.labels import unprompted
+
+    def quiet(notes: Iterable[Note]) -> tuple[Note, ...]:
+        return tuple(note._replace(text=unprompted(note.text)) for note in notes)
+
+    told = table.told and (table.told[0], quiet(table.told[1]))
+    steps = table.steps and table.steps.named(_unprompted)
+    return replace(table, notes=quiet(table.notes), told=told, steps=steps)
 
 
 def _defaults(command: click.Command, defaults: Mapping[str, Any], machine: File | None) -> dict[str, Any]:
@@ -150,7 +167,8 @@ def make_part(task: Task) -> Made:
 
     part = task.part
     options = {**part.options, "label": part.name}
-    answer = asked(part.words, options, task.machine, folder=task.folder, inside=not task.outside)
+    inside = "" if task.outside else HANDBOOK
+    answer = asked(part.words, options, task.machine, folder=task.folder, inside=inside)
     if answer.code:
         raise FailedError("the command ends with 1, for printed values deviate and it is strict")
     made = answer.made
@@ -167,7 +185,7 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
     told = table.told and (part.caption or table.told[0], table.told[1])
     data = replace(named, caption=caption, told=told)
     named = replace(named, caption=_caption(task, table.caption, table.lang), steps=_steps(task, table))
-    with deadline(task.patience, GIGABYTES, bool(task.templates or named.templates)):
+    with one_page():
         files = {
             f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(
                 data if FORMATS[name].kind == "records" else named, name, answer.decimal, task.templates

@@ -6,6 +6,7 @@ import os
 import shlex
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 import click
@@ -14,9 +15,10 @@ from kurbel.cli import say
 from kurbel.cli.app import show
 from kurbel.cli.asking import Asked, asked
 from kurbel.documents.inject import Kind, Place, content, filled, places
-from kurbel.errors import KurbelError, MarkerError
+from kurbel.errors import KurbelError, LayoutError, MarkerError
 from kurbel.formats.registry import PageFormat, kind_of
 from kurbel.page.table import Table
+from kurbel.reading.inside import DOCUMENT
 
 
 class Document(NamedTuple):
@@ -39,7 +41,9 @@ class Document(NamedTuple):
 @click.option(
     "--check", is_flag=True, help="Write nothing; show what would change, and exit with 1 if anything would."
 )
-def inject(files: tuple[str, ...], check: bool) -> int:
+@click.option("--allow-outside", is_flag=True,
+              help="Files that the markers name may lie outside of the document's folder.")  # fmt: skip
+def inject(files: tuple[str, ...], check: bool, allow_outside: bool) -> int:
     """Refresh the tables between markers in Markdown, HTML, LaTeX and Typst; all else stays as it is.
 
     \b
@@ -50,8 +54,8 @@ def inject(files: tuple[str, ...], check: bool) -> int:
     // kurbel: table --machine engine.toml          Typst
     // /kurbel
 
-    A marker stands alone on its line. Files that it names are looked for from the document's folder. A
-    document whose tables cannot all be made is left as it is. In HTML, `kurbel: plot` draws.
+    A marker stands alone on its line. Files that it names are looked for from the document's folder, and lie
+    in it. A document whose tables cannot all be made is left as it is. In HTML, `kurbel: plot` draws.
 
     \b
     kurbel inject notes.md lectures/*.tex
@@ -65,7 +69,7 @@ def inject(files: tuple[str, ...], check: bool) -> int:
         names.setdefault(os.path.realpath(name), name)
     for name in names.values():
         try:
-            document = _document(name)
+            document = _document(name, "" if allow_outside else DOCUMENT)
             if document.stale and check:
                 stale.append(document)
             elif document.stale:
@@ -92,7 +96,7 @@ def _show(stale: Sequence[Document]) -> None:
     say(f"{subject} stale; mend with: {shlex.join(['kurbel', 'inject', *dashes, *others, last])}")
 
 
-def _document(name: str) -> Document:
+def _document(name: str, inside: str) -> Document:
     if os.path.isdir(name):
         raise MarkerError(f"{name} is a directory; name the documents in it")
     form, kind = kind_of(name)
@@ -101,7 +105,7 @@ def _document(name: str) -> Document:
     if not found:
         # A misspelt one would be taken for a table that is true.
         say(f"{name} has no markers; they are {kind.opening} and {kind.closing}, each on a line of its own")
-    made = [_asked(place, form, name) for place in found]
+    made = [_asked(place, form, name, inside) for place in found]
     if kind.labelled:
         made = list(_labelled(found, made, name))
     contents = tuple(
@@ -122,7 +126,7 @@ def _read(name: str) -> bytes:
         raise MarkerError(f"cannot read {name}: {getattr(error, 'strerror', None) or error}") from None
 
 
-def _asked(place: Place, form: PageFormat, name: str) -> Asked:
+def _asked(place: Place, form: PageFormat, name: str, inside: str) -> Asked:
     where = f"{name}:{place.line}"
     try:
         words = shlex.split(place.words)
@@ -133,7 +137,7 @@ def _asked(place: Place, form: PageFormat, name: str) -> Asked:
         ) from None
     folder = os.path.dirname(os.path.realpath(name))
     try:
-        one = asked(words, {}, format=form.name, folder=folder)
+        one = asked(words, {}, format=form.name, folder=folder, inside=inside)
     except KurbelError as error:
         raise MarkerError(f"{where}: {error}") from None
     if one.code:
@@ -174,7 +178,11 @@ def _text(one: Asked, form: PageFormat, kind: Kind, number: int, place: Place, n
 
         for remark in form.remarks(one.made, one.longtable):
             say(f"{where}: {remark}")
-        return render(one.made, form.name, decimal=one.decimal, longtable=one.longtable, siunitx=one.siunitx)
+        wishes = partial(render, decimal=one.decimal, longtable=one.longtable, siunitx=one.siunitx)
+        try:
+            return wishes(one.made, form.name)
+        except LayoutError as error:
+            raise MarkerError(f"{where}: {error}") from None
     if not form.draws:
         command = next(word for word in place.words.split() if word != "kurbel")
         raise MarkerError(

@@ -104,7 +104,7 @@ class FileName(click.Path):
         if file.inside:
             from kurbel.reading.inside import check_below
 
-            check_below(os.fspath(file), file.folder, file.name)
+            check_below(os.fspath(file), file.folder, file.name, file.inside)
         return file
 
 
@@ -112,10 +112,10 @@ class Document:
     """Stands for a document whose table is asked for in place of a page on paper.
 
     Names of files count from its folder, and variables of the environment do not count at all: they are
-    another one's on another machine. With `inside` all of them lie in the folder.
+    another one's on another machine. Those that are `inside`, of a handbook or a document, lie in the folder.
     """
 
-    def __init__(self, folder: str, inside: bool = False) -> None:
+    def __init__(self, folder: str, inside: str = "") -> None:
         self.folder = folder
         self.inside = inside
 

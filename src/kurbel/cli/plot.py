@@ -53,7 +53,7 @@ FLAGS = {
     " with a flywheel the speed as well; with --torque a diagram without an engine.",
 }
 # The options that all drawings have, or that say which one it is, or where it goes.
-SHARED = frozenset(("positions", *FLAGS, "ratio", "format", "output", "text", "lang", "decimal"))
+SHARED = frozenset(("positions", *FLAGS, "ratio", "format", "output", "text", "lang", "units", "decimal"))
 OF_ENGINES = frozenset(
     (
         *(*STEAM, *Wheeled.__annotations__, "cranks", "cylinder", "of", "bore", "pressure"),
@@ -191,7 +191,7 @@ def _params() -> list[click.Parameter]:
     }
     own = {name: click_option(one._replace(required=False)) for name, one in known.items()}
     flags = [Option([f"--{name}"], is_flag=True, help=text) for name, text in FLAGS.items()]
-    last = ("animate", "seconds", "width", "height", "lang", "decimal")
+    last = ("animate", "seconds", "width", "height", "lang", "units", "decimal")
     output = [
         Option(["format", "-f", "--format"], metavar="FORMAT",
                type=Type(Choice("drawing format", "kurbel.plot.style:FILES")),

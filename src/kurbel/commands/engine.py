@@ -13,7 +13,7 @@ from kurbel.commands.machines import (
     EXAMPLE,
     engine_of,
     is_heavy,
-    weightless,
+    needless_of_load,
     whole_cycle,
 )
 from kurbel.commands.motion import STEP, meant, of_other_mechanisms
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from kurbel.drive.wheel import Wheel
 
 # What a page without forces takes for the masses' sake alone.
-ONLY_MASSES = ("stroke", "bore", "pressure")
+ONLY_MASSES = ("stroke", "rod", "bore", "pressure")
 WITH_MASSES = "with masses the power follows from pressure, bore, stroke and speed; leave --power out"
 ORDER = (
     "ratio back exponent clearance card other_side single_acting cranks method reciprocating rod_mass centre"
@@ -91,8 +91,10 @@ def _of_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what says nothing beside a flywheel or without one, and a flywheel of which nothing is asked."""
     given = [name for name in ("flywheel", "inertia") if values[name] is not None]
     # With the rod the stroke gives the ratio.
-    only = tuple(name for name in ONLY_MASSES if name != "stroke" or not is_given(values["rod"]))
-    sizes = () if "inertia" in given else (*(() if given else ("speed",)), *only)
+    both = ("stroke", "rod") if is_given(values["stroke"]) and is_given(values["rod"]) else ()
+    only = tuple(name for name in ONLY_MASSES if name not in both)
+    counted = "inertia" in given and not is_given(values["power"])
+    sizes = () if counted else (*(() if given else ("speed",)), *only)
     refused = {**beside_wheel(values)}
     if any(values[name] is not None for name in sizes):
         from kurbel.commands.engine_pages.sizes import needless_sizes
@@ -105,7 +107,7 @@ def _of_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
 
 def beside_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what describes a flywheel further, where there is none or none of that kind."""
-    refused = {**weightless(values)}
+    refused = {**needless_of_load(values)}
     if values["inertia"] is None:
         refused["power"] = "--power is for --inertia, whose flywheel is weighed against it; leave it out"
     if is_heavy(values):

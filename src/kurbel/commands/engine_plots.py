@@ -14,9 +14,18 @@ from kurbel.commands.drawn.size import Sized
 from kurbel.commands.drives.given import PATH
 from kurbel.commands.engine import Wheeled, beside_wheel
 from kurbel.commands.engine_pages.layouts import has_wheel
-from kurbel.commands.machines import engine_of, is_heavy, load_of, over_cycle, weightless
+from kurbel.commands.machines import (
+    engine_of,
+    for_masses,
+    is_heavy,
+    load_of,
+    needless_of_load,
+    over_cycle,
+    unsized,
+)
 from kurbel.commands.motion import of_other_mechanisms
 from kurbel.commands.plots import (
+    AxisUnits,
     CurveStep,
     DrawnColumns,
     DrawnSpeed,
@@ -54,6 +63,7 @@ class Drawn(
     rotating: option.Rotating
     rocker_inertia: option.RockerInertia
     lang: LabelLang
+    units: AxisUnits
     decimal: option.Decimal
 
 
@@ -70,7 +80,12 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
     return {**of_other_mechanisms(values, shared=("stroke", "speed", "method")), **still(values)}
 
 
-@draws(foreign=_foreign, needless=weightless)
+def _alone(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse sizes, a speed and pressures that nothing on the drawing is counted in."""
+    return {**unsized(values), **for_masses("speed")(values), **needless_of_load(values)}
+
+
+@draws(foreign=_foreign, needless=_alone)
 def plot_engine_forces(
     eps: option.Eps = None, *, of: Of = None, columns: DrawnColumns = (), **given: Unpack[DrawnOver]
 ) -> Drawing:
@@ -87,7 +102,7 @@ def plot_engine_forces(
     return curves_of(question, force_panels(question), beside, given, lettered(question))
 
 
-@draws(foreign=_foreign, needless=weightless)
+@draws(foreign=_foreign, needless=_alone)
 def plot_engine_polar(eps: option.Eps = None, *, of: Of = None, **given: Unpack[Drawn]) -> Drawing:
     """Draw the polar diagram of the force on the crank pin of a steam engine."""
     from kurbel.plot.engine import PIN_FORCE, engine_pin_force
@@ -99,11 +114,15 @@ def plot_engine_polar(eps: option.Eps = None, *, of: Of = None, **given: Unpack[
 
 
 # What says something of diagrams without an engine, too.
-_OF_DIAGRAMS = ("from", "to", "over", "decimal", *Sized.__annotations__, *Filmed.__annotations__)
+_OF_DIAGRAMS = ("from", "to", "over", "units", "decimal", *Sized.__annotations__, *Filmed.__annotations__)
+
+
+def _beside_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
+    return {**({} if has_wheel(values) else _alone(values)), **beside_wheel(values)}
 
 
 def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
-    return {**needless(beside_wheel)(values), **still(values)}
+    return {**needless(_beside_wheel)(values), **still(values)}
 
 
 @draws(foreign=foreign(_foreign, *_OF_DIAGRAMS), needless=_needless)

@@ -31,7 +31,9 @@ from kurbel.commands.machines import (
     engine_of,
     for_masses,
     is_heavy,
+    needless_of_load,
     over_cycle,
+    unsized,
     weighed,
     weightless,
 )
@@ -41,6 +43,7 @@ from kurbel.commands.motion import (
     meant,
     needless_over,
     of_other_mechanisms,
+    over_strokes,
     sheet_of,
 )
 from kurbel.commands.options import Choice, LayoutName, Option, is_given
@@ -133,16 +136,14 @@ def _of_case(values: Mapping[str, Any]) -> Mapping[str, str]:
             which = "steam" if is_given(values["eps"]) or is_given(values["card"]) else "load"
             keys = "--eps or --card" if which == "steam" else f"--{loads.named(values)[0].replace('_', '-')}"
             own = _refused(("force",), f"does not go with the {which} of an engine, {keys}; leave it out")
-            newton_metres = f"makes newton metres of the {which} only with --bore; add that"
-            bare = not is_heavy(values) and values["bore"] is None and not is_given(values["rod"])
             even = "does not go with the load of an engine, whose crank turns evenly; leave it out"
             return {
                 **own,
                 **_refused(("acceleration",), even),
-                **for_masses("speed", "method")(values),
-                **weightless(values),
+                **for_masses("speed")(values),
+                **needless_of_load(values),
                 **needless_beside_load(values),
-                **(_refused(("stroke",), newton_metres) if bare else {}),
+                **unsized(values, which),
             }
     unasked = _refused(
         tuple(loads.named(values)), f"says nothing on layout {values['layout']}; leave one out"
@@ -312,7 +313,7 @@ def forces_table(
     if page.subject in OF_ENGINES:
         raise ProblemError(f"layout {name} is of a steam engine; add --eps or --card")
     drives = weighed(chosen, chosen.drives(said, page.ratios), all_given)
-    return chosen.question(
+    question = chosen.question(
         rubbed(chosen, drives, all_given),
         method,
         layout=page,
@@ -320,3 +321,4 @@ def forces_table(
         columns=as_names(columns, chosen.examples["forces"]),
         **sheet,
     )
+    return over_strokes(question, given)

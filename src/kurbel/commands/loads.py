@@ -1,5 +1,6 @@
 """Compressors, pumps and the cycles of gas engines, as options describe them."""
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
@@ -138,6 +139,26 @@ def loads_of(given: Mapping[str, Any]) -> Sequence["Acting"]:
                 f"{_flag(name)} does not belong to {LOADS[OWN[key][0]].title}; it is for {_owners(name)}"
             )
     return _READERS[key](given)
+
+
+def uncounted(given: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse the pressures of a load in which nothing is counted: they make newtons with a bore."""
+    if is_given(given["card"]):
+        return {"pressure": "--pressure is that of ideal steam, and a card has its own; leave it out"}
+    if is_given(given.get("cylinder")) or given["bore"] is not None:
+        return {}
+    why = "makes newtons of the load only with --bore; add that"
+    return {name: f"{_flag(name)} {why}" for name in _uncounted(given)}
+
+
+def _uncounted(given: Mapping[str, Any]) -> tuple[str, ...]:
+    """Return the pressures that neither an end of a pump nor another pressure is compared with."""
+    if not is_given(given["pump"]):
+        others = (given["other_side"], given["peak_pressure"], given["exhaust_pressure"])
+        return () if any(re.search("[a-z]", str(one or "")) for one in others) else ("suction_pressure",)
+    if given["pump"] == "double" and not given["single_acting"]:
+        return ("suction_pressure", "delivery_pressure")
+    return ("delivery_pressure",) if given["suction_pressure"] is None else ()
 
 
 def load_of(given: Mapping[str, Any]) -> "Load | None":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -134,13 +135,13 @@ def for_masses(*names: str) -> Callable[[Mapping[str, Any]], Mapping[str, str]]:
         return {
             name: f"--{name} is for moving masses; add --reciprocating or a rod, --rod-mass"
             for name in names
-            if name != "pressure" or not _has_back_pressure(values)
+            if name != "pressure" or not has_back_pressure(values)
         }
 
     return refusals
 
 
-def _has_back_pressure(values: Mapping[str, Any]) -> bool:
+def has_back_pressure(values: Mapping[str, Any]) -> bool:
     """Whether the back pressure is given as a pressure, which counts in that of the steam."""
     back = values.get("back")
     if not isinstance(back, str):
@@ -148,6 +149,34 @@ def _has_back_pressure(values: Mapping[str, Any]) -> bool:
     from kurbel.reading.units import is_measure
 
     return is_measure(back)
+
+
+def lone_lengths(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse the length of stroke or rod on a page without lengths, which both together give a ratio."""
+    if is_given(values["stroke"]) == is_given(values["rod"]):
+        return {}
+    # Another length is compared with the crank.
+    if any(re.search("[a-z]", str(values.get(name) or "")) for name in ("offset", "rocker", "pivot", "beam")):
+        return {}
+    return {
+        name: f"--{name} gives the ratio with --{other}; add that, or leave --{name} out"
+        for name, other in (("stroke", "rod"), ("rod", "stroke"))
+    }
+
+
+def unsized(values: Mapping[str, Any], what: str = "load") -> Mapping[str, str]:
+    """Refuse a length that makes neither newton metres of a load nor a ratio."""
+    if is_heavy(values) or is_given(values.get("cylinder")) or values["bore"] is not None:
+        return {}
+    refused = {**lone_lengths(values)}
+    if "stroke" in refused:
+        refused["stroke"] = f"--stroke makes newton metres of the {what} only with --bore; add that"
+    return refused
+
+
+def needless_of_load(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse what says something of a weight or of pressures, where nothing has or counts in one."""
+    return {**weightless(values), **loads.uncounted(values)}
 
 
 def weightless(values: Mapping[str, Any]) -> Mapping[str, str]:
@@ -171,6 +200,11 @@ def steams_of(given: Mapping[str, Any], page: Layout) -> Sequence[Acting]:
         back = _read(as_share_or_pressure, given["back"], "back pressure", given["pressure"])
         exponent = as_number(1 if given["exponent"] is None else given["exponent"], "exponent")
         clearance = as_share(0 if given["clearance"] is None else given["clearance"], "clearance")
+        if given["eps"] is None and not page.expansions:
+            raise ProblemError(
+                "what acts on the piston is not known; add the expansion ratio of its steam, --eps 4, or"
+                " --card, --pressure-ratio, --pump or --compression"
+            )
         values = as_expansions(page.expansions if given["eps"] is None else given["eps"])
         return [Steam(expansion, back, exponent, clearance) for expansion in values]
     return cards_of(given)
@@ -202,17 +236,17 @@ def load_of(given: Mapping[str, Any]) -> Load | None:
         return loads.load_of(given)
     if given["bore"] is None and (is_given(given["card"]) or given["pressure"] is None):
         return None
-    if given["bore"] is None and _has_back_pressure(given):
+    if given["bore"] is None and has_back_pressure(given):
         return None
-    if missing := [name for name in _of_load(given) if given[name] is None]:
+    if missing := [name for name in of_load(given) if given[name] is None]:
         raise ProblemError(f"newtons need the bore and the steam pressure; add --{missing[0]}")
     from kurbel.engine.engine import Load
 
     return Load(as_length(given["bore"], "bore"), _read(as_pressure, given["pressure"], "pressure"))
 
 
-def _of_load(given: Mapping[str, Any]) -> tuple[str, ...]:
-    """Return what masses need to be weighed against the load."""
+def of_load(given: Mapping[str, Any]) -> tuple[str, ...]:
+    """Return what makes newtons of the load, against which masses are weighed."""
     if _is_other(given):
         return ("bore", *loads.pressures_of(given))
     return ("bore",) if is_given(given["card"]) else ("bore", "pressure")
@@ -264,12 +298,13 @@ def described_engines(page: Layout, given: Mapping[str, Any]) -> dict[str, Any]:
     if sentence := uncomputed(chosen, steams[0].name) if steams else "":
         raise ProblemError(sentence)
     speed = given.get("speed")
-    drives = weighed(chosen, chosen.drives(said, page.ratios), given, *_of_load(given))
+    drives = weighed(chosen, chosen.drives(said, page.ratios), given, *of_load(given))
     if any(given.get(name) is not None for name in (*RUBBING, *RODS)):
         from kurbel.commands.cylinder.effort import on_engine
 
         drives = on_engine(chosen, drives, given)
-    if speed is not None and given.get("stroke") is not None and not is_heavy(given):
+    sized = bool(drives) and chosen.crank(drives[0]).radius is not None
+    if speed is not None and sized and not is_heavy(given):
         drives = [_turning(chosen, drive, speed) for drive in drives]
     return {
         "steams": steams,

@@ -2,8 +2,9 @@
 its path."""
 
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
-from typing import Annotated, Any, Unpack
+from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.drives.given import APPROXIMATE, FORCES_OVER_PATH, OVER_PATH, PATH
@@ -21,6 +22,9 @@ from kurbel.page.layouts import layout as layout_named
 from kurbel.page.subject import Question
 from kurbel.reading import notation
 from kurbel.reading.given import as_angle, as_angles, as_names
+
+if TYPE_CHECKING:
+    from kurbel.motion.page import AngleQuestion
 
 HALF_TURN, FULL_TURN = Fraction(180), Fraction(360)
 STEP = Fraction(10)
@@ -81,12 +85,30 @@ def ratios_of(page: Layout, ratio: Given | None) -> tuple[Fraction, ...]:
     return Described(ratio=ratio).ratios(page.ratios)
 
 
-def angles_of(page: Layout, given: Mapping[str, Any]) -> Sequence[Fraction]:
-    """Return the angles that are listed, or those of a run, or the layout's own, as φ."""
-    return shifted(_counted_angles(page, given), zero_of(given))
+def angles_of(page: Layout, given: Mapping[str, Any], turn: Fraction = FULL_TURN) -> Sequence[Fraction]:
+    """Return the angles that are listed, or those of a run, or the layout's own, as φ; a run without an end
+    is of so much of a `turn`."""
+    return shifted(_counted_angles(page, given, turn), zero_of(given))
 
 
-def _counted_angles(page: Layout, given: Mapping[str, Any]) -> Sequence[Fraction]:
+def over_strokes(question: "AngleQuestion", given: Mapping[str, Any]) -> "AngleQuestion":
+    """Return the question over both strokes, where these stand side by side at all of its angles; else over
+    whole turns. Where no last angle is given, both strokes end at 180°."""
+    from kurbel.motion.page import is_beyond
+
+    if not is_beyond(question.angles):
+        return question
+    ended = question.zero or given["to"] is not None or given["angle"] is not None
+    if ended or not question.has_return or not 0 <= question.angles[0] <= HALF_TURN:
+        return replace(question, whole_turns=True)
+    angles = angles_of(question.layout, given, HALF_TURN)
+    # Angles of a layout have no end to be given.
+    return replace(
+        question, angles=tuple(one for one in angles if one <= HALF_TURN) if is_beyond(angles) else angles
+    )
+
+
+def _counted_angles(page: Layout, given: Mapping[str, Any], turn: Fraction) -> Sequence[Fraction]:
     angle, step = given["angle"], given["step"]
     if all(given[name] is None for name in ("from_", "to", "step")):
         return as_angles(page.angles if angle is None else angle)
@@ -94,17 +116,17 @@ def _counted_angles(page: Layout, given: Mapping[str, Any]) -> Sequence[Fraction
         raise ProblemError(
             "--angle lists the angles and --from, --to, --step run through them; use one or the other"
         )
-    first, last = ends_of(given)
+    first, last = ends_of(given, turn)
     if step is not None:
         return notation.progression(first, last, as_angle(step, "step"))
     return notation.progression(first, last, min(STEP, last - first) if last > first else STEP)
 
 
-def ends_of(given: Mapping[str, Any]) -> tuple[Fraction, Fraction]:
-    """Return the first and the last angle, by default those of the whole turn."""
+def ends_of(given: Mapping[str, Any], turn: Fraction = FULL_TURN) -> tuple[Fraction, Fraction]:
+    """Return the first and the last angle, by default those of the whole turn, or of so much of it."""
     start, stop = given["from_"], given["to"]
     first = Fraction(0) if start is None else as_angle(start, "first angle")
-    return first, FULL_TURN if stop is None else as_angle(stop, "last angle")
+    return first, turn if stop is None else as_angle(stop, "last angle")
 
 
 def is_over_path(values: Mapping[str, Any]) -> bool:
@@ -233,7 +255,7 @@ def table(
         from kurbel.commands.drives.approximate import approximations
 
         return approximations(chosen, said, page, {**given, "columns": columns})
-    return chosen.question(
+    question = chosen.question(
         chosen.drives(said, page.ratios),
         method_of(given),
         layout=page,
@@ -241,6 +263,7 @@ def table(
         columns=as_names(columns, chosen.examples["table"]),
         **sheet_of(given),
     )
+    return over_strokes(question, given)
 
 
 def _check_pointless(name: str | None, given: Mapping[str, Any]) -> None:

@@ -65,7 +65,7 @@ LAYOUTS = Option(
     "Folder with layouts of your own: DIR/<name>/layout.toml.", "DIR", FILE,
     environment="KURBEL_LAYOUTS", first=True,
 )  # fmt: skip
-LISTED = "; `kurbel quantities` lists them."
+LISTED = "; `kurbel quantities` lists them. What tells rows apart is always among them."
 
 
 def columns_option(layout: str, example: str, more: str = LISTED) -> Option:
@@ -193,17 +193,18 @@ class Plain(TypedDict, total=False):
     source: SourceLine
 
 
+UNITS = Option(
+    "Units of pages and data: metric, imperial or a list, cm;kN. Default: metric; pages of what is given in"
+    " imperial units alone have these.",
+    "UNITS",
+    last=True,
+)
+
+
 class Sheet(Plain, total=False):
     """The same of one whose columns have units."""
 
-    units: Annotated[
-        str | None,
-        Option(
-            "Units of pages and data: metric, imperial or a list, cm;kN. Default: metric; pages of what is"
-            " given in imperial units alone have these.",
-            "UNITS", last=True,
-        ),
-    ]  # fmt: skip
+    units: Annotated[str | None, UNITS]
 
 
 class Run(TypedDict, total=False):
@@ -211,7 +212,14 @@ class Run(TypedDict, total=False):
 
     angle: Annotated[Given | None, ANGLE]
     from_: From
-    to: To
+    to: Annotated[
+        Exact | None,
+        Option(
+            "Last angle; default 360, the whole turn, and 180 where outstroke and return stand side by side."
+            " Beyond 180 a page is of whole turns, with one column a quantity.",
+            "ANGLE", unit="degrees",
+        ),
+    ]  # fmt: skip
     step: Annotated[Exact | None, STEP]
     zero: Annotated[
         Exact | None,

@@ -65,6 +65,13 @@ DrawnPoint = Annotated[
         " crank angle: 0.5, 0.5,0.1, 0;0.5;1."
     ),
 ]
+AxisUnits = Annotated[
+    str | None,
+    option.UNITS._replace(
+        help="Units of the axes: metric, imperial or a list, cm;kN. Default: metric; of what is given in"
+        " imperial units alone these."
+    ),
+]
 LabelLang = Annotated[str, option.LANG._replace(help="Language of the labels: de or en.")]
 
 
@@ -105,6 +112,7 @@ class Positions(option.AnyDrive, Sized, Filmed, total=False):
 
     ratio: option.Ratios
     lang: LabelLang
+    units: AxisUnits
     decimal: option.Decimal
 
 
@@ -131,6 +139,7 @@ class Curves(option.AnyDrive, Sized, Filmed, total=False):
     step: CurveStep
     force: DrawnForce
     lang: LabelLang
+    units: AxisUnits
     decimal: option.Decimal
 
 
@@ -256,7 +265,15 @@ def _asked(given: Mapping[str, Any], columns: option.Names, keys: Keys, command:
         from kurbel.commands.over.drawn import names_over
 
         names = names_over(chosen, crank, names, bool(named))
-    question = chosen.question(drives, method, layout=page, angles=angles, lang=given["lang"], columns=names)
+    question = chosen.question(
+        drives,
+        method,
+        layout=page,
+        angles=angles,
+        lang=given["lang"],
+        units=given["units"],
+        columns=names,
+    )
     # What rests on no conditions has no drives for them.
     return Asked(question, chosen.solved(drives, method) if chosen.conditions() else ())
 

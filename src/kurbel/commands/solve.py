@@ -9,7 +9,17 @@ from kurbel.commands.cylinder.effort import PRESSING, RODS, RUBBING, Pressing, R
 from kurbel.commands.cylinder.given import Of
 from kurbel.commands.cylinder.slope import LYING, Lying
 from kurbel.commands.loads import OWN
-from kurbel.commands.machines import MASSES, STEAM, engine_of, for_masses, is_heavy, weighed, weightless
+from kurbel.commands.machines import (
+    MASSES,
+    STEAM,
+    engine_of,
+    for_masses,
+    is_heavy,
+    needless_of_load,
+    unsized,
+    weighed,
+    weightless,
+)
 from kurbel.commands.motion import described, meant, method_of, of_other_mechanisms, sheet_of, some
 from kurbel.commands.options import Choice, Option, is_given
 from kurbel.commands.subject import makes_table
@@ -54,10 +64,12 @@ def _is_of_engine(values: Mapping[str, Any]) -> bool:
 
 def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
     if values["unknown"] is not None:
-        from kurbel.commands.unknown.ratio import needless_of_ratio
+        from kurbel.commands.unknown.ratio import needless_of_motion, needless_of_ratio
 
+        if values["unknown"] == "ratio":
+            return needless_of_ratio(values, _texts(values["where"]))
         # What a force needs, its own page says.
-        return needless_of_ratio(values, _texts(values["where"])) if values["unknown"] == "ratio" else {}
+        return {} if _is_loaded(values) or _is_of_forces(values) else needless_of_motion()
     pressed = "is for --unknown, and for kurbel forces; conditions on angles are under an engine's load"
     return {
         "angle": "--angle is for --unknown; conditions find the angles themselves",
@@ -69,11 +81,11 @@ def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
 def _of_angles(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what says nothing where angles are asked for."""
     if _is_of_engine(values):
-        bare = {"force": "--force does not go with the load of an engine; leave it out"}
-        sized = ("cylinder", "bore", "rod", "offset")
-        if not (is_heavy(values) or any(is_given(values[name]) for name in sized)):
-            bare["stroke"] = "--stroke makes newton metres of the load only with --bore; add that"
-        return {**bare, **for_masses("speed")(values), **weightless(values)}
+        bare = {
+            "force": "--force does not go with the load of an engine; leave it out",
+            "order": "--order is of a series of the motion, and the condition is on forces; leave it out",
+        }
+        return {**bare, **for_masses("speed")(values), **needless_of_load(values), **unsized(values)}
     why = _UNASKED if _is_loaded(values) else _UNLOADED
     names = (*STEAM, *RODS, *RUBBING, "bore", "pressure", "cranks", "cylinder", "of")
     refused = {name: f"--{name.replace('_', '-')} {why}" for name in names}

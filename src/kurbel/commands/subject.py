@@ -9,7 +9,7 @@ from dataclasses import replace
 from functools import partial, wraps
 from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, Protocol, TypeVar, cast
 
-from kurbel.commands.options import Parameter, described, is_given, parameters_of, signature_of
+from kurbel.commands.options import TEXT, Parameter, described, is_given, parameters_of, signature_of
 from kurbel.errors import ProblemError
 from kurbel.reading.given import found_at
 
@@ -28,12 +28,14 @@ Refusals = Callable[[Mapping[str, Any]], Mapping[str, str]]
 
 # Units that follow a number; of time there is one kind.
 _MARK = r"(?<=[\d. *·/])(?:%s)(?![A-Za-z])"
-_IMPERIAL = _MARK % "in|inch|inches|ft|foot|feet|lb|lbs|lbf|psi|hp"
-_METRIC = _MARK % "[cdkmµ]?m|[km]?g|t|[kM]?N|[hkM]?Pa|m?bar|atm?|[kM]?W|PS|[kM]?J|kp|kgf"
+_IMPERIAL = _MARK % "in|inch|inches|Zoll|ft|foot|feet|lbs?|lbf?(?:ft)?|psi|hp|mph"
+_METRIC = _MARK % "[cdkmµ]?m|[km]?gm?|t|[kM]?Nm?|[hkM]?Pa|m?bar|atm?|[kM]?W|PS|[kM]?J|kp|kgf"
 # Options with words of one's own.
 OWN_WORDS = ("caption", "note", "source")
 # What a page is called or where its layout lies, and its language, which its document has, too.
 UNTOLD = frozenset(("label", "caption", "note", "source", "layouts", "layout", "lang"))
+# What has units, but not those of the drive.
+UNMEASURED = frozenset(("units", "width", "height"))
 # A longer name nobody would type.
 LONGEST = 40
 _FIGURES = r"[A-Za-z0-9.,:;/% -]*"
@@ -93,8 +95,9 @@ class Command(NamedTuple):
     def _units(self, values: Mapping[str, Any]) -> Units | None:
         """Return the units that are asked for, else imperial ones where all measures are given in such."""
         asked = values["units"]
-        names = [one.name for one in self.parameters.values() if one.option.unit]
-        measured = [values[name] for name in (*names, "cylinder") if is_given(values.get(name))]
+        names = {one.name for one in self.parameters.values() if one.option.unit or one.option.kind is TEXT}
+        read = (names | {"cylinder"}) - UNTOLD - UNMEASURED
+        measured = [values[name] for name in sorted(read) if is_given(values.get(name))]
         texts = str(measured) if measured else ""
         if not (texts or is_given(asked)):
             return None

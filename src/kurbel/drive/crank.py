@@ -179,9 +179,13 @@ def check_angles(angles: Sequence[Fraction]) -> None:
 
 def largest(angles: Sequence[Fraction]) -> Fraction:
     """Return the greatest magnitude among the angles."""
+    return max(map(abs, ends(angles)))
+
+
+def ends(angles: Sequence[Fraction]) -> Sequence[Fraction]:
+    """Return angles among which are the extremes of all."""
     # A progression has its ends for its extremes, and may be too long to be looked at whole.
-    ends: Sequence[Fraction] = (angles[0], angles[-1]) if isinstance(angles, Progression) else angles
-    return max(map(abs, ends))
+    return (angles[0], angles[-1]) if isinstance(angles, Progression) else angles
 
 
 def _where_stuck(ratio: Fraction, offset: Fraction) -> str:

@@ -55,11 +55,15 @@ class Moved(ABC):
 
     @abstractmethod
     def velocity(self, stroke: int, circle: Circle[Any]) -> Number:
-        """Return the slope of the path, the tangential force of a unit force on the piston."""
+        """Return the slope of the path."""
 
     @abstractmethod
     def acceleration(self, stroke: int, circle: Circle[Any]) -> Number:
         """Return the slope of the velocity."""
+
+    def lever(self, stroke: int, circle: Circle[Any]) -> Number:
+        """Return the tangential force of a unit force on the piston, by virtual work the velocity."""
+        return self.velocity(stroke, circle)
 
     @abstractmethod
     def loaded(
@@ -74,13 +78,21 @@ class Moved(ABC):
     ) -> Any:
         """Return the drive with its masses under a force on the piston, or what knows the same forces."""
 
+    def power(
+        self, stroke: int, circle: Circle[Any], masses: Masses[Any], weight: Weight[Any] | None
+    ) -> Number:
+        """Return what inertia and weight of the masses do over the angle in radians, less what they take:
+        the torque that they make."""
+        found: Number = self.loaded(stroke, circle, masses, 0, weight=weight).torque()
+        return found
+
     @abstractmethod
     def kinetic_energy(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
         """Return the part of the masses' energy that changes, in units of m R² ω²."""
 
     @abstractmethod
     def torque_slope(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
-        """Return the change of the masses' torque with the angle in radians."""
+        """Return the change of the power of the masses' inertia with the angle in radians."""
 
     def weight_slope(self, stroke: int, circle: Circle[Any], weight: Weight[Any]) -> Number:
         """Return the change of the torque of weights with the angle in radians."""

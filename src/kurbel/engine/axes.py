@@ -172,6 +172,8 @@ def _steam_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
         yield WORDS["polytropic"][lang].format(exponent=exact_text(steam.exponent))
     if steam.clearance:
         yield WORDS["clearance"][lang].format(clearance=exact_text(steam.clearance))
+    elif any(request.words.number(one) != 1 for one in request.steams):
+        yield WORDS["unclear"][lang]
     if steam.back is not None:
         yield WORDS["back"][lang].format(back=f"{exact_text(steam.back)} Q" if steam.back else "0")
     else:
@@ -182,8 +184,8 @@ def engine_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
     """Yield what there is to be said of an engine: of its load, its sides and its cranks."""
     yield from request.words.lines(request, lang)
     engine = request.first
-    if not engine.double and request.words.halved:
-        yield WORDS["single"][lang]
+    if request.words.halved:
+        yield WORDS["double" if engine.double else "single"][lang]
     if len(engine.cranks) > 1:
         angles = ", ".join(f"${plain(angle)}°$" for angle in engine.cranks[1:])
         yield WORDS["cranks"][lang].format(angles=angles)
@@ -191,6 +193,7 @@ def engine_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
 
 WORDS = {
     "single": words("einfachwirkend|single-acting"),
+    "double": words("doppeltwirkend (--single-acting)|double-acting (--single-acting)"),
     "cranks": words(
         "Kurbeln um {angles} hinter der ersten, Zylinder gleich"
         "|cranks {angles} behind the first, cylinders alike"
@@ -201,7 +204,7 @@ WORDS = {
         "|pressure from the card, interpolated monotonically; only as many digits as its points support"
         " are printed, zeros for the others before the decimal mark"
     ),
-    "mariotte": words("Expansion nach Mariotte|Expansion by Mariotte's law"),
+    "mariotte": words("Expansion nach Mariotte (--exponent)|Expansion by Mariotte's law (--exponent)"),
     "polytropic": words(
         'Expansion nach $p V^n = "const"$, $n = {exponent}$|Expansion by $p V^n = "const"$, $n = {exponent}$'
     ),
@@ -209,12 +212,14 @@ WORDS = {
     "clearance": words(
         "schädlicher Raum ${clearance}$ des Hubraumes|clearance ${clearance}$ of the swept volume"
     ),
+    "unclear": words("ohne schädlichen Raum (--clearance)|no clearance (--clearance)"),
     "best": words(
-        "Gegendruck $R_b = Q/ε$, der vorteilhafteste|back pressure $R_b = Q/ε$, the most favourable"
+        "Gegendruck $R_b = Q/ε$, der vorteilhafteste (--back)"
+        "|back pressure $R_b = Q/ε$, the most favourable (--back)"
     ),
     "best_end": words(
-        "Gegendruck gleich der Endspannung des Dampfes, der vorteilhafteste"
-        "|back pressure equal to the steam's at the end of the stroke, the most favourable"
+        "Gegendruck gleich der Endspannung des Dampfes, der vorteilhafteste (--back)"
+        "|back pressure equal to the steam's at the end of the stroke, the most favourable (--back)"
     ),
     "back": words("Gegendruck $R_b = {back}$|back pressure $R_b = {back}$"),
 }

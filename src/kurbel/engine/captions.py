@@ -22,16 +22,29 @@ OF_WORK = ("work", "mean_pressure")
 OF_DELTA = ("delta", "v_min", "v_max")
 ERRORS = words("geschätzter Fehler|estimated error")
 PLAIN_CAPTION = words("{quantities} {machine}{for_engine}; {method}")
+# Whose pages say in which angles their solutions are.
+SOLVED = "loaded roots"
+# What the tangential force is of.
+OF_EFFORT = ("tangential", "torque")
 # What is of the speed under a given flywheel.
 OF_RUNS = ("speed", "evenness")
 FIRST_ORDER = words("erste Ordnung nach Weisbach|first order by Weisbach")
 DRIVEN = words("der Arbeitsmaschine|of the driven machine")
 WORDS = {
     "first_order": words(
-        "Massen in erster Ordnung: $p$ mit $cos φ ± λ cos 2 φ$, $ε_L$ mit $∓ λ sin φ$, Hebelarm der Kräfte"
-        " am Kolben $sin φ ± 1/2 λ sin 2 φ$; Stangenkraft und Führungsdruck beim genauen Winkel $ψ$"
-        "|Masses to first order: $p$ with $cos φ ± λ cos 2 φ$, $ε_L$ with $∓ λ sin φ$, the arm of forces on"
-        " the piston $sin φ ± 1/2 λ sin 2 φ$; rod and guide force at the exact angle $ψ$"
+        "Erste Ordnung, $φ$ vom inneren Totpunkt: Weg und Arbeit mit $1 - cos φ + 1/2 λ sin^2 φ$"
+        "|First order, $φ$ from the inner dead centre: path and work with $1 - cos φ + 1/2 λ sin^2 φ$"
+    ),
+    "first_order_masses": words(
+        "Massen mit $p$ als $cos φ + λ cos 2 φ$, $ε_L$ als $-λ sin φ$"
+        "|masses with $p$ as $cos φ + λ cos 2 φ$, $ε_L$ as $-λ sin φ$"
+    ),
+    "first_order_forces": words(
+        "Kräfte beim genauen Winkel $ψ$ der Stange, $T$ mit $sin(φ + ψ)/(cos ψ)$"
+        "|forces at the exact angle $ψ$ of the rod, $T$ with $sin(φ + ψ)/(cos ψ)$"
+    ),
+    "first_order_work": words(
+        "daher wächst $W$ nicht genau mit $T - P$|hence $W$ does not quite grow with $T - P$"
     ),
     "makes_delta": words("aus diesen beiden folgt $δ$|$δ$ follows from these two"),
     "delta": words(
@@ -59,13 +72,25 @@ WORDS = {
         "mit $J_δ$ bleibt die Geschwindigkeit der Maschine mit ihren Massen genau in $ω (1 ± δ/2)$"
         "|with $J_δ$ the speed of the machine with its masses stays exactly within $ω (1 ± δ/2)$"
     ),
-    "radius": words('$ρ = {radius} "m"$'),
+    "radius": words("$ρ = {radius}$"),
     "turn": words(
         "Winkel vom Totpunkt des Hubes, in der Umdrehung vom inneren Totpunkt"
         "|Angles from the dead centre of the stroke, over the turn from the inner one"
     ),
     "whole_turn": words(
         "Winkel vom inneren Totpunkt der ersten Kurbel|Angles from the inner dead centre of the first crank"
+    ),
+    "from_slide": words(
+        "$α$ vom Totpunkt, $φ$ anderer Seiten von der Schubrichtung: $φ = α + φ_i$, auf dem Rückgang"
+        " $φ = α + φ_o$"
+        "|$α$ from the dead centre, $φ$ of other pages from the slide direction: $φ = α + φ_i$, on the return"
+        " $φ = α + φ_o$"
+    ),
+    "over_slide": words(
+        "$φ$ von der Schubrichtung, der innere Totpunkt bei $φ_i$; $α$ anderer Seiten von dort:"
+        " $φ = α + φ_i$"
+        "|$φ$ from the slide direction, the inner dead centre at $φ_i$; $α$ of other pages from there:"
+        " $φ = α + φ_i$"
     ),
     "difference": words(
         "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet."
@@ -153,28 +178,54 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
             yield WORDS["true_inertia"][lang]
         radius = request.flywheels[0].radius
         if radius is not None:
-            yield WORDS["radius"][lang].format(radius=exact_text(radius))
+            yield WORDS["radius"][lang].format(radius=amount(radius, "m", exact_text))
     if subject in BY_STROKE:
         yield WORDS["turn" if request.first.plain else "whole_turn"][lang]
+    yield from _zero(request)
     if subject in (*BY_STROKE, *OF_FORCES, *OF_LOAD, *OVER_ANGLE) or any(
         one.quantity.key in OF_WORK for one in columns
     ):
         yield request.words.forces[lang]
     yield from _directions(request, [column.quantity for column in columns])
     needs = {column.quantity.needs for column in columns}
-    newtons, alike = needs & {"load", "torque", "power", "flow"}, request.assembly is None
+    alike = request.assembly is None
+    # The power of an engine that is not given follows from its sizes.
+    powered = alike and any(one.power is None for one in request.flywheels)
+    newtons = powered or needs & {"load", "torque", "power", "flow"}
     if alike and request.load is not None and (request.first.crank.loaded or newtons):
         yield request.words.newtons(request.steams[0], request.load)
-    if needs & {"power", "flow"} and request.first.crank.moving is None:
-        yield _sized(request)
+    if request.first.crank.moving is None:
+        if powered:
+            yield _radius(request)
+        elif needs & {"power", "flow"}:
+            yield _sized(request)
     if any(column.methods == ("weisbach",) and column.quantity.of not in OF_RUNS for column in columns):
         yield WORDS["weisbach"][lang]
     yield from engine_notes(request)
-    heavy = any(part.crank.moving is not None for part in request.first.parts)
-    if heavy and any("series" in one.methods for one in columns):
-        yield WORDS["first_order"][lang]
+    yield from _first_order(request)
     if request.carded and subject not in OF_FORCES:
         yield from _errors(request)
+
+
+def _zero(request: EngineRequest) -> Iterator[Label]:
+    """Where angles of a drive begin whose inner dead centre is not where φ begins."""
+    subject, columns = request.layout.subject, request.page_columns
+    shown = subject in OVER_ANGLE or any(one.quantity.minutes for one in columns)
+    if shown and subject != SOLVED and not from_dead_centre(request, columns[0].methods[0]):
+        of_slide = subject in (*OVER_ANGLE, *OF_FORCES)
+        yield WORDS["over_slide" if of_slide else "from_slide"][request.lang]
+
+
+def _first_order(request: EngineRequest) -> Iterator[Label]:
+    """What is of first order and what is not, where masses or forces show it."""
+    shown = [one.quantity for one in request.page_columns if "series" in one.methods]
+    heavy = any(part.crank.moving is not None for part in request.first.parts)
+    forces = any(one.of == "crank" or one.key.startswith(OF_EFFORT) for one in shown)
+    works = forces and any(one.key == "energy" for one in shown)
+    said = {"first_order_masses": heavy, "first_order_forces": forces, "first_order_work": works}
+    if shown and (heavy or forces):
+        parts = ["first_order", *(part for part, holds in said.items() if holds)]
+        yield "; ".join(WORDS[part][request.lang] for part in parts)
 
 
 def engine_notes(request: EngineRequest) -> Iterator[Label]:
@@ -196,7 +247,9 @@ def engine_notes(request: EngineRequest) -> Iterator[Label]:
 
         yield from masses_notes(request, lang)
     elif request.first.crank.loaded:
-        yield from request.mechanism.masses_notes(request.first.crank, request.layout.ratio_symbol, lang)
+        shown = [one.key for one in request.page_columns]
+        crank, letters = request.first.crank, request.layout.ratio_symbol
+        yield from request.mechanism.masses_notes(crank, letters, lang, shown)
 
 
 def _of_delta(request: EngineRequest) -> bool:
@@ -212,12 +265,16 @@ def _sized(request: EngineRequest) -> Label:
     from kurbel.motion.captions import turns_label
 
     crank = request.first.crank
-    assert crank.radius is not None
     assert crank.speed is not None
     if request.assembly is not None:
         return turns_label(crank.speed)
-    radius = f"${request.layout.ratio_symbol[0]} = {amount(crank.radius, 'mm', exact_text)}$"
-    return f"{radius}, {turns_label(crank.speed)}"
+    return f"{_radius(request)}, {turns_label(crank.speed)}"
+
+
+def _radius(request: EngineRequest) -> Label:
+    radius = request.first.crank.radius
+    assert radius is not None
+    return f"${request.layout.ratio_symbol[0]} = {amount(radius, 'mm', exact_text)}$"
 
 
 def from_dead_centre(request: EngineRequest, method: str) -> bool:

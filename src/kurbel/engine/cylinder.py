@@ -75,11 +75,20 @@ class Cylinder(NamedTuple):
     def effort(self, stroke: int, angle: Any) -> Number:
         """Return the tangential force of load and masses."""
         circle, way = self.circle(angle), stroke % 2
-        force = self.strokes[stroke].force(self.share(stroke, circle)) * self.drive.velocity(way, circle)
+        force = self.strokes[stroke].force(self.share(stroke, circle)) * self.drive.lever(way, circle)
         if self.weights is not None:
             own = self.drive.loaded(way, circle, self.weights.masses, 0, weight=self.weights.weight)
             force = force + own.torque()
         return self._whole(force)
+
+    def power(self, stroke: int, angle: Any) -> Number:
+        """Return the work of load and masses over the angle in radians, of which `energy` is the sum; to
+        first order it is not quite the effort."""
+        circle, way = self.circle(angle), stroke % 2
+        power = self.strokes[stroke].force(self.share(stroke, circle)) * self.drive.velocity(way, circle)
+        if self.weights is not None:
+            power = power + self.drive.power(way, circle, self.weights.masses, self.weights.weight)
+        return self._whole(power)
 
     def force(self, force: CrankForce, stroke: int, angle: Any) -> Number:
         """Return a force of the drive, in its own Q."""
@@ -91,7 +100,7 @@ class Cylinder(NamedTuple):
         return found * (SIGNS[way] if force.framed else 1)
 
     def slope(self, stroke: int, angle: Any) -> Number:
-        """Return the change of the effort with the half turns, of a load that knows that of its force."""
+        """Return the change of the power with the half turns, of a load that knows that of its force."""
         circle, way = self.circle(angle), stroke % 2
         acting: Any = self.strokes[stroke]
         share, velocity = self.share(stroke, circle), self.drive.velocity(way, circle)
@@ -282,6 +291,11 @@ class AnyTurn(ABC):
         """The tangential force T/Q of all cranks."""
         cylinders = self.cylinders
         return sum(cylinders[part].effort(*one) for part, *one in self.positions(half_turns))
+
+    def power(self, half_turns: Fraction) -> Number:
+        """The work of all cranks over the angle in radians, in Q R."""
+        cylinders = self.cylinders
+        return sum(cylinders[part].power(*one) for part, *one in self.positions(half_turns))
 
     def crank_force(self, force: CrankForce, half_turns: Fraction) -> Number:
         """A force of the first crank in Q."""

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from math import inf, nextafter
 from typing import Any, TypeAlias, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kurbel.engine.engine import LARGEST_CLEARANCE, LARGEST_EXPONENT
+from kurbel.engine.engine import LARGEST_CLEARANCE, LARGEST_EXPANSION, LARGEST_EXPONENT, LEAST_CURVE
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.bulk import in_blocks
 from kurbel.kernel.fast.worth import pays
@@ -24,6 +24,10 @@ Reader: TypeAlias = Callable[[slice], Any]
 ALWAYS = ("eps", "ratio")
 # An engine takes NumPy as long as so many cells of a table of the motion.
 CELLS = 6
+# Of the work left, in units of what is done and taken: where less is left balls decide.
+NEAR = 1e-9
+# By what share a float can be off where all work is left, and by what for the rounding of its inputs.
+UNITS, ROUNDED = 8e-15, 3e-16
 
 # Of each the least value, the bound that it does not reach, and why.
 LIMITS: Mapping[str, tuple[float, float, str]] = {
@@ -138,6 +142,52 @@ def delta(
 
     in_blocks(fill, out.size)
     return out if shape else float(out)
+
+
+def enclosed(given: Mapping[str, Any], method: str, usual: Collection[str] = ()) -> tuple[Floats, Floats]:
+    """Return δ of engines as `delta` does, and by how much each may be off the δ of its exact inputs.
+
+    `given` has an array of each input's floats, of `back` None for the best one; `usual` names those that are
+    nowhere other than where nothing is told of them. Both are no numbers where an input is not valid, or so
+    little work is left that balls must decide.
+    """
+    with np.errstate(all="ignore"):
+        done, taken, stretch = _work(given)
+        good = _valid(given) & (done - taken > NEAR * (done + taken))
+    found = np.full(len(good), np.nan)
+    if good.any():
+        own: dict[str, Any] = {
+            name: None if one is None or name in usual else one[good] for name, one in given.items()
+        }
+        found[good] = delta(**own, method=method)
+    with np.errstate(all="ignore"):
+        share = (UNITS + ROUNDED * stretch) * (1 + (done + taken) / (done - taken))
+        return found, np.where(good, (share + ROUNDED / np.sqrt(1 - given["ratio"])) * found, np.nan)
+
+
+def _work(given: Mapping[str, Any]) -> tuple[Floats, Floats, Floats]:
+    """Return the mean pressures of the steam and against it, in units of that before cut-off, and by how much
+    the rounding of the inputs counts in the first one."""
+    clearance, exponent = given["clearance"], given["exponent"]
+    cut = 1 / given["eps"] + clearance
+    stretch = np.log((1 + clearance) / cut)
+    bent = (1 - exponent) * stretch
+    # Of n = 1 the integral of the power is the logarithm.
+    curve = np.where(bent == 0, 1, np.expm1(bent) / np.where(bent == 0, 1, bent))
+    done = 1 / given["eps"] + cut * stretch * curve
+    best = np.exp(-exponent * stretch)
+    return done, best if given["back"] is None else given["back"], exponent * stretch
+
+
+def _valid(given: Mapping[str, Any]) -> Any:
+    """Return where every input is one that an engine takes."""
+    eps, ratio, clearance, exponent = (given[name] for name in ("eps", "ratio", "clearance", "exponent"))
+    good = (eps >= 1) & (eps <= LARGEST_EXPANSION) & (ratio >= 0) & (ratio < 1)
+    good &= (
+        (clearance >= 0) & (clearance <= LARGEST_CLEARANCE) & (exponent > 0) & (exponent <= LARGEST_EXPONENT)
+    )
+    good &= (exponent == 1) | (np.abs(exponent - 1) > float(2 * LEAST_CURVE))
+    return good if given["back"] is None else good & (given["back"] >= 0) & (given["back"] <= 1)
 
 
 def _arithmetic(method: str, size: int, fast: bool | None) -> Arithmetic:

@@ -52,7 +52,7 @@ def torque_ties(turn: Turn, half_turns: Fraction) -> TieBits:
     def acting(on: On, own: Own) -> Any:
         return on.kind.of(radius) * torque_of(on, cranks, own)
 
-    return _weighed_ties(turn, cranks, lambda on, crank: on.drive.velocity(*on.place(crank)), acting)
+    return _weighed_ties(turn, cranks, On.lever, acting)
 
 
 def _weighed_ties(

@@ -32,7 +32,11 @@ from kurbel.reading.given import choose
 
 if TYPE_CHECKING:
     from kurbel.engine.assembly import Assembly
+    from kurbel.engine.long.irregularity import Irregularities
     from kurbel.motion.long.columns import LongColumns
+
+# So many engines take balls as long as NumPy and its formulas take for the first.
+PAGE_ENGINES = 200
 
 # What pages of a run of crank angles are about.
 OVER_ANGLE = ("turning", "speed", "crank forces", "machine")
@@ -165,12 +169,15 @@ class EngineRequest(Question):
         return turn
 
     @cached_property
-    def long(self) -> LongColumns | None:
-        if "angle" not in self.axes or len(self.page_columns) * len(self) <= PAGE_CELLS or self.carded:
+    def long(self) -> LongColumns | Irregularities | None:
+        over_angle = "angle" in self.axes
+        few = PAGE_CELLS if over_angle else PAGE_ENGINES
+        if len(self.page_columns) * len(self) <= few or self.carded:
             return None
         from kurbel.motion.long import worthwhile
 
-        return worthwhile(self, "kurbel.engine.long.columns:EngineColumns")
+        own = "columns:EngineColumns" if over_angle else "irregularity:Irregularities"
+        return worthwhile(self, f"kurbel.engine.long.{own}")
 
     def where(self, place: Place) -> Where:
         return Where(

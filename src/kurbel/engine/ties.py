@@ -69,6 +69,11 @@ class On:
         """The share of the stroke travelled."""
         return self.drive.path(*self.place(crank)) / self.drive.length
 
+    def lever(self, crank: Standing) -> Number:
+        """The tangential force of a unit force on the piston."""
+        lever = self.drive.lever if self.engine.crank.ratio else self.drive.velocity
+        return lever(*self.place(crank))
+
     def net_pressure(self, crank: Standing) -> Number:
         return self.strokes[crank.stroke].force(self.share(crank))
 
@@ -105,7 +110,7 @@ def force_ties(turn: Turn, half_turns: Fraction) -> TieBits:
         on, total = On(turn, BOUNDS), Separation.rational(-boundary)
         for crank in cranks:
             if not _is_steam(turn) or _works(turn.part, crank):
-                total += _pressure_bounds(turn, crank) * on.drive.velocity(*on.place(crank))
+                total += _pressure_bounds(turn, crank) * on.lever(crank)
         return float(total.bits())
 
     return bits

@@ -181,7 +181,7 @@ class Turn(AnyTurn):
     def excess(self, piece: Piece, place: Angle) -> Number:
         cylinders = self.cylinders
         total = sum(
-            count * cylinders[part].effort(stroke, _since(place, begun))
+            count * cylinders[part].power(stroke, _since(place, begun))
             for count, part, stroke, begun in piece.unlike
         )
         return total - self.mean_force()

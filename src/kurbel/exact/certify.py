@@ -7,16 +7,18 @@ formula (separation.py) and still touches, the value lies on the boundary: a tie
 
 from __future__ import annotations
 
+import copyreg
 from collections.abc import Callable
 from fractions import Fraction
 from functools import lru_cache
 from math import inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import flint
 from flint import arb
 
 from kurbel.errors import ProblemError
+from kurbel.exact.numerals import MOST_FIGURES
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinematics import rod_sine
 
@@ -29,6 +31,20 @@ GUARD_BITS = 40
 MOST_BITS = 20_000
 # A proof that a value is a tie may need more; beyond these it takes minutes.
 MOST_TIE_BITS = 200_000
+_ENDLESS = flint.arb(10) ** MOST_FIGURES
+
+
+def _pickled(found: arb) -> tuple[Any, ...]:
+    """Return how a finite ball is made anew, with no bit lost."""
+    parts = (found.mid().man_exp(), found.rad().man_exp())
+    return _unpickled, tuple((int(bits), int(power)) for bits, power in parts)
+
+
+def _unpickled(middle: tuple[int, int], radius: tuple[int, int]) -> arb:
+    return arb(middle, radius)
+
+
+copyreg.pickle(arb, _pickled)
 
 
 def ball(value: Fraction | int) -> arb:
@@ -88,12 +104,15 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
         precision *= 2
         with flint.ctx.workprec(precision):
             scaled = value() * unit
-            raised = abs(scaled) + flint.arb(0.5)
+            magnitude = abs(scaled)
+            if magnitude > _ENDLESS:
+                raise ProblemError(f"a value has more than {MOST_FIGURES} figures, which are not printed")
+            raised = magnitude + flint.arb(0.5)
             nearest = raised.floor().unique_fmpz()
             # A ball that touches a boundary from above, such as the exact 1.25, is settled for half away.
             if nearest is not None and (rounding == "half-away" or not raised.contains_integer()):
                 return _signed(int(nearest), scaled)
-            above = (2 * abs(scaled) + flint.arb(0.5)).floor().unique_fmpz()
+            above = (2 * magnitude + flint.arb(0.5)).floor().unique_fmpz()
             if above is None and precision <= MOST_TIE_BITS:
                 continue
             if above is None:

@@ -9,6 +9,8 @@ from typing import NamedTuple
 
 ROUNDINGS = ("half-away", "half-even")
 MOST_DIGITS = 50
+# Of a whole number, which Python would write with 4300; no number that is typed has half as many.
+MOST_FIGURES = 3000
 # A quantity with no decimals of its own is printed to so many figures.
 FIGURES = 5
 # What is longer is written as a fraction.

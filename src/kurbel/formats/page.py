@@ -57,11 +57,11 @@ class PageGroup(NamedTuple):
     held: frozenset[int] = frozenset()
 
     @property
-    def spans(self) -> tuple[int, ...]:
-        """How many rows from each one on no page ends between, 0 for those that are held."""
+    def spanned_rows(self) -> Iterator[tuple[tuple[PageCell, ...], int]]:
+        """Each row and how many from it on no page ends between, 0 for those that are held."""
         free = [row for row in range(len(self.rows)) if row not in self.held]
         ends = dict(pairwise((*free, len(self.rows))))
-        return tuple(ends[row] - row if row in ends else 0 for row in range(len(self.rows)))
+        return ((cells, ends.get(row, row) - row) for row, cells in enumerate(self.rows))
 
 
 class PagePanel(NamedTuple):

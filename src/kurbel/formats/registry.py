@@ -81,7 +81,7 @@ class Format:
     @property
     def home(self) -> str:
         """The format's folder, where its templates stand in `base` if not among those of pages."""
-        return os.path.dirname(self.module().__file__)
+        return os.path.dirname(str(self.module().__file__))
 
     def module(self, name: str = "") -> Any:
         """Return a module of the format's folder.

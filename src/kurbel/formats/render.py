@@ -14,7 +14,7 @@ import re
 import stat
 import sys
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from functools import cache, partial
 from typing import TYPE_CHECKING, BinaryIO
 
@@ -81,12 +81,22 @@ def render(
     fragment = filled(form.name, {})
     if table.steps is not None and form.interactive:
         set_page = partial(render, format=format, decimal=decimal, templates=templates)
-        around = writer.stepped(table, fragment, set_page, mark)
-        fragment = filled(f"{form.name}.steps", around)
+        with _as_one_page(templates):
+            around = writer.stepped(table, fragment, set_page, mark)
+            fragment = filled(f"{form.name}.steps", around)
     if standalone and form.standalone:
         title = writer.escape(plain(table.caption, mark))
         return filled(f"{form.name}.document", {"fragment": fragment, "title": title})
     return fragment
+
+
+def _as_one_page(templates: str | None) -> AbstractContextManager[None]:
+    """Have the templates of a user's within the time of one page for all of it."""
+    if templates is None:
+        return nullcontext()
+    from kurbel.formats.apart import one_page
+
+    return one_page()
 
 
 def render_document(
@@ -113,12 +123,11 @@ def pieces(
 def _filled(
     form: PageFormat | RecordsFormat, template: str, values: Mapping[str, object], templates: str | None
 ) -> str:
-    environment = environment_of(form, templates)
     if templates is None:
-        return environment.get_template(template).render(values)
-    from kurbel.formats.sandbox import filled
+        return environment_of(form, templates).get_template(template).render(values)
+    from kurbel.formats.apart import filled_apart
 
-    return filled(environment, template, values, templates)
+    return filled_apart(form.name, template, values, templates)
 
 
 def _template(table: Table, name: str, templates: str | None) -> str:

@@ -1,7 +1,7 @@
 """Templates of a user's folder: run in Jinja's sandbox, with errors that name file and line.
 
-Beside `render` the only module that knows Jinja. It is loaded for a user's templates only. What takes too
-long or too much memory is ended by whoever runs it in a process of its own (handbook/pool.py).
+Beside `render` the only module that knows Jinja. It is loaded for a user's templates only, in a process of
+their own (`apart.py`), which is ended where they take too long or too much memory.
 """
 
 from __future__ import annotations
@@ -11,23 +11,27 @@ from collections.abc import Callable, Mapping
 from traceback import walk_tb
 from typing import Any
 
-from jinja2 import BaseLoader, TemplateNotFound, TemplateSyntaxError
-from jinja2.environment import Environment
+from jinja2 import BaseLoader, Environment, TemplateNotFound, TemplateSyntaxError
 from jinja2.loaders import split_template_path
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from kurbel.errors import KurbelError, LayoutError
+from kurbel.formats.registry import PageFormat, RecordsFormat, by_name
 
 LONGEST_FILE, LONGEST_PAGE = 1_000_000, 10_000_000
 
 
-def filled(environment: Environment, template: str, values: Mapping[str, object], folder: str) -> str:
-    """Return what the template makes of the values.
+def filled(form: str, template: str, values: Mapping[str, object], folder: str) -> str:
+    """Return what the template makes of the values for a format.
 
     Raises LayoutError, with the file and the line, for whatever is wrong with a template of the folder.
     """
+    from kurbel.formats.render import environment_of
+
+    found = by_name(form)
+    assert isinstance(found, PageFormat | RecordsFormat)
     try:
-        text = environment.get_template(template).render(values)
+        text = environment_of(found, folder).get_template(template).render(values)
         if len(text) > LONGEST_PAGE:
             reason = f"the result would have more than {LONGEST_PAGE} characters"
             raise _refused(template, None, reason, folder)

@@ -16,7 +16,7 @@ from kurbel.handbook.inputs import UNKNOWN, digest_of, fingerprint, glance
 from kurbel.handbook.manifest import Manifest, Part
 from kurbel.handbook.model import COMPILED, ENGINES
 from kurbel.handbook.pages import Failure, document_of, fragment_paths, make_document, make_pdf, program_of
-from kurbel.handbook.pool import KILLED, PATIENCE, PDF_STOPPED, STOPPED, Made, Piece, Task, Worked, worked
+from kurbel.handbook.pool import KILLED, PDF_STOPPED, Made, Piece, Task, Worked, worked
 
 PDF = COMPILED.name
 # Makes a part; raises KurbelError if it cannot be made.
@@ -144,10 +144,6 @@ class Build:
         except KurbelError as error:
             self.ended = error
 
-    def end(self, stopped: str) -> tuple[bool, str]:
-        """Return whether pieces are made in other processes, and what is said where one of these ends."""
-        return self.apart, stopped if self.apart else KILLED
-
     def part_key(self, part: Part) -> str:
         return key_of(self.print, part._replace(line=0), *self.given)
 
@@ -182,10 +178,9 @@ class Build:
 
     def parts(self, make: Maker) -> list[Piece]:
         """Return the parts that `make` must make."""
-        given = self.manifest.folder, self.templates, PATIENCE, *self.given, self.outside
-        end = self.end(STOPPED)
+        given = self.manifest.folder, self.templates, *self.given, self.outside
         return [
-            Piece(part.name, key, partial(make, Task(part, *given)), self, part.line, *end)
+            Piece(part.name, key, partial(make, Task(part, *given)), self, part.line)
             for part in self.manifest.parts()
             if part.words
             and (self.only is None or part.name in self.only)
@@ -259,7 +254,7 @@ class Build:
             if read is not None:
                 contents = {stem: read[path] for stem, path in paths.items()}
                 work = partial(make_document, document, name, contents, self.templates)
-                pieces.append(Piece(_named(name), key, work, self, 0, *self.end(STOPPED)))
+                pieces.append(Piece(_named(name), key, work, self))
         return pieces
 
     def read(self, name: str, paths: Collection[str]) -> dict[str, bytes] | None:
@@ -299,7 +294,7 @@ class Build:
         if self.is_made(name, key) or self.read(name, used) is None:
             return []
         work = partial(make_pdf, self.folder.path, engine, standards, self.apart)
-        _, killed = self.end(PDF_STOPPED)
+        killed = PDF_STOPPED if self.apart else KILLED
         return [Piece(name, key, work, self, 0, ENGINES[engine].grows, killed)]
 
 

@@ -1,7 +1,7 @@
 """Pieces of a handbook made by the workers of a cluster, which need not see its folder.
 
-What a worker cannot make, or makes of files that are others than here, is made on this machine. So are the
-pieces of builds with templates of one's own, which may end their process.
+What a worker cannot make, or makes of files that are others than here, is made on this machine. So is what
+templates or layouts of one's own set, which may be others there.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from kurbel.handbook.inputs import digest_of
-from kurbel.handbook.pool import KILLED, Made, Piece, Task, tried, worked
+from kurbel.handbook.pool import Made, Piece, Task, tried, worked
 
 # What pages are made by beside numbers.
 OF_PAGES = ("jinja2", "markdown-it-py", "tabulate", "matplotlib", "xlsxwriter")
@@ -49,7 +49,7 @@ def worked_by(scheduler: str, pieces: Iterable[Piece], jobs: int) -> Iterator[tu
     here: list[Piece] = []
     there: list[Piece] = []
     for piece in pieces:
-        (here if piece.apart or piece.killed != KILLED else there).append(piece)
+        (here if _has_own_pages(piece) else there).append(piece)
     if there:
         parts = Parts(there)
         for number, one in _taken(scheduler, parts):
@@ -76,6 +76,12 @@ def _taken(scheduler: str, parts: Parts) -> Iterator[tuple[int, Elsewhere]]:
             taken += 1
     finally:
         cluster.end(at_once=True)
+
+
+def _has_own_pages(piece: Piece) -> bool:
+    make: Any = piece.make
+    task: Task = make.args[0]
+    return bool(task.templates or task.part.options.get("layouts"))
 
 
 def _absolute(piece: Piece) -> partial[Made]:

@@ -43,7 +43,7 @@ from kurbel.handbook.model import (
 )
 from kurbel.handbook.problems import problems_of
 from kurbel.reading.given import did_you_mean
-from kurbel.reading.inside import is_inside
+from kurbel.reading.inside import HANDBOOK, is_inside
 from kurbel.reading.toml_file import Place, TomlFile, TomlKind, shown
 
 NAME = "handbook.toml"
@@ -235,7 +235,7 @@ class _Reader:
         path = os.path.join(os.path.dirname(self.file.path), inside)
         mark = {"comma": ",", "point": "."}.get(str(options.get("decimal")), "")
         if not self.outside and not is_inside(path, os.path.dirname(self.file.path)):
-            self.wrong((*place, "problems"), OutsideError(inside))
+            self.wrong((*place, "problems"), OutsideError(inside, HANDBOOK))
             return
         try:
             problems = [*problems_of(path, options["lang"], given.variant or 1, mark)]

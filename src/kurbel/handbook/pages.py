@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from contextlib import nullcontext
 from functools import partial
 from itertools import count, repeat
 from typing import Any, NamedTuple
@@ -11,13 +12,15 @@ from typing import Any, NamedTuple
 from kurbel.documents import prose
 from kurbel.documents.document import PLACE, Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
+from kurbel.formats.apart import deadline, one_page
 from kurbel.formats.registry import FORMATS, WorkbookFormat
 from kurbel.handbook.folder import LARGEST, SHEETS
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
 from kurbel.handbook.model import COMPILED, ENGINES
-from kurbel.handbook.pool import GIGABYTES, PATIENCE, PDF_PATIENCE, About, Made, deadline
+from kurbel.handbook.pool import PDF_PATIENCE, About, Made
 from kurbel.page.labels import primed
 from kurbel.reading.given import File, did_you_mean
+from kurbel.reading.inside import HANDBOOK
 
 WORDS = {"de": "Fehlt", "en": "Missing"}
 # Where the sheet of a table waits for its workbook.
@@ -83,7 +86,7 @@ class _Items:
         return Item("text", part.name, lang=lang, blocks=blocks)
 
     def file(self, name: str) -> File:
-        return File(name, self.folder, inside=not self.outside)
+        return File(name, self.folder, inside="" if self.outside else HANDBOOK)
 
     def text(self, part: Part, lang: str, above: list[int]) -> prose.Blocks:
         """Return a text, of the manifest or of its own file, or a failure in its place."""
@@ -155,7 +158,7 @@ def make_document(
 
     # Drawings in PDF are files beside the document and no text.
     texts = {name: content.decode("utf-8", "replace") for name, content in fragments.items()}
-    with deadline(PATIENCE, GIGABYTES, templates is not None):
+    with one_page():
         files = document_files(document, format, texts, templates)
     return Made({path: text.encode() for path, text in files.items()})
 
@@ -167,7 +170,7 @@ def make_pdf(folder: str, engine: str, standards: tuple[str, ...], limited: bool
     of its own, with a time of its own: it would outlive this one.
     """
     read = partial(_document_in, folder)
-    with deadline(PDF_PATIENCE, None, limited and ENGINES[engine].grows):
+    with deadline(PDF_PATIENCE, None) if limited and ENGINES[engine].grows else nullcontext():
         return Made({f"handbook.{COMPILED.name}": COMPILED.writer.whole(folder, engine, standards, read)})
 
 

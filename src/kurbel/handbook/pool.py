@@ -5,13 +5,13 @@ from __future__ import annotations
 import gc
 import os
 import signal
-import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from kurbel.errors import KurbelError
+from kurbel.formats.apart import HAS_PROCESSES
 from kurbel.page.quantity import Letter
 
 if TYPE_CHECKING:
@@ -21,8 +21,6 @@ if TYPE_CHECKING:
 
 # Windows waits for no more processes at once.
 MOST_PROCESSES = 61
-# A browser has none but its own.
-HAS_PROCESSES = sys.platform != "emscripten"
 # Fewer pieces than these are done before another process has loaded the libraries.
 WORTH_A_PROCESS = 4
 # So many more objects than before let a process look for garbage: a sixth less time than as Python does it,
@@ -32,10 +30,7 @@ ALLOCATED = 1_000_000
 MOST_KILLED = 3
 KILLED = "its process was ended, for want of memory or from outside"
 NOT_TRIED = "not tried, for others like it were stopped"
-# Templates of one's own have so many seconds for a page, and so much memory.
-PATIENCE, GIGABYTES = 10.0, 4
-STOPPED = f"its templates were stopped after {PATIENCE:.0f} s, or at {GIGABYTES} gigabytes"
-# A document that they wrote has so many to be set by Typst; a TeX is stopped by itself.
+# A document that templates of one's own wrote has so many to be set by Typst; a TeX is stopped by itself.
 PDF_PATIENCE = 300.0
 PDF_STOPPED = f"Typst was stopped after {PDF_PATIENCE:.0f} s"
 
@@ -43,15 +38,13 @@ PDF_STOPPED = f"Typst was stopped after {PDF_PATIENCE:.0f} s"
 class Task(NamedTuple):
     """A part that is to be made, with all that a process of its own needs to make it.
 
-    `templates` is a folder of one's own; they have `patience` in seconds. A `terse` caption does not say that
-    formulas are exact, for the page on notation does. Files that the command names may lie `outside` of the
-    folder where that is allowed.
+    `templates` is a folder of one's own. A `terse` caption does not say that formulas are exact, for the page
+    on notation does. Files that the command names may lie `outside` of the folder where that is allowed.
     """
 
     part: Part
     folder: str
     templates: str | None
-    patience: float
     machine: str | None
     formats: tuple[str, ...]
     figures: tuple[str, ...]
@@ -119,7 +112,7 @@ def by_whom(scheduler: str | None) -> Worked:
 def worked(pieces: Iterable[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
     """Yield each piece with what it became, or a sentence why it became nothing, as they are done.
 
-    All share their processes, but for those of builds with templates of one's own, which may end them.
+    All share their processes, but for those that may end them.
     """
     lots: dict[int, list[Piece]] = {}
     for piece in pieces:
@@ -207,52 +200,3 @@ def _start() -> None:
         os._exit(1)
 
     Thread(target=follow, daemon=True).start()
-
-
-@contextmanager
-def deadline(seconds: float, gigabytes: int | None, counts: bool) -> Iterator[None]:
-    """If it `counts`, end this process where the block takes longer, and perhaps limit its memory.
-
-    For the processes of `worked` only. Too much memory is a MemoryError. The seconds are of processor time
-    where the system counts it, so that a busy machine ends nothing; either way even a process that is inside
-    of one long operation is ended.
-    """
-    if not counts:
-        yield
-        return
-    if gigabytes is not None:
-        _limit_memory(gigabytes)
-    with _processor_watch(seconds) if hasattr(signal, "setitimer") else _clock_watch(seconds):
-        yield
-
-
-@contextmanager
-def _processor_watch(seconds: float) -> Iterator[None]:
-    signal.signal(signal.SIGPROF, signal.SIG_DFL)
-    signal.setitimer(signal.ITIMER_PROF, seconds)
-    try:
-        yield
-    finally:
-        signal.setitimer(signal.ITIMER_PROF, 0)
-
-
-@contextmanager
-def _clock_watch(seconds: float) -> Iterator[None]:
-    import faulthandler
-
-    with open(os.devnull, "w") as nowhere:
-        faulthandler.dump_traceback_later(seconds, exit=True, file=nowhere)
-        try:
-            yield
-        finally:
-            faulthandler.cancel_dump_traceback_later()
-
-
-def _limit_memory(gigabytes: int) -> None:
-    try:
-        import resource
-    except ImportError:
-        return
-    _, hard = resource.getrlimit(resource.RLIMIT_AS)
-    most = gigabytes << 30
-    resource.setrlimit(resource.RLIMIT_AS, (most if hard < 0 else min(most, hard), hard))

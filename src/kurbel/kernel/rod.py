@@ -170,7 +170,7 @@ class Loaded:
         return self.piston_force if self.friction is None else self.piston_force + self.friction
 
     def couple(self) -> Number:
-        """Return the inertia couple M (k² - a b) ψ̈ over L, by which the two masses are wrong.
+        """Return the inertia couple -M (k² - a b) ψ̈ over L, by which the two masses are wrong.
 
         It is the force with Y at A, and against Y at B, square to the rod, that makes the couple.
         """
@@ -272,8 +272,8 @@ class Loaded:
         rod's mass at the pin, if the crank does not turn evenly, but nothing of the crank's own. Re-derived.
         """
         # The couple's part is its force on the guide times cos φ, the share of R across the slide.
-        work = self.push * self.by.lever(self.circle, self.ratio, self.offset)
-        found = work + self.turning * self.by.rod_lever(self.circle, self.slant) + 0
+        work = self.push * tangential_force(self.circle, self.ratio, self.offset)
+        found = work + self.turning * (self.circle.cosine / self.slant.cosine) + 0
         if self.weight is not None:
             found = found + pin_torque(self.weight, self.circle)
         return found if self.by.gain is None else found - self.by.gain * self.masses.pin

@@ -24,15 +24,24 @@ from kurbel.page.subject import subject
 
 
 class LinkageDrive(Drive):
-    """A drive of `entries` with dead centres at 0° and 180°, and the layout whose page speaks of it.
+    """A drive with dead centres at 0° and 180°, and the layout whose page speaks of it.
 
     It has a rod if its pages are of ratios.
     """
 
-    def __init__(self, drive: Linkage, entries: Mapping[str, Quantity], page: str) -> None:
-        super().__init__(drive.crank, entries)
+    def __init__(self, drive: Linkage, page: str) -> None:
+        super().__init__(drive.crank, self.columns_of(page))
         self.drive, self.page = drive, page
         self.has_rod = "ratio" in subject(layout(page).subject).axes
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.drive, self.page)
+
+    @staticmethod
+    def columns_of(page: str) -> Mapping[str, Quantity]:
+        """Return the outstroke's quantities of such pages, which stand for either stroke."""
+        known = subject(layout(page).subject).quantities()
+        return {key: one for key, one in known.items() if one.stroke == OUT}
 
     @property
     def stroke(self) -> Label:
@@ -87,7 +96,7 @@ class LinkageMechanism(Mechanism):
             yield turns_label(speed)
 
     def solved(self, drives: Sequence[Linkage], method: str | None) -> tuple[Drive, ...]:
-        return tuple(LinkageDrive(one, self.conditions(), self.layout) for one in drives)
+        return tuple(LinkageDrive(one, self.layout) for one in drives)
 
     def conditions(self) -> Mapping[str, Quantity]:
-        return {key: one for key, one in subject(self.subject).quantities().items() if one.stroke == OUT}
+        return LinkageDrive.columns_of(self.layout)

@@ -17,7 +17,7 @@ from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import circle
 from kurbel.linkage.linkage import certified, value
 from kurbel.linkage.quantities import FORCE
-from kurbel.motion.captions import drive_notes, force_notes, moving_notes, turns_label
+from kurbel.motion.captions import direction_notes, drive_notes, force_notes, moving_notes, turns_label
 from kurbel.motion.evaluation import NEEDS, PAGE_CELLS, needed
 from kurbel.motion.page import AngleQuestion, check_pairs
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
@@ -55,7 +55,7 @@ class LinkageRequest(AngleQuestion):
         return next(own, "parallel"), self.drives[0]
 
     def missing(self, quantity: Quantity) -> str:
-        return needed(quantity, [drive.crank for drive in self.drives])
+        return super().missing(quantity) or needed(quantity, [drive.crank for drive in self.drives])
 
     @cached_property
     def long(self) -> LongColumns | None:
@@ -171,6 +171,8 @@ def force_lines(
         acting = [force[lang]] if first.force or not first.moving else []
         said = (one.direction[lang] for one in shown if one.direction)
         yield "; ".join(dict.fromkeys([*acting, *said]))
+        columns = [column for column in question.page_columns if column.quantity.of == FORCE]
+        yield from direction_notes(question, columns)
     # Neither the offset nor the mean speed is that of a slide.
     cranks = [replace(drive.crank, offset=Fraction(0), moving=None, speed=None) for drive in question.drives]
     yield from drive_notes(cranks, lang)

@@ -11,7 +11,17 @@ from kurbel.drive.crank import Crank, known
 from kurbel.drive.load import figure
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, number_text
-from kurbel.motion.evaluation import DIFFERENCE, LOADED, OFFSET, OUT, REACH, RETURN, TURN, method_named
+from kurbel.motion.evaluation import (
+    DIFFERENCE,
+    LOADED,
+    OFFSET,
+    OUT,
+    REACH,
+    RETURN,
+    STROKES,
+    TURN,
+    method_named,
+)
 from kurbel.page.quantity import (
     AND,
     Column,
@@ -26,7 +36,7 @@ from kurbel.reading.amounts import amount, unit_of_page
 from kurbel.reading.notation import ratio_text
 
 if TYPE_CHECKING:
-    from kurbel.motion.page import Request
+    from kurbel.motion.page import AngleQuestion, Request
     from kurbel.page.layouts import Layout
     from kurbel.reading.units import Speed
 
@@ -67,6 +77,9 @@ WORDS: Mapping[str, Words] = {
         "|; {turns}$v = {pin} {unit}$, mean piston speed $c_m = {mean} {unit}$, $v:c_m = {quotient}$"
     ),
     "masses": words("Massen: |Masses: "),
+    "weightless": words(
+        "Gewicht der Massen nicht gerechnet (--slope)|Weight of the masses left out (--slope)"
+    ),
     "reciprocating": words("Kolben und Kreuzkopf|piston and crosshead"),
     "rotating": words("Kurbel weniger Gegengewicht, am Zapfen|crank less counterweight, at its pin"),
     "connecting_rod": words(
@@ -81,6 +94,10 @@ WORDS: Mapping[str, Words] = {
     ),
     "swing_crosshead": words("den Kreuzkopfzapfen|the crosshead pin"),
     "swing_crank": words("den Kurbelzapfen|the crank pin"),
+    "outward": words(
+        "jenseits des äußeren Totpunkts bleiben die Richtungen die des Hingangs"
+        "|beyond the outer dead centre directions remain those of the outstroke"
+    ),
     "difference": words(
         "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet."
         "|Difference: exact value less first order, taken before rounding."
@@ -105,7 +122,9 @@ def caption(question: Request, chosen: bool | None = None) -> Label:
     methods = dict.fromkeys(method for column in columns for method in _methods_of(column.method))
     folded = question.method == "infinite" and not question.cranks[0].ratio
     one = len(question.cranks) == 1 and not folded
-    own = _is_chosen(question) if chosen is None else chosen
+    # What is called that of a stroke does not fit a page of whole turns.
+    of_stroke = question.whole_turns and STROKES[OUT][lang] in layout.caption[lang]
+    own = of_stroke or _is_chosen(question) if chosen is None else chosen
     parts = {
         "{quantities}": enumerated((column.quantity.name[lang] for column in columns), lang),
         "{for_ratio}": for_ratio(question.cranks[0].ratio, lang, layout.ratio_symbol) if one else "",
@@ -134,10 +153,7 @@ def notes(question: Request) -> Iterator[Label]:
         yield from formula_lines(question, columns)
     if said := dict.fromkeys(one.quantity.direction[lang] for one in columns if one.quantity.direction):
         yield "; ".join(said)
-        if any(one.effort or (one.moving and one.moving.slope) for one in question.cranks):
-            from kurbel.motion.notes.effort import direction_notes
-
-            yield from direction_notes(question.angles, columns, lang)
+        yield from direction_notes(question, columns)
     yield from drive_notes(question.cranks, lang)
     first_order = any(one.method in ("series", DIFFERENCE) for one in columns)
     if first_order or any(crank.acceleration for crank in question.cranks):
@@ -147,6 +163,14 @@ def notes(question: Request) -> Iterator[Label]:
     yield from force_notes(question.cranks, lang)
     for crank in question.cranks[:1]:
         yield from loaded_notes(crank, layout.ratio_symbol, lang)
+
+
+def direction_notes(question: AngleQuestion, columns: Sequence[Column]) -> Iterator[Label]:
+    """Yield the line about columns of the outstroke at angles of the return."""
+    by_stroke = any(one.stroke == RETURN for one in question.subject.quantities().values())
+    directed = any(one.quantity.stroke == OUT and one.quantity.direction for one in columns)
+    if by_stroke and directed and question.whole_turns:
+        yield WORDS["outward"][question.lang]
 
 
 def formula_lines(page: Formulated, columns: Sequence[Column]) -> Iterator[Label]:
@@ -243,6 +267,8 @@ def loaded_notes(crank: Crank, ratio_symbol: str, lang: str) -> Iterator[Label]:
         yield from effort_notes(crank.effort, lang)
     if crank.moving is not None:
         yield from moving_notes(crank, ratio_symbol, lang)
+        if crank.moving.slope is None and (crank.moving.rod or crank.moving.reciprocating):
+            yield WORDS["weightless"][lang]
 
 
 def moving_notes(

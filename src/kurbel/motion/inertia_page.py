@@ -202,8 +202,12 @@ def _number(question: ErrorsRequest, column: Column, place: Place, times: int) -
     # No algebraic number makes up for the factor π² of turns a second.
     by_turns = quantity.needs == "inertia" and known(peak.crank.speed).turns
     exact = not by_turns and all(one.separation() is not None for one in concerned)
-    kernel = quantity.formulas[EXACT].kernel
-    return Number(settled(lambda kind: kernel(peak, whole, kind), decimals, rounding, exact), decimals)
+    kernel, unit = quantity.formulas[EXACT].kernel, Fraction(1)
+    if quantity.needs == "inertia":
+        unit = question.of_page("N m" if peak.force.is_torque or peak.force.is_couple else "N")
+    return Number(
+        settled(lambda kind: kind.of(unit) * kernel(peak, whole, kind), decimals, rounding, exact), decimals
+    )
 
 
 def _angle(peak: Peak, share: int, decimals: int, rounding: str) -> Number | None:

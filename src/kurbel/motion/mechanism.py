@@ -77,8 +77,11 @@ class Mechanism(ABC):
         """Return what pages of engines say of their drives."""
         return ()
 
-    def masses_notes(self, crank: Crank, ratio_symbol: str, lang: str) -> Iterable[Label]:
-        """Return what pages say of the moving masses, and of what else acts on the piston."""
+    def masses_notes(
+        self, crank: Crank, ratio_symbol: str, lang: str, shown: Collection[str] = ()
+    ) -> Iterable[Label]:
+        """Return what pages that show quantities of these keys say of the moving masses, and of what else
+        acts on the piston."""
         from kurbel.motion.captions import loaded_notes
 
         return loaded_notes(crank, ratio_symbol, lang)

@@ -9,11 +9,22 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from kurbel.drive.crank import Crank, check_angles
+from kurbel.drive.crank import Crank, check_angles, ends
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.motion import captions
-from kurbel.motion.evaluation import DIFFERENCE, LOADED, NEEDS, columns_in_balls, fits_page, needed, typed
+from kurbel.motion.evaluation import (
+    DIFFERENCE,
+    LOADED,
+    NEEDS,
+    OUT,
+    RETURN,
+    STROKES,
+    columns_in_balls,
+    fits_page,
+    needed,
+    typed,
+)
 from kurbel.motion.quantities import effort_keys, registry
 from kurbel.page.axes import (
     AngleAxis,
@@ -52,14 +63,20 @@ class CrankQuestion(Question):
         return "straight", self.cranks[0]
 
     def missing(self, quantity: Quantity) -> str:
-        return needed(quantity, self.cranks)
+        return super().missing(quantity) or needed(quantity, self.cranks)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class AngleQuestion(Question, ABC):
-    """What is asked for of drives at crank angles."""
+    """What is asked for of drives at crank angles.
+
+    Both strokes stand side by side from 0° to 180°, each from the dead centre where it begins. A page of
+    `whole_turns` has one column a quantity, that of the outstroke, which goes on through the return, and no
+    head of it names a stroke.
+    """
 
     angles: Sequence[Fraction]
+    whole_turns: bool = False
 
     @property
     @abstractmethod
@@ -74,6 +91,48 @@ class AngleQuestion(Question, ABC):
     @abstractmethod
     def curves(self, degrees: Any) -> list[list[Any]]:
         """Return the values of every column for every drive at an array of angles, in arrays of floats."""
+
+    @property
+    def has_return(self) -> bool:
+        """Whether the return stroke has columns of its own."""
+        return any(column.quantity.stroke == RETURN for column in self.page_columns)
+
+    def missing(self, quantity: Quantity) -> str:
+        if not self.whole_turns or quantity.stroke != RETURN:
+            return super().missing(quantity)
+        return (
+            f"column {quantity.key} is of the return stroke, which ends at 180°, and other angles were given;"
+            f" leave it out, for {quantity.key.replace('_return', '')} goes on through the whole turn"
+        )
+
+    def entry(self, key: str) -> Quantity:
+        one = super().entry(key)
+        if not self.whole_turns or one.part != STROKES.get(one.stroke):
+            return one
+        return one._replace(part=None, spanners=tuple(label for label in one.spanners if label != one.part))
+
+    def column(self, column: LayoutColumn) -> Column:
+        own = super().column(column)
+        if not self.whole_turns:
+            return own
+        stroke, known = STROKES[OUT][self.lang], self.subject.quantities()
+        spanners, heading = (
+            tuple(label for label in labels if label != stroke) for labels in (own.spanners, own.heading)
+        )
+        beside = any(
+            (one.method, known[one.quantity].stroke, known[one.quantity].name)
+            == (column.method, RETURN, own.quantity.name)
+            for one in self.layout.columns
+        )
+        if beside and (spanners, heading) == (own.spanners, own.heading):
+            # What a layout calls the outstroke in words of its own.
+            return super().column(replace(column, spanners=None, heading=None))
+        return own._replace(spanners=spanners, heading=heading)
+
+
+def is_beyond(angles: Sequence[Fraction]) -> bool:
+    """Whether some of the angles are none of a stroke, which begins at 0° and ends at 180°."""
+    return min(ends(angles)) < 0 or max(ends(angles)) > 180
 
 
 def check_pairs(layout: Layout, drives: str) -> None:
@@ -162,7 +221,7 @@ class Request(CrankQuestion, AngleQuestion):
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return (column.method or self.method or "exact",)
 
-    @property
+    @cached_property
     def bulk(self) -> bool:
         """Whether so many cells are computed in arrays."""
         if fits_page(self.page_columns, self.cranks, self.angles):

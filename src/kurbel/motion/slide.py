@@ -36,6 +36,9 @@ class SlideDrive(Drive):
         super().__init__(crank, slide_columns())
         self.method = method
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.crank, self.method)
+
     @property
     def is_straight(self) -> bool:
         return not (self.crank.offset and self.crank.ratio)

@@ -55,9 +55,15 @@ class PageAxis(ABC):
 
 
 class Axis(PageAxis):
-    """An axis that is a field of records, under its key."""
+    """An axis that is a field of records, under its key; its places may be `found`, not asked for."""
 
     key: str
+    found = False
+
+    @property
+    def tells_apart(self) -> bool:
+        """Whether records may differ in it."""
+        return self.found or self.count > 1
 
     @abstractmethod
     def field(self) -> Field:
@@ -216,7 +222,8 @@ class ColumnAxis(PageAxis):
         labels = column.spanners + column.heading
         if "ratio" in self.layout.across:
             # The ratios stand below without their letters: "Hingang, R:L" over 1:4, 1:5.
-            return (*labels[:-1], f"{labels[-1]}, ${self.layout.ratio_symbol}$")
+            ratio = f"${self.layout.ratio_symbol}$"
+            return (*labels[:-1], ", ".join((*labels[-1:], ratio)))
         return self._with_ratio(labels, place)
 
     def stub(self, place: Place) -> Label:

@@ -14,7 +14,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, degrees_text
 from kurbel.page.axes import Axis, Grid, Place, angle_text, places
 from kurbel.page.layouts import Layout
-from kurbel.page.quantity import Column
+from kurbel.page.quantity import Column, letter
 from kurbel.page.subject import Question
 from kurbel.page.table import DITTO, UNIT, Cell, Group, Note, Panel, Records, Row, Table, Value
 from kurbel.page.table import Column as Printed
@@ -30,25 +30,25 @@ WATCHER: ContextVar[Callable[[int], Callable[[], None]] | None] = ContextVar("wa
 def build(question: Question, pages: bool = True) -> Table:
     """Return the table that was asked for; without `pages` only its records, which need no memory.
 
-    Pages have larger units for long numbers, records have not.
+    Pages have larger units for long numbers and leave columns out that give way, records do not.
     """
     if not pages:
-        return _in_units(question, pages, False)
+        return _in_units(question.full, pages, False)
     shown = enlarged(question)
     token = TAKEN.set(set())
     try:
         page = _in_units(shown, pages, True)
-        if shown is question and not TAKEN.get():
+        if shown is question.full and not TAKEN.get():
             return page
     finally:
         TAKEN.reset(token)
-    plain = _in_units(question, pages, False)
+    plain = _in_units(question.full, pages, False)
     return replace(page, records=plain.records, told=(plain.caption, plain.notes))
 
 
 def enlarged(question: Question) -> Question:
     """Return the question with larger units where its page has long numbers."""
-    if not any(column.quantity.unit["en"] in LARGER for column in question.page_columns):
+    if not any(column.quantity.unit["en"].partition(",")[0] in LARGER for column in question.page_columns):
         return question
     from kurbel.page import larger
 
@@ -78,7 +78,7 @@ def _built(question: Question, pages: bool, whole: bool) -> Table:
         source=question.origin,
         templates=layout.folder,
         pause=layout.pause,
-        quantities=tuple(column.quantity for column in question.page_columns),
+        quantities=tuple(letter(column.quantity, question.lang) for column in question.page_columns),
     )
     spoken = question.note or question.caption is not None or question.source is not None
     return question.worded(page) if spoken else page
@@ -159,12 +159,13 @@ def records_of(question: Question) -> Records:
     columns = {one.key: one for column in question.page_columns for one in _followed(question, column)}
     own = {column.key: column for column in question.page_columns}
     names = question.named or (*question.axis_keys, *own)
+    axes = {axis.key: axis for axis in question.axes.values() if isinstance(axis, Axis)}
     keys = [
         key
-        for name in names
+        # What tells records apart is a column, asked for or not.
+        for name in (*(one for one in question.apart if one not in names), *names)
         for key in ([one.key for one in _followed(question, own[name])] if name in own else [name])
     ]
-    axes = {axis.key: axis for axis in question.axes.values() if isinstance(axis, Axis)}
     fields = [axes[key].field() if key in axes else question.field(columns[key]) for key in keys]
     return Records(tuple(fields), Rows(question, axes, columns, keys))
 

@@ -32,6 +32,8 @@ Part = Prose | tree.Formula | Mark
 _PART = re.compile(r"\\(?P<dollar>\$)|\$(?P<formula>[^$]*)(?P<end>\$?)|\[\^(?P<mark>[^\]]+)\]")
 # Everything that breaks or jumps within a line; the no-break and thin spaces of typography stay.
 WHITE = re.compile(r"[\t-\r\x1c-\x20\x85\u2028\u2029]+")
+# Options behind what is assumed without them: (--suction-loss, --delivery-loss).
+_OPTIONS = re.compile(r" \(--[a-z -]+(, --[a-z-]+)*\)")
 # Minutes and seconds of an angle typed with quotation marks.
 _MINUTES = re.compile(r"(°[0-9.,]+)'(?:([0-9.,]+)\")?")
 
@@ -80,6 +82,11 @@ def primed(prose: str) -> str:
 def plain(label: str, mark: str = ".") -> str:
     """Return a label as Unicode text."""
     return set_label(label, str, lambda formula: formula_plain(formula, mark), mark_text)
+
+
+def unprompted(label: str) -> str:
+    """Return a label without the options in brackets that change what it says is assumed."""
+    return _OPTIONS.sub("", label)
 
 
 def set_label(

@@ -6,7 +6,6 @@ A page has one unit for all columns of a dimension, by the greatest number of th
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from copy import copy
 from fractions import Fraction
 from functools import partial
 
@@ -17,49 +16,46 @@ from kurbel.page.subject import Question
 from kurbel.page.units import names_unit
 from kurbel.reading.amounts import LARGER, UNITS, Unit, Units, larger
 
-# What a question finds once and depends on the units; all else that was found stays.
-OF_UNITS = ("page_columns", "axes", "for_data", "values")
-
 
 def enlarged(question: Question) -> Question:
     """Return the question with larger units where its page has longer numbers."""
     columns: dict[str, list[Column]] = {}
     for column in question.page_columns:
-        if column.quantity.unit["en"] in LARGER:
+        if _symbols(column)[0] in LARGER:
             columns.setdefault(_unit(column).dimension, []).append(column)
     known: dict[Known, Number] = {}
     taken: dict[str, Unit] = {}
-    for dimension, found in columns.items():
-        if _is_free(question, dimension) and all(_says(question, column) for column in found):
+    for found in columns.values():
+        if all(_is_free(question, column) and _says(question, column) for column in found):
             known |= (numbers := _numbers(question, found))
-            for longer in _longer(found, numbers):
-                taken[dimension] = UNITS[longer]
+            taken |= {longer.dimension: longer for longer in _longer(found, numbers)}
     if not taken:
         return question
     asked = question.units.chosen if question.units else {}
     units = Units({**asked, **taken}, data=False, taken=frozenset(taken))
-    other = copy(question)
-    for name in OF_UNITS:
-        vars(other).pop(name, None)
     counted = question.digits is not None
-    vars(other).update(units=units, known={} if counted else _moved(known, columns, units))
-    return other
+    return question.varied(units=units, known={} if counted else _moved(known, columns, units))
+
+
+def _symbols(column: Column) -> list[str]:
+    """Return the unit of a column, of one with forces in some rows and moments in others both of them."""
+    return column.quantity.unit["en"].split(", ")
 
 
 def _unit(column: Column) -> Unit:
-    return UNITS[column.quantity.unit["en"]]
+    return UNITS[_symbols(column)[0]]
 
 
-def _is_free(question: Question, dimension: str) -> bool:
-    """Whether no unit of the dimension was asked for."""
+def _is_free(question: Question, column: Column) -> bool:
+    """Whether no unit of the column's dimension was asked for."""
     asked = question.units.chosen if question.units else {}
-    return not any(one in asked for one in (dimension, *dimension.split(" and ")))
+    return not any(UNITS[one].dimension in asked for one in _symbols(column))
 
 
 def _says(question: Question, column: Column) -> bool:
     """Whether the page says the unit of the column where another can stand in its place."""
     return question.layout.unit or any(
-        names_unit(label, _unit(column)) for label in (*column.heading, *column.spanners)
+        names_unit(label, column.quantity.unit["en"]) for label in (*column.heading, *column.spanners)
     )
 
 
@@ -76,17 +72,16 @@ def _numbers(question: Question, columns: Sequence[Column]) -> dict[Known, Numbe
     return found
 
 
-def _longer(columns: Sequence[Column], numbers: Mapping[Known, Number]) -> Iterator[str]:
+def _longer(columns: Sequence[Column], numbers: Mapping[Known, Number]) -> Iterator[Unit]:
     """Yield the unit in place of that of the columns, if their greatest number asks for one."""
     sizes = {column.key: _unit(column).size for column in columns}
     greatest = max(
         (abs(one.scaled) * sizes[key] / 10**one.decimals for (key, _), one in numbers.items()),
         default=Fraction(0),
     )
-    for column in columns:
-        symbol = _unit(column).symbol
+    for symbol in (one for column in columns for one in _symbols(column)):
         if (longer := larger(symbol, greatest / UNITS[symbol].size)) != symbol:
-            yield longer
+            yield UNITS[longer]
 
 
 def _moved(

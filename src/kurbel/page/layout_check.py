@@ -69,7 +69,8 @@ def _faults_of_values(page: Layout) -> Iterator[tuple[Place, str]]:
         texts: tuple[str, ...] = getattr(page, key)
         for index, text in enumerate(texts):
             yield from _refused((key, index), partial(_within, limits, axis), [text])
-        if axis in subject(page.subject).axes and not texts:
+        # Without expansion ratios a page asks for one.
+        if axis != "expansion" and axis in subject(page.subject).axes and not texts:
             yield (key,), f"{key} is empty; a page about {page.subject} needs them where none are typed"
     if not _is_letter(page.angle_symbol):
         yield ("angle_symbol",), f'angle_symbol is "{page.angle_symbol[:20]}"; it must be a letter'
@@ -102,8 +103,8 @@ def _faults_of_columns(page: Layout) -> Iterator[tuple[Place, str]]:
         yield ("columns",), "columns is an empty list; it must have a column"
     for index, column in enumerate(page.columns):
         place: Place = ("columns", index)
-        for key, name in (("quantity", column.quantity), ("unless", column.unless)):
-            if name or key == "quantity":
+        for key in ("quantity", "unless", "unless_printed"):
+            if (name := getattr(column, key)) or key == "quantity":
                 yield from _unknown((*place, key), name, fitting, f"quantity of {page.subject}")
         if column.method is not None and column.quantity in quantities:
             allowed = _methods(quantities[column.quantity].formulas)

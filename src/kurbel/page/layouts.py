@@ -91,7 +91,8 @@ _NAME = r"[A-Za-z0-9]+(?:-+[A-Za-z0-9]+)*"
 @dataclass(frozen=True, repr=False)
 class LayoutColumn:
     """A column of a layout. `method` None leaves the formulas to the user; spanners and heading None to
-    the quantity. It gives way to the quantity `unless` where that is known."""
+    the quantity. It gives way to the quantity `unless` where that is known, to `unless_printed` so on pages
+    alone."""
 
     NOUN: ClassVar[str] = "key of a column"
     SHAPE: ClassVar[str] = 'a table, such as { quantity = "x" }'
@@ -109,6 +110,9 @@ class LayoutColumn:
         None
     )
     unless: Annotated[str, about("quantity to which it gives way where that is known")] = ""
+    unless_printed: Annotated[
+        str, about("quantity to which it gives way on pages where that is known; CSV and JSON have both")
+    ] = ""
 
     def __post_init__(self) -> None:
         if not self.key:

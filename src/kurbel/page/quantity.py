@@ -100,6 +100,12 @@ def named(name: str, lang: str) -> str:
     return _ANGLE[lang].format(name.removesuffix(end)) if end else name
 
 
+def letter(quantity: Quantity, lang: str) -> Letter:
+    """Return what lists say of a quantity."""
+    direction = quantity.direction[lang] if quantity.direction else ""
+    return Letter(named(quantity.name[lang], lang), quantity.symbol, quantity.unit[lang], direction)
+
+
 def entry(
     key: str,
     name: str,

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from math import prod
-from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from kurbel.exact.numerals import Label
 
@@ -108,6 +109,10 @@ class Steps:
     cursor: Cursor | None
     columns: tuple[Shown, ...]
     make: Callable[[], Iterable[Step]]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Return how the same are made with all pages."""
+        return type(self), (self.sliders, self.cursor, self.columns, partial(tuple, tuple(self)))
 
     def __iter__(self) -> Iterator[Step]:
         yield from self.make()

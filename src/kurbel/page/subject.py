@@ -1,7 +1,8 @@
 """What a page is about, as data, and what is asked of it: layout, language, digits and columns."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from copy import copy
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
 from math import prod
@@ -10,13 +11,13 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeAlias
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label, Number
-from kurbel.page.axes import Grid, PageAxis, Place
+from kurbel.page.axes import Axis, Grid, PageAxis, Place
 from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Known, Quantity, is_short, known_at
 from kurbel.page.subjects import SUBJECTS
 from kurbel.page.table import Field, Note, Records, Tone, Value, check_label
 from kurbel.page.wording import Worded
-from kurbel.reading.given import choose, found_at, meant
+from kurbel.reading.given import Given, choose, found_at, meant
 from kurbel.reading.notation import MOST_ROWS
 
 if TYPE_CHECKING:
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
     from kurbel.reading.amounts import Units
 
 Limit: TypeAlias = Callable[[Fraction], object]
+# What a question finds once and depends on its units and columns; all else that was found stays.
+OF_COLUMNS = ("page_columns", "axes", "full", "for_data", "values", "long", "known")
 
 
 def _everywhere(question: Any, place: Place) -> bool:
@@ -110,12 +113,13 @@ def subject(key: str) -> Subject:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Question(Worded):
+class Question(Worded, Given):
     """A layout that is asked for, with the digits, the language and the columns of its page.
 
     `digits` None leaves the decimals to the layout and the quantities, no `columns` the columns to the
-    layout. Angles of the page count from φ = `zero`; `units` None are the metric ones of the quantities. What
-    a subject asks beside that are the fields of its own question.
+    layout. Angles of the page count from φ = `zero`; `units` None are the metric ones of the quantities. For
+    `data` the layout has the columns, too, that give way on pages. What a subject asks beside that are the
+    fields of its own question.
     """
 
     layout: Layout
@@ -126,6 +130,7 @@ class Question(Worded):
     label: str = ""
     units: "Units | None" = None
     zero: Fraction = Fraction(0)
+    data: bool = False
 
     # Whether records of the axes alone say something.
     axes_suffice: ClassVar[bool] = False
@@ -157,7 +162,24 @@ class Question(Worded):
     @cached_property
     def for_data(self) -> Self:
         """The same for records, which are in metric units unless others were asked for."""
-        return self if self.units is None or self.units.data else replace(self, units=None)
+        full = self.full
+        return full if self.units is None or self.units.data else full.varied(units=None)
+
+    @cached_property
+    def full(self) -> Self:
+        """The same with the columns that give way on pages."""
+        giving_way = not (self.data or self.columns) and any(
+            self._gives_way(column, column.unless_printed) for column in self.layout.columns
+        )
+        return self.varied(data=True) if giving_way else self
+
+    def varied(self, **changed: Any) -> Self:
+        """Return the same in other units or columns, with all that it found which does not depend on them."""
+        other = copy(self)
+        for name in OF_COLUMNS:
+            vars(other).pop(name, None)
+        vars(other).update(changed)
+        return other
 
     @property
     def subject(self) -> Subject:
@@ -206,6 +228,11 @@ class Question(Worded):
     def axes(self) -> Mapping[str, PageAxis]:
         return {name: axis(self) for name, axis in self.subject.axes.items()}
 
+    @property
+    def apart(self) -> list[str]:
+        """The keys of the axes that tell records apart."""
+        return [one.key for one in self.axes.values() if isinstance(one, Axis) and one.tells_apart]
+
     def __len__(self) -> int:
         """How many records there are."""
         return prod(axis.count for name, axis in self.axes.items() if name != "column")
@@ -245,6 +272,10 @@ class Question(Worded):
         (column,) = self.chosen([key])
         return bool(self.missing(self.entry(column.quantity)))
 
+    def of_page(self, unit: Label) -> Fraction:
+        """Return how many units of the page one of metric pages is."""
+        return Fraction(1) if self.units is None else self.units.times(unit)
+
     def printed(self, column: LayoutColumn) -> Column:
         """Return a column in the units of the page."""
         own = self.column(column)
@@ -260,9 +291,14 @@ class Question(Worded):
 
     def _hidden(self, column: LayoutColumn) -> str:
         """Return why the layout's column cannot be shown, nothing if it can."""
-        if column.unless and not self.missing(self.entry(column.unless)):
-            return f"column {column.key} gives way to {column.unless}"
+        for other in (column.unless, "" if self.data else column.unless_printed):
+            if self._gives_way(column, other):
+                return f"column {column.key} gives way to {other}"
         return self.missing(self.entry(column.quantity))
+
+    def _gives_way(self, column: LayoutColumn, other: str) -> bool:
+        """Whether the other quantity, if one is named, is known."""
+        return bool(other) and not self.missing(self.entry(other))
 
     def chosen(self, keys: Sequence[str]) -> list[LayoutColumn]:
         """Return the columns of these keys, with the heads of the layout where they are its own."""

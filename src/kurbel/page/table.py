@@ -7,19 +7,19 @@ Numbers in formulas are written with a decimal point; the format sets the mark o
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from enum import Enum
+from functools import partial
 from itertools import groupby
-from typing import TYPE_CHECKING, Literal, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
-from kurbel.page.quantity import Letter, Quantity, named, words
+from kurbel.page.quantity import Letter
 
 if TYPE_CHECKING:
     from kurbel.page.steps import Steps
 
-_NONE = words("")
 _MARK = re.compile(r"\[\^([^\]]+)\]")
 
 
@@ -151,7 +151,7 @@ class Table:
     templates: str = ""
     pause: int | None = None
     variant: Variant | None = None
-    quantities: tuple[Quantity, ...] = ()
+    quantities: tuple[Letter, ...] = ()
     steps: "Steps | None" = None
     told: tuple[Label, tuple[Note, ...]] | None = None
 
@@ -168,20 +168,22 @@ class Table:
         if missing:
             raise ValueError(f"no note explains the mark {', '.join(missing)}")
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Return how the same is made with what it computes as it is asked for."""
+        given = {field.name: getattr(self, field.name) for field in fields(self)}
+        given["records"] = self.records._replace(rows=tuple(map(tuple, self.records.rows)))
+        given["variant"] = partial(str, self.variant()) if self.variant else None
+        return partial(type(self), **given), ()
+
     def letters(self) -> tuple[Letter, ...]:
         """Return its quantities, the axes first; what has neither a letter nor a unit is none."""
-        lang = self.lang
         # Columns are computed by a method, and axes are not.
         axes = [
             Letter(field.name, field.symbol, field.unit)
             for field in self.records.fields
             if field.symbol and not field.method
         ]
-        columns = [
-            Letter(named(one.name[lang], lang), one.symbol, one.unit[lang], (one.direction or _NONE)[lang])
-            for one in self.quantities
-            if one.symbol or one.unit[lang]
-        ]
+        columns = [one for one in self.quantities if one.symbol or one.unit]
         return tuple(dict.fromkeys((*axes, *columns)))
 
     def _marks(self) -> Iterator[str]:

@@ -98,7 +98,9 @@ def _spots(question: AngleQuestion, place: int, drive: Drive, power: int) -> Seq
         return float(question.curves(np.asarray([angle]))[place][0][0])
 
     span = float(question.angles[0]), float(question.angles[-1])
-    return spots(drive, question.page_columns[place].quantity, value, span, power, question.lang)
+    one = question.page_columns[place].quantity
+    times = question.of_page(question.entry(one.key).unit["en"])
+    return spots(drive, one, value, span, power, question.lang, times)
 
 
 def said_ratio(ratio: Fraction) -> Label:

@@ -11,6 +11,7 @@ from kurbel.exact.numerals import Label
 from kurbel.page.quantity import Quantity, enumerated
 from kurbel.plot.chart.model import Curve, Panel, Spot, Strokes, check_count, power_of_curves
 from kurbel.plot.chart.vector import PinForce, Vector
+from kurbel.reading.amounts import UNITS
 from kurbel.reading.notation import about
 
 # Four points to each dot of a printer with 1200 dpi, over the width of a panel.
@@ -41,6 +42,7 @@ def axis_name(quantity: Quantity, lang: str) -> tuple[str, Label, Label]:
         letter, letters = (f"({one})" if " " in one else one for one in (quantity.symbol[1:-1], unit[1:-1]))
         return name, f"${letter}/{letters}$", ""
     unit = quantity.plain_unit(lang)
+    unit = UNITS[unit].said(lang) if unit in UNITS else unit
     heading = heading.removesuffix(f" in {unit}")
     return name, heading, unit if heading == quantity.symbol else ""
 

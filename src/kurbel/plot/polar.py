@@ -33,7 +33,7 @@ from kurbel.plot.style import (
     style,
     text_of,
 )
-from kurbel.plot.ticks import axis_label, measure, power_of_thousand, round_step, value_ticks
+from kurbel.plot.ticks import amount, axis_label, power_of_thousand, round_step, value_ticks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -172,7 +172,8 @@ def _axes(axes: Axes, plan: _Plan, names: Sequence[str], mark: str, chords: Sequ
 def _scale_text(plan: _Plan, unit: Label, mark: str) -> str:
     step = float(plan.grid)
     number = value_ticks(step * 0.9, step * 1.1, plan.grid, plan.power, ".").texts[0]
-    return text_of(f"${number}$ {measure(unit, plan.power)}", mark)
+    shown, named = amount(number, unit, plan.power)
+    return text_of(f"${shown}$ {named}", mark)
 
 
 def _free(low: float, high: float, chords: Sequence[Points]) -> Iterator[tuple[float, float]]:

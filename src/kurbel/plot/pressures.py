@@ -23,7 +23,7 @@ def pressure_panels(request: PressuresRequest) -> list[Panel]:
     The request has the columns that are drawn.
     """
     names, lang = stroke_names(request.pressed.cycle, request.lang), request.lang
-    columns = request.page_columns
+    columns, times = request.page_columns, float(request.of_page("bar"))
     # Their letters stand beside the curves.
     said = WORDS["pressures"][lang] if len(columns) > 1 else inner(columns[0].quantity.name[lang], lang)
     panels = []
@@ -36,11 +36,13 @@ def pressure_panels(request: PressuresRequest) -> list[Panel]:
         ]
         curves = [
             Curve(
-                column.quantity.symbol, across, [_value(request.pressed, column.key, one) for one in places]
+                column.quantity.symbol,
+                across,
+                [times * _value(request.pressed, column.key, one) for one in places],
             )
             for column in columns
         ]
-        panels.append(Panel(curves, f"{name}: {said}", "bar"))
+        panels.append(Panel(curves, f"{name}: {said}", columns[0].quantity.plain_unit(lang)))
     return panels
 
 

@@ -98,7 +98,13 @@ def axis_label(label: Label, unit: Label, power: int = 0) -> Label:
 
 
 def measure(unit: Label, power: int) -> Label:
-    """Return a unit times a power of ten: of 10³ N kN, of 10³ mm m, else with the power, 10³ m/s².
+    """Return a unit times a power of ten: of 10³ N kN, of 10³ mm m, else with the power, 10³ m/s²."""
+    factor, named = prefixed(unit, power)
+    return " ".join(filter(None, (f"${factor}$" if factor else "", named)))
+
+
+def prefixed(unit: Label, power: int) -> tuple[str, Label]:
+    """Return the same as a factor in a formula, 10^3, empty where a prefix says it, and a unit.
 
     Units that take a prefix, or have one, are those of `PREFIXED`, alone or before others: N m.
     """
@@ -106,6 +112,11 @@ def measure(unit: Label, power: int) -> Label:
     base = first if first in PREFIXED else first[1:]
     powers = {f"{prefix}{base}": known for known, prefix in PREFIXES.items()}
     if base in PREFIXED and first in powers and powers[first] + power in PREFIXES:
-        return " ".join((PREFIXES[powers[first] + power] + base, *others))
-    factor = f"$10^{power if power > 0 else f'({power})'}$" if power else ""
-    return " ".join(filter(None, (factor, unit)))
+        return "", " ".join((PREFIXES[powers[first] + power] + base, *others))
+    return f"10^{power if power > 0 else f'({power})'}" if power else "", unit
+
+
+def amount(number: str, unit: Label, power: int) -> tuple[str, Label]:
+    """Return a number of such measures in a formula, 5 or 5 · 10^3, and the unit."""
+    factor, named = prefixed(unit, power)
+    return " · ".join(filter(None, (number, factor))), named

@@ -17,6 +17,7 @@ from kurbel.reading.notation import quoted
 INCH, FOOT, POUND = Fraction("0.0254"), Fraction("0.3048"), Fraction("0.45359237")
 POUND_FORCE = POUND * Fraction("9.80665")
 METRIC, IMPERIAL = "metric", "imperial"
+# Of a column with forces in some rows and moments in others.
 BOTH = "N, N m"
 
 
@@ -30,6 +31,10 @@ class Unit(NamedTuple):
     ending: str
     named: Mapping[str, str] | None = None
 
+    def said(self, lang: str) -> str:
+        """Return what heads call it."""
+        return self.named[lang] if self.named else self.symbol
+
 
 def _units() -> Iterable[Unit]:
     thousand, pound_foot = Fraction(1000), POUND_FORCE * FOOT
@@ -41,6 +46,8 @@ def _units() -> Iterable[Unit]:
     yield Unit("m/s", "velocity", Fraction(1), "mps")
     yield Unit("ft/s", "velocity", FOOT, "ftps")
     yield Unit("in/s", "velocity", INCH, "inps")
+    yield Unit("km/h", "speed of a train", Fraction(5, 18), "kmh")
+    yield Unit("mph", "speed of a train", 5280 * FOOT / 3600, "mph")
     yield Unit("m/s²", "acceleration", Fraction(1), "mps2")
     yield Unit("ft/s²", "acceleration", FOOT, "ftps2")
     yield Unit("in/s²", "acceleration", INCH, "inps2")
@@ -53,10 +60,6 @@ def _units() -> Iterable[Unit]:
     yield Unit("MN m", "torque", thousand**2, "mnm")
     yield Unit("lbf ft", "torque", pound_foot, "lbfft")
     yield Unit("lbf in", "torque", POUND_FORCE * INCH, "lbfin")
-    # Of a column with forces in some rows and moments in others; nobody can ask for it.
-    yield Unit(BOTH, "force and torque", Fraction(1), "n")
-    yield Unit("kN, kN m", "force and torque", thousand, "kn")
-    yield Unit("MN, MN m", "force and torque", thousand**2, "mn")
     yield Unit("J", "energy", Fraction(1), "j")
     yield Unit("kJ", "energy", thousand, "kj")
     yield Unit("MJ", "energy", thousand**2, "mj")
@@ -72,6 +75,9 @@ def _units() -> Iterable[Unit]:
     yield Unit("kg", "mass", Fraction(1), "kg")
     yield Unit("t", "mass", thousand, "t")
     yield Unit("lb", "mass", POUND, "lb")
+    yield Unit("kg m", "unbalance", Fraction(1), "kgm")
+    yield Unit("lb ft", "unbalance", POUND * FOOT, "lbft")
+    yield Unit("lb in", "unbalance", POUND * INCH, "lbin")
     yield Unit("kg m²", "moment of inertia", Fraction(1), "kgm2")
     yield Unit("lb ft²", "moment of inertia", POUND * FOOT**2, "lbft2")
     yield Unit("cm²", "area", Fraction(1, 10_000), "cm2")
@@ -80,18 +86,25 @@ def _units() -> Iterable[Unit]:
     yield Unit("lb/in³", "density", POUND / INCH**3, "lbin3")
     yield Unit("m³/min", "flow", Fraction(1, 60), "m3min")
     yield Unit("ft³/min", "flow", FOOT**3 / 60, "ft3min")
+    yield Unit("m³/kg", "specific volume", Fraction(1), "m3kg")
+    yield Unit("ft³/lb", "specific volume", FOOT**3 / POUND, "ft3lb")
+    yield Unit("kg/h", "mass flow", Fraction(1, 3600), "kgh")
+    yield Unit("lb/h", "mass flow", POUND / 3600, "lbh")
+    yield Unit("kg/kWh", "mass per work", 1 / (3600 * thousand), "kwh")
+    yield Unit("lb/(hp h)", "mass per work", POUND / (3600 * 550 * pound_foot), "hph")
 
 
 UNITS: Mapping[str, Unit] = {one.symbol: one for one in _units()}
+NEWTON, NEWTON_METRE = (UNITS[one] for one in BOTH.split(", "))
 # What pages have in place of a unit in which a number has five digits before the decimal mark.
 LARGER: Mapping[str, str] = {
     **{"N": "kN", "kN": "MN", "N m": "kN m", "kN m": "MN m"},
-    **{BOTH: "kN, kN m", "kN, kN m": "MN, MN m"},
     **{"J": "kJ", "kJ": "MJ", "W": "kW", "kW": "MW", "kPa": "MPa"},
 }
 LONG = 10_000
 OF_SYSTEM = {
-    IMPERIAL: "in; ft/s; ft/s²; lbf; lbf ft; ft lbf; hp; psi; lb; lb ft²; in²; lb/in³; ft³/min",
+    IMPERIAL: "in; ft/s; ft/s²; mph; lbf; lbf ft; ft lbf; hp; psi; lb; lb ft; lb ft²; in²; lb/in³; ft³/min;"
+    " ft³/lb; lb/h; lb/(hp h)",
     METRIC: "",
 }
 
@@ -106,22 +119,39 @@ class Units(NamedTuple):
 
     def of(self, symbol: Label) -> tuple[Unit, Unit] | None:
         """Return a unit of metric pages and the one in its place, None where it stays."""
-        own = UNITS.get(symbol)
-        other = own and self.chosen.get(own.dimension)
-        return None if own is None or other is None or other == own else (own, other)
+        if symbol == BOTH:
+            pair = _both(NEWTON, NEWTON_METRE), _both(*map(self.instead, (NEWTON, NEWTON_METRE)))
+        elif (own := UNITS.get(symbol)) is not None:
+            pair = own, self.instead(own)
+        else:
+            return None
+        return None if pair[0] == pair[1] else pair
+
+    def instead(self, own: Unit) -> Unit:
+        """Return the unit of the dimension of a metric one, which may be that."""
+        return self.chosen.get(own.dimension, own)
 
     def times(self, symbol: Label) -> Fraction:
         """Return how many of the unit in its place one of metric pages is."""
-        pair = self.of(symbol)
-        return pair[0].size / pair[1].size if pair else Fraction(1)
+        own = UNITS.get(symbol)
+        return own.size / self.instead(own).size if own else Fraction(1)
 
     def key(self, key: str, unit: str) -> str:
         """Return the key under which records in these units have a column, whose unit is this one now."""
-        other = UNITS.get(unit)
-        if other is None or self.chosen.get(other.dimension) != other:
+        pair = self.of(BOTH)
+        other = next((one for one in (*self.chosen.values(), *(pair or ())[1:]) if one.symbol == unit), None)
+        if other is None:
             return key
         endings = "|".join(one.ending for one in UNITS.values() if one.dimension == other.dimension)
         return f"{re.sub(f'_(?:{endings})$', '', key)}_{other.ending}"
+
+
+def _both(force: Unit, torque: Unit) -> Unit:
+    """Return the unit of a column with forces in some rows and moments in others: of these each has its own
+    size. Keys end as those of forces where the unit of moments is of the same kind, else as those of both."""
+    alike = torque.ending in (f"{force.ending}m", f"{force.ending}ft")
+    ending = force.ending if alike else f"{force.ending}_{torque.ending}"
+    return force._replace(symbol=f"{force.symbol}, {torque.symbol}", ending=ending)
 
 
 def read_units(text: str) -> Units:
@@ -132,11 +162,11 @@ def read_units(text: str) -> Units:
     listed = OF_SYSTEM.get(text.strip().lower(), text)
     chosen: dict[str, Unit] = {}
     for name in filter(None, (part.strip() for part in re.split("[;,]", listed))):
-        unit = UNITS.get(written.get(plain_unit(name), ""))
+        unit = UNITS.get(name) or UNITS.get(written.get(plain_unit(name), ""))
         if unit is None:
             raise NotationError(
                 f"units {quoted(text)} has the unit {quoted(name)}; write metric, imperial or a list of"
-                f" {', '.join(name for name in UNITS if ',' not in name)}"
+                f" {', '.join(UNITS)}"
             )
         if chosen.setdefault(unit.dimension, unit) != unit:
             raise NotationError(
@@ -203,8 +233,8 @@ def unit_of_page(symbol: str, value: Fraction = Fraction(0)) -> tuple[Fraction, 
     if taken is not None and _is_own(symbol) and (longer := larger(symbol, value)) != symbol:
         printed = longer
         taken.add(longer)
-    name = printed.removesuffix("²")
-    return UNITS[symbol].size / UNITS[printed].size, f'"{name}"{"" if name == printed else "^2"}'
+    label = f'"{printed}"'.replace("³/", '"^3/"').replace('²"', '"^2')
+    return UNITS[symbol].size / UNITS[printed].size, label
 
 
 def _is_own(symbol: str) -> bool:

@@ -9,11 +9,12 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import fields
 from decimal import Decimal
 from fractions import Fraction
 from importlib import import_module
 from itertools import chain
-from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeAlias
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeAlias, cast
 
 from kurbel.errors import ChoiceError, NotationError
 from kurbel.reading import notation
@@ -27,15 +28,23 @@ P = ParamSpec("P")
 _EITHER_WAY = r"\s*(?:±|\+/?[-−])\s*(?=[\d.,])"
 
 
+class Given:
+    """A frozen dataclass that is pickled and copied as what was given; what it found since is found again."""
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {field.name: getattr(self, field.name) for field in fields(cast("Any", self))}
+
+
 class File(os.PathLike[str]):
     """A file by its name, which counts from a folder; no folder is the one in which kurbel runs.
 
-    One that is `inside` is refused where it is opened elsewhere, and so is what it names beside itself.
+    One that is `inside`, of a handbook or a document, is refused where it is opened elsewhere, and so is what
+    it names beside itself.
     """
 
     __slots__ = ("folder", "inside", "name")
 
-    def __init__(self, name: str, folder: str = "", inside: bool = False) -> None:
+    def __init__(self, name: str, folder: str = "", inside: str = "") -> None:
         self.name = name
         self.folder = folder
         self.inside = inside
@@ -45,7 +54,7 @@ class File(os.PathLike[str]):
         if self.inside:
             from kurbel.reading.inside import check_inside
 
-            check_inside(path, self.folder, self.name)
+            check_inside(path, self.folder, self.name, self.inside)
         return path
 
     def __bool__(self) -> bool:

@@ -16,6 +16,7 @@ from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import RETURN, STROKES, method_named
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import AND, Column, Words, bare, words
+from kurbel.reading.amounts import amount
 from kurbel.reading.notation import ratio_text
 from kurbel.reading.where import ANGLES, DEAD_CENTRE, LEANING, MAX, MIN, SHARE, Condition
 from kurbel.solve.solve import Root, target_of
@@ -82,7 +83,7 @@ def condition_label(condition: Condition, drive: Drive, lang: str) -> Label:
         unit = re.sub(_SQUARE, '"^2', f'"{condition.unit}"')
         return f"${symbol} = {exact_text(condition.value)} {unit}$"
     if condition.quantity in drive.pushed:
-        return f'${symbol} = {exact_text(condition.value)} "{shown.plain_unit(lang)}"$'
+        return f"${symbol} = {amount(condition.value, shown.unit[lang], exact_text)}$"
     if condition.value:
         symbol = shown.heading[lang].strip("$")
     return f"${symbol} = {exact_text(condition.value)}$"

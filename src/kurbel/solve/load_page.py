@@ -135,6 +135,7 @@ class _RootAxis(Axis):
     """The crank angles at which a condition holds, on pages in degrees and minutes."""
 
     key = "phi"
+    found = True
 
     def __init__(self, question: LoadedRequest) -> None:
         super().__init__(question.most)

@@ -17,6 +17,7 @@ from flint import arb
 from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
 from kurbel.engine.course.search import At, extreme_value, extremes, is_level, zeros
 from kurbel.engine.course.segments import Segment, cranks_of, jet_of, segments
+from kurbel.engine.cylinder import Cylinder
 from kurbel.engine.turn import EQUAL_BITS, Turn
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import ball
@@ -148,20 +149,23 @@ def _crank_force(force: CrankForce, segment: Segment, half_turns: arb) -> Jet:
     return jet_of(crank.cylinder.force(force, crank.stroke, crank.angle))
 
 
-def _tangential(segment: Segment, half_turns: arb) -> Jet:
-    """The tangential force of all cranks."""
-    efforts = [crank.cylinder.effort(crank.stroke, crank.angle) for crank in segment.cranks(half_turns)]
-    return sum(map(jet_of, efforts), Jet(0, 0, 0))
+def _total(of: Callable[[Cylinder, int, Any], Any], segment: Segment, half_turns: arb) -> Jet:
+    """What all cranks have together."""
+    found = [of(crank.cylinder, crank.stroke, crank.angle) for crank in segment.cranks(half_turns)]
+    return sum(map(jet_of, found), Jet(0, 0, 0))
+
+
+_tangential: Callable[[Segment, arb], Jet] = partial(_total, Cylinder.effort)
 
 
 def _excess(segment: Segment, half_turns: arb) -> Jet:
-    mean = jet_of(segment.turn.mean_force())
-    return _tangential(segment, half_turns) - mean
+    return _tangential(segment, half_turns) - jet_of(segment.turn.mean_force())
 
 
 def _energy(segment: Segment, half_turns: arb) -> Jet:
-    """The work of the excess, of which the excess is the slope."""
-    turn, excess = segment.turn, _excess(segment, half_turns)
+    """The work of the excess, whose slope is the power above its mean."""
+    turn = segment.turn
+    excess = _total(Cylinder.power, segment, half_turns) - jet_of(turn.mean_force())
     cylinders = turn.cylinders
     since = sum(
         cylinders[part].energy(stroke, half_turns - ball(segment.middle - angle))

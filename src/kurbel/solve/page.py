@@ -107,8 +107,12 @@ class SolveRequest(Question):
         own = super().page_columns
         if self.columns:
             return own
-        asked = dict.fromkeys(column_of(self.drives[0], condition) for condition in self.conditions)
         shown = {column.key for column in own}
+        # Of what has a column in units the share of it has none on pages.
+        sized = {key for key, one in MEASURES.items() if one.column in shown and not self.data}
+        asked = dict.fromkeys(
+            column_of(self.drives[0], one) for one in self.conditions if one.quantity not in sized
+        )
         return (*own, *(self.printed(LayoutColumn(key, key)) for key in asked if key not in shown))
 
     @cached_property
@@ -127,7 +131,8 @@ class SolveRequest(Question):
     def shows(self, column: LayoutColumn) -> bool:
         # As of any page, but without asking every mechanism for its quantities.
         known = {TURN.key, *self.drives[0].columns}
-        return column.quantity in known and column.unless not in known
+        others = {column.unless} if self.data else {column.unless, column.unless_printed}
+        return column.quantity in known and not others & known
 
     def entry(self, key: str) -> Quantity:
         known = TURN if key == TURN.key else self.drives[0].columns.get(key) or super().entry(key)
@@ -182,6 +187,7 @@ class _RootAxis(Axis):
     """The crank angles on a stroke, on pages in degrees and minutes."""
 
     key = "phi"
+    found = True
 
     def __init__(self, question: SolveRequest) -> None:
         super().__init__(max(map(len, question.found.values())))

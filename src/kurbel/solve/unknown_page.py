@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, partial
-from typing import Any
+from typing import Any, Protocol
 
 import flint
 
@@ -55,16 +55,26 @@ def _in_unit(size: Fraction, found: Any) -> Any:
     return found / ball(size)
 
 
+class Unknown(Protocol):
+    """A number and the condition by which it is found, at an angle: its values in SI units, at the precision
+    in force, the labels of condition and angle, and what else there is to say."""
+
+    place: Any
+
+    @property
+    def found(self) -> Sequence[Callable[[], Any]]: ...
+
+    def label(self, lang: str) -> Label: ...
+
+    def lines(self, lang: str) -> Sequence[Label]: ...
+
+
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class UnknownRequest(Question):
-    """What is asked for: all values of an unknown. `condition` and `angle` are labels, `lines` says what else
-    there is to say; `found` are the values in SI units, at the precision in force."""
+    """What is asked for: all values of an unknown, which `asked` finds."""
 
     unknown: str
-    condition: Label
-    angle: Label
-    found: Sequence[Callable[[], Any]]
-    lines: Callable[[], Sequence[Label]]
+    asked: Unknown
 
     no_column = "there is no column beside the number; add one, such as speed"
 
@@ -76,7 +86,7 @@ class UnknownRequest(Question):
 
     def value(self, index: int, column: Column) -> Any:
         """Return a value in the unit of a column, at the precision in force."""
-        return column.quantity.formulas["exact"].kernel(self.found[index]())
+        return column.quantity.formulas["exact"].kernel(self.asked.found[index]())
 
 
 class _RootAxis(Axis):
@@ -85,7 +95,7 @@ class _RootAxis(Axis):
     key = "solution"
 
     def __init__(self, question: UnknownRequest) -> None:
-        super().__init__(len(question.found))
+        super().__init__(len(question.asked.found))
         self.lang = question.lang
 
     def field(self) -> Field:
@@ -116,8 +126,8 @@ def _caption(question: UnknownRequest) -> Label:
     for place, said in (
         ("{unknown}", name),
         ("{which}", _WHICH.get(question.unknown, "die")),
-        ("{condition}", question.condition),
-        ("{angle}", question.angle),
+        ("{condition}", question.asked.label(question.lang)),
+        ("{angle}", question.asked.place.label(question.lang)),
     ):
         text = text.replace(place, said)
     return text
@@ -125,7 +135,7 @@ def _caption(question: UnknownRequest) -> Label:
 
 def _notes(question: UnknownRequest) -> Iterator[Label]:
     yield from (note[question.lang] for note in question.layout.notes)
-    yield from question.lines()
+    yield from question.asked.lines(question.lang)
 
 
 SUBJECT = Subject(

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from math import prod
 from typing import Any
 
 from kurbel.commands.options import TEXT, Parameter, is_given
 from kurbel.commands.steps.several import PLACES, is_whole, several
 from kurbel.errors import KurbelError, NotationError, ProblemError
+from kurbel.motion.page import AngleQuestion, is_beyond
 from kurbel.page.axes import AngleAxis, shifted
 from kurbel.page.subject import Question
-from kurbel.reading.given import meant
+from kurbel.reading.given import as_angles, meant
 from kurbel.sweeps.kept import named_axes
 from kurbel.sweeps.measures import is_readable
 from kurbel.sweeps.only import Condition
@@ -84,7 +86,7 @@ def planned(
             )
     given = {name: found[0] for name, found in values.items() if len(found) == 1}
     plan = replace(plan, given=given, groups=plan.groups or _grouped(axes, linked))
-    if "angle" in known and "angle" not in plan.varied:
+    if "angle" in known:
         plan = _with_angles(plan, [*options])
     _check_size(plan)
     if only:
@@ -131,13 +133,22 @@ def _with_angles(plan: Plan, order: Sequence[str]) -> Plan:
     question = _first(plan)
     if question is None or not any(isinstance(axis, AngleAxis) for axis in question.axes.values()):
         return plan
+    if varied := [axis.values for group in plan.groups for axis in group if axis.option == "angle"]:
+        return _over_strokes(plan, question, shifted(as_angles(varied[0]), question.zero))
     angles: Any = getattr(question, "angles", ())
+    plan = _over_strokes(plan, question, angles)
     axis = Axis("angle", shifted(angles, -question.zero))
     given = {name: value for name, value in plan.given.items() if name not in (*RUN, "angle")}
     typed = [order.index(name) for name in RUN if name in order]
     before = [group for group in plan.groups if typed and order.index(group[0].option) < min(typed)]
     place = len(before) if typed else len(plan.groups)
     return replace(plan, given=given, groups=(*plan.groups[:place], (axis,), *plan.groups[place:]))
+
+
+def _over_strokes(plan: Plan, question: Question, angles: Sequence[Fraction]) -> Plan:
+    """Return the plan over both strokes, or over whole turns where these angles go beyond a stroke."""
+    apart = "zero" in plan.varied or is_beyond(angles)
+    return replace(plan, whole_turns=isinstance(question, AngleQuestion) and apart)
 
 
 def _first(plan: Plan) -> Question | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
 from kurbel.commands.steps.several import is_whole
@@ -18,6 +18,8 @@ KEYS = {"eps": "epsilon", "angle": "phi"}
 BOUND = "_bound"
 # Behind the key of an axis whose key another column of the command has.
 BESIDE = "_given"
+# Why a row is empty that belongs to no record: its combination is refused, or has fewer of them than others.
+MISSING = "there is no such record of this combination"
 # What is no number of the command, and the same at all records of a point.
 GIVEN: Literal["given"] = "given"
 
@@ -54,22 +56,30 @@ class Part(NamedTuple):
     values: Mapping[str, Any]
     reasons: Mapping[int, str]
 
+    @property
+    def refused(self) -> Mapping[int, str]:
+        """Why combinations were refused, by their first rows."""
+        return {row: reason for row, reason in self.reasons.items() if reason != MISSING}
+
 
 def key_of(option: str) -> str:
     """Return the key of the column that has the values of an option."""
     return KEYS.get(option, option)
 
 
-def columns_of(plan: Plan, fields: Sequence[Field], rows: Sequence[Sequence[Any]]) -> tuple[Column, ...]:
-    """Return the columns of a plan whose command has these records at a point: what varies, what the command
-    says, and of floats their bounds."""
+def columns_of(
+    plan: Plan, fields: Sequence[Field], rows: Sequence[Sequence[Any]], apart: Collection[str]
+) -> tuple[Column, ...]:
+    """Return the columns of a plan whose command has these records at a point, told apart by these keys: what
+    varies, what the command says, and of floats their bounds."""
     axes = {axis.option: axis for group in plan.groups for axis in group}
     about = {field.key: field for field in fields}
     found = [_axis(plan, axis, about.get(key_of(option))) for option, axis in axes.items()]
     own = {column.key for column in found}
     for place, field in enumerate(fields):
         if field.key not in own:
-            found += _of_records(plan, field, [row[place] for row in rows])
+            needed = field.key in plan.columns or field.key in apart
+            found += _of_records(plan, field, [row[place] for row in rows], needed)
     return tuple(found)
 
 
@@ -90,16 +100,16 @@ def _axis(plan: Plan, axis: Axis, field: Field | None) -> Column:
     return Column(key, kind, name, symbol, unit, role="axis", option=axis.option)
 
 
-def _of_records(plan: Plan, field: Field, found: Sequence[Any]) -> Iterator[Column]:
+def _of_records(plan: Plan, field: Field, found: Sequence[Any], needed: bool) -> Iterator[Column]:
     known = [one for one in found if one is not None]
     numbers = all(isinstance(one, Number) for one in known) and bool(known or field.method)
     about = (plain(field.name), plain(field.symbol), field.unit)
     if not field.method:
-        # What is the same everywhere says nothing, unless it is asked for; the rest tells the records of a
-        # point apart.
+        # What is the same everywhere says nothing, unless it is needed; the rest tells the records of a point
+        # apart.
         if len({str(one) for one in found}) > 1:
             yield Column(field.key, "number" if numbers else "words", *about, role="axis")
-        elif field.key in plan.columns:
+        elif needed:
             yield Column(field.key, "number" if numbers else "words", *about, role=GIVEN)
         return
     if not numbers:

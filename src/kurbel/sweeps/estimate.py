@@ -47,9 +47,9 @@ def estimated(sweep: Sweep, form: Form) -> Estimate:
         part = sweep.part(start, stop)
         seconds += time.process_time() - begun
         rows += stop - start
-        if part.reasons and refused is None:
-            row = min(part.reasons)
-            refused = (sweep.said(start + row), part.reasons[row])
+        if part.refused and refused is None:
+            row = min(part.refused)
+            refused = (sweep.said(start + row), part.refused[row])
         if seconds > PATIENCE:
             break
     parts = -(-len(sweep) // sweep.rows_at_once)

@@ -9,32 +9,25 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from math import inf, isfinite
+from math import inf, isfinite, isinf, log2
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kurbel.errors import NotationError
+from kurbel.exact.size import MOST_BITS, TooLargeError, outgrows, power
+from kurbel.reading import notation
+from kurbel.reading.arithmetic import OPERATIONS, parsed
 
 Mask = NDArray[np.bool_]
-# Longer conditions nobody writes.
-LONGEST = 300
 # A float is known better than this; nearer numbers are compared exactly.
 NEAR = 1e-9
-# A power of exact numbers grows without end.
-MOST_POWER = 64
 GRAMMAR = "write it as 'eps*back < 1', with + - * / **, < <= > >= == !=, and, or, not, and names of axes"
 
 # A ratio as it is written elsewhere, 1:4.
 _RATIO = re.compile(r"\b(\d+(?:\.\d+)?):(\d+(?:\.\d+)?)")
-_NUMBERS: Mapping[type, Callable[[Any, Any], Any]] = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.truediv,
-    ast.Pow: operator.pow,
-}
+_NUMBERS: Mapping[type, Callable[[Any, Any], Any]] = {**OPERATIONS, ast.Pow: operator.pow}
 _COMPARED: Mapping[type, Callable[[Any, Any], Any]] = {
     ast.Lt: operator.lt,
     ast.LtE: operator.le,
@@ -52,18 +45,40 @@ class Condition:
     text: str
 
     def __post_init__(self) -> None:
-        if not isinstance(_checked(self.tree.body, self.text), ast.Compare | ast.BoolOp | ast.UnaryOp):
+        if not isinstance(self._checked(self.tree), ast.Compare | ast.BoolOp | ast.UnaryOp):
             raise NotationError(f'condition "{self.text[:60]}" compares nothing; {GRAMMAR}')
 
     @cached_property
-    def tree(self) -> ast.Expression:
+    def tree(self) -> ast.expr:
         """The parsed text."""
-        if len(self.text) > LONGEST:
-            raise NotationError(f"the condition has {len(self.text)} characters; at most {LONGEST} are read")
-        try:
-            return ast.parse(_RATIO.sub(r"(\1/\2)", self.text.strip()), mode="eval")
-        except (SyntaxError, ValueError, RecursionError, MemoryError):
-            raise NotationError(f'condition "{self.text[:60]}" cannot be read; {GRAMMAR}') from None
+        ratios = _RATIO.sub(r"(\1/\2)", self.text)
+        return parsed(ratios, "condition", self.unread, number=notation.number)
+
+    def _checked(self, node: ast.expr) -> ast.expr:
+        """Return the tree if all of it is allowed. Raises NotationError."""
+        match node:
+            case ast.BoolOp(values=values):
+                parts = values
+            case ast.UnaryOp(op=ast.Not() | ast.USub() | ast.UAdd(), operand=one):
+                parts = [one]
+            case ast.BinOp(left=left, op=op, right=right) if type(op) in _NUMBERS:
+                parts = [left, right]
+            case ast.Compare(left=left, ops=ops, comparators=others) if all(
+                type(op) in _COMPARED for op in ops
+            ):
+                parts = [left, *others]
+            case ast.Name() | ast.Constant():
+                parts = []
+            case _:
+                raise NotationError(self.unread)
+        for one in parts:
+            self._checked(one)
+        return node
+
+    @property
+    def unread(self) -> str:
+        """The sentence for a text that is no condition."""
+        return f'condition "{self.text[:60]}" cannot be read; {GRAMMAR}'
 
     @property
     def names(self) -> list[str]:
@@ -77,12 +92,14 @@ class Condition:
         a root of what is below zero."""
         doubtful = np.zeros(count, bool)
         with np.errstate(all="ignore"):
-            found = np.broadcast_to(_floats(self.tree.body, floats, doubtful).value, count).copy()
+            found = np.broadcast_to(_floats(self.tree, floats, doubtful).value, count).copy()
         for place in np.flatnonzero(doubtful).tolist():
             try:
-                found[place] = _exact(self.tree.body, exact(place))
+                found[place] = _exact(self.tree, exact(place))
             except ZeroDivisionError:
                 found[place] = False
+            except TooLargeError as error:
+                raise NotationError(f'condition "{self.text[:60]}": {error}') from None
             except OverflowError:
                 raise NotationError(
                     f'condition "{self.text[:60]}" has powers beyond 10^308, which are not computed; write it'
@@ -90,26 +107,6 @@ class Condition:
                 ) from None
         mask: Mask = found.astype(bool)
         return mask
-
-
-def _checked(node: ast.expr, text: str) -> ast.expr:
-    """Return the tree if all of it is allowed. Raises NotationError."""
-    match node:
-        case ast.BoolOp(values=values):
-            parts = values
-        case ast.UnaryOp(op=ast.Not() | ast.USub() | ast.UAdd(), operand=one):
-            parts = [one]
-        case ast.BinOp(left=left, op=op, right=right) if type(op) in _NUMBERS:
-            parts = [left, right]
-        case ast.Compare(left=left, ops=ops, comparators=others) if all(type(op) in _COMPARED for op in ops):
-            parts = [left, *others]
-        case ast.Name() | ast.Constant(value=int() | float() | str()):
-            parts = []
-        case _:
-            raise NotationError(f'condition "{text[:60]}" cannot be read; {GRAMMAR}')
-    for one in parts:
-        _checked(one, text)
-    return node
 
 
 class _Float(NamedTuple):
@@ -141,8 +138,9 @@ def _floats(node: ast.expr, values: Mapping[str, Any], doubtful: Mask) -> _Float
             return _Float(known, None if known.dtype.kind == "O" else np.abs(known))
         case ast.Constant(value=str() as text):
             return _Float(text, None)
-        case ast.Constant(value=int() | float() as value):
-            return _Float(np.float64(value), abs(np.float64(value)))
+        case ast.Constant(value=Fraction() as value):
+            known = np.float64(_as_float(value))
+            return _Float(known, abs(known))
     raise AssertionError(ast.dump(node))
 
 
@@ -178,13 +176,48 @@ def _settled(first: Any, op: ast.cmpop, second: Any) -> Any:
     return _COMPARED[type(op)](first, second)
 
 
-def _power(first: float, second: float) -> float:
-    if first < 0 and second != int(second):
-        raise ZeroDivisionError
+def _as_float(value: Fraction) -> float:
+    """Return the nearest float, an infinite one beyond all."""
     try:
-        return float(first**second)
+        return float(value)
     except OverflowError:
-        return -inf if first < 0 and second % 2 else inf
+        return inf if value > 0 else -inf
+
+
+def _power(first: Any, second: Any) -> Any:
+    """Return a power, exact if it is a whole one; of one beyond all exact numbers an infinite float."""
+    if _is_endless(second):
+        if first > 1 and second > 0:
+            return inf
+        raise OverflowError
+    whole = second == int(second)
+    if whole and isinstance(first, Fraction) and isinstance(second, Fraction):
+        try:
+            return power(first, int(second))
+        except TooLargeError:
+            if not outgrows(first, int(second)):
+                raise
+            return -inf if first < 0 and second % 2 else inf
+    if first < 0 and not whole:
+        raise ZeroDivisionError
+    if first > 1 and second * log2(first) > MOST_BITS:
+        return inf
+    found = float(first) ** float(second)
+    # What is near to zero is not zero.
+    if first and not found:
+        raise OverflowError
+    return found
+
+
+def _is_endless(value: Any) -> bool:
+    return isinstance(value, float) and isinf(value)
+
+
+def _reckoned(op: ast.operator, first: Any, second: Any) -> Any:
+    # What is beyond all numbers can be compared, and no more.
+    if _is_endless(first) or _is_endless(second):
+        raise OverflowError
+    return _NUMBERS[type(op)](first, second)
 
 
 def _signed(op: ast.unaryop, value: Any) -> Any:
@@ -203,9 +236,7 @@ def _exact(node: ast.expr, values: Mapping[str, Any]) -> Any:
             return not value if isinstance(op, ast.Not) else _signed(op, value)
         case ast.BinOp(left=left, op=op, right=right):
             first, second = _exact(left, values), _exact(right, values)
-            if isinstance(op, ast.Pow) and (abs(second) > MOST_POWER or second != int(second)):
-                return _power(float(first), float(second))
-            return _NUMBERS[type(op)](first, second)
+            return _power(first, second) if isinstance(op, ast.Pow) else _reckoned(op, first, second)
         case ast.Compare(left=left, ops=ops, comparators=others):
             found = [_exact(one, values) for one in (left, *others)]
             steps = zip(found, ops, found[1:], strict=False)
@@ -213,5 +244,5 @@ def _exact(node: ast.expr, values: Mapping[str, Any]) -> Any:
         case ast.Name(id=name):
             return values[name]
         case ast.Constant(value=value):
-            return value if isinstance(value, str) else Fraction(str(value))
+            return value
     raise AssertionError(ast.dump(node))

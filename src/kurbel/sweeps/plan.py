@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from fractions import Fraction
 from functools import cached_property
 from math import prod
@@ -16,6 +16,7 @@ import numpy as np
 from kurbel.commands.options import is_given
 from kurbel.commands.subject import SPELLED, spelling
 from kurbel.exact.numerals import exact_text, ratio_text
+from kurbel.motion.page import AngleQuestion
 from kurbel.page.subject import Question
 
 if TYPE_CHECKING:
@@ -56,7 +57,8 @@ class Plan:
     which the last varies fastest. `digits` asks for certified decimals in place of floats, `bounds` for a
     column beside each of floats that says how far from the true value they may lie; a `strict` sweep ends at
     the first point that is refused. Points at which `only` does not hold are left out. `design` tells how the
-    values of linked axes were chosen.
+    values of linked axes were chosen. Where crank angles go beyond those of a stroke, every point is asked as
+    one of `whole_turns`.
 
     Points are counted on the whole grid; the length is that of those that are left.
     """
@@ -70,6 +72,7 @@ class Plan:
     strict: bool = False
     only: str = ""
     design: str = ""
+    whole_turns: bool = False
 
     @property
     def sizes(self) -> tuple[int, ...]:
@@ -146,6 +149,8 @@ class Plan:
             if name in own:
                 settled[name] = self._unsaid[name]
         question: Question = asking.ask(**asking.arguments(settled))
+        if self.whole_turns and isinstance(question, AngleQuestion):
+            return replace(question, whole_turns=True)
         return question
 
     def parameter(self, option: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -10,14 +10,13 @@ from typing import Any
 import numpy as np
 
 from kurbel.errors import FailedError
-from kurbel.page.table import Field
 from kurbel.sweeps.axes import Coordinates
 from kurbel.sweeps.columns import Column as Column
 from kurbel.sweeps.columns import Part as Part
 from kurbel.sweeps.columns import columns_of
 from kurbel.sweeps.plan import Plan
 from kurbel.sweeps.ways.choice import way_of
-from kurbel.sweeps.ways.records import first_of
+from kurbel.sweeps.ways.records import First, first_of
 from kurbel.sweeps.ways.way import Asked, Points, Way
 
 
@@ -50,7 +49,7 @@ class Sweep:
     @cached_property
     def each(self) -> int:
         """How many records a point has."""
-        return len(self._first[1])
+        return len(self._first.rows)
 
     @cached_property
     def columns(self) -> tuple[Column, ...]:
@@ -67,12 +66,13 @@ class Sweep:
         """Return rows without the options that vary."""
         points = self._points(start, stop)
         found = self._way.rows(points)
-        if self.plan.strict and found.reasons:
-            row = min(found.reasons)
-            said = self.plan.said(int(points.places[row]))
-            raise FailedError(f"{found.reasons[row]}; this is of {said}, and --strict ends there")
         values = {column.key: found.values[column.key] for column in self.columns if not column.option}
-        return Part(stop - start, values, found.reasons)
+        part = Part(stop - start, values, found.reasons)
+        if self.plan.strict and part.refused:
+            row = min(part.refused)
+            said = self.plan.said(int(points.places[row]))
+            raise FailedError(f"{part.refused[row]}; this is of {said}, and --strict ends there")
+        return part
 
     def varied(self, start: int, stop: int) -> Mapping[str, Any]:
         """Return the values of the options that vary, by the keys of their columns."""
@@ -96,7 +96,7 @@ class Sweep:
 
     @cached_property
     def _way(self) -> Way:
-        fields, rows = self._first
+        fields, rows, _ = self._first
         keys = {column.key for column in self.columns if column.role == "axis" and not column.option}
         apart = {
             field.key: [row[place] for row in rows] for place, field in enumerate(fields) if field.key in keys
@@ -104,5 +104,5 @@ class Sweep:
         return way_of(Asked(self.plan, fields, self.each, self.columns, apart))
 
     @cached_property
-    def _first(self) -> tuple[tuple[Field, ...], Sequence[Any]]:
+    def _first(self) -> First:
         return first_of(self.plan)

@@ -77,9 +77,9 @@ def run(sweep: Sweep, target: str, running: Running = Running(), format: str | N
         unit = unit_of(sweep, form)
         with telling, _hands(unit, work, running) as hands:
             paths = map(work.at, _parts(unit, work, hands, running.watch))
-            joined(unit, form, paths, target, work.folder, refused)
+            rows = joined(unit, form, paths, target, work.folder, refused)
         work.remove()
-    return Outcome(len(sweep), refused)
+    return Outcome(rows, refused)
 
 
 @contextmanager

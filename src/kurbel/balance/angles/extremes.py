@@ -85,7 +85,7 @@ class ExtremesRequest(BalanceRequest):
                 if scale != 0
             ]
         )
-        return Curve(waves, slides_of(self.arrangement, key) if exact else (), crank.ratio)
+        return Curve(waves, slides_of(self.placed, key) if exact else (), crank.ratio)
 
     @cached_property
     def greatest(self) -> Any:
@@ -160,7 +160,7 @@ def _is_reached(question: ExtremesRequest, where: tuple[str, int], found: Greate
     angle = Fraction(round(float(_degrees(found).mid()) * FINEST), FINEST)
     crank = Crank(question.ratios[ratio])
     if question.method == "exact":
-        vector = of_all(question.arrangement, key, question.residuals[key, 1], crank, angle)
+        vector = of_all(question.placed, key, question.residuals[key, 1], crank, angle)
     else:
         vector = Vector()
         for order in question.orders:

@@ -114,7 +114,7 @@ class AngleRequest(BalanceRequest):
             )
         if self.method == "exact":
             first = self.residuals[key, 1]
-            return of_all(self.arrangement, key, first, crank, angle), ONE
+            return of_all(self.placed, key, first, crank, angle), ONE
         total = Vector()
         for one in self.orders:
             scale = factor(one, crank, self.method)

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from kurbel.balance.locomotives.locomotive import Locomotive, Run
 from kurbel.balance.locomotives.quantities import NEEDS, At, Found, quantities
-from kurbel.balance.rotors.page import in_units_of_page, known_number
+from kurbel.balance.rotors.page import known_number
 from kurbel.balance.vector import Vector, direction
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, figure
@@ -56,7 +56,7 @@ class LocomotiveRequest(Question):
     run: Run
     shares: tuple[Fraction, ...]
 
-    no_column = "there is no column beside the axes; add one, such as blow_left"
+    no_column = "there is no column beside the axes; add one, such as blow_left_n"
 
     def check(self) -> None:
         for share in self.shares:
@@ -93,7 +93,7 @@ def _number(question: LocomotiveRequest, column: Column, place: Place, times: in
         return None
     if isinstance(found, Vector):
         return direction(found, column.places, question.rounding)
-    scale = found.scale.times(in_units_of_page(question, own))
+    scale = found.scale.times(question.of_page(own.unit["en"]))
     return known_number(found.value, scale, column.decimals, question.rounding)
 
 
@@ -130,7 +130,7 @@ def _said_of_run(run: Run, lang: str) -> Iterator[Label]:
     if run.speed is not None:
         yield turns_label(run.speed)
     if run.velocity is not None:
-        yield f'$v = {figure(run.velocity * Fraction(36, 10))} "km/h"$'
+        yield f"$v = {amount(run.velocity, 'km/h')}$"
     for key, value, unit in (
         ("wheel", run.wheel, "mm"),
         ("load", run.load, "N"),

@@ -141,13 +141,8 @@ def _number(question: RotorRequest, column: Column, place: Place, times: int) ->
     if own.needs == _OF_SPEED:
         assert question.speed is not None
         scale = Scale.speed(question.speed, 2)
-    unit = _SCALES.get(key, Fraction(1)) * in_units_of_page(question, own)
+    unit = _SCALES.get(key, Fraction(1)) * question.of_page(own.unit["en"])
     return known_number(value, scale.times(unit), column.decimals, question.rounding)
-
-
-def in_units_of_page(question: Question, quantity: Quantity) -> Fraction:
-    """Return how many units of the page a quantity's own is."""
-    return question.units.times(quantity.unit["en"]) if question.units is not None else Fraction(1)
 
 
 def _angle(value: Fraction | Vector, decimals: int, rounding: str) -> Number | None:

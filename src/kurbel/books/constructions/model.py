@@ -258,6 +258,9 @@ class Construction(NamedTuple):
     curves: Callable[[Placed], Mapping[str, Sequence[Point]]] | None = None
     variants: Mapping[str, Construction] = MappingProxyType({})
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _named, (self.name, next((key for key, one in _variants(self.name) if one is self), ""))
+
     def of(self, mechanism: str) -> Construction:
         """Return the construction as it is of a mechanism for which it holds."""
         return self.variants.get(mechanism, self)
@@ -265,6 +268,18 @@ class Construction(NamedTuple):
     def said(self, label: Label) -> Label:
         """Return a label in which two letters of points beside each other are the length between them."""
         return overlined(label, (letter.rstrip("*") for step in self.steps for letter in step.points))
+
+
+def _variants(name: str) -> Iterable[tuple[str, Construction]]:
+    from kurbel.books.constructions.registry import construction
+
+    return construction(name).variants.items()
+
+
+def _named(name: str, mechanism: str) -> Construction:
+    from kurbel.books.constructions.registry import construction
+
+    return construction(name).of(mechanism)
 
 
 def lettered(letters: str) -> Label:

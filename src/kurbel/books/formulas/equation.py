@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import flint
@@ -13,6 +12,7 @@ from kurbel.books.formulas.form import Algebra, Form, Letters
 from kurbel.books.formulas.points import BITS, Balls, Series, at_points, cells, ends, order_of
 from kurbel.books.formulas.polynomial import Quotient, UnprovableError
 from kurbel.books.formulas.proof import PARTS, Symbols
+from kurbel.exact.size import TooLargeError
 
 # How a formula follows from one before it: it begins; it is equal; it is so but for what the book neglects;
 # it is the same equation for a letter; its value of a letter solves the equation.
@@ -34,6 +34,10 @@ FINE = (STARTS, HOLDS, AGREES, ORDER)
 Point = Mapping[str, Fraction]
 
 
+# The point of what is found of no point.
+NOWHERE: Point = {}
+
+
 class Finding(NamedTuple):
     """What is found: the kind, and what belongs to it.
 
@@ -44,7 +48,7 @@ class Finding(NamedTuple):
     kind: str
     order: int = 0
     factor: Fraction = Fraction(1)
-    point: Point = MappingProxyType({})
+    point: Point = NOWHERE
     sides: tuple[Any, ...] = ()
 
 
@@ -143,7 +147,7 @@ def _proved(step: Step, free: frozenset[str], sign: int, times: Fraction = Fract
         try:
             left, right = step.sides(symbols, {**given, SIGN: symbols.of(Fraction(sign))})
             same: bool = Quotient.equals(left * symbols.of(times), right)
-        except UnprovableError:
+        except (UnprovableError, TooLargeError):
             continue
         return same
     return False

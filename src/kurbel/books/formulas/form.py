@@ -12,9 +12,10 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import Any, Protocol
 
-from kurbel.books.expression import OPERATIONS, parsed
+from kurbel.books.expression import UNREAD
 from kurbel.books.formulas.slope import Duals
 from kurbel.errors import NotationError
+from kurbel.reading.arithmetic import OPERATIONS, parsed
 
 FUNCTIONS = ("sin", "cos", "tan", "cot", "sqrt", "ln", "arcsin", "arctan")
 PI, SLOPE = "pi", "slope"
@@ -37,7 +38,7 @@ class Form:
 
     def __init__(self, text: str) -> None:
         self.text = text
-        self._tree = parsed(text, {})
+        self._tree = parsed(text, "form", UNREAD.format(text[:60]))
         self.letters = frozenset(_letters(self._tree, text))
         if text.count(SLOPE) > MOST_SLOPES:
             raise NotationError(f'"{text[:60]}" has more than {MOST_SLOPES} slopes')
@@ -50,7 +51,7 @@ class Form:
 def _letters(tree: ast.expr, text: str) -> Iterator[str]:
     """Yield the letters; raise NotationError for what no form may have."""
     match tree:
-        case ast.Constant():
+        case ast.Constant(value=Fraction()):
             return
         case ast.Name(id=name) if name not in (*FUNCTIONS, SLOPE):
             if name != PI:

@@ -29,7 +29,7 @@ from kurbel.books.formulas.equation import (
 from kurbel.books.formulas.lines import formula_lines, room_beside, word_lines
 from kurbel.books.formulas.points import POINTS
 from kurbel.books.formulas.table import Collated, FormulaTable
-from kurbel.books.verdict import ALL, DEVIATIONS
+from kurbel.books.verdict import ALL, DEVIATIONS, columns_or
 from kurbel.exact.numerals import Label, nearest, number_text
 from kurbel.page.axes import ColumnAxis, PageAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, words
@@ -246,7 +246,7 @@ def _notes(request: FormulaRequest) -> Iterator[Note]:
 
 
 def _records(request: FormulaRequest) -> Records:
-    keys, lang = request.columns or KEYS, request.lang
+    keys, lang = columns_or(KEYS, request.columns), request.lang
     rows = [[_record(request, one)[key] for key in keys] for one in request.shown]
     return Records(tuple(Field(key, WORDS[key][lang]) for key in keys), rows)
 

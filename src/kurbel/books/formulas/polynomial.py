@@ -11,6 +11,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import TypeAlias
 
+from kurbel.exact.size import plus, times
+
 Monomial: TypeAlias = tuple[tuple[int, int], ...]
 Polynomial: TypeAlias = Mapping[Monomial, Fraction]
 ONE: Polynomial = {(): Fraction(1)}
@@ -39,11 +41,11 @@ class Ring:
     def power(self, letter: int, exponent: int = 1) -> Polynomial:
         return {((letter, exponent),): Fraction(1)}
 
-    def sum(self, one: Polynomial, other: Polynomial, times: Fraction = Fraction(1)) -> Polynomial:
-        """Return one plus so many times the other."""
+    def sum(self, one: Polynomial, other: Polynomial, factor: Fraction = Fraction(1)) -> Polynomial:
+        """Return one plus the other, which is multiplied by a factor."""
         total = dict(one)
         for monomial, coefficient in other.items():
-            total[monomial] = total.get(monomial, Fraction(0)) + times * coefficient
+            total[monomial] = plus(total.get(monomial, Fraction(0)), factor * coefficient)
         return {monomial: coefficient for monomial, coefficient in total.items() if coefficient}
 
     def product(self, one: Polynomial, other: Polynomial) -> Polynomial:
@@ -51,10 +53,10 @@ class Ring:
         if len(one) * len(other) > MOST_TERMS:
             raise UnprovableError("too many terms")
         total: dict[Monomial, Fraction] = {}
-        for left, times in one.items():
-            for right, factor in other.items():
+        for left, first in one.items():
+            for right, second in other.items():
                 monomial = multiplied(left, right)
-                total[monomial] = total.get(monomial, Fraction(0)) + times * factor
+                total[monomial] = plus(total.get(monomial, Fraction(0)), times(first, second))
         return self._reduced(
             {monomial: coefficient for monomial, coefficient in total.items() if coefficient}
         )
@@ -69,7 +71,7 @@ class Ring:
                 rest = {multiplied(monomial, ((square, -2),)): coefficient}
                 terms = self.product(self.squares[square], rest)
             for one, value in terms.items():
-                total[one] = total.get(one, Fraction(0)) + value
+                total[one] = plus(total.get(one, Fraction(0)), value)
         return {monomial: coefficient for monomial, coefficient in total.items() if coefficient}
 
 

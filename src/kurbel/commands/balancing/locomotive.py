@@ -90,7 +90,7 @@ def locomotive_table(
     hammer_blow: Annotated[
         Exact | None, Option("Hammer blow that is allowed: 40kN; default: the load.", "FORCE", unit="N")
     ] = None,
-    columns: Annotated[option.Names, option.columns_option("locomotive", "share,blow_left,sway")] = (),
+    columns: Annotated[option.Names, option.columns_option("locomotive", "share,blow_left_n,sway_nm")] = (),
     layout: Annotated[str, option.layout_option("locomotive")] = "locomotive",
     **given: Unpack[Paper],
 ) -> Question:
@@ -105,10 +105,11 @@ def locomotive_table(
     \f
     >>> import kurbel
     >>> page = kurbel.locomotive_table(
-    ...     spacing=0.6, gauge=1.5, stroke=0.6, reciprocating=300, speed=5, share="2/3", columns="pull,sway"
+    ...     spacing=0.6, gauge=1.5, stroke=0.6, reciprocating=300, speed=5, share="2/3",
+    ...     columns="pull_n,sway_nm",
     ... )
     >>> print(kurbel.typeset(page, "csv"), end="")
-    pull,sway
+    pull_n,sway_nm
     41873,12562
     """
     from kurbel.balance.locomotives.locomotive import Locomotive, Run
@@ -133,7 +134,7 @@ def locomotive_table(
             radius=None if balance_radius is None else as_length(balance_radius, "balance radius"),
         ),
         shares=tuple(as_shares(share)),
-        columns=as_names(columns, "share,blow_left"),
+        columns=as_names(columns, "share,blow_left_n"),
         **sheet_of(given),
     )
 

@@ -1,5 +1,6 @@
 """A construction of the books: its drawing, and the table of the lengths that it gives."""
 
+import re
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Annotated, Any, Unpack
@@ -10,6 +11,7 @@ from kurbel.books.constructions.registry import CONSTRUCTIONS, construction, unf
 from kurbel.commands import parameters as option
 from kurbel.commands.constructions import beside
 from kurbel.commands.drawn.size import Sized, page_size
+from kurbel.commands.machines import lone_lengths
 from kurbel.commands.motion import described, meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Choice, Count, Option
 from kurbel.commands.shown import Drawing, mark_of
@@ -115,7 +117,13 @@ def _angle(shown: Construction, drive: Any, given: Exact | None) -> Fraction | N
     return as_angle(shown.angle if given is None else given, "angle") % 360
 
 
-@makes_table(foreign=_of_others)
+def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse the length of stroke or rod where no length is compared with it."""
+    about = (values[name] for name in ("point", "centre", "gyration"))
+    return {} if any(re.search("[a-z]", str(one or "")) for one in about) else lone_lengths(values)
+
+
+@makes_table(foreign=_of_others, needless=_needless)
 def construction_table(
     name: Name,
     *,
@@ -151,7 +159,7 @@ class Drawn(Given, Sized, total=False):
     decimal: option.Decimal
 
 
-@draws(foreign=_of_others)
+@draws(foreign=_of_others, needless=_needless)
 def plot_construction(name: Name, **given: Unpack[Drawn]) -> Drawing:
     """Draw a construction to scale, with the letters of its book.
 

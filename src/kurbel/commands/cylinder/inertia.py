@@ -8,7 +8,7 @@ from typing import Annotated, Any, Unpack
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder import engines
 from kurbel.commands.machines import check_whole, rod_of
-from kurbel.commands.motion import angles_of, meant, of_other_mechanisms, sheet_of
+from kurbel.commands.motion import angles_of, meant, of_other_mechanisms, over_strokes, sheet_of
 from kurbel.commands.options import Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.drive.crank import Described
@@ -120,7 +120,9 @@ def inertia_table(
     0.0067
     """
     if not (chosen := _rod_drive(given)).crosshead:
-        return _rocker_inertia(chosen, layout, Described.of(given, ratio=ratio), speed, columns, given)
+        return _rocker_inertia(
+            chosen, layout, Described.of(given, ratio=ratio, method=method), speed, columns, given
+        )
     page = layout_of(layout or "inertia", INERTIA, given["layouts"])
     if page.subject in MASSES:
         return _masses(page, ratio, columns, given)
@@ -140,7 +142,10 @@ def inertia_table(
     from kurbel.motion.page import Request
 
     angles, names = angles_of(page, given), as_names(columns)
-    return Request(layout=page, cranks=cranks, angles=angles, columns=names, method=method, **sheet_of(given))
+    question = Request(
+        layout=page, cranks=cranks, angles=angles, columns=names, method=method, **sheet_of(given)
+    )
+    return over_strokes(question, given)
 
 
 def _masses(

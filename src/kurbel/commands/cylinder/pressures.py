@@ -1,17 +1,18 @@
 """The pressures on the piston of one cylinder: a table of them, and a drawing."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder import engines
 from kurbel.commands.drawn.size import Sized, page_size
-from kurbel.commands.loads import OWN
-from kurbel.commands.machines import engine_of, for_masses, weighed
+from kurbel.commands.loads import FURTHER, OWN, PARTS, astray, uncounted
+from kurbel.commands.machines import STEAM, engine_of, for_masses, is_heavy, lone_lengths, weighed
 from kurbel.commands.motion import described, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Option, is_given
-from kurbel.commands.plots import DrawnSpeed, LabelLang
+from kurbel.commands.plots import AxisUnits, DrawnSpeed, LabelLang
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws, makes_table
 from kurbel.drive.load import MASSES
@@ -36,6 +37,19 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
     return of_other_mechanisms({**values, "layout": None}, shared=("stroke", "speed"))
 
 
+def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse what says nothing of the masses or of the load, where there are none."""
+    refused = {**for_masses("speed")(values), **({} if is_heavy(values) else lone_lengths(values))}
+    if any(is_given(values[name]) for name in LOADS):
+        return {**refused, **uncounted(values)}
+    of_steam = ("pressure", *(name for name in STEAM if name not in FURTHER))
+    steam = {
+        name: f"--{name.replace('_', '-')} is for the steam of an engine; add --eps or --card"
+        for name in of_steam
+    }
+    return {**refused, **steam, **{name: astray(name) for name in PARTS}}
+
+
 class Piston(option.AnyDrive, engines.Cylinder, engines.MovingRod, option.Sheet, total=False):
     """A piston that masses and a load press on."""
 
@@ -46,7 +60,7 @@ class Piston(option.AnyDrive, engines.Cylinder, engines.MovingRod, option.Sheet,
 
 @makes_table(
     foreign=_foreign,
-    needless=for_masses("speed"),
+    needless=_needless,
     order="eps back exponent clearance card other_side single_acting bore pressure ratio mechanism"
     " offset rocker pivot circuit beam stroke crank true_stroke"
     " time_ratio rod speed reciprocating rod_mass centre"
@@ -86,13 +100,13 @@ def pressures_table(
     >>> masses = {"reciprocating": 300, "stroke": 0.6, "bore": 0.3, "speed": 2}
     >>> page = kurbel.pressures_table("1:5", shares="0;0.5;1", columns="share,inertia_pressure", **masses)
     >>> print(kurbel.typeset(page, "csv"), end="")
-    share,inertia_pressure
-    0.0,2.413
-    0.5,-0.201
-    1.0,-1.608
-    0.0,1.608
-    0.5,0.201
-    1.0,-2.413
+    stroke,share,inertia_pressure
+    1,0.0,2.413
+    1,0.5,-0.201
+    1,1.0,-1.608
+    2,0.0,1.608
+    2,0.5,0.201
+    2,1.0,-2.413
     """
     from kurbel.engine.pressures.page import PressuresRequest
 
@@ -122,10 +136,11 @@ class DrawnPiston(engines.Cylinder, engines.MovingRod, option.AnyDrive, Sized, t
     speed: DrawnSpeed
     reciprocating: option.Reciprocating
     lang: LabelLang
+    units: AxisUnits
     decimal: option.Decimal
 
 
-@draws(foreign=_foreign)
+@draws(foreign=_foreign, needless=_needless)
 def plot_pressures(eps: option.Eps = None, **given: Unpack[DrawnPiston]) -> Drawing:
     """Draw the acceleration pressure under the indicator diagram, over the stroke: what the masses take of
     the pressure on the piston, and what is left."""
@@ -137,9 +152,9 @@ def plot_pressures(eps: option.Eps = None, **given: Unpack[DrawnPiston]) -> Draw
 
     mark, lang, page = mark_of(given["lang"], given["decimal"]), given["lang"], page_of("pressures")
     pressed = pressed_of(page, {**given, "eps": eps})
-    asked = PressuresRequest(layout=page, pressed=pressed, shares=(Fraction(0),), lang=lang)
+    asked = PressuresRequest(layout=page, pressed=pressed, shares=(Fraction(0),), **sheet_of(given))
     drawn = tuple(key for key, one in registry().items() if one.needs and not asked.missing(one))
-    question = PressuresRequest(layout=page, pressed=pressed, shares=(Fraction(0),), lang=lang, columns=drawn)
+    question = replace(asked, columns=drawn)
     around = Around(across=across_stroke(lang))
     drawing = curves_drawing(question, pressure_panels(question), mark, around, page_size(given))
     return Drawing.of(drawing, lang, mark)

@@ -63,6 +63,7 @@ def diagram_drawn(given: Mapping[str, Any]) -> TorquesRequest:
         angles=curve_angles(run),
         columns=DRAWN if None in wheel.values() else (*DRAWN, SPEED),
         lang=given["lang"],
+        units=given["units"],
         **_of_torques(given),
         **wheel,
     )

@@ -193,7 +193,7 @@ def moving_mechanism(
     from kurbel.plot.film.mechanism import mechanism_film
 
     lang, mark = given["lang"], mark_of(given["lang"], given["decimal"])
-    question = _asked_beside(chosen, drive, lang, points)
+    question = replace(_asked_beside(chosen, drive, lang, points), units=given["units"])
     show = partial(_carrying, question, staged(chosen.name, drive))
     made = mechanism_film(show, angles, mark, seconds_of(given), page_size(given))
     # A drive that was drawn has a scene.

@@ -7,7 +7,7 @@ from typing import Any
 
 from kurbel.commands.cylinder.effort import RODS, RUBBING
 from kurbel.commands.loads import NAMES, pressures_of
-from kurbel.commands.machines import EXAMPLE, for_masses
+from kurbel.commands.machines import EXAMPLE, for_masses, lone_lengths
 from kurbel.commands.options import is_given
 from kurbel.page.layouts import Layout
 from kurbel.reading.given import as_names
@@ -21,6 +21,8 @@ OF_SIZE: Mapping[str, tuple[str, ...]] = {
     "tangential_kpa": ("bore", "pressure"),
     "torque_nm": ("stroke", "bore", "pressure"),
 }
+# These make a ratio, or with the crank one of another length.
+LENGTHS = ("stroke", "rod")
 # What may stand beside them, by columns: the bore of a cylinder is given with its stroke.
 BESIDE = {"mean_pressure_kpa": ("stroke",)}
 
@@ -35,12 +37,19 @@ def needless_sizes(
     # Friction and rods are weighed against the load.
     weighed = ("bore", "pressure") if any(is_given(values.get(one)) for one in (*RUBBING, *RODS)) else ()
     refused = for_masses(*(name for name in names if name not in weighed))(values)
-    refused = {name: said for name, said in refused.items() if values[name] is not None}
+    lone = lone_lengths(values)
+    refused = {**refused, "rod": lone.get("rod", "")}
+    refused = {
+        name: said
+        for name, said in refused.items()
+        if values[name] is not None and (name in lone or name not in LENGTHS)
+    }
     if not refused:
         return {}
     asked = as_names(values["columns"], EXAMPLE)
     if asked:
-        used = {option for name in asked for option in (*OF_SIZE.get(name, ()), *BESIDE.get(name, ()))}
+        sizes = [one for name in asked for one in (*OF_SIZE.get(name, ()), *BESIDE.get(name, ()))]
+        used = _needs(values, sizes)
         return {name: said for name, said in refused.items() if name not in used}
     needs = [_needs(values, OF_SIZE[one.key]) for one in page(asked).columns if one.key in OF_SIZE]
     shown = {name for need in needs if all(values[one] is not None for one in need) for name in need}
@@ -49,7 +58,10 @@ def needless_sizes(
 
 def _needs(values: Mapping[str, Any], sizes: Sequence[str]) -> list[str]:
     """Return the options that make a column known, with that of the pressure in question."""
-    return [option for name in sizes for option in (_pressures(values) if name == "pressure" else (name,))]
+    # The rod gives the stroke by the ratio.
+    length = "rod" if values["stroke"] is None and values["rod"] is not None else "stroke"
+    instead = {"pressure": _pressures(values), "stroke": (length,)}
+    return [option for name in sizes for option in instead.get(name, (name,))]
 
 
 def _pressures(values: Mapping[str, Any]) -> Sequence[str]:

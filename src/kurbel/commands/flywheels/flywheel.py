@@ -5,11 +5,20 @@ from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder import engines
+from kurbel.commands.cylinder.effort import RODS, RUBBING
 from kurbel.commands.diagram.given import Diagram, is_diagram
 from kurbel.commands.engine import ORDER
 from kurbel.commands.flywheels.options import Body, Press, Rim, Swing, Wheel
 from kurbel.commands.loads import OWN
-from kurbel.commands.machines import EXAMPLE, engine_of, for_masses, is_heavy, weightless
+from kurbel.commands.machines import (
+    EXAMPLE,
+    engine_of,
+    has_back_pressure,
+    is_heavy,
+    lone_lengths,
+    needless_of_load,
+    of_load,
+)
 from kurbel.commands.motion import meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Option, is_given
 from kurbel.commands.subject import makes_table
@@ -20,8 +29,6 @@ from kurbel.reading.given import Exact, as_irregularities, as_length, as_names, 
 
 ENGINE, SIZING = "flywheel", "flywheel sizing"
 WITH_MASSES = "with masses the power follows from pressure, bore, stroke and speed; leave --power out"
-# What a page without forces takes for the masses' sake alone.
-ONLY_MASSES = ("stroke", "bore", "pressure")
 # What an engine's flywheel is not given by, and of this what says nothing by itself.
 _OWN = tuple(name for group in (Diagram, Swing, Press, Body, Rim) for name in group.__annotations__)
 _FURTHER = ("turns", "area_scale")
@@ -80,12 +87,23 @@ def _of_nothing(values: Mapping[str, Any]) -> Mapping[str, str]:
 def _power_of_steam(values: Mapping[str, Any]) -> Mapping[str, str]:
     if not _is_engine(values):
         return _of_nothing(values)
-    light = weightless(values)
+    light = needless_of_load(values)
     if is_heavy(values):
         return {"power": WITH_MASSES, **light}
     if is_given(values["cylinder"]):
         return {"power": "the power of unlike cylinders follows from their sizes; leave --power out"}
-    return {**for_masses(*ONLY_MASSES)(values), **light}
+    return {**_of_given_power(values), **light} if is_given(values["power"]) else light
+
+
+def _of_given_power(values: Mapping[str, Any]) -> Mapping[str, str]:
+    """Refuse the sizes of which the power is made, where that is given and nothing else needs them."""
+    why = "is for the power of the engine, which --power gives; leave one of the two out"
+    counted = any(is_given(values[name]) for name in (*RUBBING, *RODS))
+    sizes = () if counted else of_load(values)[:1] if has_back_pressure(values) else of_load(values)
+    refused = {name: f"--{name.replace('_', '-')} {why}" for name in sizes}
+    if not is_given(values["rod"]):
+        refused["stroke"] = f"--stroke {why}"
+    return {**lone_lengths(values), **refused}
 
 
 @makes_table(foreign=_of_others, needless=_power_of_steam, order=f"{ORDER} {' '.join(_OWN)}")
@@ -94,7 +112,11 @@ def flywheel_table(
     *,
     power: Annotated[
         Exact | None,
-        Option("Power of the engine: 50kW, 68PS; with masses it follows from the steam.", "POWER", unit="W"),
+        Option(
+            "Power of the engine: 50kW, 68PS; left out, it follows from pressure, bore, stroke and speed.",
+            "POWER",
+            unit="W",
+        ),
     ] = None,
     speed: Annotated[
         Exact | None,
@@ -161,8 +183,8 @@ def _of_engine(about: Mapping[str, Any]) -> Question:
                 f"the flywheel of an engine needs --{name}; add it, for example --{name} {example}"
             )
     if power is None and not heavy:
-        raise ProblemError("a flywheel needs the power of the engine; add --power, for example --power 50kW")
-    # With masses it follows from the steam, against which they are weighed.
+        _check_power(about)
+    # Else it follows from the load, against which masses are weighed.
     watts = None if power is None or heavy else as_power(power)
     turns, radius = as_speed(about["speed"]), None if size is None else as_length(size, "radius")
     wheels = tuple(Task(watts, turns, each, radius) for each in as_irregularities(about["delta"]))
@@ -174,3 +196,16 @@ def _of_engine(about: Mapping[str, Any]) -> Question:
         return rims_of(engine, about, page, sheet_of(about))
     page = layout_of(about["layout"] or ENGINE, (ENGINE,), about["layouts"])
     return engine_of(page, about, flywheels=wheels, columns=about["columns"])
+
+
+def _check_power(about: Mapping[str, Any]) -> None:
+    """Raise ProblemError where nothing tells the power of the engine."""
+    sized = is_given(about["stroke"]) or is_given(about["rod"])
+    missing = [name for name in of_load(about) if about[name] is None]
+    if not sized or missing:
+        *first, last = (f"--{one.replace('_', '-')}" for one in (*([] if sized else ["stroke"]), *missing))
+        sizes = f"{', '.join(first)} and {last}" if first else last
+        raise ProblemError(
+            f"a flywheel needs the power of the engine; add --power, for example --power 50kW, or {sizes},"
+            " from which it follows"
+        )

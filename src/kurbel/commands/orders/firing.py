@@ -51,9 +51,9 @@ def firing_table(
     >>> import kurbel
     >>> page = kurbel.firing_table(cranks="0;180;180;0", columns="firing_order")
     >>> print(kurbel.typeset(page, "csv"), end="")
-    firing_order
-    1-2-4-3
-    1-3-4-2
+    number,firing_order
+    1,1-2-4-3
+    2,1-3-4-2
     """
     from kurbel.balance.firing import read_order
     from kurbel.balance.firing_page import FiringRequest, asked

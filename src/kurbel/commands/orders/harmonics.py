@@ -9,7 +9,7 @@ from kurbel.commands.balance import Method, Ratios
 from kurbel.commands.cylinder import engines
 from kurbel.commands.cylinder.effort import Rods, Rubbing
 from kurbel.commands.cylinder.slope import Lying
-from kurbel.commands.machines import engine_of, weightless
+from kurbel.commands.machines import engine_of, for_masses, lone_lengths, needless_of_load, unsized
 from kurbel.commands.motion import meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Choice, Count, Option, is_given
 from kurbel.commands.subject import SPELLED, makes_table
@@ -59,11 +59,12 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
 
 
 def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
-    if _of_torque(values):
-        return weightless(values)
-    if is_given(values["rod"]):
-        return {}
-    return {"stroke": "--stroke gives the ratio with --rod; add that, or leave --stroke out"}
+    if not _of_torque(values):
+        return lone_lengths(values)
+    refused = {**needless_of_load(values), **unsized(values)}
+    if not (values["layout"] or is_given(values["columns"])):
+        refused |= for_masses("speed")(values)
+    return refused
 
 
 @makes_table(foreign=_foreign, needless=_needless, order="quantity orders method")
@@ -117,7 +118,9 @@ def harmonics_table(
     page = layout_of(layout or "harmonics", ("harmonics",), given["layouts"])
     return HarmonicsRequest(
         layout=page,
-        ratios=Described(ratio, given["stroke"], given["rod"]).ratios(page.ratios),
+        ratios=tuple(
+            crank.ratio for crank in Described(ratio, given["stroke"], given["rod"]).cranks(page.ratios)
+        ),
         quantity=quantity or "",
         last_order=orders,
         method=method,

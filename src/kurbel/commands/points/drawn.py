@@ -40,6 +40,7 @@ def points_drawn(point: Given, columns: Names, infinite: bool, given: Mapping[st
         layout=page_of(SUBJECT.layout),
         angles=curve_angles(given),
         lang=given["lang"],
+        units=given["units"],
         columns=as_names(columns, EXAMPLE) or usual_columns(cranks[0]),
     )
     dotted = replace(question, method="infinite") if infinite else None

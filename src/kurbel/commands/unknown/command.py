@@ -8,7 +8,6 @@ from typing import Any
 from kurbel.commands import parameters as option
 from kurbel.commands.motion import sheet_of
 from kurbel.commands.options import is_given
-from kurbel.commands.unknown.place import Angle
 from kurbel.commands.unknown.ratio import OfRatio
 from kurbel.commands.unknown.sized import Sized
 from kurbel.errors import ProblemError
@@ -34,18 +33,14 @@ def unknown_of(
         )
     if len(texts) != 1:
         raise ProblemError(f"--unknown takes one condition, and {len(texts)} were given; write one --where")
-    place = Angle.read(angle, unknown, given)
-    asked = OfRatio(place, texts[0], given) if unknown == "ratio" else Sized(unknown, place, texts[0], given)
-    found = asked.found()
-    if not found:
-        raise nowhere(unknown, str(asked.condition))
-    return UnknownRequest(
+    asked = (OfRatio if unknown == "ratio" else Sized)(unknown, angle, texts[0], given)
+    question = UnknownRequest(
         layout=page,
         unknown=unknown,
-        condition=asked.label(given["lang"]),
-        angle=place.label(given["lang"]),
-        found=found,
-        lines=lambda: asked.lines(given["lang"]),
+        asked=asked,
         columns=as_names(columns, "speed"),
         **sheet_of(given),
     )
+    if not question.asked.found:
+        raise nowhere(unknown, str(asked.condition))
+    return question

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 from kurbel.commands.cylinder.effort import PRESSING, RODS, RUBBING
@@ -36,13 +37,20 @@ def needless_of_ratio(values: Mapping[str, Any], texts: Sequence[Any]) -> Mappin
     return refused
 
 
+def needless_of_motion() -> Mapping[str, str]:
+    """Return the sentences that refuse what says nothing of a condition on the motion."""
+    why = "is of forces, and the condition is on the motion of the piston; leave it out"
+    return {name: f"--{name.replace('_', '-')} {why}" for name in ("force", *OF_FORCES)}
+
+
 class OfRatio:
     """The crank ratio of the straight or offset crank, its crosshead's motion known by formulas."""
 
-    def __init__(self, place: Angle, text: str, given: Mapping[str, Any]) -> None:
+    def __init__(self, unknown: str, angle: Any, text: str, given: Mapping[str, Any]) -> None:
         from kurbel.motion.evaluation import NEEDS
         from kurbel.solve.solve import MEASURES, read_on
 
+        self.asked, self.place = (unknown, angle, text, given), Angle.read(angle, unknown, given)
         if any(is_given(given.get(name)) for name in (*OWN, "cylinder", "force", "rod", *MASSES)):
             raise ProblemError(
                 "--unknown ratio is of the motion of the piston, without rod length, forces and masses; leave"
@@ -52,7 +60,9 @@ class OfRatio:
         chosen, said = described({**known, "ratio": "1:4", "layout": None})
         if not chosen.crosshead:
             raise ProblemError("--unknown ratio is of the straight and the offset crank")
-        self.place, self.drive = place, chosen.solved(chosen.drives(said, ()), method_of(given))[0]
+        if said.method == "infinite":
+            raise ProblemError("--method infinite is of a rod without a ratio; leave it out")
+        self.drive = chosen.solved(chosen.drives(said, ()), method_of(given))[0]
         self.condition = read_on(self.drive, text)
         if (
             self.condition.unit
@@ -65,10 +75,14 @@ class OfRatio:
         ):
             raise ProblemError("--unknown ratio takes a value, such as x=1.1 or psi=15, or c=max")
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), self.asked
+
     @property
     def greatest(self) -> Fraction:
         return GREATEST_RATIO / (1 + abs(self.drive.crank.offset))
 
+    @cached_property
     def found(self) -> list[Any]:
         from dataclasses import replace
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 from kurbel.commands.loads import OWN
@@ -28,10 +28,12 @@ OF_PAGE = ("columns", "layout", "label")
 class Sized:
     """A speed, a force, a pressure, a mass or a length that a force or the motion is a polynomial of."""
 
-    def __init__(self, unknown: str, place: Angle, text: str, given: Mapping[str, Any]) -> None:
+    def __init__(self, unknown: str, angle: Any, text: str, given: Mapping[str, Any]) -> None:
         from kurbel.solve.unknown import UNKNOWNS
 
-        self.unknown, self.place, self.given, self.about = unknown, place, given, UNKNOWNS[unknown]
+        self.asked = (unknown, angle, text, given)
+        self.place = Angle.read(angle, unknown, given)
+        self.unknown, self.given, self.about = unknown, given, UNKNOWNS[unknown]
         self.loaded = any(is_given(given.get(name)) for name in (*OWN, "cylinder"))
         if is_given(given.get("card")):
             raise ProblemError(
@@ -44,7 +46,7 @@ class Sized:
             )
         if unknown == "stroke" and is_given(given.get("rod")):
             raise ProblemError("--unknown stroke is at a crank ratio; give --ratio in place of --rod")
-        if self.loaded and place.degrees is None:
+        if self.loaded and self.place.degrees is None:
             raise ProblemError("under a load the angle is one in degrees; write it as --angle 30")
         if self.loaded and given.get("method") not in (None, "exact"):
             raise ProblemError("--unknown under a load is solved by the exact formulas; leave --method out")
@@ -52,6 +54,9 @@ class Sized:
         self.question = cache(self._question)
         if (count := len(self.question(self.about.probe))) != 1:
             raise ProblemError(f"--unknown is of one drive under one load, and {count} were given; give one")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), self.asked
 
     def _read(self, text: str) -> tuple[Condition, str]:
         """Return the condition and the column that shows what it is about, in N, N m or a unit of motion."""
@@ -114,6 +119,7 @@ class Sized:
         kind = balls()
         return at(column.quantity, column.method, question.cranks[0], self.place.circle(kind), kind)
 
+    @cached_property
     def found(self) -> list[Any]:
         from kurbel.exact.certify import ball
         from kurbel.solve.unknown import Polynomial
@@ -124,10 +130,10 @@ class Sized:
         polynomial = Polynomial(
             self.value, lambda: ball(self._target()), self.about.probe, self._power(), self._degree(), square
         )
-        self.roots = polynomial.roots()
-        for root in self.roots:
+        found = polynomial.roots()
+        for root in found:
             self._check(root)
-        return self.roots
+        return found
 
     def _check(self, root: Callable[[], Any]) -> None:
         """Raise ProblemError for a value that no drive has, or one with which the formula is another."""
@@ -186,7 +192,7 @@ class Sized:
         from kurbel.solve.unknown_page import WORDS
 
         with flint.ctx.workprec(CHECKED_BITS):
-            near = fraction(self.roots[0]().mid()) / self.about.size
+            near = fraction(self.found[0]().mid()) / self.about.size
         shown = nearest(near, figures(float(near)))
         value = Fraction(shown.scaled, 10**shown.decimals) * self.about.size
         question = self.question(value)

@@ -117,12 +117,12 @@ class CardTurn(FloatTurn):
         return float(max(apart, 2 * self.force_apart / (abs(slope) + NOTHING)))
 
     def excess(self, half_turns: float) -> float:
-        """The tangential force of all cranks less its mean."""
-        return float(self.tangential_force(Fraction(half_turns)) - self.mean_force())
+        """The power of all cranks less its mean."""
+        return float(self.power(Fraction(half_turns)) - self.mean_force())
 
     def _excesses(self, places: Any) -> Any:
         """The excess at an array of half turns."""
-        return self.total(Cylinder.effort, places, -self.mean_force())
+        return self.total(Cylinder.power, places, -self.mean_force())
 
     def crank_force_error(self, force: CrankForce, half_turns: Fraction) -> float:
         """How far such a force may be off, in Q: as far as the net pressure there, by the rod's slant."""

@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Any, cast
 from kurbel.engine.axes import LoadWords, load_text, words_of
 from kurbel.engine.captions import inner
 from kurbel.exact.numerals import Label
+from kurbel.motion import captions as motion
 from kurbel.page.axes import angle_text
+from kurbel.page.labels import unprompted
 from kurbel.page.quantity import words
 from kurbel.reading.amounts import amount
 from kurbel.reading.notation import plain, ratio_text
@@ -31,6 +33,7 @@ WORDS = {
         " delivered; there the mean $T$ and the work are negative"
     ),
     "single": words("einfachwirkend|single-acting"),
+    "double": words("doppeltwirkend|double-acting"),
     "count": words("{count} Zylinder|{count} cylinders"),
     "one": words("1 Zylinder|1 cylinder"),
 }
@@ -44,7 +47,7 @@ _SINGLE = words("der Maschine mit einem Zylinder|of the engine of one cylinder")
 
 
 @dataclass(frozen=True)
-class _Alone:
+class Alone:
     """A cylinder as a page of its own would know it."""
 
     first: Engine
@@ -101,11 +104,17 @@ def masses_notes(request: EngineRequest, lang: str) -> Iterator[Label]:
     numbers = request.numbers or range(1, len(request.first.parts) + 1)
     every = zip(numbers, request.first.parts, strict=True)
     parts = [(number, part.crank) for number, part in every if part.crank.loaded]
-    same = len({crank for _, crank in parts}) == 1
+    same, weightless = len({crank for _, crank in parts}) == 1, motion.WORDS["weightless"][lang]
+    noted = False
     for number, crank in parts[:1] if same else parts:
         prefix = "" if same else WORDS["cylinder"][lang].format(number=number)
         for note in request.mechanism.masses_notes(crank, request.layout.ratio_symbol, lang):
-            yield prefix + note
+            if note == weightless:
+                noted = True
+            else:
+                yield prefix + note
+    if noted:
+        yield weightless
 
 
 def _within(line: Label, lang: str) -> Label:
@@ -114,7 +123,7 @@ def _within(line: Label, lang: str) -> Label:
 
 
 def _said(part: Engine, first: int, lang: str) -> Iterator[Label]:
-    alone = _Alone(part)
+    alone = Alone(part)
     if part.load is not None:
         yield alone.words.newtons(part.steam, part.load)
     sizes = f"$R:L = {ratio_text(part.crank.ratio)}$"
@@ -125,6 +134,8 @@ def _said(part: Engine, first: int, lang: str) -> Iterator[Label]:
         yield WORDS["lag"][lang].format(angle=f"${angle_text(part.lag)}$", number=first)
     if alone.words.captioned:
         yield load_text(part.steam, lang)
-    yield from (_within(line, lang) for line in alone.words.lines(cast("EngineRequest", alone), lang))
-    if not part.double and alone.words.halved:
-        yield WORDS["single"][lang]
+    lines = alone.words.lines(cast("EngineRequest", alone), lang)
+    # What is assumed is said by an entry of the cylinder.
+    yield from (_within(unprompted(line), lang) for line in lines)
+    if alone.words.halved:
+        yield WORDS["double" if part.double else "single"][lang]

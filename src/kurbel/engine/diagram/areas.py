@@ -19,6 +19,7 @@ from kurbel.engine.diagram.fluctuation import Extreme
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.reading import notation, units
+from kurbel.reading.given import Given
 from kurbel.reading.notation import about
 
 MOST_AREAS = 1000
@@ -34,7 +35,7 @@ class Scale(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Areas:
+class Areas(Given):
     """The signed areas of a cycle, above the mean line positive, and their scale; `turns` of the cycle where
     they are known. They are `measured` where they are energies themselves."""
 

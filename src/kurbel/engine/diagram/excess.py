@@ -18,6 +18,7 @@ from kurbel.engine.diagram.waves import QUARTER, Waves
 from kurbel.engine.diagram.zeros import Polynomial, Zero, is_plain, zeros
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats
+from kurbel.reading.given import Given
 from kurbel.reading.notation import about
 
 # Two energies that agree to so many bits are taken for equal, as at φ and -φ.
@@ -25,7 +26,7 @@ CHOOSING_BITS, EQUAL_BITS = 64, 200
 
 
 @dataclass(frozen=True)
-class Excess:
+class Excess(Given):
     """A driving torque and that of the load, whose means are the same; in J per degree if `by_degree`.
 
     So diagrams are whose areas are given: those are rational, and the torques have 1/π.

@@ -26,7 +26,7 @@ from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decim
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
-from kurbel.reading.amounts import amount
+from kurbel.reading.amounts import amount, unit_of_page
 from kurbel.reading.units import Speed
 
 TORQUES, AREAS = "torques", "areas"
@@ -210,8 +210,9 @@ def _area_notes(question: AreasRequest) -> Iterator[Label]:
     yield from (note[lang] for note in question.layout.notes)
     yield WORDS["area_signs"][lang]
     if not areas.measured:
-        times = " π" if areas.scale.of_pi else ""
-        yield WORDS["scale"][lang].format(scale=f'{figure(areas.scale.energy)}{times} "J"')
+        times, unit = unit_of_page("J")
+        pi = " π" if areas.scale.of_pi else ""
+        yield WORDS["scale"][lang].format(scale=f"{figure(times * areas.scale.energy)}{pi} {unit}")
     yield from question.flywheel()
     yield from outcome(areas, question.speed, question.steady, lang)
 

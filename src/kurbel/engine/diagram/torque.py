@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 from kurbel.engine.diagram.waves import Waves
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
+from kurbel.reading.given import Given
 from kurbel.reading.notation import about
 
 TURN = 360
@@ -47,7 +48,7 @@ class Line(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Torque:
+class Torque(Given):
     """A sum of waves and the lines beside it, one behind the other over the whole cycle."""
 
     waves: Waves

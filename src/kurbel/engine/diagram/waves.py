@@ -14,6 +14,8 @@ from math import gcd, lcm
 from typing import Any, TypeAlias
 
 from kurbel.exact.kind import Kind
+from kurbel.exact.size import plus, times
+from kurbel.reading.given import Given
 
 # Of a wave its order k and its phase α, at least 0° and below 180°, of a constant at most 90°.
 Wave: TypeAlias = tuple[Fraction, Fraction]
@@ -23,7 +25,7 @@ HALF_TURN, QUARTER = Fraction(180), Fraction(90)
 
 
 @dataclass(frozen=True)
-class Waves:
+class Waves(Given):
     """A sum of waves by their amplitudes, each of which is not zero."""
 
     amplitudes: Mapping[Wave, Fraction]
@@ -34,7 +36,7 @@ class Waves:
         found: dict[Wave, Fraction] = {}
         for amplitude, order, phase in parts:
             wave, own = _normal(amplitude, order, phase)
-            found[wave] = found.get(wave, Fraction(0)) + own
+            found[wave] = plus(found.get(wave, Fraction(0)), own)
         return cls({wave: found[wave] for wave in sorted(found) if found[wave]})
 
     @classmethod
@@ -63,14 +65,14 @@ class Waves:
     def __mul__(self, other: Waves) -> Waves:
         # cos A cos B = ½ cos(A + B) + ½ cos(A - B)
         return Waves.of(
-            (a * b / 2, k + sign * order, phase + sign * turned)
+            (times(a, b) / 2, k + sign * order, phase + sign * turned)
             for a, k, phase in self.parts
             for b, order, turned in other.parts
             for sign in (1, -1)
         )
 
     def times(self, factor: Fraction) -> Waves:
-        return Waves.of((factor * amplitude, *wave) for wave, amplitude in self.amplitudes.items())
+        return Waves.of((times(factor, amplitude), *wave) for wave, amplitude in self.amplitudes.items())
 
     def turned(self, degrees: Fraction) -> Waves:
         """Return the same behind by an angle: what it was at φ it is at φ + angle."""

@@ -29,8 +29,8 @@ OFF = Fraction(7, 1009)
 # where it is not longer than this many of its own.
 UNITS = (2**26, 2**20)
 MOST_OPEN = 4
-# Some seconds of them.
-MOST_CALLS = 100_000
+# Of a torque, and of the cosines in it: half a second of them.
+MOST_CALLS, MOST_COSINES = 100_000, 1_000_000
 # Derivatives beyond this one are not asked whether they vanish.
 MOST_MULTIPLE = 8
 
@@ -85,7 +85,7 @@ class Polynomial:
         total = sum(abs(amplitude) * scale for amplitude in waves.amplitudes.values())
         order = lcm(4, *((phase / TURN).denominator for _, phase in waves.amplitudes))
         # By Cauchy a zero times the first coefficient is at most twice the greatest of them.
-        return cls(1 + log2(total), order, 2 * int(max(waves.orders) / waves.base))
+        return cls(1 + log2(int(total)), order, 2 * int(max(waves.orders) / waves.base))
 
 
 def functions(excess: Torque, number: int, unit: int) -> tuple[Any, Any]:
@@ -144,7 +144,8 @@ def _on_line(
     from kurbel.exact.roots import LEAST_WIDTH, isolate
 
     torque, slope = functions(excess, number, unit)
-    for root in _merged(isolate(_counted(torque), slope, start / unit, end / unit)):
+    counted = _counted(torque, len(excess.waves.amplitudes))
+    for root in _merged(isolate(counted, slope, start / unit, end / unit)):
         zero = Zero(None, number, root, excess, unit)
         exact = _recognised(zero)
         is_open = exact is None and root.rising is None and unit != UNITS[-1]
@@ -154,9 +155,9 @@ def _on_line(
             yield zero if exact is None else Zero(exact)
 
 
-def _counted(torque: Any) -> Any:
-    """Return the function, which refuses to be asked without end."""
-    calls = iter(range(MOST_CALLS))
+def _counted(torque: Any, waves: int) -> Any:
+    """Return the function of so many waves, which refuses to be asked without end."""
+    calls = iter(range(min(MOST_CALLS, MOST_COSINES // max(waves, 1))))
 
     def asked(units: Any) -> Any:
         if next(calls, None) is None:

@@ -1,8 +1,9 @@
 """The harmonics of a turn's tangential force, enclosed with proof or, of an indicator card, with an error.
 
 T = P + Σ (a_k cos kφ + b_k sin kφ) over a cycle, with k = 1, 2, ... and over two turns ½, 1½, ... too;
-forces in units of Q. Between the dead centres and the corners of a cylinder's force, T is analytic, and flint
-encloses ∫ T e^(ikφ); cylinders alike differ by e^(ikα), α the angle by which one follows the other.
+forces in units of Q. Between the dead centres and the corners of a cylinder's force, T is analytic, and the
+integrals of T e^(ikφ) are enclosed for all orders from T at the same places; cylinders alike differ by
+e^(ikα), α the angle by which one follows the other.
 """
 
 from __future__ import annotations
@@ -17,11 +18,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import flint
 
+from kurbel.balance.harmonics import MOST_ORDERS
 from kurbel.engine.speed.integral import Span, spans
 from kurbel.engine.turn import Turn
 from kurbel.exact.certify import ball
-from kurbel.exact.continued import Continued, continued, half_turn_circle, integrated
+from kurbel.exact.continued import Continued, continued, half_turn_circle
 from kurbel.exact.kind import balls, floats
+from kurbel.exact.quadrature import Sample, Samples, sampled
 from kurbel.exact.roots import interval
 from kurbel.kernel.balance import Star
 from kurbel.kernel.circle import Number
@@ -32,6 +35,8 @@ if TYPE_CHECKING:
 
 # A part of a wave that no proof tells from nothing with so many bits is taken for nothing.
 NOTHING_BITS = 200
+# To multiples of so many bits the force is computed.
+BITS_STEP = 64
 # Parts of a stroke, and of each part points, at which the energy of a card is summed.
 PARTS = 480
 POINTS = 4
@@ -97,55 +102,58 @@ class Balls(Spectrum):
         # Cylinders alike have one wave.
         self._first = [alone.index(one) for one in alone]
         self._wave = lru_cache(None)(self._enclosed)
-        self._cylinders = lru_cache(None)(self._continued)
-        self._spans = lru_cache(None)(self._spans_of)
+        self._samples = lru_cache(None)(self._sampled)
 
     def cylinder(self, part: int, order: Fraction) -> Wave:
-        return self._wave(self._first[part], order, flint.ctx.prec)
-
-    def _spans_of(self, part: int, bits: int) -> tuple[Span, ...]:
-        return tuple(spans(self.alone[part]))
-
-    def _continued(self, bits: int) -> tuple[Cylinder, ...]:
-        return self.turn.cylinders_on(continued(), half_turn_circle)
+        # Columns of few decimals more or less have one precision.
+        bits = -(-flint.ctx.prec // BITS_STEP) * BITS_STEP
+        with flint.ctx.workprec(bits):
+            return self._wave(self._first[part], order, bits)
 
     def _enclosed(self, part: int, order: Fraction, bits: int) -> Wave:
-        alone, cylinder = self.alone[part], self._cylinders(bits)[part]
-        turns = flint.acb(0, ball(order) * flint.arb.pi())
-        total = flint.acb(0)
-        for span in self._spans(part, bits):
-            total += self._smooth(span, cylinder, turns) if span.smooth else self._gap(span, part, turns)
-        whole = total * 2 / alone.cycle
-        return Wave(whole.real, whole.imag)
+        assert order <= MOST_ORDERS
+        parts = (samples.with_wave(order) for samples in self._samples(part, bits))
+        cosines, sines = zip(*parts, strict=True)
+        share = ball(Fraction(2, self.alone[part].cycle))
+        return Wave(share * sum(cosines), share * sum(sines))
 
-    def _smooth(self, span: Span, cylinder: Cylinder, turns: Any) -> Any:
+    def _sampled(self, part: int, bits: int) -> tuple[Samples, ...]:
+        """Return the tangential force of one cylinder over the parts of its cycle, for all orders."""
+        on_complex = self.turn.cylinders_on(continued(), half_turn_circle)[part]
+        return tuple(
+            self._smooth(span, part, on_complex) if span.smooth else self._gap(span, part)
+            for span in spans(self.alone[part])
+        )
+
+    def _smooth(self, span: Span, part: int, on_complex: Cylinder) -> Samples:
         ((_, stroke, begun),) = span.pieces[0].strokes
-        middle = float((span.start + span.end) / 2)
+        middle, cylinder = float((span.start + span.end) / 2), self.turn.cylinders[part]
+        return sampled(
+            lambda place: cylinder.effort(stroke, place - ball(begun)),
+            lambda place: on_complex.effort(stroke, Continued(place, middle) - begun).ball,
+            span.start,
+            span.end,
+            Fraction(MOST_ORDERS),
+        )
 
-        def effort(place: Any, analytic: bool) -> Any:
-            force = cylinder.effort(stroke, Continued(place, middle) - begun)
-            return force.ball * (turns * place).exp()
-
-        return integrated(effort, ball(span.start), ball(span.end))
-
-    def _gap(self, span: Span, part: int, turns: Any) -> Any:
+    def _gap(self, span: Span, part: int) -> Samples:
         """What so narrow a gap adds, with a dead centre or a corner in it."""
         over, cylinder = interval(span.start, span.end), self.turn.cylinders[part]
         # A piece of the next cycle has the same circle.
-        efforts = [
+        efforts = (
             cylinder.effort(stroke, over - ball(begun))
             for piece in span.pieces
             for _, stroke, begun in piece.strokes
-        ]
+        )
         either = reduce(lambda one, other: one.union(other), efforts)
-        return ball(span.end - span.start) * either * (turns * over).exp()
+        return Samples((Sample(over, ball(span.end - span.start) * either),), flint.arb(0))
 
 
 class Floats(Spectrum):
     """The harmonics of a card, in floats, from the energy of its curves.
 
-    T - P is the slope of the excess energy E, which comes again with each cycle: ∫ T e^(ikφ) dφ is
-    -ik ∫ E e^(ikφ) dφ.
+    The power less P is the slope of the excess energy E, which comes again with each cycle: its integral with
+    e^(ikφ) is -ik ∫ E e^(ikφ) dφ. What T is beyond the power, to first order, is integrated as it is.
     """
 
     def __init__(self, turn: CardTurn, parts: int = PARTS) -> None:
@@ -156,30 +164,36 @@ class Floats(Spectrum):
     def cylinder(self, part: int, order: Fraction) -> Wave:
         import numpy as np
 
-        places, weights, energies, cycle = self._energies(part)
-        share = -float(order) * 2 / cycle * weights * energies
+        places, weights, energies, beyond, cycle = self._energies(part)
+        share, own = -float(order) * 2 / cycle * weights * energies, 2 / cycle * weights * beyond
         angles = float(order) * pi * places
+        cosine, sine = np.cos(angles), np.sin(angles)
         # -i (cos + i sin) is sin - i cos.
-        return Wave(float(-(share * np.sin(angles)).sum()), float((share * np.cos(angles)).sum()))
+        return Wave(
+            float((own * cosine).sum() - (share * sine).sum()), float((own * sine + share * cosine).sum())
+        )
 
-    def _energy(self, part: int) -> tuple[Any, Any, Any, int]:
-        """Return places over a cycle in half turns, their weights, the energies there, and the cycle."""
+    def _energy(self, part: int) -> tuple[Any, Any, Any, Any, int]:
+        """Return places over a cycle in half turns, their weights, the energies there, what the tangential
+        force is beyond the power, and the cycle."""
         import numpy as np
 
         cylinder = self.turn.cylinders[part]
         cycle, drive = len(cylinder.strokes), cylinder.drive
         begins = [stroke + float(drive.dead_centre(stroke % 2)) for stroke in range(cycle + 1)]
         abscissas, weights = np.polynomial.legendre.leggauss(POINTS)
-        found: list[list[Any]] = [[], [], []]
+        found: list[list[Any]] = [[], [], [], []]
         for stroke, (begin, end) in enumerate(pairwise(begins)):
             edges = np.linspace(begin, end, self.parts + 1)
             half = (edges[1] - edges[0]) / 2
             places = ((edges[:-1] + half)[:, None] + half * abscissas).ravel()
             found[0].append(places)
             found[1].append(np.tile(half * weights, self.parts))
-            found[2].append(cylinder.energy(stroke, places - stroke))
-        places, weights, energies = (np.concatenate(one) for one in found)
-        return places, weights, energies, cycle
+            angles = places - stroke
+            found[2].append(cylinder.energy(stroke, angles))
+            found[3].append(cylinder.effort(stroke, angles) - cylinder.power(stroke, angles))
+        places, weights, energies, beyond = (np.concatenate(one) for one in found)
+        return places, weights, energies, beyond, cycle
 
 
 def spectrum_of(turn: AnyTurn) -> Spectrum:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from kurbel.engine.request import EngineRequest
 
 WORDS = {
-    "isothermal": words("Verdichtung nach Mariotte|Compression by Mariotte's law"),
+    "isothermal": words("Verdichtung nach Mariotte (--exponent)|Compression by Mariotte's law (--exponent)"),
     "polytropic": words(
         'Verdichtung nach $p V^n = "const"$, $n = {exponent}$'
         '|Compression by $p V^n = "const"$, $n = {exponent}$'
@@ -30,11 +30,19 @@ WORDS = {
         "schädlicher Raum ${clearance}$ des Hubraumes, aus dem die Luft sich wieder ausdehnt"
         "|clearance ${clearance}$ of the swept volume, out of which the air expands again"
     ),
+    "unclear": words("ohne schädlichen Raum (--clearance)|no clearance (--clearance)"),
+    "lossless": words(
+        "Ventile ohne Verluste (--suction-loss, --delivery-loss)"
+        "|valves without losses (--suction-loss, --delivery-loss)"
+    ),
     "suction_loss": words(
         "im Zylinder beim Saugen $p_1 (1 - {share})$|in the cylinder at suction $p_1 (1 - {share})$"
     ),
     "delivery_loss": words("beim Ausschieben $p_2 (1 + {share})$|at delivery $p_2 (1 + {share})$"),
     "other_side": words("auf der anderen Kolbenseite ${share} p_1$|on the other face ${share} p_1$"),
+    "same_side": words(
+        "auf der anderen Kolbenseite $p_1$ (--other-side)|on the other face $p_1$ (--other-side)"
+    ),
     "above": words(
         "Saugdruck ${head}$ über dem der anderen Kolbenseite"
         "|suction pressure ${head}$ above that on the other face"
@@ -44,16 +52,18 @@ WORDS = {
         "|suction pressure ${head}$ below that on the other face"
     ),
     "no_suction_head": words(
-        "Saugdruck gleich dem auf der anderen Kolbenseite|suction pressure that on the other face"
+        "Saugdruck gleich dem auf der anderen Kolbenseite (--suction-pressure)"
+        "|suction pressure that on the other face (--suction-pressure)"
     ),
     "ring": words(
-        "Ringfläche ${share}$ der Kolbenfläche, stets unter dem Förderdruck"
-        "|ring ${share}$ of the piston's area, always under the delivery pressure"
+        "Ringfläche ${share}$ der Kolbenfläche{usual}, stets unter dem Förderdruck"
+        "|ring ${share}$ of the piston's area{usual}, always under the delivery pressure"
     ),
     "both": words(
         "Exponent der Verdichtung und der Ausdehnung ${exponent}$"
         "|exponent of compression and expansion ${exponent}$"
     ),
+    "unraised": words("Auspuffdruck $p_1$ (--exhaust-pressure)|exhaust pressure $p_1$ (--exhaust-pressure)"),
     "apart": words(
         "Exponent der Verdichtung ${compression}$, der Ausdehnung ${expansion}$"
         "|exponent of compression ${compression}$, of expansion ${expansion}$"
@@ -63,7 +73,8 @@ WORDS = {
     "heat": words("Wärme $q = {heat} R T_1$|heat $q = {heat} R T_1$"),
     "exhaust": words("Auspuffdruck ${exhaust} p_1$|exhaust pressure ${exhaust} p_1$"),
     "four": words(
-        "Viertakt, 0° im inneren Totpunkt bei der Zündung|four-stroke, 0° at the inner dead centre of firing"
+        "Viertakt (--two-stroke), 0° im inneren Totpunkt bei der Zündung"
+        "|four-stroke (--two-stroke), 0° at the inner dead centre of firing"
     ),
     "two": words(
         "Zweitakt, 0° im inneren Totpunkt bei der Zündung|two-stroke, 0° at the inner dead centre of firing"
@@ -75,12 +86,12 @@ KINDS = {
     DIFFERENTIAL: words("Differentialpumpe|differential"),
 }
 PUMPS = {
-    DOUBLE: words("Pumpe doppeltwirkend|Double-acting pump"),
+    DOUBLE: words("Pumpe doppeltwirkend (--pump single)|Double-acting pump (--pump single)"),
     SINGLE: words("Pumpe einfachwirkend|Single-acting pump"),
     DIFFERENTIAL: words("Differentialpumpe|Differential pump"),
 }
 CYCLES = {
-    OTTO: words("Otto-Prozess|Otto cycle"),
+    OTTO: words("Otto-Prozess (--cycle)|Otto cycle (--cycle)"),
     DIESEL: words("Diesel-Prozess|Diesel cycle"),
     DUAL: words("gemischter Prozess (Seiliger)|dual cycle (Seiliger)"),
 }
@@ -94,19 +105,25 @@ def _compressor_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
         yield WORDS["polytropic"][lang].format(exponent=figure(load.exponent))
     if load.clearance:
         yield WORDS["clearance"][lang].format(clearance=figure(load.clearance))
+    else:
+        yield WORDS["unclear"][lang]
     if load.suction_loss:
         yield WORDS["suction_loss"][lang].format(share=figure(load.suction_loss))
     if load.delivery_loss:
         yield WORDS["delivery_loss"][lang].format(share=figure(load.delivery_loss))
+    if not (load.suction_loss or load.delivery_loss):
+        yield WORDS["lossless"][lang]
     if not request.double:
-        yield WORDS["other_side"][lang].format(share=_times(load.other_side))
+        said = "same_side" if load.other_side == 1 else "other_side"
+        yield WORDS[said][lang].format(share=figure(load.other_side))
 
 
 def _pump_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
     load: Pump = _first(request)
     yield PUMPS[load.kind][lang]
     if load.kind == DIFFERENTIAL:
-        yield WORDS["ring"][lang].format(share=figure(load.small_area))
+        usual = " (--small-area)" if load.small_area == Fraction(1, 2) else ""
+        yield WORDS["ring"][lang].format(share=figure(load.small_area), usual=usual)
     if load.kind != DOUBLE:
         yield _suction(load, request.first.load, lang)
 
@@ -128,21 +145,19 @@ def _gas_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
         if (value := getattr(load, key)) is not None:
             yield WORDS[key][lang].format(**{key: figure(value)})
     if load.expansion_exponent in (None, load.exponent):
-        yield WORDS["both"][lang].format(exponent=figure(load.exponent))
+        usual = " (--exponent)" if load.exponent == Fraction(7, 5) else ""
+        yield WORDS["both"][lang].format(exponent=figure(load.exponent)) + usual
     else:
         assert load.expansion_exponent is not None
         exponents = figure(load.exponent), figure(load.expansion_exponent)
         yield WORDS["apart"][lang].format(compression=exponents[0], expansion=exponents[1])
-    if load.exhaust != 1 and not load.two_stroke:
-        yield WORDS["exhaust"][lang].format(exhaust=figure(load.exhaust))
+    if not load.two_stroke:
+        said = "unraised" if load.exhaust == 1 else "exhaust"
+        yield WORDS[said][lang].format(exhaust=figure(load.exhaust))
 
 
 def _first(request: EngineRequest) -> Any:
     return request.steams[0]
-
-
-def _times(share: Fraction) -> str:
-    return "" if share == 1 else figure(share)
 
 
 def _of_suction(_: Any, load: Load) -> Label:

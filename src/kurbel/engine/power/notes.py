@@ -60,15 +60,15 @@ WORDS = {
     ),
     "given": words("Gegeben: {given}|Given: {given}"),
     "steam": words(
-        'Dampf eines wirksamen Hubes {volume} $V_h/v$, $v = {specific} "m"^3/"kg"$ vor der Absperrung'
-        '|Steam of a working stroke {volume} $V_h/v$, $v = {specific} "m"^3/"kg"$ before cut-off'
+        "Dampf eines wirksamen Hubes {volume} $V_h/v$, $v = {specific}$ vor der Absperrung"
+        "|Steam of a working stroke {volume} $V_h/v$, $v = {specific}$ before cut-off"
     ),
     "kept": words(
         "; der schädliche Raum enthält noch Dampf vom Gegendruck $p_b$"
         "|; the clearance still keeps steam of the back pressure $p_b$"
     ),
     "uncut": words("Volldruck über den ganzen Hub|Full pressure over the whole stroke"),
-    "mariotte": words("Expansion nach Mariotte|Expansion by Mariotte's law"),
+    "mariotte": words("Expansion nach Mariotte (--exponent)|Expansion by Mariotte's law (--exponent)"),
     "polytropic": words(
         'Expansion nach $p V^n = "const"$, $n = {exponent}$|Expansion by $p V^n = "const"$, $n = {exponent}$'
     ),
@@ -77,11 +77,13 @@ WORDS = {
     ),
     "back": words("Gegendruck $p_b = {back} p$|back pressure $p_b = {back} p$"),
     "best": words(
-        "Gegendruck $p_b$ gleich der Endspannung des Dampfes, nicht gegeben"
-        "|back pressure $p_b$ equal to the steam's at the end of the stroke, not given"
+        "Gegendruck $p_b$ gleich der Endspannung des Dampfes (--back)"
+        "|back pressure $p_b$ equal to the steam's at the end of the stroke (--back)"
     ),
     "single": words("einfachwirkend|single-acting"),
-    "double": words("doppeltwirkend|double-acting"),
+    "double": words("doppeltwirkend (--single-acting)|double-acting (--single-acting)"),
+    "ideal": words("ideales Diagramm (--diagram-factor)|ideal card (--diagram-factor)"),
+    "unclear": words("ohne schädlichen Raum (--clearance)|no clearance (--clearance)"),
     "card": words(
         "Druck aus dem Diagramm; gedruckt sind nur so viele Stellen, wie seine Punkte tragen"
         "|pressure from the card; only as many digits as its points support are printed"
@@ -116,7 +118,10 @@ def notes(request: PowerRequest) -> Iterator[Label]:
         return
     if duty.specific_volume is not None and not shown.isdisjoint(("steam", "steam_per_kwh")):
         yield _steam_taken(source, duty, lang)
-    yield "; ".join(_steam_lines(source, lang) if source.steamed else _lines(request, lang))
+    lines = [*(_steam_lines(source, lang) if source.steamed else _lines(request, lang))]
+    if source.steamed and duty.diagram_factor == 1 and not duty.factor_asked:
+        lines.append(WORDS["ideal"][lang])
+    yield "; ".join(lines)
     if request.driven:
         yield WORDS["supplied"][lang]
 
@@ -146,7 +151,7 @@ def _steam_taken(source: Acting, duty: Duty, lang: str) -> Label:
     assert volume is not None
     kept = "p_b/p" if steam.exponent == 1 else f"(p_b/p)^(1/{figure(steam.exponent)})"
     taken = f"$1/ε + κ (1 - {kept})$" if steam.clearance else "$1/ε$"
-    said = WORDS["steam"][lang].format(volume=taken, specific=figure(volume))
+    said = WORDS["steam"][lang].format(volume=taken, specific=amount(volume, "m³/kg"))
     return said + (WORDS["kept"][lang] if steam.clearance else "")
 
 
@@ -160,6 +165,8 @@ def _steam_lines(source: Acting, lang: str) -> Iterator[Label]:
         yield WORDS["polytropic"][lang].format(exponent=figure(steam.exponent))
     if steam.clearance:
         yield WORDS["clearance"][lang].format(clearance=figure(steam.clearance))
+    elif steam.expansion != 1:
+        yield WORDS["unclear"][lang]
     if steam.back is None:
         yield WORDS["best"][lang]
     else:

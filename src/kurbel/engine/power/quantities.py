@@ -107,11 +107,11 @@ def _entries() -> Iterator[Quantity]:
                  EFFICIENT)  # fmt: skip
     yield _entry("steam", "Dampfverbrauch|Steam taken", "$D$", "kg/h", Fraction(1, 3600), Found.steam,
                  STEAMED)  # fmt: skip
-    per_kwh, kwh = "Dampf je kWh|Steam per kWh", Fraction(1, 3600 * 1000)
-    yield _entry("steam_per_kwh", f"{per_kwh}, indicated".replace("stunde|", "stunde, indiziert|"),
-                 "$D/N_i$", "kg/kWh", kwh, Found.steam_of_work, STEAMED)  # fmt: skip
-    yield _entry("steam_per_brake_kwh", f"{per_kwh} at the shaft".replace("stunde|", "stunde an der Welle|"),
-                 "$D/N_e$", "kg/kWh", kwh, lambda found: found.steam_of_work() / found.brake(),
+    kwh = Fraction(1, 3600 * 1000)
+    yield _entry("steam_per_kwh", "Dampf je kWh, indiziert|Steam per kWh, indicated", "$D/N_i$", "kg/kWh",
+                 kwh, Found.steam_of_work, STEAMED)  # fmt: skip
+    yield _entry("steam_per_brake_kwh", "Dampf je kWh an der Welle|Steam per kWh at the shaft", "$D/N_e$",
+                 "kg/kWh", kwh, lambda found: found.steam_of_work() / found.brake(),
                  f"{STEAMED} {EFFICIENT}")  # fmt: skip
     yield _entry("delivery", "Fördermenge|Delivery", "$V$", "m³/min", Fraction(1, 60),
                  Found.delivery, GIVES)  # fmt: skip

@@ -15,7 +15,7 @@ from kurbel.engine.pressures.pressed import PASCALS, Pressed, Where, is_carded
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats, settled
 from kurbel.exact.numerals import Label, Number, nearest
-from kurbel.motion.captions import moving_notes
+from kurbel.motion.captions import digits_text, moving_notes
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decimals
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, filled, for_ratio, words
@@ -32,6 +32,10 @@ UNKNOWN: Mapping[str, str] = {
     BOTH: "masses and a pressure on the piston; add --reciprocating, and what drives it, such as --eps 4",
 }
 WORDS: Mapping[str, Words] = {
+    "slide": words(
+        "$φ$ von der Schubrichtung, der innere Totpunkt bei $φ_i = {inner}°$"
+        "|$φ$ from the slide direction, the inner dead centre at $φ_i = {inner}°$"
+    ),
     "out": words("Hingang|Outstroke"),
     "return": words("Rückgang|Return"),
     "numbered": words("{number}. Hub, {stroke}|Stroke {number}, {stroke}"),
@@ -195,8 +199,18 @@ def _notes(question: PressuresRequest) -> Iterator[Label]:
     lang, pressed = question.lang, question.pressed
     yield from (note[lang] for note in question.layout.notes)
     yield WORDS["signs"][lang]
+    if not pressed.drive.moved(floats(), "exact").regular:
+        inner = digits_text(lambda kind: 180 * pressed.drive.moved(kind, "exact").dead_centre(0), 3, False)
+        yield WORDS["slide"][lang].format(inner=inner)
     if pressed.engine is not None and getattr(pressed.engine.steam, "driven", False):
         yield WORDS["driven"][lang]
+    if pressed.engine is not None:
+        from kurbel.engine.axes import engine_lines, load_text
+        from kurbel.engine.cylinders.words import Alone
+
+        alone: Any = Alone(pressed.engine)
+        load = [load_text(pressed.engine.steam, lang)] if alone.words.captioned else []
+        yield "; ".join((*load, *engine_lines(alone, lang)))
     if pressed.heavy:
         rod = WORDS["rod"][lang] if known(pressed.crank.moving).rod is not None else ""
         bore = amount(known(pressed.bore), "mm")

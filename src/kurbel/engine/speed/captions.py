@@ -46,11 +46,15 @@ WORDS = {
     "mean": words(
         '$n$ gegeben als Mittel $1/2 (n_"max" + n_"min")$|$n$ given as the mean $1/2 (n_"max" + n_"min")$'
     ),
-    "constant": words("Widerstandsmoment gleichbleibend|constant resisting torque"),
+    "constant": words(
+        "Widerstandsmoment gleichbleibend (--resistance)|constant resisting torque (--resistance)"
+    ),
     "square": words(
         "Widerstandsmoment wie das Quadrat der Geschwindigkeit|resisting torque as the square of the speed"
     ),
-    "constant_driven": words("Antriebsmoment gleichbleibend|constant driving torque"),
+    "constant_driven": words(
+        "Antriebsmoment gleichbleibend (--resistance)|constant driving torque (--resistance)"
+    ),
     "delta_mean": words('$δ_m = (v_"max" - v_"min")/v_m$, $v_m = 1/2 (v_"max" + v_"min")$'),
     "delta_first": words(
         '$δ_1 = (v_"max" - v_"min")/v_1$, nach Weisbach|$δ_1 = (v_"max" - v_"min")/v_1$, by Weisbach'

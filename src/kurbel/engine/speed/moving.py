@@ -46,9 +46,9 @@ def slopes_on(turn: AnyTurn, piece: Piece, place: Number) -> Slopes:
     for part, stroke, angle in _standing(piece, place):
         one = turn.cylinders[part]
         light = one.still
-        force, bend = force + light.effort(stroke, angle), bend + light.slope(stroke, angle)
-        # What the masses add to effort and slope is the loss of their energy.
-        torque = torque + light.effort(stroke, angle) - one.effort(stroke, angle)
+        force, bend = force + light.power(stroke, angle), bend + light.slope(stroke, angle)
+        # What the masses add to power and slope is the loss of their energy.
+        torque = torque + light.power(stroke, angle) - one.power(stroke, angle)
         curve = curve + light.slope(stroke, angle) - one.slope(stroke, angle)
     return Slopes(force, torque, bend, curve)
 

@@ -7,8 +7,7 @@ of kernel/rod.py, offset being η or None for the straight crank.
 
 The first order is that of the textbooks of the theory of machines: the piston's acceleration is
 cos φ + λ cos 2φ, and the rod turns by ψ' = λ cos φ and ψ'' = -λ sin φ; the angle ψ at which forces pass
-through the rod is exact. With `arm` the torque, too, is of first order: forces on the piston have the arm
-sin φ + ½ λ sin 2φ, so that it is the slope of an energy.
+through the rod is exact, so that the forces of a place compose.
 """
 
 from typing import Generic, NamedTuple, TypeVar
@@ -25,7 +24,6 @@ class Accelerations(NamedTuple, Generic[Kind]):
 
     gain: Kind | None = None
     first_order: bool = False
-    arm: bool = False
 
     def piston(self, circle: Circle[Number], ratio: Number, offset: Number | None) -> Number:
         """Return p, that of the piston against X."""
@@ -67,18 +65,6 @@ class Accelerations(NamedTuple, Generic[Kind]):
         """Return that of the crank pin across the slide, against Y: sin φ - κ cos φ."""
         return circle.sine if self.gain is None else circle.sine - self.gain * circle.cosine
 
-    def lever(self, circle: Circle[Number], ratio: Number, offset: Number | None) -> Number:
-        """Return the arm of a force on the piston about the shaft, in units of R."""
-        if self.arm:
-            return kinematics.piston_velocity_first_order(circle, ratio)
-        return tangential_force(circle, ratio, offset)
-
-    def rod_lever(self, circle: Circle[Number], slant: Slant[Number]) -> Number:
-        """Return that of the inertia couple of the rod: cos φ/cos ψ, the share of R across the slide."""
-        return circle.cosine if self.arm else circle.cosine / slant.cosine
-
 
 EVEN: Accelerations[Number] = Accelerations()
 OF_FIRST_ORDER: Accelerations[Number] = Accelerations(first_order=True)
-# As the turning effort of an engine has them.
-WITH_ARM: Accelerations[Number] = Accelerations(first_order=True, arm=True)

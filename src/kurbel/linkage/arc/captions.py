@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
+from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, exact_text
 from kurbel.linkage.arc.crank import ArcCrank
@@ -21,6 +22,8 @@ from kurbel.motion.evaluation import LOADED, OUT, RETURN
 from kurbel.page.quantity import Words, filled, words
 from kurbel.reading.notation import ratio_text
 
+# How the keys of the force of the rocker begin.
+GUIDE = "guide_force"
 # {±} belongs to the stroke, {β±} to the stroke and the side of the pivot, {β+} and {β-} to that side alone.
 CLOSURE = "${lead}R cos φ + L cos ψ = D {β+} B sin θ$, ${lead}R sin φ - L sin ψ = H {β-} B cos θ$"
 SIGNS = {("", 1): "+", ("", -1): "-", ("both", 1): "±", ("both", -1): "∓"}
@@ -53,6 +56,10 @@ WORDS: Mapping[str, Words] = {
         "|The piston acts at the rocker's end, along its arc, on which paths and the stroke count"
     ),
     "reciprocating": words("am Schwingenende|at the rocker's end"),
+    "held": words(
+        "$N$ hält auch die Masse am Schwingenende auf ihrem Bogen"
+        "|$N$ also keeps the mass at the rocker's end on its arc"
+    ),
     "rocker": words("Schwinge um ihren Drehpunkt|rocker about its pivot"),
     "rotating": MOTION_WORDS["rotating"],
     "connecting_rod": words(
@@ -87,8 +94,16 @@ class Speech:
         """Yield the lines below the table: formulas, and what each drive does between its dead centres."""
         yield from self._formula_lines(request)
         yield from force_lines(request, self.words["force"], self.words)
+        yield from self.held(
+            request.drives[0].crank, [one.quantity.key for one in request.page_columns], request.lang
+        )
         yield from (self.dead_centres(drive, request.lang) for drive in request.drives)
         yield from (self.words[key][request.lang] for key in self.further)
+
+    def held(self, crank: Crank, shown: Iterable[str], lang: str) -> Iterator[Label]:
+        """Yield what the force of the rocker holds of the mass that goes to and fro."""
+        if crank.moving and crank.moving.reciprocating and any(one.startswith(GUIDE) for one in shown):
+            yield self.words["held"][lang]
 
     def engine_notes(self, drives: Sequence[RockerCrank], lang: str) -> list[Label]:
         """Return what pages of engines say of these drives."""
@@ -129,9 +144,9 @@ class Speech:
             if not (heavy and LOADED in one.formulas)
         ]
         formulas = [
-            formula.printed.replace("{part}", one.part[lang])
+            formula.printed.replace("{part} ", f"{one.part[lang]} " if one.part else "")
             for one, formula in shown
-            if formula.printed and one.part
+            if formula.printed
         ]
         # The path's, which tells the strokes apart by name, comes first.
         formulas.sort(key=lambda line: line.startswith("$"))
@@ -144,6 +159,9 @@ class Speech:
         if shown:
             forces = all(one.of == FORCE for one, _ in shown)
             yield self.words["angles"][lang] + ("" if forces else self.words["radians"][lang])
+            turning = (one.direction[lang] for one, _ in shown if one.of != FORCE and one.direction)
+            if said := "; ".join(dict.fromkeys(turning)):
+                yield said
         if RETURN in strokes:
             yield MOTION_WORDS["offset_return"][lang].replace("{angle}", request.layout.angle_symbol)
         if shown and len(strokes) > 1:

@@ -51,13 +51,14 @@ def with_share(own: Mapping[str, Quantity]) -> Mapping[str, Quantity]:
 class ArcDrive(LinkageDrive):
     """The arc crank."""
 
-    columns_of = staticmethod(arc_columns)
-    page = "arc"
-
-    def __init__(self, crank: RockerCrank) -> None:
-        super().__init__(crank, self.columns_of(), self.page)
+    def __init__(self, crank: RockerCrank, page: str = "arc") -> None:
+        super().__init__(crank, page)
         self.arc = crank
         self.centre = self._centre()
+
+    @staticmethod
+    def columns_of(page: str) -> Mapping[str, Quantity]:
+        return arc_columns()
 
     @property
     def is_straight(self) -> bool:

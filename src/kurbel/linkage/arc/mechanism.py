@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any, ClassVar
@@ -51,8 +51,11 @@ class RockerMechanism(LinkageMechanism):
         yield from super().rod_notes(drives, lang)
         yield from (self.speech.dead_centres(one, lang) for one in drives)
 
-    def masses_notes(self, crank: Crank, ratio_symbol: str, lang: str) -> Iterable[Label]:
-        return moving_notes(crank, ratio_symbol, lang, self.speech.words)
+    def masses_notes(
+        self, crank: Crank, ratio_symbol: str, lang: str, shown: Collection[str] = ()
+    ) -> Iterable[Label]:
+        yield from moving_notes(crank, ratio_symbol, lang, self.speech.words)
+        yield from self.speech.held(crank, shown, lang)
 
     def named(self, quantity: Quantity) -> Quantity:
         return named(quantity, self.names)

@@ -13,13 +13,17 @@ from kurbel.kernel import linkage
 from kurbel.linkage.arc.rocker import STROKE
 from kurbel.linkage.linkage import At
 from kurbel.linkage.quantities import DECIMALS, FORCES, force_entries, force_formula
-from kurbel.motion.entries import on_strokes, spanned
-from kurbel.page.quantity import Formula, Quantity
+from kurbel.motion.entries import OF_ROD, on_strokes, spanned
+from kurbel.page.quantity import Formula, Quantity, words
 
 ANGLE_DECIMALS = 3
 # A further formula, as it is printed where the pivot lies on the left of the end's way.
 LEFT = "left"
 Formulas = Mapping[str, Formula]
+OF_TURN = words(
+    "Drehung der Schwinge positiv in der Richtung des Hubes"
+    "|turning of the rocker positive in the direction of the stroke"
+)
 
 # In printed formulas {±} is the sign of the stroke, {β±} that of the stroke and the side of the pivot.
 _ZETA, _TAU = "$ζ = φ - θ$", "$τ = ψ + θ$"
@@ -122,23 +126,33 @@ def _arc_entries() -> Iterator[Quantity]:
     yield _entry(
         "turn", "Drehung der Schwinge|Turn of the rocker", "ϑ", "°", Formula(lambda at: abs(_turned(at)))
     )
-    for key, name, letter, velocity, acceleration in (
+    for key, name, letter, velocity, acceleration, said in (
         (
             "turn", "der Schwinge|of the rocker", "B",
-            _by_rocker(linkage.velocity), _by_rocker(linkage.acceleration),
+            _by_rocker(linkage.velocity), _by_rocker(linkage.acceleration), OF_TURN,
         ),
-        ("rod", "der Stange|of the rod", "L", _of(linkage.rod_velocity), _of(linkage.rod_acceleration)),
+        (
+            "rod", "der Stange|of the rod", "L",
+            _of(linkage.rod_velocity), _of(linkage.rod_acceleration), OF_ROD,
+        ),
     ):  # fmt: skip
         de, en = name.split("|")
         speed = f"Winkelgeschwindigkeit {de}|Angular velocity {en}"
-        yield _entry(f"{key}_velocity", speed, f"ω_{letter}", "ω", velocity, names=(f"{key}_velocity",))
+        yield _entry(
+            f"{key}_velocity", speed, f"ω_{letter}", "ω", velocity, names=(f"{key}_velocity",), direction=said
+        )
         gain = f"Winkelbeschleunigung {de}|Angular acceleration {en}"
         yield _entry(
-            f"{key}_acceleration", gain, f"ε_{letter}", "ω²", acceleration, names=(f"{key}_acceleration",)
-        )
+            f"{key}_acceleration", gain, f"ε_{letter}", "ω²", acceleration,
+            names=(f"{key}_acceleration",), direction=said,
+        )  # fmt: skip
         turning, twice = spin.angular_velocity, spin.angular_square
-        yield _sized(f"{key}_velocity_radps", speed, f"ω_{letter}", "rad/s", velocity, turning)
-        yield _sized(f"{key}_acceleration_radps2", gain, f"ε_{letter}", "rad/s²", acceleration, twice)
+        yield _sized(
+            f"{key}_velocity_radps", speed, f"ω_{letter}", "rad/s", velocity, turning, direction=said
+        )
+        yield _sized(
+            f"{key}_acceleration_radps2", gain, f"ε_{letter}", "rad/s²", acceleration, twice, direction=said
+        )
 
 
 def _entry(

@@ -8,6 +8,7 @@ from kurbel.exact.numerals import Label, exact_text
 from kurbel.linkage.arc.captions import WORDS as ARC_WORDS
 from kurbel.linkage.arc.captions import Speech, printed
 from kurbel.linkage.arc.names import NAMES as ARC_NAMES
+from kurbel.linkage.arc.quantities import OF_TURN
 from kurbel.linkage.beam.crank import BeamCrank
 from kurbel.linkage.quantities import FORCES
 from kurbel.page.quantity import Words, words
@@ -35,6 +36,7 @@ _SAID = (
     "Schwingenwinkel|Rocker angle|Drehung der Schwinge|Turn of the rocker",
     "Winkelgeschwindigkeit der Schwinge|Angular velocity of the rocker",
     "Winkelbeschleunigung der Schwinge|Angular acceleration of the rocker",
+    "|".join(OF_TURN.values()),
     *(text for one in FORCES.values() for text in (one.name, one.direction)),
 )
 NAMES: Mapping[str, str] = {
@@ -76,6 +78,10 @@ WORDS: Mapping[str, Words] = {
         " sagitta of its arc"
     ),
     "reciprocating": words("am Kolben|at the piston"),
+    "held": words(
+        "$N$ ohne die Masse am Kolben, die der andere Arm des Balanciers auf ihrem Bogen hält"
+        "|$N$ without the mass at the piston, which the other arm of the beam keeps on its arc"
+    ),
     "rocker": words("Balancier um seinen Drehpunkt|beam about its pivot"),
     "connecting_rod": {
         # The arm of the beam is a.

@@ -38,11 +38,12 @@ def beam_columns() -> Mapping[str, Quantity]:
 class BeamDrive(ArcDrive):
     """The beam engine."""
 
-    columns_of = staticmethod(beam_columns)
-    page = "beam"
+    def __init__(self, crank: BeamCrank, page: str = "beam") -> None:
+        super().__init__(crank, page)
 
-    def __init__(self, crank: BeamCrank) -> None:
-        super().__init__(crank)
+    @staticmethod
+    def columns_of(page: str) -> Mapping[str, Quantity]:
+        return beam_columns()
 
     def is_free(self, quantity: Quantity) -> bool:
         return False

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from kurbel.drive.load import figure
+from kurbel.drive.slope import STANDARD_GRAVITY
 from kurbel.exact.numerals import Label
-from kurbel.motion.evaluation import OUT
-from kurbel.page.quantity import Column, words
+from kurbel.page.quantity import words
 from kurbel.reading.amounts import amount
 
 if TYPE_CHECKING:
@@ -19,10 +19,8 @@ if TYPE_CHECKING:
 
 WORDS = {
     "weight": words(
-        "Gewicht {parts}: Schubrichtung unter ${angle}°$ gegen die Waagerechte, {where}, $g = {gravity}"
-        ' "m/s"^2$'
-        "|Weight of {parts}: slide at ${angle}°$ to the horizontal, {where}, $g = {gravity}"
-        ' "m/s"^2$'
+        "Gewicht {parts}: Schubrichtung unter ${angle}°$ gegen die Waagerechte, {where}, $g = {gravity}$"
+        "|Weight of {parts}: slide at ${angle}°$ to the horizontal, {where}, $g = {gravity}$"
     ),
     "pressures": words(
         "$F = π/4 ({cover} p_D - {other} p_K)$ zur Welle hin: $p_D = {head}$ auf der"
@@ -35,18 +33,16 @@ WORDS = {
         "|$F = π/4 d^2 Δp$ towards the shaft: $Δp = {head}$ more on the side of the cover"
     ),
     "rods": words(
-        "{rods}: Kolbenstange und durchgeführte Stange auf ihrer Seite von der Kolbenfläche abgezogen"
-        "|{rods}: areas of piston rod and tail rod taken off on their sides of the piston"
+        "{rods}: Kolbenstange und durchgeführte Stange auf ihrer Seite von der Kolbenfläche abgezogen; auf"
+        " ihren Querschnitt wirkt kein Druck, auch nicht der der Luft"
+        "|{rods}: areas of piston rod and tail rod taken off on their sides of the piston; no pressure acts"
+        " on their sections, not even that of the atmosphere"
     ),
     "pins": words(
         "$M_R$ weniger dem, was die Zapfen nehmen, mit Reibungskreisen $d/2 sin ρ$, $tan ρ = {friction}$:"
         " Kreuzkopfzapfen $d = {crosshead}$, Kurbelzapfen $d = {crank}$, Welle $d = {shaft}$"
         "|$M_R$ less what the pins take, with circles of friction $d/2 sin ρ$, $tan ρ = {friction}$:"
         " crosshead pin $d = {crosshead}$, crank pin $d = {crank}$, shaft $d = {shaft}$"
-    ),
-    "outward": words(
-        "jenseits des äußeren Totpunkts bleiben die Richtungen die des Hingangs"
-        "|beyond the outer dead centre directions remain those of the outstroke"
     ),
     "friction": words("Reibung ${force}$ gegen die Bewegung|Friction ${force}$ against the motion"),
     "reciprocating": words("von Kolben und Kreuzkopf|piston and crosshead"),
@@ -69,12 +65,18 @@ def weight_notes(moving: Moving, lang: str) -> Iterator[Label]:
     if moving.slope is None:
         return
     parts = "all" if moving.rod and moving.reciprocating else "rod" if moving.rod else "reciprocating"
-    yield WORDS["weight"][lang].format(
+    said = WORDS["weight"][lang].format(
         parts=WORDS[parts][lang],
         angle=figure(moving.slope.angle),
         where=_where(moving.slope, lang),
-        gravity=figure(moving.slope.gravity),
+        gravity=amount(moving.slope.gravity, "m/s²"),
     )
+    yield said + usual_gravity(moving.slope.gravity)
+
+
+def usual_gravity(gravity: Fraction) -> str:
+    """Return the option that gives another acceleration of gravity than the standard one."""
+    return " (--gravity)" if gravity == STANDARD_GRAVITY else ""
 
 
 def _where(slope: Slope, lang: str) -> str:
@@ -83,13 +85,6 @@ def _where(slope: Slope, lang: str) -> str:
     height = "level" if side in (0, 180) else "above" if side < 180 else "below"
     turning = "" if slope.upright else WORDS["over" if slope.over else "under"][lang]
     return WORDS[height][lang] + turning
-
-
-def direction_notes(angles: Iterable[Fraction], columns: Sequence[Column], lang: str) -> Iterator[Label]:
-    """Yield the line about columns of the outstroke at angles of the return."""
-    directed = any(one.quantity.stroke == OUT and one.quantity.direction for one in columns)
-    if directed and any(angle % 360 > 180 for angle in angles):
-        yield WORDS["outward"][lang]
 
 
 def effort_notes(effort: Effort, lang: str) -> Iterator[Label]:

@@ -11,6 +11,7 @@ from kurbel.drive.load import figure
 from kurbel.exact.numerals import Label, finite_decimals
 from kurbel.kernel.circle import root
 from kurbel.motion.captions import WORDS, digits_text
+from kurbel.motion.notes.effort import usual_gravity
 from kurbel.page.quantity import Words
 from kurbel.reading.amounts import amount
 
@@ -37,7 +38,7 @@ def _swing(rod: Rod, lang: str) -> Label:
         return ""
     time, pin, gravity = rod.swing
     said = WORDS["swing"][lang].format(time=figure(time), pin=WORDS[f"swing_{pin}"][lang])
-    return f'{said}, $g = {figure(gravity)} "m/s"^2$'
+    return f"{said}, $g = {amount(gravity, 'm/s²')}$" + usual_gravity(gravity)
 
 
 def _root(square: Fraction) -> str:

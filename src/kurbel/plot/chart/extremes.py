@@ -38,24 +38,31 @@ class _Found(NamedTuple):
 
 
 def spots(
-    drive: Drive, quantity: Quantity, values: Values, span: tuple[float, float], power: int, lang: str
+    drive: Drive,
+    quantity: Quantity,
+    values: Values,
+    span: tuple[float, float],
+    power: int,
+    lang: str,
+    times: Fraction = Fraction(1),
 ) -> list[Spot]:
     """Return where a quantity is greatest and least over the turn, with certified values and angles.
 
-    The values are in the units of its axis, those of its page divided by a power of ten. A value of 0 has no
-    name. Of a quantity that conditions do not know there are none.
+    The values are in the units of its axis, those of its page divided by a power of ten; they are so many
+    `times` those of a metric page. A value of 0 has no name. Of a quantity that conditions do not know there
+    are none.
     """
     asked = _conditions(drive).get(quantity.key)
     if asked is None or not _is_solved(drive, asked) or drive.course(asked, OUT).is_constant:
         return []
     roots = (root for kind in (MAX, MIN) for root in solve(drive, Condition(asked, kind)))
-    found = [one for root in roots for one in _on_curve(root, quantity, values)]
+    found = [one for root in roots for one in _on_curve(root, quantity, values, times)]
     near = NEAR * max((abs(one.value) for one in found), default=0.0)
     named: list[Spot] = []
     for end in dict.fromkeys(choose(one.value for one in found) for choose in (max, min) if found):
         alike = [one for one in found if abs(one.value - end) <= near < abs(end)]
         apart = {round(one.angle, 6) % TURN: one for one in reversed(alike)}
-        named.extend(_named(apart.values(), quantity, span, power, lang))
+        named.extend(_named(apart.values(), quantity, span, times * Fraction(10) ** -power, lang))
     return named
 
 
@@ -112,23 +119,23 @@ def _is_solved(drive: Drive, asked: str) -> bool:
     return heavy or one.rises or drive.jet(one) is not None
 
 
-def _on_curve(root: Root, quantity: Quantity, values: Values) -> Iterator[_Found]:
+def _on_curve(root: Root, quantity: Quantity, values: Values, times: Fraction) -> Iterator[_Found]:
     """Yield a root if the curve over the turn has its value, maybe of the other sign.
 
     On the return a stroke counts the other way, and its path from the other dead centre.
     """
     angle = _float(root.angle(True, 1, DECIMALS, ROUNDING))
-    value, drawn = _float(root.number(quantity.key, DECIMALS, ROUNDING)), values(angle)
+    value, drawn = _float(root.number(quantity.key, DECIMALS, ROUNDING, times)), values(angle)
     if abs(abs(drawn) - abs(value)) <= NEAR * abs(value):
         yield _Found(angle, drawn, root)
 
 
 def _named(
-    found: Iterable[_Found], quantity: Quantity, span: tuple[float, float], power: int, lang: str
+    found: Iterable[_Found], quantity: Quantity, span: tuple[float, float], times: Fraction, lang: str
 ) -> Iterator[Spot]:
     """Yield the marks of places; of one that comes again after a turn, the first has the text."""
     for one in found:
-        number = _number(one.root, quantity, power)
+        number = _number(one.root, quantity, times)
         signed = number._replace(scaled=abs(number.scaled) * (-1 if one.value < 0 else 1))
         turns = range(ceil((span[0] - one.angle) / TURN), floor((span[1] - one.angle) / TURN) + 1)
         for turn in turns:
@@ -142,13 +149,13 @@ def _degrees(root: Root, turn: int) -> str:
     return degrees_text(Fraction(minutes, 60)) if minutes % 60 else f"{minutes // 60}°"
 
 
-def _number(root: Root, quantity: Quantity, power: int) -> Number:
-    """Return the certified value, over a power of ten, to as many figures as pages have."""
-    if power or quantity.decimals is None:
-        decimals = figures(_float(root.number(quantity.key, DECIMALS, ROUNDING, Fraction(10) ** -power)))
+def _number(root: Root, quantity: Quantity, times: Fraction) -> Number:
+    """Return so many times the certified value, to as many figures as pages have."""
+    if times != 1 or quantity.decimals is None:
+        decimals = figures(_float(root.number(quantity.key, DECIMALS, ROUNDING, times)))
     else:
         decimals = quantity.decimals
-    return root.number(quantity.key, decimals, ROUNDING, Fraction(10) ** -power)
+    return root.number(quantity.key, decimals, ROUNDING, times)
 
 
 def _float(number: Number) -> float:

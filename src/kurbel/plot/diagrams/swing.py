@@ -15,7 +15,7 @@ from kurbel.exact.kind import Kind, floats
 from kurbel.exact.numerals import Label, Number, degrees_text, number_text
 from kurbel.page.quantity import Column, Formula, bare, entry
 from kurbel.plot.chart.model import Panel, Spot, Swing
-from kurbel.plot.ticks import measure
+from kurbel.plot.ticks import amount
 
 if TYPE_CHECKING:
     from kurbel.engine.cylinder import AnyTurn
@@ -61,21 +61,21 @@ def engine_swing(turn: AnyTurn, energy: Column, request: EngineRequest) -> Swing
 
 def diagram_swing(request: TorquesRequest, panel: Panel) -> Panel:
     """Return the panel of the excess energy of a diagram with its swing."""
-    excess, power = request.excess, panel.power
+    excess, power, times = request.excess, panel.power, request.of_page("J")
     spots: list[Spot] = []
 
     def swing(kind: Kind) -> Any:
-        return excess.swing(kind) / kind.of(Fraction(10) ** power)
+        return excess.swing(kind) * kind.of(times * Fraction(10) ** -power)
 
     for greatest in ENDS.values():
-        level = float(excess.extreme_energy(floats(), greatest=greatest))
+        level = float(times) * float(excess.extreme_energy(floats(), greatest=greatest))
         for one in excess.extremes(greatest=greatest):
             assert one.degrees is not None
             angle = float(one.degrees(floats()))
             text = f"${place_text(one).removesuffix('°')}$°"
             spots.extend(_turned(angle, level, text, int(excess.cycle), request.angles))
-    unit = measure(panel.unit, power)
-    found = _swinging(spots, f'$ΔW = {shown(swing, excess.algebraic)} "{unit}"$')
+    number, unit = amount(shown(swing, excess.algebraic), panel.unit, power)
+    found = _swinging(spots, f'$ΔW = {number} "{unit}"$')
     return panel._replace(spots=found.spots, swing=found.swing)
 
 

@@ -14,7 +14,7 @@ from kurbel.page.quantity import words
 from kurbel.plot.chart.model import Curve, Panel, power_of_curves
 from kurbel.plot.diagrams.swing import diagram_swing
 from kurbel.plot.panels import axis_name, check_drawn, degrees
-from kurbel.plot.ticks import measure
+from kurbel.plot.ticks import amount
 
 # What is drawn; the speed of a flywheel where that and its mean are known.
 DRAWN, SPEED = ("torque", "load_torque", "excess_energy"), "rpm"
@@ -36,13 +36,14 @@ def diagram_panels(request: TorquesRequest) -> list[Panel]:
         Curve(one.symbol, *_course(torque, request))
         for one, torque in ((drive, excess.drive), (load, excess.load))
     ]
-    mean = f" = {_mean(request, power_of_curves(both))}$"
+    mean = f" = {_mean(request, drive.plain_unit(lang), power_of_curves(both))}$"
     if not request.constant:
         ends = degrees([request.angles[0], request.angles[-1]])
-        both.append(Curve(f"{MEAN[:-1]}{mean}", ends, [float(excess.mean_torque(floats()))] * 2))
+        level = float(request.of_page("N m") * Fraction(excess.mean_torque(floats())))
+        both.append(Curve(f"{MEAN[:-1]}{mean}", ends, [level] * 2))
     else:
-        level = 1 if request.constant == "load" else 0
-        both[level] = both[level]._replace(label=f"{both[level].label[:-1]}{mean}")
+        flat = 1 if request.constant == "load" else 0
+        both[flat] = both[flat]._replace(label=f"{both[flat].label[:-1]}{mean}")
     panels = [Panel(both, TORQUES[lang], drive.plain_unit(lang), areas=True)]
     places = _places(excess.excess, request)
     for one in others:
@@ -55,14 +56,15 @@ def diagram_panels(request: TorquesRequest) -> list[Panel]:
     return panels
 
 
-def _mean(request: TorquesRequest, power: int) -> str:
+def _mean(request: TorquesRequest, unit: str, power: int) -> str:
     """Return the mean of the torques with its unit, as it stands in a formula."""
-    excess = request.excess
+    excess, times = request.excess, request.of_page("N m") * Fraction(10) ** -power
 
     def torque(kind: Kind) -> Any:
-        return excess.mean_torque(kind) / kind.of(Fraction(10) ** power)
+        return excess.mean_torque(kind) * kind.of(times)
 
-    return f'{shown(torque, excess.torque_is_algebraic)} "{measure("N m", power)}"'
+    number, named = amount(shown(torque, excess.torque_is_algebraic), unit, power)
+    return f'{number} "{named}"'
 
 
 def _places(torque: Torque, request: TorquesRequest) -> list[Fraction]:
@@ -79,14 +81,14 @@ def _within(torque: Torque, first: Fraction, last: Fraction) -> Iterator[Fractio
 
 def _course(torque: Torque, request: TorquesRequest) -> tuple[list[float], list[float]]:
     """Return angles and values of a torque; at a jump both values, the first that before."""
-    angles, values, kind = [], [], floats()
+    angles, values, kind, times = [], [], floats(), float(request.of_page("N m"))
     for place in _places(torque, request):
         drop = torque.jump(place)
-        value = float(request.excess.torque(torque, place, kind))
+        value = times * float(request.excess.torque(torque, place, kind))
         if drop and place > request.angles[0]:
             # No torque of triangles jumps, whose unit would be another.
             angles.append(place)
-            values.append(value - float(drop))
+            values.append(value - times * float(drop))
         if not drop or place < request.angles[-1]:
             angles.append(place)
             values.append(value)

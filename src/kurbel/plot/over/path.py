@@ -128,7 +128,8 @@ class PathDrawing:
             return self._at(angle, place)[1]
 
         key = _UNIT.sub("", quantity.key)
-        found = spots(drive, quantity, value, span, power, self.lang)
+        times = self.question.of_page(self.question.entry(quantity.key).unit["en"])
+        found = spots(drive, quantity, value, span, power, self.lang, times)
         if key in ACCELERATION:
             found += zeros(drive, quantity, span, self.lang)
         if key in VELOCITY:

@@ -107,7 +107,7 @@ def _questions(plan: Plan) -> list[Question]:
     found = []
     for point in tried(plan, 8):
         try:
-            found.append(plan.question(plan.at(point), 0))
+            found.append(plan.question(plan.at(point), 0).for_data)
         except KurbelError:
             continue
     return found or [_first(plan)]
@@ -116,7 +116,7 @@ def _questions(plan: Plan) -> list[Question]:
 def _first(plan: Plan) -> Question:
     for point in tried(plan):
         try:
-            return plan.question(plan.at(point), 0)
+            return plan.question(plan.at(point), 0).for_data
         except KurbelError as error:
             refused = error
     raise refused

@@ -23,7 +23,7 @@ class Form(NamedTuple):
     `writer` is the place of the function that takes a sweep, its batches in order, the target, and a folder
     beside it for what is half written. `refuse` is that of the function that raises KurbelError for a sweep
     which such a file cannot hold. What `streams` can go to standard output; `needs` are the libraries that
-    must be there.
+    must be there. Arrays have rows `in_places`, also those that belong to no record.
     """
 
     name: str
@@ -32,6 +32,7 @@ class Form(NamedTuple):
     refuse: str = ""
     streams: bool = True
     needs: tuple[str, ...] = ("pyarrow",)
+    in_places: bool = False
 
     def check(self, sweep: Sweep, target: str) -> None:
         """Raise KurbelError for a sweep or a target that cannot become such a file."""
@@ -56,8 +57,8 @@ FORMS = (
     PARTITIONS,
     Form("arrow", (".arrow", ".feather"), f"{_HERE}.ipc:write"),
     Form("csv", (".csv",), f"{_HERE}.csv:write"),
-    Form("netcdf", (".nc",), f"{_HERE}.netcdf:write", f"{_HERE}.grid:refuse", False, _NETCDF),
-    Form("zarr", (".zarr",), f"{_HERE}.zarr:write", f"{_HERE}.grid:refuse", False, _ZARR),
+    Form("netcdf", (".nc",), f"{_HERE}.netcdf:write", f"{_HERE}.grid:refuse", False, _NETCDF, True),
+    Form("zarr", (".zarr",), f"{_HERE}.zarr:write", f"{_HERE}.grid:refuse", False, _ZARR, True),
 )
 _KNOWN = ".parquet, .arrow, .feather, .csv, .nc, .zarr, or a folder such as delta/ for Parquet in partitions"
 

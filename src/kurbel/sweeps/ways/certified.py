@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from kurbel.errors import KurbelError
+from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.numerals import MOST_DIGITS
 from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.page.axes import AngleAxis, shifted
@@ -55,9 +55,11 @@ class CertifiedOverAngle(OverAngle):
         rows = [*found.rows]
         if plan.digits is None and is_small(rows):
             rows = [*_records(plan, point, angles, MOST_DIGITS).rows]
-        if [one.key for one in found.fields] != keys:
-            return []
-        return [dict(zip(keys, row, strict=True)) for row in rows]
+        # Several angles tell records apart, of which each point has one.
+        there = [one.key for one in found.fields]
+        if [key for key in there if key in keys] != keys:
+            raise ProblemError("the records are others than elsewhere in the sweep")
+        return [dict(zip(there, row, strict=True)) for row in rows]
 
 
 def _records(plan: Plan, point: int, angles: Sequence[Fraction], digits: int) -> Any:

@@ -8,13 +8,13 @@ from threading import Lock
 from typing import Any
 
 from kurbel.errors import KurbelError
+from kurbel.sweeps.columns import MISSING
 from kurbel.sweeps.ways.records import rows_at
 from kurbel.sweeps.ways.way import Asked, Points, Rows, columns_from
 
 BALLS = Lock()
 # Rows of a part that is computed in balls: about a second.
 IN_BALLS = 1 << 9
-MISSING = "there is no such record of this combination"
 
 
 @dataclass(frozen=True)
@@ -46,8 +46,9 @@ class Pointwise:
                 except KurbelError as error:
                     refused = str(error)
             one = None if refused else answer[record]
-            if refused or one is None:
-                reasons[row] = refused or MISSING
+            if one is None:
+                # A combination is refused once.
+                reasons[row] = refused if refused and not record else MISSING
             # Also what is not there is told apart.
             found.append(one or {key: values[record] for key, values in apart.items()})
         return columns_from(self.asked, found, reasons)

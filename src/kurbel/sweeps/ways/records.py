@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from math import inf, nextafter, ulp
-from typing import Any
+from typing import Any, NamedTuple
 
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, Number
@@ -24,9 +25,24 @@ TRIED = 64
 COUNTED, MIXED = 8, 9
 
 
-def records_at(plan: Plan, values: Mapping[str, Any], digits: int) -> Records:
-    """Return the records of the command with these values. Raises KurbelError."""
-    return records_of_question(plan.question(values, digits).for_data)
+def records_at(plan: Plan, values: Mapping[str, Any], digits: int, keys: Sequence[str]) -> Records:
+    """Return the records of the command with these values, and with those of these keys that tell records
+    apart elsewhere. Raises KurbelError."""
+    question = plan.question(values, digits).for_data
+    records = records_of_question(question)
+    known = {*question.axis_keys, *question.named}
+    if question.columns and {*keys} & known > {field.key for field in records.fields} & known:
+        question = replace(question, columns=tuple(key for key in keys if key in known))
+        return records_of_question(question)
+    return records
+
+
+class First(NamedTuple):
+    """What a command answers at a combination: fields, records, and the keys that tell these apart."""
+
+    fields: tuple[Field, ...]
+    rows: list[Sequence[Any]]
+    apart: list[str]
 
 
 def records_of_question(question: Question) -> Records:
@@ -34,24 +50,25 @@ def records_of_question(question: Question) -> Records:
     return question.subject.rows(question) if question.subject.rows else records_of(question)
 
 
-def first_of(plan: Plan) -> tuple[tuple[Field, ...], list[Sequence[Any]]]:
-    """Return the fields and the records of a combination, of some that are not refused the one with most.
+def first_of(plan: Plan) -> First:
+    """Return what is answered at a combination, of some that are not refused the one with most records.
 
     Raises the error of the first one where all are refused.
     """
     refused: list[KurbelError] = []
-    found: list[tuple[tuple[Field, ...], list[Sequence[Any]]]] = []
+    found: list[First] = []
     for point in _mixed(tried(plan)):
         try:
-            records = records_at(plan, plan.at(point), digits_of(plan))
-            found.append((records.fields, [*records.rows]))
+            question = plan.question(plan.at(point), digits_of(plan)).for_data
+            records = records_of_question(question)
+            found.append(First(records.fields, [*records.rows], question.apart))
         except KurbelError as error:
             refused.append(error)
         if len(found) == COUNTED:
             break
     if not found:
         raise refused[0]
-    return max(found, key=lambda one: len(one[1]))
+    return max(found, key=lambda one: len(one.rows))
 
 
 def _mixed(points: Sequence[int]) -> list[int]:
@@ -80,7 +97,7 @@ def rows_at(
     Raises KurbelError where it is refused.
     """
     digits, keys = digits_of(plan), [one.key for one in fields]
-    found = records_at(plan, values, digits)
+    found = records_at(plan, values, digits, keys)
     rows, there = [*found.rows], [one.key for one in found.fields]
     if there != keys:
         raise ProblemError(
@@ -88,7 +105,7 @@ def rows_at(
             " some that are everywhere, with --columns"
         )
     if plan.digits is None and digits < MOST_DIGITS and is_small(rows):
-        rows = [*records_at(plan, values, MOST_DIGITS).rows]
+        rows = [*records_at(plan, values, MOST_DIGITS, keys).rows]
     return _placed([dict(zip(keys, row, strict=True)) for row in rows], apart, count)
 
 

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 import pyarrow as pa
 import pyarrow.compute as compute
 
+from kurbel.sweeps.columns import MISSING
 from kurbel.sweeps.files.arrow import REASON, with_options
 from kurbel.sweeps.files.forms import PARTITIONS, Form
 from kurbel.sweeps.files.parquet import gather, reasons_of
@@ -27,12 +28,38 @@ def unit_of(sweep: Sweep, form: Form) -> Unit:
 
 def joined(
     unit: Unit, form: Form, paths: Iterator[str], target: str, scratch: str, refused: Counter[str]
-) -> None:
-    """Write the target of the files of all units, in order, and count what was refused."""
+) -> int:
+    """Write the target of the files of all units, in order, and count what was refused; return how many rows
+    it has. Only a form of arrays has places for records that are not there."""
     if unit.suffix == Partitions.suffix:
         gather(_noted(paths, refused), target, scratch)
-    else:
-        form.write(unit.sweep, _batches(unit, paths, refused), target, scratch)
+        return len(unit.sweep)
+    rows = 0
+
+    def batches() -> Iterator[pa.RecordBatch]:
+        nonlocal rows
+        for batch in _batches(unit, paths, refused):
+            found = batch if form.in_places else _there(unit.sweep, batch)
+            rows += found.num_rows
+            yield found
+
+    form.write(unit.sweep, batches(), target, scratch)
+    return rows
+
+
+def _there(sweep: Sweep, batch: pa.RecordBatch) -> pa.RecordBatch:
+    """Return the rows without those that belong to no record; a refused combination has nothing that tells
+    records apart."""
+    reasons = batch[REASON]
+    if reasons.null_count == len(reasons):
+        return batch
+    there = compute.fill_null(compute.not_equal(reasons, MISSING), True)
+    refused = reasons.is_valid()
+    for place, column in enumerate(sweep.columns):
+        if column.role == "axis" and not column.option:
+            known = compute.if_else(refused, None, batch.column(place))
+            batch = batch.set_column(place, batch.schema.field(place), known)
+    return batch.filter(there)
 
 
 def _noted(paths: Iterator[str], refused: Counter[str]) -> Iterator[str]:
@@ -52,7 +79,7 @@ def _batches(unit: Unit, paths: Iterator[str], refused: Counter[str]) -> Iterato
 
 def _count(reasons: Iterable[pa.Array], refused: Counter[str]) -> None:
     for some in reasons:
-        for one in compute.value_counts(some.drop_null()):
+        for one in compute.value_counts(some.filter(compute.not_equal(some, MISSING))):
             reason = one["values"].as_py()
             known = reason in refused or len(refused) < MOST_REASONS
             refused[reason if known else OTHERS] += one["counts"].as_py()

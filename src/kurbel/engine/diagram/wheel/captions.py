@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from kurbel.engine.diagram.excess import Excess
 from kurbel.engine.diagram.fluctuation import Extreme
-from kurbel.engine.diagram.wheel.sizing import LIMIT, RIM_ALONE
+from kurbel.engine.diagram.wheel.sizing import LIMIT, ONE_TURN, RIM_ALONE
 from kurbel.exact.kind import settled
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text
 from kurbel.exact.product import Product
@@ -72,7 +72,9 @@ WORDS: Mapping[str, Words] = {
         "der Kranz hat den größten Durchmesser, den $σ$ erlaubt"
         "|the rim has the greatest diameter that $σ$ allows"
     ),
-    RIM_ALONE: words("Arme und Nabe sind nicht gerechnet|arms and hub are not counted"),
+    RIM_ALONE: words(
+        "Arme und Nabe sind nicht gerechnet (--rim-share)|arms and hub are not counted (--rim-share)"
+    ),
     "disc": words("Scheibe: $J = m D^2/8$, $m = ρ π D^2 t/4$|disc: $J = m D^2/8$, $m = ρ π D^2 t/4$"),
     "places": words("Geschwindigkeit am größten bei {high}, am kleinsten bei {low}"
                       "|speed greatest at {high}, least at {low}"),
@@ -124,7 +126,8 @@ def _cycle(question: WheelRequest) -> Label:
     lang, turns = question.lang, question.wheels[0].figures["turns"].value
     said = WORDS["turn"] if turns.rational == 1 else WORDS["turns"]
     number = number_text(turns.number(None, question.rounding))
-    return WORDS["cycle"][lang].format(turns=said[lang].format(turns=number))
+    usual = " (--turns)" if ONE_TURN in question.wheels[0].taken else ""
+    return WORDS["cycle"][lang].format(turns=said[lang].format(turns=number)) + usual
 
 
 def _press(working: Product | None, rest: Product, lang: str) -> Label:

@@ -61,8 +61,9 @@ def sized(given: Figures, limit: Known | None = None) -> Sizing:
             taken.append(LIMIT)
         _check_limit(figures, limit)
     assumed = {
-        RIM_ALONE: ("rim_share", any(name in given for name in _OF_RIM) or limit is not None),
+        # First what the swing needs, of which a rim is made.
         ONE_TURN: ("turns", "energy_fluctuation" in figures and "swing" not in figures),
+        RIM_ALONE: ("rim_share", any(name in given for name in _OF_RIM) or limit is not None),
     }
     for name, (figure, applies) in assumed.items():
         if applies and figure not in figures:
@@ -71,6 +72,11 @@ def sized(given: Figures, limit: Known | None = None) -> Sizing:
                 figures = more
                 taken.append(name)
     _check_turns(given, figures)
+    if "proportion" in given and "breadth" not in figures:
+        raise ProblemError(
+            "--rim-section is the ratio of breadth to thickness of a rim whose section is not known; add"
+            " --rim-diameter and --density, or leave it out"
+        )
     _check_rim(figures)
     _check_answered(given, figures)
     return Sizing(figures, tuple(taken))
