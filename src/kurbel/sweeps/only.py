@@ -22,11 +22,14 @@ Mask = NDArray[np.bool_]
 LONGEST = 300
 # A float is known better than this; nearer numbers are compared exactly.
 NEAR = 1e-9
-# A power of exact numbers grows without end.
-MOST_POWER = 64
+# Below this floats lose digits, and what is smaller still counts as 0: no error is taken to be less.
+LEAST = 1e-290
+# A power of exact numbers has so many binary figures at the most, for it could grow without end.
+MOST_BITS = 1 << 16
 GRAMMAR = "write it as 'eps*back < 1', with + - * / **, < <= > >= == !=, and, or, not, and names of axes"
 
 # A ratio as it is written elsewhere, 1:4.
+_EXPONENT = re.compile("e[+-]?0*[0-9]{4}")
 _RATIO = re.compile(r"\b(\d+(?:\.\d+)?):(\d+(?:\.\d+)?)")
 _NUMBERS: Mapping[type, Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
@@ -60,10 +63,15 @@ class Condition:
         """The parsed text."""
         if len(self.text) > LONGEST:
             raise NotationError(f"the condition has {len(self.text)} characters; at most {LONGEST} are read")
+        text = _RATIO.sub(r"(\1/\2)", self.text.strip())
         try:
-            return ast.parse(_RATIO.sub(r"(\1/\2)", self.text.strip()), mode="eval")
+            tree = ast.parse(text, mode="eval")
         except (SyntaxError, ValueError, RecursionError, MemoryError):
             raise NotationError(f'condition "{self.text[:60]}" cannot be read; {GRAMMAR}') from None
+        for one in ast.walk(tree):
+            if isinstance(one, ast.Constant) and isinstance(one.value, float):
+                vars(one)["value"] = _constant(ast.get_source_segment(text, one) or "")
+        return tree
 
     @property
     def names(self) -> list[str]:
@@ -92,6 +100,13 @@ class Condition:
         return mask
 
 
+def _constant(text: str) -> Fraction:
+    """Return a number as it is written, which no float may hold. Raises NotationError."""
+    if _EXPONENT.search(text.lower().replace("_", "")):
+        raise NotationError(f"{text[:60]} in a condition is beyond the numbers that are read, up to 10^999")
+    return Fraction(text)
+
+
 def _checked(node: ast.expr, text: str) -> ast.expr:
     """Return the tree if all of it is allowed. Raises NotationError."""
     match node:
@@ -103,7 +118,7 @@ def _checked(node: ast.expr, text: str) -> ast.expr:
             parts = [left, right]
         case ast.Compare(left=left, ops=ops, comparators=others) if all(type(op) in _COMPARED for op in ops):
             parts = [left, *others]
-        case ast.Name() | ast.Constant(value=int() | float() | str()):
+        case ast.Name() | ast.Constant(value=int() | Fraction() | str()):
             parts = []
         case _:
             raise NotationError(f'condition "{text[:60]}" cannot be read; {GRAMMAR}')
@@ -141,8 +156,9 @@ def _floats(node: ast.expr, values: Mapping[str, Any], doubtful: Mask) -> _Float
             return _Float(known, None if known.dtype.kind == "O" else np.abs(known))
         case ast.Constant(value=str() as text):
             return _Float(text, None)
-        case ast.Constant(value=int() | float() as value):
-            return _Float(np.float64(value), abs(np.float64(value)))
+        case ast.Constant(value=int() | Fraction() as value):
+            number = np.float64(_float(value))
+            return _Float(number, abs(number) + LEAST)
     raise AssertionError(ast.dump(node))
 
 
@@ -153,11 +169,11 @@ def _joined(first: _Float, op: ast.operator, second: _Float) -> _Float:
     if isinstance(op, ast.Add | ast.Sub):
         return _Float(value, first.size + second.size)
     if isinstance(op, ast.Mult):
-        return _Float(value, first.size * second.size)
+        return _Float(value, first.size * second.size + LEAST)
     share = first.size / np.abs(first.value)
     if isinstance(op, ast.Div):
-        return _Float(value, np.abs(value) * share * second.size / np.abs(second.value))
-    return _Float(value, np.abs(value) * (1 + share * np.abs(second.value)))
+        return _Float(value, np.abs(value) * share * second.size / np.abs(second.value) + LEAST)
+    return _Float(value, np.abs(value) * (1 + share * np.abs(second.value)) + LEAST)
 
 
 def _compared(first: _Float, op: ast.cmpop, second: _Float, doubtful: Mask) -> Any:
@@ -178,6 +194,14 @@ def _settled(first: Any, op: ast.cmpop, second: Any) -> Any:
     return _COMPARED[type(op)](first, second)
 
 
+def _float(value: Any) -> float:
+    """Return the nearest float; beyond all of them one without end."""
+    try:
+        return float(value)
+    except OverflowError:
+        return -inf if value < 0 else inf
+
+
 def _power(first: float, second: float) -> float:
     if first < 0 and second != int(second):
         raise ZeroDivisionError
@@ -185,6 +209,14 @@ def _power(first: float, second: float) -> float:
         return float(first**second)
     except OverflowError:
         return -inf if first < 0 and second % 2 else inf
+
+
+def _is_short(first: Any, second: Any) -> bool:
+    """Whether a power can be written out as an exact number."""
+    if isinstance(first, float) or isinstance(second, float) or second != int(second):
+        return False
+    figures = max(int(first.numerator).bit_length(), int(first.denominator).bit_length())
+    return bool(figures * abs(second) <= MOST_BITS)
 
 
 def _signed(op: ast.unaryop, value: Any) -> Any:
@@ -203,9 +235,12 @@ def _exact(node: ast.expr, values: Mapping[str, Any]) -> Any:
             return not value if isinstance(op, ast.Not) else _signed(op, value)
         case ast.BinOp(left=left, op=op, right=right):
             first, second = _exact(left, values), _exact(right, values)
-            if isinstance(op, ast.Pow) and (abs(second) > MOST_POWER or second != int(second)):
-                return _power(float(first), float(second))
-            return _NUMBERS[type(op)](first, second)
+            if isinstance(op, ast.Pow) and not _is_short(first, second):
+                return _power(_float(first), _float(second))
+            found = _NUMBERS[type(op)](first, second)
+            if found != found:
+                raise OverflowError
+            return found
         case ast.Compare(left=left, ops=ops, comparators=others):
             found = [_exact(one, values) for one in (left, *others)]
             steps = zip(found, ops, found[1:], strict=False)
@@ -213,5 +248,5 @@ def _exact(node: ast.expr, values: Mapping[str, Any]) -> Any:
         case ast.Name(id=name):
             return values[name]
         case ast.Constant(value=value):
-            return value if isinstance(value, str) else Fraction(str(value))
+            return value if isinstance(value, str) else Fraction(value)
     raise AssertionError(ast.dump(node))
