@@ -32,6 +32,9 @@ ALLOCATED = 1_000_000
 MOST_KILLED = 3
 KILLED = "its process was ended, for want of memory or from outside"
 NOT_TRIED = "not tried, for others like it were stopped"
+# Of what no sentence of ours is about.
+FAULT = "which is a fault of kurbel: please report it with the command or the text of this part"
+LONGEST_FAULT = 300
 # Templates of one's own have so many seconds for a page, and so much memory.
 PATIENCE, GIGABYTES = 10.0, 4
 STOPPED = f"its templates were stopped after {PATIENCE:.0f} s, or at {GIGABYTES} gigabytes"
@@ -139,6 +142,15 @@ def tried(make: Callable[[], Made]) -> Made | str:
         return make()
     except KurbelError as error:
         return str(error)
+    except MemoryError:
+        return "it needs more memory than there is"
+    except Exception as error:
+        from traceback import extract_tb
+
+        # A fault of the program costs this piece, and is told; the others know nothing of it.
+        said = " ".join(f"{type(error).__name__}: {error}".split())[:LONGEST_FAULT]
+        place, line, *_ = extract_tb(error.__traceback__)[-1]
+        return f"{said} ({os.path.basename(place)}, line {line}), {FAULT}"
 
 
 def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
