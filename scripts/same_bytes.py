@@ -32,7 +32,7 @@ from unittest import mock
 
 from command_lines import CORPUS, Command, command_lines, commands_of
 
-HANDLED = (signal.SIGTERM, signal.SIGHUP)
+HANDLED = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 # What pages depend on beside the command line.
 SETTLED = {"COLUMNS": "80", "LINES": "24", "SOURCE_DATE_EPOCH": "1000000000", "PYTHONHASHSEED": "0"}
 # What is longer is told by its hash alone.

@@ -157,9 +157,12 @@ def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[tuple[Piece, M
     # Later than most imports: a handbook without changes needs no processes.
     from concurrent.futures import as_completed
 
+    from kurbel.sweeps.work.hands import unheard
+
     left = dict(enumerate(pieces))
     with _pool(min(jobs, len(pieces))) as pool:
-        places = {pool.submit(tried, piece.make): place for place, piece in left.items()}
+        with unheard():
+            places = {pool.submit(tried, piece.make): place for place, piece in left.items()}
         for future in as_completed(places):
             if not _was_killed(future):
                 yield left.pop(places[future]), future.result()
@@ -170,7 +173,8 @@ def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[tuple[Piece, M
             yield piece, NOT_TRIED
             continue
         with _pool(1) as pool:
-            alone = pool.submit(tried, piece.make)
+            with unheard():
+                alone = pool.submit(tried, piece.make)
             ended = _was_killed(alone)
             count += ended
             yield piece, piece.killed if ended else alone.result()
