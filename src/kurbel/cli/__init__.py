@@ -148,7 +148,7 @@ def main() -> NoReturn:
     try:
         with ctrl_c:
             code, message = _ended()
-            # What comes of it is no fault, whatever a library makes of it; only a run that kept parts says so.
+            # Whatever a library makes of it is no fault; only a run that kept parts has a sentence.
             if ctrl_c.came and code not in (0, INTERRUPTED):
                 code, message = INTERRUPTED, ""
             if message:
@@ -192,9 +192,7 @@ class _CtrlC:
         self.came = True
         raise KeyboardInterrupt
 
-    def _printed(
-        self, kind: type[BaseException], error: BaseException, trace: TracebackType | None
-    ) -> None:
+    def _printed(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         if kind is not KeyboardInterrupt:
             self._hooks[0](kind, error, trace)
 
@@ -203,10 +201,11 @@ class _CtrlC:
             self._hooks[1](what)
             return
         from _thread import interrupt_main
-        from threading import Timer
+        from threading import Timer, get_ident
 
-        # Again, behind what swallowed it.
-        again = Timer(SOON, interrupt_main)
+        # Again, behind what swallowed it; a signal also ends what waits.
+        kill = getattr(signal, "pthread_kill", None)
+        again = Timer(SOON, kill, (get_ident(), signal.SIGINT)) if kill else Timer(SOON, interrupt_main)
         again.daemon = True
         again.start()
 

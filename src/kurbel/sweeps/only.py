@@ -247,6 +247,8 @@ def _exact(node: ast.expr, values: Mapping[str, Any]) -> Any:
             return all(_settled(first, op, second) for first, op, second in steps)
         case ast.Name(id=name):
             return values[name]
-        case ast.Constant(value=value):
-            return value if isinstance(value, str) else Fraction(value)
+        case ast.Constant(value=int() | Fraction() as value):
+            return Fraction(value)
+        case ast.Constant(value=str() as text):
+            return text
     raise AssertionError(ast.dump(node))
