@@ -11,7 +11,7 @@ from cli import kurbel as command
 from cli import printed, refusal
 
 import kurbel
-from kurbel.errors import NotationError
+from kurbel.errors import ChoiceError, NotationError
 
 
 @pytest.mark.parametrize(
@@ -28,10 +28,8 @@ from kurbel.errors import NotationError
         ("eps < 1e400 and -1e400 < eps < 4", [2, 3]),
         ("1e-400*(eps - 3) > 0", [4, 5, 6]),
         ("1e-400 == 0 or eps > 5", [6]),
-        ("(eps*1e-320)*1e300 > 2.0001e-20", [3, 4, 5, 6]),
+        ("(eps*1e-323)*1e300 >= 3e-23", [3, 4, 5, 6]),
         ("eps - 2 < 1e-400**-2 and eps <= 1/(1/1e400)", [2, 3, 4, 5, 6]),
-        # Exact powers without end.
-        ("((((eps - 3)**64)**64)**64)**64 > 1", [5, 6]),
     ],
 )
 def test_a_condition_leaves_what_it_says(condition: str, epsilon: Sequence[int]) -> None:
@@ -85,7 +83,7 @@ def test_a_sweep_has_the_cylinders_of_its_command() -> None:
     assert refusal("sweep", "forces", "--cylinder=angle=90", "-ox.csv") == refusal(
         "forces", "--cylinder=angle=90"
     )
-    with pytest.raises(NotationError, match="did you mean angle"):
+    with pytest.raises(ChoiceError, match="did you mean angle"):
         kurbel.sweep("forces", cylinder="angl=90")
 
 
