@@ -52,7 +52,7 @@ def printed_and_taken_for_an_error(question: object) -> NoReturn:
     try:
         signal.raise_signal(CTRL_C)
     except KeyboardInterrupt:
-        sys.excepthook(*sys.exc_info())  # type: ignore[arg-type]
+        sys.excepthook(*sys.exc_info())
         raise ImportError("multiarray failed to import") from None
     raise AssertionError
 
