@@ -32,7 +32,7 @@ from unittest import mock
 
 from command_lines import CORPUS, Command, command_lines, commands_of
 
-HANDLED = (signal.SIGTERM, signal.SIGHUP)
+HANDLED = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 # What pages depend on beside the command line.
 SETTLED = {"COLUMNS": "80", "LINES": "24", "SOURCE_DATE_EPOCH": "1000000000", "PYTHONHASHSEED": "0"}
 # What is longer is told by its hash alone.
@@ -174,7 +174,9 @@ def end(number: int, frame: object) -> None:
     raise EndlessError
 
 
-def kurbel(words: tuple[str, ...], environment: Mapping[str, str]) -> tuple[int | str, bytes, bytes]:
+def kurbel(
+    words: tuple[str, ...], environment: Mapping[str, str], seconds: float = MOST_SECONDS
+) -> tuple[int | str, bytes, bytes]:
     """Run `kurbel` with these words; an exception that leaves it stands for the exit code."""
     from kurbel.cli import main as program
 
@@ -188,7 +190,7 @@ def kurbel(words: tuple[str, ...], environment: Mapping[str, str]) -> tuple[int 
         stack.enter_context(redirect_stdout(streams[0]))
         stack.enter_context(redirect_stderr(streams[1]))
         signal.signal(signal.SIGPROF, end)
-        signal.setitimer(signal.ITIMER_PROF, MOST_SECONDS)
+        signal.setitimer(signal.ITIMER_PROF, seconds)
         try:
             program()
         except SystemExit as end_of_program:
@@ -196,7 +198,7 @@ def kurbel(words: tuple[str, ...], environment: Mapping[str, str]) -> tuple[int 
             if code == 128 + signal.SIGTERM:
                 raise
         except EndlessError:
-            code = f"more than {MOST_SECONDS} s of processor time"
+            code = f"more than {seconds:g} s of processor time"
         except Exception as error:
             code = f"{type(error).__name__}: {error}"
         finally:

@@ -302,6 +302,28 @@ def test_a_closed_standard_output_is_one_sentence_and_a_closed_error_takes_nothi
     assert (run.returncode, output) == (2, b"")
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="/dev/full is a device of Linux")
+@pytest.mark.parametrize(
+    ("words", "code"),
+    [
+        (("table", "--ratio", "abc"), 2),
+        (("tabel",), 2),
+        ((), 2),
+        (("handbook",), 2),
+        (("deadcentres", "--mechanism", "beam", "--machine", "none.toml"), 1),
+        # What is said of a page that is written is no part of it.
+        (("table", "--step", "2", "-o", "long.tex"), 0),
+    ],
+)
+def test_a_full_standard_error_leaves_the_exit_code(
+    words: tuple[str, ...], code: int, programs: Programs, tmp_path: Path
+) -> None:
+    with open("/dev/full", "wb") as full:
+        run = programs.kurbel(*words, stdout=subprocess.PIPE, stderr=full, cwd=tmp_path)
+        output, _ = run.communicate()
+    assert (run.returncode, output) == (code, b"")
+
+
 def test_a_disk_that_fills_up_leaves_the_old_file(programs: Programs, folder: Path) -> None:
     # The limit on the size of files fails for root too, and in the middle of the table.
     run = programs.kurbel(

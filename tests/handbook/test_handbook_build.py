@@ -15,6 +15,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from itertools import takewhile
 from pathlib import Path
+from typing import Any
 
 import pytest
 from cli import Result, kurbel, refusal
@@ -23,6 +24,7 @@ from tools import require_library
 
 from kurbel.formats.registry import FORMATS
 from kurbel.handbook.folder import Folder
+from kurbel.page import build as page
 
 MANIFEST = """\
 title = "Tafeln"
@@ -221,6 +223,28 @@ def test_a_part_that_fails_is_reported_and_the_others_are_built(tmp_path: Path) 
     made = files(tmp_path)
     assert "tables/schwung.html" in made
     assert "tables/wege.html" not in made
+
+
+def test_a_fault_of_the_program_costs_the_part_in_which_it_is(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    build_page = page.build
+
+    def faulty(question: Any) -> Any:
+        if question.subject.command == "table":
+            raise ZeroDivisionError("division\nby zero")
+        return build_page(question)
+
+    monkeypatch.setattr("kurbel.page.build.build", faulty)
+    result = build(book(tmp_path))
+    line, last = result.err.splitlines()
+    assert line.startswith(f"kurbel: {tmp_path}/handbook.toml, line 11, wege: ZeroDivisionError: division by")
+    assert line.endswith(
+        "which is a fault of kurbel: please report it with the command or the text of this part"
+    )
+    assert (result.code, result.out, last.rpartition(", ")[2]) == (1, "", "1 failed")
+    made = files(tmp_path)
+    assert {"tables/schwung.txt", "handbook.txt"} < {*made} and "tables/wege.txt" not in made
 
 
 def test_documents_say_what_is_missing(tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ from unittest import mock
 
 from kurbel.cli import main
 
-HANDLED = (signal.SIGTERM, signal.SIGHUP)
+HANDLED = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,8 @@ import socket
 import subprocess
 import sys
 from pathlib import Path
+from socketserver import BaseRequestHandler, ThreadingTCPServer
+from threading import Thread
 
 import pytest
 from cli import refusal
@@ -121,6 +123,69 @@ def test_a_scheduler_that_is_not_there_is_one_sentence(
     said = refusal("sweep", "delta", "--eps=2..4", "-o", "d.csv", "--scheduler", "tls://127.0.0.1:1", code=1)
     assert said.startswith("tls://127.0.0.1:1 needs certificates; name them in the configuration of Dask")
     assert not [*tmp_path.iterdir()]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("greeting", "sentence"),
+    [
+        # One that speaks HTTP waits for a request, or refuses ours.
+        (b"", "no scheduler answered at {} within 1 s; start one by: dask scheduler"),
+        (
+            b"HTTP/1.1 400 Bad Request\r\nConnection: close\r\n\r\n",
+            "what answers at {} is no scheduler; name the port that dask scheduler prints, 8786 if it is"
+            " given no other",
+        ),
+    ],
+)
+def test_what_is_no_scheduler_is_one_sentence(
+    greeting: bytes, sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Server(BaseRequestHandler):
+        def handle(self) -> None:
+            self.request.sendall(greeting)
+            while self.request.recv(1024):
+                pass
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(clusters, "PATIENCE", 1)
+    with ThreadingTCPServer(("127.0.0.1", 0), Server) as server:
+        Thread(target=server.serve_forever, daemon=True).start()
+        address = f"tcp://127.0.0.1:{server.server_address[1]}"
+        said = refusal("sweep", "delta", "--eps=2..4", "-o", "d.csv", "--scheduler", address, code=1)
+        server.shutdown()
+    assert said == sentence.format(address)
+    assert not [*tmp_path.iterdir()]
+
+
+@pytest.mark.slow
+def test_a_worker_without_kurbel_is_one_sentence(cluster: Cluster, tmp_path: Path) -> None:
+    (tmp_path / "lacks" / "kurbel").mkdir(parents=True)
+    (tmp_path / "lacks" / "kurbel" / "__init__.py").write_text(
+        "raise ModuleNotFoundError(\"No module named 'kurbel'\", name='kurbel')"
+    )
+    cluster.work(str(tmp_path / "lacks"))
+    words = ("sweep", "delta", "--eps=2..4", "-o", str(tmp_path / "d.csv"), "--scheduler", cluster.address)
+    assert re.fullmatch(
+        r"worker tcp://\S+ cannot run kurbel: ModuleNotFoundError\(.*'kurbel'.*\); install .* here",
+        refusal(*words, code=1),
+    )
+    assert not (tmp_path / "d.csv.parts").exists()
+
+
+@pytest.mark.slow
+def test_a_scheduler_that_goes_away_as_its_workers_are_asked_is_one_sentence(
+    cluster: Cluster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from distributed import Client
+
+    def waited(*about: object, **more: object) -> None:
+        cluster.scheduler.kill()
+        cluster.scheduler.wait()
+
+    monkeypatch.setattr(Client, "wait_for_workers", waited)
+    words = ("sweep", "delta", "--eps=2..4", "-o", str(tmp_path / "d.csv"), "--scheduler", cluster.address)
+    assert refusal(*words, code=1) == (f"the scheduler at {cluster.address} is gone, or it dropped the work")
 
 
 def test_what_is_no_address_of_a_scheduler_is_refused(

@@ -15,8 +15,8 @@ from kurbel import __version__
 # That of typing, which to load is half of what `kurbel --help` takes.
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from types import FrameType
-    from typing import NoReturn
+    from types import FrameType, TracebackType
+    from typing import NoReturn, TextIO
 
 # Name, the function that makes its table or the module of the command, and one line of help.
 COMMANDS = {
@@ -90,6 +90,10 @@ GROUPS = {
 }
 # Characters of a word, such as a path, and of a sentence, which may list all columns.
 LONGEST_WORD, LONGEST_SENTENCE = 300, 3000
+# What a shell calls a program that Ctrl-C ended.
+INTERRUPTED = 128 + signal.SIGINT
+# Seconds in which whatever swallowed Ctrl-C has come to its end.
+SOON = 0.01
 # So many more objects than before let Python look for garbage; a drawing has 190,000.
 ALLOCATED = 250_000
 
@@ -140,6 +144,74 @@ def help_text() -> str:
 
 def main() -> NoReturn:
     """Run the command line and leave with its exit code: 0 done, 1 failed, 2 wrong usage."""
+    ctrl_c = _CtrlC()
+    try:
+        with ctrl_c:
+            code, message = _ended()
+            # Whatever a library makes of it is no fault; only a run that kept parts has a sentence.
+            if ctrl_c.came and code not in (0, INTERRUPTED):
+                code, message = INTERRUPTED, ""
+            if message:
+                say(message)
+    except KeyboardInterrupt:
+        code = INTERRUPTED
+    except Exception:
+        if not ctrl_c.came:
+            raise
+        code = INTERRUPTED
+    # The end of the process frees all of it; to look through it once more is a tenth of the time of a page.
+    gc.freeze()
+    sys.exit(code)
+
+
+class _CtrlC:
+    """Ctrl-C ends the program with its exit code and without a word, wherever it falls.
+
+    Libraries take what it raises for an error of their own, or print it, and Python swallows it in what runs
+    as an object goes, such as the lock of a module.
+    """
+
+    def __init__(self) -> None:
+        self.came = False
+
+    def __enter__(self) -> None:
+        # A job in the background ignores it.
+        self._handled = signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        self._hooks = sys.excepthook, sys.unraisablehook
+        sys.excepthook, sys.unraisablehook = self._printed, self._swallowed
+        if self._handled:
+            signal.signal(signal.SIGINT, self._raise)
+
+    def __exit__(self, *_: object) -> None:
+        if self._handled:
+            # All is written: from here on it ends the process at once.
+            signal.signal(signal.SIGINT, signal.SIG_DFL)
+        sys.excepthook, sys.unraisablehook = self._hooks
+
+    def _raise(self, number: int, frame: FrameType | None) -> None:
+        self.came = True
+        raise KeyboardInterrupt
+
+    def _printed(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+        if kind is not KeyboardInterrupt:
+            self._hooks[0](kind, error, trace)
+
+    def _swallowed(self, what: sys.UnraisableHookArgs) -> None:
+        if what.exc_type is not KeyboardInterrupt:
+            self._hooks[1](what)
+            return
+        from _thread import interrupt_main
+        from threading import Timer, get_ident
+
+        # Again, behind what swallowed it; a signal also ends what waits.
+        kill = getattr(signal, "pthread_kill", None)
+        again = Timer(SOON, kill, (get_ident(), signal.SIGINT)) if kill else Timer(SOON, interrupt_main)
+        again.daemon = True
+        again.start()
+
+
+def _ended() -> tuple[int, str]:
+    """Run the command line; return its exit code and, if it failed, why."""
     _open_closed_streams()
     # What a command makes it keeps to its end; to look for garbage often is a twentieth of its time.
     gc.set_threshold(ALLOCATED)
@@ -151,17 +223,13 @@ def main() -> NoReturn:
         if signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(number, _terminated)
     try:
-        code = _run()
+        return _run()
     except BrokenPipeError:
-        code = _silenced(128 + getattr(signal, "SIGPIPE", 13))
+        _silence(sys.stdout)
+        return 128 + getattr(signal, "SIGPIPE", 13), ""
     except OSError as error:
-        say(f"cannot write: {error.strerror or error}")
-        code = _silenced(1)
-    except KeyboardInterrupt:
-        code = 128 + signal.SIGINT
-    # The end of the process frees all of it; to look through it once more is a tenth of the time of a page.
-    gc.freeze()
-    sys.exit(code)
+        _silence(sys.stdout)
+        return 1, f"cannot write: {error.strerror or error}"
 
 
 def _open_closed_streams() -> None:
@@ -175,23 +243,20 @@ def _open_closed_streams() -> None:
         sys.stdout = os.fdopen(os.open(os.devnull, os.O_RDONLY), "w")
 
 
-def _run() -> int:
+def _run() -> tuple[int, str]:
     if sys.argv[1:] in (["-h"], ["--help"]):
         sys.stdout.write(help_text())
     elif sys.argv[1:] == ["--version"]:
         print(f"kurbel {__version__}")
     elif not sys.argv[1:] and "_KURBEL_COMPLETE" not in os.environ:
-        sys.stderr.write(help_text())
-        return 2
+        tell(help_text())
+        return 2, ""
     else:
         from kurbel.cli.app import run
 
-        code, message = run()
-        if message:
-            say(message)
-        return code
+        return run()
     sys.stdout.flush()
-    return 0
+    return 0, ""
 
 
 def say(message: str) -> None:
@@ -199,7 +264,16 @@ def say(message: str) -> None:
     # The user's own text may have line ends and other controls.
     shown = "".join(one if one.isprintable() else ascii(one)[1:-1] for one in message)
     words = " ".join(_shortened(word, LONGEST_WORD) for word in shown.split(" "))
-    print(f"kurbel: {_shortened(words, LONGEST_SENTENCE)}", file=sys.stderr)
+    tell(f"kurbel: {_shortened(words, LONGEST_SENTENCE)}\n")
+
+
+def tell(text: str) -> None:
+    """Write a text to standard error; where that takes nothing more, the exit code has to say it alone."""
+    try:
+        sys.stderr.write(text)
+        sys.stderr.flush()
+    except OSError:
+        _silence(sys.stderr)
 
 
 def _shortened(text: str, longest: int) -> str:
@@ -207,10 +281,9 @@ def _shortened(text: str, longest: int) -> str:
     return text if len(text) <= longest else f"{text[: longest * 2 // 3]}…{text[-longest // 6 :]}"
 
 
-def _silenced(code: int) -> int:
+def _silence(stream: TextIO) -> None:
     """Keep the interpreter from complaining about a stream that takes nothing more."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    return code
+    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def _terminated(number: int, frame: FrameType | None) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib
 import os
-import signal
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -14,7 +13,7 @@ from typing import Any
 import click
 
 from kurbel import __version__
-from kurbel.cli import COMMANDS, help_text, say
+from kurbel.cli import COMMANDS, INTERRUPTED, help_text, say, tell
 from kurbel.errors import ChoiceError, KurbelError
 
 HELP_OPTIONS = ["-h", "--help"]
@@ -139,9 +138,9 @@ def run() -> tuple[int, str]:
     except KurbelError as error:
         return error.exit_code, str(error)
     except click.Abort:
-        return 128 + signal.SIGINT, ""
+        return INTERRUPTED, ""
     except click.exceptions.NoArgsIsHelpError as error:
-        error.show()
+        tell(f"{error.format_message()}\n")
         return error.exit_code, ""
     except click.ClickException as error:
         return error.exit_code, one_line(error)

@@ -231,10 +231,12 @@ class Parameter(NamedTuple):
             return value
         if value is True and self.option.bare:
             return self.option.bare
-        kind, one = self.option.kind, isinstance(value, str | bytes | PathLike)
-        if one or not self.option.many or not isinstance(value, Iterable):
+        kind, one = self.option.kind, isinstance(value, str | bytes | PathLike | Mapping)
+        one = one or not isinstance(value, Iterable)
+        if not self.option.many or (one and kind is TEXT):
             return kind.taken(value, self.name)
-        return value if kind is TEXT else [kind.taken(each, self.name) for each in value]
+        several = [value] if one else value
+        return several if kind is TEXT else [kind.taken(each, self.name) for each in several]
 
 
 def signature_of(function: Callable[..., Any], order: str = "") -> inspect.Signature:

@@ -30,6 +30,9 @@ ALLOCATED = 1_000_000
 MOST_KILLED = 3
 KILLED = "its process was ended, for want of memory or from outside"
 NOT_TRIED = "not tried, for others like it were stopped"
+# Of what no sentence of ours is about.
+FAULT = "which is a fault of kurbel: please report it with the command or the text of this part"
+LONGEST_FAULT = 300
 # A document that templates of one's own wrote has so many to be set by Typst; a TeX is stopped by itself.
 PDF_PATIENCE = 300.0
 PDF_STOPPED = f"Typst was stopped after {PDF_PATIENCE:.0f} s"
@@ -132,15 +135,27 @@ def tried(make: Callable[[], Made]) -> Made | str:
         return make()
     except KurbelError as error:
         return str(error)
+    except MemoryError:
+        return "it needs more memory than there is"
+    except Exception as error:
+        from traceback import extract_tb
+
+        # A fault of the program costs this piece, and is told; the others know nothing of it.
+        said = " ".join(f"{type(error).__name__}: {error}".split())[:LONGEST_FAULT]
+        place, line, *_ = extract_tb(error.__traceback__)[-1]
+        return f"{said} ({os.path.basename(place)}, line {line}), {FAULT}"
 
 
 def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
     # Later than most imports: a handbook without changes needs no processes.
     from concurrent.futures import as_completed
 
+    from kurbel.sweeps.work.hands import unheard
+
     left = dict(enumerate(pieces))
     with _pool(min(jobs, len(pieces))) as pool:
-        places = {pool.submit(tried, piece.make): place for place, piece in left.items()}
+        with unheard():
+            places = {pool.submit(tried, piece.make): place for place, piece in left.items()}
         for future in as_completed(places):
             if not _was_killed(future):
                 yield left.pop(places[future]), future.result()
@@ -151,7 +166,8 @@ def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[tuple[Piece, M
             yield piece, NOT_TRIED
             continue
         with _pool(1) as pool:
-            alone = pool.submit(tried, piece.make)
+            with unheard():
+                alone = pool.submit(tried, piece.make)
             ended = _was_killed(alone)
             count += ended
             yield piece, piece.killed if ended else alone.result()

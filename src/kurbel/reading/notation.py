@@ -25,6 +25,7 @@ MOST_ROWS = 10**9
 _MINUS = ("-", "−")
 _DECIMAL = r"(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?"
 _SIGN = "[+−-]?"
+_ENDLESS = r"[+-]?[0-9.,]+[eE][+-]?[0-9]{4,}"
 _NUMERAL = rf"(?a)({_SIGN})(?:(\d+)\s+(?=\d+/\d+$))?({_DECIMAL})(?:\s*/\s*({_SIGN}{_DECIMAL}))?"
 # A number without a sign where further text follows, such as the degrees before their mark.
 _PART = r"(?:(?:\d+\s+)?\d+/\d+|\d+(?:[.,]\d+)?)"
@@ -66,6 +67,8 @@ def number(text: str, what: str = "number") -> Fraction:
         return Fraction(int(stripped))
     match = re.fullmatch(_NUMERAL, stripped)
     if match is None:
+        if re.fullmatch(_ENDLESS, stripped):
+            raise NotationError(f"{what} {quoted(text)} is beyond the numbers that are read, up to 10^999")
         raise NotationError(f"{what} {quoted(text)} is not a number; write it as 4.5 or 4,5")
     try:
         return _value_of(match)

@@ -32,7 +32,7 @@ def values_of(parameter: Parameter, given: Any) -> Sequence[Any]:
     if isinstance(given, bool) or not is_given(given):
         return (given,)
     if is_whole(parameter) and parameter.option.many:
-        return (given,)
+        return (parameter.taken(given),)
     found = several(parameter, given if isinstance(given, list | tuple) else [given])
     numbers = not is_whole(parameter) and parameter.option.metavar != PLACES
     if parameter.option.kind is TEXT and numbers and isinstance(found, tuple):

@@ -8,7 +8,7 @@ from typing import Any
 
 from kurbel.commands.options import TEXT, Parameter
 from kurbel.commands.steps.several import Written, parted
-from kurbel.errors import KurbelError
+from kurbel.errors import KurbelError, NotationError
 from kurbel.reading import notation, units
 from kurbel.reading.given import as_fraction, as_share
 from kurbel.reading.notation import Progression
@@ -36,6 +36,9 @@ TURNS = "1/s"
 # 1/(2π), of which a float is rounded once.
 TURN_OF_RADIAN = Fraction("0.159154943091895335768883763372514362034459645740456448747667")
 
+# Of larger numbers a float has none in some unit.
+LARGEST = 10**300
+
 
 def measured(
     parameter: Parameter, values: Sequence[Any], unit: str = ""
@@ -43,13 +46,21 @@ def measured(
     """Return exact numbers, what they are to be multiplied by and their unit, nothing for what are no
     numbers.
 
-    They are in the unit of the SI, or in this one. Of a range the numbers are never written out.
+    They are in the unit of the SI, or in this one. Of a range the numbers are never written out. Raises
+    NotationError for one that no float holds.
     """
     found = _in_si(parameter, values)
-    if found is None or unit in ("", found[2]):
-        return found
+    if found is None:
+        return None
     numbers, factor, si = found
-    return numbers, factor * (into(si, unit) or 1), unit
+    if any(abs(one) * factor > LARGEST for one in _farthest(numbers)):
+        raise NotationError(f"--{parameter.name.replace('_', '-')} goes beyond 10^300, which no column holds")
+    return found if unit in ("", si) else (numbers, factor * (into(si, unit) or 1), unit)
+
+
+def _farthest(numbers: Sequence[Any]) -> Sequence[Any]:
+    """Return those of the numbers among which the largest is."""
+    return (numbers[0], numbers[-1]) if isinstance(numbers, Progression) else numbers
 
 
 def into(si: str, unit: str) -> Fraction | None:

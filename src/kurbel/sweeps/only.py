@@ -23,6 +23,8 @@ from kurbel.reading.arithmetic import OPERATIONS, parsed
 Mask = NDArray[np.bool_]
 # A float is known better than this; nearer numbers are compared exactly.
 NEAR = 1e-9
+# Below this floats lose digits: no error is taken to be less.
+LEAST = 1e-290
 GRAMMAR = "write it as 'eps*back < 1', with + - * / **, < <= > >= == !=, and, or, not, and names of axes"
 
 # A ratio as it is written elsewhere, 1:4.
@@ -140,7 +142,7 @@ def _floats(node: ast.expr, values: Mapping[str, Any], doubtful: Mask) -> _Float
             return _Float(text, None)
         case ast.Constant(value=Fraction() as value):
             known = np.float64(_as_float(value))
-            return _Float(known, abs(known))
+            return _Float(known, abs(known) + LEAST)
     raise AssertionError(ast.dump(node))
 
 

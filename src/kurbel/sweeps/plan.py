@@ -94,8 +94,8 @@ class Plan:
     @property
     def carded(self) -> bool:
         """Whether an indicator card is among what is given."""
-        cylinders = str(self.given.get("cylinder") or "")
-        return "card" in self.varied or is_given(self.given.get("card")) or "card=" in cylinders
+        described = (self.given, *(self.given.get("cylinder") or ()))
+        return "card" in self.varied or any(is_given(one.get("card")) for one in described)
 
     def __len__(self) -> int:
         return prod(self.sizes) if self.kept is None else len(self.kept)

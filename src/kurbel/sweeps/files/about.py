@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,7 +17,7 @@ from kurbel.page.quantity import Quantity
 from kurbel.page.subject import Question
 from kurbel.page.table import Note
 from kurbel.reading.notation import Progression
-from kurbel.sweeps.plan import Plan
+from kurbel.sweeps.plan import Plan, text_of
 from kurbel.sweeps.rows import Column, Sweep
 from kurbel.sweeps.ways.records import tried
 
@@ -160,6 +160,8 @@ def _text(value: Any) -> Any:
         return _range(value)
     if isinstance(value, str | bool | int):
         return value
+    if isinstance(value, Mapping):
+        return " ".join(f"{key}={text_of(one)}" for key, one in value.items())
     if isinstance(value, Sequence):
         return [_text(one) for one in value]
     return exact_text(value) if hasattr(value, "numerator") else str(value)

@@ -6,11 +6,13 @@ the workers themselves where they see the folder of the run, and come over the n
 
 from __future__ import annotations
 
+import asyncio
 import json
 import logging
 import warnings
-from collections.abc import Callable, Mapping
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager, suppress
 from functools import partial
 from importlib.util import find_spec
 from queue import Empty, SimpleQueue
@@ -57,12 +59,13 @@ class Cluster:
         self._scheduler, self._name = scheduler, name
         try:
             self._libraries = libraries
-            self._made_by, self._files = checked(self._client, scheduler, libraries), files
+            with _there(scheduler):
+                self._made_by, self._files = checked(self._client, scheduler, libraries), files
+                # A task, not data: if those who have it die, it comes anew from the scheduler.
+                self._make = self._client.submit(_same, make, key=f"kurbel-{name}")
         except BaseException:
             self._client.close(timeout=PATIENCE)
             raise
-        # A task, not data: if those who have it die, it comes anew from the scheduler.
-        self._make = self._client.submit(_same, make, key=f"kurbel-{name}")
         self._done: SimpleQueue[tuple[int, Future[Any]]] = SimpleQueue()
         self._given: dict[int, Future[Any]] = {}
         self._seen, self._most = monotonic(), self._looked(1)
@@ -76,7 +79,7 @@ class Cluster:
 
     def _looked(self, before: int) -> int:
         # Of a scheduler that is gone the pieces tell.
-        with suppress(OSError):
+        with suppress(FailedError), _there(self._scheduler):
             threads: int = sum(self._client.nthreads().values())
             return FOR_EACH * max(1, threads)
         return before
@@ -85,7 +88,8 @@ class Cluster:
         """Have a piece made."""
         key = f"kurbel-{self._name}-{number}"
         made_by = self._libraries, self._made_by, self._files
-        future = self._client.submit(_made, self._make, number, *made_by, key=key, pure=False)
+        with _there(self._scheduler):
+            future = self._client.submit(_made, self._make, number, *made_by, key=key, pure=False)
         self._given[number] = future
         future.add_done_callback(partial(self._note, number))
 
@@ -111,7 +115,7 @@ class Cluster:
             ) from error
         except Exception as error:
             if future.status in ("cancelled", "lost") or isinstance(error, CommClosedError | TimeoutError):
-                raise self._gone() from error
+                raise _gone(self._scheduler) from error
             raise
         del self._given[number]
         return number, made
@@ -123,7 +127,7 @@ class Cluster:
             with suppress(Empty):
                 return self._done.get(timeout=GLANCE)
             if self._client.status not in ("running", "connecting"):
-                raise self._gone()
+                raise _gone(self._scheduler)
             if self._has_workers():
                 alone = None
             else:
@@ -134,13 +138,9 @@ class Cluster:
                     )
 
     def _has_workers(self) -> bool:
-        try:
+        with suppress(FailedError), _there(self._scheduler):
             return bool(self._client.nthreads())
-        except OSError:
-            return True
-
-    def _gone(self) -> FailedError:
-        return FailedError(f"the scheduler at {self._scheduler} is gone, or it dropped the work")
+        return True
 
     def end(self, at_once: bool) -> None:
         """Let the cluster go; what is given is cancelled."""
@@ -148,6 +148,21 @@ class Cluster:
             self._client.cancel([*self._given.values(), self._make], force=True)
         with suppress(Exception):
             self._client.close(timeout=PATIENCE)
+
+
+@contextmanager
+def _there(scheduler: str) -> Iterator[None]:
+    """Raise FailedError where a client cannot reach the scheduler any longer, or has been closed for that."""
+    from distributed.client import ClosedClientError
+
+    try:
+        yield
+    except (OSError, RuntimeError, ClosedClientError) as error:
+        raise _gone(scheduler) from error
+
+
+def _gone(scheduler: str) -> FailedError:
+    return FailedError(f"the scheduler at {scheduler} is gone, or it dropped the work")
 
 
 def connected(scheduler: str) -> Client:
@@ -167,6 +182,9 @@ def connected(scheduler: str) -> Client:
     if address.startswith("tls://"):
         _check_certificates(scheduler)
     try:
+        # In a thread: that of a notebook has a loop that runs already.
+        with ThreadPoolExecutor(1) as pool:
+            pool.submit(asyncio.run, _greet(address, scheduler)).result()
         # Other versions are refused, and not warned of.
         with warnings.catch_warnings(action="ignore"):
             return Client(address, timeout=PATIENCE, set_as_default=False)
@@ -174,6 +192,33 @@ def connected(scheduler: str) -> Client:
         raise FailedError(
             f"no scheduler answered at {scheduler} within {PATIENCE} s; start one by: dask scheduler"
         ) from error
+
+
+async def _greet(address: str, scheduler: str) -> None:
+    """Return if a scheduler answers as one; a client waits without end for what never greets it.
+
+    Raises FailedError for what answers otherwise, TimeoutError and OSError for what does not, and ValueError
+    for what is no address.
+    """
+    from distributed.comm import connect, get_address_host_port
+    from distributed.security import Security
+
+    get_address_host_port(address)
+    about = Security().get_connection_args("client")
+    greeting = asyncio.ensure_future(connect(address, timeout=PATIENCE, **about))
+    await asyncio.wait([greeting], timeout=PATIENCE)
+    if not greeting.done():
+        greeting.cancel()
+        raise TimeoutError
+    # Of bytes that are no greeting anything may come.
+    if error := greeting.exception():
+        if isinstance(error, OSError):
+            raise error
+        raise FailedError(
+            f"what answers at {scheduler} is no scheduler; name the port that dask scheduler prints, 8786 if"
+            " it is given no other"
+        ) from error
+    greeting.result().abort()
 
 
 def _noted(file: str) -> str:
@@ -224,7 +269,9 @@ def checked(client: Client, scheduler: str, libraries: tuple[str, ...]) -> dict[
         _refuse_others(worker, ours, _packages(versions, libraries))
     own = makers(libraries)
     # The same versions, but perhaps another state of the source.
-    for worker, theirs in client.run(makers, libraries).items():
+    for worker, theirs in client.run(makers, libraries, on_error="return").items():
+        if isinstance(theirs, Exception):
+            raise FailedError(f"worker {worker} cannot run kurbel: {theirs}; install there what is here")
         _refuse_others(worker, own, theirs)
     return own
 

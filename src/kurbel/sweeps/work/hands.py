@@ -135,7 +135,7 @@ class Processes:
         from concurrent.futures.process import BrokenProcessPool
 
         place = self._given.index(min(self._given))
-        with _without_script():
+        with _without_script(), unheard():
             try:
                 future = self._pools[place].submit(_made, number)
             except BrokenProcessPool:
@@ -188,6 +188,20 @@ def _pool(make: Make) -> ProcessPoolExecutor:
 
     # Started anew, not copied, so that a part finds the same process on every system.
     return ProcessPoolExecutor(1, get_context("spawn"), initializer=_start, initargs=(make,))
+
+
+@contextmanager
+def unheard() -> Iterator[None]:
+    """Start processes in the block that Ctrl-C does not reach, from their first moment; here it comes behind
+    the block."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextmanager
