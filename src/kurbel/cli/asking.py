@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 NO_TABLES = frozenset(("sources", "layouts", "quantities", "handbook", "inject", "man", "sweep"))
 # A document decides these for all of its tables; those of a single format, for which files it has.
 ONLY_PRINTING = ("output", "format", "standalone", "excel")
-SET_ELSEWHERE = (*ONLY_PRINTING, "longtable", "siunitx", "label", "layouts")
+SET_ELSEWHERE = (*ONLY_PRINTING, "longtable", "siunitx", "label", "layouts", "templates")
 # Keys of a handbook. The numbers of a book's page are the book's: its commands take no others by default.
 OF_THE_PAGE = frozenset(("lang", "decimal", "layouts"))
 

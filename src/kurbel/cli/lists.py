@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import click
 
+from kurbel.cli import say
 from kurbel.cli.listing import Listing, Shell, list_format, plain_lines, show_list
 from kurbel.cli.options import click_option, lang_option
 from kurbel.commands.options import Parameter
@@ -29,9 +30,23 @@ HEADS: Mapping[str, Mapping[str, Sequence[str]]] = {
 }
 
 
-@click.command(params=[click_option(Parameter("layouts", LAYOUTS, None, False)), list_format(), LANG])
-def layouts(layouts: File | None, form: str, lang: str) -> None:
-    """List the page layouts, each with a command that prints it."""
+COPY = click.Option(
+    ["--copy"], nargs=2, metavar="LAYOUT DIR",
+    help="Write a layout and the templates of its pages into a folder, to be changed.",
+)  # fmt: skip
+
+
+@click.command(params=[click_option(Parameter("layouts", LAYOUTS, None, False)), COPY, list_format(), LANG])
+def layouts(layouts: File | None, copy: tuple[str, str] | None, form: str, lang: str) -> None:
+    """List the page layouts, each with a command that prints it, or copy one."""
+    if copy is not None:
+        from kurbel.formats.folder import copied
+
+        name, folder = copy
+        say(
+            f"{copied(name, folder)} is a copy; --layouts {shlex.quote(folder)} takes it in place of kurbel's"
+        )
+        return
     found = [layout(name, layouts) for name in layout_names(layouts)]
     rows = [(one.key, one.title[lang], Shell(_printing(one, layouts))) for one in found]
     entries = [(key, (title, command)) for key, title, command in rows]

@@ -182,6 +182,9 @@ def click_option(parameter: Parameter) -> click.Parameter:
     )
 
 
+OF_PAGES = ("digits", "rounding", "label", "caption", "note", "source", "templates")
+
+
 def printing_options(command: str, own: Mapping[str, click.Parameter]) -> list[click.Parameter]:
     """Return the options of a command that prints tables in their order, its function's own among them."""
     return [
@@ -193,7 +196,7 @@ def printing_options(command: str, own: Mapping[str, click.Parameter]) -> list[c
         own["lang"],
         Option(["--decimal"], type=Type(kinds.Choice("decimal mark", DECIMALS)), envvar="KURBEL_DECIMAL",
                help="comma or point; default: by the language, point in CSV and JSON."),
-        *(own[name] for name in ("digits", "rounding", "label", "caption", "note", "source") if name in own),
+        *(own[name] for name in OF_PAGES if name in own),
         Option(["--standalone"], is_flag=True,
                help="LaTeX, HTML and Typst: a whole document, not a fragment."),
         # Without a crank ratio there is seldom a choice; a sentence says so.

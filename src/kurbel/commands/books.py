@@ -89,6 +89,7 @@ def collation_table(
     caption: option.Caption = None,
     note: option.Notes = (),
     source: option.SourceLine = None,
+    templates: Annotated[option.Path | None, option.TEMPLATES] = None,
 ) -> "CollateRequest | FormulaRequest":
     """Print a table of a book, or your own transcription, with the values that it should have.
 
@@ -126,6 +127,7 @@ def collation_table(
         "caption": caption,
         "note": note,
         "source": source,
+        "templates": templates,
     }
     if not isinstance(found, FormulaTable):
         return CollateRequest(layout=layout_of(layout, ("collation",), layouts), **asked)
@@ -168,6 +170,7 @@ def example_table(
     caption: option.Caption = None,
     note: option.Notes = (),
     source: option.SourceLine = None,
+    templates: Annotated[option.Path | None, option.TEMPLATES] = None,
 ) -> "ExampleRequest":
     """Print a worked example of a book in its steps: each figure as printed, and what it should be.
 
@@ -199,7 +202,7 @@ def example_table(
         own["back"] = (as_share(back, "back pressure"),)
     if force is not None:
         own["force"] = (as_force(force),)
-    words: Mapping[str, Any] = {"caption": caption, "note": note, "source": source}
+    words: Mapping[str, Any] = {"caption": caption, "note": note, "source": source, "templates": templates}
     return ExampleRequest(
         book=book,
         number=str(number),

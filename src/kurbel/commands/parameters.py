@@ -170,6 +170,13 @@ SourceLine = Annotated[
 ]
 
 
+TEMPLATES = Option(
+    "Folder with templates of your own: DIR/base/latex.jinja sets all pages in LaTeX, DIR/NAME/latex.jinja"
+    " those of a layout.",
+    "DIR", FILE, environment="KURBEL_TEMPLATES", last=True,
+)  # fmt: skip
+
+
 class Plain(TypedDict, total=False):
     """How a page is printed."""
 
@@ -191,6 +198,7 @@ class Plain(TypedDict, total=False):
     caption: Caption
     note: Notes
     source: SourceLine
+    templates: Annotated[Path | None, TEMPLATES]
 
 
 UNITS = Option(

@@ -33,7 +33,7 @@ _METRIC = _MARK % "[cdkmµ]?m|[km]?gm?|t|[kM]?Nm?|[hkM]?Pa|m?bar|atm?|[kM]?W|PS|
 # Options with words of one's own.
 OWN_WORDS = ("caption", "note", "source")
 # What a page is called or where its layout lies, and its language, which its document has, too.
-UNTOLD = frozenset(("label", "caption", "note", "source", "layouts", "layout", "lang"))
+UNTOLD = frozenset(("label", "caption", "note", "source", "layouts", "layout", "lang", "templates"))
 # What has units, but not those of the drive.
 UNMEASURED = frozenset(("units", "width", "height"))
 # A longer name nobody would type.

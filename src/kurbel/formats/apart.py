@@ -13,7 +13,7 @@ import pickle
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from threading import Lock
@@ -47,21 +47,22 @@ def one_page() -> Iterator[None]:
         _LEFT.reset(token)
 
 
-def filled_apart(form: str, template: str, values: Mapping[str, object], folder: str) -> str:
-    """Return what a template of the folder makes of the values for a format.
+def filled_apart(form: str, template: str, values: Mapping[str, object], folders: Sequence[str]) -> str:
+    """Return what a template of the folders makes of the values for a format.
 
     Raises LayoutError for whatever is wrong with it, and where it is stopped.
     """
     if not HAS_PROCESSES:
-        return _filled(form, template, values, folder)
+        return _filled(form, template, values, folders)
     with one_page():
         left = _LEFT.get()
         assert left is not None
-        request = (os.getcwd(), max(left[0], 0.01), GIGABYTES, form, template, values, folder)
+        request = (os.getcwd(), max(left[0], 0.01), GIGABYTES, form, template, values, folders)
         answer = _PROCESS.answer(pickle.dumps(request))
         if answer is None:
+            named = " and ".join(folders)
             raise LayoutError(
-                f"the templates of {folder} were stopped after {PATIENCE:g} s, or at {GIGABYTES} gigabytes"
+                f"the templates of {named} were stopped after {PATIENCE:g} s, or at {GIGABYTES} gigabytes"
             )
         text, error, seconds = answer
         left[0] -= seconds
@@ -70,10 +71,10 @@ def filled_apart(form: str, template: str, values: Mapping[str, object], folder:
         return str(text)
 
 
-def _filled(form: str, template: str, values: Mapping[str, object], folder: str) -> str:
+def _filled(form: str, template: str, values: Mapping[str, object], folders: Sequence[str]) -> str:
     from kurbel.formats.sandbox import filled
 
-    return filled(form, template, values, folder)
+    return filled(form, template, values, folders)
 
 
 class _Process:

@@ -13,10 +13,10 @@ import os
 import re
 import stat
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from functools import cache, partial
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING, BinaryIO, TypeAlias
 
 from kurbel.errors import ChoiceError, OutputError
 from kurbel.formats.registry import BytesFormat, PageFormat, RecordsFormat, by_name
@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
     from jinja2 import Environment
 
+# Folders of a user's, the first outdoes the others.
+Folders: TypeAlias = tuple[str, ...]
 _LEFT_OVER = r"\..*\.[0-9a-f]{12}\.part"
 # Where opened files are found by their numbers.
 _OPENED = "/proc/self/fd"
@@ -60,10 +62,10 @@ def render(
     table's layout lies in, if that is the user's. They run in a sandbox; one that cannot be used is a
     LayoutError with its line.
     """
-    form, templates = by_name(format), templates or table.templates or None
+    form, folders = by_name(format), folders_of(templates, *table.templates)
     if isinstance(form, RecordsFormat):
         form = form.for_excel if excel else form
-        return "".join(form.writer.rows(table, form.decimal_name(table.lang, decimal), templates))
+        return "".join(form.writer.rows(table, form.decimal_name(table.lang, decimal), folders))
     if not isinstance(form, PageFormat):
         assert isinstance(form, BytesFormat)
         raise ChoiceError(form.no_text.format(name=form.name))
@@ -76,12 +78,12 @@ def render(
     values = {"page": ready, **writer.values(table, ready, mark, wishes)}
 
     def filled(name: str, more: dict[str, str]) -> str:
-        return _filled(form, _template(table, name, templates), values | more, templates)
+        return filled_by(form, template_of(table, name, folders), values | more, folders)
 
     fragment = filled(form.name, {})
     if table.steps is not None and form.interactive:
         set_page = partial(render, format=format, decimal=decimal, templates=templates)
-        with _as_one_page(templates):
+        with _as_one_page(folders):
             around = writer.stepped(table, fragment, set_page, mark)
             fragment = filled(f"{form.name}.steps", around)
     if standalone and form.standalone:
@@ -90,9 +92,9 @@ def render(
     return fragment
 
 
-def _as_one_page(templates: str | None) -> AbstractContextManager[None]:
+def _as_one_page(folders: Folders) -> AbstractContextManager[None]:
     """Have the templates of a user's within the time of one page for all of it."""
-    if templates is None:
+    if not folders:
         return nullcontext()
     from kurbel.formats.apart import one_page
 
@@ -106,42 +108,43 @@ def render_document(
 
     `templates` is a folder of the user's, as in `render`.
     """
-    return _filled(form, f"base/{name}.{form.name}.jinja", values, templates)
+    return filled_by(form, f"base/{name}.{form.name}.jinja", values, folders_of(templates))
 
 
-def pieces(
-    form: RecordsFormat, table: Table, values: Mapping[str, object], templates: str | None
-) -> Iterator[str]:
-    """Yield what the template of a format of records makes of the values, as they come."""
-    template = _template(table, form.name, templates)
-    if templates is None:
-        yield from environment_of(form, None).get_template(template).generate(values)
-    else:
-        yield _filled(form, template, values, templates)
+def pieces(form: RecordsFormat, template: str, values: Mapping[str, object]) -> Iterator[str]:
+    """Yield what a template of kurbel's for a format of records makes of the values, as they come."""
+    yield from environment_of(form, ()).get_template(template).generate(values)
 
 
-def _filled(
-    form: PageFormat | RecordsFormat, template: str, values: Mapping[str, object], templates: str | None
+def filled_by(
+    form: PageFormat | RecordsFormat, template: str, values: Mapping[str, object], folders: Folders
 ) -> str:
-    if templates is None:
-        return environment_of(form, templates).get_template(template).render(values)
+    if not folders:
+        return environment_of(form, folders).get_template(template).render(values)
     from kurbel.formats.apart import filled_apart
 
-    return filled_apart(form.name, template, values, templates)
+    return filled_apart(form.name, template, values, folders)
 
 
-def _template(table: Table, name: str, templates: str | None) -> str:
-    """Return the template of a page: that of its layout, if it has its own, here or in the user's folder."""
+def template_of(table: Table, name: str, folders: Sequence[str]) -> str:
+    """Return the template of a page: that of its layout, if it has its own, here or in a user's folder."""
     own = f"{table.layout or table.key}/{name}.jinja"
-    folders = [template_folder(), *([templates] if templates else [])]
-    return (
-        own if any(os.path.exists(os.path.join(folder, own)) for folder in folders) else f"base/{name}.jinja"
-    )
+    has_own = any(os.path.exists(f"{folder}/{own}") for folder in (*folders, template_folder()))
+    return own if has_own else f"base/{name}.jinja"
+
+
+def folders_of(*folders: str | None) -> Folders:
+    """Return those of a user's folders that have templates, whole paths. Raises LayoutError for one that is
+    none, or has a template for nothing."""
+    from kurbel.formats.folder import has_templates
+
+    given = dict.fromkeys(os.path.abspath(folder) for folder in folders if folder)
+    return tuple(folder for folder in given if has_templates(folder))
 
 
 @cache
-def environment_of(form: PageFormat | RecordsFormat, templates: str | None) -> Environment:
-    """Return what loads the templates of a format; a user's own run in a sandbox."""
+def environment_of(form: PageFormat | RecordsFormat, folders: Folders) -> Environment:
+    """Return what loads the templates of a format; those of a user's folders run in a sandbox."""
     from jinja2 import BaseLoader, Environment, FileSystemLoader, StrictUndefined
 
     from kurbel.formats.page import blank
@@ -149,10 +152,10 @@ def environment_of(form: PageFormat | RecordsFormat, templates: str | None) -> E
     kind: type[Environment] = Environment
     ours = template_folder(), form.home
     loader: BaseLoader = FileSystemLoader(ours)
-    if templates is not None:
-        from kurbel.formats.sandbox import Folders, Sandbox
+    if folders:
+        from kurbel.formats.sandbox import Loader, Sandbox
 
-        kind, loader = Sandbox, Folders(templates, *ours)
+        kind, loader = Sandbox, Loader(folders, ours)
     # No autoescape: every string of a page is finished text of its format, formulas included.
     environment = kind(
         loader=loader,
@@ -160,7 +163,7 @@ def environment_of(form: PageFormat | RecordsFormat, templates: str | None) -> E
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
-        auto_reload=templates is not None,
+        auto_reload=bool(folders),
         **form.writer.delimiters,
     )
     environment.filters.update(blank=blank, **form.writer.filters())

@@ -7,7 +7,7 @@ their own (`apart.py`), which is ended where they take too long or too much memo
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from traceback import walk_tb
 from typing import Any
 
@@ -18,33 +18,34 @@ from jinja2.sandbox import ImmutableSandboxedEnvironment
 from kurbel.errors import KurbelError, LayoutError
 from kurbel.formats.registry import PageFormat, RecordsFormat, by_name
 
+OURS = "kurbel"
 LONGEST_FILE, LONGEST_PAGE = 1_000_000, 10_000_000
 
 
-def filled(form: str, template: str, values: Mapping[str, object], folder: str) -> str:
+def filled(form: str, template: str, values: Mapping[str, object], folders: Sequence[str]) -> str:
     """Return what the template makes of the values for a format.
 
-    Raises LayoutError, with the file and the line, for whatever is wrong with a template of the folder.
+    Raises LayoutError, with the file and the line, for whatever is wrong with a template of the folders.
     """
     from kurbel.formats.render import environment_of
 
     found = by_name(form)
     assert isinstance(found, PageFormat | RecordsFormat)
     try:
-        text = environment_of(found, folder).get_template(template).render(values)
+        text = environment_of(found, tuple(folders)).get_template(template).render(values)
         if len(text) > LONGEST_PAGE:
             reason = f"the result would have more than {LONGEST_PAGE} characters"
-            raise _refused(template, None, reason, folder)
+            raise _refused(template, None, reason, folders)
         return text
     except KurbelError:
         raise
     except TemplateSyntaxError as error:
         file = error.filename or error.name or template
-        raise _refused(file, error.lineno, error.message, folder) from None
+        raise _refused(file, error.lineno, error.message, folders) from None
     except Exception as error:
         # Whatever a template does with what it is given, such as 1/0 or "a".b(), is its own mistake.
-        place = _place(error, folder) or (template, 0)
-        raise _refused(*place, _reason(error), folder) from None
+        place = _place(error, folders) or (template, 0)
+        raise _refused(*place, _reason(error), folders) from None
 
 
 def _reason(error: Exception) -> str:
@@ -57,29 +58,41 @@ def _reason(error: Exception) -> str:
     return str(error) or type(error).__name__
 
 
-def _place(error: Exception, folder: str) -> tuple[str, int] | None:
+def _place(error: Exception, folders: Sequence[str]) -> tuple[str, int] | None:
     """Return the file and line of a user's template that ran last."""
     found = [(frame.f_code.co_filename, line) for frame, line in walk_tb(error.__traceback__)]
-    return next((one for one in reversed(found) if _is_within(one[0], folder)), None)
+    return next((one for one in reversed(found) if _folder_of(one[0], folders)), None)
 
 
-def _refused(file: str, line: int | None, reason: str | None, folder: str) -> LayoutError:
-    name = os.path.relpath(file, os.path.realpath(folder)) if _is_within(file, folder) else file
-    where = f"{os.path.join(folder, name)}{f', line {line}' if line else ''}"
+def _refused(file: str, line: int | None, reason: str | None, folders: Sequence[str]) -> LayoutError:
+    if folder := _folder_of(file, folders):
+        file = os.path.join(folder, os.path.relpath(file, os.path.realpath(folder)))
+    elif not os.path.isabs(file):
+        file = os.path.join(folders[0], file)
     words = " ".join((reason or "it is not understood").split())
+    where = f"{file}{f', line {line}' if line else ''}"
     return LayoutError(f"the template {where} cannot be used: {words[:300]}")
+
+
+def _folder_of(path: str, folders: Sequence[str]) -> str:
+    """Return which of the folders a file lies in, nothing if none."""
+    return next((folder for folder in folders if _is_within(path, folder)), "")
 
 
 def _is_within(path: str, folder: str) -> bool:
     return path.startswith(os.path.join(os.path.realpath(folder), ""))
 
 
-class Folders(BaseLoader):
-    """Loads templates from a user's folder, and from ours those that it does not have."""
+class Loader(BaseLoader):
+    """Loads templates from a user's folders, and from ours those that they do not have.
 
-    def __init__(self, folder: str, *ours: str) -> None:
-        self.folder = folder
-        self.folders = folder, *ours
+    Behind "kurbel/" a name is that of one of ours: kurbel/base/latex.jinja is what a user's base/latex.jinja
+    may extend.
+    """
+
+    def __init__(self, folders: Sequence[str], ours: Sequence[str]) -> None:
+        self.folders = folders
+        self.ours = ours
 
     def get_source(self, environment: Environment, template: str) -> tuple[str, str, Callable[[], bool]]:
         path = self._path(template)
@@ -93,7 +106,10 @@ class Folders(BaseLoader):
     def _path(self, template: str) -> str:
         """Return the file of a template; one outside the folders is refused, however it is reached."""
         parts = split_template_path(template)
-        for folder in self.folders:
+        folders = (*self.folders, *self.ours)
+        if parts[0] == OURS:
+            folders, parts = (*self.ours,), parts[1:]
+        for folder in folders:
             path = os.path.realpath(os.path.join(folder, *parts))
             if not os.path.isfile(path):
                 continue

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 from kurbel.drive.crank import largest
 from kurbel.exact.numerals import Number
+from kurbel.formats.folder import has_own
+from kurbel.formats.render import folders_of, template_of
 from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.page import CHUNK, RecordRows
 from kurbel.page.axes import angle_decimals, angle_number, shifted
@@ -33,10 +35,12 @@ def record_chunks(request: Question, form: RecordsFormat, decimal: str) -> Itera
     """Yield the table's records in a format, a chunk of rows at a time."""
     table = build(request, pages=False)
     rows = table.records.rows
-    if isinstance(rows, RecordRows) and rows.bulk and _fits(rows):
+    folders = folders_of(*table.templates)
+    own = has_own(folders, template_of(table, form.name, folders))
+    if isinstance(rows, RecordRows) and rows.bulk and _fits(rows) and not own:
         yield from form.writer.bulk(table, rows.keys, partial(_fields, rows), decimal)
         return
-    lines = form.writer.rows(table, decimal)
+    lines = form.writer.rows(table, decimal, folders)
     for line in lines:
         yield "".join(chain([line], islice(lines, CHUNK - 1))).encode()
 

@@ -31,8 +31,8 @@ class RecordsWriter(ABC):
     delimiters: ClassVar[Mapping[str, Any]] = {}
 
     @abstractmethod
-    def rows(self, table: Table, decimal: str, templates: str | None = None) -> Iterator[str]:
-        """Yield the records in pieces; `decimal` is "comma" or "point", `templates` is as in `render`."""
+    def rows(self, table: Table, decimal: str, folders: Sequence[str] = ()) -> Iterator[str]:
+        """Yield the records in pieces; `decimal` is "comma" or "point", `folders` a user's with templates."""
 
     def filters(self) -> Mapping[str, Callable[..., Any]]:
         """Return the filters of its template, if it has one."""

@@ -76,7 +76,7 @@ def _built(question: Question, pages: bool, whole: bool) -> Table:
             one if isinstance(one, Note) else Note(one) for one in (*about.notes(question), *further)
         ),
         source=question.origin,
-        templates=layout.folder,
+        templates=question.folders(layout.folder),
         pause=layout.pause,
         quantities=tuple(letter(column.quantity, question.lang) for column in question.page_columns),
     )

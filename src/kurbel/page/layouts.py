@@ -209,8 +209,7 @@ def template_text(name: str) -> str:
 def layout_names(folder: Folder | None = None) -> tuple[str, ...]:
     """Return the names of kurbel's layouts, and of those in a folder of the user's.
 
-    Raises LayoutError for a folder that has none, or one that is called as kurbel's own: what a page says by
-    its layout's name shall not depend on where it is made.
+    Raises LayoutError for a folder that has none.
     """
     own = _names(template_folder())
     if folder is None:
@@ -222,12 +221,10 @@ def layout_names(folder: Folder | None = None) -> tuple[str, ...]:
     if not (theirs := _names(folder)):
         raise LayoutError(f"{folder} has no layouts: no folder in it has a layout.toml")
     for name in theirs:
-        file = layout_file(folder, name)
-        if name in own:
-            raise LayoutError(f"{file} has the name of a layout of kurbel's; give it another")
         if not re.fullmatch(_NAME, name):
+            file = layout_file(folder, name)
             raise LayoutError(f"{file}: the folder {name[:60]} names the layout; use letters, digits and -")
-    return tuple(sorted(own + theirs))
+    return tuple(sorted({*own, *theirs}))
 
 
 def _names(folder: Folder) -> tuple[str, ...]:
@@ -256,10 +253,12 @@ def layout_of(name: str, subjects: Sequence[str], folder: Folder | None = None) 
 def layout(name: str, folder: Folder | None = None) -> Layout:
     """Return the layout of that name; an unknown name is answered with the nearest and the list.
 
-    `folder` is one of the user's, whose layouts stand beside kurbel's own. Raises LayoutError with file and
-    line for one that cannot be used.
+    `folder` is one of the user's, whose layouts stand beside kurbel's own and outdo those of their names.
+    Raises LayoutError with file and line for one that cannot be used.
     """
-    if folder is None or choose(name, layout_names(folder), "layout") in layout_names():
+    if folder is None or not os.path.exists(
+        layout_file(folder, choose(name, layout_names(folder), "layout"))
+    ):
         return _own(name)
     from kurbel.page.layout_check import check
 

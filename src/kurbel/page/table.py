@@ -132,9 +132,9 @@ class Records(NamedTuple):
 class Table:
     """A finished table. `key` is its name for cross references, without a prefix: "kinematics".
 
-    `layout` names the templates' folder, where it is not the key; `templates` is the folder of the user's in
-    which that lies, nothing where it is kurbel's. `pause` is the number of rows between small spaces, 0 for
-    none; None leaves it to the step of the rows. `variant` gives the key with what was asked for beside
+    `layout` names the templates' folder, where it is not the key; `templates` are the user's folders with
+    templates, the first of which outdoes the others. `pause` is the number of rows between small spaces, 0
+    for none; None leaves it to the step of the rows. `variant` gives the key with what was asked for beside
     the defaults of the layout: "kinematics-ratio-1-4". `quantities` are those of its columns. An interactive
     page has `steps`, of which this is the first that is shown. `told` are caption and notes as they stand
     with the records, where those of the page have other units.
@@ -148,7 +148,7 @@ class Table:
     notes: tuple[Note, ...] = ()
     source: Label = ""
     layout: str = ""
-    templates: str = ""
+    templates: tuple[str, ...] = ()
     pause: int | None = None
     variant: Variant | None = None
     quantities: tuple[Letter, ...] = ()

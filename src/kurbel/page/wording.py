@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields, replace
@@ -24,11 +25,17 @@ class Worded:
 
     None as `caption` or `source` leaves it to the page; an empty source leaves out the line. Each
     `note` stands below those of the page; a mark such as [^a] in a caption, a source or a note points to one.
+    `templates` is a folder with templates of one's own.
     """
 
     caption: Label | None = None
     note: tuple[Note, ...] = ()
     source: Label | None = None
+    templates: str | os.PathLike[str] | None = None
+
+    def folders(self, more: str = "") -> tuple[str, ...]:
+        """Return the folders with templates: one's own, and that of the layout, if it is the user's."""
+        return tuple(os.fspath(one) for one in (self.templates, more) if one)
 
     def __repr__(self) -> str:
         # Written once for all questions: to compile it for each is a hundredth of a start.

@@ -167,6 +167,7 @@ def build_example(request: ExampleRequest) -> Table:
         records=_records(request, worked),
         notes=tuple(_notes(request, marks, kind)),
         source=_source(request, kind),
+        templates=request.folders(),
     )
     return request.worded(page)
 

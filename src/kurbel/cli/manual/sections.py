@@ -48,8 +48,8 @@ SECTIONS: Mapping[str, str] = {
     " revolving rocker_inertia vertical slope gravity",
     "Pressures and friction": "head_pressure crank_pressure pressure_difference piston_rod tail_rod friction"
     " pin_friction crosshead_pin crank_pin shaft",
-    PAGE: "lang layout columns units decimal digits rounding caption note source label layouts width height"
-    " animate seconds",
+    PAGE: "lang layout columns units decimal digits rounding caption note source label layouts templates"
+    " width height animate seconds",
     "The output": "output format interactive standalone longtable siunitx excel text help",
 }
 # The section that a command begins with, where it is not the first of these.

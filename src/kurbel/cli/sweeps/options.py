@@ -15,7 +15,7 @@ from kurbel.exact.numerals import MOST_DIGITS
 
 MOST_SEED = 9999
 # What says nothing of columns of numbers, or is another thing of sweeps.
-PAGES = frozenset(("label", "caption", "note", "source", "units", "digits"))
+PAGES = frozenset(("label", "caption", "note", "source", "templates", "units", "digits"))
 
 
 class _Listed(kinds.Kind):

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import lru_cache
-from itertools import chain
+from itertools import chain, islice
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from kurbel.errors import LayoutError
 from kurbel.exact.numerals import DECIMALS, Number, number_text
 from kurbel.formats.writer import Chunks, RecordsWriter
 from kurbel.page.labels import plain
@@ -24,18 +25,31 @@ class Writer(RecordsWriter):
 
     excel: ClassVar[bool] = False
 
-    def rows(self, table: Table, decimal: str, templates: str | None = None) -> Iterator[str]:
+    def rows(self, table: Table, decimal: str, folders: Sequence[str] = ()) -> Iterator[str]:
+        """Raises LayoutError for more rows than a template of one's own can set."""
         from kurbel.formats.csv import FORMAT
-        from kurbel.formats.render import pieces
+        from kurbel.formats.folder import has_own
+        from kurbel.formats.render import filled_by, pieces, template_of
 
+        template, rows = template_of(table, FORMAT.name, folders), table.records.rows
+        if own := has_own(folders, template):
+            rows = tuple(islice(rows, MOST_ROWS + 1))
+            if len(rows) > MOST_ROWS:
+                raise LayoutError(
+                    f"a table of more than {MOST_ROWS} rows streams past templates, and {template} would be"
+                    " ignored; leave it out of the folder, or print fewer rows"
+                )
         values = {
             "fields": table.records.fields,
-            "rows": table.records.rows,
+            "rows": rows,
             "mark": DECIMALS[decimal],
             "separator": SEPARATORS[decimal],
             "excel": self.excel,
         }
-        yield from pieces(FORMAT, table, values, templates)
+        if own:
+            yield filled_by(FORMAT, template, values, tuple(folders))
+        else:
+            yield from pieces(FORMAT, template, values)
 
     def filters(self) -> Mapping[str, Callable[..., Any]]:
         return {"field": field_text, "quoted": quoted}
@@ -66,6 +80,8 @@ class ForExcel(Writer):
         return no_time(field.decode(), ",").encode() if isinstance(field, bytes) else field
 
 
+# What is set by a template of one's own is made whole.
+MOST_ROWS = 100_000
 # By it Excel knows that a file is UTF-8.
 BYTE_ORDER_MARK = "\ufeff"
 # What a spreadsheet takes for a time (1:5) or a day (1-3-2, 2/3), and with a decimal comma 0.5 as well.

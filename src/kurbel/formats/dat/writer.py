@@ -19,7 +19,7 @@ class Writer(RecordsWriter):
     plotted line is interrupted, stands between records whose first columns have different labels.
     """
 
-    def rows(self, table: Table, decimal: str, templates: str | None = None) -> Iterator[str]:
+    def rows(self, table: Table, decimal: str, folders: Sequence[str] = ()) -> Iterator[str]:
         """Yield the keys and the records, each with its line end."""
         yield " ".join(field.key for field in table.records.fields) + "\n"
         curve: Value = None

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class Writer(RecordsWriter):
     """Writes one JSON object in pieces."""
 
-    def rows(self, table: Table, decimal: str, templates: str | None = None) -> Iterator[str]:
+    def rows(self, table: Table, decimal: str, folders: Sequence[str] = ()) -> Iterator[str]:
         """Yield the object, a row a line.
 
         Numbers carry exactly the printed digits (0.500), which json.dumps cannot write; a missing value is

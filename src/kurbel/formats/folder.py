@@ -1,0 +1,89 @@
+"""Folders with templates of a user's: what lies in one, and a copy of kurbel's own to begin with."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Sequence
+from tempfile import TemporaryDirectory
+
+from kurbel.errors import LayoutError, OutputError
+from kurbel.formats.registry import Format
+from kurbel.page.layouts import layout_file, layout_names, template_folder
+from kurbel.reading.given import choose, did_you_mean
+
+BASE, SUFFIX = "base", ".jinja"
+# What is around a page: a document of its own, sliders.
+MORE = (["document"], ["steps"])
+
+
+def has_templates(folder: str) -> bool:
+    """Tell whether a user's folder has templates, or files that ours include.
+
+    Raises LayoutError for a folder that is none, and for a template of no page, which would be ignored.
+    """
+    if not os.path.isdir(folder):
+        raise LayoutError(f"there is no folder {folder} with templates")
+    ours, pages = _names(BASE), page_templates()
+    layouts = {
+        *layout_names(),
+        *(one for one in _names("", folder) if os.path.exists(layout_file(folder, one))),
+    }
+    base = _names(BASE, folder)
+    for name in base:
+        if name.endswith(SUFFIX) and name not in ours:
+            raise LayoutError(
+                f"{folder}/{BASE}/{name} is a template of nothing{did_you_mean(name, ours)}; what others"
+                " include stands in another folder"
+            )
+    own = [(place, name) for place in _names("", folder) if place != BASE for name in _names(place, folder)]
+    for place, name in own:
+        if name in pages and place not in layouts:
+            raise LayoutError(f"{folder}/{place}/{name} is of no layout{did_you_mean(place, layouts)}")
+    return bool(base) or any(name in pages for _, name in own)
+
+
+def has_own(folders: Sequence[str], template: str) -> bool:
+    """Tell whether one of a user's folders has a template."""
+    return any(os.path.exists(f"{folder}/{template}") for folder in folders)
+
+
+def has_template(form: Format) -> bool:
+    """Tell whether pages in a format are set by a template, its own or that of the format it is made of."""
+    return form.kind == "compiled" or f"{form.name}{SUFFIX}" in _names(BASE)
+
+
+def page_templates() -> list[str]:
+    """Return the names of the templates by which pages are set, not those of whole handbooks."""
+    names = {name: name.split(".") for name in _names(BASE) if name.endswith(SUFFIX)}
+    formats = {parts[0] for parts in names.values() if len(parts) == 2}
+    return [name for name, parts in names.items() if parts[0] in formats and parts[1:-1] in ([], *MORE)]
+
+
+def copied(name: str, folder: str) -> str:
+    """Write the layout of that name, with a copy of the templates of its pages, into a folder of a user's.
+
+    Returns the new folder. Raises ChoiceError for a layout that there is not, OutputError for a folder that
+    has it already.
+    """
+    ours, target = template_folder(), os.path.join(folder, choose(name, layout_names(), "layout"))
+    if os.path.lexists(target):
+        raise OutputError(f"{target} is there already; name another folder, or remove it")
+    try:
+        os.makedirs(folder, exist_ok=True)
+        with TemporaryDirectory(dir=folder, prefix=f".{name}.") as place:
+            made = os.path.join(place, name)
+            shutil.copytree(os.path.join(ours, name), made)
+            for template in page_templates():
+                if not os.path.exists(os.path.join(made, template)):
+                    shutil.copyfile(os.path.join(ours, BASE, template), os.path.join(made, template))
+            os.rename(made, target)
+    except OSError as error:
+        raise OutputError(f"cannot write {target}: {error.strerror or error}") from error
+    return target
+
+
+def _names(place: str, folder: str = "") -> list[str]:
+    """Return what lies at a place of a folder, by default of ours, nothing where that is no folder."""
+    path = os.path.join(folder or template_folder(), place)
+    return sorted(os.listdir(path)) if os.path.isdir(path) else []
