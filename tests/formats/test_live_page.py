@@ -16,7 +16,7 @@ from programs import wait_until
 from tools import require
 
 pytestmark = pytest.mark.slow
-SCRIPT = ROOT / "src" / "kurbel" / "formats" / "html" / "templates" / "live.js"
+SCRIPT = ROOT / "templates" / "base" / "live.js"
 MANIFEST = """
 title = "Motion"
 lang = "en"
