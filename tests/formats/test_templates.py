@@ -2,17 +2,34 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import os
+import re
+import shlex
+import shutil
+from collections.abc import Sequence
+from importlib import import_module
 from pathlib import Path
 
 import pytest
+from cli import kurbel as typed
+from cli import printed, refusal
 from everything import everything
 from handbook import document, fragments, table
+from hypothesis import given
+from hypothesis import strategies as st
+from places import ROOT
 
+import kurbel
 from kurbel.errors import LayoutError
+from kurbel.formats.csv.writer import quoted
 from kurbel.formats.documents import document_files
-from kurbel.formats.registry import FORMATS
+from kurbel.formats.folder import page_templates
+from kurbel.formats.registry import FORMATS, PageFormat, RecordsFormat
 from kurbel.formats.render import render
+from kurbel.page.layouts import template_folder
+from kurbel.page.table import Value
 
 NAMES = [name for name, form in FORMATS.items() if form.kind == "page"]
 
@@ -36,12 +53,14 @@ def made(folder: Path, template: str) -> str:
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("standalone", [False, True])
 def test_our_own_templates_print_the_same_in_the_sandbox(name: str, standalone: bool, folder: Path) -> None:
+    (folder / "base/unused.css").touch()
     ours = render(everything(), name, standalone=standalone)
     assert render(everything(), name, standalone=standalone, templates=str(folder)) == ours
 
 
 @pytest.mark.parametrize("name", ["latex", "markdown"])
 def test_our_documents_are_the_same_in_the_sandbox(name: str, folder: Path) -> None:
+    (folder / "base/unused.css").touch()
     ours = document_files(document(), name, fragments(name))
     assert document_files(document(), name, fragments(name), str(folder)) == ours
 
@@ -61,11 +80,6 @@ def test_a_template_of_a_layout_is_for_that_layout_only(folder: Path) -> None:
     )
     assert render(table("zusammenstellung"), "latex", templates=str(folder)) == "zusammenstellung: x"
     assert render(table("weg"), "latex", templates=str(folder)) == render(table("weg"), "latex")
-
-
-def test_plain_text_has_a_template_if_the_user_gives_one(folder: Path) -> None:
-    (folder / "base/text.jinja").write_text("{{ page.lang }}\n", encoding="utf-8")
-    assert render(everything(), "text", templates=str(folder)) == "de\n"
 
 
 def test_a_changed_template_is_read_again(folder: Path) -> None:
@@ -147,8 +161,9 @@ def test_no_file_outside_the_folder_is_read(folder: Path, tmp_path: Path) -> Non
         render(everything(), "markdown", templates=str(folder))
     os.unlink(folder / "base/markdown.jinja")
     os.rmdir(folder / "base")
-    (folder / "base").symlink_to(tmp_path)
-    (tmp_path / "markdown.jinja").write_text("secret", encoding="utf-8")
+    (tmp_path / "elsewhere").mkdir()
+    (folder / "base").symlink_to(tmp_path / "elsewhere")
+    (tmp_path / "elsewhere/markdown.jinja").write_text("secret", encoding="utf-8")
     with pytest.raises(LayoutError, match="is a link that leads out of"):
         render(everything(), "markdown", templates=str(folder))
 
@@ -168,3 +183,249 @@ def test_what_is_no_text_is_refused(folder: Path) -> None:
     (folder / "base/markdown.jinja").write_text("x" * 2_000_000, encoding="utf-8")
     with pytest.raises(LayoutError, match=r"markdown\.jinja is longer than 1000000 characters$"):
         render(everything(), "markdown", templates=str(folder))
+
+
+# Typed
+
+
+def write(folder: Path, **templates: str) -> Path:
+    """Write templates; in their names __ stands for the slash, and all end with .jinja."""
+    for name, text in templates.items():
+        path = folder / f"{name.replace('__', '/').replace('_', '-')}.jinja"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    return folder
+
+
+SMALL = ("table", "--ratio", "1:5", "--angle", "0;90", "--columns", "x", "-f", "markdown")
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "table", "delta --eps 2", "deadcentres --ratio 1:5", "solve --ratio 1:5 --where p=0",
+        "firing --order 1-3-4-2", "harmonics --ratio 1:5", "collate weisbach-149", "example blau 33",
+        "construct blau-9 --table",
+    ],
+)  # fmt: skip
+def test_every_command_that_prints_a_page_takes_templates(command: str, tmp_path: Path) -> None:
+    folder = write(tmp_path / "mine", base__text="own: {{ page.key }}\n")
+    assert typed(*command.split(), "--templates", str(folder)).out.startswith("own: ")
+
+
+def test_templates_are_named_by_an_option_a_variable_python_and_a_manifest(tmp_path: Path) -> None:
+    folder = write(tmp_path / "mine", base__markdown="own: {{ page.caption }}\n")
+    own = "own: Kolbenweg für R:L = 1:5; genaue Formeln\n"
+    assert printed(*SMALL, "--templates", str(folder)).out == own
+    assert printed(*SMALL, KURBEL_TEMPLATES=str(folder)).out == own
+    page = kurbel.table(ratio="1:5", angle="0;90", columns="x", templates=folder)
+    assert kurbel.typeset(page, "markdown") == own
+    (tmp_path / "handbook.toml").write_text(
+        'title = "T"\nlang = "de"\ntemplates = "mine"\nformats = ["markdown", "csv"]\n'
+        '[[chapter]]\ntitle = "C"\n[[chapter.part]]\nname = "p"\nrun = "table --ratio 1:5 --columns x"\n',
+        encoding="utf-8",
+    )
+    write(folder, base__csv="own\n")
+    assert typed("handbook", "build", str(tmp_path)).code == 0
+    tables = tmp_path / "pages" / "tables"
+    assert (tables / "p.md").read_text(encoding="utf-8") == own
+    assert (tables / "p.csv").read_text(encoding="utf-8") == "own\n"
+
+
+def test_a_document_names_templates_in_its_folder_and_a_part_of_a_handbook_none(tmp_path: Path) -> None:
+    write(tmp_path / "mine", base__markdown="own: {{ page.caption }}\n")
+    document, words = tmp_path / "notes.md", "table --ratio 1:5 --columns x --templates"
+    document.write_text(f"<!-- kurbel: {words} mine -->\n<!-- /kurbel -->\n", encoding="utf-8")
+    assert typed("inject", str(document)).code == 0
+    assert "\nown: Kolbenweg" in document.read_text(encoding="utf-8")
+    assert typed("inject", "--check", str(document)).code == 0
+    write(tmp_path / "mine", base__markdown="other: {{ page.caption }}\n")
+    assert typed("inject", "--check", str(document)).code == 1
+    document.write_text(f"<!-- kurbel: {words} .. -->\n<!-- /kurbel -->\n", encoding="utf-8")
+    assert "leads out of the folder of the document" in refusal("inject", str(document), code=1)
+    (tmp_path / "handbook.toml").write_text(
+        f'title = "T"\n[[chapter]]\ntitle = "C"\n[[chapter.part]]\nrun = "{words} mine"\n', encoding="utf-8"
+    )
+    result = typed("handbook", "build", str(tmp_path))
+    assert result.code == 1
+    assert "--templates is for single tables; a document sets it by itself" in result.err
+
+
+TAKEN = ["first/kinematics", "second/kinematics", "first/base", "second/base"]
+
+
+@pytest.mark.parametrize("count", range(1, 5))
+def test_the_layouts_own_template_comes_first_then_the_base_and_templates_before_layouts(
+    count: int, tmp_path: Path
+) -> None:
+    layout = Path(template_folder()) / "kinematics" / "layout.toml"
+    (tmp_path / "second" / "kinematics").mkdir(parents=True)
+    (tmp_path / "first").mkdir()
+    shutil.copy(layout, tmp_path / "second" / "kinematics")
+    for place in TAKEN[-count:]:
+        write(tmp_path, **{f"{place.replace('/', '__')}__markdown": place})
+    folders = ("--templates", str(tmp_path / "first"), "--layouts", str(tmp_path / "second"))
+    assert printed(*SMALL, *folders).out == TAKEN[-count]
+    assert printed(*SMALL).out.startswith("**Kolbenweg")
+
+
+def test_a_template_extends_one_of_ours_by_its_blocks(tmp_path: Path) -> None:
+    usual = printed(*SMALL).out
+    folder = write(
+        tmp_path,
+        base__markdown='{% extends "kurbel/base/markdown.jinja" %}'
+        "{% block source %}The house\n{% endblock %}",
+        kinematics__markdown='{% extends "base/markdown.jinja" %}{% block caption %}K\n\n{% endblock %}',
+    )
+    changed = printed(*SMALL, "--templates", str(folder)).out
+    assert changed == re.sub(r"^\*\*.*\*\*$", "K", usual, count=1, flags=re.MULTILINE) + "The house\n"
+
+
+@pytest.mark.parametrize("name", ["json", "dat", "xlsx", "ods"])
+def test_a_format_without_templates_refuses_them_where_they_are_typed(name: str, tmp_path: Path) -> None:
+    folder = str(write(tmp_path / "mine", base__csv="own"))
+    words = ("table", "--ratio", "1:5", "-o", str(tmp_path / f"page.{name}"))
+    assert refusal(*words, "--templates", folder) == (
+        f"--templates sets no {name}, which has no template; leave it out; see kurbel table --help"
+    )
+    assert printed(*words, KURBEL_TEMPLATES=folder).out == ""
+    assert (tmp_path / f"page.{name}").stat().st_size > 100
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("base/markdwon.jinja", "is a template of nothing (did you mean markdown.jinja?); what others"),
+        ("kinematics/markdwon.jinja", "is a template of nothing (did you mean markdown.jinja?); what others"),
+        ("kinematics/handbook.html.jinja", "is a template of nothing"),
+        ("kinmatics/text.jinja", "is of no layout (did you mean kinematics?); --layouts names the folder"),
+    ],
+)
+@pytest.mark.parametrize("form", ["text", "csv"])
+def test_a_template_that_would_never_be_used_is_a_sentence(
+    name: str, said: str, form: str, tmp_path: Path
+) -> None:
+    write(tmp_path, **{name.removesuffix(".jinja").replace("/", "__"): ""})
+    (tmp_path / name).parent.mkdir(exist_ok=True)
+    (tmp_path / name).touch()
+    sentence = refusal("table", "--templates", str(tmp_path), "-f", form, code=1)
+    assert sentence.startswith(f"{tmp_path}/{name} {said}")
+    assert refusal("table", "--templates", f"{tmp_path}/x", code=1) == (
+        f"there is no folder {tmp_path}/x with templates"
+    )
+
+
+def test_a_template_may_be_for_a_layout_of_another_folder(tmp_path: Path) -> None:
+    folder = write(tmp_path, slant__markdown="own")
+    words = ("--templates", str(folder), "--layouts", str(ROOT / "examples" / "layouts"))
+    assert printed(*SMALL, *words).out == printed(*SMALL).out
+    assert printed(*SMALL[:-4], "-f", "markdown", "--layout", "slant", *words).out == "own"
+
+
+# Copies
+
+COPIED = {
+    "roetscher-112": "table --layout roetscher-112",
+    "weisbach-150": "delta --eps 2..6 --layout weisbach-150",
+    "balance": "balance --layout balance",
+}
+
+
+@pytest.mark.parametrize("name", COPIED)
+def test_a_copy_prints_the_same_page_in_every_format_until_it_is_changed(name: str, tmp_path: Path) -> None:
+    folder = str(tmp_path / "mine")
+    assert typed("layouts", "--copy", name, folder).err == (
+        f"kurbel: {folder}/{name} is a copy; --layouts {shlex.quote(folder)} takes it in place of kurbel's\n"
+    )
+    words, copy = COPIED[name].split(), ("--layouts", folder)
+    assert {path.name for path in (tmp_path / "mine" / name).iterdir()} == {"layout.toml", *page_templates()}
+    for form in (*NAMES, "csv", "json"):
+        for more in ((), ("--standalone",)) if FORMATS[form].standalone else ((),):
+            typing = (*words, "-f", form, *more)
+            assert typed(*typing, *copy).out == typed(*typing).out
+    for form in (*NAMES, "csv"):
+        path = tmp_path / "mine" / name / f"{form}.jinja"
+        path.write_text(path.read_text(encoding="utf-8") + "changed\n", encoding="utf-8")
+        assert typed(*words, "-f", form, *copy).out == typed(*words, "-f", form).out + "changed\n"
+
+
+def test_a_copy_changes_no_folder_that_is_there(tmp_path: Path) -> None:
+    there = tmp_path / "kinematics"
+    there.mkdir()
+    assert refusal("layouts", "--copy", "kinematics", str(tmp_path), code=1) == (
+        f"{there} is there already; name another folder, or remove it"
+    )
+    assert [*tmp_path.rglob("*")] == [there]
+    assert "(did you mean kinematics?)" in refusal("layouts", "--copy", "kinematic", str(tmp_path))
+
+
+# CSV
+
+# Angles of two ratios and four columns that a page of 20,000 cells holds; with one more they come by columns.
+MOST = 2500
+
+
+@pytest.mark.parametrize("more", [(), ("--decimal", "comma"), ("--excel",), ("--excel", "--lang", "en")])
+def test_a_long_table_streams_past_the_template_with_the_same_bytes(
+    more: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fields: list[str] = []
+
+    def counted(text: str, separator: str, row: Sequence[Value]) -> str:
+        fields.append(text)
+        return quoted(text, separator, row)
+
+    monkeypatch.setattr("kurbel.formats.csv.writer.quoted", counted)
+    # The package offers the function under the name of the module.
+    environment_of = import_module("kurbel.formats.render").environment_of
+    environment_of.cache_clear()
+    words = ("table", "--ratio", "2:9;1:4", "--columns", "x,c,p,psi", "-f", "csv", *more)
+    try:
+        short, long = (
+            printed(*words, "--angle", f"-37..{-37 + 0.125 * (count - 1)}:0.125").out.splitlines(True)
+            for count in (MOST, MOST + 1)
+        )
+    finally:
+        environment_of.cache_clear()
+    assert long[: MOST + 1] + long[MOST + 2 : -1] == short
+    # Only the short one is set by the template.
+    assert len(fields) == 2 * MOST * 6
+
+
+def test_a_template_of_ones_own_sets_long_tables_up_to_a_bound(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = write(tmp_path, base__csv="{{ rows|length }} rows, {{ fields|length }} fields\n")
+    words = ("table", "--ratio", "1:5", "--columns", "x", "-f", "csv", "--templates", str(folder))
+    assert printed(*words, "--angle", "0..360:0.01").out == "36001 rows, 2 fields\n"
+    assert refusal(*words, "--angle", "0..360:0.0036", code=1).startswith(
+        "a table of more than 100000 rows streams past templates, and base/csv.jinja would be ignored"
+    )
+
+
+@given(row=st.lists(st.text(st.sampled_from("a\",;\r\n \t'|é")), min_size=1), separator=st.sampled_from(",;"))
+def test_fields_are_quoted_as_the_csv_module_does(row: list[str], separator: str) -> None:
+    expected = io.StringIO(newline="")
+    csv.writer(expected, delimiter=separator, lineterminator="\r\n").writerow(row)
+    assert separator.join(quoted(text, separator, row) for text in row) + "\r\n" == expected.getvalue()
+
+
+# The how-to
+
+
+def test_the_howto_names_every_block_filter_and_template() -> None:
+    text = (ROOT / "docs" / "howto" / "templates.md").read_text(encoding="utf-8")
+    blocks = text.partition("### Blocks")[2].partition("### Values")[0]
+    filters = text.partition("### Filters")[2]
+    base = Path(template_folder()) / "base"
+    for name, form in FORMATS.items():
+        if not isinstance(form, PageFormat | RecordsFormat) or not (base / f"{name}.jinja").exists():
+            continue
+        source = (base / f"{name}.jinja").read_text(encoding="utf-8")
+        for block in re.findall(r"[%] block (\w+)", source):
+            assert f"`{block}`" in blocks, (name, block)
+        for one in form.writer.filters():
+            assert re.search(rf"^\| `{one}\b.*\| `{name}` \|", filters, re.MULTILINE), (name, one)
+    for template in base.glob("*.jinja"):
+        whole, form_name = template.name.removesuffix(".jinja"), template.name.split(".")[0]
+        assert f"`{whole}`" in text or form_name in ("film", "lesson", "typst"), whole

@@ -237,7 +237,7 @@ def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> 
 
     if FORMATS[name].kind == "records":
         # Data keep the point, so that programs need not know the language of the page.
-        return render(table, name).encode()
+        return render(table, name, templates=templates).encode()
     longtable = FORMATS[name].is_tall(table)
     return render(table, name, decimal=decimal, longtable=longtable, templates=templates).encode()
 

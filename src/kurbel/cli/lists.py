@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shlex
 from collections.abc import Mapping, Sequence
 
@@ -13,7 +14,7 @@ from kurbel.cli.options import click_option, lang_option
 from kurbel.commands.options import Parameter
 from kurbel.commands.parameters import LAYOUTS
 from kurbel.page.axes import PHI, RATIO
-from kurbel.page.layouts import Layout, layout, layout_names
+from kurbel.page.layouts import Layout, layout, layout_file, layout_names
 from kurbel.page.subjects import SUBJECTS
 from kurbel.reading.given import File
 
@@ -57,7 +58,7 @@ def layouts(layouts: File | None, copy: tuple[str, str] | None, form: str, lang:
 
 def _printing(layout: Layout, folder: File | None) -> str:
     """Return what prints the layout."""
-    own = ("--layouts", str(folder)) if layout.folder and folder else ()
+    own = ("--layouts", str(folder)) if folder and os.path.exists(layout_file(folder, layout.key)) else ()
     sample = SUBJECTS[layout.subject].sample.partition(" --layout ")[0]
     return shlex.join(("kurbel", *sample.split(), *own, "--layout", layout.key))
 

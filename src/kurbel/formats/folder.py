@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from tempfile import TemporaryDirectory
 
 from kurbel.errors import LayoutError, OutputError
@@ -24,23 +24,41 @@ def has_templates(folder: str) -> bool:
     """
     if not os.path.isdir(folder):
         raise LayoutError(f"there is no folder {folder} with templates")
-    ours, pages = _names(BASE), page_templates()
-    layouts = {
-        *layout_names(),
-        *(one for one in _names("", folder) if os.path.exists(layout_file(folder, one))),
-    }
-    base = _names(BASE, folder)
-    for name in base:
-        if name.endswith(SUFFIX) and name not in ours:
+    own = [place for place in _names("", folder) if os.path.exists(layout_file(folder, place))]
+    allowed = {**dict.fromkeys((*layout_names(), *own), page_templates()), BASE: _names(BASE)}
+    for place, names in allowed.items():
+        for name in _names(place, folder):
+            if name.endswith(SUFFIX) and name not in names:
+                near = did_you_mean(name, names)
+                raise LayoutError(
+                    f"{folder}/{place}/{name} is a template of nothing{near}; what others include stands in"
+                    " another folder"
+                )
+    return bool(_names(BASE, folder) or _of_layouts(folder))
+
+
+def check_layouts(folders: Iterable[str], known: Sequence[str]) -> None:
+    """Raise LayoutError for a template whose layout is neither kurbel's nor in one of the known folders."""
+    for folder in folders:
+        for place, name in _of_layouts(folder):
+            if any(os.path.exists(layout_file(one, place)) for one in (template_folder(), *known)):
+                continue
             raise LayoutError(
-                f"{folder}/{BASE}/{name} is a template of nothing{did_you_mean(name, ours)}; what others"
-                " include stands in another folder"
+                f"{folder}/{place}/{name} is of no layout{did_you_mean(place, layout_names())}; --layouts"
+                " names the folder of one's own"
             )
-    own = [(place, name) for place in _names("", folder) if place != BASE for name in _names(place, folder)]
-    for place, name in own:
-        if name in pages and place not in layouts:
-            raise LayoutError(f"{folder}/{place}/{name} is of no layout{did_you_mean(place, layouts)}")
-    return bool(base) or any(name in pages for _, name in own)
+
+
+def _of_layouts(folder: str) -> list[tuple[str, str]]:
+    """Return the layouts for which a folder has templates, each with the name of one."""
+    pages = page_templates()
+    return [
+        (place, name)
+        for place in _names("", folder)
+        if place != BASE
+        for name in _names(place, folder)
+        if name in pages
+    ]
 
 
 def has_own(folders: Sequence[str], template: str) -> bool:

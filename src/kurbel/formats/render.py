@@ -108,7 +108,7 @@ def render_document(
 
     `templates` is a folder of the user's, as in `render`.
     """
-    return filled_by(form, f"base/{name}.{form.name}.jinja", values, folders_of(templates))
+    return filled_by(form, f"base/{name}.{form.name}.jinja", values, folders_of(templates, pages=False))
 
 
 def pieces(form: RecordsFormat, template: str, values: Mapping[str, object]) -> Iterator[str]:
@@ -133,13 +133,19 @@ def template_of(table: Table, name: str, folders: Sequence[str]) -> str:
     return own if has_own else f"base/{name}.jinja"
 
 
-def folders_of(*folders: str | None) -> Folders:
-    """Return those of a user's folders that have templates, whole paths. Raises LayoutError for one that is
-    none, or has a template for nothing."""
-    from kurbel.formats.folder import has_templates
+def folders_of(*folders: str | None, pages: bool = True) -> Folders:
+    """Return those of a user's folders that have templates, whole paths.
+
+    Raises LayoutError for one that is none, or has a template for nothing; where no pages are set nobody
+    knows all layouts.
+    """
+    from kurbel.formats.folder import check_layouts, has_templates
 
     given = dict.fromkeys(os.path.abspath(folder) for folder in folders if folder)
-    return tuple(folder for folder in given if has_templates(folder))
+    found = tuple(folder for folder in given if has_templates(folder))
+    if pages:
+        check_layouts(found, tuple(given))
+    return found
 
 
 @cache

@@ -256,10 +256,10 @@ def layout(name: str, folder: Folder | None = None) -> Layout:
     `folder` is one of the user's, whose layouts stand beside kurbel's own and outdo those of their names.
     Raises LayoutError with file and line for one that cannot be used.
     """
-    if folder is None or not os.path.exists(
-        layout_file(folder, choose(name, layout_names(folder), "layout"))
-    ):
+    if folder is None:
         return _own(name)
+    if not os.path.exists(layout_file(folder, choose(name, layout_names(folder), "layout"))):
+        return Layout(**vars(_own(name)) | {"folder": os.path.abspath(folder)})
     from kurbel.page.layout_check import check
 
     file = TomlFile(layout_file(folder, name), KIND)
