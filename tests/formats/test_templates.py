@@ -9,7 +9,6 @@ import re
 import shlex
 import shutil
 from collections.abc import Sequence
-from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -19,6 +18,7 @@ from everything import everything
 from handbook import document, fragments, table
 from hypothesis import given
 from hypothesis import strategies as st
+from jinja2 import meta
 from places import ROOT
 
 import kurbel
@@ -26,8 +26,8 @@ from kurbel.errors import LayoutError
 from kurbel.formats.csv.writer import quoted
 from kurbel.formats.documents import document_files
 from kurbel.formats.folder import page_templates
-from kurbel.formats.registry import FORMATS, PageFormat, RecordsFormat
-from kurbel.formats.render import render
+from kurbel.formats.registry import FORMATS, PageFormat, RecordsFormat, by_name
+from kurbel.formats.render import environment_of, render
 from kurbel.page.layouts import template_folder
 from kurbel.page.table import Value
 
@@ -376,8 +376,6 @@ def test_a_long_table_streams_past_the_template_with_the_same_bytes(
         return quoted(text, separator, row)
 
     monkeypatch.setattr("kurbel.formats.csv.writer.quoted", counted)
-    # The package offers the function under the name of the module.
-    environment_of = import_module("kurbel.formats.render").environment_of
     environment_of.cache_clear()
     words = ("table", "--ratio", "2:9;1:4", "--columns", "x,c,p,psi", "-f", "csv", *more)
     try:
@@ -410,22 +408,36 @@ def test_fields_are_quoted_as_the_csv_module_does(row: list[str], separator: str
     assert separator.join(quoted(text, separator, row) for text in row) + "\r\n" == expected.getvalue()
 
 
-# The how-to
+# What there is to read
+
+BASE = Path(template_folder()) / "base"
+
+
+@pytest.mark.parametrize("path", sorted(BASE.glob("*.jinja")), ids=lambda path: path.name)
+def test_the_comment_at_the_top_names_all_that_a_template_is_given(path: Path) -> None:
+    form = by_name(next(part for part in path.name.split(".") if part in FORMATS))
+    assert isinstance(form, PageFormat | RecordsFormat)
+    text = path.read_text(encoding="utf-8")
+    comment = re.match(r"[{<]#\n(.*?)-?#[}>]\n", text, re.DOTALL)
+    assert comment
+    # A block also reads what the loops around it have.
+    if "% block" not in text:
+        for name in meta.find_undeclared_variables(environment_of(form, ()).parse(text)):
+            assert f"`{name}`" in comment[1]
 
 
 def test_the_howto_names_every_block_filter_and_template() -> None:
     text = (ROOT / "docs" / "howto" / "templates.md").read_text(encoding="utf-8")
     blocks = text.partition("### Blocks")[2].partition("### Values")[0]
     filters = text.partition("### Filters")[2]
-    base = Path(template_folder()) / "base"
     for name, form in FORMATS.items():
-        if not isinstance(form, PageFormat | RecordsFormat) or not (base / f"{name}.jinja").exists():
+        if not isinstance(form, PageFormat | RecordsFormat) or not (BASE / f"{name}.jinja").exists():
             continue
-        source = (base / f"{name}.jinja").read_text(encoding="utf-8")
+        source = (BASE / f"{name}.jinja").read_text(encoding="utf-8")
         for block in re.findall(r"[%] block (\w+)", source):
             assert f"`{block}`" in blocks, (name, block)
         for one in form.writer.filters():
             assert re.search(rf"^\| `{one}\b.*\| `{name}` \|", filters, re.MULTILINE), (name, one)
-    for template in base.glob("*.jinja"):
+    for template in BASE.glob("*.jinja"):
         whole, form_name = template.name.removesuffix(".jinja"), template.name.split(".")[0]
         assert f"`{whole}`" in text or form_name in ("film", "lesson", "typst"), whole
