@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Sequence
 from tempfile import TemporaryDirectory
 
 from kurbel.errors import LayoutError, OutputError
@@ -43,12 +42,7 @@ def has_templates(folder: str) -> bool:
     return bool(base) or any(name in pages for _, name in own)
 
 
-def has_own(folders: Sequence[str], template: str) -> bool:
-    """Tell whether one of a user's folders has a template."""
-    return any(os.path.exists(f"{folder}/{template}") for folder in folders)
-
-
-def has_template(form: Format) -> bool:
+def is_set_by_template(form: Format) -> bool:
     """Tell whether pages in a format are set by a template, its own or that of the format it is made of."""
     return form.kind == "compiled" or f"{form.name}{SUFFIX}" in _names(BASE)
 

@@ -129,16 +129,22 @@ def filled_by(
 def template_of(table: Table, name: str, folders: Sequence[str]) -> str:
     """Return the template of a page: that of its layout, if it has its own, here or in a user's folder."""
     own = f"{table.layout or table.key}/{name}.jinja"
-    has_own = any(os.path.exists(f"{folder}/{own}") for folder in (*folders, template_folder()))
-    return own if has_own else f"base/{name}.jinja"
+    return own if has_template((*folders, template_folder()), own) else f"base/{name}.jinja"
+
+
+def has_template(folders: Sequence[str], template: str) -> bool:
+    """Tell whether one of the folders has a template."""
+    return any(os.path.exists(f"{folder}/{template}") for folder in folders)
 
 
 def folders_of(*folders: str | None) -> Folders:
     """Return those of a user's folders that have templates, whole paths. Raises LayoutError for one that is
     none, or has a template for nothing."""
+    given = dict.fromkeys(os.path.abspath(folder) for folder in folders if folder)
+    if not given:
+        return ()
     from kurbel.formats.folder import has_templates
 
-    given = dict.fromkeys(os.path.abspath(folder) for folder in folders if folder)
     return tuple(folder for folder in given if has_templates(folder))
 
 
@@ -177,8 +183,8 @@ def environment_of(form: PageFormat | RecordsFormat, folders: Folders) -> Enviro
 
 
 def _compiled_folder() -> str | None:
-    """Return where our templates stay as Jinja compiled them: where Python keeps what it compiles beside them,
-    and nowhere if it may not."""
+    """Return where our templates stay as Jinja compiled them: where Python would keep what it compiles beside
+    them, nowhere if it may not."""
     if sys.dont_write_bytecode:
         return None
     from importlib.util import cache_from_source
