@@ -233,10 +233,8 @@ def test_the_force_on_the_pin_of_a_new_mechanism_does_the_work(yoke: House) -> N
 
 def test_a_new_mechanism_is_in_reference_handbook_drawings_and_lists(yoke: House) -> None:
     reference = yoke.reference()
-    assert (
-        "`tangential_force_n` | Tangential force: T as the crank turns | N | 1 | `forces --mechanism yoke --force` |"
-        in reference
-    )
+    force = "`tangential_force_n` | Tangential force: T as the crank turns | N | 1"
+    assert f"{force} | `forces --mechanism yoke --force` |" in reference
     assert "- Scotch yoke: `path`, `s`, `velocity`, `acceleration`" in reference
     page = yoke.handbook("table --mechanism yoke")
     assert "Weg, Geschwindigkeit und Beschleunigung der Schleife einer Kreuzschubkurbel" in page
