@@ -313,19 +313,19 @@ def test_a_new_load_does_its_work_on_the_shaft(spring: House, drive: str) -> Non
     """Over both strokes ½ (F + F₁) S each; between the dead centres, by Simpson's rule."""
     work = 0.0
     ratio, offset = (0.2, 0.0) if "offset" not in drive else (0.25, 0.5)
-    for key, stroke in (("torque_nm", 1), ("torque_return_nm", -1)):
-        # Stretched rod and crank, folded rod and crank: φ of the stroke at its ends, in degrees.
-        dead = [math.degrees(math.asin(offset / (1 / ratio + side))) for side in (stroke, -stroke)]
-        begin, end = dead[0], 180 + dead[1]
+    # Stretched rod and crank, folded rod and crank: φ at the ends of the strokes, in degrees.
+    inner, outer = (math.degrees(math.asin(offset / (1 / ratio + side))) for side in (1, -1))
+    # Over the turn the force keeps its direction; in an engine it turns round for the return stroke.
+    for begin, end, direction in ((inner, 180 + outer, 1), (180 + outer, 360 + inner, -1)):
         angles = ";".join(f"{begin + (end - begin) * index / 200:.9f}" for index in range(201))
         page = spring.kurbel(
             f"kurbel forces {drive} --force 10kN..4kN --stroke 600mm --angle {angles!r}"
-            f" --columns {key} --digits 9 -f csv"
+            " --columns torque_nm --digits 9 -f csv"
         )
         torques = [float(row.split(",")[1]) for row in page.splitlines()[1:]]
         weights = [1, *([4, 2] * 100)[:199], 1]
         step = math.radians(end - begin) / 200
-        work += math.fsum(map(math.prod, zip(weights, torques, strict=True))) * step / 3
+        work += direction * math.fsum(map(math.prod, zip(weights, torques, strict=True))) * step / 3
     way = math.sqrt((1 / ratio + 1) ** 2 - offset**2) - math.sqrt((1 / ratio - 1) ** 2 - offset**2)
     assert work == pytest.approx(2 * 7000 * way * 0.3, rel=1e-6)
 
