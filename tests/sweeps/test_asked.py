@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from decimal import Decimal
 from fractions import Fraction
 from itertools import product
+from math import cos, radians, sin, sqrt
 from pathlib import Path
 from typing import Any
 
@@ -193,6 +194,14 @@ def test_a_sobol_design_is_scipys_between_the_ends_and_can_be_typed_again() -> N
     }
 
 
+def test_a_path_in_strokes_and_in_per_cent_is_that_of_the_textbook() -> None:
+    for row in swept("table", "--ratio=1:4", "--angle=0..360:15", "--columns=x,x_stroke,x_percent"):
+        angle = radians(float(row["phi"]))
+        path = 1 - cos(angle) + 4 - sqrt(16 - sin(angle) ** 2)
+        found = [float(row[key]) for key in ("x", "x_stroke", "x_percent")]
+        assert found == pytest.approx([path, path / 2, 50 * path], rel=1e-12, abs=1e-15)
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
@@ -207,6 +216,10 @@ def test_a_sobol_design_is_scipys_between_the_ends_and_can_be_typed_again() -> N
         (["delta", "--back=abc;0.1"], "is no number"),
         (["delta", "--eps=2;3", "--lang=xy"], "there is no language"),
         (["delta", "--eps=2;3", "--caption=A"], "there is no option"),
+        (
+            ["delta", "--eps=2;3", "--digits=3", "-f", "netcdf"],
+            "NetCDF and Zarr have no decimals; write .parq",
+        ),
         (["detla", "--eps=2;3"], "did you mean delta?"),
         (["collate"], "there is no command that can be swept"),
         (["table", "--ratio=1;2;3", "--angle=0"], "crank ratio"),
