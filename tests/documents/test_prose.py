@@ -148,6 +148,22 @@ def test_what_cannot_be_set_is_a_sentence_with_its_line(text: str, sentence: str
     assert f"line {caught.value.line}: " in sentence
 
 
+@pytest.mark.parametrize(
+    ("most", "beyond"),
+    [
+        ("x" * 200_000, "x" * 200_001),
+        ("> " * 4 + "b", "> " * 5 + "b"),
+        ("- " * 4 + "b", "- " * 5 + "b"),
+        ("*a " * 10 + "b" + "*" * 10, "*a " * 11 + "b" + "*" * 11),
+    ],
+    ids=["length", "quotations", "lists", "emphasis"],
+)
+def test_as_much_as_any_page_has_is_set_and_no_more(most: str, beyond: str) -> None:
+    assert parse_prose(most)
+    with pytest.raises(ProseError):
+        parse_prose(beyond)
+
+
 def test_unknown_name_raises_what_the_caller_raises() -> None:
     with pytest.raises(ChoiceError, match="no part has the name nothing"):
         printed("[](#nothing)", "html")
