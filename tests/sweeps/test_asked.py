@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from cli import kurbel, refusal
+from cli import kurbel, printed, refusal
 from scipy.stats import qmc
 
 from kurbel.errors import KurbelError
@@ -50,6 +50,20 @@ def test_the_last_axis_is_the_fastest_and_linked_ones_go_together() -> None:
     assert [(one["eps"], one["ratio"], one["back"]) for one in linked] == [
         (eps, Fraction(1, ratio), back) for eps, back in (("2", "0.1"), ("3", "0.2")) for ratio in (4, 5)
     ]
+
+
+@pytest.mark.parametrize("free", ["first", "last"])
+def test_linked_options_go_together_whatever_a_third_one_does(free: str) -> None:
+    linked = ("--eps=2;3;4", "--back=0.1;0.05;0.02")
+    words = ("--ratio=1:4;1:∞", *linked) if free == "first" else (*linked, "--ratio=1:4;1:∞")
+    rows = swept("delta", *words, "--zip=back,eps")
+    found = {tuple(float(row[key]) for key in ("epsilon", "back", "ratio")): row["delta"] for row in rows}
+    pairs, ratios = ((2, 0.1), (3, 0.05), (4, 0.02)), (0.25, 0)
+    places = [(*pair, ratio) for ratio in ratios for pair in pairs]
+    assert [*found] == (places if free == "first" else [(*pair, ratio) for pair in pairs for ratio in ratios])
+    for (eps, back, ratio), value in found.items():
+        single = ("delta", f"--eps={eps}", f"--back={back}", f"--ratio={ratio}", "--digits=15", "-f=csv")
+        assert float(value) == pytest.approx(float(printed(*single).records()[0]["delta"]), rel=1e-13)
 
 
 def test_a_column_has_the_unit_of_the_si_whatever_was_typed() -> None:
