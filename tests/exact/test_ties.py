@@ -353,3 +353,35 @@ def test_a_tie_that_would_take_minutes_to_prove_is_given_up_with_a_sentence(bits
     assert found is not None
     assert most / 2 < int(found[1]) <= most
     assert flint.ctx.prec == before
+
+
+# A page, the row and the column of a value, that value half-way with both roundings, and one beside it.
+HALVES = [
+    # Four axles have a quarter of the torque each.
+    ("forces --mechanism=parallel --axles=4 --force={}N --stroke=2m --angle=90 --digits=0", 0, "torque_nm",
+     ("10", "3", "2"), ("10.001", "3")),
+    ("forces --mechanism=parallel --axles=4 --angle={} --digits=2", 0, "tangential_force",
+     ("30", "0.13", "0.12"), ("30.001", "0.13")),
+    ("turning --torque=1000+0.5sinφ --angle={} --digits=1", 0, "excess_torque",
+     ("30", "0.3", "0.2"), ("30.001", "0.3")),
+    ("turning --areas=1;-1 --area-scale={}J --digits=0", 1, "excess_energy",
+     ("2.5", "3", "2"), ("2.501", "3")),
+    ("pressures --eps=2 --stroke=1m --bore=1m --speed=1/s --reciprocating=1kg --pressure={}bar --angle=30"
+     " --digits=2", 0, "gas_pressure", ("8.25", "4.13", "4.12"), ("8.2501", "4.13")),
+    # 1 - cos 60° = 1/2.
+    ("construct blau-9 --ratio=1:4 --angle={} --table --digits=0", 1, "drawn",
+     ("60", "1", "0"), ("60.001", "1")),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("words", "row", "column", "tie", "beside"), HALVES, ids=[one[2] for one in HALVES])
+def test_pages_round_what_lies_half_way_as_asked_and_what_lies_beside_it_to_its_side(
+    words: str, row: int, column: str, tie: tuple[str, str, str], beside: tuple[str, str]
+) -> None:
+    def shown(given: str, rounding: str) -> str:
+        asked = (*words.format(given).split(), f"--rounding={rounding}", "--format=csv")
+        return printed(*asked).records()[row][column]
+
+    roundings = ("half-away", "half-even")
+    assert [shown(tie[0], one) for one in roundings] == [*tie[1:]]
+    assert [shown(beside[0], one) for one in roundings] == [beside[1]] * 2
