@@ -289,7 +289,8 @@ def test_a_negative_zero_would_be_found() -> None:
 @pytest.mark.parametrize("name", [name for name, one in FORMATS.items() if not isinstance(one, BytesFormat)])
 def test_no_zero_has_a_sign(name: str) -> None:
     for (last, keys), digits in product(runs(WITHOUT_UNITS), range(3)):
-        run = [f"--from={0 if last == 180 else -90}", f"--to={last}", "--columns=phi," + ",".join(keys)]
+        first = ["--from=-90"] if last == 360 else []
+        run = [*first, f"--to={last}", "--columns=phi," + ",".join(keys)]
         page = ran("table", "--ratio=1:5", "--step=7.5", *run, f"--digits={digits}", "-f", name)
         # So wide a table is turned in LaTeX, which is said.
         assert page.code == 0

@@ -77,12 +77,12 @@ def test_errors_have_the_digits_and_the_units_that_are_asked_for() -> None:
     for key, value in exact.items():
         assert abs(Fraction(record[f"error_{key}"]) - value) <= Fraction(1, 2 * 10**30)
     (record,) = errors_csv("--ratio=3:5", "--order=1", "--stroke=1m", "--digits=3", "--columns=error_x_mm")
-    assert record == {"order": "1", "error_x_mm": "16.667"}
+    assert record == {"error_x_mm": "16.667"}
     ties = [errors_csv("--ratio=3:5", "--order=1", "--digits=1", "--columns=error_p", f"--rounding={one}")
             for one in ("half-away", "half-even")]  # fmt: skip
-    assert ties == [[{"order": "1", "error_p": "0.2"}]] * 2
+    assert ties == [[{"error_p": "0.2"}], [{"error_p": "0.2"}]]
     assert errors_csv("--ratio=1:∞", "--columns=error_x,error_c_phi") == [
-        {"order": str(order), "error_x": "0", "error_c_phi": ""} for order in range(1, 6)
+        {"order": str(order), "error_x": "0", "error_c_phi": ""} for order in (1, 3, 5, 7, 9)
     ]
 
 
