@@ -287,14 +287,18 @@ class Question(Worded, Given):
 
     def shows(self, column: LayoutColumn) -> bool:
         """Whether the layout's column is shown where none were asked for."""
-        return not self._hidden(column)
+        return self.knows(column.quantity) and not self._rival(column)
 
     def _hidden(self, column: LayoutColumn) -> str:
         """Return why the layout's column cannot be shown, nothing if it can."""
-        for other in (column.unless, "" if self.data else column.unless_printed):
-            if other and self.knows(other):
-                return f"column {column.key} gives way to {other}"
-        return "" if self.knows(column.quantity) else self.missing(self.entry(column.quantity))
+        if other := self._rival(column):
+            return f"column {column.key} gives way to {other}"
+        return self.missing(self.entry(column.quantity))
+
+    def _rival(self, column: LayoutColumn) -> str:
+        """Return the known quantity to which the layout's column gives way, if there is one."""
+        others = (column.unless, "" if self.data else column.unless_printed)
+        return next((one for one in others if one and self.knows(one)), "")
 
     def knows(self, key: str) -> bool:
         """Whether a quantity is known."""
