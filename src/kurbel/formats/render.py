@@ -85,7 +85,7 @@ def render(
     fragment = filled(form.name, {})
     if table.steps is not None and form.interactive:
         set_page = partial(render, format=format, decimal=decimal, templates=templates)
-        with _as_one_page(templates):
+        with as_one_page(templates):
             around = writer.stepped(table, fragment, set_page, mark)
             fragment = filled(f"{form.name}.steps", around)
     if standalone and form.standalone:
@@ -94,9 +94,9 @@ def render(
     return fragment
 
 
-def _as_one_page(templates: str | None) -> AbstractContextManager[None]:
+def as_one_page(templates: str | None) -> AbstractContextManager[None]:
     """Have the templates of a user's within the time of one page for all of it."""
-    if templates is None:
+    if not templates:
         return nullcontext()
     from kurbel.formats.apart import one_page
 
