@@ -264,22 +264,6 @@ def test_a_small_page_loads_no_more_modules_than_before(words: str, most: int) -
     if words.startswith(("table", "solve")):
         assert not within("kurbel.linkage", own) | within("kurbel.engine", own)
 
-
-def test_what_jinja_compiled_is_kept_where_python_keeps_modules(tmp_path: Path) -> None:
-    def kept(**variables: str) -> list[tuple[Path, int]]:
-        clean = {name: text for name, text in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
-        environment = clean | {"PYTHONPYCACHEPREFIX": str(tmp_path)} | variables
-        words = [sys.executable, "-m", "kurbel", "table", "--ratio", "1:5", "-f", "markdown"]
-        done = subprocess.run(words, capture_output=True, check=True, env=environment)
-        printed.add(done.stdout)
-        return [(path, path.stat().st_mtime_ns) for path in tmp_path.rglob("__jinja2_*")]
-
-    printed: set[bytes] = set()
-    assert not kept(PYTHONDONTWRITEBYTECODE="1")
-    first = kept()
-    assert len(first) == 1
-    # It is read the next time, and not made anew.
-    assert kept() == first
     assert len(printed) == 1
 
 

@@ -83,7 +83,7 @@ def render(
     fragment = filled(form.name, {})
     if table.steps is not None and form.interactive:
         set_page = partial(render, format=format, decimal=decimal, templates=templates)
-        with _as_one_page(folders):
+        with as_one_page(folders):
             around = writer.stepped(table, fragment, set_page, mark)
             fragment = filled(f"{form.name}.steps", around)
     if standalone and form.standalone:
@@ -92,7 +92,7 @@ def render(
     return fragment
 
 
-def _as_one_page(folders: Folders) -> AbstractContextManager[None]:
+def as_one_page(folders: Folders | str | None) -> AbstractContextManager[None]:
     """Have the templates of a user's within the time of one page for all of it."""
     if not folders:
         return nullcontext()
@@ -151,22 +151,17 @@ def folders_of(*folders: str | None) -> Folders:
 @cache
 def environment_of(form: PageFormat | RecordsFormat, folders: Folders) -> Environment:
     """Return what loads the templates of a format; those of a user's folders run in a sandbox."""
-    from jinja2 import BaseLoader, BytecodeCache, Environment, FileSystemLoader, StrictUndefined
+    from jinja2 import BaseLoader, Environment, FileSystemLoader, StrictUndefined
 
     from kurbel.formats.page import blank
 
     kind: type[Environment] = Environment
     ours = template_folder(), form.home
     loader: BaseLoader = FileSystemLoader(ours)
-    kept: BytecodeCache | None = None
     if folders:
         from kurbel.formats.sandbox import Loader, Sandbox
 
         kind, loader = Sandbox, Loader(folders, ours)
-    elif kept_in := _compiled_folder():
-        from jinja2 import FileSystemBytecodeCache
-
-        kept = FileSystemBytecodeCache(kept_in)
     # No autoescape: every string of a page is finished text of its format, formulas included.
     environment = kind(
         loader=loader,
@@ -175,24 +170,10 @@ def environment_of(form: PageFormat | RecordsFormat, folders: Folders) -> Enviro
         lstrip_blocks=True,
         keep_trailing_newline=True,
         auto_reload=bool(folders),
-        bytecode_cache=kept,
         **form.writer.delimiters,
     )
     environment.filters.update(blank=blank, **form.writer.filters())
     return environment
-
-
-def _compiled_folder() -> str | None:
-    """Return where our templates stay as Jinja compiled them: where Python would keep what it compiles beside
-    them, nowhere if it may not."""
-    if sys.dont_write_bytecode:
-        return None
-    from importlib.util import cache_from_source
-
-    folder = os.path.dirname(cache_from_source(f"{template_folder()}/base/_.py"))
-    with suppress(OSError):
-        os.makedirs(folder, exist_ok=True)
-    return folder if os.access(folder, os.W_OK) else None
 
 
 @contextmanager

@@ -128,15 +128,8 @@ class SolveRequest(Question):
     def roots(self, place: Place) -> Sequence[Root]:
         return self.found.get((place["ratio"], place["condition"], tuple(STROKES)[place["stroke"]]), ())
 
-    def shows(self, column: LayoutColumn) -> bool:
+    def knows(self, key: str) -> bool:
         # As of any page, but without asking every mechanism for its quantities.
-        others = (column.unless,) if self.data else (column.unless, column.unless_printed)
-        return self._knows(column.quantity) and not any(map(self._knows, others))
-
-    def _gives_way(self, column: LayoutColumn, other: str) -> bool:
-        return self._knows(other)
-
-    def _knows(self, key: str) -> bool:
         return key == TURN.key or key in self.drives[0].columns
 
     def entry(self, key: str) -> Quantity:
@@ -144,7 +137,7 @@ class SolveRequest(Question):
         return known._replace(part=None, spanners=())
 
     def missing(self, quantity: Quantity) -> str:
-        if self._knows(quantity.key):
+        if self.knows(quantity.key):
             return ""
         if not quantity.needs:
             return f"column {quantity.key} belongs to another mechanism or method; leave it out"
