@@ -117,12 +117,16 @@ def _serve(pipe: Connection, task: Task) -> None:
 
 @dataclass(frozen=True)
 class Program:
-    """A whole process from a cold start, in a folder with `files`: a new one for each run, unless `kept`."""
+    """A whole process from a cold start, in a folder with `files`: a new one for each run, unless `kept`.
+
+    A `bare` one finds nothing that Python has compiled before, as in many containers, and leaves nothing.
+    """
 
     words: Sequence[str]
     files: Mapping[str, str] = field(default_factory=dict)
     kept: bool = False
     needs: str = ""
+    bare: bool = False
 
     @contextmanager
     def ready(self) -> Iterator[Callable[[], Taken]]:
@@ -131,12 +135,16 @@ class Program:
 
             def once() -> Taken:
                 if self.kept:
-                    return _process(self.words, kept)
+                    return self._process(kept)
                 with TemporaryDirectory() as folder:
                     self._furnish(folder)
-                    return _process(self.words, folder)
+                    return self._process(folder)
 
             yield once
+
+    def _process(self, folder: str) -> Taken:
+        bare = {"PYTHONDONTWRITEBYTECODE": "1", "PYTHONPYCACHEPREFIX": str(Path(folder, "nothing"))}
+        return _process(self.words, folder, ENVIRONMENT | (bare if self.bare else {}))
 
     def _furnish(self, folder: str) -> None:
         for name, text in self.files.items():
@@ -153,10 +161,10 @@ def python(code: str, **more: Any) -> Program:
     return Program((sys.executable, "-c", code), **more)
 
 
-def _process(words: Sequence[str], folder: str) -> Taken:
+def _process(words: Sequence[str], folder: str, environment: Mapping[str, str]) -> Taken:
     begun = time.perf_counter()
     process = subprocess.Popen(
-        words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, env=ENVIRONMENT, cwd=folder
+        words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, env=environment, cwd=folder
     )
     assert process.stderr
     said = process.stderr.read()

@@ -9,6 +9,8 @@ from benchmarks.race import Race, Row, kurbel, python
 
 IMPORTS, FIGURE = "`import click, flint`", "saving an empty figure of matplotlib as SVG"
 EMPTY, SCRIPT = "an empty Python", "the least script with NumPy and Jinja2"
+# Where Python has compiled nothing before.
+BARE = ", nothing compiled"
 TABLE = "table --ratio 1:5"
 EMPTY_FIGURE = """
 from matplotlib.backends.backend_svg import FigureCanvasSVG
@@ -45,6 +47,7 @@ FLOORS = {
     FIGURE: python(EMPTY_FIGURE, needs="matplotlib"),
     EMPTY: python("pass"),
     SCRIPT: python(LEAST_SCRIPT),
+    SCRIPT + BARE: python(LEAST_SCRIPT, bare=True),
 }
 
 
@@ -54,11 +57,13 @@ class Start(NamedTuple):
     words: str
     beside: str
     aim: float | None = None
+    bare: bool = False
 
 
 STARTS = (
-    Start(TABLE, IMPORTS, 1.5),
-    Start(TABLE, SCRIPT),
+    Start(TABLE, SCRIPT, 0.75),
+    Start(TABLE, SCRIPT + BARE, 0.75, bare=True),
+    Start(TABLE, IMPORTS),
     Start(f"{TABLE} -f html", IMPORTS, 2),
     Start(f"{TABLE} -f latex", IMPORTS, 2),
     Start("delta --eps 2..6", IMPORTS, 2),
@@ -74,6 +79,9 @@ STARTS = (
 
 
 def races(quick: bool) -> Iterator[Race]:
-    commands = {start.words: kurbel(start.words) for start in STARTS}
-    rows = [Row(f"`kurbel {start.words}`", start.words, start.beside, start.aim) for start in STARTS]
+    commands, rows = {}, []
+    for words, beside, aim, bare in STARTS:
+        after = BARE if bare else ""
+        commands[words + after] = kurbel(words, bare=bare)
+        rows.append(Row(f"`kurbel {words}`{after}", words + after, beside, aim))
     yield Race({**FLOORS, **commands}, rows, rounds=5 if quick else 15, clock="processor")

@@ -1,7 +1,5 @@
 """What kurbel says when it cannot go on: one sentence each."""
 
-from typing import Any
-
 
 class KurbelError(Exception):
     """A sentence for the user: what was given, what is allowed, and why.
@@ -11,7 +9,7 @@ class KurbelError(Exception):
 
     exit_code = 2
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         # An exception is made anew of its sentence, which some are not made of.
         return Exception.__new__, (type(self), *self.args), vars(self)
 

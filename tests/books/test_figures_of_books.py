@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
+from cli import printed
 from mpmath import mp, mpf
 
 import kurbel
@@ -106,6 +107,18 @@ def test_forces_of_ensslins_figures_are_those_of_two_point_masses() -> None:
         assert sixth["$overline(S T)$"] == pytest.approx((reach - centre) * rod, abs=CLOSE)
         # In M v²/L.
         assert seventh["$overline(A G)$"] == pytest.approx(-rest.real * centre * rod, abs=CLOSE)
+
+
+@pytest.mark.parametrize("drive", ["", "--mechanism=arc --rocker=4"], ids=["slide", "rocker"])
+def test_forces_of_the_common_acceleration_have_the_formulas_of_the_centre_of_mass(drive: str) -> None:
+    words = ("construct", "ensslin-5", *drive.split(), "--centre=0.4", "--angle=50", "--table", "-f", "csv")
+    rows = {row["length"]: row for row in printed(*words).records()}
+    whole = float(rows["SK"]["true"])
+    for length, formula, share in (("HK", "M p₂ a/l", 0.4), ("SH", "M p₂ b/l", 0.6)):
+        assert rows[length]["formula"] == formula
+        assert float(rows[length]["true"]) == pytest.approx(share * whole, abs=1e-5)
+    # Along the slide p₂ is that of the piston; on an arc no line holds it.
+    assert rows["SK"]["formula"] == ("M p₂" if drive else "M (cos φ − sin φ tan ψ + (λ cos² φ)/cos³ ψ)")
 
 
 def test_tangential_pressure_has_the_power_of_the_piston_and_its_mean_the_work() -> None:

@@ -572,7 +572,8 @@ def test_the_page_says_what_engine_it_is_about() -> None:
     def told(*words: str) -> str:
         return " ".join(printed("delta", "--eps", "4", "--lang", "en", *words).out.split())
 
-    assert "Expansion by Mariotte's law; back pressure R_b = Q/ε, the most favourable" in told()
+    assert "Expansion by Mariotte's law (--exponent); no clearance (--clearance); " in told()
+    assert "back pressure R_b = Q/ε, the most favourable (--back); double-acting (--single-acting)" in told()
     assert "Expansion by p Vⁿ = const, n = 1.13" in told("--exponent", "1.13")
     best = "back pressure equal to the steam's at the end of the stroke, the most favourable"
     assert best in told("--exponent", "1.13")
@@ -580,7 +581,8 @@ def test_the_page_says_what_engine_it_is_about() -> None:
     assert "clearance 0.05 of the swept volume" in told("--clearance", "5%")
     assert "back pressure R_b = 0.1 Q" in told("--back", "10%")
     assert "single-acting" in told("--single-acting")
-    assert told("--back", "0").endswith("back pressure R_b = 0 Source: " + told().partition("Source: ")[2])
+    vacuum = "back pressure R_b = 0; double-acting (--single-acting) Source: "
+    assert told("--back", "0").endswith(vacuum + told().partition("Source: ")[2])
     assert "cranks 90° behind the first, cylinders alike" in told("--cranks", "0;90")
     assert "cranks 0°, 225° behind the first, cylinders alike" in told("--cranks", "0;0;225")
     assert "first-order formulas" in told("--method", "series")

@@ -367,3 +367,79 @@ def test_a_group_without_a_command_prints_its_help_in_lines() -> None:
     assert (result.code, result.out) == (2, "")
     assert result.err.startswith("Usage: kurbel handbook [OPTIONS] COMMAND")
     assert "\n  build " in result.err
+
+
+def _list(count: int, text: str = "{}", first: int = 0) -> str:
+    return ";".join(text.format(number) for number in range(first, first + count))
+
+
+MASSES = "forces --angle=30 --stroke=600mm"
+LIMITS = [
+    ("table --angle={}", "1000000", "1000000.001", "beyond 1000000°"),
+    ("table --angle={}", "-1000000", "-1000000.001", "beyond 1000000°"),
+    ("table --angle=30 --ratio=1:{}", "1000000000", "1000000001", "below 1:1000000000"),
+    ("table --angle=30 --ratio={}", f"0.{'2' * 58}", f"0.{'2' * 59}", "is not a ratio R:L"),
+    ("table --angle={}", f"0.{'2' * 58}", f"0.{'2' * 59}", "is not an angle in degrees"),
+    ("table --angle=30 --digits={}", "50", "51", "a whole number from 0 to 50"),
+    ("table --angle=30 --caption={}", "x" * 2000, "x" * 2001, "at most 2000 are set"),
+    ("table --angle=30 --mechanism=arc --rocker={}", "1000000000", "1000000001", "beyond 1000000000 R"),
+    ("table --angle=30 --mechanism=beam --beam={}", "1000000000", "1000000001", "beyond 1000000000 r"),
+    ("table --angle=30 --method=series --order={}", "9", "10", "from 1 to 9"),
+    (f"{MASSES} --force={{}}N", "1000000000000", "1000000000001", "at most 10^12 N"),
+    (f"{MASSES} --force=1N --friction={{}}N", "1000000000000", "1000000000001", "at most 10^12 N"),
+    (f"{MASSES} --speed=2/s --reciprocating={{}}kg", "1000000000", "1000000001", "at most 10^9 kg"),
+    (
+        "inertia --angle=30 --centre=0.6 --gyration=0.3 --stroke=1m --speed=1/s --rod-mass={}kg",
+        "1000000000", "1000000001", "at most 10^9 kg",
+    ),
+    ("forces --angle=30 --eps=4 --bore=1m --pressure={}Pa", "1000000000000", "1000000000001", "10^12 Pa"),
+    ("delta --eps={}", "1000000", "1000001", "at most 1000000"),
+    ("delta --eps=4 --exponent={}", "10", "10.001", "at most 10,"),
+    ("delta --eps=4 --exponent={}", "1.000001", "1.0000009", "nearer to 1 than 10^-6"),
+    ("delta --eps=4 --exponent={}", "0.999999", "0.9999991", "nearer to 1 than 10^-6"),
+    ("delta --eps=4 --clearance={}", "10", "10.001", "within 0..10,"),
+    ("delta --eps=4 --ratio={}", "0.999999999999", "0.9999999999991", "nearer to 1 than 10^-12"),
+    ("delta --eps=4 --cranks={}", _list(24), _list(25), "1 to 24 are allowed"),
+    ("delta --compression={} --heat=5", "1000", "1000.001", "at most 1000,"),
+    ("delta --compression=6 --heat={}", "1000000000", "1000000001", "at most 10^9,"),
+    ("delta --pressure-ratio={}", "1000000", "1000001", "at most 1000000"),
+    ("delta --pressure-ratio=4 --delivery-loss={}", "10", "10.001", "within 0..10,"),
+    ("delta --pressure-ratio=4 --exponent={}", "10", "10.001", "at most 10,"),
+    ("delta --pressure-ratio=4 --exponent={}", "1.000001", "1.0000009", "nearer to 1 than 10^-6"),
+    ("flywheel --eps=4 --power=5kW --speed=1/s --delta={}", "1.999", "2", "below 2"),
+    ("flywheel --eps=4 --power=5kW --speed=1/s --delta={}", "1e-9", "0.9e-9", "at least 10^-9"),
+    ("flywheel --eps=4 --power={}W --speed=1/s --delta=0.1", "1000000000000", "1000000000001", "10^12 W"),
+    ("harmonics --orders={}", "100", "101", "from 1 to 100"),
+    ("balance --engine=inline-4 --orders={}", "100", "101", "from 1 to 100"),
+    ("balance --cranks={}", _list(24), _list(25), "an engine has 1 to 24"),
+    ("rotor --masses={} --radii=10mm --angles=0", "1000000kg", "1000000.1kg", "at most 1000000 kg"),
+    (
+        "locomotive --spacing=1m --gauge=1.5m --stroke=1m --reciprocating=9kg --cranks={}",
+        _list(8), _list(9), "an axle has 1 to 8",
+    ),
+    ("turning --torque=sin^{}φ", "20", "21", "from 1 to 20"),
+    ("turning --torque=1+sin({}φ)", "200", "201", "an order above 200"),
+    ("turning --torque={}", f"{'(' * 30}1+sinφ{')' * 30}", f"{'(' * 31}1+sinφ{')' * 31}", "more than 30 br"),
+    ("turning --torque=1+sinφ{}", "+0" * 497, f"{'+0' * 496}+00", "at most 1000 are read"),
+    ("turning --areas=1;{}-1 --area-scale=1J", "0;" * 998, "0;" * 999, "at most 1000 are allowed"),
+    ("firing --cranks={}", ";".join(["0"] * 14), ";".join(["0"] * 15), "cannot fire at equal intervals"),
+    ("plot -o - -f svg --positions={}", _list(36), _list(37), "at most 36"),
+    ("plot -o - -f svg --width={}", "1000", "1001", "from 20 to 1000 mm"),
+    ("plot -o - -f svg --height={}", "1000", "1001", "from 20 to 1000 mm"),
+    ("plot -o - -f svg --columns=x --ratio={}", _list(12, "1:{}", 2), _list(13, "1:{}", 2), "at most 12"),
+    ("plot -o - -f svg --positions=0 --animate --seconds={}", "120", "121", "120"),
+    ("plot -o - -f svg --columns=x --step=0.1 --to={}", "1999.9", "2000", "at most 20000"),
+    ("sweep delta --eps=2;3 -o - -f csv --only=eps<4.{}", "0" * 294, "0" * 295, "at most 300"),
+    ("sweep delta --eps=2;3 -o - -f csv --jobs={}", "1024", "1025", "from 1 to 1024"),
+    ("sweep delta --eps=2..3 -o - -f csv --sample=lhs:2 --seed={}", "9999", "10000", "from 0 to 9999"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("words", "most", "beyond", "said"), LIMITS, ids=[f"{one[0]} {one[3]}" for one in LIMITS]
+)
+def test_a_limit_is_allowed_itself_and_what_is_just_beyond_it_is_refused(
+    words: str, most: str, beyond: str, said: str
+) -> None:
+    assert kurbel(*words.format(most).split()).code == 0
+    assert said in refusal(*words.format(beyond).split())

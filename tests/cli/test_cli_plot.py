@@ -993,6 +993,7 @@ REFUSALS = [
         ("--positions", "0..360"),
         "a drawing of 361 crank angles was asked for; at most 36 can be told apart",
     ),
+    (("--positions", "1e30"), "an angle is beyond 1000000°; give it within one turn, 0..360"),
     (
         ("--ratio", "1:1"),
         "crank ratio R:L is 1; it must be below 1, or the rod is too short to pass the dead centre",

@@ -57,7 +57,7 @@ def test_the_quantity_of_a_condition_has_a_column() -> None:
     assert first["psi"] == "5.000"
     assert "guide_force" in first
     (first, *_) = records("--where=psi=5", "--columns=phi,x_percent")
-    assert list(first) == ["phi", "x_percent"]
+    assert list(first) == ["stroke", "phi", "x_percent"]
 
 
 def test_the_arc_crank_is_known_by_its_quantities_and_their_letters() -> None:

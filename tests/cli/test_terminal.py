@@ -5,8 +5,10 @@ from __future__ import annotations
 import io
 import json
 import os
+import re
 import shlex
 import sys
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -146,15 +148,27 @@ def test_a_list_has_heads_and_is_no_wider_than_the_terminal(
         assert not set(plain.split()) - set(there)
 
 
-def test_commands_of_layouts_are_whole_for_the_shell(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(screen, "width", lambda: 60)
+@pytest.mark.parametrize("width", [46, 47, 60, 61, 100])
+def test_commands_of_layouts_are_whole_for_the_shell(width: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(screen, "width", lambda: width)
     lines = printed("layouts").out.splitlines()
-    left = lines[0].index("Seite")
+    left, room = lines[0].index("Seite"), max(len(one) for one in lines if one.startswith("─"))
     commands = "\n".join(line[left:] for line in lines)
     joined = commands.replace("\\\n", " ").splitlines()
     asked = [shlex.split(line) for line in joined if line.startswith("kurbel ")]
     rows = json.loads(printed("layouts", "-f", "json").out)["rows"]
     assert asked == [shlex.split(row["command"]) for row in rows]
+    wholes = iter(shlex.join(one) for one in asked)
+    for line, following in pairwise([*lines, ""]):
+        assert len(line) <= room
+        if line[left:].startswith("kurbel "):
+            # It is broken only where it is too long.
+            assert line.endswith(" \\") == (left + len(next(wholes)) > room)
+        if line.endswith(" \\"):
+            # And no sooner than it must be.
+            word = re.match(r"('[^']*'|\S)+", following[left:].lstrip())
+            assert word
+            assert len(line) + len(word[0]) + 1 > room
 
 
 def test_lists_are_data_for_programs() -> None:

@@ -21,6 +21,7 @@ from kurbel.documents.prose import (
     Emphasis,
     Grid,
     Heading,
+    Indexed,
     Inlines,
     Link,
     Listing,
@@ -73,6 +74,8 @@ def words(text: str) -> Blocks:
         ("$[a](b)$", (parse_formula("[a](b)"),)),
         ("`$`", (Code("$"),)),
         ("[a $[x]$](#n)", (Refer("n", (Text("a "), parse_formula("[x]"))),)),
+        ("[a](index:)", (Indexed("a", (Text("a"),)),)),
+        (f"[*a*](<index:{'b' * 80}>)", (Indexed("b" * 80, (Emphasis((Text("a"),)),)),)),
         ("[](#delta)", (Refer("delta", ()),)),
         ("[a](#größe)", (Refer("größe", (Text("a"),)),)),
         ("[a][b]\n\n[b]: HTTPS://c.de/$", (Link("HTTPS://c.de/$", (Text("a"),)),)),
@@ -102,6 +105,9 @@ def test_blocks_of_a_text() -> None:
     assert parse_prose("") == ()
 
 
+INDEXED = "words for the index are [words](index:) or, with another term, [words](<index:the term>)"
+
+
 @pytest.mark.parametrize(
     ("text", "sentence"),
     [
@@ -122,6 +128,13 @@ def test_blocks_of_a_text() -> None:
             'line 1: the link to "javascript:a" cannot be set; it must begin with http:, https: or mailto:,'
             " or be # and the name of a table, figure or chapter",
         ),
+        ("[](<index:b>)", f"line 1: {INDEXED}"),
+        ("a\n[*a*](index:)", f"line 2: {INDEXED}"),
+        (
+            f"[a](<index:{'b' * 81}>)",
+            "line 1: a term of the index may have 80 characters, all of them printed",
+        ),
+        ("[a](index:b%00c)", "line 1: a term of the index may have 80 characters, all of them printed"),
         ("a\n\n#", r"line 3: a heading has no words; a # in prose is written \#"),
         ("a\nb\x07", "line 2: the character U+0007 is a control and not printed"),
         ("a\n\n> > > > > b", "line 3: lists and quotations are nested more than 4 deep"),
@@ -133,6 +146,22 @@ def test_what_cannot_be_set_is_a_sentence_with_its_line(text: str, sentence: str
         parse_prose(text)
     assert str(caught.value) == sentence
     assert f"line {caught.value.line}: " in sentence
+
+
+@pytest.mark.parametrize(
+    ("most", "beyond"),
+    [
+        ("x" * 200_000, "x" * 200_001),
+        ("> " * 4 + "b", "> " * 5 + "b"),
+        ("- " * 4 + "b", "- " * 5 + "b"),
+        ("*a " * 10 + "b" + "*" * 10, "*a " * 11 + "b" + "*" * 11),
+    ],
+    ids=["length", "quotations", "lists", "emphasis"],
+)
+def test_as_much_as_any_page_has_is_set_and_no_more(most: str, beyond: str) -> None:
+    assert parse_prose(most)
+    with pytest.raises(ProseError):
+        parse_prose(beyond)
 
 
 def test_unknown_name_raises_what_the_caller_raises() -> None:

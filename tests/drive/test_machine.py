@@ -264,6 +264,13 @@ def test_a_card_lies_beside_the_file(tmp_path: Path) -> None:
         ('ratio = "1:5"', "ratio stands outside of the sections; write it under [crank]"),
         ('[crank]\nstroke = ["1m", "2m"]', "crank.stroke is a list; it must be one value"),
         ("[crank]\nstroke = 1979-05-27", "crank.stroke is 1979-05-27; it must be text such as"),
+        (f"[crank]\nstroke = {2**3999}", f"crank.stroke is {str(2**3999)[:40]}; it must be text such as"),
+        (
+            f"[crank]\nstroke = {2**4000}",
+            "crank.stroke is a number of very many digits; it must be text such",
+        ),
+        (f"{'a.' * 199}a = 1", 'there is no section "a"'),
+        (f"{'a.' * 200}a = 1", "has a key of very many parts; a machine has sections with entries"),
         ("[crank]\nratio = " + "[" * 5000, "is nested too deeply; a machine has sections with entries"),
     ],
 )
@@ -292,6 +299,8 @@ def test_every_entry_is_an_option_of_some_command() -> None:
 
 def test_a_huge_file_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "huge.toml"
+    path.write_bytes(b"#" * 20_000)
+    read_machine(str(path))
     path.write_bytes(b"#" * 20_001)
     with pytest.raises(MachineError, match="has more than 20000 bytes"):
         read_machine(str(path))

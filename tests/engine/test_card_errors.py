@@ -208,7 +208,7 @@ def test_each_value_of_a_card_is_followed_by_its_error() -> None:
 def test_errors_stand_beside_the_columns_that_were_picked() -> None:
     words = ("--card", str(CARDS / "condenser.csv"), "-f", "csv")
     picked = printed("delta", *words, "--columns", "delta,card,mean_force").records()
-    assert list(picked[2]) == ["delta", "delta_error", "card", "mean_force", "mean_force_error"]
+    assert list(picked[2]) == ["stroke", "delta", "delta_error", "card", "mean_force", "mean_force_error"]
     assert list(printed("turning", *words, "--columns", "phi,energy").records()[0]) == [
         "phi", "energy", "energy_error",
     ]  # fmt: skip

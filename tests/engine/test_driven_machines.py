@@ -109,7 +109,7 @@ def test_the_mean_pressure_of_a_gas_engine_is_that_of_its_heat() -> None:
         (("--eps=1", "--back=0.15", "--columns=mean_pressure,work", "--digits=1"), "0.9,3.4"),
         (("--eps=1", "--back=0.1875", "--single-acting", "--columns=work", "--digits=2"), "1.63"),
         (("--pressure-ratio=2.25", "--clearance=5%", "--columns=delivered", "--digits=3"), "0.938"),
-        (("--pump", *PUMPED, "--columns=mean_pressure_kpa", "--digits=0"), "61"),
+        (("--pump", *PUMPED, "--columns=stroke,mean_pressure_kpa", "--digits=0"), "turn,61"),
     ],
 )  # fmt: skip
 def test_ties_of_work_and_pressure_are_settled(words: tuple[str, ...], printed_as: str) -> None:

@@ -362,7 +362,7 @@ def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
         if quantity.needs in OTHERS:
             if "expansion" in layout(name).across:
                 continue
-            table = page_of(name, columns=[key], ratio="1:4", **OTHERS[quantity.needs])
+            table = page_of(name, **{"columns": [key], "ratio": "1:4", "eps": None, **OTHERS[quantity.needs]})
         else:
             # A turning effort has newtons for the sake of its masses alone.
             known = (
@@ -372,8 +372,10 @@ def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
             )
             load: dict[str, Any] = known if quantity.needs in ("stroke", "load", "torque", "power") else {}
             table = page(name, columns=[key], eps="3", ratio="1:4", **load)
-        assert [field.key for field in table.records.fields] == [key]
-        values = [row[0] for row in table.records.rows]
+        *axes, own = (field.key for field in table.records.fields)
+        assert own == key
+        assert {*axes} <= {*subject(layout(name).subject).axis_keys}
+        values = [row[-1] for row in table.records.rows]
         assert any(value is not None for value in values)
         text = " ".join(render(table, "text", decimal="point").split())
         for value in values:

@@ -106,6 +106,9 @@ ENGINES = [
     (1.02, 0.0, None, 0.05, 1.3),
     (3.0, 0.99, 0.2, 0.04, 1 + 1e-9),
     (300.0, 0.4, 0.0, 0.001, 0.9),
+    (4.7, 0.21, 0.1, None, 1.3),
+    (3.3, 0.26, None, None, 0.9),
+    (5.2, 0.23, 0.05, 0.06, None),
 ]
 
 
@@ -114,7 +117,8 @@ def test_clearance_and_exponent_are_those_of_the_definition(engine: Any) -> None
     eps, ratio, back, clearance, exponent = engine
     for method in ("exact", "series"):
         with mp.workdps(DIGITS):
-            expected, condition = Cylinder(*engine).irregularity(method == "series")
+            cylinder = Cylinder(eps, ratio, back, clearance or 0, exponent or 1)
+            expected, condition = cylinder.irregularity(method == "series")
         found = delta(eps, ratio, back, clearance=clearance, exponent=exponent, method=method)
         assert abs(found / expected - 1) <= ACCURACY * condition
 

@@ -127,7 +127,7 @@ def test_an_indicator_card_has_the_pressures_of_its_points_as_far_as_they_tell()
     measured = printed("pressures", *card, *MASSES, *shares).records()
     ideal = printed("pressures", "--eps=2", "--pressure=8bar", *MASSES, *shares).records()
     for one, other in zip(measured, ideal, strict=True):
-        for key in one:
+        for key in ("gas_pressure", "left_pressure"):
             digits = len(one[key].partition(".")[2])
             assert digits >= 1
             assert float(one[key]) == pytest.approx(float(other[key]), abs=0.51 * 10**-digits + 0.001)

@@ -225,7 +225,7 @@ def test_series_and_infinite_rod_have_a_speed() -> None:
         rows("turning --eps 4 --ratio 1:∞ --flywheel 2 --angle 213;270;331 --columns speed --method series"),
         strict=True,
     ):
-        assert row == again
+        assert row["speed"] == again["speed"]
     (page,) = rows(f"delta --eps 4 --ratio 1:∞ --inertia 40kgm2 {MACHINE}")
     assert page["one_to_mean"] > 1
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
+from itertools import product
 from typing import Any
 
 import pytest
@@ -13,7 +14,7 @@ from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from textbook import Drive
-from timed import WITHOUT_UNITS, kurbel
+from timed import WITHOUT_UNITS, kurbel, runs
 
 from kurbel.exact.certify import ball, half_turn_circle, vanishes
 from kurbel.motion.evaluation import DIFFERENCE, METHODS, REACH
@@ -116,14 +117,16 @@ def assert_cell(shown: str, key: str, method: str, drive: Drive, angle: Fraction
 @settings(max_examples=40, deadline=None)
 @given(
     lengths=st.lists(decimal(101, 900, 3), min_size=1, max_size=3, unique=True),
-    angles=st.lists(decimal(0, 360, 5), min_size=1, max_size=6, unique=True),
     method=st.sampled_from([*METHODS]),
     digits=st.integers(0, MOST_DECIMALS),
-    columns=st.lists(st.sampled_from(MOTION), min_size=1, unique=True),
+    drawn=st.data(),
 )
 def test_csv_of_the_command_line_has_the_independent_digits(
-    lengths: list[Fraction], angles: list[Fraction], method: str, digits: int, columns: list[str]
+    lengths: list[Fraction], method: str, digits: int, drawn: Any
 ) -> None:
+    last, keys = drawn.draw(st.sampled_from(runs(MOTION)))
+    angles = drawn.draw(st.lists(decimal(0, last, 5), min_size=1, max_size=6, unique=True))
+    columns = drawn.draw(st.lists(st.sampled_from(keys), min_size=1, unique=True))
     rods = [length / 100 for length in lengths]
     records = table(
         *(f"--ratio=1:{float(rod)}" for rod in rods),
@@ -146,23 +149,23 @@ def test_csv_with_units_has_the_independent_digits() -> None:
     loaded = [key for key, needs in by_needs.items() if needs in ("force", "torque")]
     size = ("--stroke=600mm", "--rod=1500mm", "--step=7.5")
     drive = Drive(Fraction(1, 5), Fraction(0), Fraction(3, 10), Fraction(2), True, Fraction(1250))
-    for command, keys, scale in (("table", motion, "--speed=120/min"), ("forces", loaded, "--force=1.25kN")):
-        assert keys
-        shown = printed(command, *size, scale, "--columns=phi," + ",".join(keys), "-f", "csv")
-        for row in shown.records():
-            for key in keys:
+    for command, every, scale in (("table", motion, "--speed=120/min"), ("forces", loaded, "--force=1.25kN")):
+        assert every
+        for last, keys in runs(every):
+            columns = "--columns=phi," + ",".join(keys)
+            shown = printed(command, *size, scale, f"--to={last}", columns, "-f", "csv")
+            for row, key in product(shown.records(), keys):
                 assert_cell(row[key], key, "exact", drive, Fraction(row["phi"]))
 
 
 def test_csv_of_an_offset_crank_has_the_independent_digits() -> None:
     # Blau's fd is of the straight crank.
-    keys = [key for key in WITHOUT_UNITS if not key.startswith("fd")]
-    records = table(
-        "--ratio=1:4,5", "--offset=-0.7", "--step=12.5", "--digits=9",
-        "--columns=phi," + ",".join(keys),
-    )  # fmt: skip
-    for row in records:
-        for key in keys:
+    for last, keys in runs([key for key in WITHOUT_UNITS if not key.startswith("fd")]):
+        records = table(
+            "--ratio=1:4,5", "--offset=-0.7", f"--to={last}", "--step=12.5", "--digits=9",
+            "--columns=phi," + ",".join(keys),
+        )  # fmt: skip
+        for row, key in product(records, keys):
             assert_cell(row[key], key, "exact", Drive(Fraction(2, 9), Fraction(-7, 10)), Fraction(row["phi"]))
 
 
@@ -171,17 +174,16 @@ def test_csv_of_an_offset_crank_has_the_independent_digits() -> None:
     [("0.987", "exact", 6, "0.05"), ("0.3101", "series", 9, "0.03"), ("0.25", "exact", 2, "0.05")],
 )
 def test_long_csv_has_the_independent_digits(ratio: str, method: str, digits: int, step: str) -> None:
-    keys = ["x", "x_return", "c", "p", "psi"]
-    records = table(
-        f"--ratio={ratio}", f"--step={step}", f"--digits={digits}", f"--method={method}",
-        "--columns=phi," + ",".join(keys),
-    )  # fmt: skip
-    assert len(records) == 360 / float(step) + 1
-    # Every angle where a zero can be, and a draw of the others.
-    chosen = [row for row in records if Fraction(row["phi"]) % 15 == 0]
-    chosen += random.Random(112).sample(records, 150)
-    for row in chosen:
-        for key in keys:
+    for last, keys in runs(["x", "x_return", "c", "p", "psi"]):
+        records = table(
+            f"--ratio={ratio}", f"--to={last}", f"--step={step}", f"--digits={digits}", f"--method={method}",
+            "--columns=phi," + ",".join(keys),
+        )  # fmt: skip
+        assert len(records) == last / Fraction(step) + 1
+        # Every angle where a zero can be, and a draw of the others.
+        chosen = [row for row in records if Fraction(row["phi"]) % 15 == 0]
+        chosen += random.Random(112).sample(records, 150)
+        for row, key in product(chosen, keys):
             assert_cell(row[key], key, method, Drive(Fraction(ratio)), Fraction(row["phi"]), bits=320)
 
 
@@ -194,12 +196,14 @@ def test_every_cell_of_a_long_csv_with_all_the_digits_of_floats() -> None:
             assert_cell(row[key], key, "series", Drive(Fraction("0.3101")), Fraction(row["phi"]), bits=240)
 
 
+@pytest.mark.parametrize("last", [180, 360])
 @pytest.mark.parametrize("rounding", ["half-away", "half-even"])
-def test_long_csv_meets_the_ties_of_the_short_one(rounding: str) -> None:
-    run = ["--ratio=0.2;0.12;0.28;0.36", "--method=series", "--digits=2", f"--rounding={rounding}"]
+def test_long_csv_meets_the_ties_of_the_short_one(rounding: str, last: int) -> None:
+    about = ["--ratio=0.2;0.12;0.28;0.36", "--method=series", "--digits=2"]
+    run = [*about, f"--rounding={rounding}", f"--to={last}"]
     long = {(row["ratio"], Fraction(row["phi"])): row for row in table(*run, "--step=0.1")}
     short = table(*run, "--step=30")
-    assert (len(long), len(short)) == (4 * 3601, 4 * 13)
+    assert (len(long), len(short)) == (4 * (10 * last + 1), 4 * (last // 30 + 1))
     for row in short:
         same = long[row["ratio"], Fraction(row["phi"])]
         assert {**same, "phi": ""} == {**row, "phi": ""}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from fractions import Fraction
+from itertools import product
 from math import inf, isqrt
 from typing import Any
 
@@ -17,7 +18,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 from textbook import Drive
-from timed import WITHOUT_UNITS, kurbel
+from timed import WITHOUT_UNITS, kurbel, runs
 
 from kurbel.errors import ProblemError
 from kurbel.exact import certify
@@ -287,9 +288,10 @@ def test_a_negative_zero_would_be_found() -> None:
 
 @pytest.mark.parametrize("name", [name for name, one in FORMATS.items() if not isinstance(one, BytesFormat)])
 def test_no_zero_has_a_sign(name: str) -> None:
-    run = ["--ratio=1:5", "--from=-90", "--to=360", "--step=7.5", "--columns=phi," + ",".join(WITHOUT_UNITS)]
-    for digits in range(3):
-        page = ran("table", *run, f"--digits={digits}", "-f", name)
+    for (last, keys), digits in product(runs(WITHOUT_UNITS), range(3)):
+        first = ["--from=-90"] if last == 360 else []
+        run = [*first, f"--to={last}", "--columns=phi," + ",".join(keys)]
+        page = ran("table", "--ratio=1:5", "--step=7.5", *run, f"--digits={digits}", "-f", name)
         # So wide a table is turned in LaTeX, which is said.
         assert page.code == 0
         assert page.out
@@ -299,8 +301,9 @@ def test_no_zero_has_a_sign(name: str) -> None:
 
 def test_negative_values_that_round_to_nothing_are_a_plain_zero() -> None:
     run = ["--ratio=1:5", "--angle=181;359;360", "--columns=c", "--digits=1"]
-    assert printed("table", *run, "-f", "csv").records() == [{"c": "0.0"}] * 3
-    assert str(json.loads(printed("table", *run, "-f", "json").out)["rows"]) == str([{"c": 0.0}] * 3)
+    assert [row["c"] for row in printed("table", *run, "-f", "csv").records()] == ["0.0"] * 3
+    rows = json.loads(printed("table", *run, "-f", "json").out)["rows"]
+    assert str([row["c"] for row in rows]) == str([0.0] * 3)
 
 
 def test_dead_centres_are_zero_to_every_decimal() -> None:
@@ -353,3 +356,35 @@ def test_a_tie_that_would_take_minutes_to_prove_is_given_up_with_a_sentence(bits
     assert found is not None
     assert most / 2 < int(found[1]) <= most
     assert flint.ctx.prec == before
+
+
+# A page, the row and the column of a value, that value half-way with both roundings, and one beside it.
+HALVES = [
+    # Four axles have a quarter of the torque each.
+    ("forces --mechanism=parallel --axles=4 --force={}N --stroke=2m --angle=90 --digits=0", 0, "torque_nm",
+     ("10", "3", "2"), ("10.001", "3")),
+    ("forces --mechanism=parallel --axles=4 --angle={} --digits=2", 0, "tangential_force",
+     ("30", "0.13", "0.12"), ("30.001", "0.13")),
+    ("turning --torque=1000+0.5sinφ --angle={} --digits=1", 0, "excess_torque",
+     ("30", "0.3", "0.2"), ("30.001", "0.3")),
+    ("turning --areas=1;-1 --area-scale={}J --digits=0", 1, "excess_energy",
+     ("2.5", "3", "2"), ("2.501", "3")),
+    ("pressures --eps=2 --stroke=1m --bore=1m --speed=1/s --reciprocating=1kg --pressure={}bar --angle=30"
+     " --digits=2", 0, "gas_pressure", ("8.25", "4.13", "4.12"), ("8.2501", "4.13")),
+    # 1 - cos 60° = 1/2.
+    ("construct blau-9 --ratio=1:4 --angle={} --table --digits=0", 1, "drawn",
+     ("60", "1", "0"), ("60.001", "1")),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("words", "row", "column", "tie", "beside"), HALVES, ids=[one[2] for one in HALVES])
+def test_pages_round_what_lies_half_way_as_asked_and_what_lies_beside_it_to_its_side(
+    words: str, row: int, column: str, tie: tuple[str, str, str], beside: tuple[str, str]
+) -> None:
+    def shown(given: str, rounding: str) -> str:
+        asked = (*words.format(given).split(), f"--rounding={rounding}", "--format=csv")
+        return printed(*asked).records()[row][column]
+
+    roundings = ("half-away", "half-even")
+    assert [shown(tie[0], one) for one in roundings] == [*tie[1:]]
+    assert [shown(beside[0], one) for one in roundings] == [beside[1]] * 2

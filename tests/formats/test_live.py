@@ -160,7 +160,7 @@ REFUSED = {
     "table --interactive": "--interactive is for html; the format is text, so add -f html or -o page.html",
     "table --interactive -f html --ratio 1:3..6:0,1 --offset 0..0,9:0,01": "an interactive page of 2821 steps"
     " (31 of --ratio x 91 of --offset) is too large; at most 1000 are allowed",
-    "table --interactive -f html --step 0.01": "an interactive page of 1512042 numbers in all its steps is"
+    "table --interactive -f html --step 0.01": "an interactive page of 756042 numbers in all its steps is"
     " too large; at most 300000 are allowed, so give fewer angles",
     "table --interactive -f html --ratio 1:2;1:4 --offset 0;2": "this is of the step --ratio 1:2, --offset 2",
     "turning --interactive -f html --clearance 1%..5mm": 'clearance "1%..5mm" has the units % and mm; give'

@@ -377,6 +377,13 @@ def test_check_passes_where_all_is_built_and_says_what_is_stale(tmp_path: Path) 
     assert files(tmp_path) == before
 
 
+def test_check_finds_a_spoilt_list_of_files(tmp_path: Path) -> None:
+    build(book(tmp_path))
+    (tmp_path / "pages/contents.json").write_text("{}\n", encoding="utf-8")
+    failed = kurbel("handbook", "check", str(tmp_path), "--jobs", "1")
+    assert (failed.code, failed.out) == (1, f"{tmp_path}/pages/contents.json: differs\n")
+
+
 def test_check_needs_no_state_and_finds_what_is_left_over(tmp_path: Path) -> None:
     build(book(tmp_path))
     shutil.rmtree(tmp_path / "pages/.kurbel")

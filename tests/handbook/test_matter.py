@@ -126,6 +126,49 @@ def test_captions_name_the_exceptions_alone_and_records_stay(pages: Path, tmp_pa
     assert sorted(path.name for path in (plain / "markdown").iterdir()) == ["01-wege.md", "index.md"]
 
 
+@pytest.mark.parametrize(
+    ("lang", "keys", "rounding", "mark"),
+    [
+        ("en", "", "the one further from zero is printed", "point, as in 0.5"),
+        (
+            "en",
+            '[defaults]\nrounding = "half-even"',
+            "the one whose last digit is even is printed",
+            "point, as",
+        ),
+        ("en", 'decimal = "comma"', "the one further from zero is printed", "comma, as in 0,5"),
+        ("de", "", "die vom Nullpunkt entferntere", "trennt ein Komma, wie in 0,5"),
+        ("de", 'decimal = "point"', "die vom Nullpunkt entferntere", "trennt ein Punkt, wie in 0.5"),
+    ],
+)
+def test_the_page_on_notation_says_how_these_tables_are_rounded_and_counted(
+    lang: str, keys: str, rounding: str, mark: str, tmp_path: Path
+) -> None:
+    arc = "forces --mechanism arc --rocker 6 --step 90 --columns rod_force"
+    slide, turn = "forces --step 90 --columns phi,rod_force", "table --step 90 --columns x,rod_velocity"
+    book = f'title = "T"\nlang = "{lang}"\nformats = ["markdown"]\nmatter = ["notation"]\n{keys}\n'
+    book += '[[chapter]]\ntitle = "C"\n'
+    said = {}
+    for name, runs in (("all", (arc, slide, f"{slide} --ratio 1:4", turn)), ("none", ("collate blau-31",))):
+        folder = tmp_path / name
+        folder.mkdir()
+        parts = "".join(f'[[chapter.part]]\nrun = "{run}"\n' for run in runs)
+        (folder / "handbook.toml").write_text(book + parts, encoding="utf-8")
+        assert kurbel("handbook", "build", str(folder), "--jobs", "1").code == 0
+        said[name] = text_of(folder / "pages", "00-notation")
+    whole = " ".join(said["all"].split())
+    assert rounding in whole
+    assert mark in whole
+    # Of S most tables count it at the crosshead; what no letter begins is told of its own.
+    *_, signs = said["all"].split("</strong>")
+    listed = re.findall(r"^- (.*)", signs, re.MULTILINE)
+    assert [one.split(" ")[0] for one in listed] == ["S", r"ω\_L:"]
+    assert ("crosshead" if lang == "en" else "Kreuzkopf") in listed[0]
+    of_books = ("Werte aus Büchern", "Values of books")
+    assert [any(one in said[name] for one in of_books) for name in said] == [False, True]
+    assert ("Signs." in said["none"], "Vorzeichen." in said["none"]) == (False, False)
+
+
 def test_a_page_of_the_matter_is_referred_to_by_its_title(pages: Path) -> None:
     assert "siehe [Formelzeichen](<00-symbols.md#sec-symbols>)." in text_of(pages, "01-wege")
 

@@ -33,6 +33,7 @@ title = "Motion"
 run = "table --ratio 1:5 --angle 30"
 name = "motion"
 """
+WORKFLOW = (ROOT / ".github" / "workflows" / "tests.yml").read_text(encoding="utf-8")
 # pip would fetch half of Python: that step was run by hand, and the wheel has a test of its own.
 NOT_RUN = {"Install kurbel"}
 
@@ -262,10 +263,37 @@ def test_versions_of_kurbel_in_the_documentation_are_that_of_the_package(page: P
     assert {*named} <= {__version__}, [mend.format(old) for old in named if old != __version__]
 
 
+@pytest.mark.slow  # two whole handbooks, built and checked
+def test_the_pages_of_the_workflow_are_built_by_what_it_runs(tmp_path: Path) -> None:
+    shutil.copytree(ROOT / "examples", tmp_path / "examples", ignore=shutil.ignore_patterns("pages"))
+    steps = yaml.safe_load(WORKFLOW)["jobs"]["pages"]["steps"]
+    lines = [step["run"] for step in steps if "run" in step and step["name"] not in NOT_RUN]
+    for line in lines:
+        subprocess.run(["bash", "-eo", "pipefail", "-c", line], cwd=tmp_path, env=environment(), check=True)
+    assert "Zusammenstellung 112" in (tmp_path / "page.html").read_text(encoding="utf-8")
+    kept = steps[-1]["with"]["path"].split()
+    assert len(kept) == 3
+    assert all((tmp_path / path).exists() for path in kept)
+
+
+def test_the_guide_shows_the_job_of_the_workflow() -> None:
+    assert f"```yaml\njobs:\n{WORKFLOW[WORKFLOW.index('  pages:') :]}```\n" in GUIDE
+
+
+def test_the_tests_of_the_workflow_are_those_of_every_other_ci() -> None:
+    steps = yaml.safe_load(WORKFLOW)["jobs"]["tests"]["steps"]
+    program, script = steps[-1]["run"].split()
+    assert program == "bash"
+    assert (ROOT / script).is_file()
+
+
 def test_actions_of_others_are_pinned_by_hash() -> None:
-    used = re.findall(r"uses: (\S+)(.*)", f"{GUIDE}\n{(ROOT / 'action.yml').read_text(encoding='utf-8')}")
+    files = (GUIDE, (ROOT / "action.yml").read_text(encoding="utf-8"), WORKFLOW)
+    used = re.findall(r"uses: (\S+)(.*)", "\n".join(files))
     others = [(name, comment) for name, comment in used if not name.startswith("OWNER/")]
-    assert len(others) == 2
+    assert {name.partition("@")[0] for name, _ in others} == {
+        f"actions/{name}" for name in ("checkout", "setup-python", "upload-artifact")
+    }
     for name, comment in others:
         assert re.fullmatch(r"actions/[a-z-]+@[0-9a-f]{40}", name) and re.fullmatch(
             r" # v\d+(\.\d+)+", comment

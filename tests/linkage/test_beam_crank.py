@@ -120,16 +120,14 @@ def test_conditions_hold_where_the_links_say() -> None:
             ("c=0.5", "velocity", 0.5),
             ("θ=7", "rocker", 7),
         ):
-            rows = printed(*asked, "--where", condition).out.split()[1:]
+            rows = printed(*asked, "--where", condition).records()
             assert len(rows) in (2, 4)
             for row in rows:
-                degrees = Fraction(row)
+                degrees = Fraction(row["phi_turn"])
                 stroke = OUT if degrees < 181 else RETURN
                 here = degrees if stroke == OUT else degrees - 180
                 assert abs(links(drive).value(key, stroke, here) - aim) < 1e-7, condition
-        greatest = printed(*asked, "--where", "c=max").out.split()[1:]
-        level = printed(*asked, "--where", "p=0").out.split()[1:]
-        assert greatest == level
+        assert printed(*asked, "--where", "c=max").out == printed(*asked, "--where", "p=0").out
 
 
 @pytest.mark.parametrize(
@@ -254,9 +252,8 @@ def test_what_is_reached_nowhere_is_told_with_its_bounds() -> None:
     assert said.startswith(
         "velocity = 1.1 is reached nowhere for R:L = 1:5; velocity lies between 0.0000 and 1.0"
     )
-    assert printed("solve", *BEAM, "--where", "c=0", "--columns", "path", "-f", "csv").out.split()[
-        1:
-    ] == 2 * ["0.0000"]
+    rows = printed("solve", *BEAM, "--where", "c=0", "--columns", "path", "-f", "csv").records()
+    assert [row["path"] for row in rows] == 2 * ["0.0000"]
     assert refusal("table", "--mechanism", "beam", "--beam", "3m") == (
         'beam "3m" is a length, but no length of the crank is known; add --crank or --stroke, or give it in'
         " units of R, for example 6"
@@ -274,4 +271,4 @@ def test_two_cylinders_alike_on_one_beam_turn_as_one() -> None:
 def test_conditions_hold_with_an_infinite_rod_too() -> None:
     # Its dead centres and the zero of its acceleration are at quarters of the turn.
     asked = ("solve", *BEAM, "--ratio", "1:∞", "--where", "p=0", "--columns", "phi_turn", "-f", "csv")
-    assert printed(*asked).out.split()[1:] == ["90.0000", "270.0000"]
+    assert [row["phi_turn"] for row in printed(*asked).records()] == ["90.0000", "270.0000"]

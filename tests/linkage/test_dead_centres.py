@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from decimal import Decimal, localcontext
 from fractions import Fraction
 from typing import Any
 
@@ -138,6 +139,59 @@ def test_a_machine_has_the_dead_centres_of_its_crank_or_of_its_beam(tmp_path: An
         printed("deadcentres", machine, "--beam=4").out
         == printed("deadcentres", "--beam=4", "--ratio=1:4").out
     )
+
+
+@pytest.mark.parametrize(
+    ("column", "words", "tie", "beside"),
+    [
+        ("v_mps", "--stroke={}mm --speed=1rad/s --digits=1", ("2500", "1.2"), ("2500.0001", "1.3")),
+        ("v_mps", "--mechanism=arc --rocker=6 --stroke={}mm --speed=1rad/s --digits=1", ("2500", "1.2"),
+         ("2500.0001", "1.3")),
+        ("c_m_mps", "--stroke={}mm --speed=60/min --digits=1", ("625", "1.2"), ("625.0001", "1.3")),
+        ("outstroke_time", "--stroke=1m --speed={}/min --digits=1", ("120", "0.2"), ("119.999", "0.3")),
+        ("return_time", "--stroke=1m --speed={}/min --digits=1", ("120", "0.2"), ("119.999", "0.3")),
+        ("stroke_mm", "--stroke={}mm --digits=0", ("600.5", "600"), ("600.5001", "601")),
+        # (13/4 + 1)² - (9/5)² and (13/4 - 1)² - (9/5)² are the squares of 3.85 and 1.35.
+        ("stroke", "--ratio=4:13 --offset={} --digits=0", ("1.8", "2"), ("1.8001", "3")),
+    ],
+)  # fmt: skip
+def test_a_value_half_way_is_rounded_as_one_and_its_neighbour_is_not(
+    column: str, words: str, tie: tuple[str, str], beside: tuple[str, str]
+) -> None:
+    for given, value in (tie, beside):
+        asked = (*words.format(given).split(), f"--columns={column}", "--rounding=half-even", "--format=csv")
+        assert printed("deadcentres", *asked).records() == [{column: value}]
+
+
+@pytest.mark.parametrize(
+    ("column", "words", "power"),
+    [
+        # What has π or an arc lies on no boundary, however near a length of many figures brings it.
+        ("v_mps", "--stroke={}m --speed=2/s", 1),
+        ("c_m_mps", "--stroke={}m --speed=3rad/s", 1),
+        ("outstroke_time", "--stroke=1m --speed={}rad/s", -1),
+        ("return_time", "--stroke=1m --speed={}/s --offset=0.7", -1),
+        ("stroke_mm", "--stroke={}m --mechanism=arc --rocker=6", 1),
+        ("c_m_mps", "--stroke={}m --speed=2/s --mechanism=arc --rocker=6", 1),
+    ],
+)
+def test_a_value_next_to_a_boundary_is_rounded_to_its_own_side(column: str, words: str, power: int) -> None:
+    def shown(given: Decimal, digits: int) -> str:
+        asked = (
+            *words.format(f"{given:.45f}").split(),
+            f"--columns={column}",
+            f"--digits={digits}",
+            "-f=csv",
+        )
+        ((value,),) = (
+            row.values() for row in printed("deadcentres", *asked, "--rounding=half-even").records()
+        )
+        return value
+
+    with localcontext(prec=60):
+        given = (Decimal("6.5") / Decimal(shown(Decimal(1), 48))) ** power
+        beside = [given * (1 + side * power * Decimal("1e-40")) for side in (-1, 1)]
+    assert [shown(one, 0) for one in beside] == ["6", "7"]
 
 
 @pytest.mark.parametrize(

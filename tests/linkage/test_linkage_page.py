@@ -263,7 +263,7 @@ def test_records_and_pages_have_the_same_digits() -> None:
     text = printed(*words, "--decimal", "point").out.replace("−", "-").split()
     for record in records:
         assert {record[key] for key in record if key != "ratio"} <= set(text)
-    assert printed(*words, "--columns", "phi,path", "-f", "csv").out.splitlines()[0] == "phi,path"
+    assert printed(*words, "--columns", "phi,path", "-f", "csv").out.splitlines()[0] == "ratio,phi,path"
 
 
 # Parallel crank ----------------------------------------------------------------------------------

@@ -81,10 +81,9 @@ def test_errors_have_the_digits_and_the_units_that_are_asked_for() -> None:
     ties = [errors_csv("--ratio=3:5", "--order=1", "--digits=1", "--columns=error_p", f"--rounding={one}")
             for one in ("half-away", "half-even")]  # fmt: skip
     assert ties == [[{"error_p": "0.2"}], [{"error_p": "0.2"}]]
-    assert (
-        errors_csv("--ratio=1:∞", "--columns=error_x,error_c_phi")
-        == [{"error_x": "0", "error_c_phi": ""}] * 5
-    )
+    assert errors_csv("--ratio=1:∞", "--columns=error_x,error_c_phi") == [
+        {"order": str(order), "error_x": "0", "error_c_phi": ""} for order in (1, 3, 5, 7, 9)
+    ]
 
 
 # Rötscher's steps --------------------------------------------------------------------------------
@@ -144,6 +143,17 @@ def test_steps_never_reach_a_value_half_way_that_is_rounded_up() -> None:
     assert "half-way between" in page
 
 
+def test_orders_are_listed_or_repeated_and_each_stands_once() -> None:
+    errors = ("table", "--layout=series-errors")
+    for words, listed in (
+        (("--order=3", "--order=9", "--order=3"), "3;9"),
+        (("--order=1", "--order=1"), "1"),
+    ):
+        assert printed(*errors, *words).out == printed(*errors, f"--order={listed}").out
+    page = ("table", "--method=series", "--angle=30", "--order=3")
+    assert printed(*page, "--order=3").out == printed(*page).out
+
+
 # What is refused ---------------------------------------------------------------------------------
 
 
@@ -160,6 +170,9 @@ def test_other_commands_say_that_their_series_are_of_first_order() -> None:
         ("--layout=series-errors --angle=30", "is of the whole turn; leave --angle out"),
         ("--layout=series-errors --method=series", "takes no method"),
         ("--layout=series-errors --order=10", "write a whole number from 1 to 9"),
+        ("--layout=series-errors --order=0", "write a whole number from 1 to 9"),
+        ("--order=3", "add --method series, or leave --order out"),
+        ("--method=series --order=3 --order=5", "a page is of one order, and 2 were given"),
         ("--layout=series-errors --offset=0.2", "is of the straight crank"),
         ("--layout=roetscher-gf --offset=0.2", "is of the straight crank"),
         ("--layout=roetscher-gf --order=3", "has steps and no series"),

@@ -328,6 +328,19 @@ def test_the_parts_add_up_where_the_rod_moves_a_rocker(drive: tuple[str, ...]) -
             assert abs(found[f"inertia_a_{mark}"] + found[f"inertia_b_{mark}"] + centre) <= last
 
 
+@pytest.mark.parametrize("drive", ["--mechanism=arc --rocker=6", "--mechanism=beam --beam=4"])
+def test_the_end_on_a_rocker_is_no_b_and_has_no_direction_of_the_common_acceleration(drive: str) -> None:
+    words = ("inertia", "--ratio=1:5", "--centre=0.6", "--gyration=0.3", "--angle=30", "--lang=en")
+    for more, letter in (("", "B"), (drive, "G")):
+        page = printed(
+            *words, *more.split(), "--columns=inertia_b,inertia_b_turning,inertia_b_stretching"
+        ).out
+        assert [f"Force in {one}" in page for one in "BG"] == [letter == "B", letter == "G"]
+        assert f"{letter}₄/(M R ω²)" in page
+    printed(*words, "--columns=inertia_b_common")
+    assert 'no column "inertia_b_common"' in refusal(*words, *drive.split(), "--columns=inertia_b_common")
+
+
 def test_beside_a_dead_centre_of_an_offset_crank_no_float_is_trusted() -> None:
     rod = Rod.from_crosshead(Fraction(3, 5), Fraction(7, 20))
     crank, column = Crank(Fraction(1, 5), Fraction(2), rod=rod), inertia_registry()["inertia_mollier"]

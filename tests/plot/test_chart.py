@@ -145,6 +145,18 @@ def test_extremes_stand_beside_their_places_with_their_values() -> None:
     assert {"$2{,}0000$ bei 180°", "$1{,}2000$ bei 0°", "$-0{,}8000$ bei 180°"} <= set(words(motion()))
 
 
+@pytest.mark.parametrize(
+    ("span", "named"),
+    [
+        ({"to": 720}, ["$-0{,}8000$ bei 180°", "$1{,}2000$ bei 0°"]),
+        ({"from_": 90, "to": 720}, ["$-0{,}8000$ bei 180°", "$1{,}2000$ bei 360°"]),
+        ({"from_": 200, "to": 500}, ["$1{,}2000$ bei 360°"]),
+    ],
+)
+def test_an_extreme_that_comes_again_is_named_once(span: dict[str, int], named: list[str]) -> None:
+    assert sorted(one for one in words(motion(columns="p", **span)) if " bei " in one) == named
+
+
 def test_motion_names_its_ratio_strokes_and_dead_centres() -> None:
     said = words(motion())
     assert [said.count(one) for one in ("Hingang", "Rückgang", "innerer Totpunkt", "äußerer Totpunkt")] == [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import re
 import xml.etree.ElementTree as ET
 from fractions import Fraction
@@ -100,8 +101,8 @@ def test_curves_of_points_are_the_numbers_of_their_table() -> None:
     about: dict[str, Any] = {"ratio": "1:4", "point": ["0.5", "0.3,0.2"], "columns": keys}
     question: Any = kurbel.table.question(angle=[0], **about)
     drawn = question.curves(np.array(angles, dtype=float))
-    rows = kurbel.typeset(kurbel.table(angle=angles, digits=12, **about), "csv").splitlines()[1:]
-    table = np.array([[float(one) for one in row.split(",")] for row in rows]).reshape(2, 4, 5)
+    rows = csv.DictReader(kurbel.typeset(kurbel.table(angle=angles, digits=12, **about), "csv").splitlines())
+    table = np.array([[float(row[key]) for key in keys] for row in rows]).reshape(2, 4, 5)
     found = np.array(drawn).transpose(1, 2, 0)
     # Directions go on beyond a turn.
     found[:, :, 3] %= 360

@@ -179,13 +179,44 @@ def test_python_takes_the_same_words() -> None:
     assert len(list(page.records.rows)) == 5
 
 
+TRIANGLE = "cos φ = ±(R² + y² - L²)/(2 R y)"
+
+
+@pytest.mark.parametrize(
+    ("words", "there", "absent"),
+    [
+        ("table", ["for R:L = 1:5; exact", "S = 2 R", TRIANGLE], ["S stroke", "lengths"]),
+        ("table --ratio 1:4;1:5", ["path; exact"], ["for R:L"]),
+        ("table --method infinite", ["path; infinitely", "x/R = 1 - cos φ, c/v"], ["R:L", "y between"]),
+        ("table --ratio 1:∞", ["x/R = 1 - cos φ, c/v"], ["y between"]),
+        ("table --method series", ["1/2 λ sin² φ"], ["y between"]),
+        ("table --offset 0.3", ["φ from the slide direction; S stroke", "cos φᵢ"], ["S =", "y between"]),
+        ("table --mechanism arc --rocker 6", ["S stroke", "sin(ζ + τ)/cos τ"], ["y between", "S ="]),
+        ("forces", ["Forces of the crank drive over"], ["Crank angle, rod force", "Masses"]),
+        ("forces --columns rod_force,guide_force", ["Forces of the crank drive over"], ["Rod force and"]),
+        ("forces --columns phi,c", ["Crank angle and piston velocity over"], ["Forces of"]),
+        (
+            "forces --force 1kN --stroke 1m --speed 2/s --reciprocating 100kg",
+            ["F = 1000 N", "Masses: piston and crosshead 100 kg"],
+            ["S/F ="],
+        ),
+    ],
+)
+def test_a_page_says_what_holds_for_its_own_drive(words: str, there: list[str], absent: list[str]) -> None:
+    page = printed(*words.split(), "--over=path", "--shares=50%", "--lang=en").out
+    said = " ".join(page.replace("−", "-").split())
+    assert [one for one in there if one not in said] == []
+    assert [one for one in absent if one in said] == []
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
         ("--step 5", "write --step 5%"),
         ("--angle 30", "--shares 0;50%;100% or --step 5%"),
         ("--zero outer", "which count from the dead centre"),
-        ("--shares 0;101%", "within 0..1"),
+        ("--shares 0;101%", "within 0..1, that is 0%..100%"),
+        ("--shares 100", "write 100%"),
         ("--shares 0 --step 5%", "one or the other"),
         ("--step 0.001%", "at most 10001"),
         ("--layout kinematics", "not over the path"),

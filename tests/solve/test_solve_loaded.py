@@ -134,6 +134,19 @@ def test_masses_on_the_beam_engine_move_the_greatest_torque_to_where_the_turning
     assert_allclose(float(found[0]["torque_nm"]), float(highest["torque_nm"]), rtol=1e-3, atol=0)
 
 
+@pytest.mark.parametrize(("back", "away", "even"), [("0.375", "0.63", "0.62"), ("0.37501", "0.62", "0.62")])
+def test_a_force_half_way_at_a_dead_centre_is_rounded_as_one(back: str, away: str, even: str) -> None:
+    words = ("solve", "--eps=4", f"--back={back}", "--where=tangential=0", "--digits=2", *CSV)
+    for rounding, force in (("half-away", away), ("half-even", even)):
+        found = printed(*words, "--columns=phi,rod_force,radial_force", f"--rounding={rounding}").records()
+        # There the rod has the force of the piston, 1 less the back pressure.
+        dead = [row for row in found if row["phi"] in ("0.00", "180.00")]
+        assert [[row["rod_force"], row["radial_force"]] for row in dead] == [
+            [force, force],
+            [f"-{force}", force],
+        ]
+
+
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [

@@ -107,6 +107,11 @@ def test_speed_at_which_the_greatest_velocity_is_so_high() -> None:
     assert float(STROKE / 2 * 2 * mp.pi * speed / 60 * greatest) == pytest.approx(10, abs=1e-6)
 
 
+def test_without_a_ratio_the_greatest_velocity_is_that_of_the_usual_one() -> None:
+    words = ("solve", "--unknown=speed", "--stroke=600mm", "--angle=c=max", "--where=c = 4 m/s")
+    assert printed(*words).out == printed(*words, "--ratio=1:5").out
+
+
 def test_ratios_of_a_condition() -> None:
     first, last = solutions("--unknown=ratio", "--angle=80", "--where=c=max")
     for ratio in (first, last):

@@ -22,8 +22,8 @@ from kurbel.plot.style import image
 TABLES = {
     "weg": "table --ratio 1:5",
     "zusammenstellung": "table --layout roetscher-112 --ratio 1:5 --ratio 1:4,5 --ratio 1:4",
-    "path": "table --ratio 1:4 --step 30 --lang en",
-    "feinweg": "table --ratio 1:5 --step 2",
+    "path": "table --ratio 1:4 --step 15 --lang en",
+    "feinweg": "table --ratio 1:5 --step 1",
     "delta": "delta --eps 2..6",
     "dead-centres": "deadcentres --lang en",
     "harmonische": "harmonics",

@@ -373,8 +373,8 @@ def printed(machine: Machine) -> tuple[float, float]:
     import kurbel
 
     page = kurbel.delta_table(**machine.options, columns="mean_force,delta", digits=DIGITS)
-    row = kurbel.typeset(page, "csv").splitlines()[-1].split(",")
-    return float(row[0]), float(row[1])
+    *_, force, delta = kurbel.typeset(page, "csv").splitlines()[-1].split(",")
+    return float(force), float(delta)
 
 
 def compared(machine: Machine, samples: int) -> float:

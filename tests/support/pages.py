@@ -327,7 +327,7 @@ def all_pages() -> tuple[Table, ...]:
         kurbel.table(stroke="600mm", speed=2, label="machine"),
         kurbel.table(offset="0.1", lang="en", label="offset"),
         kurbel.delta_table(method="weisbach", label="weisbach"),
-        kurbel.delta_table(layout="delta-detail", ratio="1:4;1:5", cranks="0;90", label="cranks"),
+        kurbel.delta_table("4", layout="delta-detail", ratio="1:4;1:5", cranks="0;90", label="cranks"),
         kurbel.turning_table("2;4", angle="0..360:30", label="engines"),
         kurbel.delta_table(back="0.1", exponent="1.13", clearance=0.05, single_acting=True, label="steam"),
     )

@@ -77,10 +77,14 @@ def shuffled(random: Random, axes: Mapping[str, Sequence[str]]) -> dict[str, Seq
 
 @kind
 def motion(random: Random) -> Asked:
-    axes: dict[str, Sequence[str]] = {"ratio": ratios(random), "angle": some(random, -20, 380)}
+    keys, angles = ["x", "c", "p", "psi"], some(random, -20, 380)
+    if random.random() < 0.5:
+        # The return stroke ends at 180°.
+        keys, angles = [*keys, *(f"{key}_return" for key in keys)], some(random, 0, 180)
+    axes: dict[str, Sequence[str]] = {"ratio": ratios(random), "angle": angles}
     if random.random() < 0.3:
         axes["method"] = random.sample(["exact", "series", "infinite"], 2)
-    columns = random.sample(["x", "c", "p", "psi", "x_return", "c_return", "p_return", "psi_return"], 3)
+    columns = random.sample(keys, 3)
     return Asked("table", ["--columns", ",".join(columns)], shuffled(random, axes))
 
 

@@ -9,12 +9,17 @@ from textbook import Drive
 
 from kurbel.drive.crank import Crank
 from kurbel.drive.load import PistonForce
-from kurbel.motion.evaluation import certified
+from kurbel.motion.evaluation import RETURN, certified
 from kurbel.motion.quantities import registry
 from kurbel.reading.units import Speed
 
 ONE_SECOND = 1.0
 WITHOUT_UNITS = [key for key, quantity in registry().items() if not quantity.needs]
+
+
+def runs(keys: list[str]) -> list[tuple[int, list[str]]]:
+    """Return last angles of pages with their columns: of both strokes to 180°, and through the whole turn."""
+    return [(180, keys), (360, [key for key in keys if registry()[key].stroke != RETURN])]
 
 
 def crank_of(drive: Drive) -> Crank:

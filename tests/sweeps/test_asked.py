@@ -7,13 +7,14 @@ from collections.abc import Sequence
 from decimal import Decimal
 from fractions import Fraction
 from itertools import product
+from math import cos, radians, sin, sqrt
 from pathlib import Path
 from time import process_time
 from typing import Any
 
 import numpy as np
 import pytest
-from cli import kurbel, refusal
+from cli import kurbel, printed, refusal
 from scipy.stats import qmc
 
 from kurbel.errors import KurbelError
@@ -51,6 +52,20 @@ def test_the_last_axis_is_the_fastest_and_linked_ones_go_together() -> None:
     assert [(one["eps"], one["ratio"], one["back"]) for one in linked] == [
         (eps, Fraction(1, ratio), back) for eps, back in (("2", "0.1"), ("3", "0.2")) for ratio in (4, 5)
     ]
+
+
+@pytest.mark.parametrize("free", ["first", "last"])
+def test_linked_options_go_together_whatever_a_third_one_does(free: str) -> None:
+    linked = ("--eps=2;3;4", "--back=0.1;0.05;0.02")
+    words = ("--ratio=1:4;1:∞", *linked) if free == "first" else (*linked, "--ratio=1:4;1:∞")
+    rows = swept("delta", *words, "--zip=back,eps")
+    found = {tuple(float(row[key]) for key in ("epsilon", "back", "ratio")): row["delta"] for row in rows}
+    pairs, ratios = ((2, 0.1), (3, 0.05), (4, 0.02)), (0.25, 0)
+    places = [(*pair, ratio) for ratio in ratios for pair in pairs]
+    assert [*found] == (places if free == "first" else [(*pair, ratio) for pair in pairs for ratio in ratios])
+    for (eps, back, ratio), value in found.items():
+        single = ("delta", f"--eps={eps}", f"--back={back}", f"--ratio={ratio}", "--digits=15", "-f=csv")
+        assert float(value) == pytest.approx(float(printed(*single).records()[0]["delta"]), rel=1e-13)
 
 
 def test_a_column_has_the_unit_of_the_si_whatever_was_typed() -> None:
@@ -226,6 +241,14 @@ def test_a_sobol_design_is_scipys_between_the_ends_and_can_be_typed_again() -> N
     }
 
 
+def test_a_path_in_strokes_and_in_per_cent_is_that_of_the_textbook() -> None:
+    for row in swept("table", "--ratio=1:4", "--angle=0..360:15", "--columns=x,x_stroke,x_percent"):
+        angle = radians(float(row["phi"]))
+        path = 1 - cos(angle) + 4 - sqrt(16 - sin(angle) ** 2)
+        found = [float(row[key]) for key in ("x", "x_stroke", "x_percent")]
+        assert found == pytest.approx([path, path / 2, 50 * path], rel=1e-12, abs=1e-15)
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
@@ -240,6 +263,10 @@ def test_a_sobol_design_is_scipys_between_the_ends_and_can_be_typed_again() -> N
         (["delta", "--back=abc;0.1"], "is no number"),
         (["delta", "--eps=2;3", "--lang=xy"], "there is no language"),
         (["delta", "--eps=2;3", "--caption=A"], "there is no option"),
+        (
+            ["delta", "--eps=2;3", "--digits=3", "-f", "netcdf"],
+            "NetCDF and Zarr have no decimals; write .parq",
+        ),
         (["detla", "--eps=2;3"], "did you mean delta?"),
         (["collate"], "there is no command that can be swept"),
         (["table", "--ratio=1;2;3", "--angle=0"], "crank ratio"),

@@ -17,9 +17,8 @@ import flint
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact import certify
-from kurbel.exact.figures import decimals_of
 from kurbel.exact.kind import Kind, balls, bounds
-from kurbel.exact.numerals import Number, nearest
+from kurbel.exact.numerals import Number, figures, nearest
 from kurbel.kernel.balance import Star
 from kurbel.reading.units import Speed
 
@@ -153,7 +152,7 @@ def printed(
     One that is not `algebraic` is not a rational number.
     """
     if decimals is None:
-        decimals = decimals_of(estimate(value))
+        decimals = figures(estimate(value))
 
     def tie_bits(boundary: Fraction) -> float:
         kind = bounds()

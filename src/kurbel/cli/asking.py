@@ -19,7 +19,6 @@ from kurbel.cli.machine import machine_defaults
 from kurbel.cli.options import MACHINE, Document, FileName, Given
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
-from kurbel.formats.apart import one_page
 from kurbel.formats.registry import FORMATS, WorkbookFormat
 from kurbel.handbook.pool import About, Made, Task
 from kurbel.page.table import Note, Table
@@ -185,7 +184,9 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
     told = table.told and (part.caption or table.told[0], table.told[1])
     data = replace(named, caption=caption, told=told)
     named = replace(named, caption=_caption(task, table.caption, table.lang), steps=_steps(task, table))
-    with one_page():
+    from kurbel.formats.render import as_one_page
+
+    with as_one_page(task.templates or table.templates):
         files = {
             f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(
                 data if FORMATS[name].kind == "records" else named, name, answer.decimal, task.templates
@@ -215,8 +216,8 @@ def _sheet(task: Task, table: Table, decimal: str | None) -> dict[str, bytes]:
     forms = [form for name in task.formats if isinstance(form := FORMATS[name], WorkbookFormat)]
     if not forms:
         return {}
-    from kurbel.formats.binder import kept
     from kurbel.formats.sheet_page import page_sheet
+    from kurbel.handbook.binder import kept
     from kurbel.handbook.pages import SHEET
 
     sheet = page_sheet(table, forms[0].decimal_mark(table.lang, decimal), "")

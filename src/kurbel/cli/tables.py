@@ -31,7 +31,6 @@ from kurbel.cli.options import (
 )
 from kurbel.commands.subject import Command
 from kurbel.errors import ProblemError
-from kurbel.formats.folder import has_template
 from kurbel.formats.registry import DEFAULT, FORMATS, BytesFormat, Format, RecordsFormat, for_suffix
 from kurbel.page.table import Table
 
@@ -256,8 +255,11 @@ def _format(given: Given) -> Format:
     if of_bytes and output == "-" and sys.stdout.isatty():
         name = chosen.name
         raise click.UsageError(f"a terminal shows no {name}; name a file, such as -o kurbel.{name}")
-    if given.typed("templates") and not has_template(chosen):
-        raise click.UsageError(f"--templates sets no {chosen.name}, which has no template; leave it out.")
+    if given.typed("templates"):
+        from kurbel.formats.folder import is_set_by_template
+
+        if not is_set_by_template(chosen):
+            raise click.UsageError(f"--templates sets no {chosen.name}, which has no template; leave it out.")
     if given.typed("standalone") and not of_bytes and not chosen.standalone:
         *documents, last = (name for name, entry in FORMATS.items() if entry.standalone)
         raise click.UsageError(

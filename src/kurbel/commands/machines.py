@@ -176,6 +176,8 @@ def unsized(values: Mapping[str, Any], what: str = "load") -> Mapping[str, str]:
 
 def needless_of_load(values: Mapping[str, Any]) -> Mapping[str, str]:
     """Refuse what says something of a weight or of pressures, where nothing has or counts in one."""
+    if not (is_given(values["card"]) or _is_other(values)):
+        return weightless(values)
     return {**weightless(values), **loads.uncounted(values)}
 
 

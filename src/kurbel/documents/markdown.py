@@ -148,7 +148,7 @@ def _grid(node: SyntaxTreeNode) -> prose.Grid:
 
 def _content(node: SyntaxTreeNode) -> prose.Inlines:
     """Return what a paragraph, heading or cell holds, without white space and ends of lines around it."""
-    content = _inlines(node.children[0], 1) if node.children else ()
+    content = _inlines(node.children[0], 0) if node.children else ()
     kept = [place for place, inline in enumerate(content) if inline not in (prose.Break(), prose.Text(" "))]
     return content[kept[0] : kept[-1] + 1] if kept else ()
 
@@ -158,7 +158,7 @@ def _lines(code: str) -> tuple[str, ...]:
 
 
 def _inlines(outside: SyntaxTreeNode, depth: int) -> prose.Inlines:
-    """Return the inlines in a node, a run of text or emphasis in it, at a depth from 1."""
+    """Return the inlines in a node, a run of text or emphasis in it; so much emphasis is around it."""
     if depth > _DEEPEST_INLINE:
         raise _refused(outside, f"emphasis is nested more than {_DEEPEST_INLINE} deep")
     return tuple(_joined(_inline(node, depth) for node in outside.children))

@@ -61,12 +61,7 @@ def _of_layouts(folder: str) -> list[tuple[str, str]]:
     ]
 
 
-def has_own(folders: Sequence[str], template: str) -> bool:
-    """Tell whether one of a user's folders has a template."""
-    return any(os.path.exists(f"{folder}/{template}") for folder in folders)
-
-
-def has_template(form: Format) -> bool:
+def is_set_by_template(form: Format) -> bool:
     """Tell whether pages in a format are set by a template, its own or that of the format it is made of."""
     return form.kind == "compiled" or f"{form.name}{SUFFIX}" in _names(BASE)
 

@@ -83,7 +83,7 @@ def render(
     fragment = filled(form.name, {})
     if table.steps is not None and form.interactive:
         set_page = partial(render, format=format, decimal=decimal, templates=templates)
-        with _as_one_page(folders):
+        with as_one_page(folders):
             around = writer.stepped(table, fragment, set_page, mark)
             fragment = filled(f"{form.name}.steps", around)
     if standalone and form.standalone:
@@ -92,7 +92,7 @@ def render(
     return fragment
 
 
-def _as_one_page(folders: Folders) -> AbstractContextManager[None]:
+def as_one_page(folders: Folders | str | None) -> AbstractContextManager[None]:
     """Have the templates of a user's within the time of one page for all of it."""
     if not folders:
         return nullcontext()
@@ -129,8 +129,12 @@ def filled_by(
 def template_of(table: Table, name: str, folders: Sequence[str]) -> str:
     """Return the template of a page: that of its layout, if it has its own, here or in a user's folder."""
     own = f"{table.layout or table.key}/{name}.jinja"
-    has_own = any(os.path.exists(f"{folder}/{own}") for folder in (*folders, template_folder()))
-    return own if has_own else f"base/{name}.jinja"
+    return own if has_template((*folders, template_folder()), own) else f"base/{name}.jinja"
+
+
+def has_template(folders: Sequence[str], template: str) -> bool:
+    """Tell whether one of the folders has a template."""
+    return any(os.path.exists(f"{folder}/{template}") for folder in folders)
 
 
 def folders_of(*folders: str | None, pages: bool = True) -> Folders:
@@ -139,9 +143,11 @@ def folders_of(*folders: str | None, pages: bool = True) -> Folders:
     Raises LayoutError for one that is none, or has a template for nothing; where no pages are set nobody
     knows all layouts.
     """
+    given = dict.fromkeys(os.path.abspath(folder) for folder in folders if folder)
+    if not given:
+        return ()
     from kurbel.formats.folder import check_layouts, has_templates
 
-    given = dict.fromkeys(os.path.abspath(folder) for folder in folders if folder)
     found = tuple(folder for folder in given if has_templates(folder))
     if pages:
         check_layouts(found, tuple(given))

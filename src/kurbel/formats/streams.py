@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING
 
 from kurbel.drive.crank import largest
 from kurbel.exact.numerals import Number
-from kurbel.formats.folder import has_own
-from kurbel.formats.render import folders_of, template_of
+from kurbel.formats.render import folders_of, has_template, template_of
 from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.page import CHUNK, RecordRows
 from kurbel.page.axes import angle_decimals, angle_number, shifted
@@ -36,7 +35,7 @@ def record_chunks(request: Question, form: RecordsFormat, decimal: str) -> Itera
     table = build(request, pages=False)
     rows = table.records.rows
     folders = folders_of(*table.templates)
-    own = has_own(folders, template_of(table, form.name, folders))
+    own = has_template(folders, template_of(table, form.name, folders))
     if isinstance(rows, RecordRows) and rows.bulk and _fits(rows) and not own:
         yield from form.writer.bulk(table, rows.keys, partial(_fields, rows), decimal)
         return

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from kurbel.documents import prose
 from kurbel.documents.document import PLACE, Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
-from kurbel.formats.apart import deadline, one_page
+from kurbel.formats.apart import deadline
 from kurbel.formats.registry import FORMATS, WorkbookFormat
 from kurbel.handbook.folder import LARGEST, SHEETS
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
@@ -149,16 +149,17 @@ def make_document(
     """Return the files of the document in a format, of the fragments by their names."""
     form = FORMATS[format]
     if isinstance(form, WorkbookFormat):
-        from kurbel.formats.binder import document_workbook
+        from kurbel.handbook.binder import document_workbook
 
         return Made(
             {f"handbook{form.suffixes[0]}": form.writer.written(document_workbook(document, fragments))}
         )
     from kurbel.formats.documents import document_files
+    from kurbel.formats.render import as_one_page
 
     # Drawings in PDF are files beside the document and no text.
     texts = {name: content.decode("utf-8", "replace") for name, content in fragments.items()}
-    with one_page():
+    with as_one_page(templates):
         files = document_files(document, format, texts, templates)
     return Made({path: text.encode() for path, text in files.items()})
 

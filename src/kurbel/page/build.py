@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextvars import ContextVar
 from dataclasses import replace
@@ -76,7 +77,7 @@ def _built(question: Question, pages: bool, whole: bool) -> Table:
             one if isinstance(one, Note) else Note(one) for one in (*about.notes(question), *further)
         ),
         source=question.origin,
-        templates=question.folders(layout.folder),
+        templates=tuple(os.fspath(one) for one in (question.templates, layout.folder) if one),
         pause=layout.pause,
         quantities=tuple(letter(column.quantity, question.lang) for column in question.page_columns),
     )

@@ -169,7 +169,7 @@ class Question(Worded, Given):
     def full(self) -> Self:
         """The same with the columns that give way on pages."""
         giving_way = not (self.data or self.columns) and any(
-            self._gives_way(column, column.unless_printed) for column in self.layout.columns
+            one.unless_printed and self.knows(one.unless_printed) for one in self.layout.columns
         )
         return self.varied(data=True) if giving_way else self
 
@@ -287,18 +287,22 @@ class Question(Worded, Given):
 
     def shows(self, column: LayoutColumn) -> bool:
         """Whether the layout's column is shown where none were asked for."""
-        return not self._hidden(column)
+        return self.knows(column.quantity) and not self._rival(column)
 
     def _hidden(self, column: LayoutColumn) -> str:
         """Return why the layout's column cannot be shown, nothing if it can."""
-        for other in (column.unless, "" if self.data else column.unless_printed):
-            if self._gives_way(column, other):
-                return f"column {column.key} gives way to {other}"
+        if other := self._rival(column):
+            return f"column {column.key} gives way to {other}"
         return self.missing(self.entry(column.quantity))
 
-    def _gives_way(self, column: LayoutColumn, other: str) -> bool:
-        """Whether the other quantity, if one is named, is known."""
-        return bool(other) and not self.missing(self.entry(other))
+    def _rival(self, column: LayoutColumn) -> str:
+        """Return the known quantity to which the layout's column gives way, if there is one."""
+        others = (column.unless, "" if self.data else column.unless_printed)
+        return next((one for one in others if one and self.knows(one)), "")
+
+    def knows(self, key: str) -> bool:
+        """Whether a quantity is known."""
+        return not self.missing(self.entry(key))
 
     def chosen(self, keys: Sequence[str]) -> list[LayoutColumn]:
         """Return the columns of these keys, with the heads of the layout where they are its own."""

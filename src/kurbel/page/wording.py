@@ -33,10 +33,6 @@ class Worded:
     source: Label | None = None
     templates: str | os.PathLike[str] | None = None
 
-    def folders(self, more: str = "") -> tuple[str, ...]:
-        """Return the folders with templates: one's own, and that of the layout, if it is the user's."""
-        return tuple(os.fspath(one) for one in (self.templates, more) if one)
-
     def __repr__(self) -> str:
         # Written once for all questions: to compile it for each is a hundredth of a start.
         said = ", ".join(f"{one.name}={getattr(self, one.name)!r}" for one in fields(self))

@@ -128,18 +128,16 @@ class SolveRequest(Question):
     def roots(self, place: Place) -> Sequence[Root]:
         return self.found.get((place["ratio"], place["condition"], tuple(STROKES)[place["stroke"]]), ())
 
-    def shows(self, column: LayoutColumn) -> bool:
+    def knows(self, key: str) -> bool:
         # As of any page, but without asking every mechanism for its quantities.
-        known = {TURN.key, *self.drives[0].columns}
-        others = {column.unless} if self.data else {column.unless, column.unless_printed}
-        return column.quantity in known and not others & known
+        return key == TURN.key or key in self.drives[0].columns
 
     def entry(self, key: str) -> Quantity:
         known = TURN if key == TURN.key else self.drives[0].columns.get(key) or super().entry(key)
         return known._replace(part=None, spanners=())
 
     def missing(self, quantity: Quantity) -> str:
-        if quantity.key == TURN.key or quantity.key in self.drives[0].columns:
+        if self.knows(quantity.key):
             return ""
         if not quantity.needs:
             return f"column {quantity.key} belongs to another mechanism or method; leave it out"

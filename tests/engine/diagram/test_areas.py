@@ -5,8 +5,9 @@ from __future__ import annotations
 from math import pi
 
 import pytest
+from cli import printed
 
-from kurbel.engine.diagram.areas import given_areas, letter_of
+from kurbel.engine.diagram.areas import given_areas
 from kurbel.errors import KurbelError
 from kurbel.exact.kind import floats
 
@@ -38,7 +39,9 @@ def test_levels_that_are_reached_twice_are_named_twice() -> None:
 
 
 def test_letters_go_on_after_z() -> None:
-    assert [letter_of(number) for number in (0, 25, 26, 27, 52)] == ["a", "z", "aa", "ab", "ba"]
+    words = ("turning", f"--areas={'1;-1;' * 13}2;-2", "--area-scale=1J")
+    assert [row["point"] for row in printed(*words, "-f=csv").records()][25:] == ["z", "a₁", "b₁"]
+    assert "am größten bei b₁, am kleinsten bei a; c;" in printed(*words).out
 
 
 @pytest.mark.parametrize(

@@ -57,6 +57,7 @@ def test_products_of_sines_are_sums(a: int, b: int, c: int, order: int, phase: i
         ("", "ends where a number or a sine is missing"),
         ("5000 + 1500 sin(3φ", "has a bracket at place 16 that is not closed"),
         ("16 000 + 2 sin φ", "has two numbers side by side at place 4; write 16000 or 2*3"),
+        ("5 + sin(2 3φ)", "has two numbers side by side at place 11"),
         ("5,000 + sin φ", "has 5,000 at place 1, which may be 5000 or 5.000"),
         ("cos φ/2", 'has a "/" at place 6 that may belong to the angle or not; write cos'),
         ("3 + 20 φ", "has φ at place 8 outside of a sine or cosine; a torque in straight lines"),

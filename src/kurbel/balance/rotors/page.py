@@ -12,9 +12,8 @@ from kurbel.balance.rotors.lines import Line, Places, lines, on
 from kurbel.balance.rotors.rotor import Rotor
 from kurbel.balance.rotors.unknown import Solution, solved
 from kurbel.balance.vector import EXACT_ZERO, ONE, Scale, Vector, direction, is_zero, printed
-from kurbel.exact.figures import as_given
 from kurbel.exact.kind import Kind
-from kurbel.exact.numerals import Label, Number
+from kurbel.exact.numerals import Label, Number, given
 from kurbel.motion.captions import turns_label
 from kurbel.page.axes import ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
@@ -148,8 +147,8 @@ def _number(question: RotorRequest, column: Column, place: Place, times: int) ->
 def _angle(value: Fraction | Vector, decimals: int, rounding: str) -> Number | None:
     if isinstance(value, Vector):
         return direction(value, decimals, rounding)
-    exact = as_given(value, None, rounding)
-    return exact if exact.decimals <= decimals else as_given(value, decimals, rounding)
+    exact = given(value, None, rounding)
+    return exact if exact.decimals <= decimals else given(value, decimals, rounding)
 
 
 def known_number(value: Any, scale: Scale, decimals: int | None, rounding: str) -> Number:
@@ -161,7 +160,7 @@ def known_number(value: Any, scale: Scale, decimals: int | None, rounding: str) 
         if not value:
             return EXACT_ZERO
         if not scale.turns:
-            return as_given(value * scale.value, decimals, rounding)
+            return given(value * scale.value, decimals, rounding)
     elif scale.factor is None and is_zero(value):
         return EXACT_ZERO
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -167,7 +168,7 @@ def build_example(request: ExampleRequest) -> Table:
         records=_records(request, worked),
         notes=tuple(_notes(request, marks, kind)),
         source=_source(request, kind),
-        templates=request.folders(),
+        templates=(os.fspath(request.templates),) if request.templates else (),
     )
     return request.worded(page)
 

@@ -5,6 +5,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.balancing.measures import as_measures
 from kurbel.commands.balancing.rotor import Paper
 from kurbel.commands.motion import sheet_of
 from kurbel.commands.options import Count, Option, is_given
@@ -22,7 +23,6 @@ from kurbel.reading.given import (
     as_speed,
     as_velocity,
 )
-from kurbel.reading.measures import as_measures
 
 if TYPE_CHECKING:
     from kurbel.balance.locomotives.locomotive import Crank

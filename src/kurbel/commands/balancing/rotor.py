@@ -5,6 +5,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
+from kurbel.commands.balancing.measures import as_angles_or_unknown, as_measures, as_measures_or_unknown
 from kurbel.commands.motion import sheet_of
 from kurbel.commands.options import Option, is_given
 from kurbel.commands.subject import makes_table
@@ -12,7 +13,6 @@ from kurbel.errors import ProblemError
 from kurbel.page.layouts import layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import Exact, as_names, as_speed
-from kurbel.reading.measures import as_angles_or_unknown, as_measures, as_measures_or_unknown
 
 if TYPE_CHECKING:
     from kurbel.balance.rotors.lines import Places

@@ -7,9 +7,10 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.commands.loads import OWN
-from kurbel.commands.motion import described
+from kurbel.commands.motion import described, some
 from kurbel.commands.options import is_given
 from kurbel.errors import ProblemError
+from kurbel.page.layouts import layout
 from kurbel.reading.given import as_angles
 from kurbel.reading.where import MAX
 
@@ -47,7 +48,8 @@ class Angle:
 
         known = {name: value for name, value in given.items() if name in MOTION}
         chosen, said = described({**dict.fromkeys(MOTION), **known, "speed": None, "layout": None})
-        drive = chosen.solved(chosen.drives(said, ()), "exact")[0]
+        ratios = layout(chosen.layout, given["layouts"]).ratios
+        drive = chosen.solved(some(chosen.drives(said, ratios)), "exact")[0]
         condition = read_on(drive, text)
         if condition.kind != MAX:
             raise ProblemError(

@@ -105,9 +105,10 @@ class Areas(Given):
 
 
 def letter_of(number: int) -> str:
-    """Return the letter of a point by its number from 0: a, b, ..., z, aa, ab."""
-    first, last = divmod(number, len(ascii_lowercase))
-    return (letter_of(first - 1) if first else "") + ascii_lowercase[last]
+    """Return the letter of a point by its number from 0: a, b, ..., z, a₁, b₁."""
+    # In a formula aa would be a function.
+    times, place = divmod(number, len(ascii_lowercase))
+    return f"{ascii_lowercase[place]}_{times}" if times else ascii_lowercase[place]
 
 
 def given_areas(areas: Sequence[str], scale: str | None = None, turns: Fraction | None = None) -> Areas:

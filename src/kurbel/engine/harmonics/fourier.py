@@ -19,12 +19,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import flint
 
 from kurbel.balance.harmonics import MOST_ORDERS
+from kurbel.engine.harmonics.quadrature import Sample, Samples, sampled
 from kurbel.engine.speed.integral import Span, spans
 from kurbel.engine.turn import Turn
 from kurbel.exact.certify import ball
 from kurbel.exact.continued import Continued, continued, half_turn_circle
 from kurbel.exact.kind import balls, floats
-from kurbel.exact.quadrature import Sample, Samples, sampled
 from kurbel.exact.roots import interval
 from kurbel.kernel.balance import Star
 from kurbel.kernel.circle import Number

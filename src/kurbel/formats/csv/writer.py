@@ -28,11 +28,10 @@ class Writer(RecordsWriter):
     def rows(self, table: Table, decimal: str, folders: Sequence[str] = ()) -> Iterator[str]:
         """Raises LayoutError for more rows than a template of one's own can set."""
         from kurbel.formats.csv import FORMAT
-        from kurbel.formats.folder import has_own
-        from kurbel.formats.render import filled_by, pieces, template_of
+        from kurbel.formats.render import filled_by, has_template, pieces, template_of
 
         template, rows = template_of(table, FORMAT.name, folders), table.records.rows
-        if own := has_own(folders, template):
+        if own := has_template(folders, template):
             rows = tuple(islice(rows, MOST_ROWS + 1))
             if len(rows) > MOST_ROWS:
                 raise LayoutError(

@@ -161,9 +161,7 @@ def _entry(
     """An entry, an arc if it is in degrees, headed by letter and unit unless another head is given."""
     symbol, said = f"${letter}$", {"is_arc": unit == "°", **rest}
     decimals = ANGLE_DECIMALS if unit == "°" else DECIMALS
-    if unit == "°":
-        heading = heading or f"{symbol} in °"
-    else:
+    if unit != "°":
         # The unit is a quantity of the drive.
         own = unit.replace("²", "^2")
         heading, unit = heading or f"${letter}/{own}$", f"${own}$"

@@ -136,20 +136,17 @@ class PathRequest(Question):
             self._found[key] = at_share(self.drives[ratio], self.shares[share], stroke)
         return self._found[key]
 
-    def shows(self, column: LayoutColumn) -> bool:
-        return self._is_known(column.quantity) and not (column.unless and self._is_known(column.unless))
-
     def entry(self, key: str) -> Quantity:
         return ANGLES.get(key) or quantities_of(self.mechanism).get(key) or super().entry(key)
 
     def missing(self, quantity: Quantity) -> str:
-        if self._is_known(quantity.key):
+        if self.knows(quantity.key):
             return ""
         if quantity.key in quantities_of(self.mechanism):
             return unknown(quantity) if quantity.needs else self._formulaless(quantity)
         return f"column {quantity.key} belongs to another mechanism; leave it out"
 
-    def _is_known(self, key: str) -> bool:
+    def knows(self, key: str) -> bool:
         return key in ANGLES or (
             key in quantities_of(self.mechanism) and key.replace(_BACK, "") in self.drives[0].columns
         )

@@ -10,8 +10,8 @@ import flint
 import pytest
 from flint import acb, arb
 
+from kurbel.engine.harmonics.quadrature import sampled
 from kurbel.exact.certify import ball
-from kurbel.exact.quadrature import sampled
 
 MOST = Fraction(100)
 
