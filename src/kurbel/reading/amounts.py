@@ -11,7 +11,9 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from kurbel.errors import NotationError
-from kurbel.exact.numerals import Label, figure, nearest, number_text, plain
+from kurbel.exact.numerals import (
+    FIGURES, Label, figure, figures, finite_decimals, nearest, number_text, plain,
+)  # fmt: skip
 from kurbel.reading.notation import quoted
 
 INCH, FOOT, POUND = Fraction("0.0254"), Fraction("0.3048"), Fraction("0.45359237")
@@ -206,8 +208,16 @@ def amount(value: Fraction, symbol: str, shown: Callable[[Fraction], str] = figu
     text = shown(value)
     if times != 1:
         is_moved = _is_power_of_ten(times) and "/" not in text
-        text = moved(text, times, exact=Fraction(text) == value) if is_moved else figure(times * value)
+        text = moved(text, times, exact=Fraction(text) == value) if is_moved else _converted(times * value)
     return f"{text} {label}"
+
+
+def _converted(value: Fraction) -> str:
+    """Return the digits of a value in a unit that it was not given in: exact where six decimals write it,
+    else three, and three figures of what is small. Of an inch a millimetre is 5/127, which says nothing."""
+    exact = finite_decimals(value)
+    decimals = exact if exact is not None and exact <= 6 else max(3, figures(float(value)) - FIGURES + 3)
+    return number_text(nearest(value, decimals))
 
 
 def _is_power_of_ten(times: Fraction) -> bool:
