@@ -184,7 +184,7 @@ def test_keys_of_records_say_the_unit_which_need_not_be_the_one_that_was_typed()
     assert (float(row["mass_kg"]), float(row["radius_mm"]), float(row["plane_mm"])) == (0.90718474, 127, 254)
     assert row.keys() >= {"unbalance_kgm", "moment_kgm2", "unbalance_n", "moment_nm"}
     row = page(*words, "--units=imperial")["mass_2"]
-    assert (row["mass_lb"], row["radius_in"], row["plane_in"]) == ("2", "5", "10")
+    assert (float(row["mass_lb"]), float(row["radius_in"]), float(row["plane_in"])) == (2, 5, 10)
     assert row.keys() >= {"unbalance_lbft", "moment_lbft2", "unbalance_lbf", "moment_lbfft"}
 
 
