@@ -20,7 +20,7 @@ from kurbel.exact.numerals import (
     nearest,
     number_text,
     plain,
-)  # fmt: skip
+)
 from kurbel.reading.notation import quoted
 
 INCH, FOOT, POUND = Fraction("0.0254"), Fraction("0.3048"), Fraction("0.45359237")
