@@ -385,6 +385,28 @@ def test_formulas_that_cannot_be_used_are_answered_with_a_sentence(
     assert "Traceback" not in result.err
 
 
+@pytest.mark.parametrize(
+    ("rows", "verdict"),
+    [
+        ("R;;R = R;;;;R\nw;;= R;;equal;;R + 1/10^9/10^9/10^9\n", "their difference is 1.000 · 10⁻²⁷"),
+        (
+            "R;;R = 7;;;;(7^8)^9\nw;;= 7;;equal;;(7^8)^9 + 10^9\n",
+            "worked out both sides are about 7.032 · 10⁶⁰, their",
+        ),
+        ("R;;R = 7;;;;(7^8)^9\nw;;= 7;;equal;;(5^9)^9\n", "worked out it is 4.136 · 10⁵⁶, not 7.032 · 10⁶⁰"),
+        ("R;;R = R;;;;4\nw;;= R;;equal;;9001/3000\n", "it is 3.000, not 4.000"),
+    ],
+)
+def test_sides_that_differ_are_told_apart_at_a_glance(rows: str, verdict: str, tmp_path: Path) -> None:
+    page = " ".join(
+        printed(
+            "collate", "author-eq", "--sources", own(tmp_path, rows=HEADS + rows), "--lang=en"
+        ).out.split()
+    )
+    assert verdict in page
+    assert "1 step: 1 wrong" in page
+
+
 # In lines -------------------------------------------------------------------------------------------------
 
 

@@ -185,6 +185,10 @@ USAGE = [
 ]
 # What is given with a file name in place of {}.
 OUTPUTS = [
+    (
+        ("-o=-",),
+        'the file to write is called "=-"; write -o - or --output=-, and ./=- for a file of that name',
+    ),
     (("-o", ""), f"--output names no file; - is standard output; {HELP}"),
     (("-f", "csv", "-o", ""), f"--output names no file; - is standard output; {HELP}"),
     (

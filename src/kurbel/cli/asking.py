@@ -43,7 +43,8 @@ class Asked(NamedTuple):
     """What the words ask for: a table or a drawing, its language and decimal mark, the files read for it.
 
     `longtable` tells that LaTeX may break the table over pages; `code` is 1 where the command, such as
-    collate --strict, would end with it. With `siunitx` LaTeX leaves the numbers to that package.
+    collate --strict, would end with it. With `siunitx` LaTeX leaves the numbers to that package; `rounding`
+    is that of the table's.
     """
 
     made: Table | Drawing
@@ -53,6 +54,7 @@ class Asked(NamedTuple):
     code: int
     longtable: bool = False
     siunitx: bool = False
+    rounding: str = ""
 
 
 def printing_commands() -> tuple[str, ...]:
@@ -109,7 +111,7 @@ def asked(
     if isinstance(made, Table):
         made = _unprompted(made)
     values = context.params
-    wishes = (values.get("longtable", False), values.get("siunitx", False))
+    wishes = (values.get("longtable", False), values.get("siunitx", False), values.get("rounding", ""))
     return Asked(made, values["lang"], values["decimal"], _files(context, own), code, *wishes)
 
 
@@ -197,7 +199,7 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
         files |= _sheet(task, named, answer.decimal)
     from kurbel.page.labels import plain
 
-    about = About("table", named.caption, named.lang, named.letters(), plain(named.source))
+    about = About("table", named.caption, named.lang, named.letters(), plain(named.source), answer.rounding)
     return Made(files, answer.files, about)
 
 

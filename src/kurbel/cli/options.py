@@ -188,8 +188,7 @@ def printing_options(command: str, own: Mapping[str, click.Parameter]) -> list[c
         Option(["format", "-f", "--format"], type=Type(FormatName("format", FORMATS)),
                envvar=[f"KURBEL_{command.upper()}_FORMAT", "KURBEL_FORMAT"],
                help="Output format; default: by the suffix of -o, else text."),
-        Option(["output", "-o", "--output"], type=click.Path(allow_dash=True), metavar="FILE", default="-",
-               help="File to write, whole or not at all; - is standard output."),
+        output_option("File to write, whole or not at all; - is standard output.", default="-"),
         own["lang"],
         Option(["--decimal"], type=Type(kinds.Choice("decimal mark", DECIMALS)), envvar="KURBEL_DECIMAL",
                help="comma or point; default: by the language, point in CSV and JSON."),
@@ -206,6 +205,25 @@ def printing_options(command: str, own: Mapping[str, click.Parameter]) -> list[c
                help="CSV that Excel opens by a double click: with a byte order mark, the decimal mark of the"
                " language, and ratios that are no times."),
     ]  # fmt: skip
+
+
+def output_option(help: str, **more: Any) -> click.Parameter:
+    """Return -o, the file that is written."""
+    written = click.Path(allow_dash=True)
+    return Option(
+        ["output", "-o", "--output"], type=written, metavar="FILE", callback=_named, help=help, **more
+    )
+
+
+def _named(context: click.Context, parameter: click.Parameter, name: str | None) -> str | None:
+    """Return the name of a file; of -o=FILE click would take the sign for the name's first letter."""
+    if name and name.startswith("="):
+        rest = name[1:61]
+        raise NotationError(
+            f'the file to write is called "{name[:61]}"; write -o {rest} or --output={rest}, and ./={rest}'
+            " for a file of that name"
+        )
+    return name
 
 
 def lang_option(what: str) -> click.Parameter:
