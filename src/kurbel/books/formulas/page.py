@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from decimal import Decimal
 from fractions import Fraction
 from functools import cache, cached_property
 from itertools import chain
@@ -27,7 +28,7 @@ from kurbel.books.formulas.equation import (
     WRONG,
 )
 from kurbel.books.formulas.lines import formula_lines, room_beside, word_lines
-from kurbel.books.formulas.points import POINTS
+from kurbel.books.formulas.points import BITS, POINTS
 from kurbel.books.formulas.table import Collated, FormulaTable
 from kurbel.books.verdict import ALL, DEVIATIONS, columns_or
 from kurbel.exact.numerals import Label, nearest, number_text
@@ -40,6 +41,8 @@ from kurbel.reading.given import choose
 KEYS = ("table", "place", "printed", "follows", "relation", "letter", "verdict", "detail")
 # Of the two sides at a point.
 FIGURES = 4
+# Of two numbers with so many figures alike one does not see that they differ.
+EYE_FIGURES = 12
 WORDS: Mapping[str, Words] = {
     "place": words("Stelle|Place"),
     "printed": words("gedruckt|printed"),
@@ -55,6 +58,10 @@ WORDS: Mapping[str, Words] = {
         "$π$ und Logarithmen; Buchstaben sind positiv, $±$ gilt mit beiden Zeichen"
         "|proved: both sides are the same quotient of polynomials in the letters, sine and cosine, $π$ and "
         "logarithms; letters are positive, $±$ holds with both signs"
+    ),
+    "beside": words(
+        "falsch: bei {point} wird {right}, um mehr als {apart} daneben"
+        "|wrong: at {point} it is {right}, off by more than {apart}"
     ),
     "order": words(
         "Ordnung: des relativen Unterschieds beider Seiten|order: of the relative difference of both sides"
@@ -195,6 +202,8 @@ def verdict_text(one: Collated, table: FormulaTable, lang: str) -> Label | None:
         at = (f"${table.letter_label(name)} = {value}$" for name, value in found.point.items())
         left, right = map(_figures, found.sides)
         parts |= {"point": ", ".join(at), "left": left, "right": right}
+        if found.kind == WRONG and (left == right or len({*map(_to_the_eye, found.sides)}) == 1):
+            return WORDS["beside"][lang].format(**parts, apart=_below(*found.sides))
     return VERDICTS[found.kind][1][lang].format(**parts)
 
 
@@ -209,6 +218,22 @@ def _figures(value: Any) -> Label:
     exact = Fraction(str(value.mid().str(60, radius=False)))
     decimals = FIGURES if not exact else max(FIGURES - 1 - floor(log10(abs(exact))), 0)
     return f"${number_text(nearest(exact, decimals))}$"
+
+
+def _to_the_eye(value: Any) -> str:
+    """Return so many figures of a ball as one takes in."""
+    figures: str = value.mid().str(EYE_FIGURES, radius=False)
+    return figures
+
+
+def _below(left: Any, right: Any) -> Label:
+    """Return a power of ten by more than which two balls that do not meet lie apart."""
+    import flint
+
+    with flint.ctx.workprec(BITS):
+        least = abs(right - left).abs_lower()
+    power = Decimal(least.str(EYE_FIGURES, radius=False)).adjusted()
+    return f"$10^({power})$" if power < 0 else f"$10^{power}$"
 
 
 @cache
