@@ -385,6 +385,22 @@ def test_formulas_that_cannot_be_used_are_answered_with_a_sentence(
     assert "Traceback" not in result.err
 
 
+@pytest.mark.parametrize(
+    ("form", "said"),
+    [
+        ("R/3 + (10^9)^7 + 3", "off by more than 10⁰"),
+        ("R/3 + (10^9)^7 + 1000", "off by more than 10²"),
+        ("R/3 + 1/10^9/10^9/10^9", "it is 0.2500, off by more than 10⁻²⁸"),
+        ("R^2", "it is 0.5625, not 0.2500"),
+    ],
+)
+def test_sides_that_look_alike_are_told_apart(form: str, said: str, tmp_path: Path) -> None:
+    first = "R/3 + (10^9)^7" if "^7" in form else "R/3"
+    rows = f"{HEADS}a;(1);a = 1;;;;{first}\nb;;= 1;;equal;;{form}\n"
+    page = printed("collate", "author-eq", "--sources", own(tmp_path, rows=rows), "--lang=en").out
+    assert said in " ".join(page.split())
+
+
 # In lines -------------------------------------------------------------------------------------------------
 
 

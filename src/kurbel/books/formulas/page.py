@@ -232,7 +232,8 @@ def _below(left: Any, right: Any) -> Label:
 
     with flint.ctx.workprec(BITS):
         least = abs(right - left).abs_lower()
-    power = Decimal(least.str(EYE_FIGURES, radius=False)).adjusted()
+    # So many figures as the bound has bits are all of it: it is not rounded up to a power of ten.
+    power = Decimal(least.str(BITS, radius=False)).adjusted()
     return f"$10^({power})$" if power < 0 else f"$10^{power}$"
 
 
