@@ -388,9 +388,9 @@ def test_formulas_that_cannot_be_used_are_answered_with_a_sentence(
 @pytest.mark.parametrize(
     ("form", "said"),
     [
-        ("R/3 + (10^9)^7 + 3", "off by more than 10⁰"),
-        ("R/3 + (10^9)^7 + 1000", "off by more than 10²"),
-        ("R/3 + 1/10^9/10^9/10^9", "it is 0.2500, off by more than 10⁻²⁸"),
+        ("R/3 + (10^9)^7 + 3", "off by at least 10⁰"),
+        ("R/3 + (10^9)^7 + 1000", "off by at least 10³"),
+        ("R/3 + 1/10^9/10^9/10^9", "it is 0.2500, off by at least 10⁻²⁸"),
         ("R^2", "it is 0.5625, not 0.2500"),
     ],
 )

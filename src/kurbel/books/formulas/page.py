@@ -60,8 +60,8 @@ WORDS: Mapping[str, Words] = {
         "logarithms; letters are positive, $±$ holds with both signs"
     ),
     "beside": words(
-        "falsch: bei {point} wird {right}, um mehr als {apart} daneben"
-        "|wrong: at {point} it is {right}, off by more than {apart}"
+        "falsch: bei {point} wird {right}, um mindestens {apart} daneben"
+        "|wrong: at {point} it is {right}, off by at least {apart}"
     ),
     "order": words(
         "Ordnung: des relativen Unterschieds beider Seiten|order: of the relative difference of both sides"
@@ -227,7 +227,7 @@ def _to_the_eye(value: Any) -> str:
 
 
 def _below(left: Any, right: Any) -> Label:
-    """Return a power of ten by more than which two balls that do not meet lie apart."""
+    """Return a power of ten by which at least two balls that do not meet lie apart."""
     import flint
 
     with flint.ctx.workprec(BITS):
