@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping
 from copy import copy
 from os import PathLike
-from typing import Annotated, Any, TypeAlias, get_args, get_type_hints
+from typing import Annotated, Any, TypeAlias, cast, get_args, get_type_hints
 
 from kurbel.commands.options import Kind, Option
 from kurbel.errors import NotationError
@@ -41,12 +41,12 @@ class OneCylinder(Kind):
         return _checked(dict(value))
 
     def with_files(self, value: Mapping[str, Any], file: Callable[[Any], Any]) -> Mapping[str, Any]:
-        # A machine's cylinder knows where it stands.
+        # A cylinder of a machine's file knows where it stands there.
         found: Any = copy(value)
         for name in _files() & value.keys():
             named = value[name]
             found[name] = file(named) if isinstance(named, str | PathLike) else [*map(file, named)]
-        return found
+        return cast("Mapping[str, Any]", found)
 
 
 def _files() -> set[str]:
