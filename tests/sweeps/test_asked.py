@@ -139,12 +139,12 @@ def test_a_condition_holds_where_exact_numbers_say_so(text: str) -> None:
 
 
 def test_a_card_in_the_words_of_a_cylinder_is_a_part_of_the_sweep(tmp_path: Path) -> None:
-    card = tmp_path / "card.csv"
-    card.write_text("one")
+    card, head = tmp_path / "card.csv", "position [%];p_forward [bar];p_return [bar]\n"
+    card.write_text(head + "".join(f"{place};8.0;1.5\n" for place in range(0, 101, 10)))
     asked = Sweep(planned(DELTA, {"ratio": "1:4;1:5", "cylinder": f"card={card}"}))
     told = identity_of(asked)
     assert identity_of(asked) == told
-    card.write_text("two")
+    card.write_text(card.read_text().replace("8.0", "7.0"))
     assert identity_of(asked) != told
 
 

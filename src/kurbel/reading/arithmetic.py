@@ -59,7 +59,8 @@ def parsed(
         raise NotationError(f"the {what} has {len(text)} characters; at most {LONGEST} are read")
     if _depth(text) > DEEPEST:
         raise NotationError(
-            f'the {what} "{text[:60]}" has more than {DEEPEST} brackets within each other; write it with fewer'
+            f'the {what} "{text[:60]}" has more than {DEEPEST} brackets within each other; write it with'
+            " fewer"
         )
     written = text.replace("^", "**").strip()
     try:
