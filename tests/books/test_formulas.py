@@ -393,7 +393,6 @@ NESTED = {"a": "sin(phi+R+L)", "b": "(a+R+L)^9", "c": "(b+sin(a)+L)^9"}
 TOWER = {"a0": "1.2^9"} | {f"a{n}": f"a{n - 1}^9" for n in range(1, 6)}
 THREEFOLD = "slope(slope(slope({},phi),phi),phi)"
 PRODUCT = THREEFOLD.format("(sin(phi+R)+L)^9*cos(phi+L)^9")
-ROOTS = "*".join(f"sqrt(R+{n})" for n in range(1, 20))
 SUM = "+".join(f"x{n}" for n in range(60))
 SOME_SECONDS = 2.0
 
@@ -408,9 +407,7 @@ SOME_SECONDS = 2.0
         ({}, "2", "(((0.1^9)^9)^9)^9", "unsettled"),
         (TOWER, "a5", "2*a5", "unsettled"),
         (NESTED, THREEFOLD.format("c"), f"{THREEFOLD.format('c')}+1", "wrong"),
-        (NESTED, "c", "c+1", "wrong"),
         ({}, PRODUCT, PRODUCT, "agrees"),
-        ({}, f"({ROOTS})^9", f"({ROOTS})^8", "wrong"),
         ({}, f"({SUM})^9", f"({SUM})^9+1", "wrong"),
         ({f"a{n}": f"(a{n - 1}+R)^9+sin(a{n - 1})" for n in range(1, 20)},
          "slope(slope(slope(slope(a19,R),R),R),R)", "R", "unsettled"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 # In what a product of two terms costs, or an operation with balls: each about a second and half a one. The
 # proofs of the books take 50,000 at the most, their points 30,000.
-MOST_OF_PROOFS, MOST_AT_POINTS = 120_000, 500_000
+MOST_OF_PROOFS, MOST_AT_POINTS = 100_000, 500_000
 # Bits of a coefficient for which a product costs as much again.
 BITS_OF_PRODUCT = 500
 
