@@ -16,7 +16,7 @@ from click.core import ParameterSource, augment_usage_errors
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of, one_line
 from kurbel.cli.machine import machine_defaults
-from kurbel.cli.options import MACHINE, Document, FileName, Given
+from kurbel.cli.options import MACHINE, Document, FileName, Given, Type
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
 from kurbel.formats.registry import FORMATS, WorkbookFormat
@@ -153,10 +153,11 @@ def _files(context: click.Context, machine: File | None) -> tuple[str, ...]:
     found = [str(machine)] if machine else []
     found += [context.meta[MACHINE]] if MACHINE in context.meta else []
     for param in context.command.params:
-        if isinstance(param.type, FileName) and param.name != "machine":
-            value = context.params.get(param.name or "") or ()
-            found += map(str, (value,) if isinstance(value, File) else value)
-    return tuple(dict.fromkeys(found))
+        value = context.params.get(param.name or "")
+        if value and isinstance(param.type, FileName | Type):
+            for one in value if param.multiple else (value,):
+                param.type.kind.with_files(one, found.append)
+    return tuple(dict.fromkeys(map(str, found)))
 
 
 def make_part(task: Task) -> Made:

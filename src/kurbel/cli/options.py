@@ -70,7 +70,8 @@ class Type(click.ParamType):  # type: ignore[type-arg]
         self.name = kind.name
 
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        return self.kind.read(value, ctx.params if ctx else {})
+        read = self.kind.read(value, ctx.params if ctx else {})
+        return self.kind.with_files(read, lambda name: FileName().convert(name, param, ctx))
 
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
@@ -90,6 +91,8 @@ class FormatName(kinds.Choice):
 
 class FileName(click.Path):
     """A file that is read; for a document's table its name counts from the document's folder."""
+
+    kind = kinds.FILE
 
     def convert(  # type: ignore[override]
         self, value: str | File, param: click.Parameter | None, ctx: click.Context | None
