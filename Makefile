@@ -82,7 +82,7 @@ same: $(DEV) ## compare what the command lines of scripts/corpus print with the 
 	rm -rf build/base && mkdir -p build/base
 	commit=$$(git rev-parse --quiet --verify "v$(word 2,$(RELEASE))^{commit}" || \
 		git log --first-parent -m -S'$(RELEASE)' --format=%h -- CHANGELOG.md | tail -1) && \
-		echo "the base is $$commit" && git archive "$$commit" src | tar -x -C build/base
+		echo "the base is $$commit" && git archive "$$commit" | tar -x -C build/base
 	PYTHONPATH=$(CURDIR)/build/base/src $(BIN)/python scripts/same_bytes.py record build/base.jsonl --only '$(ONLY)'
 	$(BIN)/python scripts/same_bytes.py record build/now.jsonl --only '$(ONLY)'
 	$(BIN)/python scripts/same_bytes.py compare build/base.jsonl build/now.jsonl
