@@ -78,7 +78,7 @@ golden: $(DEV) ## write anew what pages and golden files print, and show the dif
 	KURBEL_PROMOTE=1 $(BIN)/python -m pytest -q $(IN_PARALLEL) tests
 	git diff --stat --patch -- tests docs README.md examples/notes.md
 
-same: $(DEV) ## compare what the command lines of scripts/corpus print with the last release; ONLY=^delta takes some of them
+same: $(DEV) ## compare what the command lines of scripts/corpus print with the last release, or those of ONLY=^delta
 	rm -rf build/base && mkdir -p build/base
 	commit=$$(git rev-parse --quiet --verify "v$(word 2,$(RELEASE))^{commit}" || \
 		git log --first-parent -m -S'$(RELEASE)' --format=%h -- CHANGELOG.md | tail -1) && \
