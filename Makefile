@@ -7,9 +7,11 @@ DEV := $(VENV)/dev
 DOCS := $(VENV)/docs
 # The tests of a file share what they made: they run in one process.
 IN_PARALLEL := -n 2 --dist loadfile
+# The heading of the last release. Its tag is the base of `make same`; without one, the commit that dated it.
+RELEASE = $(shell sed -n '/^\#\# [0-9.]* ([0-9-]*)$$/{p;q;}' CHANGELOG.md)
 
 .DEFAULT_GOAL := help
-.PHONY: help demo handbook test test-all check bench peers docs links playground golden tools clean
+.PHONY: help demo handbook test test-all check bench peers docs links playground golden same tools clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -74,6 +76,15 @@ playground: $(DOCS) ## build kurbel for browsers in build/site/playground; needs
 golden: $(DEV) ## write anew what pages and golden files print, and show the difference, which is to be read
 	KURBEL_PROMOTE=1 $(BIN)/python -m pytest -q $(IN_PARALLEL) tests
 	git diff --stat --patch -- tests docs README.md examples/notes.md
+
+same: $(DEV) ## compare what the command lines of scripts/corpus print with the last release, or those of ONLY=^delta
+	rm -rf build/base && mkdir -p build/base
+	commit=$$(git rev-parse --quiet --verify "v$(word 2,$(RELEASE))^{commit}" || \
+		git log --first-parent -m -S'$(RELEASE)' --format=%h -- CHANGELOG.md | tail -1) && \
+		echo "the base is $$commit" && git archive "$$commit" | tar -x -C build/base
+	PYTHONPATH=$(CURDIR)/build/base/src $(BIN)/python scripts/same_bytes.py record build/base.jsonl --only '$(ONLY)'
+	$(BIN)/python scripts/same_bytes.py record build/now.jsonl --only '$(ONLY)'
+	$(BIN)/python scripts/same_bytes.py compare build/base.jsonl build/now.jsonl
 
 tools: $(DEV) ## install TeX, Chromium, poppler, fish, axe and veraPDF, which some tests need (Debian, as root)
 	sh scripts/debian-tools.sh

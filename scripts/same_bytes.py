@@ -4,6 +4,13 @@
     PYTHON scripts/same_bytes.py compare OLD NEW
     PYTHON scripts/same_bytes.py list
 
+The base is the last release, and `make same` does all of this. By hand:
+
+    git worktree add ../base v0.2.0               # without the tag, the commit that dated it in CHANGELOG.md
+    PYTHONPATH=$(realpath ../base)/src .venv/bin/python scripts/same_bytes.py record build/base.jsonl
+    .venv/bin/python scripts/same_bytes.py record build/now.jsonl
+    .venv/bin/python scripts/same_bytes.py compare build/base.jsonl build/now.jsonl
+
 A recording holds the exit code, standard output and standard error of every command line, and the files that
 it wrote. `compare` shows what differs, but for what corpus/wanted.toml names, and then ends with 1.
 """

@@ -40,7 +40,11 @@ def test_wheels_and_frame_bear_what_the_turned_masses_do(
         "--wheel=1.7m", "--wheel-load=61kN", "--balance-radius=0.59m",
     )  # fmt: skip
     wheels = [
-        (float(row[f"mass_{side}"]) * 0.59, math.radians(float(row[f"angle_{side}"] or 0)), sign * GAUGE / 2)
+        (
+            float(row[f"mass_{side}_kg"]) * 0.59,
+            math.radians(float(row[f"angle_{side}"] or 0)),
+            sign * GAUGE / 2,
+        )
         for side, sign in (("left", -1), ("right", 1))
     ]
     # Along the slides, and upwards, at the places across the engine.
@@ -70,7 +74,7 @@ def test_wheels_and_frame_bear_what_the_turned_masses_do(
         lifted = (float(row["lift_speed"]) / 60 / TURNS) ** 2 * max(blows)
         assert lifted == pytest.approx(61_000, rel=1e-4)
         train = float(row["lift_speed"]) / 60 * math.pi * 1.7 * 3.6
-        assert float(row["lift_velocity"]) == pytest.approx(train, abs=1e-5)
+        assert float(row["lift_velocity_kmh"]) == pytest.approx(train, abs=1e-5)
         most = float(row["share_most"]) * max(blows) / (percent / 100)
         assert most == pytest.approx(61_000, rel=1e-4)
 
@@ -90,7 +94,7 @@ def test_cranks_at_right_angles_have_the_textbook_s_formulas() -> None:
     assert float(coupled["blow_left_n"]) == pytest.approx(float(row["blow_left_n"]) / 3, abs=1e-6)
     assert coupled["pull_n"] == row["pull_n"]
     at_pins = (150 + 300 * 2 / 9) * 0.3 * math.hypot(inner, outer)
-    assert float(coupled["balance_left"]) == pytest.approx(at_pins, abs=1e-6)
+    assert float(coupled["balance_left_kgm"]) == pytest.approx(at_pins, abs=1e-6)
     assert float(row["angle_left"]) == pytest.approx(180 + math.degrees(math.atan(outer / inner)), abs=1e-6)
     assert float(row["speed"]) == pytest.approx(omega * 30 / math.pi, abs=1e-6)
 
@@ -98,7 +102,7 @@ def test_cranks_at_right_angles_have_the_textbook_s_formulas() -> None:
 def test_what_is_balanced_wholly_or_not_at_all_is_nought() -> None:
     words = ("--spacing=2m", "--gauge=1.5m", "--stroke=60cm", "--reciprocating=300kg", "--speed=20rad/s")
     none, whole = page(*words, "--share=0;1", digits="--lang=de")
-    assert (none["blow_left_n"], none["balance_left"], none["angle_left"]) == ("0", "0", "")
+    assert (none["blow_left_n"], none["balance_left_kgm"], none["angle_left"]) == ("0", "0", "")
     assert (whole["pull_n"], whole["sway_nm"], whole["pull_phi"]) == ("0", "0", "")
 
 
@@ -128,9 +132,13 @@ def test_a_locomotive_that_is_not_described_is_refused(words: tuple[str, ...], s
 
 @pytest.mark.parametrize(
     ("name", "key"),
-    [("blow_left", "blow_left_n"), ("load_least", "load_least_n"), ("pull", "pull_n"), ("sway", "sway_nm")],
-)
-def test_a_force_is_asked_for_with_its_unit(name: str, key: str) -> None:
+    [
+        ("blow_left", "blow_left_n"), ("load_least", "load_least_n"), ("pull", "pull_n"), ("sway", "sway_nm"),
+        ("velocity", "velocity_kmh"), ("balance_left", "balance_left_kgm"), ("mass_right", "mass_right_kg"),
+        ("lift_velocity", "lift_velocity_kmh"),
+    ],
+)  # fmt: skip
+def test_a_column_is_asked_for_with_its_unit(name: str, key: str) -> None:
     words = ("--spacing=1m", "--gauge=1m", "--stroke=1m", "--reciprocating=300kg", "--speed=4/s")
     said = refusal("locomotive", *words, f"--columns={name}")
     assert said.startswith(f'there is no column "{name}" (did you mean {key}')

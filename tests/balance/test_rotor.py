@@ -23,13 +23,13 @@ def page(*words: str, solution: str = "1") -> Rows:
 def unbalance(row: dict[str, str]) -> complex:
     """Return m r e^iα of a printed line, from mass and radius."""
     return cmath.rect(
-        float(row["mass"]) * float(row["radius"]) / 1000, math.radians(float(row["angle"] or 0))
+        float(row["mass_kg"]) * float(row["radius_mm"]) / 1000, math.radians(float(row["angle"] or 0))
     )
 
 
 def vectors(rows: Rows, *keys: str) -> Vectors:
     return [
-        (unbalance(row), float(row["plane"]) / 1000)
+        (unbalance(row), float(row["plane_mm"]) / 1000)
         for key, row in rows.items()
         if key.rpartition("_")[0] in keys
     ]
@@ -73,13 +73,13 @@ def test_balancing_masses_leave_neither_a_pull_nor_a_couple_and_bearings_take_th
     rows = page(*words, f"--balance-planes={listed(planes)}mm", "--balance-radii=250mm")
     own = [(cmath.rect(m * r / 1000, math.radians(a)), z / 1000) for m, r, a, z in masses]
     square = (2 * math.pi * turns) ** 2
-    assert abs(said(rows["unbalance"], "unbalance") - total(own)) < 1e-6
-    assert abs(said(rows["couple"], "moment_n") - square * total(own, 0.17)) < 1e-6 * square
+    assert abs(said(rows["unbalance"], "unbalance_kgm") - total(own)) < 1e-6
+    assert abs(said(rows["couple"], "moment_nm") - square * total(own, 0.17)) < 1e-6 * square
     added = vectors(rows, "balance")
     assert [plane for _, plane in added] == [plane / 1000 for plane in planes]
     assert abs(total(own + added)) < 1e-6
     assert abs(total(own + added, -1.3)) < 1e-6
-    assert (rows["left_unbalance"]["unbalance"], rows["left_couple"]["moment"]) == ("0", "0")
+    assert (rows["left_unbalance"]["unbalance_kgm"], rows["left_couple"]["moment_kgm2"]) == ("0", "0")
     held = page(*words, "--bearings=-0.3;2.1m")
     near, far = (said(held[f"bearing_{number}"], "unbalance_n") for number in (1, 2))
     assert abs(near + far - square * total(own)) < 1e-6 * square
@@ -136,7 +136,7 @@ def test_directions_lie_within_a_turn() -> None:
 def test_without_planes_nothing_is_said_of_couples() -> None:
     rows = page("--masses=3;4kg", "--radii=100mm", "--angles=0;90")
     assert [*rows] == ["mass_1", "mass_2", "unbalance"]
-    assert "moment" not in rows["unbalance"]
+    assert "moment_kgm2" not in rows["unbalance"]
 
 
 @pytest.mark.parametrize(
@@ -176,3 +176,23 @@ def test_balance_names_the_command_that_finds_masses_and_cranks() -> None:
     sized = ("--stroke=600mm", "--speed=2/s")
     for words in (("--cranks=0;?",), (*sized, "--reciprocating=?;9kg"), ("--cranks=0;90", "--positions=0;?")):
         assert f"{words[-1].split('=')[0]} has a ?, which kurbel rotor finds" in refusal("balance", *words)
+
+
+def test_keys_of_records_say_the_unit_which_need_not_be_the_one_that_was_typed() -> None:
+    words = ("--masses=3;2lb", "--radii=5in", "--angles=0;90", "--planes=0;10in", "--speed=1/s")
+    row = page(*words)["mass_2"]
+    assert (float(row["mass_kg"]), float(row["radius_mm"]), float(row["plane_mm"])) == (0.90718474, 127, 254)
+    assert row.keys() >= {"unbalance_kgm", "moment_kgm2", "unbalance_n", "moment_nm"}
+    row = page(*words, "--units=imperial")["mass_2"]
+    assert (float(row["mass_lb"]), float(row["radius_in"]), float(row["plane_in"])) == (2, 5, 10)
+    assert row.keys() >= {"unbalance_lbft", "moment_lbft2", "unbalance_lbf", "moment_lbfft"}
+
+
+@pytest.mark.parametrize(
+    ("name", "keys"),
+    [("mass", "mass_kg"), ("radius", "radius_mm"), ("plane", "plane_mm"), ("moment_n", "moment_nm"),
+     ("unbalance", "unbalance_kgm or unbalance_n")],
+)  # fmt: skip
+def test_a_column_is_asked_for_with_its_unit(name: str, keys: str) -> None:
+    said = refusal("rotor", "--masses=3kg", "--radii=5cm", "--angles=0", f"--columns={name}")
+    assert said.startswith(f'there is no column "{name}" (did you mean {keys}?)')

@@ -8,6 +8,7 @@ from fractions import Fraction
 from functools import cache
 from pathlib import Path
 from random import Random
+from time import process_time
 from typing import Any
 
 import pytest
@@ -354,6 +355,8 @@ def test_formulas_of_ones_own_are_a_section_and_a_file(tmp_path: Path) -> None:
         (BOOK, ROWS.replace("label;", "place;"), "line 1: a column stands there twice"),
         (BOOK, ROWS.replace("pi*S*n", "pi*S*"), 'line 3: "pi*S*" is no expression'),
         (BOOK, ROWS.replace("pi*S*n", "sinh(S)"), 'line 3: "sinh(S)" has what no form may; it has numbers'),
+        (BOOK, ROWS.replace("pi*S*n", "(1+S)^9999"), '"(1+S)^9999" has the power 9999; powers are whole'),
+        (BOOK, ROWS.replace("pi*S*n", "((S+n)^20+n)^20"), "has the power 20; powers are whole numbers from"),
         (BOOK, ROWS.replace("equal", "equals"), 'there is no relation "equals" (did you mean equal?)'),
         (BOOK, ROWS.replace("equal", "nearly"), "line 3: the relation nearly of v_stroke needs a letter"),
         (BOOK, ROWS.replace(";;equal", ";w;equal"), "line 3: w is no formula above v_stroke"),
@@ -383,6 +386,67 @@ def test_formulas_that_cannot_be_used_are_answered_with_a_sentence(
     assert result.code in (1, 2)
     assert sentence in result.err
     assert "Traceback" not in result.err
+
+
+@pytest.mark.parametrize(
+    ("rows", "verdict"),
+    [
+        ("R;;R = R;;;;R\nw;;= R;;equal;;R + 1/10^9/10^9/10^9\n", "their difference is 1.000 · 10⁻²⁷"),
+        (
+            "R;;R = 7;;;;(7^8)^9\nw;;= 7;;equal;;(7^8)^9 + 10^9\n",
+            "worked out both sides are about 7.032 · 10⁶⁰, their",
+        ),
+        ("R;;R = 7;;;;(7^8)^9\nw;;= 7;;equal;;(5^9)^9\n", "worked out it is 4.136 · 10⁵⁶, not 7.032 · 10⁶⁰"),
+        ("R;;R = R;;;;4\nw;;= R;;equal;;9001/3000\n", "it is 3.000, not 4.000"),
+    ],
+)
+def test_sides_that_differ_are_told_apart_at_a_glance(rows: str, verdict: str, tmp_path: Path) -> None:
+    page = " ".join(
+        printed(
+            "collate", "author-eq", "--sources", own(tmp_path, rows=HEADS + rows), "--lang=en"
+        ).out.split()
+    )
+    assert verdict in page
+    assert "1 step: 1 wrong" in page
+
+
+# Of letters by others, from sin(φ + R + L) on.
+NESTED = {"a": "sin(phi+R+L)", "b": "(a+R+L)^9", "c": "(b+sin(a)+L)^9"}
+TOWER = {"a0": "1.2^9"} | {f"a{n}": f"a{n - 1}^9" for n in range(1, 6)}
+THREEFOLD = "slope(slope(slope({},phi),phi),phi)"
+PRODUCT = THREEFOLD.format("(sin(phi+R)+L)^9*cos(phi+L)^9")
+SUM = "+".join(f"x{n}" for n in range(60))
+SOME_SECONDS = 2.0
+
+
+@pytest.mark.parametrize(
+    ("letters", "before", "form", "verdict"),
+    [
+        ({}, "((10^9)^9)^9", "((11^9)^9)^9", "wrong"),
+        ({}, "((10^9)^9)^9", "2", "wrong"),
+        ({}, "2", "((0.1^9)^9)^9", "wrong"),
+        ({}, "(((10^9)^9)^9)^9", "2", "unsettled"),
+        ({}, "2", "(((0.1^9)^9)^9)^9", "unsettled"),
+        (TOWER, "a5", "2*a5", "unsettled"),
+        (NESTED, THREEFOLD.format("c"), f"{THREEFOLD.format('c')}+1", "wrong"),
+        ({}, PRODUCT, PRODUCT, "agrees"),
+        ({}, f"({SUM})^9", f"({SUM})^9+1", "wrong"),
+        ({f"a{n}": f"(a{n - 1}+R)^9+sin(a{n - 1})" for n in range(1, 20)},
+         "slope(slope(slope(slope(a19,R),R),R),R)", "R", "unsettled"),
+    ],
+)  # fmt: skip
+def test_no_formula_of_ones_own_is_computed_for_long(
+    letters: Mapping[str, str], before: str, form: str, verdict: str, tmp_path: Path
+) -> None:
+    made = ", ".join(f'{name} = "{text}"' for name, text in letters.items())
+    rows = f"{HEADS}one;(1);a;;;;{before}\ntwo;;b;;equal;;{form}\n"
+    folder = own(tmp_path, BOOK.replace('S = "2 * R"', made), rows)
+    begun = process_time()
+    found = printed("collate", "author-eq", "--sources", folder, "-f", "csv", "--columns", "verdict")
+    assert process_time() - begun < SOME_SECONDS
+    assert [*found.records()][-1]["verdict"] == verdict
+    if verdict == "wrong":
+        assert "wrong: " in printed("collate", "author-eq", "--sources", folder, "--lang", "en").out
 
 
 # In lines -------------------------------------------------------------------------------------------------

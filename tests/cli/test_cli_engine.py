@@ -7,6 +7,7 @@ Weisbach-Herrmann.
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
@@ -26,6 +27,7 @@ from textbook import rounded
 from kurbel.cli import COMMANDS
 from kurbel.engine.quantities import engine_registry
 from kurbel.formats.registry import FORMATS, BytesFormat
+from kurbel.page.labels import unprompted
 
 BITS = 160
 FIFTH, QUARTER = Fraction(1, 5), Fraction(1, 4)
@@ -573,7 +575,10 @@ def test_the_page_says_what_engine_it_is_about() -> None:
         return " ".join(printed("delta", "--eps", "4", "--lang", "en", *words).out.split())
 
     assert "Expansion by Mariotte's law (--exponent); no clearance (--clearance); " in told()
-    assert "back pressure R_b = Q/ε, the most favourable (--back); double-acting (--single-acting)" in told()
+    assert (
+        "back pressure R_b = Q/ε, the most favourable (--back); double-acting (else --single-acting)"
+        in told()
+    )
     assert "Expansion by p Vⁿ = const, n = 1.13" in told("--exponent", "1.13")
     best = "back pressure equal to the steam's at the end of the stroke, the most favourable"
     assert best in told("--exponent", "1.13")
@@ -581,7 +586,7 @@ def test_the_page_says_what_engine_it_is_about() -> None:
     assert "clearance 0.05 of the swept volume" in told("--clearance", "5%")
     assert "back pressure R_b = 0.1 Q" in told("--back", "10%")
     assert "single-acting" in told("--single-acting")
-    vacuum = "back pressure R_b = 0; double-acting (--single-acting) Source: "
+    vacuum = "back pressure R_b = 0; double-acting (else --single-acting) Source: "
     assert told("--back", "0").endswith(vacuum + told().partition("Source: ")[2])
     assert "cranks 90° behind the first, cylinders alike" in told("--cranks", "0;90")
     assert "cranks 0°, 225° behind the first, cylinders alike" in told("--cranks", "0;0;225")
@@ -590,6 +595,26 @@ def test_the_page_says_what_engine_it_is_about() -> None:
     full = printed("delta", "--eps", "1", "--back", "0", "--lang", "en").out
     assert "Full pressure over the whole stroke" in full
     assert "Mariotte" not in full
+
+
+@pytest.mark.parametrize(
+    ("words", "lang", "said"),
+    [
+        (("--pump=double",), "de", "Pumpe doppeltwirkend (sonst --pump single)"),
+        (("--pump=double",), "en", "Double-acting pump (else --pump single)"),
+        (("--compression=6", "--heat=9"), "en", "Otto cycle (--cycle); four-stroke (else --two-stroke), 0°"),
+        (("--pressure-ratio=3",), "de", "ohne schädlichen Raum (--clearance)"),
+        (("--pressure-ratio=3",), "de", "doppeltwirkend (sonst --single-acting)"),
+    ],
+)  # fmt: skip
+def test_an_option_that_names_another_choice_is_not_taken_for_what_was_given(
+    words: tuple[str, ...], lang: str, said: str
+) -> None:
+    page = " ".join(printed("delta", *words, f"--lang={lang}").out.split())
+    assert said in page
+    assert not re.search("\\(--(single|two|pump)", page)
+    # Handbooks leave it out.
+    assert "--" not in unprompted(said)
 
 
 # kurbel turning ----------------------------------------------------------------------------------

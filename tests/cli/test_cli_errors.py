@@ -185,6 +185,10 @@ USAGE = [
 ]
 # What is given with a file name in place of {}.
 OUTPUTS = [
+    (
+        ("-o=-",),
+        'the file to write is called "=-"; write -o - or --output=-, and ./=- for a file of that name',
+    ),
     (("-o", ""), f"--output names no file; - is standard output; {HELP}"),
     (("-f", "csv", "-o", ""), f"--output names no file; - is standard output; {HELP}"),
     (
@@ -429,7 +433,7 @@ LIMITS = [
     ("plot -o - -f svg --columns=x --ratio={}", _list(12, "1:{}", 2), _list(13, "1:{}", 2), "at most 12"),
     ("plot -o - -f svg --positions=0 --animate --seconds={}", "120", "121", "120"),
     ("plot -o - -f svg --columns=x --step=0.1 --to={}", "1999.9", "2000", "at most 20000"),
-    ("sweep delta --eps=2;3 -o - -f csv --only=eps<4.{}", "0" * 294, "0" * 295, "at most 300"),
+    ("sweep delta --eps=2;3 -o - -f csv --only=eps<40{}", "+0" * 247, "+0" * 248, "at most 500"),
     ("sweep delta --eps=2;3 -o - -f csv --jobs={}", "1024", "1025", "from 1 to 1024"),
     ("sweep delta --eps=2..3 -o - -f csv --sample=lhs:2 --seed={}", "9999", "10000", "from 0 to 9999"),
 ]  # fmt: skip

@@ -369,11 +369,19 @@ def test_the_torque_is_that_of_all_whichever_cylinder_is_seen() -> None:
     assert first[0]["torque_nm"] == second[0]["torque_nm"]
 
 
-def test_every_command_takes_the_cylinders_of_a_machine_or_refuses_them() -> None:
+def test_every_command_takes_the_cylinders_of_a_machine_or_refuses_them(tmp_path: Path) -> None:
     options = {name: {param.name for param in command_of(name).params} for name in COMMANDS}
     one = [name for name, own in options.items() if {"machine", "eps"} <= own and "cylinder" not in own]
     assert one == ["pressures", "power", "construct"]
     machine = ("--machine", str(MACHINES / "compound.toml"))
+    as_said = tmp_path / "as-said.toml"
+    crank = '[crank]\nratio = "1:5"\nstroke = "8dm"\nspeed = "2/s"\n'
+    as_said.write_text(
+        crank + '[steam]\nbore = "4dm"\npressure = "9bar"\neps = 2\n[masses]\nreciprocating = "9kg"\n'
+    )
+    for words in (("pressures",), ("construct", "radinger"), ("power",)):
+        assert "bore into [steam] and reciprocating into [masses]" in refusal(*words, *machine, code=1)
+        assert not printed(*words, "--machine", str(as_said)).err
     for words in (("pressures",), ("construct", "radinger")):
         assert "is about one" in refusal(*words, *machine, code=1)
     for name in ("balance", "power"):

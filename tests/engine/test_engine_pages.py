@@ -457,3 +457,94 @@ def test_pages_of_oblique_drives_say_from_where_their_angles_count(
 @pytest.mark.parametrize("words", [("delta", "--detail"), ("turning", "--step=90"), ("forces", "--step=90")])
 def test_pages_of_the_straight_crank_count_from_the_dead_centre(words: tuple[str, ...]) -> None:
     assert FROM_SLIDE["en"] not in printed(*words, "--eps=4", "--lang=en").out
+
+
+def notes_of(*words: str) -> str:
+    return " ".join(printed(*words).out.split())
+
+
+ALPHA = {
+    "de": ("α vom inneren Totpunkt, φ anderer Seiten", "wo Rückgang steht φ = α + φₒ"),
+    "en": ("α from the inner dead centre, φ of other pages", "where Return stands φ = α + φₒ"),
+}
+
+
+@pytest.mark.parametrize("drive", OBLIQUE, ids=str)
+def test_alpha_counts_as_the_note_says_in_each_stroke_and_in_the_turn(drive: tuple[str, ...]) -> None:
+    engine, places = ("--ratio=1:5", "--eps=4", *drive), ("--columns=phi_i,phi_o", "--digits=9", "-f", "csv")
+    inner, outer = printed("deadcentres", "--ratio=1:5", *drive, *places).records()[0].values()
+    zero = {"outstroke": Fraction(inner), "return": Fraction(outer), "turn": Fraction(inner)}
+    speeds = ("delta", "--detail", *engine, "--columns=stroke,alpha_min,alpha_max", "-f", "csv", "--digits=9")
+    records = printed(*speeds).records()
+    assert [one["stroke"] for one in records] == [*zero]
+    angles = [
+        str(float(Fraction(one[key]) + zero[one["stroke"]]))
+        for one in records
+        for key in ("alpha_min", "alpha_max")
+    ]
+    turning = ("turning", *engine, "--angle=" + ";".join(angles), "--columns=tangential_excess")
+    for one in printed(*turning, "--digits=6", "-f", "csv").records():
+        assert abs(float(one["tangential_excess"])) < 2e-6
+    for lang, (alone, stroke) in ALPHA.items():
+        strokes = notes_of("delta", "--detail", *engine, f"--lang={lang}")
+        turn = notes_of("delta", *engine, "--columns=alpha_min", f"--lang={lang}")
+        assert stroke in strokes and alone not in strokes
+        assert alone in turn and "α + φₒ" not in turn
+
+
+FIRST = {
+    "de": ("Erste Ordnung, φ vom inneren Totpunkt: Weg und Arbeit mit 1 − cos φ + 1/2 λ sin² φ",
+           "Energie der Massen mit c als sin φ + 1/2 λ sin 2 φ, ω_L als λ cos φ",
+           "P aus der Arbeit, daher nicht genau das Mittel von T"),
+    "en": ("First order, φ from the inner dead centre: path and work with 1 − cos φ + 1/2 λ sin² φ",
+           "energy of the masses with c as sin φ + 1/2 λ sin 2 φ, ω_L as λ cos φ",
+           "P from the work, hence not quite the mean of T"),
+}  # fmt: skip
+SIZED = ("--bore=300mm", "--pressure=8bar", "--stroke=600mm", "--speed=120/min", "--reciprocating=300kg")
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+@pytest.mark.parametrize(
+    ("words", "parts"),
+    [
+        (("delta",), ()), (("delta", *SIZED), (1,)), (("delta", "--detail"), ()),
+        (("flywheel", "--delta=1:50", "--power=50kW", "--speed=120/min"), ()),
+        (("flywheel", "--delta=1:50", *SIZED), (1,)),
+        (("turning", "--step=90", *SIZED), (1,)), (("forces", "--step=90", *SIZED), ()),
+        (("turning", "--step=90", "--flywheel=50", "--columns=phi,speed"), ()),
+        (("harmonics", "--quantity=torque"), (2,)), (("harmonics", "--quantity=torque", *SIZED), (2,)),
+    ],
+)  # fmt: skip
+def test_pages_by_series_say_what_is_of_first_order(
+    words: tuple[str, ...], parts: tuple[int, ...], lang: str
+) -> None:
+    page = notes_of(*words, "--eps=4", "--method=series", f"--lang={lang}")
+    assert [index for index, part in enumerate(FIRST[lang]) if part in page] == [0, *parts]
+    assert FIRST[lang][0] not in notes_of(*words, "--eps=4", f"--lang={lang}")
+
+
+@pytest.mark.parametrize(("method", "apart"), [("exact", 0), ("series", 7e-5)])
+def test_the_mean_of_t_is_p_but_not_to_first_order(method: str, apart: float) -> None:
+    engine = ("--eps=4", "--ratio=1:3", f"--method={method}", "-f", "csv", "--digits=9")
+    records = printed("turning", *engine, "--step=0.5", "--columns=tangential").records()[:-1]
+    mean = sum(float(one["tangential"]) for one in records) / len(records)
+    (delta,) = printed("delta", *engine, "--columns=mean_force").records()
+    # Where steam is cut off T has a kink.
+    assert abs(float(delta["mean_force"]) - mean) == pytest.approx(apart, abs=5e-6)
+
+
+@pytest.mark.parametrize(
+    "words", [("delta", "--detail", "--eps=4"), ("delta", "--pump=double")], ids=" ".join
+)
+def test_pages_explain_what_is_on_them_and_each_letter_once(words: tuple[str, ...]) -> None:
+    page = notes_of(*words, "--lang=en")
+    assert "ᵃ⁾ δ follows from these two δ = (vₘₐₓ − vₘᵢₙ)/v₁; P mean tangential force, m₁ flywheel" in page
+    assert page.count("crank radius") == 1
+    page = notes_of(*words, "--columns=v_min,v_max", "--lang=en")
+    assert "ᵃ⁾" not in page and "δ" not in page and "mean tangential force" not in page
+    assert "m₁ flywheel mass at r, v₁ crank-pin velocity" in page
+
+
+def test_a_page_of_angles_by_weisbach_says_what_p_is() -> None:
+    page = notes_of("delta", "--eps=4", "--method=weisbach", "--columns=alpha_min", "--lang=en")
+    assert "P mean tangential force sin α₁ = P/(Q − R_b)" in page and "m₁" not in page

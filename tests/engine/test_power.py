@@ -291,3 +291,16 @@ def test_a_flywheel_asks_for_what_its_power_follows_from(words: tuple[str, ...],
         "a flywheel needs the power of the engine; add --power, for example --power 50kW, or"
         f" {missing}, from which it follows"
     )
+
+
+@pytest.mark.parametrize("lang", ["de", "en"])
+@pytest.mark.parametrize("curve", [(), ("--clearance=5%",), ("--exponent=1.13",)], ids=str)
+def test_the_back_pressure_that_is_taken_has_one_wording(curve: tuple[str, ...], lang: str) -> None:
+    steam = ("--eps=4", *curve, *SIZES, "--pressure=8bar", f"--lang={lang}")
+    power, flywheel = (
+        " ".join(printed(*page, *steam).out.split()) for page in (("power",), ("flywheel", "--delta=1:50"))
+    )
+    start = {"de": "Gegendruck", "en": "back pressure"}[lang]
+    said = start + flywheel.partition(start)[2].partition("(--back)")[0]
+    assert said.replace("R_b = Q/ε", "p_b = p/ε") in power
+    assert ("R_b" in said) == (not curve)

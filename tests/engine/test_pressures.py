@@ -255,3 +255,16 @@ def test_the_page_says_where_its_angles_begin(drive: tuple[str, ...]) -> None:
     page = " ".join(printed(*words, "--lang=en").out.split())
     said = f"φ from the slide direction, the inner dead centre at φᵢ = {first}°"
     assert (said in page) == (float(first) != 0)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--eps=4", "--pressure=8bar"), "ε = 4; expansion by Mariotte's law"),
+        (("--pressure-ratio=3", "--suction-pressure=1bar"), "Π = 3; compression by Mariotte's law"),
+        (("--pump=double", "--delivery-pressure=3bar"), "Double-acting pump"),
+        (("--compression=6", "--heat=9", "--suction-pressure=1bar"), "ε = 6; Otto cycle"),
+    ],
+)
+def test_what_follows_a_semicolon_begins_as_within_a_sentence(words: tuple[str, ...], said: str) -> None:
+    assert said in " ".join(printed("pressures", "--bore=300mm", *words, "--lang=en").out.split())

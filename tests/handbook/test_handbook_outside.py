@@ -12,6 +12,9 @@ SECRET = "token-of-another-project"
 MACHINE = (
     '[crank]\nstroke = "600mm"\nrod = "1.5m"\nspeed = "90/min"\n[steam]\nbore = "300mm"\npressure = "8bar"\n'
 )
+CARD = "position [%];p_forward [bar];p_return [bar]\n" + "".join(
+    f"{share};8.0;1.5\n" for share in range(0, 101, 10)
+)
 SAID = "leads out of the folder of the handbook; put what it names into that folder, or add --allow-outside"
 OF_A_DOCUMENT = SAID.replace("handbook", "document")
 RUNS = {
@@ -21,6 +24,9 @@ RUNS = {
     "by-a-way": "collate --csv way/secret.csv",
     "by-a-machine": "turning --machine engine.toml",
     "by-a-cylinder": "turning --machine cylinders.toml",
+    "by-a-cylinder-in-words": "forces --cylinder card=../secret.csv",
+    "by-a-cylinder-of-a-drawing": "plot --turning --cylinder card=way/secret.csv",
+    "by-a-rod-of-a-cylinder": "delta --cylinder 'eps=4 rod-file=link.csv'",
     "by-a-rod": "inertia --rod-file ../secret.csv --stroke 1m --rod 2m --speed 1/s",
     "by-a-book": "collate --sources books",
     "by-layouts": "table --layouts pages-of-mine --layout mine",
@@ -116,3 +122,13 @@ def test_what_was_built_of_files_outside_is_no_longer_taken_for_built(folder: Pa
     assert build(folder, part, "--allow-outside").code == 0
     assert build(folder, part).code == 1
     assert build(folder, part, "--allow-outside").code == 0
+
+
+def test_a_card_in_the_words_of_a_cylinder_lies_beside_the_manifest_and_is_noticed(folder: Path) -> None:
+    card = folder / "card.csv"
+    card.write_text(CARD)
+    run = "delta --cylinder 'card=card.csv bore=300mm' --stroke 600mm --rod 1.5m"
+    part = f'[[chapter.part]]\nname = "delta"\nrun = "{run}"\n'
+    assert (build(folder, part).code, build(folder, part, command="check").code) == (0, 0)
+    card.write_text(CARD.replace("8.0", "7.0"))
+    assert build(folder, part, command="check").code == 1

@@ -169,6 +169,30 @@ def test_the_page_on_notation_says_how_these_tables_are_rounded_and_counted(
     assert ("Signs." in said["none"], "Vorzeichen." in said["none"]) == (False, False)
 
 
+def test_the_page_on_notation_knows_the_rounding_of_every_run(tmp_path: Path) -> None:
+    runs = ("table --step 90", "forces --step 90", "collate blau-31", "table --step 90 --ratio 1:4")
+    book = (
+        'title = "T"\nlang = "en"\nformats = ["markdown"]\nmatter = ["notation"]\n[[chapter]]\ntitle = "C"\n'
+    )
+    even = "--rounding half-even"
+    for words, said in (
+        (
+            (even, even.replace(" ", "="), "", even),
+            "two numbers, the one whose last digit is even is printed. The",
+        ),
+        (
+            (even, "", "", ""),
+            "further from zero is printed; in [Table 1](<01-c.md#tab-t0>) the one whose last",
+        ),
+        (("", "", "", ""), "two numbers, the one further from zero is printed. The"),
+    ):
+        listed = enumerate(zip(runs, words, strict=True))
+        parts = "".join(f'[[chapter.part]]\nname = "t{n}"\nrun = "{" ".join(one)}"\n' for n, one in listed)
+        (tmp_path / "handbook.toml").write_text(book + parts, encoding="utf-8")
+        assert kurbel("handbook", "build", str(tmp_path), "--jobs", "1").code == 0
+        assert said in " ".join(text_of(tmp_path / "pages", "00-notation").split())
+
+
 def test_a_page_of_the_matter_is_referred_to_by_its_title(pages: Path) -> None:
     assert "siehe [Formelzeichen](<00-symbols.md#sec-symbols>)." in text_of(pages, "01-wege")
 

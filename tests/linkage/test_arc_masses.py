@@ -121,7 +121,7 @@ def test_pages_say_where_the_masses_are() -> None:
     page = " ".join(printed(*asked, "--lang", "en").out.split())
     for said in (
         "Masses: at the rocker's end 85 kg, crank less counterweight, at its pin 21 kg, rocker about its"
-        " pivot J = 19 kg m², R = 320 mm, ω = 23 rad/s",
+        " pivot J = 19 kg m², ω = 23 rad/s",
         "centre of mass a = 0.62 L from the rocker pin",
         "F along the arc, in the direction of the stroke",
     ):
@@ -242,3 +242,12 @@ def test_turning_of_rocker_and_rod_counts_as_their_page_says(
         page = " ".join(printed(*words, "--angle=70", columns, f"--lang={lang}").out.split())
         assert sentence in page
         assert rod_says in page
+
+
+def test_the_page_of_forces_says_the_size_once() -> None:
+    run = ("--reciprocating=85kg", "--stroke=0.64m", "--speed=90/min", "--force=7kN", "--angle=40")
+    page = " ".join(printed("forces", "--mechanism=arc", "--rocker=6", *run, "--lang=en").out.split())
+    assert page.count("R = 320 mm") == page.count("n = 90 min⁻¹") == 1
+    # Where no line above has them, the masses have.
+    page = " ".join(printed("turning", "--eps=4", "--bore=300mm", "--pressure=8bar", *run[:3]).out.split())
+    assert "85 kg, r = 320 mm, n = 90 min⁻¹" in page.replace("R = 320", "r = 320")

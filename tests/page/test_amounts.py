@@ -105,6 +105,31 @@ def test_what_is_typed_in_inches_is_printed_in_inches_but_data_stay_metric() -> 
 
 
 @pytest.mark.parametrize(
+    ("words", "amounts"),
+    [
+        # 300 mm, 1.5 m and 1 mm over 25.4 mm.
+        (f"table --ratio 1:5 {SIZES.replace('610', '600')}", "R = 11.811 in, L = 59.055 in"),
+        ("table --ratio 1:5 --stroke 2mm", "R = 0.0394 in, L = 0.197 in"),
+        # What is a short decimal stays exact.
+        ("table --ratio 1:5 --stroke 635mm", "R = 12.5 in, L = 62.5 in"),
+        ("table --ratio 1:5 --stroke 50.8mm", "R = 1 in, L = 5 in"),
+        (
+            "balance --cranks 0;90 --positions 0;40cm --reciprocating 3;2kg --stroke 20cm --speed 9/s",
+            "R = 3.937 in",
+        ),
+        (
+            "locomotive --spacing 0.7m --gauge 1.5m --stroke 600mm --reciprocating 300kg",
+            "centre lines: −13.780 in; 13.780 in; wheels at −29.528 in; 29.528 in; R = 11.811 in",
+        ),
+    ],
+)
+def test_an_amount_in_a_unit_that_it_was_not_given_in_is_a_decimal(words: str, amounts: str) -> None:
+    page = " ".join(printed(*words.split(), "--units", "imperial", "--lang", "en").out.split())
+    assert amounts in page
+    assert "/127" not in page
+
+
+@pytest.mark.parametrize(
     ("units", "key", "unit", "force", "moment"),
     [
         ("imperial", "along_lbf", "lbf, lbf ft", FORCE, FORCE * FOOT),

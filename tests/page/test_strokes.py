@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from math import radians
 from pathlib import Path
 
 import pytest
@@ -143,3 +144,46 @@ def test_angles_from_another_zero_are_of_the_whole_turn() -> None:
     assert [(row["phi"], row["x"]) for row in found][1:3] == [("90", "1.1010"), ("180", "0.0000")]
     assert len(found) == 5
     assert "x_return" not in found[0]
+
+
+ROCKERS = (("arc", "--rocker=6", 6), ("arc", "--rocker=6 --pivot=5;-6", 6), ("beam", "--beam=4", 4))
+
+
+@pytest.mark.parametrize(("mechanism", "links", "arm"), ROCKERS)
+def test_the_rocker_turns_with_the_sign_that_the_page_states(mechanism: str, links: str, arm: int) -> None:
+    drive = ("table", f"--mechanism={mechanism}", *links.split(), "--ratio=1:5", "--digits=9")
+    width, keys = 1e-3, "path,turn_velocity"
+    for angle in (90, 270):
+        near = ";".join(str(angle + shift * width) for shift in (-1, 0, 1))
+        rows = printed(*drive, f"--angle={near}", f"--columns={keys}", "-f", "csv").records()
+        # The path grows on the outstroke.
+        slope = (float(rows[2]["path"]) - float(rows[0]["path"])) / radians(2 * width) / arm
+        assert float(rows[1]["turn_velocity"]) == pytest.approx(slope, abs=1e-4)
+        assert (slope > 0) == (angle < 180)
+    (there, back) = (
+        float(printed(*drive, f"--angle={angle}", "--columns=phi," + key, "-f", "csv").records()[0][key])
+        for angle, key in ((270, "turn_velocity"), (90, "turn_velocity_return"))
+    )
+    assert there == -back < 0
+
+
+@pytest.mark.parametrize(("mechanism", "links", "arm"), ROCKERS)
+@pytest.mark.parametrize(
+    ("lang", "said", "radians_said"),
+    [
+        ("de", "jenseits des äußeren Totpunkts bleiben die Richtungen die des Hingangs", "in x im Bogenmaß"),
+        ("en", "beyond the outer dead centre directions remain those of the outstroke", "in x in radians"),
+    ],
+)
+def test_pages_of_rockers_say_whose_direction_and_whose_radians(
+    mechanism: str, links: str, arm: int, lang: str, said: str, radians_said: str
+) -> None:
+    def page(*words: str) -> str:
+        drive = ("table", f"--mechanism={mechanism}", *links.split(), "--ratio=1:5", f"--lang={lang}")
+        return " ".join(printed(*drive, *words).out.split())
+
+    assert page("--columns=phi,turn_velocity", "--angle=270").count(said) == 1
+    assert page("--columns=phi,turn_velocity,rod_force", "--angle=270").count(said) == 1
+    assert said not in page("--columns=phi,turn_velocity,turn_velocity_return", "--angle=90")
+    assert radians_said not in page("--columns=phi,turn_velocity", "--angle=90")
+    assert radians_said in page("--columns=phi,x,turn_velocity", "--angle=90")

@@ -126,6 +126,7 @@ def test_any_text_is_a_condition_or_an_error_in_a_sentence(text: str) -> None:
         ("p = null", 'condition "p = null" cannot be read'),
         ("p = 1/0", 'condition "p = 1/0" cannot be read'),
         ("p = 1e999", 'condition "p = 1e999" is out of range'),
+        ("psi = 1e400", 'condition "psi = 1e400" is out of range; a value is 0 or within 10^-30 and 10^30'),
         ("p = 1/3 of sixpence", 'condition "p = 1/3 of sixpence" cannot be read'),
         ("q = 1", 'there is no quantity "q"'),
         ("pso = 1", 'there is no quantity "pso" (did you mean psi?)'),

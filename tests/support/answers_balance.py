@@ -20,7 +20,7 @@ def polar(vector: mpc) -> tuple[mpf, mpf]:
 def static_balance(masses: Sequence[mpf], radii: Sequence[mpf], angles: Sequence[mpf], at: mpf) -> Rows:
     left = sum(turned(m * r, a) for m, r, a in zip(masses, radii, angles, strict=True))
     mass, angle = polar(-left / at)
-    return [{"mass": mass, "angle": angle}, *({} for _ in masses), {"unbalance": 0}]
+    return [{"mass_kg": mass, "angle": angle}, *({} for _ in masses), {"unbalance_kgm": 0}]
 
 
 @solution
@@ -38,8 +38,8 @@ def balance_in_two_planes(
     # first + second = −force, first · z₁ + second · z₂ = −couple
     right = (first * sum(vectors) - couple) / (second - first)
     left = -sum(vectors) - right
-    found = [dict(zip(("mass", "angle"), polar(one / at), strict=True)) for one in (left, right)]
-    return [*({} for _ in masses), {}, {}, *found, {"unbalance": 0}, {"moment": 0}]
+    found = [dict(zip(("mass_kg", "angle"), polar(one / at), strict=True)) for one in (left, right)]
+    return [*({} for _ in masses), {}, {}, *found, {"unbalance_kgm": 0}, {"moment_kgm2": 0}]
 
 
 @solution
@@ -51,8 +51,8 @@ def complete_balance(masses: Sequence[mpf], radii: mpf, planes: Sequence[mpf]) -
         fourth = polar(-two - turned(three, third))[1]
         rest = masses[0] + turned(masses[1], third) + turned(masses[2], fourth)
         mass, first = polar(-rest)
-        rows = [{"mass": mass, "angle": first}, {"angle": 0}, {"angle": third}, {"angle": fourth}]
-        solved += [*rows, {"unbalance": 0}, {"moment": 0}]
+        rows = [{"mass_kg": mass, "angle": first}, {"angle": 0}, {"angle": third}, {"angle": fourth}]
+        solved += [*rows, {"unbalance_kgm": 0}, {"moment_kgm2": 0}]
     return solved
 
 
@@ -143,9 +143,9 @@ def inside_cylinders(
     both = [(cos(pi * step / 180), -sin(pi * step / 180)) for step in range(360)]
     return [
         {
-            "mass_left": abs(left) * crank / at,
+            "mass_left_kg": abs(left) * crank / at,
             "angle_left": polar(left)[1],
-            "mass_right": abs(right) * crank / at,
+            "mass_right_kg": abs(right) * crank / at,
             "angle_right": polar(right)[1],
             "blow_left_n": lifting * crank * speed**2,
             "pull_n": max(abs(one + other) for one, other in both) * pull,
@@ -171,8 +171,8 @@ def wheels_lift(
     weight = abs(wheels_of(spacing, gauge, turning + share * mass)[0]) * crank / at
     return [
         {
-            "mass_left": weight,
+            "mass_left_kg": weight,
             "lift_speed": speed * 30 / pi,
-            "lift_velocity": speed * wheel / 2 * mpf("3.6"),
+            "lift_velocity_kmh": speed * wheel / 2 * mpf("3.6"),
         }
     ]

@@ -170,7 +170,7 @@ def rotor(random: Random) -> Asked:
         ";".join(angles),
     ]
     words += ["--planes", ";".join(places) + "mm", "--balance-planes", f"{left};{right}mm"]
-    rows = [*({} for _ in range(count + 2)), *({"mass": one} for one in found), {}, {}]
+    rows = [*({} for _ in range(count + 2)), *({"mass_kg": one} for one in found), {}, {}]
     return ["rotor", *words, "--balance-radii", "100mm"], rows
 
 
@@ -270,7 +270,7 @@ def locomotive(random: Random) -> Asked:
     weight, lifting = mpf(turning) + mpf(share) * mpf(mass), mpf(share) * mpf(mass)
     pull = (1 - mpf(share)) * mpf(mass) * mpf(crank) / 1000 * omega2
     row = {
-        "mass_left": abs(left_wheel(weight)) * mpf(crank) / mpf(at),
+        "mass_left_kg": abs(left_wheel(weight)) * mpf(crank) / mpf(at),
         "angle_left": polar(left_wheel(weight))[1],
         "blow_left_n": abs(left_wheel(lifting)) * mpf(crank) / 1000 * omega2,
         "pull_n": abs(pins[0] + pins[1]) * pull,

@@ -23,6 +23,7 @@ from kurbel.sweeps.dataset import sweep
 from kurbel.sweeps.kept import MOST_TRIED
 from kurbel.sweeps.only import Condition
 from kurbel.sweeps.rows import Sweep
+from kurbel.sweeps.work.identity import identity_of
 
 # Sixty pounds a square inch.
 PSI = float(60 * Fraction("0.45359237") * Fraction("9.80665") / Fraction("0.0254") ** 2)
@@ -137,6 +138,16 @@ def test_a_condition_holds_where_exact_numbers_say_so(text: str) -> None:
     assert 0 < len(kept) < len(eps) * len(back)
 
 
+def test_a_card_in_the_words_of_a_cylinder_is_a_part_of_the_sweep(tmp_path: Path) -> None:
+    card, head = tmp_path / "card.csv", "position [%];p_forward [bar];p_return [bar]\n"
+    card.write_text(head + "".join(f"{place};8.0;1.5\n" for place in range(0, 101, 10)))
+    asked = Sweep(planned(DELTA, {"ratio": "1:4;1:5", "cylinder": f"card={card}"}))
+    told = identity_of(asked)
+    assert identity_of(asked) == told
+    card.write_text(card.read_text().replace("8.0", "7.0"))
+    assert identity_of(asked) != told
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [
@@ -150,6 +161,7 @@ def test_a_condition_holds_where_exact_numbers_say_so(text: str) -> None:
         ("1 < 2", "names no option"),
         ("eps > 99", "holds at no combination"),
         ("(" * 500 + "eps" + ")" * 500 + " < 1", "characters"),
+        ("(" * 245 + "eps" + ")" * 245 + "<1", "has more than 100 brackets within each other"),
     ],
 )
 def test_a_condition_that_cannot_be_used_is_told_so(text: str, said: str) -> None:

@@ -19,7 +19,7 @@ from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, figure
 from kurbel.motion.captions import moving_notes, turns_label
 from kurbel.page.quantity import Words, words
-from kurbel.reading.amounts import Units, amount, unit_of_page
+from kurbel.reading.amounts import Units, amount, digits, unit_of_page
 from kurbel.reading.notation import about
 
 IN_NEWTONS = "_n"
@@ -153,7 +153,7 @@ class Weighed:
         told = self.revolving or self.balance_radius is not None
         if told and any(weights := self.counterweights(arrangement)):
             times, unit = unit_of_page("kg m")
-            moments = "; ".join(f"${figure(times * one)}$" for one in dict.fromkeys(weights))
+            moments = "; ".join(f"${digits(one, times)}$" for one in dict.fromkeys(weights))
             said = WORDS["counterweights"][lang].format(unit=f"${unit}$", moments=moments)
             yield said + self._at_radius(weights, lang)
 

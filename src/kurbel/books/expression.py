@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 from kurbel.errors import NotationError
 from kurbel.exact.size import power
-from kurbel.reading.arithmetic import OPERATIONS, parsed
+from kurbel.reading.arithmetic import OPERATIONS, POWERS, parsed, wrong_power
 
 UNREAD = '"{}" is no expression; write one such as 1 - cos(45)'
 FUNCTIONS = ("sin", "cos", "sqrt", "ln", "arccos")
@@ -80,8 +80,10 @@ def _check(tree: ast.expr, text: str, later: bool) -> None:
             return
         case ast.UnaryOp(op=ast.USub(), operand=inner):
             _check(inner, text, later)
-        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=height)) if height in range(10):
+        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=height)) if height in POWERS:
             _check(left, text, later)
+        case ast.BinOp(op=ast.Pow(), right=ast.Constant(value=Fraction() as height)):
+            raise wrong_power(text, height)
         case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATIONS:
             _check(left, text, later)
             _check(right, text, later)

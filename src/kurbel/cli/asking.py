@@ -16,7 +16,7 @@ from click.core import ParameterSource, augment_usage_errors
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of, one_line
 from kurbel.cli.machine import machine_defaults
-from kurbel.cli.options import MACHINE, Document, FileName, Given
+from kurbel.cli.options import MACHINE, Document, FileName, Given, Type
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
 from kurbel.formats.registry import FORMATS, WorkbookFormat
@@ -43,7 +43,8 @@ class Asked(NamedTuple):
     """What the words ask for: a table or a drawing, its language and decimal mark, the files read for it.
 
     `longtable` tells that LaTeX may break the table over pages; `code` is 1 where the command, such as
-    collate --strict, would end with it. With `siunitx` LaTeX leaves the numbers to that package.
+    collate --strict, would end with it. With `siunitx` LaTeX leaves the numbers to that package; `rounding`
+    is that of the table's.
     """
 
     made: Table | Drawing
@@ -53,6 +54,7 @@ class Asked(NamedTuple):
     code: int
     longtable: bool = False
     siunitx: bool = False
+    rounding: str = ""
 
 
 def printing_commands() -> tuple[str, ...]:
@@ -109,7 +111,7 @@ def asked(
     if isinstance(made, Table):
         made = _unprompted(made)
     values = context.params
-    wishes = (values.get("longtable", False), values.get("siunitx", False))
+    wishes = (values.get("longtable", False), values.get("siunitx", False), values.get("rounding", ""))
     return Asked(made, values["lang"], values["decimal"], _files(context, own), code, *wishes)
 
 
@@ -151,10 +153,11 @@ def _files(context: click.Context, machine: File | None) -> tuple[str, ...]:
     found = [str(machine)] if machine else []
     found += [context.meta[MACHINE]] if MACHINE in context.meta else []
     for param in context.command.params:
-        if isinstance(param.type, FileName) and param.name != "machine":
-            value = context.params.get(param.name or "") or ()
-            found += map(str, (value,) if isinstance(value, File) else value)
-    return tuple(dict.fromkeys(found))
+        value = context.params.get(param.name or "")
+        if value and isinstance(param.type, FileName | Type):
+            for one in value if param.multiple else (value,):
+                param.type.kind.with_files(one, found.append)
+    return tuple(dict.fromkeys(map(str, found)))
 
 
 def make_part(task: Task) -> Made:
@@ -197,7 +200,7 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
         files |= _sheet(task, named, answer.decimal)
     from kurbel.page.labels import plain
 
-    about = About("table", named.caption, named.lang, named.letters(), plain(named.source))
+    about = About("table", named.caption, named.lang, named.letters(), plain(named.source), answer.rounding)
     return Made(files, answer.files, about)
 
 

@@ -29,8 +29,9 @@ def machine_defaults(command: click.Command, file: File) -> dict[str, Any]:
             )
     if machine.get("cylinder") and "cylinder" not in names and (alike := _ALIKE.get(command.name or "")):
         raise MachineError(
-            f"{file}: the machine has a list of cylinders, and kurbel {command.name} is about {alike}; leave"
-            " the list out, and what a cylinder has in the sections"
+            f"{file}: the machine has a list of cylinders, and kurbel {command.name} is about {alike}; take"
+            " the list out, and write what one of them has into the sections, as bore into [steam] and"
+            " reciprocating into [masses]"
         )
     # What may be repeated is a list, though the machine has one of it.
     lists = {one.name for one in command.params if one.multiple}

@@ -70,7 +70,8 @@ class Type(click.ParamType):  # type: ignore[type-arg]
         self.name = kind.name
 
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        return self.kind.read(value, ctx.params if ctx else {})
+        read = self.kind.read(value, ctx.params if ctx else {})
+        return self.kind.with_files(read, lambda name: FileName().convert(name, param, ctx))
 
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
@@ -90,6 +91,8 @@ class FormatName(kinds.Choice):
 
 class FileName(click.Path):
     """A file that is read; for a document's table its name counts from the document's folder."""
+
+    kind = kinds.FILE
 
     def convert(  # type: ignore[override]
         self, value: str | File, param: click.Parameter | None, ctx: click.Context | None
@@ -191,8 +194,7 @@ def printing_options(command: str, own: Mapping[str, click.Parameter]) -> list[c
         Option(["format", "-f", "--format"], type=Type(FormatName("format", FORMATS)),
                envvar=[f"KURBEL_{command.upper()}_FORMAT", "KURBEL_FORMAT"],
                help="Output format; default: by the suffix of -o, else text."),
-        Option(["output", "-o", "--output"], type=click.Path(allow_dash=True), metavar="FILE", default="-",
-               help="File to write, whole or not at all; - is standard output."),
+        output_option("File to write, whole or not at all; - is standard output.", default="-"),
         own["lang"],
         Option(["--decimal"], type=Type(kinds.Choice("decimal mark", DECIMALS)), envvar="KURBEL_DECIMAL",
                help="comma or point; default: by the language, point in CSV and JSON."),
@@ -209,6 +211,25 @@ def printing_options(command: str, own: Mapping[str, click.Parameter]) -> list[c
                help="CSV that Excel opens by a double click: with a byte order mark, the decimal mark of the"
                " language, and ratios that are no times."),
     ]  # fmt: skip
+
+
+def output_option(help: str, **more: Any) -> click.Parameter:
+    """Return -o, the file that is written."""
+    written = click.Path(allow_dash=True)
+    return Option(
+        ["output", "-o", "--output"], type=written, metavar="FILE", callback=_named, help=help, **more
+    )
+
+
+def _named(context: click.Context, parameter: click.Parameter, name: str | None) -> str | None:
+    """Return the name of a file; of -o=FILE click would take the sign for the name's first letter."""
+    if name and name.startswith("="):
+        rest = name[1:61]
+        raise NotationError(
+            f'the file to write is called "{name[:61]}"; write -o {rest} or --output={rest}, and ./={rest}'
+            " for a file of that name"
+        )
+    return name
 
 
 def lang_option(what: str) -> click.Parameter:

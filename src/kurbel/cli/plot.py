@@ -7,7 +7,16 @@ from typing import NamedTuple
 
 import click
 
-from kurbel.cli.options import RIVALS, Given, Option, Type, click_option, machine_option, resolved
+from kurbel.cli.options import (
+    RIVALS,
+    Given,
+    Option,
+    Type,
+    click_option,
+    machine_option,
+    output_option,
+    resolved,
+)
 from kurbel.cli.tables import MakingCommand
 from kurbel.commands import engine_plots, plots
 from kurbel.commands.cylinder import pressures
@@ -197,8 +206,9 @@ def _params() -> list[click.Parameter]:
                type=Type(Choice("drawing format", "kurbel.plot.style:FILES")),
                help="svg, png, pdf or pgf, of drawings that move html, svg or gif; default: by the suffix of"
                " -o."),
-        Option(["output", "-o", "--output"], type=click.Path(allow_dash=True), metavar="FILE", default="-",
-               help="File to write, whole or not at all; - is standard output, unless a terminal."),
+        output_option(
+            "File to write, whole or not at all; - is standard output, unless a terminal.", default="-"
+        ),
         Option(["--text"], is_flag=True,
                help="SVG: letters stay text, to be searched and edited, in the reader's fonts; without it"
                " they are outlines, alike everywhere."),

@@ -35,6 +35,10 @@ class Kind:
             raise NotationError(f"{name} is bytes; give text or numbers")
         return value
 
+    def with_files(self, value: Any, file: Callable[[Any], Any]) -> Any:
+        """Return a value with what `file` makes of each file that it names."""
+        return value
+
     def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
         """Return the texts that shells offer."""
         return ()
@@ -67,6 +71,9 @@ class File(Kind):
             said = str(value)[:40].replace("\0", "\\0")
             raise NotationError(f"{name} is {said}, which is not the name of a file or a folder")
         return value
+
+    def with_files(self, value: Any, file: Callable[[Any], Any]) -> Any:
+        return file(value)
 
 
 FILE = File()

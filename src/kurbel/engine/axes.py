@@ -177,7 +177,13 @@ def _steam_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
     if steam.back is not None:
         yield WORDS["back"][lang].format(back=f"{exact_text(steam.back)} Q" if steam.back else "0")
     else:
-        yield WORDS["best" if steam.exponent == 1 and not steam.clearance else "best_end"][lang]
+        yield best_back(steam, "R_b", "Q", lang)
+
+
+def best_back(steam: Any, back: Label, full: Label, lang: str) -> Label:
+    """Return what pages say of the back pressure that is taken where none is given, in these letters."""
+    said = "best" if steam.exponent == 1 and not steam.clearance else "best_end"
+    return WORDS[said][lang].format(back=back, full=full)
 
 
 def engine_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
@@ -193,7 +199,7 @@ def engine_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
 
 WORDS = {
     "single": words("einfachwirkend|single-acting"),
-    "double": words("doppeltwirkend (--single-acting)|double-acting (--single-acting)"),
+    "double": words("doppeltwirkend (sonst --single-acting)|double-acting (else --single-acting)"),
     "cranks": words(
         "Kurbeln um {angles} hinter der ersten, Zylinder gleich"
         "|cranks {angles} behind the first, cylinders alike"
@@ -214,8 +220,8 @@ WORDS = {
     ),
     "unclear": words("ohne schädlichen Raum (--clearance)|no clearance (--clearance)"),
     "best": words(
-        "Gegendruck $R_b = Q/ε$, der vorteilhafteste (--back)"
-        "|back pressure $R_b = Q/ε$, the most favourable (--back)"
+        "Gegendruck ${back} = {full}/ε$, der vorteilhafteste (--back)"
+        "|back pressure ${back} = {full}/ε$, the most favourable (--back)"
     ),
     "best_end": words(
         "Gegendruck gleich der Endspannung des Dampfes, der vorteilhafteste (--back)"

@@ -6,8 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product
 
 from kurbel.engine.axes import engine_lines, load_label, named_load
-from kurbel.engine.loads import work
-from kurbel.engine.quantities import AT_ANGLE, ENGINE_METHODS, EXTREMES, FORCES
+from kurbel.engine.quantities import AT_ANGLE, ENGINE_METHODS, FORCES
 from kurbel.engine.request import BY_STROKE, OF_FORCES, OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest
 from kurbel.exact.numerals import Label, Number, exact_text, number_text
 from kurbel.page.quantity import AND, FOR, Quantity, enumerated_letters, filled, words
@@ -43,16 +42,26 @@ WORDS = {
         "Kräfte beim genauen Winkel $ψ$ der Stange, $T$ mit $sin(φ + ψ)/(cos ψ)$"
         "|forces at the exact angle $ψ$ of the rod, $T$ with $sin(φ + ψ)/(cos ψ)$"
     ),
+    "first_order_energy": words(
+        "Energie der Massen mit $c$ als $sin φ + 1/2 λ sin 2 φ$, $ω_L$ als $λ cos φ$"
+        "|energy of the masses with $c$ as $sin φ + 1/2 λ sin 2 φ$, $ω_L$ as $λ cos φ$"
+    ),
     "first_order_work": words(
         "daher wächst $W$ nicht genau mit $T - P$|hence $W$ does not quite grow with $T - P$"
     ),
-    "makes_delta": words("aus diesen beiden folgt $δ$|$δ$ follows from these two"),
-    "delta": words(
-        '$δ = (v_"max" - v_"min")/v_1$; $P$ mittlere Umfangskraft,'
-        " $m_1$ Schwungmasse am Kurbelhalbmesser $r$, $v_1$ Kurbelgeschwindigkeit im inneren Totpunkt"
-        '|$δ = (v_"max" - v_"min")/v_1$; $P$ mean tangential force,'
-        " $m_1$ flywheel mass at the crank radius $r$, $v_1$ crank-pin velocity at the inner dead centre"
+    "first_order_mean": words(
+        "$P$ aus der Arbeit, daher nicht genau das Mittel von $T$"
+        "|$P$ from the work, hence not quite the mean of $T$"
     ),
+    "makes_delta": words("aus diesen beiden folgt $δ$|$δ$ follows from these two"),
+    "delta": words('$δ = (v_"max" - v_"min")/v_1$'),
+    "mean_force": words("$P$ mittlere Umfangskraft|$P$ mean tangential force"),
+    "flywheel_mass": words(
+        "$m_1$ Schwungmasse {at_radius}, $v_1$ Kurbelgeschwindigkeit im inneren Totpunkt"
+        "|$m_1$ flywheel mass {at_radius}, $v_1$ crank-pin velocity at the inner dead centre"
+    ),
+    "at_crank_radius": words("am Kurbelhalbmesser $r$|at the crank radius $r$"),
+    "at_radius": words("bei $r$|at $r$"),
     "framed": words(
         "{letters} positiv in der Richtung des Hinganges und nach der Seite, auf der dort der"
         " Kurbelzapfen läuft"
@@ -64,9 +73,9 @@ WORDS = {
     "massless": words("ohne Massen|without masses"),
     "flywheel": words(
         "$(ΔW)/(P r)$ ist $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
-        " $P$ mittlere Umfangskraft am Kurbelhalbmesser $r$"
+        " $P$ mittlere Umfangskraft {at_radius}"
         "|$(ΔW)/(P r)$ is $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
-        " $P$ mean tangential force at the crank radius $r$"
+        " $P$ mean tangential force {at_radius}"
     ),
     "true_inertia": words(
         "mit $J_δ$ bleibt die Geschwindigkeit der Maschine mit ihren Massen genau in $ω (1 ± δ/2)$"
@@ -81,16 +90,18 @@ WORDS = {
         "Winkel vom inneren Totpunkt der ersten Kurbel|Angles from the inner dead centre of the first crank"
     ),
     "from_slide": words(
-        "$α$ vom Totpunkt, $φ$ anderer Seiten von der Schubrichtung: $φ = α + φ_i$, auf dem Rückgang"
-        " $φ = α + φ_o$"
-        "|$α$ from the dead centre, $φ$ of other pages from the slide direction: $φ = α + φ_i$, on the return"
-        " $φ = α + φ_o$"
+        "$α$ vom inneren Totpunkt, $φ$ anderer Seiten von der Schubrichtung: $φ = α + φ_i$"
+        "|$α$ from the inner dead centre, $φ$ of other pages from the slide direction: $φ = α + φ_i$"
+    ),
+    "strokes_from_slide": words(
+        "$φ$ anderer Seiten von der Schubrichtung: $φ = α + φ_i$, wo Rückgang steht $φ = α + φ_o$"
+        "|$φ$ of other pages from the slide direction: $φ = α + φ_i$, where Return stands $φ = α + φ_o$"
     ),
     "over_slide": words(
-        "$φ$ von der Schubrichtung, der innere Totpunkt bei $φ_i$; $α$ anderer Seiten von dort:"
-        " $φ = α + φ_i$"
-        "|$φ$ from the slide direction, the inner dead centre at $φ_i$; $α$ of other pages from there:"
-        " $φ = α + φ_i$"
+        "$φ$ von der Schubrichtung, der innere Totpunkt bei $φ_i$; $α$ anderer Seiten in der Umdrehung von"
+        " dort: $φ = α + φ_i$"
+        "|$φ$ from the slide direction, the inner dead centre at $φ_i$; $α$ of other pages over the turn from"
+        " there: $φ = α + φ_i$"
     ),
     "difference": words(
         "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet."
@@ -164,16 +175,15 @@ def _named_ratio(request: EngineRequest, index: int) -> Label:
 def notes(request: EngineRequest) -> Iterator[Label | Note]:
     """Yield the lines below the table: its own, the units, the method, the engine."""
     lang, subject, columns = request.lang, request.layout.subject, request.page_columns
-    peaks = any(one.quantity.of in EXTREMES and not one.quantity.minutes for one in columns)
-    if peaks and len(request.spans) > 1 and subject in BY_STROKE:
+    if marks_delta(request):
         yield Note(WORDS["makes_delta"][lang], MAKES_DELTA)
     yield from (note[lang] for note in request.layout.notes)
     if any(len(column.methods) > 1 for column in columns):
         yield WORDS["difference"][lang]
-    if subject in OF_IRREGULARITY and _of_delta(request):
-        yield WORDS["delta"][lang]
+    if subject in OF_IRREGULARITY:
+        yield from _of_delta(request)
     if subject == "flywheel":
-        yield WORDS["flywheel"][lang]
+        yield WORDS["flywheel"][lang].format(at_radius=at_radius(request))
         if any(column.key == "inertia_true" for column in columns):
             yield WORDS["true_inertia"][lang]
         radius = request.flywheels[0].radius
@@ -182,9 +192,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     if subject in BY_STROKE:
         yield WORDS["turn" if request.first.plain else "whole_turn"][lang]
     yield from _zero(request)
-    if subject in (*BY_STROKE, *OF_FORCES, *OF_LOAD, *OVER_ANGLE) or any(
-        one.quantity.key in OF_WORK for one in columns
-    ):
+    if _says_forces(request):
         yield request.words.forces[lang]
     yield from _directions(request, [column.quantity for column in columns])
     needs = {column.quantity.needs for column in columns}
@@ -199,7 +207,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
             yield _radius(request)
         elif needs & {"power", "flow"}:
             yield _sized(request)
-    if any(column.methods == ("weisbach",) and column.quantity.of not in OF_RUNS for column in columns):
+    if _by_weisbach(request):
         yield WORDS["weisbach"][lang]
     yield from engine_notes(request)
     yield from _first_order(request)
@@ -212,18 +220,26 @@ def _zero(request: EngineRequest) -> Iterator[Label]:
     subject, columns = request.layout.subject, request.page_columns
     shown = subject in OVER_ANGLE or any(one.quantity.minutes for one in columns)
     if shown and subject != SOLVED and not from_dead_centre(request, columns[0].methods[0]):
+        by_stroke = subject in BY_STROKE and request.first.plain
         of_slide = subject in (*OVER_ANGLE, *OF_FORCES)
-        yield WORDS["over_slide" if of_slide else "from_slide"][request.lang]
+        said = "over_slide" if of_slide else "strokes_from_slide" if by_stroke else "from_slide"
+        yield WORDS[said][request.lang]
 
 
 def _first_order(request: EngineRequest) -> Iterator[Label]:
-    """What is of first order and what is not, where masses or forces show it."""
+    """What is of first order and what is not, of all that the page shows."""
     shown = [one.quantity for one in request.page_columns if "series" in one.methods]
     heavy = any(part.crank.moving is not None for part in request.first.parts)
-    forces = any(one.of == "crank" or one.key.startswith(OF_EFFORT) for one in shown)
-    works = forces and any(one.key == "energy" for one in shown)
-    said = {"first_order_masses": heavy, "first_order_forces": forces, "first_order_work": works}
-    if shown and (heavy or forces):
+    slanting = any(part.crank.ratio for part in request.first.parts) or any(request.ratios)
+    efforts = [one for one in shown if one.of in ("crank", "order") or one.key.startswith(OF_EFFORT)]
+    said = {
+        "first_order_masses": heavy and efforts,
+        "first_order_energy": heavy and len(efforts) < len(shown),
+        "first_order_forces": efforts,
+        "first_order_work": slanting and efforts and any(one.key == "energy" for one in shown),
+        "first_order_mean": slanting and any(one.of == "order" for one in shown),
+    }
+    if shown:
         parts = ["first_order", *(part for part, holds in said.items() if holds)]
         yield "; ".join(WORDS[part][request.lang] for part in parts)
 
@@ -252,12 +268,42 @@ def engine_notes(request: EngineRequest) -> Iterator[Label]:
         yield from request.mechanism.masses_notes(crank, letters, lang, shown)
 
 
-def _of_delta(request: EngineRequest) -> bool:
-    """Whether δ, or what it is made of, is among the columns; of steam any that is not of its work."""
+def marks_delta(request: EngineRequest) -> bool:
+    """Whether the page marks the extremes of which the δ on it is made."""
     shown = {column.quantity.key for column in request.page_columns}
-    if not request.steamed and not request.carded:
-        return not shown.isdisjoint(OF_DELTA)
-    return not shown <= work.KEYS
+    by_stroke = request.layout.subject in BY_STROKE and request.first.plain
+    return by_stroke and "delta" in shown and not shown.isdisjoint(OF_DELTA[1:])
+
+
+def _of_delta(request: EngineRequest) -> Iterator[Label]:
+    """What δ is, if it is printed, and the letters of the units that it and its extremes have."""
+    lang, shown = request.lang, {column.quantity.key for column in request.page_columns}
+    letters = ["mean_force"] if "delta" in shown or _by_weisbach(request) else []
+    if not shown.isdisjoint(OF_DELTA):
+        letters.append("flywheel_mass")
+    said = ", ".join(WORDS[one][lang] for one in letters).replace("{at_radius}", at_radius(request))
+    if said:
+        yield f"{WORDS['delta'][lang]}; {said}" if "delta" in shown else said
+
+
+def _by_weisbach(request: EngineRequest) -> bool:
+    """Whether the page prints Weisbach's equations, and numbers by them alone."""
+    return any(
+        column.methods == ("weisbach",) and column.quantity.of not in OF_RUNS
+        for column in request.page_columns
+    )
+
+
+def at_radius(request: EngineRequest) -> Label:
+    """Where masses and forces at the crank pin are; r is explained once on a page."""
+    return WORDS["at_radius" if _says_forces(request) else "at_crank_radius"][request.lang]
+
+
+def _says_forces(request: EngineRequest) -> bool:
+    """Whether the page says what Q and r are."""
+    return request.layout.subject in (*BY_STROKE, *OF_FORCES, *OF_LOAD, *OVER_ANGLE) or any(
+        one.quantity.key in OF_WORK for one in request.page_columns
+    )
 
 
 def _sized(request: EngineRequest) -> Label:

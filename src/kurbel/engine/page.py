@@ -36,7 +36,12 @@ def _number(request: EngineRequest, column: Column, place: Place, times: int) ->
 def _marks(request: EngineRequest, column: Column, place: Place) -> tuple[str, ...]:
     """The mark of the extreme of a stroke that is the extreme of the turn."""
     quantity, stroke = column.quantity, request.where(place).stroke
-    if quantity.of not in EXTREMES or quantity.minutes or stroke is WHOLE:
+    if (
+        quantity.of not in EXTREMES
+        or quantity.minutes
+        or stroke is WHOLE
+        or not captions.marks_delta(request)
+    ):
         return ()
     turn = request.turn(place["expansion"], place["ratio"], column.methods[0])
     marked = stroke in (one.stroke for one in turn.peaks(EXTREMES[quantity.of]))

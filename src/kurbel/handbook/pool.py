@@ -56,13 +56,15 @@ class Task(NamedTuple):
 
 
 class About(NamedTuple):
-    """What documents say of a table or a figure; `letters` and `source` are for their lists."""
+    """What documents say of a table or a figure; `letters` and `source` are for their lists, `rounding` is
+    that of its numbers."""
 
     kind: Literal["table", "figure"]
     caption: str
     lang: str
     letters: tuple[Letter, ...] = ()
     source: str = ""
+    rounding: str = ""
 
 
 class Made(NamedTuple):

@@ -169,15 +169,16 @@ def force_lines(
     first: Crank = question.drives[0].crank
     if any(one.of == FORCE for one in shown):
         acting = [force[lang]] if first.force or not first.moving else []
-        said = (one.direction[lang] for one in shown if one.direction)
+        said = (one.direction[lang] for one in shown if one.of == FORCE and one.direction)
         yield "; ".join(dict.fromkeys([*acting, *said]))
         columns = [column for column in question.page_columns if column.quantity.of == FORCE]
         yield from direction_notes(question, columns)
     # Neither the offset nor the mean speed is that of a slide.
     cranks = [replace(drive.crank, offset=Fraction(0), moving=None, speed=None) for drive in question.drives]
-    yield from drive_notes(cranks, lang)
+    sizes = drive_notes(cranks, lang)
     if first.speed is not None and any(one.needs == "speed" for one in shown):
-        yield turns_label(first.speed)
+        sizes.append(turns_label(first.speed))
+    yield from sizes
     yield from force_notes(cranks, lang)
     if first.moving is not None:
-        yield from moving_notes(first, question.layout.ratio_symbol, lang, named)
+        yield from moving_notes(first, question.layout.ratio_symbol, lang, named, sizes)

@@ -154,7 +154,8 @@ def notes(question: Request) -> Iterator[Label]:
     if said := dict.fromkeys(one.quantity.direction[lang] for one in columns if one.quantity.direction):
         yield "; ".join(said)
         yield from direction_notes(question, columns)
-    yield from drive_notes(question.cranks, lang)
+    sizes = drive_notes(question.cranks, lang)
+    yield from sizes
     first_order = any(one.method in ("series", DIFFERENCE) for one in columns)
     if first_order or any(crank.acceleration for crank in question.cranks):
         from kurbel.motion.notes.accelerated import lines
@@ -162,7 +163,7 @@ def notes(question: Request) -> Iterator[Label]:
         yield from lines(question, columns)
     yield from force_notes(question.cranks, lang)
     for crank in question.cranks[:1]:
-        yield from loaded_notes(crank, layout.ratio_symbol, lang)
+        yield from loaded_notes(crank, layout.ratio_symbol, lang, sizes)
 
 
 def direction_notes(question: AngleQuestion, columns: Sequence[Column]) -> Iterator[Label]:
@@ -259,22 +260,27 @@ def force_notes(cranks: Sequence[Crank], lang: str) -> Iterable[Label]:
     return dict.fromkeys(crank.force.note(lang) for crank in cranks if crank.force is not None)
 
 
-def loaded_notes(crank: Crank, ratio_symbol: str, lang: str) -> Iterator[Label]:
+def loaded_notes(crank: Crank, ratio_symbol: str, lang: str, sizes: Iterable[Label] = ()) -> Iterator[Label]:
     """Yield the lines about what acts on piston and crosshead beside a given force, and about the masses."""
     if crank.effort is not None:
         from kurbel.motion.notes.effort import effort_notes
 
         yield from effort_notes(crank.effort, lang)
     if crank.moving is not None:
-        yield from moving_notes(crank, ratio_symbol, lang)
+        yield from moving_notes(crank, ratio_symbol, lang, sizes=sizes)
         if crank.moving.slope is None and (crank.moving.rod or crank.moving.reciprocating):
             yield WORDS["weightless"][lang]
 
 
 def moving_notes(
-    crank: Crank, ratio_symbol: str, lang: str, named: Mapping[str, Words] = WORDS
+    crank: Crank,
+    ratio_symbol: str,
+    lang: str,
+    named: Mapping[str, Words] = WORDS,
+    sizes: Iterable[Label] = (),
 ) -> Iterator[Label]:
-    """Yield the lines about the moving masses, with the size and the speed that make forces of them.
+    """Yield the lines about the moving masses, with the size and the speed that make forces of them, unless
+    the lines above with `sizes` have these.
 
     A drive without a crosshead has names of its own for where they are.
     """
@@ -283,7 +289,8 @@ def moving_notes(
     parts = [f"{named[key][lang]} ${amount(mass, 'kg')}$" for key, mass in said.items() if mass]
     if moving.rocker:
         parts.append(f"{named['rocker'][lang]} $J = {amount(moving.rocker, 'kg m²')}$")
-    parts += [f"${radius} = {amount(known(crank.radius), 'mm')}$", turns_label(speed)]
+    makes_forces = f"${radius} = {amount(known(crank.radius), 'mm')}$", turns_label(speed)
+    parts += (one for one in makes_forces if not any(one in line for line in sizes))
     yield WORDS["masses"][lang] + ", ".join(parts)
     if moving.rod is not None:
         from kurbel.motion.notes.rod import connecting_rod

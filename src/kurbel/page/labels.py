@@ -32,8 +32,9 @@ Part = Prose | tree.Formula | Mark
 _PART = re.compile(r"\\(?P<dollar>\$)|\$(?P<formula>[^$]*)(?P<end>\$?)|\[\^(?P<mark>[^\]]+)\]")
 # Everything that breaks or jumps within a line; the no-break and thin spaces of typography stay.
 WHITE = re.compile(r"[\t-\r\x1c-\x20\x85\u2028\u2029]+")
-# Options behind what is assumed without them: (--suction-loss, --delivery-loss).
-_OPTIONS = re.compile(r" \(--[a-z -]+(, --[a-z-]+)*\)")
+# Options behind what is assumed without them: (--suction-loss, --delivery-loss); after "else" such as name
+# another choice.
+_OPTIONS = re.compile(r" \((sonst |else )?--[a-z -]+(, --[a-z-]+)*\)")
 # Minutes and seconds of an angle typed with quotation marks.
 _MINUTES = re.compile(r"(°[0-9.,]+)'(?:([0-9.,]+)\")?")
 

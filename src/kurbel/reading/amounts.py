@@ -11,7 +11,16 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from kurbel.errors import NotationError
-from kurbel.exact.numerals import Label, figure, nearest, number_text, plain
+from kurbel.exact.numerals import (
+    FIGURES,
+    Label,
+    figure,
+    figures,
+    finite_decimals,
+    nearest,
+    number_text,
+    plain,
+)
 from kurbel.reading.notation import quoted
 
 INCH, FOOT, POUND = Fraction("0.0254"), Fraction("0.3048"), Fraction("0.45359237")
@@ -203,11 +212,24 @@ def amount(value: Fraction, symbol: str, shown: Callable[[Fraction], str] = figu
     """Return an amount of the SI as it stands in a formula, on metric pages in this unit or a larger one."""
     value /= UNITS[symbol].size
     times, label = unit_of_page(symbol, value)
+    return f"{digits(value, times, shown)} {label}"
+
+
+def digits(value: Fraction, times: Fraction, shown: Callable[[Fraction], str] = figure) -> str:
+    """Return the digits of an amount in a unit of the page, of which its own is so many.
+
+    In a unit that it was not given in it is exact where six decimals write it, else it has three, and three
+    figures of what is small: of an inch a millimetre is 5/127, which tells no reader its size.
+    """
     text = shown(value)
-    if times != 1:
-        is_moved = _is_power_of_ten(times) and "/" not in text
-        text = moved(text, times, exact=Fraction(text) == value) if is_moved else figure(times * value)
-    return f"{text} {label}"
+    if times == 1:
+        return text
+    if _is_power_of_ten(times) and "/" not in text:
+        return moved(text, times, exact=Fraction(text) == value)
+    value *= times
+    exact = finite_decimals(value)
+    decimals = exact if exact is not None and exact <= 6 else max(3, figures(float(value)) - FIGURES + 3)
+    return number_text(nearest(value, decimals))
 
 
 def _is_power_of_ten(times: Fraction) -> bool:

@@ -9,13 +9,17 @@ import ast
 import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from itertools import accumulate
 from types import MappingProxyType
 from typing import Any
 
 from kurbel.errors import NotationError
 from kurbel.exact import size
+from kurbel.exact.numerals import about
 
-LONGEST = 500
+LONGEST, DEEPEST = 500, 100
+# Of the powers in a book's formulas.
+POWERS = range(10)
 _DIGITS = re.compile(r"[0-9]+(\.[0-9]+)?")
 OPERATIONS: Mapping[type, Callable[[Any, Any], Any]] = {
     ast.Add: size.plus,
@@ -23,6 +27,14 @@ OPERATIONS: Mapping[type, Callable[[Any, Any], Any]] = {
     ast.Mult: size.times,
     ast.Div: size.over,
 }
+
+
+def wrong_power(text: str, power: Fraction) -> NotationError:
+    """Return what is said of a formula with a power that is none of the few that are computed."""
+    return NotationError(
+        f'"{text[:60]}" has the power {about(power)}; powers are whole numbers from {POWERS[0]} to'
+        f" {POWERS[-1]}"
+    )
 
 
 def digits(text: str) -> Fraction:
@@ -45,12 +57,22 @@ def parsed(
     """
     if len(text) > LONGEST:
         raise NotationError(f"the {what} has {len(text)} characters; at most {LONGEST} are read")
+    if _depth(text) > DEEPEST:
+        raise NotationError(
+            f'the {what} "{text[:60]}" has more than {DEEPEST} brackets within each other; write it with'
+            " fewer"
+        )
     written = text.replace("^", "**").strip()
     try:
         read: ast.expr = _Numbers(written, numbers, number).visit(ast.parse(written, mode="eval")).body
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         raise NotationError(unread) from None
     return read
+
+
+def _depth(text: str) -> int:
+    """Return how many brackets stand within each other."""
+    return max(accumulate((one in "([") - (one in ")]") for one in text), default=0)
 
 
 class _Numbers(ast.NodeTransformer):

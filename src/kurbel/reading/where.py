@@ -82,7 +82,7 @@ def read_condition(
     if share := re.fullmatch(_OF_DEAD_CENTRE, right):
         return _of_dead_centre(quantity, share.group(1), shown)
     if quantity in ANGLES:
-        return Condition(quantity, VALUE, notation.angle(right, f"{shown}:"))
+        return Condition(quantity, VALUE, _in_range(notation.angle(right, f"{shown}:"), shown))
     if measure := re.fullmatch(_MEASURE, right):
         unit = measure.group(1)
         if quantity not in measured:
@@ -110,6 +110,10 @@ def _number(text: str, shown: str) -> Fraction:
         value = as_share(text, "share")
     except NotationError:
         raise NotationError(f"{shown} cannot be read; {GRAMMAR}") from None
+    return _in_range(value, shown)
+
+
+def _in_range(value: Fraction, shown: str) -> Fraction:
     if value and not SMALLEST <= abs(value) <= LARGEST:
         raise NotationError(f"{shown} is out of range; a value is 0 or within 10^-30 and 10^30")
     return value

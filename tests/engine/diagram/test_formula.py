@@ -71,7 +71,10 @@ def test_products_of_sines_are_sums(a: int, b: int, c: int, order: int, phase: i
         ("(" * 40 + "1" + ")" * 40, "has more than 30 brackets within each other"),
         ("5 $ 3", 'has "$" at place 3, which no formula has'),
         ("1" * 1001, "has 1001 characters; at most 1000 are read"),
-        ("(((((1.1^20)^20)^20)^20)^20)^20", "more than 3000 figures would come out"),
+        (
+            "(((((1.1^20)^20)^20)^20)^20)^20",
+            'torque, "(((((1.1^20)^20)^20)^20)^20)^20": a number of more than 3000 figures would come out',
+        ),
         ("((sin φ + 1.123456789)^10)^10" + "*(cos φ + 1.123456789)^20" * 9, "more than 3000 figures"),
     ],
 )

@@ -145,12 +145,12 @@ def _mirrored(vector: Vector) -> Vector:
 
 _ROWS: tuple[tuple[str, str, Label, str, Kernel, str], ...] = (
     ("speed", "Drehzahl|Speed", "$n$", '$"min"^(-1)$', _speed, SPEED),
-    ("velocity", "Fahrgeschwindigkeit|Speed of the train", "$v$", "km/h", _velocity, TRAIN),
-    ("balance_left", "Ausgleich links|Balance left", "$B b$", "kg m", _balance(0), ""),
-    ("mass_left", "Ausgleichmasse links|Balancing mass left", "$B$", "kg", _mass(0), RADIUS),
+    ("velocity_kmh", "Fahrgeschwindigkeit|Speed of the train", "$v$", "km/h", _velocity, TRAIN),
+    ("balance_left_kgm", "Ausgleich links|Balance left", "$B b$", "kg m", _balance(0), ""),
+    ("mass_left_kg", "Ausgleichmasse links|Balancing mass left", "$B$", "kg", _mass(0), RADIUS),
     ("angle_left", "Richtung links|Direction left", "", "°", lambda at: at.engine.balance(at.share)[0], ""),
-    ("balance_right", "Ausgleich rechts|Balance right", "$B b$", "kg m", _balance(1), ""),
-    ("mass_right", "Ausgleichmasse rechts|Balancing mass right", "$B$", "kg", _mass(1), RADIUS),
+    ("balance_right_kgm", "Ausgleich rechts|Balance right", "$B b$", "kg m", _balance(1), ""),
+    ("mass_right_kg", "Ausgleichmasse rechts|Balancing mass right", "$B$", "kg", _mass(1), RADIUS),
     (
         "angle_right", "Richtung rechts|Direction right", "", "°",
         lambda at: at.engine.balance(at.share)[1], "",
@@ -164,7 +164,7 @@ _ROWS: tuple[tuple[str, str, Label, str, Kernel, str], ...] = (
         _lift(lambda run: Scale(Fraction(30), -1)), "lift alone",
     ),
     (
-        "lift_velocity", "Fahrgeschwindigkeit des Abhebens|Speed of the train at lifting", "", "km/h",
+        "lift_velocity_kmh", "Fahrgeschwindigkeit des Abhebens|Speed of the train at lifting", "", "km/h",
         _lift(_kilometres), LIFT,
     ),
     (

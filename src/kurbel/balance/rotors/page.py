@@ -25,8 +25,7 @@ from kurbel.reading.units import Speed
 ANGLE = "angle"
 ANGLE_DECIMALS = 2
 # Units of pages over those of the SI.
-_SCALES = {"radius": Fraction(1000), "plane": Fraction(1000)}
-IN_NEWTONS = "_n"
+_SCALES = {"radius_mm": Fraction(1000), "plane_mm": Fraction(1000)}
 # What planes and a speed tell.
 _OF_PLANES, _OF_SPEED = "planes", "speed"
 NEEDS: Mapping[str, tuple[str, ...]] = {_OF_PLANES: ("--planes",), _OF_SPEED: ("--speed",)}
@@ -65,21 +64,21 @@ WORDS: Mapping[str, Words] = {
 def quantities() -> Mapping[str, Quantity]:
     """Return the columns by their keys."""
     rows = (
-        ("mass", "Masse|Mass", "$m$", "kg", None, ""),
-        ("radius", "Halbmesser des Schwerpunkts|Radius of the centre of mass", "$r$", "mm", None, ""),
+        ("mass_kg", "Masse|Mass", "$m$", "kg", None, ""),
+        ("radius_mm", "Halbmesser des Schwerpunkts|Radius of the centre of mass", "$r$", "mm", None, ""),
         (ANGLE, "Winkel|Angle", "$α$", "°", ANGLE_DECIMALS, ""),
-        ("plane", "Lage der Ebene|Position of the plane", "$z$", "mm", None, _OF_PLANES),
-        ("unbalance", "Unwucht|Unbalance", "$m r$", "kg m", None, ""),
-        ("moment", "Moment der Unwucht|Moment of the unbalance", "$m r l$", "kg m²", None, _OF_PLANES),
+        ("plane_mm", "Lage der Ebene|Position of the plane", "$z$", "mm", None, _OF_PLANES),
+        ("unbalance_kgm", "Unwucht|Unbalance", "$m r$", "kg m", None, ""),
+        ("moment_kgm2", "Moment der Unwucht|Moment of the unbalance", "$m r l$", "kg m²", None, _OF_PLANES),
         ("unbalance_n", "Fliehkraft|Centrifugal force", "$m r ω^2$", "N", None, _OF_SPEED),
         (
-            "moment_n", "Moment der Fliehkraft|Moment of the centrifugal force", "$m r l ω^2$", "N m", None,
+            "moment_nm", "Moment der Fliehkraft|Moment of the centrifugal force", "$m r l ω^2$", "N m", None,
             _OF_SPEED,
         ),
     )  # fmt: skip
     found = {}
     for key, name, symbol, unit, decimals, needs in rows:
-        field = key.removesuffix(IN_NEWTONS)
+        field = key.partition("_")[0]
         formulas = {"exact": Formula(_field(field))}
         found[key] = entry(key, name, symbol, unit, decimals, formulas, needs=needs)
     return found
@@ -98,7 +97,7 @@ class RotorRequest(Question):
     speed: Speed | None = None
     planar: bool = False
 
-    no_column = "there is no column beside the axes; add one, such as unbalance"
+    no_column = "there is no column beside the axes; add one, such as unbalance_kgm"
 
     def check(self) -> None:
         _ = self.lines
@@ -120,7 +119,7 @@ class RotorRequest(Question):
         )
 
     def missing(self, quantity: Quantity) -> str:
-        lacks = [_OF_PLANES] * (self.planar and quantity.key in ("plane", "moment", "moment_n"))
+        lacks = [_OF_PLANES] * (self.planar and quantity.key in ("plane_mm", "moment_kgm2", "moment_nm"))
         lacks += [_OF_SPEED] * (quantity.needs == _OF_SPEED and self.speed is None)
         if not lacks:
             return ""

@@ -9,9 +9,10 @@ from typing import Any, NamedTuple
 import flint
 
 from kurbel.books.formulas.form import Algebra, Form, Letters
-from kurbel.books.formulas.points import BITS, Balls, Series, at_points, cells, ends, order_of
-from kurbel.books.formulas.polynomial import Quotient, UnprovableError
+from kurbel.books.formulas.points import BITS, Balls, Series, at_points, cells, ends, is_moderate, order_of
+from kurbel.books.formulas.polynomial import Quotient
 from kurbel.books.formulas.proof import PARTS, Symbols
+from kurbel.books.formulas.work import MOST_AT_POINTS, MOST_OF_PROOFS, UnprovableError, Work
 from kurbel.exact.size import TooLargeError
 
 # How a formula follows from one before it: it begins; it is equal; it is so but for what the book neglects;
@@ -95,32 +96,49 @@ _OTHER = "other"
 _NOTHING = Form("0")
 
 
+class Works(NamedTuple):
+    """The work that is left of a step."""
+
+    proofs: Work
+    points: Work
+
+
 def found(step: Step) -> Finding:
-    """Return what the step is; of both signs the worse."""
+    """Return what the step is; of both signs the worse. What takes too much work is not settled."""
+    works = Works(Work(MOST_OF_PROOFS), Work(MOST_AT_POINTS))
     letters = step.letters()
     free = (letters | {_OTHER} if step.relation == SAME else letters) - {SIGN}
     if step.relation == ROOT:
         free -= {step.letter}
     signs = (1, -1) if SIGN in letters else (1,)
-    return max((_found(step, free, sign) for sign in signs), key=lambda one: KINDS.index(one.kind))
+    return max((_found(step, free, sign, works) for sign in signs), key=lambda one: KINDS.index(one.kind))
 
 
-def _found(step: Step, free: frozenset[str], sign: int) -> Finding:
-    if _proved(step, free, sign):
+def _found(step: Step, free: frozenset[str], sign: int, works: Works) -> Finding:
+    if _proved(step, free, sign, works.proofs):
         # Nothing is a multiple of every equation.
-        empty = step.relation == SAME and _proved(step._replace(before=_NOTHING, relation=EQUAL), free, sign)
+        nothing = step._replace(before=_NOTHING, relation=EQUAL)
+        empty = step.relation == SAME and _proved(nothing, free, sign, works.proofs)
         return Finding(UNSETTLED if empty else HOLDS)
+    try:
+        return _computed(step, free, sign, works)
+    except UnprovableError:
+        return Finding(UNSETTLED)
+
+
+def _computed(step: Step, free: frozenset[str], sign: int, works: Works) -> Finding:
+    """Return what the step is by its values at points. Raises UnprovableError for too much work."""
     if step.relation == SAME:
-        return Finding(OTHER if any(_other_roots(step, free - {_OTHER}, sign)) else UNSETTLED)
+        return Finding(OTHER if any(_other_roots(step, free - {_OTHER}, sign, works.points)) else UNSETTLED)
     if step.relation == NEARLY:
-        return _nearly(_order(step, free - {step.letter}, sign))
-    at_all = tuple(_at_points(step, free, sign))
+        return _nearly(_order(step, free - {step.letter}, sign, works.points))
+    at_all = tuple(_at_points(step, free, sign, works.points))
     apart = next((one for one in at_all if one.kind == WRONG), None)
     if apart is None:
         return at_all[0] if at_all else Finding(UNSETTLED)
     if step.relation == ROOT:
         return apart._replace(kind=NO_ROOT)
-    return _unequal(step, free, sign, apart)
+    return _unequal(step, free, sign, apart, works)
 
 
 def _nearly(order: int | None) -> Finding:
@@ -130,19 +148,19 @@ def _nearly(order: int | None) -> Finding:
     return Finding(ORDER, order=order) if order > 0 else Finding(FAR)
 
 
-def _unequal(step: Step, free: frozenset[str], sign: int, apart: Finding) -> Finding:
+def _unequal(step: Step, free: frozenset[str], sign: int, apart: Finding, works: Works) -> Finding:
     """Return what is to be said of two sides that differ at a point."""
-    order = _order(step, free - {step.letter}, sign) if step.letter else None
+    order = _order(step, free - {step.letter}, sign, works.points) if step.letter else None
     if order is not None and order > 0:
         return Finding(ONLY_NEARLY, order=order)
-    factor = _factor(step, free, sign, apart)
+    factor = _factor(step, free, sign, apart, works.proofs)
     return apart if factor is None else Finding(FACTOR, factor=factor)
 
 
-def _proved(step: Step, free: frozenset[str], sign: int, times: Fraction = Fraction(1)) -> bool:
+def _proved(step: Step, free: frozenset[str], sign: int, work: Work, times: Fraction = Fraction(1)) -> bool:
     """Return whether both sides, the first so many times, are the same quotient of polynomials."""
     for parts in PARTS:
-        symbols = Symbols(parts)
+        symbols = Symbols(parts, work)
         given = {name: symbols.letter() for name in sorted(free)}
         try:
             left, right = step.sides(symbols, {**given, SIGN: symbols.of(Fraction(sign))})
@@ -153,26 +171,26 @@ def _proved(step: Step, free: frozenset[str], sign: int, times: Fraction = Fract
     return False
 
 
-def _at_points(step: Step, free: frozenset[str], sign: int) -> Iterator[Finding]:
+def _at_points(step: Step, free: frozenset[str], sign: int, work: Work) -> Iterator[Finding]:
     """Yield for points whether the sides differ there for certain, or else agree."""
 
     def at(point: Point) -> Finding | None:
-        balls = Balls()
+        balls = Balls(work)
         given = {name: balls.of(value) for name, value in point.items()}
         left, right = step.sides(balls, {**given, SIGN: balls.of(Fraction(sign))})
         apart = left - right
-        if not apart.is_finite():
+        if not (is_moderate(left) and is_moderate(right)):
             return None
         return Finding(AGREES) if 0 in apart else Finding(WRONG, point=point, sides=(left, right))
 
     return at_points(free, at)
 
 
-def _other_roots(step: Step, free: frozenset[str], sign: int) -> Iterator[bool]:
+def _other_roots(step: Step, free: frozenset[str], sign: int, work: Work) -> Iterator[bool]:
     """Yield for points whether the first equation has a root where the second has none, for certain."""
 
     def at(point: Point) -> bool | None:
-        balls = Balls()
+        balls = Balls(work)
         given = {name: balls.of(value) for name, value in point.items()} | {SIGN: balls.of(Fraction(sign))}
 
         def value(form: Form, unknown: Any) -> Any:
@@ -188,11 +206,11 @@ def _other_roots(step: Step, free: frozenset[str], sign: int) -> Iterator[bool]:
     return at_points(free, at)
 
 
-def _order(step: Step, free: frozenset[str], sign: int) -> int | None:
+def _order(step: Step, free: frozenset[str], sign: int, work: Work) -> int | None:
     """Return the power of the small letter in the relative difference, None where none is found."""
 
     def at(point: Point) -> int | None:
-        series = Series()
+        series = Series(work)
         given = {name: series.of(value) for name, value in point.items()}
         try:
             left, right = step.sides(
@@ -206,7 +224,7 @@ def _order(step: Step, free: frozenset[str], sign: int) -> int | None:
     return min(at_points(free, at), default=None)
 
 
-def _factor(step: Step, free: frozenset[str], sign: int, apart: Finding) -> Fraction | None:
+def _factor(step: Step, free: frozenset[str], sign: int, apart: Finding, work: Work) -> Fraction | None:
     """Return how many times too great the formula is, if that is one simple number everywhere, by proof."""
     left, right = apart.sides
     with flint.ctx.workprec(BITS):
@@ -214,5 +232,5 @@ def _factor(step: Step, free: frozenset[str], sign: int, apart: Finding) -> Frac
             whole = (right * bottom / left).unique_fmpz() if 0 not in left else None
             if whole is not None and whole != 0:
                 factor = Fraction(int(whole), bottom)
-                return factor if _proved(step, free, sign, factor) else None
+                return factor if _proved(step, free, sign, work, factor) else None
     return None

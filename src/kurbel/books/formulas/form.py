@@ -15,20 +15,25 @@ from typing import Any, Protocol
 from kurbel.books.expression import UNREAD
 from kurbel.books.formulas.slope import Duals
 from kurbel.errors import NotationError
-from kurbel.reading.arithmetic import OPERATIONS, parsed
+from kurbel.reading.arithmetic import OPERATIONS, POWERS, parsed, wrong_power
 
 FUNCTIONS = ("sin", "cos", "tan", "cot", "sqrt", "ln", "arcsin", "arctan")
 PI, SLOPE = "pi", "slope"
-HIGHEST = 10
 # A slope in a slope doubles the work.
 MOST_SLOPES = 4
+# Operations that the value of a function costs.
+OF_FUNCTION = 5
 
 
 class Algebra(Protocol):
-    """Numbers that forms are evaluated on: of a fraction, pi, and the values of functions."""
+    """Numbers that forms are evaluated on: of a fraction, pi, and the values of functions.
+
+    So many operations are spent before they are done; too many are refused.
+    """
 
     @property
     def pi(self) -> Any: ...
+    def spend(self, operations: float) -> None: ...
     def of(self, value: Fraction) -> Any: ...
     def apply(self, function: str, value: Any) -> Any: ...
 
@@ -58,8 +63,10 @@ def _letters(tree: ast.expr, text: str) -> Iterator[str]:
                 yield name
         case ast.UnaryOp(op=ast.USub(), operand=inner):
             yield from _letters(inner, text)
-        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=power)) if power in range(HIGHEST):
+        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=power)) if power in POWERS:
             yield from _letters(left, text)
+        case ast.BinOp(op=ast.Pow(), right=ast.Constant(value=Fraction() as power)):
+            raise wrong_power(text, power)
         case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATIONS:
             yield from _letters(left, text)
             yield from _letters(right, text)
@@ -75,6 +82,7 @@ def _letters(tree: ast.expr, text: str) -> Iterator[str]:
 
 
 def _value(tree: ast.expr, letters: Letters) -> Any:
+    letters.algebra.spend(OF_FUNCTION if isinstance(tree, ast.Call) else 1)
     match tree:
         case ast.Constant(value=Fraction() as value):
             return letters.algebra.of(value)
@@ -84,6 +92,7 @@ def _value(tree: ast.expr, letters: Letters) -> Any:
             return -_value(inner, letters)
         case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=Fraction() as power)):
             base, product = _value(left, letters), letters.algebra.of(Fraction(1))
+            letters.algebra.spend(int(power))
             for _ in range(int(power)):
                 product = product * base
             return product

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from decimal import Decimal
 from fractions import Fraction
 from functools import cache, cached_property
 from itertools import chain
-from math import floor, log10
 from typing import Any, NamedTuple
+
+import flint
 
 from kurbel.books.formulas.equation import (
     AGREES,
@@ -27,7 +29,7 @@ from kurbel.books.formulas.equation import (
     WRONG,
 )
 from kurbel.books.formulas.lines import formula_lines, room_beside, word_lines
-from kurbel.books.formulas.points import POINTS
+from kurbel.books.formulas.points import BITS, POINTS
 from kurbel.books.formulas.table import Collated, FormulaTable
 from kurbel.books.verdict import ALL, DEVIATIONS, columns_or
 from kurbel.exact.numerals import Label, nearest, number_text
@@ -40,6 +42,10 @@ from kurbel.reading.given import choose
 KEYS = ("table", "place", "printed", "follows", "relation", "letter", "verdict", "detail")
 # Of the two sides at a point.
 FIGURES = 4
+# The power of ten of one that is written out.
+LONGEST = 6
+# Of sides that differ in later figures.
+ALIKE = "alike"
 WORDS: Mapping[str, Words] = {
     "place": words("Stelle|Place"),
     "printed": words("gedruckt|printed"),
@@ -50,6 +56,9 @@ WORDS: Mapping[str, Words] = {
     "detail": words("Einzelheit|detail"),
     "table": words("Tafel|Table"),
     "summary": words("{steps} Schritte: {verdicts}|{steps} steps: {verdicts}"),
+    "one": words("{steps} Schritt: {verdicts}|{steps} step: {verdicts}"),
+    "at": words("bei {point}|at {point}"),
+    "no_letter": words("ausgerechnet|worked out"),
     "proof": words(
         "bewiesen: beide Seiten sind derselbe Quotient von Polynomen in den Buchstaben, Sinus und Kosinus, "
         "$π$ und Logarithmen; Buchstaben sind positiv, $±$ gilt mit beiden Zeichen"
@@ -77,7 +86,14 @@ VERDICTS: Mapping[str, tuple[Words, Words]] = {
     FACTOR: (words("falsch|wrong"), words("falsch: {factor} mal so groß|wrong: {factor} times as great")),
     WRONG: (
         words("falsch|wrong"),
-        words("falsch: bei {point} wird {right}, nicht {left}|wrong: at {point} it is {right}, not {left}"),
+        words("falsch: {at} wird {right}, nicht {left}|wrong: {at} it is {right}, not {left}"),
+    ),
+    ALIKE: (
+        words("falsch|wrong"),
+        words(
+            "falsch: {at} sind beide Seiten etwa {left}, ihr Unterschied ist {apart}"
+            "|wrong: {at} both sides are about {left}, their difference is {apart}"
+        ),
     ),
     OTHER: (words("falsch|wrong"), words("falsch: eine andere Gleichung|wrong: another equation")),
     NO_ROOT: (
@@ -186,16 +202,25 @@ def _lines(one: Collated, printed: Sequence[Label], room: int, request: FormulaR
 def verdict_text(one: Collated, table: FormulaTable, lang: str) -> Label | None:
     """Return what is found of a formula, None of one that begins."""
     found = one.finding
-    if found.kind == STARTS:
+    kind = found.kind
+    if kind == STARTS:
         return None
     parts: dict[str, Label] = {"points": str(POINTS), "factor": f"${found.factor}$"}
     if found.order:
         parts["order"] = _power(table.letter_label(one.row.letter), found.order)
     if found.sides:
-        at = (f"${table.letter_label(name)} = {value}$" for name, value in found.point.items())
+        point = ", ".join(f"${table.letter_label(name)} = {value}$" for name, value in found.point.items())
         left, right = map(_figures, found.sides)
-        parts |= {"point": ", ".join(at), "left": left, "right": right}
-    return VERDICTS[found.kind][1][lang].format(**parts)
+        at = WORDS["at" if point else "no_letter"][lang].format(point=point)
+        parts |= {"at": at, "left": left, "right": right}
+        if kind == WRONG and left == right:
+            kind, parts["apart"] = ALIKE, _figures(_apart(*found.sides))
+    return VERDICTS[kind][1][lang].format(**parts)
+
+
+def _apart(left: Any, right: Any) -> Any:
+    with flint.ctx.workprec(BITS):
+        return abs(right - left)
 
 
 def _power(letter: Label, order: int) -> Label:
@@ -205,10 +230,13 @@ def _power(letter: Label, order: int) -> Label:
 
 
 def _figures(value: Any) -> Label:
-    """Return a ball, which is small, with so many figures."""
-    exact = Fraction(str(value.mid().str(60, radius=False)))
-    decimals = FIGURES if not exact else max(FIGURES - 1 - floor(log10(abs(exact))), 0)
-    return f"${number_text(nearest(exact, decimals))}$"
+    """Return a ball, which is small, with so many figures, and what is long or little by a power of ten."""
+    exact = Decimal(value.mid().str(60, radius=False))
+    if abs(exact.adjusted()) > LONGEST:
+        mantissa, _, power = f"{exact:.{FIGURES - 1}E}".partition("E")
+        return f"${mantissa} · 10^{int(power)}$" if int(power) >= 0 else f"${mantissa} · 10^({int(power)})$"
+    decimals = max(FIGURES - 1 - exact.adjusted(), 0) if exact else FIGURES
+    return f"${number_text(nearest(Fraction(exact), decimals))}$"
 
 
 @cache
@@ -238,7 +266,9 @@ def _notes(request: FormulaRequest) -> Iterator[Note]:
     found = [one.finding.kind for one in request.collated if one.finding.kind != STARTS]
     counted = Counter(VERDICTS[kind][0][lang] for kind in sorted(found, key=KINDS.index))
     verdicts = ", ".join(f"{count} {name}" for name, count in counted.items())
-    yield Note(WORDS["summary"][lang].format(steps=len(found), verdicts=verdicts))
+    yield Note(
+        WORDS["one" if len(found) == 1 else "summary"][lang].format(steps=len(found), verdicts=verdicts)
+    )
     yield from (Note(note) for note in request.table.notes[lang])
     yield Note(WORDS["proof"][lang])
     if {ORDER, ONLY_NEARLY} & {*found}:

@@ -11,7 +11,9 @@ from typing import Any
 import flint
 from flint import arb, arb_series
 
+from kurbel.books.formulas.work import Work
 from kurbel.exact.certify import ball
+from kurbel.exact.numerals import MOST_FIGURES
 
 BITS = 256
 # Letters are eighths up to 3/2: angles of the first quadrant, ratios on both sides of 1.
@@ -23,15 +25,25 @@ MOST_POINTS = 400
 CELLS = 96
 # Of a power series.
 TERMS = 12
+# What an operation with such a series costs, in those with balls.
+OF_SERIES = 10
+# Beyond this, numbers are not told apart.
+LARGEST = ball(Fraction(10**MOST_FIGURES))
 _NAMES = {"ln": "log", "arcsin": "asin", "arctan": "atan"}
 
 
 class Balls:
     """The algebra of balls."""
 
+    def __init__(self, work: Work) -> None:
+        self.work = work
+
     @cached_property
     def pi(self) -> arb:
         return arb.pi()
+
+    def spend(self, operations: float) -> None:
+        self.work.spend(operations)
 
     def of(self, value: Fraction) -> arb:
         return ball(value)
@@ -43,9 +55,15 @@ class Balls:
 class Series:
     """The algebra of power series in a small letter, with balls for coefficients."""
 
+    def __init__(self, work: Work) -> None:
+        self.work = work
+
     @cached_property
     def pi(self) -> arb_series:
         return self.constant(arb.pi())
+
+    def spend(self, operations: float) -> None:
+        self.work.spend(OF_SERIES * operations)
 
     def of(self, value: Fraction) -> arb_series:
         return self.constant(ball(value))
@@ -82,6 +100,11 @@ def at_points(letters: frozenset[str], value_at: Callable[[Mapping[str, Fraction
                 yield value
             if found == POINTS or (not letters and found):
                 return
+
+
+def is_moderate(value: arb) -> bool:
+    """Whether a ball is of a number that is computed: of so many figures, or places, at the most."""
+    return bool(abs(value) < LARGEST and (0 in value or abs(value) * LARGEST > 1))
 
 
 def cells() -> Iterator[arb]:

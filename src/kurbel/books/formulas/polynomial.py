@@ -11,23 +11,23 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import TypeAlias
 
+from kurbel.books.formulas.work import BITS_OF_PRODUCT, UnprovableError, Work
 from kurbel.exact.size import plus, times
 
 Monomial: TypeAlias = tuple[tuple[int, int], ...]
 Polynomial: TypeAlias = Mapping[Monomial, Fraction]
 ONE: Polynomial = {(): Fraction(1)}
-# Products of more terms take seconds, and there are many products.
-MOST_TERMS = 20_000
-
-
-class UnprovableError(ArithmeticError):
-    """What is not within reach of these proofs."""
+# Of a product of two terms.
+SHARE_OF_SUM = 0.3
+# So many letters of a monomial cost as much again.
+LETTERS = 8
 
 
 class Ring:
     """The letters by their numbers, and the rules for the squares of some."""
 
-    def __init__(self) -> None:
+    def __init__(self, work: Work) -> None:
+        self.work = work
         self.count = 0
         self.squares: dict[int, Polynomial] = {}
 
@@ -43,6 +43,7 @@ class Ring:
 
     def sum(self, one: Polynomial, other: Polynomial, factor: Fraction = Fraction(1)) -> Polynomial:
         """Return one plus the other, which is multiplied by a factor."""
+        self.work.spend(SHARE_OF_SUM * (len(one) + len(other)))
         total = dict(one)
         for monomial, coefficient in other.items():
             total[monomial] = plus(total.get(monomial, Fraction(0)), factor * coefficient)
@@ -50,8 +51,7 @@ class Ring:
 
     def product(self, one: Polynomial, other: Polynomial) -> Polynomial:
         """Return the product, reduced by the rules."""
-        if len(one) * len(other) > MOST_TERMS:
-            raise UnprovableError("too many terms")
+        self.work.spend(len(one) * len(other) * (_size(one) + _size(other)))
         total: dict[Monomial, Fraction] = {}
         for left, first in one.items():
             for right, second in other.items():
@@ -73,6 +73,15 @@ class Ring:
             for one, value in terms.items():
                 total[one] = plus(total.get(one, Fraction(0)), value)
         return {monomial: coefficient for monomial, coefficient in total.items() if coefficient}
+
+
+def _size(polynomial: Polynomial) -> float:
+    """Return what its longest term adds to the work of a product of two terms."""
+    longest = max(map(len, polynomial), default=0)
+    bits = max(
+        (one.numerator.bit_length() + one.denominator.bit_length() for one in polynomial.values()), default=0
+    )
+    return 0.5 + longest / LETTERS + bits / BITS_OF_PRODUCT
 
 
 def multiplied(one: Monomial, other: Monomial) -> Monomial:

@@ -18,10 +18,10 @@ from kurbel.books.formulas.polynomial import (
     Polynomial,
     Quotient,
     Ring,
-    UnprovableError,
     common,
     multiplied,
 )
+from kurbel.books.formulas.work import UnprovableError, Work
 
 Circle: TypeAlias = tuple[Quotient, Quotient]
 # Of a letter in an angle; halves and quarters of angles are in the books.
@@ -47,8 +47,8 @@ def square_root_in(number: int) -> int:
 class Symbols:
     """The algebra of quotients. `parts` is into how many parts the angles are divided."""
 
-    def __init__(self, parts: int) -> None:
-        self.ring = Ring()
+    def __init__(self, parts: int, work: Work) -> None:
+        self.ring = Ring(work)
         self.parts = parts
         self._positive: set[int] = set()
         self.pi = self.letter()
@@ -73,6 +73,9 @@ class Symbols:
         number = self.ring.letter()
         self._positive.add(number)
         return Quotient(self.ring, self.ring.power(number))
+
+    def spend(self, operations: float) -> None:
+        self.ring.work.spend(operations)
 
     def of(self, value: Fraction) -> Quotient:
         return Quotient(self.ring, {(): value} if value else {})

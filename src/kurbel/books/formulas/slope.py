@@ -32,12 +32,19 @@ class Dual:
         return Dual(quotient, (self.slope - quotient * other.slope) / other.value)
 
 
+# A product of such numbers has three of those that they are made of.
+PRODUCTS = 3
+
+
 class Duals:
     """The algebra of such numbers on another one."""
 
     def __init__(self, algebra: Any) -> None:
         self.algebra = algebra
         self.pi = self.constant(algebra.pi)
+
+    def spend(self, operations: float) -> None:
+        self.algebra.spend(PRODUCTS * operations)
 
     def constant(self, value: Any) -> Dual:
         return Dual(value, self.algebra.of(Fraction(0)))

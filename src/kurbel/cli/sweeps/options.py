@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from kurbel.cli.options import FileName, Option, Type, click_option, machine_option
+from kurbel.cli.options import FileName, Option, Type, click_option, machine_option, output_option
 from kurbel.commands import options as kinds
 from kurbel.commands.options import Parameter
 from kurbel.commands.subject import Command
@@ -68,8 +68,7 @@ def sweep_options() -> list[click.Parameter]:
         Option(["format", "-f", "--format"], metavar="FORM",
                help="parquet, arrow, csv, netcdf or zarr; default: by the suffix of -o, a folder such as out/"
                " for Parquet in partitions."),
-        Option(["output", "-o", "--output"], type=click.Path(), metavar="FILE",
-               help="File to write, whole or not at all: sweep.parquet."),
+        output_option("File to write, whole or not at all: sweep.parquet."),
         Option(["zip_", "--zip"], multiple=True, metavar="NAMES",
                help="Options that go through their values together, not each with each: eps,back."),
         Option(["--only"], multiple=True, metavar="CONDITION",

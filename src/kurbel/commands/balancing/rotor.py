@@ -91,7 +91,7 @@ def rotor_table(
             unit="m",
         ),
     ] = None,
-    columns: Annotated[option.Names, option.columns_option("rotor", "line,unbalance,angle")] = (),
+    columns: Annotated[option.Names, option.columns_option("rotor", "line,unbalance_kgm,angle")] = (),
     layout: Annotated[str, option.layout_option("rotor")] = "rotor",
     **given: Unpack[Paper],
 ) -> Question:
@@ -108,9 +108,9 @@ def rotor_table(
     kurbel rotor --masses 3kg --radii 2cm --angles 0 --planes 20cm --bearings '0;1m' --speed 900/min
     \f
     >>> import kurbel
-    >>> page = kurbel.rotor_table([3, 4], radii=0.1, angles=[0, 90], columns="line,unbalance,angle")
+    >>> page = kurbel.rotor_table([3, 4], radii=0.1, angles=[0, 90], columns="line,unbalance_kgm,angle")
     >>> print(kurbel.typeset(page, "csv"), end="")
-    line,unbalance,angle
+    line,unbalance_kgm,angle
     mass_1,0.3,0
     mass_2,0.4,90
     unbalance,0.50000,53.13
@@ -126,7 +126,7 @@ def rotor_table(
         places=_places(balance_planes, balance_radii, bearings),
         speed=None if speed is None else as_speed(speed),
         planar=planes is None,
-        columns=as_names(columns, "line,unbalance,angle"),
+        columns=as_names(columns, "line,unbalance_kgm,angle"),
         **sheet_of(given),
     )
 

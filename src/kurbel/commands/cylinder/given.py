@@ -1,7 +1,9 @@
 """A cylinder of an engine as it is given: in a machine's file, in a text, or in Python."""
 
-from collections.abc import Iterable, Mapping
-from typing import Annotated, Any, TypeAlias
+from collections.abc import Callable, Iterable, Mapping
+from copy import copy
+from os import PathLike
+from typing import Annotated, Any, TypeAlias, cast, get_args, get_type_hints
 
 from kurbel.commands.options import Kind, Option
 from kurbel.errors import NotationError
@@ -37,6 +39,21 @@ class OneCylinder(Kind):
         if not isinstance(value, Mapping):
             raise NotationError(f"{name} is {str(value)[:40]}; give each as a mapping, or as {EXAMPLE}")
         return _checked(dict(value))
+
+    def with_files(self, value: Mapping[str, Any], file: Callable[[Any], Any]) -> Mapping[str, Any]:
+        # A cylinder of a machine's file knows where it stands there.
+        found: Any = copy(value)
+        for name in _files() & value.keys():
+            named = value[name]
+            found[name] = file(named) if isinstance(named, str | PathLike) else [*map(file, named)]
+        return cast("Mapping[str, Any]", found)
+
+
+def _files() -> set[str]:
+    """Return the entries that name files."""
+    from kurbel.drive.sections import Cylinder, File, Files
+
+    return {name for name, kind in get_type_hints(Cylinder).items() if {File, Files} & {*get_args(kind)}}
 
 
 def _checked(entries: dict[str, Any]) -> Mapping[str, Any]:

@@ -117,7 +117,7 @@ def masses_notes(request: EngineRequest, lang: str) -> Iterator[Label]:
         yield weightless
 
 
-def _within(line: Label, lang: str) -> Label:
+def within(line: Label, lang: str) -> Label:
     """Return a line as it is within a sentence; the names of Otto and Diesel keep their capital."""
     return line if line.startswith(NAMES) else inner(line, lang)
 
@@ -136,6 +136,6 @@ def _said(part: Engine, first: int, lang: str) -> Iterator[Label]:
         yield load_text(part.steam, lang)
     lines = alone.words.lines(cast("EngineRequest", alone), lang)
     # What is assumed is said by an entry of the cylinder.
-    yield from (_within(unprompted(line), lang) for line in lines)
+    yield from (within(unprompted(line), lang) for line in lines)
     if alone.words.halved:
         yield WORDS["double" if part.double else "single"][lang]

@@ -14,7 +14,9 @@ from typing import NamedTuple
 from kurbel.engine.diagram.tokens import ANGLES, PI, Token, Tokens
 from kurbel.engine.diagram.waves import QUARTER, Waves
 from kurbel.errors import NotationError
+from kurbel.exact.size import TooLargeError
 from kurbel.reading import units
+from kurbel.reading.notation import quoted
 
 LONGEST_FORMULA = 1000
 MOST_WAVES, MOST_ORDER, MOST_POWER = 400, 200, 20
@@ -40,8 +42,11 @@ def torque_of(text: str, what: str = "torque") -> Waves:
             f"the formula of the {what} has {len(text)} characters; at most {LONGEST_FORMULA} are read"
         )
     reader = _Reader(text, what)
-    found = reader.sum()
-    return found.times(reader.unit())
+    try:
+        found = reader.sum()
+        return found.times(reader.unit())
+    except TooLargeError as error:
+        raise NotationError(f"the formula of the {what}, {quoted(text)}: {error}") from None
 
 
 class _Reader(Tokens):

@@ -26,7 +26,7 @@ from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decim
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
-from kurbel.reading.amounts import amount, unit_of_page
+from kurbel.reading.amounts import amount, digits, unit_of_page
 from kurbel.reading.units import Speed
 
 TORQUES, AREAS = "torques", "areas"
@@ -212,7 +212,7 @@ def _area_notes(question: AreasRequest) -> Iterator[Label]:
     if not areas.measured:
         times, unit = unit_of_page("J")
         pi = " π" if areas.scale.of_pi else ""
-        yield WORDS["scale"][lang].format(scale=f"{figure(times * areas.scale.energy)}{pi} {unit}")
+        yield WORDS["scale"][lang].format(scale=f"{digits(areas.scale.energy, times)}{pi} {unit}")
     yield from question.flywheel()
     yield from outcome(areas, question.speed, question.steady, lang)
 

@@ -73,8 +73,8 @@ WORDS = {
     "heat": words("Wärme $q = {heat} R T_1$|heat $q = {heat} R T_1$"),
     "exhaust": words("Auspuffdruck ${exhaust} p_1$|exhaust pressure ${exhaust} p_1$"),
     "four": words(
-        "Viertakt (--two-stroke), 0° im inneren Totpunkt bei der Zündung"
-        "|four-stroke (--two-stroke), 0° at the inner dead centre of firing"
+        "Viertakt (sonst --two-stroke), 0° im inneren Totpunkt bei der Zündung"
+        "|four-stroke (else --two-stroke), 0° at the inner dead centre of firing"
     ),
     "two": words(
         "Zweitakt, 0° im inneren Totpunkt bei der Zündung|two-stroke, 0° at the inner dead centre of firing"
@@ -86,7 +86,7 @@ KINDS = {
     DIFFERENTIAL: words("Differentialpumpe|differential"),
 }
 PUMPS = {
-    DOUBLE: words("Pumpe doppeltwirkend (--pump single)|Double-acting pump (--pump single)"),
+    DOUBLE: words("Pumpe doppeltwirkend (sonst --pump single)|Double-acting pump (else --pump single)"),
     SINGLE: words("Pumpe einfachwirkend|Single-acting pump"),
     DIFFERENTIAL: words("Differentialpumpe|Differential pump"),
 }

@@ -22,14 +22,6 @@ from kurbel.kernel.circle import Number
 from kurbel.kernel.steam import Expansion
 from kurbel.page.quantity import Quantity, words
 
-# What follows from the work alone, and not from how evenly it is done.
-KEYS = frozenset(
-    (
-        "work", "mean_pressure", "mean_pressure_kpa", "indicated_power", "volumetric_efficiency", "delivered",
-        "delivery", "efficiency", *(key for key, _, _ in stages.NAMES),
-    )
-)  # fmt: skip
-
 
 def work(turn: AnyTurn, where: Any) -> Number:
     """Return the work of all cylinders in a turn, in Q R, positive as done on the cranks."""

@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM, figure
+from kurbel.engine.axes import WORDS as AXES
+from kurbel.engine.axes import best_back
 from kurbel.engine.captions import DRIVEN
 from kurbel.engine.power.duty import Duty
 from kurbel.engine.power.source import Acting, GivenPressure
@@ -67,23 +69,11 @@ WORDS = {
         "; der schädliche Raum enthält noch Dampf vom Gegendruck $p_b$"
         "|; the clearance still keeps steam of the back pressure $p_b$"
     ),
-    "uncut": words("Volldruck über den ganzen Hub|Full pressure over the whole stroke"),
-    "mariotte": words("Expansion nach Mariotte (--exponent)|Expansion by Mariotte's law (--exponent)"),
-    "polytropic": words(
-        'Expansion nach $p V^n = "const"$, $n = {exponent}$|Expansion by $p V^n = "const"$, $n = {exponent}$'
-    ),
     "clearance": words(
         "schädlicher Raum $κ = {clearance}$ des Hubraumes|clearance $κ = {clearance}$ of the swept volume"
     ),
     "back": words("Gegendruck $p_b = {back} p$|back pressure $p_b = {back} p$"),
-    "best": words(
-        "Gegendruck $p_b$ gleich der Endspannung des Dampfes (--back)"
-        "|back pressure $p_b$ equal to the steam's at the end of the stroke (--back)"
-    ),
-    "single": words("einfachwirkend|single-acting"),
-    "double": words("doppeltwirkend (--single-acting)|double-acting (--single-acting)"),
     "ideal": words("ideales Diagramm (--diagram-factor)|ideal card (--diagram-factor)"),
-    "unclear": words("ohne schädlichen Raum (--clearance)|no clearance (--clearance)"),
     "card": words(
         "Druck aus dem Diagramm; gedruckt sind nur so viele Stellen, wie seine Punkte tragen"
         "|pressure from the card; only as many digits as its points support are printed"
@@ -158,20 +148,20 @@ def _steam_taken(source: Acting, duty: Duty, lang: str) -> Label:
 def _steam_lines(source: Acting, lang: str) -> Iterator[Label]:
     steam = source.load
     if steam.expansion == 1:
-        yield WORDS["uncut"][lang]
+        yield AXES["uncut"][lang]
     elif steam.exponent == 1:
-        yield WORDS["mariotte"][lang]
+        yield AXES["mariotte"][lang]
     else:
-        yield WORDS["polytropic"][lang].format(exponent=figure(steam.exponent))
+        yield AXES["polytropic"][lang].format(exponent=figure(steam.exponent))
     if steam.clearance:
         yield WORDS["clearance"][lang].format(clearance=figure(steam.clearance))
     elif steam.expansion != 1:
-        yield WORDS["unclear"][lang]
+        yield AXES["unclear"][lang]
     if steam.back is None:
-        yield WORDS["best"][lang]
+        yield best_back(steam, "p_b", "p", lang)
     else:
         yield WORDS["back"][lang].format(back=figure(steam.back))
-    yield WORDS["double" if source.engine.double else "single"][lang]
+    yield AXES["double" if source.engine.double else "single"][lang]
 
 
 def _lines(request: PowerRequest, lang: str) -> Iterator[Label]:
@@ -181,4 +171,4 @@ def _lines(request: PowerRequest, lang: str) -> Iterator[Label]:
     else:
         yield from request.words.lines(request, lang)
     if request.words.halved:
-        yield WORDS["double" if request.double else "single"][lang]
+        yield AXES["double" if request.double else "single"][lang]

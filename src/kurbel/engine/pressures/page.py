@@ -206,11 +206,13 @@ def _notes(question: PressuresRequest) -> Iterator[Label]:
         yield WORDS["driven"][lang]
     if pressed.engine is not None:
         from kurbel.engine.axes import engine_lines, load_text
-        from kurbel.engine.cylinders.words import Alone
+        from kurbel.engine.cylinders.words import Alone, within
 
         alone: Any = Alone(pressed.engine)
-        load = [load_text(pressed.engine.steam, lang)] if alone.words.captioned else []
-        yield "; ".join((*load, *engine_lines(alone, lang)))
+        lines = [*engine_lines(alone, lang)]
+        if alone.words.captioned:
+            lines = [load_text(pressed.engine.steam, lang), *(within(line, lang) for line in lines)]
+        yield "; ".join(lines)
     if pressed.heavy:
         rod = WORDS["rod"][lang] if known(pressed.crank.moving).rod is not None else ""
         bore = amount(known(pressed.bore), "mm")

@@ -24,10 +24,10 @@ WORDS = {
         "|$J ω (d ω)/(d φ) = (T - P ω^2/Ω^2) r$ in steady state, $Ω^2$ the mean of $ω^2$ over the angle"
     ),
     "letters": words(
-        "$v_1$ Kurbelgeschwindigkeit im inneren Totpunkt, $m_1 = J/r^2$ Schwungmasse am Kurbelhalbmesser $r$,"
+        "$v_1$ Kurbelgeschwindigkeit im inneren Totpunkt, $m_1 = J/r^2$ Schwungmasse {at_radius},"
         " $P$ mittlere Umfangskraft"
-        "|$v_1$ crank-pin velocity at the inner dead centre, $m_1 = J/r^2$ flywheel mass at the crank radius"
-        " $r$, $P$ mean tangential force"
+        "|$v_1$ crank-pin velocity at the inner dead centre, $m_1 = J/r^2$ flywheel mass {at_radius},"
+        " $P$ mean tangential force"
     ),
     "masses": words(
         "$1/2 (J + J_φ) ω^2 = 1/2 (J + J_0) ω_1^2 + W_p$; $J$ mit allem, was gleichförmig umläuft, $J_φ$ der"
@@ -72,7 +72,7 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     others = {"masses": heavy, "square_law": wheel.resistance == SQUARE}
     own = [law for law, holds in others.items() if holds]
     yield "; ".join([WORDS[law][lang] for law in own or laws])
-    yield WORDS["letters"][lang]
+    yield WORDS["letters"][lang].format(at_radius=captions.at_radius(request))
     if heavy:
         yield WORDS["even"][lang]
     keys = {column.key.rpartition("_")[2] for column in request.page_columns if "_" in column.key}

@@ -55,11 +55,12 @@ class _Matter:
 
     def notation(self) -> prose.Blocks:
         parts = [part for part in self.manifest.parts() if part.words]
-        rounding = next((str(part.options.get("rounding", "half-away")) for part in parts), "half-away")
+        books = {part.name for part in parts if part.words[0] in OF_BOOKS}
+        own = {name: about for name, about in self.abouts.items() if name not in books}
+        rounded = {name: about.rounding for name, about in own.items() if about.rounding}
         mark = self.document.decimal or DECIMAL_OF_LANGUAGE[self.lang]
-        books = any(part.words[0] in OF_BOOKS for part in parts)
         letters = (one for own in self.letters.values() for one in own)
-        return notation(letters, mark, rounding, books, self.lang)
+        return notation(letters, mark, rounded, bool(books), self.lang)
 
     def symbols(self) -> prose.Blocks:
         return symbols(self.letters, self.lang, "notation" if "notation" in self.manifest.matter else "")

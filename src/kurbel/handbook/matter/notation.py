@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from kurbel.documents import prose
 from kurbel.documents.markdown import parse_prose
@@ -31,16 +31,19 @@ DIRECTIONS = {
 }
 
 
-def notation(letters: Iterable[Letter], mark: str, rounding: str, books: bool, lang: str) -> prose.Blocks:
+def notation(
+    letters: Iterable[Letter], mark: str, rounded: Mapping[str, str], books: bool, lang: str
+) -> prose.Blocks:
     """Return the page: the directions are those of the letters that the handbook prints.
 
-    `mark` is the decimal mark; with `books` there are printed values of books.
+    `mark` is the decimal mark, `rounded` has the rounding of tables by their names; with `books` there are
+    printed values of books.
     """
     with open(os.path.join(os.path.dirname(__file__), f"notation.{lang}.md"), encoding="utf-8") as file:
         text = file.read()
     text = text.format(
         mark=MARKS[lang][DECIMALS.get(mark, mark)],
-        rounding=ROUNDINGS[rounding][lang],
+        rounding=_rounding(rounded, lang),
         books=BOOKS[lang] if books else "",
     )
     drive = (_line(symbol, said[lang]) for symbol, said in LETTERS.items())
@@ -49,6 +52,16 @@ def notation(letters: Iterable[Letter], mark: str, rounding: str, books: bool, l
     if directions:
         blocks += (*parse_prose(DIRECTIONS[lang]), _list(map(_item, directions)))
     return blocks
+
+
+def _rounding(rounded: Mapping[str, str], lang: str) -> str:
+    """Return how most tables are rounded, and those that are not so."""
+    usual, *others = [one for one, _ in Counter(rounded.values()).most_common()] or ["half-away"]
+    said = [ROUNDINGS[usual][lang]]
+    for other in others:
+        tables = ", ".join(f"[](#{name})" for name, one in rounded.items() if one == other)
+        said.append(f"in {tables} {ROUNDINGS[other][lang]}")
+    return "; ".join(said)
 
 
 def terse(caption: Label, lang: str) -> Label:

@@ -17,7 +17,7 @@ from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.linkage.quantities import FORCE
 from kurbel.linkage.question import LinkageRequest, captioned, force_lines
 from kurbel.motion.captions import WORDS as MOTION_WORDS
-from kurbel.motion.captions import digits_text
+from kurbel.motion.captions import digits_text, direction_notes
 from kurbel.motion.evaluation import LOADED, OUT, RETURN
 from kurbel.page.quantity import Words, filled, words
 from kurbel.reading.notation import ratio_text
@@ -92,8 +92,8 @@ class Speech:
 
     def notes(self, request: LinkageRequest) -> Iterator[Label]:
         """Yield the lines below the table: formulas, and what each drive does between its dead centres."""
-        yield from self._formula_lines(request)
-        yield from force_lines(request, self.words["force"], self.words)
+        forces = force_lines(request, self.words["force"], self.words)
+        yield from dict.fromkeys((*self._formula_lines(request), *forces))
         yield from self.held(
             request.drives[0].crank, [one.quantity.key for one in request.page_columns], request.lang
         )
@@ -157,11 +157,12 @@ class Speech:
             closure = _lettered(_signed(CLOSURE, strokes, side), request.drives[0])
             yield self.words["closure"][lang].format(closure=closure)
         if shown:
-            forces = all(one.of == FORCE for one, _ in shown)
-            yield self.words["angles"][lang] + ("" if forces else self.words["radians"][lang])
-            turning = (one.direction[lang] for one, _ in shown if one.of != FORCE and one.direction)
-            if said := "; ".join(dict.fromkeys(turning)):
-                yield said
+            arcs = any(one.symbol == "$x$" for one, _ in shown)
+            yield self.words["angles"][lang] + (self.words["radians"][lang] if arcs else "")
+            turning = [column for column in columns if column.quantity.of != FORCE]
+            if said := [one.quantity.direction[lang] for one in turning if one.quantity.direction]:
+                yield "; ".join(dict.fromkeys(said))
+                yield from direction_notes(request, turning)
         if RETURN in strokes:
             yield MOTION_WORDS["offset_return"][lang].replace("{angle}", request.layout.angle_symbol)
         if shown and len(strokes) > 1:

@@ -16,6 +16,7 @@ from contextlib import contextmanager, suppress
 from functools import partial
 from importlib.util import find_spec
 from queue import Empty, SimpleQueue
+from socket import create_connection
 from time import monotonic, sleep
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -189,6 +190,8 @@ def connected(scheduler: str) -> Client:
         with warnings.catch_warnings(action="ignore"):
             return Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError) as error:
+        if _listens(address):
+            raise _stranger(scheduler, f"has not greeted as a scheduler within {PATIENCE} s") from error
         raise FailedError(
             f"no scheduler answered at {scheduler} within {PATIENCE} s; start one by: dask scheduler"
         ) from error
@@ -214,11 +217,26 @@ async def _greet(address: str, scheduler: str) -> None:
     if error := greeting.exception():
         if isinstance(error, OSError):
             raise error
-        raise FailedError(
-            f"what answers at {scheduler} is no scheduler; name the port that dask scheduler prints, 8786 if"
-            " it is given no other"
-        ) from error
+        raise _stranger(scheduler, "is no scheduler") from error
     greeting.result().abort()
+
+
+def _listens(address: str) -> bool:
+    """Whether anybody can be reached at an address, also one who never greets as a scheduler does."""
+    from distributed.comm import get_address_host_port
+
+    try:
+        with create_connection(get_address_host_port(address), PATIENCE):
+            return True
+    except (OSError, ValueError):
+        return False
+
+
+def _stranger(scheduler: str, why: str) -> FailedError:
+    return FailedError(
+        f"what answers at {scheduler} {why}; name the port that dask scheduler prints, 8786 if it is given no"
+        " other"
+    )
 
 
 def _noted(file: str) -> str:

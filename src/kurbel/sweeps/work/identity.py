@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -27,35 +28,40 @@ def files_of(plan: Plan) -> dict[str, str]:
 
     What is not there has none, and is refused when it is read.
     """
-    names = _file_options(plan)
-    given = [value for name, value in plan.given.items() if name in names and value]
-    given += [one for group in plan.groups for axis in group if axis.option in names for one in axis.values]
-    return {path: content_of(path) for path in map(os.path.abspath, given)}
+    found: list[Any] = []
+    _with_files(plan, found.append)
+    return {path: content_of(path) for path in map(os.path.abspath, found)}
 
 
 def grounded(plan: Plan) -> Plan:
     """Return the plan with files that count from the folder of this process, wherever it goes."""
-    names = _file_options(plan)
 
-    def absolute(name: str, value: Any) -> Any:
-        if name not in names or not value:
-            return value
+    def absolute(value: Any) -> File:
         if isinstance(value, File):
             return File(value.name, os.path.abspath(value.folder), value.inside)
         return File(os.fspath(value), os.getcwd())
 
+    return _with_files(plan, absolute)
+
+
+def _with_files(plan: Plan, file: Callable[[Any], Any]) -> Plan:
+    """Return the plan with what `file` makes of each file that its options name."""
+    kinds = {one.name: one.option.kind for one in plan.asking.parameters.values()}
+
+    def named(name: str, value: Any) -> Any:
+        if isinstance(value, list | tuple):
+            return [named(name, one) for one in value]
+        return kinds[name].with_files(value, file) if value and name in kinds else value
+
     return replace(
         plan,
-        given={name: absolute(name, value) for name, value in plan.given.items()},
+        given={name: named(name, value) for name, value in plan.given.items()},
         groups=tuple(
             tuple(
-                Axis(name, [absolute(name, one) for one in values] if name in names else values)
+                # Other values may be a run that is never written out.
+                Axis(name, named(name, [*values])) if kinds.get(name) is FILE else Axis(name, values)
                 for name, values in group
             )
             for group in plan.groups
         ),
     )
-
-
-def _file_options(plan: Plan) -> set[str]:
-    return {one.name for one in plan.asking.parameters.values() if one.option.kind is FILE}
