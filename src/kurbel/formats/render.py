@@ -138,12 +138,12 @@ def has_template(folders: Sequence[str], template: str) -> bool:
 
 
 def folders_of(*folders: str | None, pages: bool = True) -> Folders:
-    """Return those of a user's folders that have templates, whole paths.
+    """Return those of a user's folders that have templates.
 
     Raises LayoutError for one that is none, or has a template for nothing; where no pages are set nobody
     knows all layouts.
     """
-    given = dict.fromkeys(os.path.abspath(folder) for folder in folders if folder)
+    given = dict.fromkeys(filter(None, folders))
     if not given:
         return ()
     from kurbel.formats.folder import check_layouts, has_templates
