@@ -27,10 +27,14 @@ def test_the_lowest_versions_suffice(tmp_path: Path) -> None:
     lowest, python = tmp_path / "lowest.txt", tmp_path / "environment" / "bin" / "python"
     project = str(ROOT / "pyproject.toml")
 
+    # As pip does, it trusts whom the system trusts.
+    trusting = os.environ | {"UV_SYSTEM_CERTS": "true", "UV_NATIVE_TLS": "true"}
+
     def uv(*words: str) -> None:
         done = subprocess.run(
-            [sys.executable, "-m", "uv", *words], cwd=ROOT, capture_output=True, text=True, check=False
-        )
+            [sys.executable, "-m", "uv", *words],
+            cwd=ROOT, env=trusting, capture_output=True, text=True, check=False,
+        )  # fmt: skip
         assert done.returncode == 0, done.stderr
 
     # What needs a compiler is not for users; the tools of the tests themselves may be as new as they are.
