@@ -1,0 +1,134 @@
+"""Truncated Taylor series: a value with its slopes, so that nothing is differentiated by hand.
+
+The coefficients are numbers, or series in another variable.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from math import factorial
+from typing import Any
+
+from kurbel.verify.numbers import Number, number, sine_cosine
+
+# A number or a series of numbers.
+Coefficient = Any
+
+
+class Jet:
+    """c₀ + c₁ h + c₂ h² + ..., as far as it goes."""
+
+    __slots__ = ("terms",)
+
+    def __init__(self, terms: Sequence[Coefficient]) -> None:
+        self.terms = tuple(terms)
+
+    @property
+    def value(self) -> Coefficient:
+        return self.terms[0]
+
+    def slope(self, order: int = 1) -> Coefficient:
+        """The derivative of this order: k! times the coefficient."""
+        return self.terms[order] * factorial(order)
+
+    def derived(self) -> Jet:
+        return Jet([k * one for k, one in enumerate(self.terms)][1:])
+
+    def at(self, h: Number) -> Coefficient:
+        total = self.terms[-1]
+        for one in reversed(self.terms[:-1]):
+            total = total * h + one
+        return total
+
+    def _like(self, other: Any) -> Jet:
+        """A number as a series that does not change, or a series in φ as one in λ."""
+        if _depth(other) == _depth(self):
+            return other
+        zero = self.terms[0] * 0
+        return Jet([zero + other, *(zero for _ in self.terms[1:])])
+
+    def __add__(self, other: Any) -> Jet:
+        if _depth(other) > _depth(self):
+            return other._like(self) + other
+        return Jet([a + b for a, b in zip(self.terms, self._like(other).terms, strict=False)])
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Jet:
+        return Jet([-one for one in self.terms])
+
+    def __sub__(self, other: Any) -> Jet:
+        return self + -other
+
+    def __rsub__(self, other: Any) -> Jet:
+        return -self + other
+
+    def __mul__(self, other: Any) -> Jet:
+        if _depth(other) < _depth(self):
+            return Jet([one * other for one in self.terms])
+        if _depth(other) > _depth(self):
+            return other * self
+        a, b = self.terms, other.terms
+        return Jet([_sum(a[i] * b[k - i] for i in range(k + 1)) for k in range(min(len(a), len(b)))])
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Jet:
+        if _depth(other) < _depth(self):
+            return Jet([one / other for one in self.terms])
+        found: list[Coefficient] = []
+        for k in range(min(len(self.terms), len(other.terms))):
+            rest = self.terms[k]
+            for i in range(k):
+                rest = rest - found[i] * other.terms[k - i]
+            found.append(rest / other.terms[0])
+        return Jet(found)
+
+    def __rtruediv__(self, other: Any) -> Jet:
+        return self._like(other) / self
+
+    def root(self) -> Jet:
+        """r with r² = self: 2 r₀ r_k is what the lower ones leave of the coefficient."""
+        found = [self.terms[0].root()]
+        for k in range(1, len(self.terms)):
+            rest = self.terms[k]
+            for i in range(1, k):
+                rest = rest - found[i] * found[k - i]
+            found.append(rest / (2 * found[0]))
+        return Jet(found)
+
+
+def _depth(one: Any) -> int:
+    return 1 + _depth(one.terms[0]) if isinstance(one, Jet) else 0
+
+
+def _sum(terms: Any) -> Coefficient:
+    total, *rest = terms
+    for one in rest:
+        total = total + one
+    return total
+
+
+def turning(degrees: Fraction, order: int, reach: Fraction = Fraction(0)) -> tuple[Jet, Jet]:
+    """Return cosine and sine of an angle with their slopes by it in radians: each is the other's."""
+    return turned_by(*sine_cosine(degrees, reach), order)
+
+
+def turned_by(sine: Number, cosine: Number, order: int) -> tuple[Jet, Jet]:
+    """The same of an angle whose sine and cosine are known."""
+    around = [cosine, -sine, -cosine, sine]
+    return (
+        Jet([around[k % 4] / factorial(k) for k in range(order + 1)]),
+        Jet([around[(k - 1) % 4] / factorial(k) for k in range(order + 1)]),
+    )
+
+
+def slope_of_angle(x: Jet, y: Jet) -> Jet:
+    """The slope of the angle of (x, y), in radians: (x y' - y x')/(x² + y²)."""
+    return (x * y.derived() - y * x.derived()) / (x * x + y * y)
+
+
+def variable(order: int) -> Jet:
+    """The variable itself, about 0."""
+    return Jet([number(int(k == 1)) for k in range(order + 1)])

@@ -1,0 +1,299 @@
+"""What presses on a piston over the share of its stroke that is gone: steam, air, water and gas cycles.
+
+A pressure is constant, or follows p Vⁿ = const, from corner to corner. Both have closed antiderivatives:
+∫ ds = s, and with V = a ± s, dV = ± ds,
+
+    ∫ k (g/V)ⁿ ds = ± k gⁿ V^(1 - n)/(1 - n),    for n = 1  ± k g log V,
+
+for the slopes of these by s are the pressures again. Values, slopes and integrals are enclosed throughout;
+where an interval holds a corner they are the hull of what either side gives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from kurbel.errors import ProblemError
+from kurbel.verify.numbers import Number, Undecided, number, pi, spread
+
+# Typed: a fraction or a decimal.
+Given = Any
+# Intervals wider than this are passed through what is monotone by their ends.
+WIDE = Fraction(1, 2**30)
+
+
+@dataclass(frozen=True)
+class Piece:
+    """k (g/(a + σ s))ⁿ, or the constant k where σ is 0."""
+
+    height: Number
+    grown: Number
+    room: Number
+    sense: int
+    exponent: Fraction
+
+    def value(self, share: Number) -> Number:
+        if not self.sense:
+            return self.height
+        return monotone(lambda at: self.height * (self.grown / self._volume(at)).power(self.exponent), share)
+
+    def slope(self, share: Number) -> Number:
+        """d/ds k (g/V)ⁿ = -n σ k (g/V)ⁿ/V."""
+        if not self.sense:
+            return number(0)
+        factor = -self.exponent * self.sense
+        return monotone(lambda at: self.value(at) / self._volume(at) * factor, share)
+
+    def integral(self, low: Number, high: Number) -> Number:
+        """∫ from one share to another."""
+        if not self.sense:
+            return self.height * (high - low)
+        begin, end = self._volume(low), self._volume(high)
+        if self.exponent == 1:
+            return self.height * self.grown * (end / begin).log() * self.sense
+        left = 1 - self.exponent
+        ends = [one * (self.grown / one).power(self.exponent) for one in (begin, end)]
+        return self.height * (ends[1] - ends[0]) / (left * self.sense)
+
+    def _volume(self, share: Number) -> Number:
+        return self.room + share * self.sense
+
+
+@dataclass(frozen=True)
+class Pressure:
+    """Pieces with the share at which each ends, the last at 1; the pressure does not leap between them."""
+
+    pieces: tuple[tuple[Number, Piece], ...]
+
+    def value(self, share: Number) -> Number:
+        return hull([piece.value(part) for piece, part in self._touched(share)])
+
+    def slope(self, share: Number) -> Number:
+        return hull([piece.slope(part) for piece, part in self._touched(share)])
+
+    def integral(self, share: Number) -> Number:
+        """∫ from 0 to a share."""
+        done, begin, found = number(0), number(0), []
+        for end, piece in self.pieces:
+            try:
+                side = (share - end).sign()
+            except Undecided:
+                found.append(done + piece.integral(begin, share))
+                side = 1
+            if side <= 0:
+                found.append(done + piece.integral(begin, share))
+                break
+            done, begin = done + piece.integral(begin, end), end
+        else:
+            found.append(done)
+        return hull(found)
+
+    def _touched(self, share: Number) -> list[tuple[Piece, Number]]:
+        """The pieces on which a share, or part of an interval of shares, may lie."""
+        found: list[tuple[Piece, Number]] = []
+        begin = number(0)
+        for end, piece in self.pieces:
+            last = end is self.pieces[-1][0]
+            side = -1 if last else _side(share, end)
+            if side <= 0:
+                found.append((piece, _within(share, begin, end) if found or side == 0 or last else share))
+            if side < 0:
+                break
+            begin = end
+        return found
+
+
+@dataclass(frozen=True)
+class Stroke:
+    """The net force on the piston in its direction of travel: pressures times areas."""
+
+    sides: tuple[tuple[Fraction, Pressure], ...] = ()
+
+    def force(self, share: Number) -> Number:
+        return self._sum(lambda one: one.value(share))
+
+    def slope(self, share: Number) -> Number:
+        return self._sum(lambda one: one.slope(share))
+
+    def work(self, share: Number) -> Number:
+        """∫ of the force from the beginning of the stroke to a share."""
+        return self._sum(lambda one: one.integral(share))
+
+    def _sum(self, of: Callable[[Pressure], Number]) -> Number:
+        return sum((of(pressure) * area for area, pressure in self.sides), number(0))
+
+
+Load = Callable[[], tuple[Stroke, ...]]
+
+
+def _side(share: Number, end: Number) -> int:
+    """-1 where a share is before the corner or at it, 1 beyond, 0 where that is not known."""
+    try:
+        return 1 if (share - end).sign() > 0 else -1
+    except Undecided:
+        return 0
+
+
+def _within(share: Number, low: Number, high: Number) -> Number:
+    """The part of an interval of shares that lies on a piece."""
+    if share.exact is not None:
+        return share
+    begin, end = max(share.low, low.low), min(share.high, high.high)
+    return spread(begin, end) if begin <= end else share
+
+
+def hull(numbers: list[Number]) -> Number:
+    """Return an enclosure of all of them."""
+    if len(numbers) == 1:
+        return numbers[0]
+    return spread(min(one.low for one in numbers), max(one.high for one in numbers))
+
+
+def monotone(function: Callable[[Number], Number], at: Number) -> Number:
+    """Return the function of an interval in which it rises or falls throughout: by the ends."""
+    if at.exact is not None or at.high - at.low < WIDE:
+        return function(at)
+    return hull([function(number(one)) for one in (at.low, at.high)])
+
+
+def constant(height: Number | Fraction | int) -> Pressure:
+    return Pressure(((number(1), _level(height)),))
+
+
+def _level(height: Number | Fraction | int) -> Piece:
+    return Piece(number(height), number(1), number(1), 0, Fraction(1))
+
+
+def disc(bore: Given) -> Number:
+    """π/4 d²."""
+    return pi() / 4 * (Fraction(bore) * Fraction(bore))
+
+
+def steam(
+    eps: Given,
+    *,
+    back: Given | None = None,
+    exponent: Given = 1,
+    clearance: Given = 0,
+    single_acting: bool = False,
+    bore: Given = 1,
+    piston_rod: Given = 0,
+    tail_rod: Given = 0,
+) -> Load:
+    """Full pressure, 1, up to the cut-off after 1/ε of the stroke, then expansion with the clearance.
+
+    Without a back pressure it is that of the steam at the end of the stroke. The tail rod takes of the area
+    on which the steam drives the outstroke, the piston rod of the other; a single-acting engine has no force
+    on the return.
+    """
+    cut, room, power = 1 / Fraction(eps), Fraction(clearance), Fraction(exponent)
+    head, crank = (1 - (Fraction(one) / Fraction(bore)) ** 2 for one in (tail_rod, piston_rod))
+
+    def pressures() -> tuple[Stroke, ...]:
+        expanding = Piece(number(1), number(cut + room), number(room), 1, power)
+        pieces = [(number(cut), _level(1)), (number(1), expanding)]
+        driving = Pressure(tuple(pieces if cut < 1 else pieces[:1]))
+        behind = driving.value(number(1)) if back is None else number(Fraction(back))
+        against = constant(behind)
+        out = Stroke(((head, driving), (-crank, against)))
+        return out, Stroke() if single_acting else Stroke(((crank, driving), (-head, against)))
+
+    return pressures
+
+
+def compressor(
+    ratio: Given,
+    *,
+    exponent: Given = 1,
+    clearance: Given = 0,
+    suction_loss: Given = 0,
+    delivery_loss: Given = 0,
+    single_acting: bool = False,
+    other: Given = 1,
+) -> Load:
+    """In suction pressures. Behind the piston what the clearance holds expands down to suction, before it
+    the air is compressed up to delivery; single-acting, `other` presses on the other face."""
+    low, high = 1 - Fraction(suction_loss), Fraction(ratio) * (1 + Fraction(delivery_loss))
+    room, power = Fraction(clearance), Fraction(exponent)
+    whole = 1 + room
+
+    def pressures() -> tuple[Stroke, ...]:
+        grown = number(high / low).power(1 / power)
+        coming = Pressure(
+            (
+                (whole - whole / grown, Piece(number(low), number(whole), number(whole), -1, power)),
+                (number(1), _level(high)),
+            )
+        )
+        leaving = constant(low)
+        if room:
+            expanding = Piece(number(high), number(room), number(room), 1, power)
+            leaving = Pressure((((grown - 1) * room, expanding), (number(1), _level(low))))
+        one = Fraction(1)
+        if not single_acting:
+            return (Stroke(((one, leaving), (-one, coming))),) * 2
+        face = constant(Fraction(other))
+        return Stroke(((one, leaving), (-one, face))), Stroke(((one, face), (-one, coming)))
+
+    return pressures
+
+
+def pump(kind: str = "double", *, suction: Given = 0, delivery: Given = 1, small_area: Given = "1/2") -> Load:
+    """In the difference of delivery and suction, which count from the other face. The double pump lifts on
+    both strokes; the single one sucks on the outstroke and delivers on the return; of the differential one
+    a small area on the other side is open to the delivery."""
+    if kind not in ("double", "single", "differential"):
+        raise ProblemError(f'there is no pump "{kind}"')
+    span = Fraction(delivery) - Fraction(suction)
+    low, high = Fraction(suction) / span, Fraction(delivery) / span
+    ring = Fraction(small_area) * high if kind == "differential" else Fraction(0)
+    forces = (Fraction(-1),) * 2 if kind == "double" else (low - ring, ring - high)
+    return lambda: tuple(Stroke(((one, constant(1)),)) for one in forces)
+
+
+def gas(
+    compression: Given,
+    *,
+    cycle: str = "otto",
+    exponent: Given = "1.4",
+    expansion_exponent: Given | None = None,
+    peak: Given | None = None,
+    cut_off: Given = 1,
+    heat: Given | None = None,
+    exhaust: Given = 1,
+    two_stroke: bool = False,
+) -> Load:
+    """In suction pressures, which press on the other face as well: expansion, exhaust, suction and
+    compression; of two strokes the first and the last.
+
+    Up to the peak heat is supplied at one volume, beyond it at one pressure until the volume has grown
+    `cut_off` times. With γ the exponent of compression, Δp (V) at one volume takes V Δp/(γ - 1) and ΔV at one
+    pressure γ p ΔV/(γ - 1); the charge of volume 1 + c at 1 takes `heat` (1 + c) in all.
+    """
+    squeeze, power = Fraction(compression), Fraction(exponent)
+    room, outward = 1 / (squeeze - 1), Fraction(expansion_exponent or exponent)
+    whole = 1 + room
+
+    def pressures() -> tuple[Stroke, ...]:
+        squeezed = number(squeeze).power(power)
+        top, burnt = number(Fraction(peak)) if peak is not None else squeezed, number(Fraction(cut_off))
+        if heat is not None:
+            supplied = Fraction(heat) * whole * (power - 1) / room
+            top = squeezed + supplied if cycle == "otto" else top
+            burnt = 1 + (supplied - (top - squeezed)) / (top * power) if cycle != "otto" else number(1)
+        volume = burnt * room
+        expanding = Piece(top, volume, number(room), 1, outward)
+        pieces = [(volume - room, _level(top)), (number(1), expanding)]
+        driving = Pressure(tuple(pieces[1:] if burnt.rational == 1 else pieces))
+        pressed = Pressure(((number(1), Piece(number(1), number(whole), number(whole), -1, power)),))
+        one = Fraction(1)
+        face = (one, constant(1))
+        first, last = Stroke(((one, driving), (-one, constant(1)))), Stroke((face, (-one, pressed)))
+        if two_stroke:
+            return first, last
+        return first, Stroke(((1 - Fraction(exhaust), constant(1)),)), Stroke(), last
+
+    return pressures
