@@ -11,7 +11,7 @@ IN_PARALLEL := -n 2 --dist loadfile
 RELEASE = $(shell sed -n '/^\#\# [0-9.]* ([0-9-]*)$$/{p;q;}' CHANGELOG.md)
 
 .DEFAULT_GOAL := help
-.PHONY: help demo handbook test test-all check bench peers docs links playground golden same tools clean
+.PHONY: help demo handbook test test-all check bench peers docs links playground golden same mutants tools clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -85,6 +85,9 @@ same: $(DEV) ## compare what the command lines of scripts/corpus print with the 
 	PYTHONPATH=$(CURDIR)/build/base/src $(BIN)/python scripts/same_bytes.py record build/base.jsonl --only '$(ONLY)'
 	$(BIN)/python scripts/same_bytes.py record build/now.jsonl --only '$(ONLY)'
 	$(BIN)/python scripts/same_bytes.py compare build/base.jsonl build/now.jsonl
+
+mutants: $(DEV) ## put N=300 faults into the code, drawn by SEED=1, and tell which of them no test sees
+	$(BIN)/python scripts/mutants.py $(or $(N),300) --seed $(or $(SEED),1)
 
 tools: $(DEV) ## install TeX, Chromium, poppler, fish, axe and veraPDF, which some tests need (Debian, as root)
 	sh scripts/debian-tools.sh
