@@ -18,7 +18,6 @@ from kurbel.kernel import harmonics
 from kurbel.kernel.harmonics import Term
 
 MOST_ORDERS = 100
-MOST_TERMS = 100
 
 
 class Harmonic(NamedTuple):
@@ -52,9 +51,6 @@ def series(harmonic: Harmonic, order: int, terms: int) -> tuple[Term, ...]:
 
     Fewer where there are no more; none of an odd order above 1.
     """
-    check_order(order)
-    if not 1 <= terms <= MOST_TERMS:
-        raise ProblemError(f"{terms} terms were asked for; 1 to {MOST_TERMS} are given")
     factor = harmonic.factor(order)
     shares = harmonics.path_series(order, terms) if factor else ()
     return tuple(Term(power, factor * coefficient) for power, coefficient in shares)
@@ -92,7 +88,6 @@ def certified(
     1975, chapters II and III). An algebraic A_2m would relate them unless a = b = 0, but the terms of its
     power series have one sign.
     """
-    check_order(order)
     check_straight(crank)
     exact = rational(harmonic, order, crank, method)
     if exact is not None:
@@ -102,12 +97,6 @@ def certified(
         return harmonic.value(order, ball(crank.ratio))
 
     return Number(rounded(value, decimals, rounding, NEVER_TIES), decimals)
-
-
-def check_order(order: int) -> None:
-    """Raise ProblemError unless the order is one of 0..MOST_ORDERS."""
-    if not 0 <= order <= MOST_ORDERS:
-        raise ProblemError(f"harmonic of order {order} was asked for; orders 0 to {MOST_ORDERS} are given")
 
 
 def printed_orders(harmonic: Harmonic, last: int) -> tuple[int, ...]:

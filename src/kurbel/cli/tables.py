@@ -9,7 +9,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import replace
-from itertools import chain
+from itertools import chain, islice
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
@@ -297,8 +297,11 @@ def _check_able(given: Given, chosen: Format, option: str, fact: str) -> None:
 def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:
     from kurbel.formats.render import whole_file
 
-    # The first piece is made before the file is opened, so that bad input leaves no trace.
+    # The first piece is made before the file is opened, so that bad input leaves no trace; that of records
+    # is their heads alone.
     first = next(pieces)
+    if rows:
+        pieces = chain([*islice(pieces, 1)], pieces)
     if output == "-" and sys.stdout.isatty():
         show(chain([first], pieces), has_words=not rows)
         return

@@ -29,6 +29,8 @@ OF_EFFORT = ("tangential", "torque")
 OF_RUNS = ("speed", "evenness")
 FIRST_ORDER = words("erste Ordnung nach Weisbach|first order by Weisbach")
 DRIVEN = words("der Arbeitsmaschine|of the driven machine")
+# Forces that count to a side; all others of the frame count along the slide.
+ACROSS = ("guide_force", "bearing_across")
 WORDS = {
     "first_order": words(
         "Erste Ordnung, $φ$ vom inneren Totpunkt: Weg und Arbeit mit $1 - cos φ + 1/2 λ sin^2 φ$"
@@ -67,6 +69,13 @@ WORDS = {
         " Kurbelzapfen läuft"
         "|{letters} positive in the direction of the outstroke and towards the side on which the"
         " crank pin then runs"
+    ),
+    "framed along": words(
+        "{letters} positiv in der Richtung des Hinganges|{letters} positive in the direction of the outstroke"
+    ),
+    "framed across": words(
+        "{letters} positiv nach der Seite, auf der beim Hingang der Kurbelzapfen läuft"
+        "|{letters} positive towards the side on which the crank pin runs on the outstroke"
     ),
     "all_cranks": words(", von allen Kurbeln|, of all cranks"),
     "first_crank": words("die übrigen der ersten Kurbel|the others of the first crank"),
@@ -356,9 +365,12 @@ def _force_directions(
     request: EngineRequest, forces: Sequence[Quantity], torques: Sequence[Quantity]
 ) -> Iterator[Label]:
     lang, several = request.lang, len(request.cranks) > 1
-    framed = [one.symbol.strip("$") for one in forces if FORCES[one.key.removesuffix("_n")].framed]
+    framed = [one for one in forces if FORCES[one.key.removesuffix("_n")].framed]
     if framed:
-        yield WORDS["framed"][lang].format(letters=enumerated_letters([*dict.fromkeys(framed)], lang))
+        ways = {one.key.removesuffix("_n") in ACROSS for one in framed}
+        said = "framed" if len(ways) == 2 else "framed across" if ways == {True} else "framed along"
+        letters = dict.fromkeys(one.symbol.strip("$") for one in framed)
+        yield WORDS[said][lang].format(letters=enumerated_letters([*letters], lang))
     yield from dict.fromkeys(_direction(request, one) for one in forces if one.direction)
     for one in torques:
         if one.direction:

@@ -125,7 +125,7 @@ class SheetWriter(PageWriter):
     def escape(self, prose: str) -> str:
         return prose.replace(_ON, "\ufffd").replace(_OFF, "\ufffd")
 
-    def formula(self, formula: tree.Formula, mark: str = ".", display: bool = False) -> str:
+    def formula(self, formula: tree.Formula, mark: str, display: bool = False) -> str:
         slanted = formula._replace(content=_slanted(formula.content))
         return formula_plain(slanted, mark).replace(" ", "\u00a0")
 

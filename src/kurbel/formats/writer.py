@@ -98,7 +98,7 @@ class PageWriter:
         """
         return mark_text(mark)
 
-    def formula(self, formula: Formula, mark: str = ".", display: bool = False) -> str:
+    def formula(self, formula: Formula, mark: str, display: bool = False) -> str:
         """Return a formula with a decimal mark, and on wish with fractions of full size."""
         # No line end may cut it.
         return formula_plain(formula, mark).replace(" ", "\u00a0")

@@ -62,6 +62,10 @@ class LoadedRocker:
         """The inertia couple over L and its sign, square to the rod."""
         return self.masses.couple * self.swing
 
+    def couple(self) -> Number:
+        """Return the inertia couple -M (k² - a b) ψ̈ over L, by which the two masses are wrong."""
+        return self.turning + 0
+
     @cached_property
     def push(self) -> Number:
         """F - (m_B + J/B²) p."""

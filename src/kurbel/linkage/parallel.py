@@ -95,8 +95,8 @@ def _coupler_entries() -> Iterator[Quantity]:
 def _rod_entries() -> Iterator[Quantity]:
     """Yield the turning of the rod, which stays parallel to the line of shafts."""
     for key, name, letter, unit in (
-        ("rod_velocity", "Winkelgeschwindigkeit der Stange|Angular velocity of the rod", "ω_L", "ω"),
-        ("rod_acceleration", "Winkelbeschleunigung der Stange|Angular acceleration of the rod", "ε_L", "ω²"),
+        ("rod_velocity", "Winkelgeschwindigkeit|Angular velocity", "ω_L", "ω"),
+        ("rod_acceleration", "Winkelbeschleunigung|Angular acceleration", "ε_L", "ω²"),
     ):
         none = Formula(lambda at: at.kind.of(Fraction(0)), f"${letter} = 0$")
         head = f"${letter}/{unit.replace('²', '^2')}$"

@@ -264,7 +264,7 @@ def speed_entries() -> Iterator[Quantity]:
             " = (R π n)/30", Crank.pin_velocity, "speed",
         ),
         (
-            "c_m_mps", "Mittlere Kolbengeschwindigkeit|Mean piston speed", "c_m", "m/s", " = (S n)/30",
+            "c_m_mps", "mittlere Kolbengeschwindigkeit|Mean piston speed", "c_m", "m/s", " = (S n)/30",
             " = (S n)/30", Crank.mean_velocity, "mean speed",
         ),
         (

@@ -115,7 +115,7 @@ def _error_notes(request: Request) -> Iterator[Label]:
     """Yield the greatest errors of what a page of forces shows beside the exact ones, a line a crank."""
     shown = [column.quantity for column in request.page_columns]
     models = [model for model in MODELS if model != EXACT and any(one.of == model for one in shown)]
-    names = {force.name["en"] for force in FORCES} & {one.name["en"] for one in shown if one.of}
+    names = {force.name["en"] for force in FORCES} & {one.name["en"] for one in shown if one.of in models}
     if not (models and names) or request.method or any(crank.acceleration for crank in request.cranks):
         return
     sheet = ErrorsRequest(

@@ -70,9 +70,7 @@ def _way(at: At) -> Any:
 def net_torque(at: At) -> Any:
     """Return the torque on the shaft less what the friction of the pins takes, over R, in newtons."""
     crank = at.crank
-    pins, radius = crank.effort.pins if crank.effort else None, known(crank.radius)
-    if pins is None:
-        return at.loaded.torque()
+    pins, radius = known(known(crank.effort).pins), known(crank.radius)
     circle, ratio, offset, thrust = at.circle, at.ratio, at.offset, at.loaded.thrust()
     if at.stroke == RETURN:
         # The circles of friction are those of the whole turn.

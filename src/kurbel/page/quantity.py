@@ -210,6 +210,8 @@ def enumerated(quantities: Iterable[str], lang: str) -> str:
     names = list(dict.fromkeys(quantities))
     if lang == "en":
         names[1:] = [name.lower() for name in names[1:]]
+    # German names that begin with an adjective have a small letter: mittlere Kolbengeschwindigkeit.
+    names[:1] = [name[:1].upper() + name[1:] for name in names[:1]]
     return AND[lang].join(part for part in (", ".join(names[:-1]), names[-1]) if part)
 
 

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 MOST_POSITIONS = 36
 WORDS = {
     "drive": words("Kurbeltrieb|Crank drive"),
+    "offset drive": words("Geschränkter Kurbeltrieb|Offset crank drive"),
     "path": words(
         ", Bahn des Punktes {points} der Schubstange|, path of the point {points} of the connecting rod"
     ),
@@ -122,7 +123,9 @@ def mechanism_drawing(
     """Return the crank drive to scale at crank angles, the first one strong."""
     _check_positions(angles)
     figure = mechanism(float(crank.ratio), float(crank.offset), angles, lang, mark, size, paths)
-    title = WORDS["drive"][lang] + for_ratio(crank.ratio, lang) + _of_paths(paths, lang)
+    kind = WORDS["offset drive" if crank.offset else "drive"][lang]
+    offset = f", $e = {plain(crank.offset)} R$" if crank.offset else ""
+    title = kind + for_ratio(crank.ratio, lang) + offset + _of_paths(paths, lang)
     return Drawing(figure, title, _at(angles, lang, mark))
 
 

@@ -87,7 +87,7 @@ def degrees(angle: float | Fraction, mark: str) -> str:
 
 def power_of_thousand(values: Iterable[float]) -> int:
     """Return the power of ten, a multiple of 3, to be taken out of the numbers at an axis; mostly 0."""
-    largest = max(map(abs, values))
+    largest = max(map(abs, values), default=0.0)
     power = math.floor(math.log10(largest)) if largest else 0
     return 0 if _SMALLEST <= power < _LARGEST else 3 * (power // 3)
 

@@ -71,7 +71,9 @@ def named_axes(plan: Plan, condition: Condition) -> Mapping[str, tuple[int, Axis
     axes |= {name: (FIXED, Axis(name, (_one(given),))) for name, given in plan.given.items()}
     axes |= {key_of(option): found for option, found in axes.items()}
     if not condition.names:
-        raise ProblemError(f"the condition {plan.only} names no option; choose from {', '.join(plan.varied)}")
+        raise ProblemError(
+            f"the condition {plan.only} names no option; choose from {', '.join(sorted(plan.varied))}"
+        )
     return {name: axes[meant(name, axes, "option of the sweep")] for name in condition.names}
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache, cached_property
@@ -122,7 +122,7 @@ class FormulaRequest(Question):
     """What is asked for: the formulas of a table, all or those that are not as they should be."""
 
     table: FormulaTable
-    collated: Sequence[Collated] = field(repr=False)
+    collated: Sequence[Collated]
     only: str = ALL
 
     def __len__(self) -> int:

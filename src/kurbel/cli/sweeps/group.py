@@ -61,7 +61,7 @@ def sweep() -> None:
 
     \b
     kurbel sweep delta --eps 1..10:0.01 --ratio 1:3..8:0.05 -o delta.parquet
-    kurbel sweep table --ratio 1:3..8:0.05 --step 0.01 --columns x,c,p -o motion.parquet
+    kurbel sweep table --ratio 1:3..8 --step 0.01 --columns x,c -o motion.parquet
     kurbel sweep sweep.toml --dry-run
 
     COMMAND has the options that it has by itself, and each takes several values: lists 2;3;4, ranges 2..6:0.5

@@ -9,7 +9,7 @@ from kurbel.commands.balancing.measures import as_angles_or_unknown, as_measures
 from kurbel.commands.motion import sheet_of
 from kurbel.commands.options import Option, is_given
 from kurbel.commands.subject import makes_table
-from kurbel.errors import ProblemError
+from kurbel.errors import NotationError, ProblemError
 from kurbel.page.layouts import layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import Exact, as_names, as_speed
@@ -132,8 +132,10 @@ def rotor_table(
 
 
 def _one(value: Exact, what: str) -> Fraction:
-    (length,) = as_measures([value] if not isinstance(value, str) else value, "displacement", what)
-    return length
+    lengths = as_measures(value, "displacement", what)
+    if len(lengths) != 1:
+        raise NotationError(f"{what} is a list of {len(lengths)}; give one length")
+    return lengths[0]
 
 
 def _masses(masses: Any, radii: Any, angles: Any, planes: Any) -> "tuple[Mass, ...]":

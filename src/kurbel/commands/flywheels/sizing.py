@@ -64,8 +64,11 @@ def _of_diagram(diagram: Fluctuation) -> Iterator[tuple[str, Known]]:
     mean = diagram.mean_torque(floats())
     # That of a shaft which is driven back has no power of its own to print.
     if mean is not None and mean > 0:
-        known = Product.algebraic if diagram.torque_is_algebraic else Product.about
-        yield "mean_torque", Known(known(diagram.mean_torque), options)
+        if diagram.torque_is_algebraic:
+            yield "mean_torque", Known(Product.algebraic(diagram.mean_torque), options)
+        else:
+            # Its work has no π, nor has the power at so many turns a minute: both may lie on a boundary.
+            yield "work", Known(Product.about(diagram.work, algebraic=True), options)
 
 
 def _swing(diagram: Fluctuation) -> Product:

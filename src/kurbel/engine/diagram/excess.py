@@ -53,7 +53,7 @@ class Excess(Given):
             )
 
     @classmethod
-    def between(cls, drive: Torque | None, load: Torque | None, by_degree: bool = False) -> Excess:
+    def between(cls, drive: Torque | None, load: Torque | None, by_degree: bool) -> Excess:
         """Return the excess, where one of both is missing over the mean of the other."""
         if drive is None and load is None:
             raise ProblemError(

@@ -206,6 +206,6 @@ def entries(entry: Callable[..., Quantity]) -> Iterator[Quantity]:
                  ties=partial(load_ties, "delivered"))  # fmt: skip
     yield entry("delivery", "Fördermenge|Delivery", "$V$", "m³/min", "turn", None, flow,
                  needs="flow")  # fmt: skip
-    yield entry("efficiency", "Wirkungsgrad, idealer|Ideal efficiency", "$η$", "", "turn", 4,
+    yield entry("efficiency", "idealer Wirkungsgrad|Ideal efficiency", "$η$", "", "turn", 4,
                  efficiency, needs="heat",
                  ties=partial(load_ties, "efficiency"))  # fmt: skip

@@ -140,7 +140,7 @@ def _steam_taken(source: Acting, duty: Duty, lang: str) -> Label:
     steam, volume = source.load, duty.specific_volume
     assert volume is not None
     kept = "p_b/p" if steam.exponent == 1 else f"(p_b/p)^(1/{figure(steam.exponent)})"
-    taken = f"$1/ε + κ (1 - {kept})$" if steam.clearance else "$1/ε$"
+    taken = f"$[1/ε + κ (1 - {kept})]$" if steam.clearance else "$1/ε$"
     said = WORDS["steam"][lang].format(volume=taken, specific=amount(volume, "m³/kg"))
     return said + (WORDS["kept"][lang] if steam.clearance else "")
 

@@ -132,6 +132,7 @@ def stroke_names(count: int, lang: str) -> list[str]:
     if count == 2:
         return names
     said = WORDS["numbered"][lang]
+    names = names if lang == "de" else [name.lower() for name in names]
     return [said.format(number=number, stroke=name) for number, name in enumerate(names, 1)]
 
 

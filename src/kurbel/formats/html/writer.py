@@ -31,7 +31,7 @@ class Writer(PageWriter):
         text = f"{escape(mark)})"
         return f'<sup><a href="#{escape(target)}">{text}</a></sup>' if target else f"<sup>{text}</sup>"
 
-    def formula(self, formula: Formula, mark: str = ".", display: bool = False) -> str:
+    def formula(self, formula: Formula, mark: str, display: bool = False) -> str:
         style = ' displaystyle="true"' if display and has_bar(formula.content) else ""
         return f"<math{style}>{mathml(formula.content, mark)}</math>"
 

@@ -42,7 +42,7 @@ class Writer(PageWriter):
         """Return a raised mark without a link."""
         return f"\\textsuperscript{{{escape(mark)})}}"
 
-    def formula(self, formula: Formula, mark: str = ".", display: bool = False) -> str:
+    def formula(self, formula: Formula, mark: str, display: bool = False) -> str:
         r"""Return a formula with its dollar signs: $x/R$, $\frac{1}{4{,}5}\cos\varphi$.
 
         `display` gives fractions their full size, and the line the height for it.

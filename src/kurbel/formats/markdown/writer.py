@@ -29,7 +29,7 @@ class Writer(PageWriter):
         # An anchor in Markdown is HTML, which many readers drop: there is no link.
         return escape(mark_text(mark))
 
-    def formula(self, formula: Formula, mark: str = ".", display: bool = False) -> str:
+    def formula(self, formula: Formula, mark: str, display: bool = False) -> str:
         # Dollar signs are left alone, since many readers of Markdown print them.
         return escape(formula_plain(formula, mark))
 

@@ -9,7 +9,7 @@ other cells of the row refer to them, as they do to the heads of their columns.
 from __future__ import annotations
 
 import re
-from bisect import bisect
+from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from itertools import accumulate
 from typing import NamedTuple
@@ -90,7 +90,7 @@ def _edited(made: bytes, edits: Sequence[Edit]) -> bytes:
     moved = [0, *accumulate(len(edit.text) - (edit.end - edit.start) for edit in edits)]
 
     def place(old: bytes) -> int:
-        return int(old) + moved[bisect(starts, int(old) - 1)]
+        return int(old) + moved[bisect_left(starts, int(old))]
 
     places = _PLACE.sub(lambda found: b"%010d" % place(found[1]), table[1])
     whole = [*edits, Edit(*table.span(1), places), Edit(*table.span(2), b"%d" % place(table[2]))]

@@ -25,7 +25,7 @@ class Writer(PageWriter):
         """Return a raised mark without a link: a name of a note could be used but once in a document."""
         return role("sup", f"{escape(mark)})")
 
-    def formula(self, formula: Formula, mark: str = ".", display: bool = False) -> str:
+    def formula(self, formula: Formula, mark: str, display: bool = False) -> str:
         r"""Return a formula in TeX's notation in its role: :math:`x/R`, :math:`\frac{1}{4{,}5}\cos\varphi`.
 
         `display` gives fractions their full size.

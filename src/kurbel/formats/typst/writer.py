@@ -28,7 +28,7 @@ class Writer(PageWriter):
         """Return a mark without a link: a document that prints a table twice would not compile with it."""
         return f"#super[{escape(mark)})];"
 
-    def formula(self, formula: Formula, mark: str = ".", display: bool = False) -> str:
+    def formula(self, formula: Formula, mark: str, display: bool = False) -> str:
         """Return a formula with a text for readers that do not see it, which PDF/UA asks for.
 
         `display` gives fractions their full size, and the line the height for it.

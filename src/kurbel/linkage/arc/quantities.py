@@ -53,7 +53,7 @@ def _by_rocker(kernel: Callable[..., Any]) -> Formula:
     return Formula(lambda at: kernel(at.place, at.arc) / at.kind.of(at.drive.rocker))
 
 
-_PATHS: Mapping[str, Formulas] = {
+_PATHS: dict[str, Formulas] = {
     "path": {
         "exact": Formula(_path, "{part} $x = B (θ_i - θ)$"),
         LEFT: Formula(_path, "{part} $x = B (θ - θ_i)$"),
@@ -63,6 +63,7 @@ _PATHS: Mapping[str, Formulas] = {
         LEFT: Formula(_path, "{part} $x = B (θ_o - θ)$"),
     },
 }
+_PATHS |= {f"{key}_mm": formulas for key, formulas in _PATHS.items()}
 _VELOCITY = _of(linkage.velocity, "$c/v = (sin(ζ + τ))/(cos τ)$", (_ZETA, _TAU))
 _ACCELERATION = _of(
     linkage.acceleration,

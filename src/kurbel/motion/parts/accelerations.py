@@ -68,7 +68,7 @@ OF_A, REPLACING = (
     words("Beschleunigung von A|Acceleration of A"),
     words("Ersatzbeschleunigung|Replacing acceleration"),
 )
-AMOUNT, ALONG, ACROSS = words("Betrag|amount"), words("längs|along"), words("quer|across")
+AMOUNT, ALONG, ACROSS = words("Betrag|magnitude"), words("längs|along"), words("quer|across")
 
 
 def _components(of: Callable[[Parted], Vector[Any]]) -> tuple[Component, Component]:

@@ -64,7 +64,9 @@ def _ends(slide: bool) -> Iterator[Share]:
         for part in PARTS if key == "a" else (COMMON, TURNING):
             yield from _components(key, letter, name, part)
         yield from _components(key, letter, name, "")
-        yield Share(f"inertia_{key}", letter, name, _joined(NAMES[""], words("Betrag|amount")), _amount(key))
+        yield Share(
+            f"inertia_{key}", letter, name, _joined(NAMES[""], words("Betrag|magnitude")), _amount(key)
+        )
 
 
 def _components(key: str, letter: str, name: Words, part: str) -> Iterator[Share]:

@@ -12,8 +12,6 @@ from kurbel.exact.certify import GUARD_BITS, NEVER_TIES, ball_degrees, rounded, 
 from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.numerals import nearest
 from kurbel.kernel.coupler.point import Vector, amount
-from kurbel.motion.points.quantities import DIRECTION
-from kurbel.page.quantity import Quantity
 
 # What makes a vector on a kind of number.
 Made = Callable[[Kind], Vector[Any]]
@@ -27,13 +25,15 @@ def of_floats(vector: Vector[Any]) -> Any:
     return np.degrees(np.arctan2(vector.across, 0.0 - vector.along)) % TURN
 
 
-def continued(quantity: Quantity, values: Any) -> Any:
-    """Return a column over the crank angle, as floats, of a direction without steps by a whole turn."""
-    if quantity.of != DIRECTION:
-        return values
+def continued(values: Any, amounts: Any) -> Any:
+    """Return directions over the crank angle, as floats, without steps by a whole turn; that of no vector is
+    no number."""
     import numpy as np
 
-    return np.unwrap(values, period=TURN)
+    known = amounts != 0
+    found = np.full(np.shape(values), np.nan)
+    found[known] = np.unwrap(values[known], period=TURN)
+    return found
 
 
 def reduced(degrees: Fraction, decimals: int, rounding: str) -> int:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import check_angles
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import floats
+from kurbel.exact.kind import Kind, floats
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import circle
 from kurbel.motion.evaluation import NEEDS, PAGE_CELLS, needed
@@ -19,7 +19,7 @@ from kurbel.motion.points import captions
 from kurbel.motion.points.digits import Ends, Moved
 from kurbel.motion.points.direction import continued
 from kurbel.motion.points.point import Point, decimals_of
-from kurbel.motion.points.quantities import points_registry
+from kurbel.motion.points.quantities import DIRECTION, points_registry
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words
@@ -128,10 +128,7 @@ class PointsRequest(AngleQuestion):
 
     def curves(self, degrees: Any) -> list[list[Any]]:
         at, kind, moved = circle(degrees), floats(), [self.moved(place) for place in self.places]
-        return [
-            [continued(column.quantity, one.value(column.quantity, at, kind)) for one in moved]
-            for column in self.page_columns
-        ]
+        return [[_curve(column.quantity, one, at, kind) for one in moved] for column in self.page_columns]
 
     @cached_property
     def long(self) -> LongColumns | None:
@@ -164,6 +161,15 @@ class PointAxis(ListAxis):
     def over_group(self, place: Place) -> Label:
         point: Point = self._things[place["point"]]
         return point.label
+
+
+def _curve(quantity: Quantity, moved: Moved, at: Any, kind: Kind) -> Any:
+    """Return a column over the crank angle, as floats; a direction has gaps where the point rests."""
+    values = moved.value(quantity, at, kind)
+    if quantity.of != DIRECTION:
+        return values
+    amount = points_registry()[quantity.key.removesuffix("_direction")]
+    return continued(values, moved.value(amount, at, kind))
 
 
 def _records(question: PointsRequest) -> Records:

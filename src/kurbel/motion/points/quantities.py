@@ -50,7 +50,7 @@ def acceleration(at: At) -> Vector[Any]:
 
 
 ALONG, ACROSS = words("längs|along"), words("quer|across")
-_AMOUNT, _DIRECTION = words("Betrag|amount"), words("Richtung|direction")
+_AMOUNT, _DIRECTION = words("Betrag|magnitude"), words("Richtung|direction")
 
 
 class _Kind(NamedTuple):

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
-import numpy as np
 import pyarrow as pa
 import pyarrow.compute as compute
 
@@ -23,13 +21,10 @@ def decimal_type(column: Column) -> pa.DataType:
     return pa.decimal128(SHORT, column.decimals) if is_short else pa.decimal256(LONG, column.decimals)
 
 
-def decimals_of(column: Column, scaled: Any) -> pa.Array:
+def decimals_of(column: Column, scaled: Sequence[int | None]) -> pa.Array:
     """Return whole numbers of the last place, None where there is nothing, as decimals."""
     kind = decimal_type(column)
     width = kind.bit_width // 8
-    if isinstance(scaled, np.ndarray) and scaled.dtype == np.int64:
-        signs = np.repeat((scaled >> 63)[:, None], width // 8 - 1, axis=1)
-        return _array(kind, len(scaled), np.column_stack((scaled, signs)).tobytes(), None)
     limit = 10**kind.precision
     if any(one is not None and abs(one) >= limit for one in scaled):
         raise OutputError(
@@ -37,14 +32,8 @@ def decimals_of(column: Column, scaled: Any) -> pa.Array:
             " ask for fewer --digits"
         )
     packed = b"".join(int(one or 0).to_bytes(width, "little", signed=True) for one in scaled)
-    return _array(kind, len(scaled), packed, scaled)
-
-
-def _array(kind: pa.DataType, rows: int, packed: bytes, found: Sequence[Any] | None) -> pa.Array:
-    known = None
-    if found is not None and any(one is None for one in found):
-        known = pa.array([one is not None for one in found], pa.bool_()).buffers()[1]
-    return pa.Array.from_buffers(kind, rows, [known, pa.py_buffer(packed)])
+    known = pa.array([one is not None for one in scaled], pa.bool_()).buffers()[1] if None in scaled else None
+    return pa.Array.from_buffers(kind, len(scaled), [known, pa.py_buffer(packed)])
 
 
 def texts_of(decimals: pa.Array) -> pa.Array:

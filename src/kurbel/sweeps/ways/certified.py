@@ -69,4 +69,4 @@ def _records(plan: Plan, point: int, angles: Sequence[Fraction], digits: int) ->
 
 def is_over_angle(question: Question) -> bool:
     """Whether a question is asked at crank angles, which may be others."""
-    return hasattr(question, "angles") and any(isinstance(one, AngleAxis) for one in question.axes.values())
+    return any(isinstance(one, AngleAxis) for one in question.axes.values())
