@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from cli import printed, refusal
+from cli import printed
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -104,41 +104,3 @@ def test_what_is_balanced_wholly_or_not_at_all_is_nought() -> None:
     none, whole = page(*words, "--share=0;1", digits="--lang=de")
     assert (none["blow_left_n"], none["balance_left_kgm"], none["angle_left"]) == ("0", "0", "")
     assert (whole["pull_n"], whole["sway_nm"], whole["pull_phi"]) == ("0", "0", "")
-
-
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        (("--spacing=1m", "--gauge=1m"), "the masses turn at the radius of the crank; add --stroke 600mm"),
-        (("--stroke=1m", "--gauge=1m"), "couples need the places of the cylinders; add their distance"),
-        (("--stroke=1m", "--gauge=1m", "--spacing=1m", "--share=3/2"), "share of the balanced masses is 1.5"),
-        (
-            ("--stroke=1m", "--gauge=1m", "--spacing=1m", "--velocity=9m/s"),
-            "--velocity needs the diameter of the wheels",
-        ),
-        (
-            ("--stroke=1m", "--gauge=1m", "--spacing=1m", "--columns=lift_speed"),
-            "column lift_speed needs --wheel-load",
-        ),
-        (
-            ("--stroke=1m", "--gauge=1m", "--positions=1;2;3m"),
-            "the number of positions is 3 and that of cranks 2",
-        ),
-    ],
-)
-def test_a_locomotive_that_is_not_described_is_refused(words: tuple[str, ...], sentence: str) -> None:
-    assert refusal("locomotive", "--reciprocating=300kg", *words).startswith(sentence)
-
-
-@pytest.mark.parametrize(
-    ("name", "key"),
-    [
-        ("blow_left", "blow_left_n"), ("load_least", "load_least_n"), ("pull", "pull_n"), ("sway", "sway_nm"),
-        ("velocity", "velocity_kmh"), ("balance_left", "balance_left_kgm"), ("mass_right", "mass_right_kg"),
-        ("lift_velocity", "lift_velocity_kmh"),
-    ],
-)  # fmt: skip
-def test_a_column_is_asked_for_with_its_unit(name: str, key: str) -> None:
-    words = ("--spacing=1m", "--gauge=1m", "--stroke=1m", "--reciprocating=300kg", "--speed=4/s")
-    said = refusal("locomotive", *words, f"--columns={name}")
-    assert said.startswith(f'there is no column "{name}" (did you mean {key}')

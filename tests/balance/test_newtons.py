@@ -83,15 +83,3 @@ def test_newtons_of_radians_a_second_that_lie_half_way_are_rounded_away() -> Non
     words = ("--reciprocating=1.25kg", "--stroke=800mm", "--speed=0.5rad/s", "--columns=along_n")
     rows = printed("balance", *words, "--digits=2", "--format=csv").records()
     assert rows[0] == {"residual": "force", "order": "1", "along_n": "0.13"}
-
-
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        (("--reciprocating=2kg",), "--reciprocating needs --stroke and --speed to become a force"),
-        (("--speed=2/s",), "--speed is for moving masses; add --reciprocating or a rod, --rod-mass"),
-        (("--columns=along_n",), "column along_n is in N and N m and needs --reciprocating, --stroke and"),
-    ],
-)
-def test_newtons_without_what_makes_them_are_refused(words: tuple[str, ...], sentence: str) -> None:
-    assert refusal("balance", *words).startswith(sentence)

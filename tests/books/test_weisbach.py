@@ -4,40 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from decimal import ROUND_HALF_UP, Decimal
-from fractions import Fraction
-from functools import lru_cache
+from functools import cache
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import Any
 
-import flint
 import pytest
-import textbook
-from energy_curve import Exact, Plant
+from cli import records
+from expansion import LOWER, UPPER, Expansion
+from machines import machine
 from mpmath import mp
 from places import SOURCES
 from registers import register
 
-from kurbel.drive.crank import Crank
-from kurbel.engine.engine import Engine, Steam
-from kurbel.engine.turn import Turn, turn_of
-from kurbel.exact.numerals import degrees_text, number_text
-from kurbel.linkage.beam import engine as beam
-from kurbel.linkage.beam.engine import BeamEngine
-
-FOLDER = SOURCES / "weisbach"
-METHODS = ("exact", "series", "weisbach")
-FIFTH = Fraction(1, 5)
 DIGITS = 30
-BITS = 110
-# His upper sign, "Niedergang" and "Hingang der Kurbel", is the return stroke; he brackets the other.
-UPPER, LOWER = 1, -1
-STARTS = {
-    2: (32, 22, 117, 104),
-    3: (25, 17, 106, 94),
-    4: (21, 14, 100, 88),
-    5: (18, 12, 95, 84),
-    6: (16, 11, 92, 81),
-}
+METHODS = ("exact", "series", "weisbach")
+DEAD_CENTRES, TURNING = (register(SOURCES / "weisbach" / f"{section}.csv") for section in ("149", "150"))
+PRINTED = {row["place"].removeprefix("weisbach-150/1:5/"): row["printed"] for row in TURNING}
+# § 149 as far as scanned: r/a = 1/3, r/l = 1/5, all lengths in r.
+BEAM, ROD = 3, 5
 
 
 @pytest.fixture(autouse=True)
@@ -46,148 +30,45 @@ def digits() -> Iterator[None]:
         yield
 
 
-class Cell(NamedTuple):
-    """One printed value, what each method gives to as many places, and the record."""
-
-    place: str
-    cell: str
-    exact: str
-    series: str
-    weisbach: str
-    record: str
-    printed: str
-
-    @property
-    def expansion(self) -> int:
-        return int(self.place.split("/")[2])
-
-    @property
-    def key(self) -> str:
-        return self.place.split("/")[-1]
-
-    def computed(self, method: str) -> str:
-        return str(getattr(self, method))
-
-
-def cells(section: str) -> list[Cell]:
-    return [Cell(**row) for row in register(FOLDER / f"{section}.csv")]
-
-
-DEAD_CENTRES, TURNING = cells("149"), cells("150")
-
-
-class Extremes(NamedTuple):
-    """Least and greatest speed: angles in radians from the stroke's dead centre, energies in Q r."""
-
-    least: Any
-    greatest: Any
-    loss: Any
-    gain: Any
-
-
-def path(angle: Any, sign: int) -> Any:
-    """1 - cos α ∓ r/2l sin² α."""
-    return 1 - mp.cos(angle) - sign * mp.sin(angle) ** 2 / 10
+@cache
+def engine(expansion: int, method: str = "weisbach") -> Expansion:
+    with mp.workdps(DIGITS):
+        return Expansion(mp.mpf(1) / 5, expansion, method=method)
 
 
 def his_loss(angle: Any, sign: int, expansion: int) -> Any:
     """The bracket of v_min, divided by ε."""
-    arc = 2 / mp.pi * angle * mp.log(expansion)
-    return ((expansion - 1) * path(angle, sign) - arc) / expansion
-
-
-def his_gain(angle: Any, sign: int, expansion: int) -> Any:
-    """The bracket of v_max, divided by ε."""
-    bracket = 1 + mp.cos(angle) + sign * mp.sin(angle) ** 2 / 10
-    bracket += 2 * mp.log(path(angle, sign) * expansion / 2)
-    return (bracket - 2 / mp.pi * angle * mp.log(expansion)) / expansion
+    return engine(expansion).energy(angle, sign)
 
 
 def his_least(angle: Any, sign: int, expansion: int) -> Any:
     """sin α₁ less the right side of its equation."""
-    right = 2 * mp.log(expansion) / (mp.pi * (expansion - 1)) + sign * mp.sin(2 * angle) / 10
-    return mp.sin(angle) - right
-
-
-def his_greatest(angle: Any, sign: int, expansion: int) -> Any:
-    """cot(α₂/2) less the right side of its equation."""
-    bracket = mp.cos(angle / 2) ** 2 * (1 + sign * mp.mpf("0.4") * mp.sin(angle / 2) ** 2)
-    return mp.cot(angle / 2) - mp.log(expansion) / (mp.pi * bracket)
-
-
-@lru_cache
-def extremes(method: str, sign: int, expansion: int) -> Extremes:
-    """Return angles and energies of one stroke, in mpmath."""
-    with mp.workdps(DIGITS):
-        upper = sign == UPPER
-        near = [degrees for index, degrees in enumerate(STARTS[expansion]) if (index % 2 == 0) == upper]
-        return (_his if method == "weisbach" else _walked)(method, sign, expansion, near)
-
-
-def _his(method: str, sign: int, expansion: int, near: list[int]) -> Extremes:
-    least, greatest = (
-        mp.findroot(lambda angle, f=function: f(angle, sign, expansion), mp.radians(start))
-        for function, start in zip((his_least, his_greatest), near, strict=True)
-    )
-    return Extremes(least, greatest, his_loss(least, sign, expansion), his_gain(greatest, sign, expansion))
-
-
-def _walked(method: str, sign: int, expansion: int, near: list[int]) -> Extremes:
-    begun = 180 if sign == UPPER else 0
-    exact = _plant(method, expansion)
-    least, greatest = (exact.stationary(begun + start) for start in near)
-    start = mp.radians(begun)
-    return Extremes(least - start, greatest - start, exact.energy(least), exact.energy(greatest))
-
-
-@lru_cache
-def _plant(method: str, expansion: int) -> Exact:
-    return Exact(Plant(Fraction(expansion), FIFTH, method=method))
+    return engine(expansion).excess_at_full_pressure(angle, sign) * expansion / (expansion - 1)
 
 
 def mean_force(expansion: int) -> Any:
     """P/Q."""
-    return 2 / mp.pi * mp.log(expansion) / expansion
+    return engine(expansion).mean
 
 
-def swing(method: str, expansion: int) -> Any:
-    strokes = [extremes(method, sign, expansion) for sign in (UPPER, LOWER)]
-    return max(one.gain for one in strokes) - min(one.loss for one in strokes)
-
-
+@cache
 def value(method: str, expansion: int, key: str) -> Any:
     """Return the value in radians, Q r, Q or P r by a method."""
-    name = key.removesuffix("_return")
-    stroke = extremes(method, UPPER if key.endswith("_return") else LOWER, expansion)
-    return {
-        "alpha_min": lambda: stroke.least,
-        "alpha_max": lambda: stroke.greatest,
-        "v_min": lambda: stroke.loss,
-        "v_max": lambda: stroke.gain,
-        "sum": lambda: swing(method, expansion),
-        "mean_force": lambda: mean_force(expansion),
-        "divisor": lambda: mean_force(expansion),
-        "delta": lambda: swing(method, expansion) / mean_force(expansion),
-        "delta_table": lambda: swing(method, expansion) / mean_force(expansion),
-    }[name]()
+    with mp.workdps(DIGITS):
+        return engine(expansion, method).value(key)
 
 
 def shown(number: Any, like: str) -> str:
     """Return the number as the book prints one like it: decimals, or degrees and minutes, with halves."""
     if "°" in like:
-        return degrees_and_minutes(number, halves="½" in like)
+        units = 2 if "½" in like else 1
+        degrees, rest = divmod(int(mp.nint(mp.degrees(number) * 60 * units)), 60 * units)
+        minutes, half = divmod(rest, units)
+        return f"{degrees}°{minutes}{'½' if half else ''}'"
     decimals = len(like.partition(",")[2])
-    scaled = textbook.rounded(number, decimals)
-    assert scaled is not None
-    return textbook.printed(scaled, decimals, ",")
-
-
-def degrees_and_minutes(angle: Any, halves: bool) -> str:
-    units = 2 if halves else 1
-    count = int(mp.nint(mp.degrees(angle) * 60 * units))
-    degrees, rest = divmod(count, 60 * units)
-    minutes, half = divmod(rest, units)
-    return f"{degrees}°{minutes}{'½' if half else ''}'"
+    scaled = int(mp.nint(abs(number) * 10**decimals))
+    sign = "-" if number < 0 and scaled else ""
+    return f"{sign}{scaled // 10**decimals},{scaled % 10**decimals:0{decimals}}"
 
 
 def radians(text: str) -> Any:
@@ -195,72 +76,47 @@ def radians(text: str) -> Any:
     return mp.radians(int(degrees) + mp.mpf(minutes.replace("½", ".5")) / 60)
 
 
-def record(cell: Cell) -> str:
-    """Whether his own way agrees with the print, and which of the other methods does."""
-    others = [method for method in ("exact", "series") if cell.computed(method) == cell.printed]
-    verdict = "agrees" if cell.weisbach == cell.printed else "differs"
-    return f"{verdict}: {' '.join(others)}" if others else verdict
+def assert_recorded(row: dict[str, str]) -> None:
+    """Check whether his own way agrees with the print, and which of the other methods does."""
+    others = [method for method in ("exact", "series") if row[method] == row["printed"]]
+    verdict = "agrees" if row["weisbach"] == row["printed"] else "differs"
+    assert row["record"] == (f"{verdict}: {' '.join(others)}" if others else verdict)
 
 
-each_turning = pytest.mark.parametrize("cell", TURNING, ids=[cell.place for cell in TURNING])
-each_dead_centre = pytest.mark.parametrize("cell", DEAD_CENTRES, ids=[cell.place for cell in DEAD_CENTRES])
+@pytest.mark.parametrize("expansion", range(2, 7))
+def test_the_values_are_those_of_a_turn_by_quadrature_and_his_own_those_of_kurbel(expansion: int) -> None:
+    """So what cells are held against is not checked by itself."""
+    for method in ("exact", "series"):
+        options = {"method": method} if method == "series" else {}
+        turn = machine(eps=expansion, ratio="1:5", **options).turn
+        assert turn.mean == pytest.approx(float(value(method, expansion, "mean_force")), rel=1e-12)
+        assert turn.delta == pytest.approx(float(value(method, expansion, "delta")), rel=1e-10)
+        keys = ("min", "max", "min_return", "max_return")
+        for key, found in zip(keys, turn.extremes, strict=True):
+            angle = float(mp.degrees(value(method, expansion, f"alpha_{key}")))
+            assert found.degrees % 180 == pytest.approx(angle, abs=1e-7)
+            assert found.energy == pytest.approx(float(value(method, expansion, f"v_{key}")), abs=1e-12)
+    # The greatest speed of the turn is in the outstroke, the least in the return.
+    columns = ("alpha_max", "v_max", "alpha_min", "v_min", "delta")
+    words = (f"--eps={expansion}", "--method=weisbach", f"--columns={','.join(columns)}", "--digits=9")
+    (row,) = records("delta", *words)
+    for key in columns:
+        true = value("weisbach", expansion, f"{key}_return" if "min" in key else key)
+        shown_angle = mp.degrees(true) + (180 if "min" in key else 0)
+        assert float(row[key]) == pytest.approx(float(shown_angle if "alpha" in key else true), abs=1e-9)
 
 
-@each_turning
-@pytest.mark.parametrize("method", METHODS)
-def test_every_cell_of_section_150_is_the_value_of_its_method(cell: Cell, method: str) -> None:
-    assert cell.computed(method) == shown(value(method, cell.expansion, cell.key), cell.printed)
+@pytest.mark.parametrize("row", TURNING, ids=[row["place"] for row in TURNING])
+def test_every_cell_of_section_150_is_the_value_of_its_method(row: dict[str, str]) -> None:
+    *_, expansion, key = row["place"].split("/")
+    for method in METHODS:
+        assert row[method] == shown(value(method, int(expansion), key), row["printed"])
+    assert_recorded(row)
 
 
-@each_turning
-def test_record_says_who_agrees_with_the_book(cell: Cell) -> None:
-    assert cell.record == record(cell)
-
-
-@each_turning
-@pytest.mark.parametrize("method", METHODS)
-def test_kurbel_gives_every_cell_of_section_150(cell: Cell, method: str) -> None:
-    turn = turn_of(Engine(Crank(FIFTH), Steam(Fraction(cell.expansion))), method)
-    assert isinstance(turn, Turn)
-    with flint.ctx.workprec(BITS):
-        ball = kurbel(turn, cell.key)
-    number = mp.mpf(ball.mid().str(DIGITS + 2, radius=False))
-    assert cell.computed(method) == shown(number, cell.printed)
-
-
-def kurbel(turn: Turn, key: str) -> Any:
-    stroke = int(key.endswith("_return"))
-    name = key.removesuffix("_return")
-    if name in ("alpha_min", "alpha_max"):
-        return turn.extreme(name == "alpha_max", stroke).place * flint.arb.pi()
-    if name in ("v_min", "v_max"):
-        return turn.extreme(name == "v_max", stroke).energy
-    if name == "sum":
-        return turn.irregularity() * turn.mean_force()
-    return turn.irregularity() if name.startswith("delta") else turn.mean_force()
-
-
-def test_every_value_of_the_sections_is_there() -> None:
-    in_text = ["alpha_min_return", "alpha_min", "v_min_return", "v_min", "alpha_max_return", "alpha_max"]
-    in_text += ["v_max_return", "v_max", "sum", "mean_force", "divisor", "delta"]
-    assert [cell.place for cell in TURNING] == [
-        *(f"weisbach-150/1:5/2/{key}" for key in in_text),
-        *(f"weisbach-150/1:5/{expansion}/delta_table" for expansion in range(2, 7)),
-    ]
-    keys = ("mu_radians", "nu_radians", "mu", "nu", "distance_1", "distance_2", "path_1", "path_2")
-    assert [cell.place for cell in DEAD_CENTRES] == [f"weisbach-149/1:5/{key}" for key in keys]
-
-
-# § 149 as far as scanned: r/a = 1/3, r/l = 1/5, all lengths in r.
-BEAM, ROD = 3, 5
-MU = Fraction(1, 4 * BEAM * (ROD + 1))
-NU = Fraction(1, 4 * BEAM * (ROD - 1))
-
-
-def dead_centre(key: str, like: str) -> str:
-    """Return what his formula gives."""
-    mu, nu = textbook.real(MU), textbook.real(NU)
-    radians = {
+def test_every_cell_of_section_149_is_the_value_of_his_formula() -> None:
+    mu, nu = (mp.mpf(1) / (4 * BEAM * (ROD + side)) for side in (1, -1))
+    values = {
         "mu": mu,
         "nu": nu,
         "distance_1": mp.pi + (nu - mu),
@@ -268,43 +124,16 @@ def dead_centre(key: str, like: str) -> str:
         "path_1": 1 - mp.cos(mu),
         "path_2": 1 - mp.cos(nu),
     }
-    fractions = {"mu_radians": MU, "nu_radians": NU}
-    return str(fractions[key]) if key in fractions else shown(radians[key], like)
-
-
-def kurbels_dead_centre(key: str, exact: bool) -> str:
-    quantity = beam.registry()[key]
-    engine, method = BeamEngine(Fraction(BEAM), FIFTH), beam.EXACT if exact else beam.APPROXIMATE
-    if quantity.minutes:
-        minutes = beam.certified(quantity, engine, method, 0, times=60)
-        return degrees_text(Fraction(minutes.scaled, 60))
-    return number_text(beam.certified(quantity, engine, method, beam.PATH_DECIMALS), ",")
-
-
-@each_dead_centre
-def test_every_cell_of_section_149_is_the_value_of_his_formula(cell: Cell) -> None:
-    assert cell.weisbach == dead_centre(cell.key, cell.printed)
-    assert cell.record == record(cell)
-
-
-@each_dead_centre
-def test_kurbel_gives_every_cell_of_section_149(cell: Cell) -> None:
-    # The motion of the first order has no formulas for a beam, and the true angles are no fractions.
-    assert cell.series == ""
-    if cell.key.endswith("_radians"):
-        assert cell.exact == ""
-    else:
-        assert cell.weisbach == kurbels_dead_centre(cell.key, exact=False)
-        # Which is the true geometry's: tests/linkage/test_beam.py.
-        assert cell.exact == kurbels_dead_centre(cell.key, exact=True)
-
-
-def test_paths_of_section_149_follow_from_the_printed_angles_too() -> None:
+    for row in DEAD_CENTRES:
+        key = row["place"].split("/")[-1]
+        if key.endswith("_radians"):
+            assert row["weisbach"] == f"1/{mp.nstr(1 / values[key[:2]], 2)}".removesuffix(".0")
+        else:
+            assert row["weisbach"] == shown(values[key], row["printed"])
+        assert_recorded(row)
+    # The paths follow from the printed angles, too.
     assert shown(1 - mp.cos(radians("0°48'")), "0,00010") == "0,00010"
     assert shown(1 - mp.cos(radians("1°12'")), "0,00022") == "0,00022"
-
-
-PRINTED = {cell.place.removeprefix("weisbach-150/1:5/"): cell.printed for cell in TURNING}
 
 
 def decimal(text: str) -> Decimal:
@@ -326,7 +155,7 @@ def test_least_speed_of_the_outstroke_does_not_follow_from_its_printed_angle() -
 def test_no_angle_of_either_stroke_gives_the_printed_least_speed() -> None:
     # The sum is below zero for small angles alone; its least values are those at the two α₁.
     least = {
-        sign: min(his_loss(mp.pi * step / 4000, sign, 2) for step in range(4001)) for sign in (UPPER, LOWER)
+        sign: min(his_loss(mp.pi * step / 1500, sign, 2) for step in range(1501)) for sign in (UPPER, LOWER)
     }
     assert shown(least[UPPER], "-0,0000") == "-0,0613"
     assert shown(least[LOWER], "-0,0000") == "-0,0413"

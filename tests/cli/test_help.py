@@ -1,75 +1,173 @@
-"""The help: options in sections, no line wider than a terminal, and the way to a page in English."""
+"""The help, the manual pages and the scripts of shells, and the way to a page in English.
+
+What shells are offered stands in tests/transcripts/printed/completion.txt.
+"""
 
 from __future__ import annotations
 
+import json
+import os
+import re
 import shlex
+import shutil
+import subprocess
 import sys
-from collections import Counter
-from unittest import mock
+from pathlib import Path
+from typing import Any
 
-import click
 import pytest
-from cli import kurbel, printed
+from cli import kurbel, printed, refusal
+from completion import COMMANDS, EVERY, GROUPS, PRINTING, described
+from places import ROOT
 from programs import Programs
 from terminals import own_terminal, shown
+from tools import require
 
-from kurbel.cli import COMMANDS, GROUPS, LANGUAGES
-from kurbel.cli.app import command_of, run
-from kurbel.cli.manual.help import folded
-from kurbel.cli.manual.sections import LEADING, SECTIONS, names, sections
-from kurbel.cli.tables import MakingCommand
+from kurbel import __version__ as kurbel_version
+from kurbel.cli.app import run
 
-PRINTING = [name for name in COMMANDS if isinstance(command_of(name), MakingCommand)]
-
-
-def options_of(name: str) -> Counter[str]:
-    command = command_of(name)
-    listed = command.get_params(click.Context(command))
-    return Counter(max(one.opts, key=len) for one in listed if isinstance(one, click.Option))
-
-
-@pytest.mark.parametrize("name", PRINTING)
-def test_every_option_stands_in_one_section(name: str) -> None:
-    listed = Counter(max(one.opts, key=len) for _, found in sections(command_of(name)) for one in found)
-    assert listed == options_of(name)
-    help_text = printed(name, "--help").out
-    assert [help_text.count(f"\n{title}:\n") for title, _ in sections(command_of(name))] == [
-        1 for _ in sections(command_of(name))
-    ]
+ALONE = [words for words in EVERY if words[0] not in GROUPS]
+SCHEMAS = {
+    "machine.toml": "drive/machine.schema.json",
+    "layout.toml": "page/layout.schema.json",
+    "sweep.toml": "sweeps/sweep.schema.json",
+    "handbook.toml": "handbook/handbook.schema.json",
+}
+LISTS = (("sources",), ("layouts",), ("quantities",))
+ENGLISH = "Pages are in German; in English with --lang en, or KURBEL_LANG=en for all."
 
 
-def test_no_section_names_an_option_that_there_is_not() -> None:
-    for title in SECTIONS:
-        there = {name.lstrip("-").replace("-", "_") for one in PRINTING for name in options_of(one)}
-        named = {own for one in PRINTING for own in names(title, one)}
-        assert named <= there, title
-    assert set(LEADING.values()) <= set(SECTIONS)
-    assert set(LEADING) <= set(PRINTING)
+@pytest.mark.parametrize("words", EVERY, ids=" ".join)
+def test_the_help_has_every_option_once_and_is_no_wider_than_a_terminal(words: tuple[str, ...]) -> None:
+    text = printed(*words, "--help", COLUMNS="200").out
+    assert max(map(len, text.splitlines())) <= 80
+    listed = re.findall(r"^  (?:-\w, )?(--[\w-]+)", text[text.index(":\n  ") :], re.MULTILINE)
+    assert sorted(listed) == sorted(described(*words, "--"))
+    # Where an example prints a page, one in another language is three lines away.
+    assert (ENGLISH in text) == (words[-1] in (*PRINTING, "collate", "example", "plot", "construct"))
 
 
-def test_every_command_stands_in_one_group() -> None:
-    assert Counter(name for listed in GROUPS.values() for name in listed) == Counter([*COMMANDS])
+def test_the_help_names_every_command_once() -> None:
+    assert printed("--version").out == f"kurbel {kurbel_version}\n"
+    listed = re.findall(r"^  (\w+)  ", printed("--help").out, re.MULTILINE)
+    assert sorted(listed) == sorted(COMMANDS)
 
 
-@pytest.mark.parametrize("words", [(), ("handbook",), ("inject",), *((name,) for name in PRINTING)])
-def test_help_is_no_wider_than_a_terminal(words: tuple[str, ...]) -> None:
-    lines = printed(*words, "--help", COLUMNS="200").out.splitlines()
-    assert max(map(len, lines)) <= 80
-    # A page in another language is three lines away.
-    if words not in (("handbook",), ("inject",)):
-        assert any(LANGUAGES in line for line in lines)
+@pytest.mark.parametrize("words", ALONE, ids=" ".join)
+def test_a_folded_example_is_the_same_for_the_shell(words: tuple[str, ...]) -> None:
+    def examples(width: int) -> list[list[str]]:
+        text = printed(*words, "--help", COLUMNS=str(width)).out
+        lines = text.replace("\\\n", " ").splitlines()
+        return [shlex.split(line) for line in lines if line.startswith("  kurbel ")]
+
+    assert examples(50) == examples(80)
+    assert examples(50) or words in LISTS
 
 
-@pytest.mark.parametrize("width", [50, 76, 200])
-def test_a_folded_example_is_the_same_for_the_shell(width: int) -> None:
-    for name in PRINTING:
-        help_text = command_of(name).help or ""
-        examples = [line for line in help_text.splitlines() if line.startswith("kurbel ")]
-        assert examples, name
-        for example in examples:
-            shortened = folded(example, width)
-            assert shlex.split(shortened.replace("\\\n", "")) == shlex.split(example)
-            assert width < 76 or max(map(len, shortened.splitlines())) <= width
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """Return the manual pages by the names of `man`."""
+    folder = tmp_path_factory.mktemp("man") / "new"
+    result = kurbel("man", "-o", str(folder))
+    files = {path.stem: path for path in folder.rglob("*") if path.is_file()}
+    assert (result.code, result.out) == (0, "")
+    assert result.err == (
+        f"kurbel: {len(files)} manual pages are written; man finds them with:"
+        f" MANPATH={folder}: man kurbel-table\n"
+    )
+    return files
+
+
+def plain(page: Path) -> str:
+    """Return the text of a page without the notation of man(7)."""
+    text = re.sub(r"\\f[BIR]|\\&|^\.\w+ ?", "", page.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    text = re.sub(r"\\\[u([0-9A-F]{4,})\]", lambda one: chr(int(one[1], 16)), text)
+    for sign, written in (("-", "\\-"), ("'", "\\(aq"), ("`", "\\(ga"), ("^", "\\(ha"), ("~", "\\(ti")):
+        text = text.replace(written, sign)
+    return " ".join(text.replace("\\e", "\\").split())
+
+
+def test_every_command_and_every_file_has_a_manual_page_with_all_that_help_says(
+    pages: dict[str, Path],
+) -> None:
+    ours = [words for words in EVERY if words[0] != "sweep" or len(words) == 1]
+    names = {f"kurbel-{'-'.join(words)}": words for words in ours}
+    assert pages.keys() == {"kurbel", *names, *(f"kurbel-{name}" for name in SCHEMAS)}
+    for name, words in names.items():
+        assert pages[name].parent.name == "man1"
+        assert plain(pages[name]).partition(' "SYNOPSIS" ')[2].startswith(f"kurbel {' '.join(words)} ")
+        for option, said in described(*words, "--").items():
+            # Copied from a page that is typeset it is still an option, and no word with hyphens.
+            written = rf"\fB{option}".replace("-", r"\-")
+            assert (
+                words[0] == "sweep"
+                or option == "--help"
+                or (written in pages[name].read_text(encoding="utf-8") and said in plain(pages[name]))
+            ), (name, option)
+    assert printed("man", "handbook", "build").out == pages["kurbel-handbook-build"].read_text("utf-8")
+    assert printed("man", "kurbel-handbook-build").out == printed("man", "handbook build").out
+    assert printed("man", "handbook.toml").out == pages["kurbel-handbook.toml"].read_text("utf-8")
+
+
+@pytest.mark.parametrize("name", SCHEMAS)
+def test_a_page_of_a_file_has_every_key_of_its_schema(name: str, pages: dict[str, Path]) -> None:
+    said = plain(pages[f"kurbel-{name}"])
+    schema = json.loads((ROOT / "src/kurbel" / SCHEMAS[name]).read_text(encoding="utf-8"))
+
+    def check(section: Any) -> None:
+        for key, one in section.get("properties", {}).items():
+            assert key in said
+            if key != "defaults":
+                check(one)
+                check(one.get("items", {}))
+
+    check(schema)
+    assert "[[chapter.part]]" in said or name != "handbook.toml"
+
+
+def test_what_cannot_be_shown_or_written_is_said(programs: Programs, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    folder = str(tmp_path / "file" / "below")
+    assert refusal("man", "-o", folder, code=1) == f"cannot make the folder {folder}: Not a directory"
+    text, code = shown(programs, "man", "table", PATH="/nowhere")
+    assert code == 1
+    assert "kurbel table --help says the same" in text
+
+
+@pytest.mark.slow
+def test_man_and_mandoc_show_every_page_without_a_warning(pages: dict[str, Path]) -> None:
+    files = sorted(map(str, pages.values()))
+    said = subprocess.run([require("mandoc"), "-T", "lint", "-W", "warning", *files], capture_output=True)
+    assert (said.returncode, said.stdout, said.stderr) == (0, b"", b"")
+    settings = os.environ | {"LC_ALL": "C.UTF-8", "MANWIDTH": "80", "MANPAGER": "cat"}
+    for file in files:
+        done = subprocess.run([require("man"), "--warnings", "-l", file], capture_output=True, env=settings)
+        assert (done.returncode, done.stderr) == (0, b""), file
+        assert max(map(len, done.stdout.decode().splitlines())) <= 80
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_every_shell_gets_its_script(shell: str) -> None:
+    script = printed(_KURBEL_COMPLETE=f"{shell}_source").out
+    assert f"_KURBEL_COMPLETE={shell}_complete" in script
+    assert "python" not in script
+    if shutil.which(shell):
+        subprocess.run([shell, "-n"], input=script, text=True, check=True, capture_output=True)
+
+
+def test_fish_itself_completes() -> None:
+    lines = {
+        "kurbel table --layout roetscher-1": "roetscher-112",
+        "kurbel table --columns phi,x,psi_": "phi,x,psi_return",
+        "kurbel table -f mark": "markdown",
+    }
+    asked = "; ".join(f"complete -C '{line}'" for line in lines)
+    script = f"_KURBEL_COMPLETE=fish_source kurbel | source; {asked}"
+    environment = {name: value for name, value in os.environ.items() if "KURBEL" not in name}
+    environment["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), environment["PATH"]])
+    fish = [require("fish"), "--no-config", "-c", script]
+    run = subprocess.run(fish, check=True, capture_output=True, text=True, env=environment)
+    assert run.stdout.split() == [*lines.values()]
 
 
 HINT = "kurbel: English: --lang en, or KURBEL_LANG=en for all; KURBEL_LANG=de ends this\n"
@@ -94,12 +192,11 @@ PAGE = ("table", "--angle", "0")
 def test_an_english_reader_is_told_of_english_after_a_german_page(
     words: tuple[str, ...], settings: dict[str, str], hinted: bool
 ) -> None:
-    with (
-        own_terminal(80, 500, **settings) as end,
-        mock.patch.object(sys, "argv", ["kurbel", *words]),
-        mock.patch.object(sys, "stderr", sys.stdout),
-    ):
-        assert run() == (0, "")
+    with own_terminal(80, 500, **settings) as end:
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(sys, "argv", ["kurbel", *words])
+            patch.setattr(sys, "stderr", sys.stdout)
+            assert run() == (0, "")
         there = end()
     assert there.endswith(HINT) is hinted
     assert ("English" in there) is hinted
@@ -108,10 +205,6 @@ def test_an_english_reader_is_told_of_english_after_a_german_page(
 def test_the_hint_is_for_terminals_alone(programs: Programs) -> None:
     assert shown(programs, *PAGE)[0].endswith(HINT)
     # Errors go into a pipe, and what reads it is no reader.
-    assert kurbel(*PAGE).err == ""
     with own_terminal(80, 500, LANG="en_GB"):
         assert kurbel(*PAGE).err == ""
-
-
-def test_the_bytes_of_a_page_do_not_depend_on_the_locale() -> None:
     assert printed(*PAGE, LANG="en_GB.UTF-8").out == printed(*PAGE, LANG="de_DE.UTF-8").out

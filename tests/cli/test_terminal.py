@@ -7,6 +7,7 @@ import json
 import os
 import re
 import shlex
+import signal
 import sys
 from itertools import pairwise
 from pathlib import Path
@@ -19,8 +20,6 @@ from terminals import own_terminal, shown
 
 from kurbel import collation_table, delta_table
 from kurbel.cli import screen
-from kurbel.cli.tables import Printing
-from kurbel.formats.registry import FORMATS
 from kurbel.formats.render import render
 from kurbel.page.layouts import layout_names
 
@@ -51,6 +50,8 @@ def test_what_is_longer_than_the_screen_goes_through_the_pager(
     with own_terminal(80, LINES, KURBEL_PAGER=f"cat > {shlex.quote(str(file))}", PAGER="false") as end:
         screen.show(iter(page), paging=True)
         there = end()
+    # Ctrl-C is ours again.
+    assert signal.getsignal(signal.SIGINT) is not signal.SIG_IGN
     whole = b"".join(page)
     assert (there, file.read_bytes() if file.exists() else b"") == (
         ("", whole) if paged else (whole.decode(), b"")
@@ -88,12 +89,14 @@ def test_less_is_the_pager_with_the_options_that_git_gives_it(tmp_path: Path) ->
     less = tmp_path / "less"
     less.write_text(f'#!/bin/sh\necho "$0 $@ $LESS" > {shlex.quote(str(tmp_path / "asked"))}\n')
     less.chmod(0o755)
+    before = signal.getsignal(signal.SIGINT)
     for settings, said in (({}, "-FRX FRX"), ({"PAGER": "less"}, " FRX"), ({"LESS": "i"}, "-FRX i")):
         with own_terminal(80, LINES, PATH=f"{tmp_path}:{os.environ['PATH']}", **settings):
             # It ends before it has read all, which is no mistake.
             screen.show(iter(lines(50_000)), paging=True)
         asked = (tmp_path / "asked").read_text()
         assert (Path(asked.split()[0]).name, asked.partition(" ")[2].strip()) == ("less", said.strip())
+        assert signal.getsignal(signal.SIGINT) is before
 
 
 def test_ctrl_c_is_the_pagers_and_what_is_said_meanwhile_stays_seen(
@@ -214,12 +217,9 @@ def test_no_file_has_colours(tmp_path: Path) -> None:
     assert b"\x1b" not in (tmp_path / "page.txt").read_bytes()
 
 
-def test_a_collation_on_a_terminal_fits_it_and_is_coloured() -> None:
-    with own_terminal(60, 500) as end:
-        assert screen.width() == 60
-        Printing(FORMATS["text"], "-", None, False, False, False, False).print(collation_table("blau-33"))
-        there = end()
-    assert there == render(collation_table("blau-33"), "text", width=60, colours=True)
+def test_a_collation_on_a_terminal_fits_it_and_is_coloured(programs: Programs) -> None:
+    page, code = shown(programs, "collate", "blau-33", columns=60, LANG="de_DE")
+    assert (code, page) == (0, render(collation_table("blau-33"), "text", width=60, colours=True))
 
 
 def test_a_page_that_takes_long_counts_its_numbers_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:

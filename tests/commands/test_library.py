@@ -1,128 +1,228 @@
-"""The library: its examples run, and it gives what the command line gives."""
+"""The library: its examples are true, and it has the words, sentences and pages of the command line."""
 
 from __future__ import annotations
 
 import doctest
+import inspect
+import pydoc
+import re
 from collections.abc import Callable
 from decimal import Decimal
+from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
+from cli import printed, refusal
+from completion import PRINTING, described
 
 import kurbel
-import kurbel.commands.numbers
+
+NAMES = {"table": "table", "deadcentres": "dead_centres_table", "collate": "collation_table"}
+TABLES: dict[str, Callable[..., Any]] = {
+    name: getattr(kurbel, NAMES.get(name, f"{name}_table")) for name in (*PRINTING, "collate", "example")
+}
+PLOTS: dict[str, Callable[..., Any]] = {
+    name: getattr(kurbel, name)
+    for name in kurbel.__all__
+    if name.startswith("plot_") and name != "plot_construction"
+}
+ONLY_TYPED = {
+    *("machine", "format", "output", "decimal", "standalone", "longtable", "siunitx", "excel", "strict"),
+    *("interactive", "help", "text"),
+}
 
 
-@pytest.mark.parametrize(("module", "examples"), [(kurbel, 4), (kurbel.commands.numbers, 6)])
-def test_the_examples_of_the_docstrings_are_true(module: object, examples: int) -> None:
-    result = doctest.testmod(module)  # type: ignore[arg-type]
-    assert (result.failed, result.attempted) == (0, examples)
+# What no checker of types lets pass, and what is read all the same.
+UNUSUAL: dict[str, Any] = {"digits": np.int64(3), **dict.fromkeys(("lang", "rounding", "label"))}
+AS_TEXT: dict[str, Any] = {"digits": "3"}
+SIXTH: dict[str, Any] = {"orders": "6"}
 
 
-def test_a_float_ratio_is_read_by_its_shortest_decimal() -> None:
-    assert kurbel.certified("x", 0.2, 90, digits=40) == kurbel.certified("x", "1:5", "90", digits=40)
+def typed(command: str) -> set[str]:
+    return {one.removeprefix("--").replace("-", "_") for one in described(command, "--")} - ONLY_TYPED
+
+
+def taken(function: Callable[..., Any]) -> set[str]:
+    return {key.rstrip("_") for key in inspect.signature(function).parameters}
+
+
+def test_a_function_has_the_options_of_its_command() -> None:
+    for name, function in TABLES.items():
+        # Sources and numbers of examples stand behind no option.
+        arguments = {"collate": {"table"}, "example": {"book", "number"}}.get(name, set())
+        counted = {"digits", "rounding"} if name == "collate" else set()
+        assert taken(function) - arguments == typed(name) - counted, name
+    flags = {"forces", "polar", "pressures", "turning"}
+    assert set().union(*map(taken, PLOTS.values())) - ONLY_TYPED == typed("plot") - flags
+
+
+@pytest.mark.parametrize("function", [*TABLES.values(), *PLOTS.values()], ids=lambda one: one.__name__)
+def test_the_help_of_python_describes_every_parameter(function: Any) -> None:
+    text = pydoc.plain(pydoc.render_doc(function))
+    for name, parameter in inspect.signature(function).parameters.items():
+        (option,) = parameter.annotation.__metadata__
+        assert f"{name}: {option.help}" in text
+    assert not {"\b", "\f"} & set(text)
+
+
+@pytest.mark.parametrize("name", ["kurbel", *kurbel.__all__])
+def test_the_examples_of_the_docstrings_are_true(name: str) -> None:
+    known = {one: getattr(kurbel, one) for one in kurbel.__all__} | {"kurbel": kurbel}
+    text = (kurbel if name == "kurbel" else getattr(kurbel, name)).__doc__ or ""
+    tests = doctest.DocTestParser().get_doctest(text, known, name, None, None)
+    result = doctest.DocTestRunner().run(tests)
+    assert result.failed == 0
+    tables = {one.__name__ for one in TABLES.values()} - {"turning_table"}
+    assert result.attempted or name not in {"kurbel", "certified", "compute", "typeset", *tables}
+
+
+@pytest.mark.parametrize(
+    ("words", "page"),
+    [
+        (
+            "table --ratio=1:4;1:5 --from=10 --to=50 --step=20 --stroke=600mm --speed=120/min",
+            lambda: kurbel.table(["1:4", 0.2], from_=10, to=50, step="20", stroke=0.6, speed=2),
+        ),
+        (
+            "table --ratio=1:5 --offset=60mm --stroke=600mm --angle=30",
+            lambda: kurbel.table(Fraction(1, 5), offset=0.2, stroke=0.6, angle=np.array([30.0])),
+        ),
+        (
+            "table --ratio=1:4;1:5 --angle=0;90 --columns=phi,x --digits=3 --rounding=half-away",
+            lambda: kurbel.table(
+                (one for one in ("1:4", "1:5")), angle=iter((0, 90)), columns=map(str, ("phi", "x")),
+                **UNUSUAL,
+            ),
+        ),
+        ("table --angle=90 --digits=3", lambda: kurbel.table(np.array(0.2), angle=np.array(90), **AS_TEXT)),
+        ("table --stroke=600mm --rod=1500mm", lambda: kurbel.table(stroke="600mm", rod=1.5)),
+        (
+            "table --mechanism=arc --rocker=6 --pivot=4;6.5",
+            lambda: kurbel.table(mechanism="arc", rocker=6, pivot=(4, 6.5)),
+        ),
+        (
+            "forces --eps=4 --bore=300mm --pressure=8bar --stroke=60cm --reciprocating=0.3t --speed=2Hz",
+            lambda: kurbel.forces_table(
+                eps=4, bore=0.3, pressure=800_000, stroke=0.6, reciprocating=300, speed=2
+            ),
+        ),
+        ("forces --force=10kN", lambda: kurbel.forces_table(force=10_000)),
+        (
+            "flywheel --eps=4 --power=50kW --speed=120/min --delta=1:100 --radius=1.5m --cranks=0;90",
+            lambda: kurbel.flywheel_table(
+                4, power=50_000, speed=2, delta=0.01, radius=1.5, cranks=[0, 90]
+            ),
+        ),
+        ("delta --eps=2;3 --back=10% --single-acting", lambda: kurbel.delta_table(
+            [2, 3], back=0.1, single_acting=True
+        )),
+        ("delta --eps=2..4 --method=weisbach", lambda: kurbel.delta_table(
+            "2..4", method=iter(("weisbach",))
+        )),
+        (
+            "inertia --centre=65% --gyration=0.35 --lang=en",
+            lambda: kurbel.inertia_table(centre=0.65, gyration="35%", lang="en"),
+        ),
+        ("solve --where=p=0 --where=c=max", lambda: kurbel.solve_table(["p=0", "c=max"])),
+        (
+            "balance --cranks=0;0;90;90 --banks=-45;45;-45;45",
+            lambda: kurbel.balance_table(cranks=[0, 0, 90, 90], banks="-45;45;-45;45"),
+        ),
+        ("harmonics --ratio=1:5 --orders=6", lambda: kurbel.harmonics_table("1:5", **SIXTH)),
+        ("collate roetscher-112 --only=deviations", lambda: kurbel.collation_table(
+            "roetscher-112", only="deviations"
+        )),
+        ("example blau 33 --ratio=1:4", lambda: kurbel.example_table("blau", 33, ratio=0.25)),
+    ],
+)  # fmt: skip
+def test_numbers_and_text_make_the_page_of_the_command_line(words: str, page: Any) -> None:
+    assert str(page()) == printed(*words.split(" ")).out
+
+
+@pytest.mark.parametrize(
+    ("words", "page"),
+    [
+        (("table",), lambda: kurbel.table(lang="en")),
+        (("table", "--ratio", "1:4", "--ratio", "1:5"), lambda: kurbel.table(ratio=["1:4", "1:5"])),
+        (("table", "--method=series", "--digits=5"), lambda: kurbel.table(digits=5, method="series")),
+        (("delta", "--eps=4.5"), lambda: kurbel.delta_table("4.5")),
+        (("turning", "--torque=5 + sin(φ)"), lambda: kurbel.turning_table(torque="5 + sin(φ)")),
+        (("collate", "blau-33"), lambda: kurbel.collation_table("blau-33")),
+    ],
+)
+def test_a_page_has_one_name_for_references_whoever_made_it(words: tuple[str, ...], page: Any) -> None:
+    assert rf"\label{{tab:{page().anchor}}}" in printed(*words, "-f", "latex").out
+    assert re.fullmatch(r"[A-Za-z0-9.-]{1,80}", page().anchor)
+
+
+def test_other_values_give_other_names_for_references() -> None:
+    pages = (
+        *(kurbel.table(ratio=ratio, angle=60) for ratio in ("1:4", "1:4.5", ["1:4", "1:5"], "1:45")),
+        *(kurbel.table(ratio="1:4", angle=60, offset=offset) for offset in ("0.1", "-0.1")),
+        *(kurbel.delta_table(eps=eps) for eps in ("4;5", "4.5")),
+        *(kurbel.turning_table(torque=f"5 {sign} sin(φ)") for sign in "+-"),
+    )
+    assert len({page.anchor for page in pages}) == len(pages)
+    assert kurbel.table().anchor == kurbel.table(lang="en").anchor == "kinematics"
+    assert kurbel.table(ratio="1:4").anchor == "kinematics-ratio-1-4"
+    # What programs read of a table stays as it is.
+    assert '"table": "kinematics"' in kurbel.table(ratio="1:4").typeset("json")
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: kurbel.table("1:5", stroke=1, rod=2), "table --ratio=1:5 --stroke=1m --rod=2m"),
+        (lambda: kurbel.table(mechanism="parallel", ratio="1:5"), "table --mechanism=parallel --ratio=1:5"),
+        (lambda: kurbel.table(rocker=6), "table --rocker=6"),
+        (lambda: kurbel.table(mechanism="beam"), "table --mechanism=beam"),
+        (lambda: kurbel.table(method="fast"), "table --method=fast"),
+        (lambda: kurbel.table(angle=10, step=5), "table --angle=10 --step=5"),
+        (lambda: kurbel.table(stroke="6"), "table --stroke=6"),
+        (lambda: kurbel.delta_table(4, stroke=1), "delta --eps=4 --stroke=1m"),
+        (lambda: kurbel.forces_table(back=0.1), "forces --back=0.1"),
+        (lambda: kurbel.forces_table(eps=4, force=1), "forces --eps=4 --force=1N"),
+        (lambda: kurbel.flywheel_table(speed=2, delta=0.1), "flywheel --speed=2Hz --delta=0.1"),
+        (lambda: kurbel.delta_table(card="x", eps=4), "delta --card=x --eps=4"),
+        (lambda: kurbel.balance_table("v2-90", cranks=[0, 180]), "balance --engine=v2-90 --cranks=0;180"),
+        (lambda: kurbel.plot_turning(4, method="infinite"), "plot --turning --eps=4 --method=infinite -fsvg"),
+        (lambda: kurbel.plot_polar(mechanism="arc"), "plot --polar --mechanism=arc -fsvg"),
+        (lambda: kurbel.plot_motion(mechanism="parallel", force=1),
+         "plot --mechanism=parallel --force=1N -fsvg"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_is_refused_in_the_words_of_the_command_line(call: Any, words: str) -> None:
+    with pytest.raises(kurbel.KurbelError) as raised:
+        call()
+    assert str(raised.value) == refusal(*words.split(" "), code=raised.value.exit_code)
+
+
+def test_a_question_is_what_would_be_made() -> None:
+    question = kurbel.table.question("1:5", step=90)
+    assert len(question) == 3
+    with pytest.raises(AttributeError):
+        question.lang = "en"  # type: ignore[misc]
+
+
+def test_machines_and_variables_are_for_the_command_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("KURBEL_TABLE_RATIO", "1:4")
+    monkeypatch.setenv("KURBEL_LANG", "en")
+    assert "1:5" in kurbel.table().caption
 
 
 def test_digits_beyond_the_default_precision_of_decimals_are_kept() -> None:
+    # A float is read by its shortest decimal.
+    assert kurbel.certified("x", 0.2, 90, digits=50) == kurbel.certified("x", "1:5", "90", digits=50)
     assert kurbel.certified("x", "1:5", 90, digits=50).as_tuple().exponent == -50
     assert kurbel.certified("c", "1:5", 90, digits=50) == Decimal(1)
 
 
-def test_arrays_keep_their_shape() -> None:
-    angles = np.linspace(0.0, 360.0, 12).reshape(3, 4)
-    columns = kurbel.compute(angles, "1:4", ["x", "x_return", "psi"], offset="0.1")
-    assert {key: array.shape for key, array in columns.items()} == dict.fromkeys(columns, (3, 4))
-
-
-def test_one_angle_is_an_array_without_dimensions() -> None:
+def test_arrays_keep_their_shape_and_agree_with_certified_digits() -> None:
+    angles = np.array([[0.0, 12.5, 90.0], [179.0, 180.0, 251.25]])
+    for key, array in kurbel.compute(angles, "2:9", ["x", "c", "p", "psi"], offset="0.1").items():
+        exact = kurbel.table("2:9", offset="0.1", angle=angles.ravel(), columns=f"phi,{key}", digits=30)
+        assert array.shape == angles.shape
+        np.testing.assert_allclose(array.ravel(), exact.to_numpy()[key], rtol=1e-14, atol=1e-15)
     assert kurbel.compute(90, "1:5")["c"].shape == ()
-    assert float(kurbel.compute(90.0, "1:5")["c"]) == 1.0
-
-
-def test_arrays_agree_with_certified_digits() -> None:
-    angles = [0.0, 12.5, 90.0, 179.0, 251.25]
-    for key, array in kurbel.compute(angles, "2:9", ["x", "x_return", "c", "p", "psi"]).items():
-        exact = [float(kurbel.certified(key, "2:9", angle, digits=30)) for angle in angles]
-        np.testing.assert_allclose(array, exact, rtol=1e-14, atol=1e-15)
-
-
-@pytest.mark.parametrize(
-    ("quantity", "sentence"),
-    [
-        ("y", 'there is no quantity "y"; choose from x, x_return'),
-        ("x_retrun", 'there is no quantity "x_retrun" (did you mean x_return?); choose from x, '),
-    ],
-)
-def test_an_unknown_quantity_is_answered_with_the_list(quantity: str, sentence: str) -> None:
-    with pytest.raises(kurbel.KurbelError) as raised:
-        kurbel.certified(quantity, "1:5", 90)
-    assert str(raised.value).startswith(sentence)
-
-
-def test_a_page_of_the_library_is_the_page_of_the_command_line(capfd: pytest.CaptureFixture[str]) -> None:
-    import sys
-    from unittest.mock import patch
-
-    from kurbel.cli import main
-
-    with (
-        patch.object(sys, "argv", ["kurbel", "table", "--ratio", "1:4,5", "--digits", "6"]),
-        pytest.raises(SystemExit),
-    ):
-        main()
-    assert kurbel.typeset(kurbel.table("1:4,5", digits=6)) == capfd.readouterr().out
-
-
-def test_text_is_read_as_on_the_command_line() -> None:
-    page = kurbel.table("1:5", angle="0..20:10", columns="phi, x", lang="en")
-    assert [len(panel.groups[0].rows) for panel in page.panels] == [3]
     assert kurbel.compute("0;90", "1:5", "c")["c"].tolist() == [0.0, 1.0]
-
-
-@pytest.mark.parametrize("digits", [-1, 51, 5000, 2.5])
-def test_decimals_that_cannot_be_printed_are_refused(digits: int) -> None:
-    for call in (
-        lambda: kurbel.certified("x", "1:5", 90, digits=digits),
-        lambda: kurbel.table("1:5", digits=digits),
-    ):
-        with pytest.raises(
-            kurbel.KurbelError, match=f"^digits is {digits}; it must be a whole number from 0 to 50"
-        ):
-            call()
-
-
-def test_a_misspelt_rounding_is_not_ignored() -> None:
-    with pytest.raises(kurbel.KurbelError, match="did you mean half-even"):
-        kurbel.certified("x", "1:5", 60, digits=2, rounding="half_even")
-    with pytest.raises(kurbel.KurbelError, match="there is no rounding"):
-        kurbel.table("1:5", rounding="bogus")
-
-
-@pytest.mark.parametrize(
-    "call",
-    [
-        lambda: kurbel.certified(None, "1:5", 60),  # type: ignore[arg-type]
-        lambda: kurbel.certified("x", "1:5", 60, method=None),  # type: ignore[arg-type]
-        lambda: kurbel.table("1:5", layout=5),  # type: ignore[arg-type]
-        lambda: kurbel.table("1:5", columns=5),  # type: ignore[arg-type]
-        lambda: kurbel.table("1:5", angle=[0], label="a b}"),
-        lambda: kurbel.compute([0], "1:5", [None]),  # type: ignore[list-item]
-        lambda: kurbel.compute(10**400, "1:5"),
-        lambda: kurbel.compute([1 + 2j], "1:5"),
-        lambda: kurbel.typeset(None),  # type: ignore[arg-type]
-    ],
-)
-def test_wrong_kinds_of_arguments_are_answered_with_a_sentence(call: Callable[[], object]) -> None:
-    with pytest.raises(kurbel.KurbelError):
-        call()
-
-
-def test_one_angle_and_one_ratio_need_no_list() -> None:
-    page = kurbel.table(0.2, angle=90, columns=("phi", "x"))
-    assert kurbel.typeset(page, "csv") == "phi,x\n90,1.1010\n"
-
-
-@pytest.mark.parametrize("angles", [[float("nan")], [float("inf")], [1e300], "abc", [[1], [2, 3]], None])
-def test_angles_that_are_none_are_refused(angles: object) -> None:
-    with pytest.raises(kurbel.KurbelError):
-        kurbel.compute(angles, "1:5")  # type: ignore[arg-type]

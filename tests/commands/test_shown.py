@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from decimal import Decimal
 from pathlib import Path
 
 import numpy as np
@@ -63,44 +62,24 @@ def test_what_cannot_be_saved_leaves_the_old_file(tmp_path: Path) -> None:
     assert [(one.name, one.read_text()) for one in tmp_path.iterdir()] == [("page.csv", "old")]
 
 
-def test_an_array_has_a_field_for_each_column() -> None:
-    array = PAGE.to_numpy()
-    assert array.dtype.names == tuple(KEYS)
-    assert array["ratio"].tolist() == ["1:4"] * 3 + ["1:4.5"] * 3
-    for key in ("phi", "x", "p"):
+def test_arrays_and_frames_have_the_printed_numbers_and_what_they_mean() -> None:
+    array, arrow, exact = PAGE.to_numpy(), pyarrow.table(PAGE), PAGE.to_pandas(exact=True)
+    frames = (PAGE.to_pandas(), PAGE.to_polars(), polars.DataFrame(PAGE), pandas.DataFrame.from_arrow(PAGE))
+    assert [*array.dtype.names] == arrow.column_names == KEYS
+    assert all([*frame.columns] == KEYS for frame in frames)
+    for key in KEYS[1:]:
+        printed = printed_numbers(key)
+        values = [float(text) for text in printed]
         assert array[key].dtype == np.float64
-        assert array[key].tolist() == [float(text) for text in printed_numbers(key)]
-
-
-def test_a_frame_of_pandas_has_the_printed_numbers_and_what_they_mean() -> None:
-    frame = PAGE.to_pandas()
-    assert list(frame.columns) == KEYS
-    assert frame["x"].dtype == np.float64
-    assert frame["x"].tolist() == [float(text) for text in printed_numbers("x")]
-    assert frame["ratio"].tolist()[-1] == "1:4.5"
-    assert frame.attrs["phi"] == {"name": "Crank angle", "symbol": "φ", "unit": "°", "decimals": "1"}
-    exact = PAGE.to_pandas(exact=True)
-    assert exact["p"].tolist() == [Decimal(text) for text in printed_numbers("p")]
-    assert str(exact["p"][0]) == printed_numbers("p")[0]
-
-
-def test_a_frame_of_polars_has_them_too() -> None:
-    frame = PAGE.to_polars()
-    assert frame.schema == {"ratio": polars.String, **dict.fromkeys(KEYS[1:], polars.Float64)}
-    assert frame["p"].to_list() == [float(text) for text in printed_numbers("p")]
-    exact = PAGE.to_polars(exact=True)
-    assert exact["x"].to_list() == [Decimal(text) for text in printed_numbers("x")]
-
-
-def test_arrow_takes_it_with_units() -> None:
-    table = pyarrow.table(PAGE)
-    assert table.column_names == KEYS
-    assert table["x"].to_pylist() == [float(text) for text in printed_numbers("x")]
-    assert table["ratio"].to_pylist()[0] == "1:4"
-    assert table.schema.field("phi").metadata[b"unit"] == "°".encode()
-    assert table.schema.metadata[b"table"] == b"kinematics"
-    assert polars.DataFrame(PAGE)["p"].to_list() == [float(text) for text in printed_numbers("p")]
-    assert isinstance(pandas.DataFrame.from_arrow(PAGE), pandas.DataFrame)
+        assert array[key].tolist() == arrow[key].to_pylist() == values
+        assert all([*frame[key]] == values for frame in frames)
+        assert [*map(str, exact[key])] == [*map(str, PAGE.to_polars(exact=True)[key])] == printed
+    ratios = ["1:4"] * 3 + ["1:4.5"] * 3
+    assert array["ratio"].tolist() == arrow["ratio"].to_pylist() == [*frames[0]["ratio"]] == ratios
+    assert frames[1].schema == {"ratio": polars.String, **dict.fromkeys(KEYS[1:], polars.Float64)}
+    assert frames[0].attrs["phi"] == {"name": "Crank angle", "symbol": "φ", "unit": "°", "decimals": "1"}
+    assert arrow.schema.field("phi").metadata[b"unit"] == "°".encode()
+    assert arrow.schema.metadata[b"table"] == b"kinematics"
 
 
 def test_missing_values_stay_missing_and_mixed_columns_are_text() -> None:
@@ -122,7 +101,7 @@ def test_missing_values_stay_missing_and_mixed_columns_are_text() -> None:
     [
         ("pandas", lambda: PAGE.to_pandas(), "pandas"),
         ("polars", lambda: PAGE.to_polars(), "polars"),
-        ("arro3.core", lambda: PAGE.__arrow_c_stream__(), r"\[arrow\]'"),
+        ("arro3.core", lambda: PAGE.__arrow_c_stream__(), r"\[arrow\].*'"),
     ],
 )
 def test_a_missing_library_is_one_sentence(

@@ -3,24 +3,31 @@
 from __future__ import annotations
 
 import re
-import subprocess
+import shutil
 import zlib
-from functools import cache
 from pathlib import Path
 
 import pytest
-from handbook import TABLES, document, fragments, small, table, write_folder
+from manifests import (
+    ENGLISH,
+    TABLES,
+    built,
+    chapter,
+    handbook,
+    keys_of,
+    made,
+    pages_of,
+    run,
+    text,
+    told,
+    write,
+)
 from tex import compiled, complaints
 from tools import require
 
-from kurbel.documents.document import Chapter, Document, Item
-from kurbel.documents.markdown import parse_prose
-from kurbel.errors import TexError
-from kurbel.exact.numerals import Number
-from kurbel.formats.documents import document_files
+import kurbel
 from kurbel.formats.pdf.by_tex import compile_tex
 from kurbel.page.labels import plain
-from kurbel.page.table import Cell
 
 NASTY = (
     r"\input{/etc/passwd} \$x",
@@ -29,34 +36,17 @@ NASTY = (
     "Größe φ λ ² − ° {x} *y* \\\\[1em] -- ,, <<",
     "Wort " * 60,
 )
+SMALL = f"""
+title = "Kleine Tafeln"
+formats = ["latex"]
+{chapter("Kurz, $x/R$", text("Siehe [](#path), [](#stellung) und [](#kurz)."), name="kurz")}
+{run("path", TABLES["path"], lang="en")}
+{run("stellung", "plot --positions 30 --ratio 1:5", lang="en")}
+"""
 
 
-@cache
-def tables() -> dict[str, str]:
-    return fragments("latex")
-
-
-def written(pages: Document, folder: Path, **more: str) -> Path:
-    folder.mkdir(exist_ok=True)
-    texts = tables() | more
-    write_folder(folder, document_files(pages, "latex", texts), texts, ".tex")
-    return folder
-
-
-def log_of(engine: str, folder: Path, runs: int) -> str:
-    return compiled(engine, "\\input{handbook}\n", folder, runs)
-
-
-def pages_of(pdf: Path) -> list[str]:
-    """Return the words of each page, with single spaces between them."""
-    done = subprocess.run(
-        [require("pdftotext"), "-layout", str(pdf), "-"], capture_output=True, check=True, encoding="utf-8"
-    )
-    return [" ".join(page.split()) for page in done.stdout.split("\f")]
-
-
-def text_of(pdf: Path) -> str:
-    return " ".join(pages_of(pdf))
+def log_of(engine: str, pages: Path, runs: int = 3) -> str:
+    return compiled(engine, "\\input{handbook}\n", pages, runs)
 
 
 def unpacked(pdf: bytes) -> bytes:
@@ -65,86 +55,60 @@ def unpacked(pdf: bytes) -> bytes:
     return pdf + b"".join(zlib.decompressobj().decompress(stream) for stream in streams)
 
 
-def printed(cell: Cell, mark: str) -> str:
-    """Return a number as the PDF has it."""
-    assert isinstance(cell.value, Number)
-    digits = f"{abs(cell.value.scaled):0{cell.value.decimals + 1}}"
-    whole, fraction = digits[: len(digits) - cell.value.decimals], digits[len(digits) - cell.value.decimals :]
-    return ("−" if cell.value.scaled < 0 else "") + whole + (mark + fraction if fraction else "")
-
-
-def test_the_article_has_every_digit_and_every_reference(tmp_path: Path) -> None:
-    assert complaints(log_of("pdflatex", written(document(), tmp_path), runs=3)) == []
-    pages = pages_of(tmp_path / "page.pdf")
+def test_the_article_has_every_digit_and_every_reference(sample: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "article"
+    shutil.copytree(sample, folder)
+    assert complaints(log_of("pdflatex", folder)) == []
+    pages = pages_of(folder / "page.pdf")
     text = " ".join(pages)
     words = set(text.split())
     for name in ("weg", "path", "feinweg", "delta"):
-        mark = "," if table(name).lang == "de" else "."
-        cells = [cell for panel in table(name).panels for row in panel.rows() for cell in row.cells]
-        numbers = {printed(cell, mark) for cell in cells if isinstance(cell.value, Number)}
+        mark = "." if name in ENGLISH else ","
+        numbers = re.findall(r"-?\d+\.\d+", (folder / f"tables/{name}.csv").read_text())
         assert len(numbers) > 4
-        assert numbers <= words, name
+        assert {number.replace("-", "−").replace(".", mark) for number in numbers} <= words, name
     assert "für andere Verhältnisse gilt Tabelle 2. Den Verlauf zeigt Abbildung 1, und" in text
     assert "siehe Tabelle 5 und Tabelle 3." in text
     # A caption speaks the language of its table.
     assert "Table 3: Piston path" in text
-    assert "Figure 2: The drive" in text
-    places = [text.index(f"{word} {number}:") for number, word in _captions()]
+    assert "Figure 2: Crank drive" in text
+    captions = [f"{'Table' if name in ENGLISH else 'Tabelle'} {n}:" for n, name in enumerate(TABLES, 1)]
+    places = [text.index(caption) for caption in captions]
     assert places == sorted(places)
     listed = re.search(r"6 Dead centres of the beam engine; approximations of § 149[ .]+([0-9]+) 7 ", text)
-    page = next(number for number, page in enumerate(pages, 1) if "Table 6: Dead centres" in page)
-    assert listed and int(listed[1]) == page
-    # Each page once in the index.
-    words_at = next(number for number, page in enumerate(pages, 1) if "hängt von der Füllung ab" in page)
-    captions = ("Tabelle 1: ", "Tabelle 2: ", "Abbildung 1: ")
-    at = [next(number for number, page in enumerate(pages, 1) if one in page) for one in captions]
-    index = pages[-2] + pages[-1]
-    assert f"Füllung, {words_at}" in index
-    assert f"Kolbenweg, {', '.join(map(str, dict.fromkeys(at)))} u. ö." in index
-    assert sum(page.count("Zeichen Größe Einheit zuerst") for page in pages) > 1
 
+    def first(words: str) -> int:
+        return next(number for number, page in enumerate(pages, 1) if words in page)
 
-def _captions() -> list[tuple[int, str]]:
-    return [
-        (number, "Table" if table(name).lang == "en" else "Tabelle") for number, name in enumerate(TABLES, 1)
-    ]
+    assert listed and int(listed[1]) == first("Table 6: Dead centres")
+    assert f"Füllung, {first('hängt von der Füllung ab')}" in pages[-1]
+    assert "Zeichen Größe Einheit zuerst" in text
+    # A long table has its head on each of its pages.
+    head = "φ in ◦" + " Hingang Rückgang" * 3
+    long = pages[first("Tabelle 4: ") - 1 : first("Table 6: Dead centres")]
+    starts = [page.partition(head)[0] for page in long if "Tabelle 4 (Fortsetzung)" in page]
+    assert len(starts) == 3
+    assert all("Tabelle 4 (Fortsetzung) Kolbenweg" in start for start in starts)
 
 
 def test_what_the_manifest_says_is_printed_and_not_obeyed(tmp_path: Path) -> None:
-    chapters = tuple(Chapter(words, f"c{place}", place, ()) for place, words in enumerate(NASTY, 1))
-    figure = Item("figure", "kurven", 1, "de", NASTY[0] + NASTY[2])
-    heading = Item("text", blocks=parse_prose("# Kopf -- ,, <<"))
+    require("pdflatex")
+    figure = run("kurven", "plot --ratio 1:5", caption=NASTY[0] + NASTY[2])
+    first = chapter(NASTY[0], text("# Kopf -- ,, <<"), figure, run("lang", "delta", caption="Lang"))
+    top = keys_of(title=NASTY[3], subtitle=NASTY[2], author=NASTY[1])
+    manifest = f'{top}formats = ["latex"]\n{first}{"".join(map(chapter, NASTY[1:]))}'
+    pages = built(tmp_path, manifest)
     # Longer than the page, which is scaled to it and not printed over its foot.
-    tall = Item("table", "lang", 1, "de", "Lang")
     long = "\\begin{table}\n\\caption{Lang}\\label{tab:lang}\n\\rule{1cm}{240mm}\n\\end{table}\n"
-    chapters = (chapters[0]._replace(items=(heading, figure, tall)), *chapters[1:])
-    folder = written(Document(NASTY[3], "de", "comma", chapters, NASTY[2], NASTY[1]), tmp_path, lang=long)
-    log = log_of("pdflatex", folder, runs=3)
+    (pages / "tables/lang.tex").write_text(long, encoding="utf-8")
     # TeX says of a line of sixty equal words that it is not full.
-    assert [line for line in complaints(log) if "Underfull" not in line] == []
-    text = text_of(folder / "page.pdf")
+    assert [line for line in complaints(log_of("pdflatex", pages)) if "Underfull" not in line] == []
+    printed = " ".join(pages_of(pages / "page.pdf"))
     for words in NASTY[:3]:
-        assert text.count(" ".join(plain(words).split())) >= 2, words
-    assert r"{x} *y* \\[1em] -- ,, <<" in text
-    assert "Kopf -- ,, <<" in text
-    assert "root:" not in text
-
-
-def test_the_pdf_says_its_title_author_and_language(tmp_path: Path) -> None:
-    folder = written(small()._replace(title=NASTY[3], author=NASTY[0]), tmp_path)
-    pdf = compile_tex(str(folder), "handbook", "pdflatex")
-    (tmp_path / "read.pdf").write_bytes(pdf)
-    done = subprocess.run(
-        [require("pdfinfo"), "-enc", "UTF-8", str(tmp_path / "read.pdf")],
-        capture_output=True,
-        check=True,
-        encoding="utf-8",
-    )
-    fields = dict(line.split(":", 1) for line in done.stdout.splitlines() if ":" in line)
-    assert fields["Title"].strip() == plain(NASTY[3])
-    assert fields["Author"].strip() == plain(NASTY[0])
-    assert "CreationDate" not in fields
-    assert re.search(rb"/Lang ?\(de\)", unpacked(pdf))
+        assert printed.count(" ".join(plain(words).split())) >= 2, words
+    assert r"{x} *y* \\[1em] -- ,, <<" in printed
+    assert "Kopf -- ,, <<" in printed
+    assert "root:" not in printed
 
 
 HOST = r"""\documentclass[ngerman]{scrreprt}
@@ -160,7 +124,7 @@ HOST = r"""\documentclass[ngerman]{scrreprt}
 \appendix
 \chapter{Tafeln}
 Siehe \cref{tab:path}, \cref{fig:stellung} und \cref{sec:kurz}.
-\newcommand{\kurbelpath}{tafeln/}
+\newcommand{\kurbelpath}{book/pages/}
 \input{\kurbelpath appendix}
 \end{document}
 """
@@ -168,12 +132,11 @@ Siehe \cref{tab:path}, \cref{fig:stellung} und \cref{sec:kurz}.
 
 @pytest.mark.slow
 def test_the_appendix_goes_into_a_report_from_another_folder(tmp_path: Path) -> None:
-    written(small(), tmp_path / "tafeln")
-    log = compiled("pdflatex", HOST, tmp_path, runs=3)
-    assert complaints(log) == []
+    built(tmp_path / "book", SMALL)
+    assert complaints(compiled("pdflatex", HOST, tmp_path, runs=3)) == []
+    text = " ".join(pages_of(tmp_path / "page.pdf"))
     # The host's babel does not have the language of the table.
-    assert "Tabelle A.1.: Piston path" in " ".join(pages_of(tmp_path / "page.pdf"))
-    text = text_of(tmp_path / "page.pdf")
+    assert "Tabelle A.1.: Piston path" in text
     assert "Siehe Tabelle A.1, Abb. A.1 und Anhang A.1." in text
     # The host's own list has all tables, the appendix's list its own.
     first, second = (place.start() for place in re.finditer("Tabellenverzeichnis", text))
@@ -183,88 +146,89 @@ def test_the_appendix_goes_into_a_report_from_another_folder(tmp_path: Path) -> 
 
 def test_thirty_tables_in_a_row_are_not_too_many(tmp_path: Path) -> None:
     """They are floats here, in a class that does not print them where they are."""
-    names = [f"t{number}" for number in range(30)]
-    items = tuple(Item("table", name, number, "en", "Many") for number, name in enumerate(names, 1))
-    pages = Document("Viele", "de", "comma", (Chapter("Viele", "viele", 1, items),))
-    short = {
-        name: f"\\begin{{table}}[htbp]\n\\caption{{Many}}\\label{{tab:{name}}}\n"
-        "\\rule{1cm}{6cm}\n\\end{table}\n"
-        for name in names
-    }
-    write_folder(tmp_path, document_files(pages, "latex", short), short, ".tex")
-    host = "\\documentclass{article}\n\\begin{document}\n\\input{appendix}\n\\end{document}\n"
-    assert complaints(compiled("pdflatex", host, tmp_path, runs=3)) == []
-    text = text_of(tmp_path / "page.pdf")
-    places = [text.index(f"Table {number}: ") for number in range(1, 31)]
+    parts = (
+        run(f"t{number}", f"table --angle 0..{number}:1 --columns x", caption="Viel")
+        for number in range(1, 31)
+    )
+    pages = built(tmp_path, f'title = "Viele"\nformats = ["latex"]\n{chapter("Viele", *parts)}')
+    packages = "amsmath,array,booktabs,longtable"
+    host = (
+        f"\\documentclass{{article}}\n\\usepackage{{{packages}}}\n\\begin{{document}}\n\\input{{appendix}}\n"
+    )
+    assert not re.search(
+        r"^!.*", compiled("pdflatex", f"{host}\\end{{document}}\n", pages, runs=2), re.MULTILINE
+    )
+    text = " ".join(pages_of(pages / "page.pdf"))
+    places = [text.index(f"Table {number}: Viel") for number in range(1, 31)]
     assert places == sorted(places)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("first", "second"),
-    [("pdflatex", "latexmk"), ("lualatex", "lualatex")],
-)
-def test_the_same_files_give_the_same_pdf(
-    first: str, second: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+# By kurbel's own hand ---------------------------------------------------------------------------------------
+
+
+def by(engine: str, manifest: str = SMALL) -> str:
+    return f'{manifest.replace("latex", "pdf")}[pdf]\nengine = "{engine}"\n'
+
+
+@pytest.mark.parametrize("engine", ["latexmk", pytest.param("lualatex", marks=pytest.mark.slow)])
+def test_the_pdf_says_what_it_is_and_is_the_same_file_everywhere(
+    engine: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    require(second)
-    folders = [written(small(), tmp_path / name) for name in ("a", "b, ö{%")]
-    monkeypatch.setenv("TZ", "Asia/Tokyo")
-    assert complaints(log_of(first, folders[0], runs=3)) == []
-    monkeypatch.setenv("TZ", "America/New_York")
-    before = sorted(folders[1].rglob("*"))
-    made = compile_tex(str(folders[1]), "handbook", second)
-    assert sorted(folders[1].rglob("*")) == before
-    assert made == (folders[0] / "page.pdf").read_bytes()
-    assert not re.search(rb"/CreationDate|PTEX\.|/tmp/|D:20", unpacked(made))
+    require(engine)
+    nasty = by(
+        engine, keys_of(author=NASTY[0]) + SMALL.replace("Kleine Tafeln", NASTY[3].replace("\\", r"\\"))
+    )
+    files = []
+    for zone, name in {"Asia/Tokyo": "a", "America/New_York": "b, ö{%"}.items():
+        monkeypatch.setenv("TZ", zone)
+        built(tmp_path / name, nasty)
+        files.append(made(tmp_path / name))
+    assert files[0] == files[1]
+    # TeX leaves nothing of its own.
+    assert {Path(name).suffix for name in files[0]} == {".pdf", ".json", ".tex"}
+    pdf = tmp_path / "a/pages/handbook.pdf"
+    fields = dict(line.split(":", 1) for line in told("pdfinfo", pdf, "-enc", "UTF-8").splitlines())
+    assert fields["Title"].strip() == plain(NASTY[3])
+    assert fields["Author"].strip() == plain(NASTY[0])
+    inside = unpacked(pdf.read_bytes())
+    assert engine == "lualatex" or re.search(rb"/Lang ?\(de\)", inside)
+    assert not re.search(rb"/CreationDate|PTEX\.|/tmp/|D:20", inside)
 
 
-def trial(folder: Path, line: str, engine: str = "pdflatex", seconds: float = 60) -> bytes:
-    text = f"\\documentclass{{article}}\\begin{{document}}\n{line} x\n\\end{{document}}\n"
-    (folder / "trial.tex").write_text(text, encoding="utf-8")
-    return compile_tex(str(folder), "trial", engine, seconds=seconds)
+def tried(folder: Path, line: str) -> tuple[int, str]:
+    """Build a handbook with a table of which a template makes a line of one's own."""
+    own = {"mine/base/latex.jinja": f"{line} x\n"}
+    done = handbook("build", write(folder / "book", f'templates = "mine"\n{by("latexmk")}', own))
+    return done.code, done.err
 
 
 @pytest.mark.parametrize(
     ("line", "sentence"),
     [
-        (r"\nothing", "pdflatex cannot set trial.tex: Undefined control sequence."),
-        (r"\input{missing}", "pdflatex cannot set trial.tex: LaTeX Error: File `missing.tex' not found."),
-        (
-            r"\input{/etc/hostname}",
-            "pdflatex cannot set trial.tex: LaTeX Error: File `/etc/hostname.tex' not found.",
-        ),
-        (r"\input{../secret}", "pdflatex cannot set trial.tex: LaTeX Error: File `../secret.tex' not found."),
-        (
-            r"\newwrite\w\immediate\openout\w=../out.txt",
-            "pdflatex cannot set trial.tex: I can't write on file `../out.txt'.",
-        ),
+        (r"\nothing", "Undefined control sequence."),
+        (r"\input{/etc/hostname}", "LaTeX Error: File `/etc/hostname.tex' not found."),
+        (r"\input{../secret}", "LaTeX Error: File `../secret.tex' not found."),
+        (r"\newwrite\w\immediate\openout\w=../out.txt", "I can't write on file `../out.txt'."),
     ],
 )
 def test_a_failure_is_a_sentence_with_the_first_error(line: str, sentence: str, tmp_path: Path) -> None:
-    require("pdflatex")
+    require("latexmk")
     (tmp_path / "secret.tex").write_text("secret", encoding="utf-8")
-    folder = tmp_path / "out"
-    folder.mkdir()
-    with pytest.raises(TexError) as caught:
-        trial(folder, line)
-    assert str(caught.value) == sentence
+    code, said = tried(tmp_path, line)
+    assert (code, f"latexmk cannot set handbook.tex: {sentence}" in said) == (1, True), said
 
 
-def test_tex_runs_no_program(tmp_path: Path) -> None:
-    require("pdflatex")
-    trial(tmp_path, rf"\immediate\write18{{touch {tmp_path}/ran}}")
+def test_tex_runs_no_program_and_none_without_end(tmp_path: Path) -> None:
+    require("latexmk")
+    assert tried(tmp_path, rf"\immediate\write18{{touch {tmp_path}/ran}}")[0] == 0
     assert not (tmp_path / "ran").exists()
+    endless = "\\documentclass{article}\\begin{document}\\loop\\iftrue\\repeat\n"
+    (tmp_path / "trial.tex").write_text(endless, encoding="utf-8")
+    with pytest.raises(kurbel.KurbelError, match=r"^latexmk did not finish trial.tex within 0.5 seconds$"):
+        compile_tex(str(tmp_path), "trial", "latexmk", seconds=0.5)
 
 
-def test_a_document_without_end_is_stopped(tmp_path: Path) -> None:
-    require("pdflatex")
-    with pytest.raises(TexError, match=r"^pdflatex did not finish trial.tex within 0.5 seconds$"):
-        trial(tmp_path, r"\loop\iftrue\repeat", seconds=0.5)
-
-
-def test_a_missing_engine_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(TexError) as caught:
-        compile_tex(str(tmp_path), "handbook", "lualatex")
-    assert str(caught.value) == "--pdf-engine lualatex needs TeX: there is no lualatex on this machine"
+def test_a_missing_engine_is_named(tmp_path: Path) -> None:
+    write(tmp_path, by("lualatex"))
+    said = handbook("build", tmp_path, PATH=str(tmp_path)).err
+    assert "--pdf-engine lualatex needs TeX: there is no lualatex on this machine" in said

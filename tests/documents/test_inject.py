@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
-from itertools import pairwise
-from pathlib import Path
 
 import pytest
+from cli import kurbel as run
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from markdown_it import MarkdownIt
 from tools import require
 
-from kurbel.documents.inject import Kind, content, filled, places
-from kurbel.documents.inject_difference import difference
-from kurbel.errors import MarkerError
+import kurbel
+import kurbel.documents.inject as marks
 from kurbel.formats.registry import kinds
+
+content, filled, places = marks.content, marks.filled, marks.places
 
 KINDS = [kind for _, kind in kinds()]
 MARKDOWN, HTML, LATEX, TYPST = KINDS
@@ -29,24 +30,18 @@ each_kind = pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.name)
 TABLE = "| a |\n\n| b |\n"
 
 
-def marked(kind: Kind, *, indent: str = "", newline: str = "\n", old: str = "") -> bytes:
+def marked(kind: marks.Kind, *, indent: str = "", newline: str = "\n", old: str = "") -> bytes:
     opening, closing = OF_KIND[kind.name]
     return f"{indent}{opening}{newline}{old}{indent}{closing}".encode()
 
 
-def refreshed(document: bytes, kind: Kind, text: str = TABLE) -> bytes:
+def refreshed(document: bytes, kind: marks.Kind, text: str = TABLE) -> bytes:
     found = places(document, kind, "notes")
     return filled(document, found, [content(text, place, kind) for place in found])
 
 
-def words_of(text: str, kind: Kind = MARKDOWN) -> list[tuple[int, str]]:
+def words_of(text: str, kind: marks.Kind = MARKDOWN) -> list[tuple[int, str]]:
     return [(place.line, place.words) for place in places(text.encode(), kind, "notes")]
-
-
-def sentence(text: str | bytes, kind: Kind = MARKDOWN) -> str:
-    with pytest.raises(MarkerError) as raised:
-        places(text.encode() if isinstance(text, str) else text, kind, "notes")
-    return str(raised.value)
 
 
 # Bytes that could be taken for something: code, items, line ends, half markers, other encodings.
@@ -60,9 +55,9 @@ AROUND = st.lists(st.one_of(PIECES, st.binary(max_size=3)), max_size=12).map(b""
 
 @each_kind
 @given(before=AROUND, after=AROUND, old=AROUND, newline=st.sampled_from(["\n", "\r\n", "\r"]))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=80, deadline=None)
 def test_bytes_around_a_place_never_change(
-    kind: Kind, before: bytes, after: bytes, old: bytes, newline: str
+    kind: marks.Kind, before: bytes, after: bytes, old: bytes, newline: str
 ) -> None:
     opening, closing = (marker.encode() for marker in OF_KIND[kind.name])
     end = newline.encode()
@@ -71,7 +66,7 @@ def test_bytes_around_a_place_never_change(
     document = before + end + opening + end + old + end + closing + end + after
     try:
         found = places(document, kind, "notes")
-    except MarkerError:
+    except kurbel.KurbelError:
         # The opening marker is in code that ends before the closing one.
         assert not places(before + end + opening + end + closing, kind, "notes")
         return
@@ -88,7 +83,7 @@ def test_bytes_around_a_place_never_change(
 @each_kind
 @given(document=st.lists(st.one_of(PIECES, st.binary(max_size=4)), max_size=20).map(b"".join))
 @settings(max_examples=100, deadline=None)
-def test_a_document_without_markers_stays_as_it_is(kind: Kind, document: bytes) -> None:
+def test_a_document_without_markers_stays_as_it_is(kind: marks.Kind, document: bytes) -> None:
     assert refreshed(document, kind) == document
 
 
@@ -96,7 +91,7 @@ def test_a_document_without_markers_stays_as_it_is(kind: Kind, document: bytes) 
 @pytest.mark.parametrize("newline", ["\n", "\r\n", "\r"])
 @pytest.mark.parametrize("indent", ["", "  ", "\t"])
 def test_a_place_takes_the_indentation_and_the_line_ends_of_its_marker(
-    kind: Kind, newline: str, indent: str
+    kind: marks.Kind, newline: str, indent: str
 ) -> None:
     # A tab or more makes code of Markdown but in an item of a list.
     before = f"1.  item{newline}{newline}" if kind.name == "Markdown" and indent == "\t" else ""
@@ -108,7 +103,7 @@ def test_a_place_takes_the_indentation_and_the_line_ends_of_its_marker(
 
 
 @each_kind
-def test_the_mark_of_byte_order_and_a_missing_last_line_end_are_kept(kind: Kind) -> None:
+def test_the_mark_of_byte_order_and_a_missing_last_line_end_are_kept(kind: marks.Kind) -> None:
     new = refreshed(b"\xef\xbb\xbf" + marked(kind), kind)
     assert new.startswith(b"\xef\xbb\xbf" + OF_KIND[kind.name][0].encode())
     assert new.endswith(OF_KIND[kind.name][1].encode())
@@ -116,7 +111,7 @@ def test_the_mark_of_byte_order_and_a_missing_last_line_end_are_kept(kind: Kind)
 
 
 @each_kind
-def test_every_place_of_a_document_is_found_in_its_order(kind: Kind) -> None:
+def test_every_place_of_a_document_is_found_in_its_order(kind: marks.Kind) -> None:
     one = marked(kind) + b"\n"
     assert [place.line for place in places(one + b"text\n" + one + one, kind, "notes")] == [1, 4, 6]
 
@@ -185,7 +180,7 @@ LINES = st.sampled_from(
 
 
 @given(lines=st.lists(LINES, max_size=8), indent=st.integers(0, 8))
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=250, deadline=None)
 def test_a_marker_is_code_where_a_library_of_commonmark_says_so(lines: list[str], indent: int) -> None:
     marker = " " * indent + "<!-- kurbel: table -->"
     text = "".join(f"{line}\n" for line in lines)
@@ -230,105 +225,31 @@ def test_what_stands_in_a_place_is_no_code() -> None:
     assert words_of(text) == [(1, "table"), (4, "delta")]
 
 
-# Mistakes.
-
-
-@each_kind
-def test_an_unclosed_marker_is_named_with_its_line(kind: Kind) -> None:
-    opening, closing = OF_KIND[kind.name]
-    assert sentence(f"text\n{opening}\n", kind) == (
-        f"notes:2: the marker is unclosed; write {closing} on a line behind it"
-    )
-
-
-@each_kind
-def test_a_nested_marker_is_named_with_both_lines(kind: Kind) -> None:
-    opening, closing = OF_KIND[kind.name]
-    assert sentence(f"{opening}\n\n{opening}\n{closing}\n{closing}\n", kind) == (
-        f"notes:3: the marker is nested in the one of line 1, which is still open; write {closing} before it"
-    )
-
-
-@each_kind
-def test_a_closing_marker_alone_closes_nothing(kind: Kind) -> None:
-    opening, closing = OF_KIND[kind.name]
-    text = f"{opening}\n{closing}\n{closing}\n"
-    assert sentence(text, kind).startswith(f"notes:3: {closing} closes nothing; write ")
-
-
-@each_kind
-@pytest.mark.parametrize("shape", ["text {0}\n", "text {1}"])
-def test_a_marker_beside_other_text_is_refused(kind: Kind, shape: str) -> None:
-    assert sentence(shape.format(*OF_KIND[kind.name]), kind).startswith(
-        "notes:1: a marker stands alone on its line, whole, as "
-    )
-
-
-@pytest.mark.parametrize("text", ["<!-- kurbel: table\n --ratio 1:5 -->\n", "<!-- /kurbel: table -->\n",
-                                  "<!-- kurbel: table --><!-- /kurbel -->\n"])  # fmt: skip
-def test_a_marker_of_two_lines_and_two_on_one_line_are_refused(text: str) -> None:
-    assert sentence(text).startswith("notes:1: a marker stands alone on its line, whole, as ")
-
-
-def test_a_marker_without_words_or_with_unseen_ones_is_refused() -> None:
-    assert "has no command" in sentence("<!-- kurbel: -->\n<!-- /kurbel -->\n")
-    assert "cannot be seen" in sentence("<!-- kurbel: table\0 -->\n<!-- /kurbel -->\n")
-    assert "not in UTF-8" in sentence(b"<!-- kurbel: table \xff -->\n<!-- /kurbel -->\n")
-
-
-@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be"])
-def test_a_document_of_two_bytes_a_letter_is_refused(encoding: str) -> None:
-    assert "UTF-16" in sentence("\n<!-- kurbel: table -->\n<!-- /kurbel -->\n".encode(encoding))
-
-
 # The difference.
 
 
 @given(
     olds=st.lists(st.lists(st.sampled_from("abcdef"), max_size=12), min_size=1, max_size=4),
-    new=st.lists(st.sampled_from("abcdef"), min_size=1, max_size=12),
+    around=st.lists(st.sampled_from(["c\n", "d\n", "Maß\n"]), max_size=8).map("".join),
     ended=st.booleans(),
 )
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=20, deadline=None)
 def test_the_difference_is_what_patch_takes(
-    tmp_path_factory: pytest.TempPathFactory, olds: list[list[str]], new: list[str], ended: bool
+    tmp_path_factory: pytest.TempPathFactory, olds: list[list[str]], around: str, ended: bool
 ) -> None:
     folder = tmp_path_factory.mktemp("patch")
-    parts = (marked(HTML, old="".join(f"{one}\n" for one in old)) for old in olds)
-    document = b"a\nb\n" + b"\nc\nd\ne\nf\n".join(parts) + (b"\n" if ended else b"")
-    found = places(document, HTML, "notes")
-    contents = [content("".join(f"{one}\n" for one in new), place, HTML) for place in found]
-    expected = filled(document, found, contents)
-    lines = b"".join(difference("notes.html", document, found, contents))
-    assert bool(lines) == (expected != document)
-    (folder / "notes.html").write_bytes(document)
-    if lines:
-        run = subprocess.run(
-            [require("patch"), "--fuzz=0", "-p0"], cwd=folder, input=lines, capture_output=True
-        )
-        assert run.returncode == 0, run.stdout
-        assert b"offset" not in run.stdout
-    assert (folder / "notes.html").read_bytes() == expected
-
-
-def test_the_difference_shows_only_places_that_change() -> None:
-    document = marked(HTML, old="same\n") + b"\nbetween\n" + marked(HTML, old="old\n") + b"\n"
-    found = places(document, HTML, "notes")
-    lines = list(difference("notes.html", document, found, [b"same\n", b"new\n"]))
-    assert lines == [
-        b"--- notes.html\n",
-        b"+++ notes.html\n",
-        b"@@ -3,5 +3,5 @@\n",
-        b" <!-- /kurbel -->\n",
-        b" between\n",
-        b" <!-- kurbel: table -->\n",
-        b"-old\n",
-        b"+new\n",
-        b" <!-- /kurbel -->\n",
-    ]
-
-
-def test_suffixes_belong_to_one_kind_each() -> None:
-    suffixes = sorted(suffix for _, kind in kinds() for suffix in kind.suffixes)
-    assert all(one != other for one, other in pairwise(suffixes))
-    assert Path("notes.md").suffix in suffixes
+    path = folder / "notes.html"
+    opening, closing = OF_KIND["HTML"]
+    opening = opening.replace("table", "table --angle 60 --columns x")
+    parts = (f"{opening}\n" + "".join(f"{one}\n" for one in old) + closing for old in olds)
+    labels = iter(range(9))
+    text = re.sub("columns x", lambda _: f"columns x --label a{next(labels)}", f"\n{around}".join(parts))
+    path.write_text(f"a\nb\n{text}" + ("\n" if ended else ""), encoding="utf-8")
+    (folder / "patched").write_bytes(path.read_bytes())
+    checked = run("inject", "--check", str(path))
+    assert checked.code == 1
+    words = [require("patch"), "--fuzz=0", str(folder / "patched")]
+    done = subprocess.run(words, input=checked.out.encode(), capture_output=True)
+    assert (done.returncode, b"offset" in done.stdout) == (0, False), done.stdout
+    assert run("inject", str(path)).code == 0
+    assert path.read_bytes() == (folder / "patched").read_bytes()

@@ -8,13 +8,9 @@ import string
 import subprocess
 from pathlib import Path
 
-from page_formats import page_format
-from prose_sample import SAMPLE, Parts, parsed, shown
+from prose_sample import SAMPLE, parsed, set_in, shown
 from tex import compiled, complaints, each_engine
 from tools import require, require_library
-
-from kurbel.documents.markdown import parse_prose
-from kurbel.formats.printer import set_prose
 
 _LATEX = r"""\documentclass[a4paper]{report}
 \usepackage{iftex}
@@ -62,10 +58,6 @@ def paper(folder: Path) -> str:
     return (folder / "page.txt").read_text(encoding="utf-8")
 
 
-def latex(text: str) -> str:
-    return set_prose(parse_prose(text), page_format("latex"), ",", Parts("latex"))
-
-
 def typeset(source: str, folder: Path) -> None:
     """Compile a source of Typst without a warning."""
     require_library("typst")
@@ -81,7 +73,7 @@ def typeset(source: str, folder: Path) -> None:
 @each_engine
 def test_sample_is_printed_by_latex(engine: str, tmp_path: Path) -> None:
     heading = "\n\n# λ \"q\" 'x' \\` ~^\\\\ {}% `a_b` [](#delta)\n"
-    text = f"{_LATEX}{latex(SAMPLE + heading)}\\end{{document}}\n"
+    text = f"{_LATEX}{set_in('latex', SAMPLE + heading)}\\end{{document}}\n"
     assert complaints(compiled(engine, text, tmp_path, runs=2)) == []
     page = characters(paper(tmp_path))
     for characters_of_line in _SHOWN:
@@ -94,13 +86,16 @@ def test_sentences_in_a_table_stay_on_the_page(tmp_path: Path) -> None:
     sentence = "Der Kolben eilt vor und kehrt am Totpunkt um. " * 4
     rows = f"| Teil | Was er *tut* | Mehr |\n|:--|---|--:|\n| $x/R$ | {sentence} | {sentence} |\n"
     assert (
-        complaints(compiled("pdflatex", f"{_LATEX}{latex(rows)}\\end{{document}}\n", tmp_path, runs=2)) == []
+        complaints(
+            compiled("pdflatex", f"{_LATEX}{set_in('latex', rows)}\\end{{document}}\n", tmp_path, runs=2)
+        )
+        == []
     )
     assert characters(paper(tmp_path)).count("Kolben") == 8
 
 
 def test_sample_is_printed_by_typst(tmp_path: Path) -> None:
-    typeset(_TYPST + set_prose(parse_prose(SAMPLE), page_format("typst"), ",", Parts("typst")), tmp_path)
+    typeset(_TYPST + set_in("typst", SAMPLE), tmp_path)
     page = characters(paper(tmp_path))
     for characters_of_line in _SHOWN:
         assert characters_of_line in page
@@ -110,29 +105,12 @@ def test_sample_is_printed_by_typst(tmp_path: Path) -> None:
 def nasty_texts(count: int) -> list[str]:
     """Return texts of characters that are markup somewhere, and that our Markdown does not refuse."""
     chance = random.Random(6)
-    pieces = [
-        *string.punctuation,
-        *string.punctuation,
-        " ",
-        " ",
-        "\n",
-        "a",
-        "B",
-        "ü",
-        "7",
-        "- ",
-        "1. ",
-        "\n> ",
-    ]
+    pieces = [*string.punctuation, *string.punctuation, *"  \naBü7", "- ", "1. ", "\n> "]
     texts = (
         "".join(chance.choices(pieces, k=chance.randint(1, 30))).replace("$", r"\$") for _ in range(9999)
     )
-    found = [text for text in texts if parsed(text) and shown(html(text))]
+    found = [text for text in texts if parsed(text) and shown(set_in("html", text))]
     return found[:count]
-
-
-def html(text: str) -> str:
-    return set_prose(parsed(text), page_format("html"), ",", Parts("html"))
 
 
 def between(page: str, count: int) -> list[str]:
@@ -148,22 +126,19 @@ _LIST = re.compile(r"<(?:li|ol|ul|hr)\b")
 
 @each_engine
 def test_nasty_text_is_printed_by_latex(engine: str, tmp_path: Path) -> None:
-    texts = [text for text in nasty_texts(120) if not _LIST.search(html(text))]
-    pieces = "\n\n".join(f"{latex(text)}\n\nQQ{place}QQ\n" for place, text in enumerate(texts))
+    texts = [text for text in nasty_texts(60) if not _LIST.search(set_in("html", text))]
+    pieces = "\n\n".join(f"{set_in('latex', text)}\n\nQQ{place}QQ\n" for place, text in enumerate(texts))
     head = _LATEX[: _LATEX.index(r"\chapter")] + "\\pagestyle{empty}\\setcounter{secnumdepth}{-2}\n"
     log = compiled(engine, f"{head}{pieces}\\end{{document}}\n", tmp_path)
     assert "Output written" in log
     assert not re.findall(r"^!.*|.*Missing character.*", log, re.MULTILINE)
     for text, printed in zip(texts, between(paper(tmp_path), len(texts)), strict=True):
-        assert printed == characters(shown(html(text))), text
+        assert printed == characters(shown(set_in("html", text))), text
 
 
 def test_nasty_text_is_printed_by_typst(tmp_path: Path) -> None:
-    texts = [text for text in nasty_texts(120) if not _LIST.search(html(text))]
-    pieces = "\n".join(
-        f"{set_prose(parse_prose(text), page_format('typst'), ',', Parts('typst'))}\nQQ{place}QQ\n"
-        for place, text in enumerate(texts)
-    )
+    texts = [text for text in nasty_texts(60) if not _LIST.search(set_in("html", text))]
+    pieces = "\n".join(f"{set_in('typst', text)}\nQQ{place}QQ\n" for place, text in enumerate(texts))
     typeset(pieces, tmp_path)
     for text, printed in zip(texts, between(paper(tmp_path), len(texts)), strict=True):
-        assert printed == characters(shown(html(text))), text
+        assert printed == characters(shown(set_in("html", text))), text

@@ -9,81 +9,49 @@ from typing import Any
 
 import numpy as np
 import pytest
-from cli import printed, refusal
-from gas import Gas
+from cli import printed
+from machines import machine
 from places import ROOT
 
 import kurbel
-from kurbel.cli import COMMANDS
-from kurbel.cli.app import command_of
 
 SAMPLES = 400_000
 MACHINES = ROOT / "examples" / "machines"
 
 
-def path_and_speed(degrees: Any, ratio: float) -> tuple[Any, Any]:
-    """The share of the stroke from the inner dead centre, and the piston's speed in R a radian."""
-    angle = np.radians(degrees)
-    slant = np.sqrt(1 - (ratio * np.sin(angle)) ** 2)
-    return (1 - np.cos(angle) + (1 - slant) / ratio) / 2, np.sin(angle) * (1 + ratio * np.cos(angle) / slant)
-
-
-def steam(degrees: Any, ratio: float, expansion: float, back: float) -> Any:
-    """T in the force before cut-off, double-acting, by Mariotte's law."""
-    share, speed = path_and_speed(degrees, ratio)
-    share = np.where(degrees % 360 < 180, share, 1 - share)
-    return (np.minimum(1.0, 1 / (expansion * np.maximum(share, 1e-12))) - back) * np.abs(speed)
-
-
-def two_stroke(degrees: Any, ratio: float, compression: float, peak: float) -> Any:
-    share, speed = path_and_speed(degrees, ratio)
-    clearance = 1 / (compression - 1)
-    out = peak * (clearance / (clearance + share)) ** 1.4
-    back = ((1 + clearance) / (clearance + share)) ** 1.4
-    return (np.where(degrees % 360 < 180, out, back) - 1) * speed
-
-
-def compressor(degrees: Any, ratio: float, pressures: float, exponent: float, clearance: float) -> Any:
-    """T in the suction pressure times the area, both ends alike."""
-    share, speed = path_and_speed(degrees, ratio)
-    behind = np.where(degrees % 360 < 180, share, 1 - share)
-    expanding = pressures * (clearance / (clearance + behind)) ** exponent
-    compressed = ((1 + clearance) / (clearance + 1 - behind)) ** exponent
-    return (np.maximum(1.0, expanding) - np.minimum(pressures, compressed)) * np.abs(speed)
-
-
-def inertia(degrees: Any, ratio: float) -> Any:
-    """T of a reciprocating mass in m R² ω²."""
-    angle = np.radians(degrees)
-    _, speed = path_and_speed(degrees, ratio)
-    step = 1e-5
-    ahead, behind = (path_and_speed(degrees + np.degrees(one), ratio)[1] for one in (step, -step))
-    assert angle.shape == speed.shape
-    return -(ahead - behind) / (2 * step) * speed
-
-
-def torque(name: str, degrees: Any) -> Any:
-    """The torque on the shaft in N m of a machine as its file describes it."""
-    if name == "compound":
-        omega = 90 * np.pi / 30
-        total = np.zeros_like(degrees)
-        for lag, bore, pascals, expansion, back, mass in (
-            (0, 0.4, 9e5, 2.5, 0.3, 400), (90, 0.64, 2.7e5, 2, 0.08, 520),
-        ):  # fmt: skip
-            own = (degrees - lag) % 360
-            force = np.pi / 4 * bore**2 * pascals * steam(own, 0.2, expansion, back)
-            total += 0.4 * (force + mass * 0.4 * omega**2 * inertia(own, 0.2))
-        return total
-    if name == "charged":
-        engine = np.pi / 4 * 0.25**2 * 1.2e5 * 0.2 * two_stroke(degrees % 360, 1 / 4.5, 5, 20)
-        pump = np.pi / 4 * 0.24**2 * 1e5 * 0.15 * compressor((degrees - 100) % 360, 1 / 4.5, 1.3, 1.3, 0.06)
-        return engine + pump
-    gas = Gas(6, 1.4, 30, 1, 1, 0.25)
+# By machine its cylinders: the angle by which each follows, its bore and stroke in m, its unit of
+# pressure in bar and what else is said of it.
+CYLINDERS: dict[str, list[tuple[float, float, float, float, dict[str, Any]]]] = {
+    "compound": [
+        (0, 0.4, 0.8, 9, {"eps": "2.5", "back": "0.3", "ratio": "1:5", "reciprocating": "400kg"}),
+        (90, 0.64, 0.8, 2.7, {"eps": "2", "back": "0.08", "ratio": "1:5", "reciprocating": "520kg"}),
+    ],
+    "charged": [
+        (0, 0.25, 0.4, 1.2, {
+            "compression": "5", "peak_pressure": "20", "two_stroke": True, "ratio": "1:4.5",
+        }),
+        (100, 0.24, 0.3, 1, {
+            "pressure_ratio": "1.3", "exponent": "1.3", "clearance": "0.06", "ratio": "1:4.5",
+        }),
+    ],
     # On one pin the second fires 45° after its first chance, a turn later.
+    "v2": [
+        (lag, 0.08, 0.09, 1, {"compression": "6", "peak_pressure": "30", "ratio": "1:4"}) for lag in (0, 405)
+    ],
+}  # fmt: skip
+
+
+def torque(name: str, degrees: Any, only: int | None = None) -> Any:
+    """Return the torque on the shaft in N m of a machine as its file describes it, or of one cylinder."""
     total = np.zeros_like(degrees)
-    for lag in (0, 405):
-        pressure, slope = gas.over_angle((degrees - lag) % 720)
-        total += np.pi / 4 * 0.08**2 * 1e5 * 0.045 * (pressure - 1) * slope
+    for number, (lag, bore, stroke, pressure, said) in enumerate(CYLINDERS[name]):
+        sizes = {"bore": f"{bore}m", "stroke": f"{stroke}m"}
+        kind = "pressure" if "eps" in said else "suction_pressure"
+        speed = {"speed": "90/min"} if "reciprocating" in said else {}
+        own = machine(**said, **sizes, **speed, **{kind: f"{pressure}bar"})
+        if only in (None, number):
+            unit = np.pi / 4 * bore**2 * pressure * 1e5 * stroke / 2
+            total += own.force((degrees - lag) % own.cycle) * unit
     return total
 
 
@@ -113,11 +81,6 @@ def test_a_machine_of_unlike_cylinders_turns_as_its_torques_add_up(name: str, tu
         assert float(one["energy"]) == pytest.approx(
             np.interp(at, degrees, work)[0] / scale, abs=2e-5, rel=1e-4
         )
-
-
-def test_the_whole_cycle_of_a_four_stroke_machine_is_printed() -> None:
-    page = printed("turning", "--machine", str(MACHINES / "v2.toml"), "--step=90", "-f", "csv")
-    assert [record["phi"] for record in page.records()] == [str(90 * step) for step in range(9)]
 
 
 @pytest.mark.parametrize(
@@ -235,89 +198,6 @@ def test_cranks_that_follow_as_an_order_of_firing_says_make_an_engine_that_fires
         np.testing.assert_allclose(float(one["tangential"]), sum(parts), rtol=0, atol=1e-7)
 
 
-def test_what_a_cylinder_says_outdoes_what_all_have(tmp_path: Path) -> None:
-    path = tmp_path / "machine.toml"
-    path.write_text(
-        '[crank]\nstroke = "800mm"\nrod = "2000mm"\n[steam]\neps = 3\nback = "10%"\nbore = "300mm"\n'
-        'pressure = "8bar"\n[[cylinder]]\n[[cylinder]]\nratio = "1:4"\nangle = 90\npressure_ratio = 2\n'
-        'suction_pressure = "1bar"\n',
-        encoding="utf-8",
-    )
-    notes = printed("delta", "--machine", str(path), "--lang=en").out
-    flat = " ".join(notes.split())
-    assert "Cylinder 1: Q = π/4 d² p, d = 300 mm, p = 800 kPa; stroke 800 mm, R:L = 1:5; ε = 3" in flat
-    assert "Cylinder 2: Q = π/4 d² p₁, d = 300 mm, p₁ = 100 kPa; stroke 800 mm, R:L = 1:4; 90° behind" in flat
-
-
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        ("[[cylinder]]\neps = 2\n[[cylinder]]\nboer = 3\n",
-         'line 4: there is no entry of [cylinder], "boer" (did you mean bore?)'),
-        ("[[cylinder]]\neps = 2\n[[cylinder]]\nbore = true\n",
-         'line 4: cylinder.bore is true; it must be text such as "600mm", a number'),
-        ("[cylinder]\neps = 2\n", "cylinder is a table; write [[cylinder]]"),
-        ("cylinder = []\n", "cylinder is empty; write a [[cylinder]] for each"),
-    ],
-)  # fmt: skip
-def test_what_a_file_says_amiss_of_a_cylinder_is_named_with_its_line(
-    text: str, said: str, tmp_path: Path
-) -> None:
-    path = tmp_path / "machine.toml"
-    path.write_text(text, encoding="utf-8")
-    sentence = refusal("delta", "--machine", str(path), code=1)
-    assert sentence.startswith(str(path))
-    assert said in sentence
-
-
-@pytest.mark.parametrize(
-    ("entry", "said"),
-    [
-        ("eps = 0.5", "expansion ratio ε is 0.5; it must be 1"),
-        ('eps = 2\nangle = "x"', 'angle "x" is not an angle in degrees'),
-        ('eps = 2\nbank = "x"', 'bank "x" is not an angle in degrees'),
-    ],
-)
-def test_a_cylinder_that_cannot_be_is_named_with_its_line(entry: str, said: str, tmp_path: Path) -> None:
-    path = tmp_path / "machine.toml"
-    path.write_text(f"[[cylinder]]\neps = 2\n\n[[cylinder]]\n{entry}\n", encoding="utf-8")
-    sentence = refusal("delta", "--machine", str(path))
-    assert sentence.startswith(f"{path}, line 4: cylinder 2: {said}")
-
-
-def test_an_engine_of_one_cylinder_is_called_so() -> None:
-    assert " der Maschine mit einem Zylinder;" in " ".join(printed("delta", "--cylinder=eps=4").out.split())
-
-
-@pytest.mark.parametrize(
-    ("cylinders", "said"),
-    [
-        (("bore=400mm",), "cylinder 1 has no load; give it eps, card, pressure_ratio, pump or compression"),
-        (("eps=4", "eps=3"), "cylinder 1 needs its bore, its pressure and its stroke to be compared"),
-        (("eps=4 back=2", "eps=3"), "cylinder 1: back pressure b is 2; it must lie within 0..1"),
-        (("eps=2..4",), "cylinder 1: it has 3 loads; a cylinder has one"),
-        (("eps=2 fires=1", "eps=2"), "cylinder 2 has no fires; give all their places, or none"),
-        (("eps=2 fires=1", "eps=2 fires=3"), "fires has the places 1, 3; each of 1 to 2 must be there"),
-        (("eps=2 fires=1", "compression=6 peak_pressure=30 fires=2"), "whose cycles have as many strokes"),
-        (("eps=4 rocker=6",), "cylinder 1: --rocker does not belong to the straight crank; it is for"),
-        (("eps",), "eps of a cylinder has no value"),
-        (("eps=4 bore=1m eps=3",), "eps of a cylinder is given twice; leave one out"),
-        (("eps=4 single-acting=no",), "single_acting of a cylinder is no; it must be true or false"),
-        (("epsilon=4",), 'there is no entry of a cylinder, "epsilon"'),
-    ],
-)  # fmt: skip
-def test_cylinders_that_are_none_are_refused(cylinders: tuple[str, ...], said: str) -> None:
-    assert said in refusal("delta", *(f"--cylinder={one}" for one in cylinders))
-
-
-@pytest.mark.parametrize(
-    "option", ["--pressure-ratio=3", "--heat=5", "--suction-loss=3%", "--pump", "--two-stroke"]
-)
-def test_what_describes_a_load_that_no_cylinder_has_is_refused(option: str) -> None:
-    name = option.partition("=")[0]
-    assert f"{name} says nothing about the cylinders" in refusal("delta", "--cylinder=eps=4", option)
-
-
 @pytest.mark.parametrize(("said", "share"), [("false", 1), ("true", 0.5)])
 def test_a_cylinder_that_is_said_not_to_be_single_acting_works_at_both_ends(said: str, share: float) -> None:
     own = printed("delta", f"--cylinder=eps=4 single_acting={said}", "--columns=mean_force", "-f", "csv")
@@ -333,16 +213,8 @@ def test_the_list_of_cylinders_has_the_share_of_each_in_the_torque(name: str) ->
     rows = printed("delta", "--layout=cylinders", *machine, columns, "-f", "csv").records()
     degrees = (np.arange(SAMPLES) + 0.5) * 360 / SAMPLES
     whole = float(torque(name, degrees).mean())
-    if name == "compound":
-        own = [np.pi / 4 * 0.4**2 * 9e5 * 0.4 * steam(degrees, 0.2, 2.5, 0.3).mean(), None]
-        assert [(row["lag"], row["bore_mm"], row["stroke_mm"]) for row in rows[:2]] == [
-            ("0", "400", "800"), ("90", "640", "800"),
-        ]  # fmt: skip
-        turns = 90 / 60
-    else:
-        own = [np.pi / 4 * 0.25**2 * 1.2e5 * 0.2 * two_stroke(degrees, 1 / 4.5, 5, 20).mean(), None]
-        turns = 200 / 60
-    own[1] = whole - own[0]
+    own = [float(torque(name, degrees, number).mean()) for number in (0, 1)]
+    turns = {"compound": 90, "charged": 200}[name] / 60
     for row, true in zip(rows, [*own, whole], strict=True):
         assert float(row["mean_torque"]) == pytest.approx(true, abs=0.06)
         assert float(row["power"]) == pytest.approx(true * 2 * np.pi * turns / 1000, abs=6e-4)
@@ -369,44 +241,6 @@ def test_the_torque_is_that_of_all_whichever_cylinder_is_seen() -> None:
     assert first[0]["torque_nm"] == second[0]["torque_nm"]
 
 
-def test_every_command_takes_the_cylinders_of_a_machine_or_refuses_them(tmp_path: Path) -> None:
-    options = {name: {param.name for param in command_of(name).params} for name in COMMANDS}
-    one = [name for name, own in options.items() if {"machine", "eps"} <= own and "cylinder" not in own]
-    assert one == ["pressures", "power", "construct"]
-    machine = ("--machine", str(MACHINES / "compound.toml"))
-    as_said = tmp_path / "as-said.toml"
-    crank = '[crank]\nratio = "1:5"\nstroke = "8dm"\nspeed = "2/s"\n'
-    as_said.write_text(
-        crank + '[steam]\nbore = "4dm"\npressure = "9bar"\neps = 2\n[masses]\nreciprocating = "9kg"\n'
-    )
-    for words in (("pressures",), ("construct", "radinger"), ("power",)):
-        assert "bore into [steam] and reciprocating into [masses]" in refusal(*words, *machine, code=1)
-        assert not printed(*words, "--machine", str(as_said)).err
-    for words in (("pressures",), ("construct", "radinger")):
-        assert "is about one" in refusal(*words, *machine, code=1)
-    for name in ("balance", "power"):
-        assert "is about cylinders alike" in refusal(name, *machine, code=1)
-    assert "are of one cylinder" in refusal("plot", "--pressures", *machine, "-o", "none.svg")
-
-
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        ("--eps=4 --of=2", "--of names one of several cylinders; add each as --cylinder, or leave it out"),
-        ("--cylinder=eps=4 --of=2", "cylinder 2 was asked for, and the engine has 1"),
-    ],
-)
-def test_a_cylinder_that_there_is_not_has_no_forces(words: str, said: str) -> None:
-    assert said in refusal("forces", *words.split())
-
-
-def test_lists_of_cylinders_have_no_cranks_and_no_layout_of_a_load() -> None:
-    assert "leave one out" in refusal("delta", "--cylinder=eps=2", "--cranks=0;90")
-    assert "is of cylinders alike; use --layout delta-detail" in refusal(
-        "delta", "--cylinder=eps=2", "--layout=weisbach-150"
-    )
-
-
 def test_the_commands_of_the_page_on_cylinders_print(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
     text = (ROOT / "docs" / "subjects" / "cylinders.md").read_text(encoding="utf-8").replace("\\\n", " ")
@@ -416,13 +250,3 @@ def test_the_commands_of_the_page_on_cylinders_print(monkeypatch: pytest.MonkeyP
         assert printed(*shlex.split(command)[1:]).out
     ((typed, shown),) = re.findall(r"```console\n\$ kurbel (.*)\n((?:.*\n)*?)```", text)
     assert printed(*shlex.split(typed)).out == shown
-
-
-def test_a_cylinder_that_the_shaft_drives_is_named_beside_one_that_drives() -> None:
-    machine = str(ROOT / "examples" / "machines" / "charged.toml")
-    for command in ("delta", "turning"):
-        notes = " ".join(printed(command, "--machine", machine, "--lang=en").out.split())
-        assert "The shaft drives the piston of cylinder 2: T counts as the crank turns" in notes
-        assert "; compression by p Vⁿ" in notes
-    engine = str(ROOT / "examples" / "machines" / "v2.toml")
-    assert "shaft drives" not in printed("delta", "--machine", engine, "--lang=en").out

@@ -11,31 +11,22 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 import pytest
-from cli import printed
-from pages import BEAMS, ENGINES, Address, cells, default_page, page_of, shown
+from cli import printed, records, refusal
+from pages import ENGINES, Address, cells, page_of, shown
 
 import kurbel
-from kurbel.engine.quantities import engine_registry
-from kurbel.engine.request import WITH_FLYWHEEL
-from kurbel.errors import KurbelError
 from kurbel.exact.numerals import degrees_text
 from kurbel.formats.render import render
 from kurbel.page.layouts import LANGUAGES, layout
 from kurbel.page.subject import subject
-from kurbel.page.table import DITTO, Table
+from kurbel.page.table import Table
 
 # So small that no number has five digits, which pages would have in larger units (tests/page).
 TASK = {"power": 5_000, "speed": 2, "delta": "1:50;1:100", "radius": 1.5}
-LOAD = {"stroke": 0.6, "bore": 0.3, "pressure": 80_000}
-MACHINE = LOAD | {"speed": 2, "reciprocating": 30, "rod_mass": 15, "centre": "0.6", "gyration": "0.3"}
-# What columns of other loads than steam need.
-POWER = {"speed": 2}
-OTHERS: Mapping[str, dict[str, Any]] = {
-    "compressor": {"pressure_ratio": "3", "clearance": "0.05"},
-    "heat": {"compression": "6", "heat": "9"},
-    "masses": {**MACHINE, "eps": "3", "power": None},
-    "flow": {"pressure_ratio": "3", "stroke": 0.6, "bore": 0.3, "suction_pressure": 100_000, "speed": 2},
-}
+MACHINE = {
+    "stroke": 0.6, "bore": 0.3, "pressure": 80_000, "speed": 2, "reciprocating": 30, "rod_mass": 15,
+    "centre": "0.6", "gyration": "0.3",
+}  # fmt: skip
 QR, PR = "$(Q r)/(m_1 v_1^2)$", "$(P r)/(m_1 v_1^2)$"
 
 
@@ -323,150 +314,36 @@ def test_expansions_without_a_finite_decimal_are_printed_as_fractions() -> None:
     assert [row.stub[0].value for row in group.rows] == ["$7/3$", "$2$"]
 
 
-@pytest.mark.parametrize("name", [*ENGINES, *BEAMS])
-def test_no_stub_cell_is_left_without_a_head_of_its_own(name: str) -> None:
-    for panel in default_page(name).panels:
-        stubs = [tuple(cell.value for cell in row.stub) for row in panel.rows()]
-        assert stubs
-        assert all(value is not DITTO for stub in stubs for value in stub)
-
-
-@pytest.mark.parametrize("lang", ["de", "en"])
-def test_the_heading_of_a_quantity_names_its_unit_where_it_has_one(lang: str) -> None:
-    for quantity in engine_registry().values():
-        symbol, unit = quantity.symbol, quantity.unit[lang]
-        assert quantity.heading[lang] == (f"{symbol} in {unit}" if unit else symbol)
-    assert {"exponent", "clearance"} <= {key for key, one in engine_registry().items() if not one.unit[lang]}
-
-
-@pytest.mark.parametrize(
-    "name",
-    [
-        name
-        for name in ENGINES
-        if not layout(name).fixed and layout(name).subject not in (*WITH_FLYWHEEL, "rod load")
-    ],
-)
-def test_every_column_that_can_be_asked_for_is_printed(name: str) -> None:
-    of_turns = ("turn", "least", "greatest")
-    scopes = {"irregularity": of_turns, "strokes": (*of_turns, "stroke"),
-              "turning": ("angle", "turn"), "flywheel": ("flywheel",),
-              "crank forces": ("crank", "angle"), "machine": ("crank", "angle"),
-              }[layout(name).subject]  # fmt: skip
-    assert not {*engine_registry()} & {*subject(layout(name).subject).axis_keys}
-    for key, quantity in engine_registry().items():
-        if quantity.of not in scopes:
-            with pytest.raises(KurbelError, match=f'^there is no column "{key}"'):
-                page(name, columns=[key])
-            continue
-        if quantity.needs in OTHERS:
-            if "expansion" in layout(name).across:
-                continue
-            table = page_of(name, **{"columns": [key], "ratio": "1:4", "eps": None, **OTHERS[quantity.needs]})
-        else:
-            # A turning effort has newtons for the sake of its masses alone.
-            known = (
-                MACHINE
-                if layout(name).subject == "turning"
-                else {**LOAD, **(POWER if quantity.needs == "power" else {})}
-            )
-            load: dict[str, Any] = known if quantity.needs in ("stroke", "load", "torque", "power") else {}
-            table = page(name, columns=[key], eps="3", ratio="1:4", **load)
-        *axes, own = (field.key for field in table.records.fields)
-        assert own == key
-        assert {*axes} <= {*subject(layout(name).subject).axis_keys}
-        values = [row[-1] for row in table.records.rows]
-        assert any(value is not None for value in values)
-        text = " ".join(render(table, "text", decimal="point").split())
-        for value in values:
-            if value is not None and not quantity.minutes:
-                assert shown(value).replace("-", "−") in text
-
-
-@pytest.mark.parametrize(
-    ("choices", "sentence"),
-    [
-        (
-            {"power": None},
-            "a flywheel needs the power of the engine; add --power, for example --power 50kW, or --stroke,"
-            " --bore and --pressure, from which it follows",
-        ),
-        ({"delta": ()}, "no degree of irregularity was given; write one as 1:100"),
-        ({"eps": []}, "no expansion ratio was given; write them as 4, 2;3;4 or 2..6"),
-        ({"ratio": []}, "no crank ratio was given; write one as 1:5"),
-        ({"cranks": []}, "the engine has 0 cranks; 1 to 24 are allowed"),
-        ({"power": 0}, "the power is 0 W; it must lie within 10^-9 and 10^12 W"),
-        ({"power": 2e12}, "the power is 2000000000000 W; it must lie within 10^-9 and 10^12 W"),
-        ({"speed": 1e13}, "the speed is 10000000000000 1/s; it must lie within 10^-9 and 10^12 1/s"),
-        ({"radius": -1}, "the radius of the flywheel is -1 m; it must lie within 10^-9 and 10^12 m"),
-    ],
-)
-def test_what_is_missing_in_python_is_told_in_a_sentence(choices: dict[str, Any], sentence: str) -> None:
-    with pytest.raises(KurbelError) as raised:
-        page("flywheel", **choices)
-    assert str(raised.value) == sentence
-
-
-@pytest.mark.parametrize("name", [*ENGINES, *BEAMS])
-def test_pages_of_engines_are_not_made_as_tables_of_motion(name: str) -> None:
-    with pytest.raises(KurbelError, match=f"^layout {name} is about something else; choose from "):
-        kurbel.table(layout=name)
-    with pytest.raises(KurbelError, match=r"^layout kinematics is about something else; choose from "):
-        kurbel.delta_table(layout="kinematics")
+@pytest.mark.parametrize("command", ["delta", "turning", "forces"])
+def test_every_column_that_can_be_asked_for_is_printed(command: str) -> None:
+    """Alone, of an engine of which everything is known, in the records and on the page."""
+    sizes = ("--stroke=600mm", "--bore=300mm", "--pressure=80kPa", "--speed=120/min", "--ratio=1:4")
+    weights = ("--reciprocating=30kg", "--rod-mass=15kg", "--centre=0.6", "--gyration=0.3")
+    engine = (command, "--eps=3", *sizes, *weights)
+    names = refusal(*engine, "--columns=no-such").partition("; choose from ")[2].split(", ")
+    assert len(names) > 15
+    axes = {
+        "epsilon",
+        "ratio",
+        "phi",
+        "stroke",
+        "volumetric_efficiency",
+        "delivered",
+        "delivery",
+        "efficiency",
+    }
+    for name in sorted({*names} - axes):
+        words = (*engine, f"--columns={name}", *(() if command == "delta" else ("--step=90",)))
+        rows = records(*words)
+        assert [*rows[0]][-1] == name
+        numbers = [row[name] for row in rows if row[name]]
+        assert numbers
+        page = printed(*words, "--decimal=point").out
+        if "°" not in page:
+            assert all(number.replace("-", "−") in page for number in numbers)
 
 
 OBLIQUE = (("--offset=0.5",), ("--mechanism=arc", "--rocker=5"), ("--mechanism=beam", "--beam=4"))
-FROM_SLIDE = {"de": "von der Schubrichtung", "en": "from the slide direction"}
-
-
-def at_dead_centre(drive: tuple[str, ...]) -> str:
-    """φ_i of a drive in degrees."""
-    places = printed("deadcentres", "--ratio=1:5", *drive, "--columns=phi_i", "--digits=9", "-f", "csv")
-    return places.records()[0]["phi_i"]
-
-
-@pytest.mark.parametrize("drive", OBLIQUE, ids=str)
-def test_alpha_and_phi_are_the_dead_centre_apart(drive: tuple[str, ...]) -> None:
-    engine, inner = ("--ratio=1:5", "--eps=4", *drive), at_dead_centre(drive)
-    speeds = ("delta", *engine, "--columns=alpha_min,alpha_max", "-f", "csv", "--digits=9")
-    angles = [float(Fraction(alpha) + Fraction(inner)) for alpha in printed(*speeds).records()[0].values()]
-    turning = ("turning", *engine, "--angle={};{}".format(*angles), "--columns=tangential_excess")
-    # The speed is least or greatest where the tangential force is its mean.
-    for record in printed(*turning, "--digits=6", "-f", "csv").records():
-        assert abs(float(record["tangential_excess"])) < 2e-6
-
-
-@pytest.mark.parametrize("drive", OBLIQUE, ids=str)
-@pytest.mark.parametrize("lang", LANGUAGES)
-@pytest.mark.parametrize(
-    "words",
-    [
-        ("delta", "--detail"), ("turning", "--step=90"), ("harmonics", "--quantity=torque"),
-        ("forces", "--step=90"), ("forces", "--layout=rod-load"),
-    ],
-    ids=" ".join,
-)  # fmt: skip
-def test_pages_of_oblique_drives_say_from_where_their_angles_count(
-    drive: tuple[str, ...], lang: str, words: tuple[str, ...]
-) -> None:
-    page = " ".join(printed(*words, "--ratio=1:5", "--eps=4", *drive, f"--lang={lang}").out.split())
-    assert FROM_SLIDE[lang] in page
-    assert f"{float(at_dead_centre(drive)):.3f}".replace(".", "," if lang == "de" else ".") in page
-
-
-@pytest.mark.parametrize("words", [("delta", "--detail"), ("turning", "--step=90"), ("forces", "--step=90")])
-def test_pages_of_the_straight_crank_count_from_the_dead_centre(words: tuple[str, ...]) -> None:
-    assert FROM_SLIDE["en"] not in printed(*words, "--eps=4", "--lang=en").out
-
-
-def notes_of(*words: str) -> str:
-    return " ".join(printed(*words).out.split())
-
-
-ALPHA = {
-    "de": ("α vom inneren Totpunkt, φ anderer Seiten", "wo Rückgang steht φ = α + φₒ"),
-    "en": ("α from the inner dead centre, φ of other pages", "where Return stands φ = α + φₒ"),
-}
 
 
 @pytest.mark.parametrize("drive", OBLIQUE, ids=str)
@@ -485,42 +362,6 @@ def test_alpha_counts_as_the_note_says_in_each_stroke_and_in_the_turn(drive: tup
     turning = ("turning", *engine, "--angle=" + ";".join(angles), "--columns=tangential_excess")
     for one in printed(*turning, "--digits=6", "-f", "csv").records():
         assert abs(float(one["tangential_excess"])) < 2e-6
-    for lang, (alone, stroke) in ALPHA.items():
-        strokes = notes_of("delta", "--detail", *engine, f"--lang={lang}")
-        turn = notes_of("delta", *engine, "--columns=alpha_min", f"--lang={lang}")
-        assert stroke in strokes and alone not in strokes
-        assert alone in turn and "α + φₒ" not in turn
-
-
-FIRST = {
-    "de": ("Erste Ordnung, φ vom inneren Totpunkt: Weg und Arbeit mit 1 − cos φ + 1/2 λ sin² φ",
-           "Energie der Massen mit c als sin φ + 1/2 λ sin 2 φ, ω_L als λ cos φ",
-           "P aus der Arbeit, daher nicht genau das Mittel von T"),
-    "en": ("First order, φ from the inner dead centre: path and work with 1 − cos φ + 1/2 λ sin² φ",
-           "energy of the masses with c as sin φ + 1/2 λ sin 2 φ, ω_L as λ cos φ",
-           "P from the work, hence not quite the mean of T"),
-}  # fmt: skip
-SIZED = ("--bore=300mm", "--pressure=8bar", "--stroke=600mm", "--speed=120/min", "--reciprocating=300kg")
-
-
-@pytest.mark.parametrize("lang", LANGUAGES)
-@pytest.mark.parametrize(
-    ("words", "parts"),
-    [
-        (("delta",), ()), (("delta", *SIZED), (1,)), (("delta", "--detail"), ()),
-        (("flywheel", "--delta=1:50", "--power=50kW", "--speed=120/min"), ()),
-        (("flywheel", "--delta=1:50", *SIZED), (1,)),
-        (("turning", "--step=90", *SIZED), (1,)), (("forces", "--step=90", *SIZED), ()),
-        (("turning", "--step=90", "--flywheel=50", "--columns=phi,speed"), ()),
-        (("harmonics", "--quantity=torque"), (2,)), (("harmonics", "--quantity=torque", *SIZED), (2,)),
-    ],
-)  # fmt: skip
-def test_pages_by_series_say_what_is_of_first_order(
-    words: tuple[str, ...], parts: tuple[int, ...], lang: str
-) -> None:
-    page = notes_of(*words, "--eps=4", "--method=series", f"--lang={lang}")
-    assert [index for index, part in enumerate(FIRST[lang]) if part in page] == [0, *parts]
-    assert FIRST[lang][0] not in notes_of(*words, "--eps=4", f"--lang={lang}")
 
 
 @pytest.mark.parametrize(("method", "apart"), [("exact", 0), ("series", 7e-5)])
@@ -531,20 +372,3 @@ def test_the_mean_of_t_is_p_but_not_to_first_order(method: str, apart: float) ->
     (delta,) = printed("delta", *engine, "--columns=mean_force").records()
     # Where steam is cut off T has a kink.
     assert abs(float(delta["mean_force"]) - mean) == pytest.approx(apart, abs=5e-6)
-
-
-@pytest.mark.parametrize(
-    "words", [("delta", "--detail", "--eps=4"), ("delta", "--pump=double")], ids=" ".join
-)
-def test_pages_explain_what_is_on_them_and_each_letter_once(words: tuple[str, ...]) -> None:
-    page = notes_of(*words, "--lang=en")
-    assert "ᵃ⁾ δ follows from these two δ = (vₘₐₓ − vₘᵢₙ)/v₁; P mean tangential force, m₁ flywheel" in page
-    assert page.count("crank radius") == 1
-    page = notes_of(*words, "--columns=v_min,v_max", "--lang=en")
-    assert "ᵃ⁾" not in page and "δ" not in page and "mean tangential force" not in page
-    assert "m₁ flywheel mass at r, v₁ crank-pin velocity" in page
-
-
-def test_a_page_of_angles_by_weisbach_says_what_p_is() -> None:
-    page = notes_of("delta", "--eps=4", "--method=weisbach", "--columns=alpha_min", "--lang=en")
-    assert "P mean tangential force sin α₁ = P/(Q − R_b)" in page and "m₁" not in page

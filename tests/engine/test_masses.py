@@ -1,101 +1,88 @@
-"""δ with the moving masses, against the kinetic energy of the bodies themselves."""
+"""δ and flywheels with the moving masses, against the kinetic energy of the bodies themselves."""
 
 from __future__ import annotations
 
 import math
-from fractions import Fraction
+from typing import Any
 
-import flint
 import numpy as np
 import pytest
-from cli import printed, refusal
+from figures import figures, rows
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from machines import machine
 from numpy.testing import assert_allclose
+from strokes import number, pressure_of
 
-from kurbel.drive.crank import Crank
-from kurbel.drive.rod import Moving, Rod
-from kurbel.engine.engine import Engine, Load, Steam
-from kurbel.engine.turn import Turn, turn_of
-from kurbel.errors import ProblemError
-from kurbel.exact.certify import ball
+import kurbel
 from kurbel.kernel.circle import circle
 from kurbel.kernel.rod import Loaded, Masses, kinetic_energy, torque_slope
-from kurbel.reading.units import Speed
 
-GRID = 72_001
-# Mass of piston and crosshead, rod, its centre from the crosshead pin and radius of gyration in L.
-PISTON, ROD, CENTRE, GYRATION = 300.0, 150.0, 0.6, 0.3
-RADIUS, BORE, PRESSURE, TURNS = 0.3, 0.3, 8e5, 2.0
-
-
-def moved(ratio: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return crank angles, kinetic energy in J and piston path, from positions and their differences."""
-    angles = np.linspace(0, 2 * math.pi, GRID)
-    omega, length = 2 * math.pi * TURNS, RADIUS / ratio
-    pin = RADIUS * np.exp(1j * angles)
-    slant = np.arcsin(ratio * np.sin(angles))
-    head = RADIUS * np.cos(angles) + length * np.cos(slant)
-    centre = head + CENTRE * (pin - head)
-
-    def speed(place: np.ndarray) -> np.ndarray:
-        slope: np.ndarray = omega * np.gradient(place, angles, edge_order=2)
-        return slope
-
-    energy = PISTON * speed(head) ** 2 + ROD * abs(speed(centre)) ** 2
-    energy += ROD * (GYRATION * length) ** 2 * speed(slant) ** 2
-    return angles, energy / 2, head[0] - head
+SIZES = {"stroke": "600mm", "bore": "300mm", "speed": "120/min", "reciprocating": "300kg"}
+ROD = {"rod_mass": "150kg", "centre": "0.6", "gyration": "0.3"}
+STEAM = {"eps": "4", "pressure": "8bar"}
+MACHINES: dict[str, dict[str, Any]] = {
+    "steam": {**STEAM, **SIZES, **ROD},
+    "two cranks": {**STEAM, **SIZES, "cranks": "0;90"},
+    "offset": {**STEAM, **SIZES, **ROD, "offset": "0.4", "ratio": "1:4"},
+    "rocker": {**STEAM, **SIZES, **ROD, "mechanism": "arc", "rocker": "5"},
+    "compressor": {"pressure_ratio": "4", "suction_pressure": "1bar", **SIZES},
+    "gas engine": {
+        "compression": "6",
+        "heat": "8",
+        "suction_pressure": "1bar",
+        **SIZES,
+        "reciprocating": "60kg",
+    },
+}
 
 
-def brute_irregularity(ratio: float, expansion: float) -> float:
-    angles, energy, path = moved(ratio)
-    force = math.pi / 4 * BORE**2 * PRESSURE
-    share = path / (2 * RADIUS)
-    out = angles <= math.pi
-    travelled = np.where(out, share, 1 - share)
-    back = 1 / expansion
-    steam = np.minimum(travelled, 1 / expansion) - back * travelled
-    steam += np.log(np.maximum(travelled * expansion, 1)) / expansion
-    whole = (1 + math.log(expansion)) / expansion - back
-    work = 2 * RADIUS * force * (steam + np.where(out, 0, whole))
-    mean = 2 * RADIUS * force * whole / math.pi
-    excess = work - mean * angles - (energy - energy[0])
-    return float((excess.max() - excess.min()) / mean)
+@pytest.mark.parametrize("name", MACHINES)
+def test_a_flywheel_has_the_energies_of_the_moving_bodies(name: str) -> None:
+    options = MACHINES[name]
+    one, omega = machine(**options), 2 * math.pi * 2
+    unit = math.pi / 4 * number(options["bore"]) ** 2 * pressure_of(options) * 0.3
+    columns = ("power", "mean_torque", "swing_share", "swing", "inertia", "inertia_true")
+    page = kurbel.flywheel_table(**options, delta="0.1", columns=columns, digits=6)
+    (found,) = figures(page, columns)
+    torque, swing = abs(one.turn.mean) * unit, one.turn.swing * unit
+    wanted = [torque * omega, torque, one.turn.delta, swing, swing / 0.1 / omega**2]
+    assert_allclose(found[:-1], wanted, rtol=1e-11, atol=1e-6)
+    # With the masses at their true speed the flywheel keeps the irregularity.
+    assert abs(one.speed(inertia=found[-1] * omega**2 / unit).delta - 0.1) < 1e-7
 
 
-TWO_A_SECOND = Speed(Fraction(2))
+@pytest.mark.parametrize("slope", ["", "-130"])
+@pytest.mark.parametrize("name", MACHINES)
+def test_energy_and_torque_over_the_turn_are_those_of_the_bodies_and_their_height(
+    name: str, slope: str
+) -> None:
+    options = {**MACHINES[name], **({"slope": slope} if slope and name != "rocker" else {})}
+    turn, angles = machine(**options).turn, (17, 158, 241, 322)
+    columns = ("tangential", "energy")
+    page = kurbel.turning_table(**options, angle=angles, columns=columns, digits=8)
+    wanted = np.column_stack([turn.machine.force(angles), turn.at(turn.energy, angles)])
+    assert_allclose(figures(page, columns), wanted, rtol=0, atol=6e-9)
 
 
-def heavy(ratio: Fraction, speed: Speed = TWO_A_SECOND) -> Crank:
-    connecting = Rod.from_crosshead(Fraction("0.6"), Fraction("0.3"), Fraction(150))
-    moving = Moving(Fraction(300), connecting)
-    return Crank(ratio, radius=Fraction("0.3"), speed=speed, moving=moving)
+def test_a_bank_leans_by_its_angle_from_the_slope() -> None:
+    common: dict[str, Any] = {**MACHINES["steam"], "gravity": "9.81", "columns": "torque_nm", "digits": 4}
+    both = kurbel.turning_table(**common, vertical=True, cylinder=["angle=0", "bank=60"], angle="25;140")
+    first = kurbel.turning_table(**common, vertical=True, angle="25;140")
+    # The crank reaches the leaning axis by 60° later.
+    second = kurbel.turning_table(**common, slope=150, angle="325;80")
+    whole, *parts = (figures(page, ("torque_nm",)) for page in (both, first, second))
+    assert_allclose(whole, sum(parts), rtol=0, atol=1.1e-4)
 
 
-LOAD = Load(Fraction("0.3"), Fraction(800_000))
+def delta(**options: Any) -> float:
+    page = kurbel.delta_table(**options, columns="delta", digits=9)
+    return float(rows(page)[0]["delta"])
 
 
-@pytest.mark.parametrize(("ratio", "expansion"), [("1/5", 4), ("1/5", 2), ("1/3", 6), ("2/9", 3)])
-def test_irregularity_with_masses_is_that_of_the_moving_bodies(ratio: str, expansion: int) -> None:
-    engine = Engine(heavy(Fraction(ratio)), Steam(Fraction(expansion)), load=LOAD)
-    brute = brute_irregularity(float(Fraction(ratio)), float(expansion))
-    assert math.isclose(float(Turn(engine, "exact").irregularity()), brute, rel_tol=1e-6)
-
-
-def test_speed_in_radians_is_the_same_speed() -> None:
-    radians = Fraction(4 * math.pi)
-    steam, ratio = Steam(Fraction(4)), Fraction(1, 5)
-    turns = Turn(Engine(heavy(ratio), steam, load=LOAD), "exact")
-    same = Turn(Engine(heavy(ratio, Speed(radians, turns=False)), steam, load=LOAD), "exact")
-    assert math.isclose(float(turns.irregularity()), float(same.irregularity()), rel_tol=1e-14)
-
-
-def test_next_to_no_mass_changes_next_to_nothing() -> None:
-    crank, steam = Crank(Fraction(1, 5)), Steam(Fraction(4))
-    light = Crank(Fraction(1, 5), radius=Fraction(1), speed=TWO_A_SECOND, moving=Moving(Fraction(1, 10**9)))
-    load = Load(Fraction(1), Fraction(10**6))
-    with_mass = Turn(Engine(light, steam, load=load), "exact").irregularity()
-    assert abs(float(with_mass - Turn(Engine(crank, steam), "exact").irregularity())) < 1e-10
+def test_speed_in_radians_is_the_same_speed_and_next_to_no_mass_changes_next_to_nothing() -> None:
+    assert delta(**{**MACHINES["steam"], "speed": f"{4 * math.pi!r}rad/s"}) == delta(**MACHINES["steam"])
+    assert delta(**{**STEAM, **SIZES, "reciprocating": "0.0000001kg"}) == delta(eps="4")
 
 
 @settings(max_examples=60, deadline=None)
@@ -112,78 +99,12 @@ def test_torque_takes_the_energy_and_its_slope_is_right(degrees: float, ratio: f
     assert_allclose(torque_slope(here, ratio, masses), weights @ torque, rtol=0, atol=1e-7 * scale)
 
 
-def test_every_extreme_is_enclosed_with_masses_too() -> None:
-    turn = Turn(Engine(heavy(Fraction(1, 5)), Steam(Fraction(4)), load=LOAD), "exact")
-    before = flint.ctx.prec
-    flint.ctx.prec = 200
-    try:
-        for piece, root, function, _ in turn.extrema:
-            low, high = function(ball(root.low)), function(ball(root.high))
-            assert (low < 0) == bool(root.rising)
-            assert (high > 0) == bool(root.rising)
-            assert piece.start <= root.low < root.high <= piece.end
-    finally:
-        flint.ctx.prec = before
-    assert len(turn.extrema) == 6
-
-
-def test_weisbach_has_no_formulas_for_masses() -> None:
-    engine = Engine(heavy(Fraction(1, 5)), Steam(Fraction(4)), load=LOAD)
-    with pytest.raises(ProblemError, match='method "weisbach" has no formulas for the masses; use exact or'):
-        turn_of(engine, "weisbach")
-
-
-WORDS = (
-    "--eps 4 --reciprocating 300kg --rod-mass 150kg --centre 0.6 --gyration 0.3 --stroke 600mm"
-    " --speed 120/min --bore 300mm --pressure 8bar"
-)
-
-
-def test_delta_of_the_command_line_is_that_of_the_moving_bodies() -> None:
-    (record,) = printed("delta", *WORDS.split(), "-f", "csv", "--digits", "6").records()
-    assert math.isclose(float(record["delta"]), brute_irregularity(0.2, 4), rel_tol=2e-6)
-
-
-def test_flywheel_takes_the_same_masses_and_the_power_of_the_steam() -> None:
-    words = ("--delta", "1:100", "-f", "csv", "--digits", "6")
-    (record,) = printed("flywheel", *WORDS.split(), *words).records()
-    assert math.isclose(float(record["swing_share"]), brute_irregularity(0.2, 4), rel_tol=2e-6)
-    # Two strokes of Q 2R [(1 + ln ε)/ε - 1/ε] in a turn, at two turns a second.
-    force = math.pi / 4 * BORE**2 * PRESSURE
-    power = 2 * 2 * RADIUS * force * math.log(4) / 4 * TURNS
-    assert math.isclose(float(record["power"]), power, rel_tol=1e-9)
-    torque = power / (2 * math.pi * TURNS)
-    assert math.isclose(float(record["mean_torque"]), torque, rel_tol=1e-9)
-    swing = brute_irregularity(0.2, 4) * torque
-    assert math.isclose(float(record["swing"]), swing, rel_tol=2e-6)
-    assert math.isclose(float(record["inertia"]), swing / 0.01 / (2 * math.pi * TURNS) ** 2, rel_tol=2e-6)
-
-
-def test_a_power_beside_masses_is_refused() -> None:
-    said = refusal("flywheel", *WORDS.split(), "--delta", "1:100", "--power", "50kW")
-    assert said == "with masses the power follows from pressure, bore, stroke and speed; leave --power out"
-
-
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        (
-            "--reciprocating 3kg",
-            "--reciprocating needs --stroke, --speed, --bore, --pressure to become a force",
-        ),
-        (
-            "--centre 0.6 --gyration 0.3",
-            "the rod's masses are shares; add its mass in kg, --rod-mass",
-        ),
-        ("--reciprocating 3", 'reciprocating mass "3" has no unit; write a mass such as 200kg'),
-        (
-            "--rod-mass 3kg",
-            "the rod's masses are not known; give its centre and its gyration, such as --centre 0.6"
-            " --gyration 0.4, or --rod-file",
-        ),
-    ],
-)
-def test_masses_that_cannot_be_weighed_are_answered_with_a_sentence(words: str, sentence: str) -> None:
-    size = "--stroke 600mm --speed 120/min --bore 300mm --pressure 8bar"
-    given = words.split() + ([] if "needs --stroke" in sentence else size.split())
-    assert refusal("delta", *given) == sentence
+def test_every_extreme_of_a_heavy_engine_is_found() -> None:
+    one = machine(**MACHINES["steam"])
+    assert len(one.turn.extremes) == 6
+    columns = "alpha_min,v_min,alpha_max,v_max"
+    (found,) = rows(kurbel.delta_table(**MACHINES["steam"], columns=columns, digits=8))
+    for end in ("min", "max"):
+        true = one.turn.extreme(end == "max")
+        assert float(found[f"alpha_{end}"]) == pytest.approx(true.degrees, abs=1e-7)
+        assert float(found[f"v_{end}"]) == pytest.approx(true.energy, abs=1e-8)

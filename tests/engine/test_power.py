@@ -113,29 +113,6 @@ def test_a_power_finds_what_is_not_given(
     assert found["indicated_power"] == 75
 
 
-@pytest.mark.parametrize(
-    ("lang", "indicated", "brake"),
-    [
-        ("de", "Dampf je kWh, indiziert", "Dampf je kWh an der Welle"),
-        ("en", "Steam per kWh, indicated", "Steam per kWh at the shaft"),
-    ],
-)
-def test_steam_of_indicated_and_of_brake_work_is_told_apart(lang: str, indicated: str, brake: str) -> None:
-    words = (
-        "--eps=4",
-        "--pressure=8bar",
-        "--specific-volume=0.24m3/kg",
-        "--efficiency=0.8",
-        f"--lang={lang}",
-    )
-    sized = ("--bore=300mm", "--stroke=450mm", "--speed=200/min")
-    page = printed("power", *words, *sized).out
-    assert f" {indicated} D/Nᵢ " in page and f" {brake} D/Nₑ " in page
-    imperial = printed("power", *words, *sized, "--units=imperial").out
-    assert f" {indicated.replace('kWh', 'hp h')} D/Nᵢ " in imperial
-    assert f" {brake.replace('kWh', 'hp h')} D/Nₑ " in imperial
-
-
 def test_a_rod_lessens_the_area_of_its_end() -> None:
     words = ("--mean-pressure=4bar", "--working-strokes=2", *SIZES)
     found = record(*words, "--piston-rod=60mm", "--tail-rod=45mm")
@@ -187,39 +164,6 @@ def test_a_power_half_way_between_two_figures_is_one(rounding: str, printed_powe
         "power", *words, "--columns=indicated_power", "--digits=3", f"--rounding={rounding}", "-f", "csv"
     )
     assert row.records() == [{"indicated_power": printed_power}]
-
-
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        (("--bore=300mm",), "the power needs what acts on the piston: --eps with --pressure,"),
-        (
-            ("--eps=3", "--pressure=8bar", "--power=75kW"),
-            "this does not tell the power, or the sizes for it; add --stroke and --speed, or in place of one"
-            " --stroke-bore or --piston-speed",
-        ),
-        (("--eps=3", *SIZES), "this does not tell the power, or the sizes for it; add --pressure"),
-        (
-            ("--eps=3", "--pressure=8bar", *SIZES, "--power=75kW"),
-            "bore, stroke, speed and pressure make an indicated power of 62.125 kW, and --power asks for 75"
-            " kW; leave --power or one of the others out",
-        ),
-        (
-            ("--eps=3", "--pressure=8bar", *SIZES, "--power=50kW"),
-            "bore, stroke, speed and pressure make an indicated power of 62.125 kW, and --power asks for 50"
-            " kW; leave --power or one of the others out, or take --diagram-factor ?",
-        ),
-        (
-            ("--eps=3", "--pressure=8bar", *SIZES, "--stroke-bore=2"),
-            "stroke and bore are in the ratio 1.5, and --stroke-bore is 2; leave one of them out",
-        ),
-        (("--mean-pressure=3bar", *SIZES), "--mean-pressure needs the working strokes of a turn;"),
-        (("--eps=3", "--back=1.1bar"), 'back pressure "1.1bar" is a pressure, which counts in'),
-        (("--eps=3", "--brake-power=3kW", *STEAM), "--brake-power is that at the shaft,"),
-    ],
-)
-def test_what_is_missing_or_contradicts_itself_is_said(words: tuple[str, ...], sentence: str) -> None:
-    assert refusal("power", *words).removeprefix("kurbel: ").startswith(sentence)
 
 
 def test_a_machine_says_what_it_knows(tmp_path: Path) -> None:
@@ -279,28 +223,3 @@ def test_a_flywheel_takes_the_power_of_its_engine(
     assert float(row["power"]) == pytest.approx(power, abs=1e-6)
     assert float(row["mean_torque"]) == pytest.approx(power / (2 * pi * 200 / 60), abs=1e-6)
     assert "r = 225 mm" in printed("flywheel", *words).out
-
-
-@pytest.mark.parametrize(
-    ("words", "missing"),
-    [((), "--stroke, --bore and --pressure"), (("--stroke=450mm", "--bore=300mm"), "--pressure")],
-)
-def test_a_flywheel_asks_for_what_its_power_follows_from(words: tuple[str, ...], missing: str) -> None:
-    said = refusal("flywheel", "--eps=3", "--speed=200/min", "--delta=1:100", *words)
-    assert said == (
-        "a flywheel needs the power of the engine; add --power, for example --power 50kW, or"
-        f" {missing}, from which it follows"
-    )
-
-
-@pytest.mark.parametrize("lang", ["de", "en"])
-@pytest.mark.parametrize("curve", [(), ("--clearance=5%",), ("--exponent=1.13",)], ids=str)
-def test_the_back_pressure_that_is_taken_has_one_wording(curve: tuple[str, ...], lang: str) -> None:
-    steam = ("--eps=4", *curve, *SIZES, "--pressure=8bar", f"--lang={lang}")
-    power, flywheel = (
-        " ".join(printed(*page, *steam).out.split()) for page in (("power",), ("flywheel", "--delta=1:50"))
-    )
-    start = {"de": "Gegendruck", "en": "back pressure"}[lang]
-    said = start + flywheel.partition(start)[2].partition("(--back)")[0]
-    assert said.replace("R_b = Q/ε", "p_b = p/ε") in power
-    assert ("R_b" in said) == (not curve)

@@ -1,85 +1,47 @@
-"""The acceleration pressure and that on the piston: against textbook formulas and the energy of masses."""
+"""The acceleration pressure and that on the piston: against machines.py and the energy of the masses."""
 
 from __future__ import annotations
 
-import re
-from fractions import Fraction
-
 import numpy as np
 import pytest
-from cli import kurbel, printed, refusal
-from mpmath import mp
+from cli import printed
+from machines import machine
 from places import ROOT
-from textbook import Drive, evaluate, real
 
 import kurbel as api
 
-RATIO, STROKE, BORE, TURNS, MASS, EPS, PRESSURE = "1:4.3", "0.58", "0.27", "2.1", "231", "3.7", "7.4"
-MASSES = (
-    f"--stroke={STROKE}m",
-    f"--bore={BORE}m",
-    f"--speed={float(TURNS) * 60}/min",
-    f"--reciprocating={MASS}kg",
-)
+RATIO, STROKE, BORE, EPS, PRESSURE = "1:4.3", "0.58", "0.27", "3.7", "7.4"
+MASSES = (f"--stroke={STROKE}m", f"--bore={BORE}m", "--speed=126/min", "--reciprocating=231kg")
 STEAM = (f"--eps={EPS}", f"--pressure={PRESSURE}bar")
 SHARES = ("0", "0.13", "0.3125", "0.6", "1")
 each_offset = pytest.mark.parametrize("offset", ["0", "0.7"])
 
 
-def drive(offset: str) -> Drive:
-    return Drive(1 / Fraction(RATIO.removeprefix("1:")), Fraction(offset))
-
-
-def expected(offset: str, returning: bool, share: str) -> dict[str, float]:
-    """Return the angle, the pressures in bar, from the motion of the books at the angle of the share."""
-    key = "_return" if returning else ""
-    with mp.workdps(40):
-
-        def gone(angle: float) -> mp.mpf:
-            return evaluate(f"x{key}_stroke", "exact", drive(offset), Fraction(float(angle)))
-
-        low, high = dead_centres(offset, returning)
-        for _ in range(60):
-            middle = (low + high) / 2
-            low, high = (middle, high) if gone(middle) < real(Fraction(share)) else (low, middle)
-        acceleration = evaluate(f"p{key}", "exact", drive(offset), Fraction(float(low)))
-        area, radius = mp.pi / 4 * mp.mpf(BORE) ** 2, mp.mpf(STROKE) / 2
-        masses = mp.mpf(MASS) * acceleration * radius * (2 * mp.pi * mp.mpf(TURNS)) ** 2 / area / 1e5
-        steam = mp.mpf(PRESSURE) * (
-            min(1, 1 / (mp.mpf(EPS) * max(mp.mpf(share), mp.mpf("1e-9")))) - 1 / mp.mpf(EPS)
-        )
-        turned = low + (180 if returning else 0)
-        return {
-            "crank_angle": turned,
-            "gas_pressure": steam,
-            "inertia_pressure": masses,
-            "left_pressure": steam - masses,
-        }
-
-
-def dead_centres(offset: str, returning: bool) -> tuple[mp.mpf, mp.mpf]:
-    rod, e = real(Fraction(RATIO.removeprefix("1:"))), real(Fraction(offset))
-    inner, outer = mp.degrees(mp.asin(e / (rod + 1))), mp.degrees(mp.asin(e / (rod - 1)))
-    return (outer, 180 + inner) if returning else (inner, 180 + outer)
-
-
 @each_offset
-def test_the_pressures_at_a_share_of_the_stroke_are_those_of_the_motion_of_the_books(offset: str) -> None:
-    words = (
-        "pressures",
-        f"--ratio={RATIO}",
-        f"--offset={offset}",
-        *MASSES,
-        *STEAM,
-        f"--shares={';'.join(SHARES)}",
-    )
-    rows = printed(*words, "--digits=7", "--format=csv").records()
+def test_the_pressures_at_a_share_of_the_stroke_are_those_of_its_equations_of_motion(offset: str) -> None:
+    given = {one[2:].partition("=")[0]: one.partition("=")[2] for one in (*MASSES, *STEAM)}
+    engine = machine(ratio=RATIO, offset=offset, **given)
+    words = ("pressures", f"--ratio={RATIO}", f"--offset={offset}", *MASSES, *STEAM)
+    rows = printed(*words, f"--shares={';'.join(SHARES)}", "--digits=7", "--format=csv").records()
     assert [(row["stroke"], row["share"]) for row in rows] == [
         (stroke, f"{float(share):.4f}") for stroke in "12" for share in SHARES
     ]
-    for row, share in zip(rows, SHARES * 2, strict=True):
-        for key, value in expected(offset, row["stroke"] == "2", share).items():
-            assert float(row[key]) == pytest.approx(float(value), abs=2e-7), (key, share)
+    inner, outer = engine.dead_centres
+    for stroke, (sign, begin, end) in enumerate(((1, inner, outer), (-1, outer, inner + 360))):
+        between = engine.angles_of(stroke, [float(share) for share in SHARES[1:-1]])
+        angles = np.array([begin, *between, end])
+        # A dead centre is that of the stroke itself.
+        own = np.clip(angles, begin + 1e-9, end - 1e-9)
+        forces = {key: sign * float(PRESSURE) * value for key, value in engine.rod(own).items()}
+        expected = {
+            "crank_angle": angles,
+            "gas_pressure": forces["piston_force"],
+            "inertia_pressure": -forces["inertia_force"],
+            "left_pressure": forces["crosshead_load"],
+        }
+        for key, values in expected.items():
+            found = [float(row[key]) for row in rows[5 * stroke : 5 * stroke + 5]]
+            np.testing.assert_allclose(found, values, rtol=0, atol=6e-8, err_msg=key)
 
 
 @each_offset
@@ -172,34 +134,6 @@ def test_the_drawing_lays_the_masses_under_the_diagram_of_each_stroke(tmp_path: 
     assert 0.75 in back[0][:, 0]
 
 
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        ((), "neither masses nor a pressure on the piston were given; add --reciprocating 300kg, or what"),
-        (("--eps=4",), "the pressure on the piston is not known in bar; add --bore and --pressure"),
-        (
-            ("--eps=2;4", "--bore=1m", "--pressure=1bar"),
-            "pressures are those of one cylinder, and 2 loads were",
-        ),
-        (
-            ("--reciprocating=3kg", "--stroke=1m", "--speed=1/s"),
-            "--reciprocating needs --bore to become a force",
-        ),
-        (
-            (*MASSES, "--columns=left_pressure"),
-            "column left_pressure needs masses and a pressure on the piston",
-        ),
-        ((*MASSES, "--shares=1.5"), "share of the stroke is 1.5; it must lie within 0..1"),
-        ((*MASSES, "--mechanism=parallel"), "the parallel crank under moving masses is not computed;"),
-        ((*MASSES, "--angle=2", "--layout=pressures"), "layout pressures is over the stroke; leave --angle"),
-        ((*MASSES, "--shares=1", "--angle=2"), "--shares and --angle are two pages, over the stroke or the"),
-    ],
-)
-def test_pressures_of_nothing_are_refused(words: tuple[str, ...], sentence: str) -> None:
-    assert re.sub("^kurbel: ", "", refusal("pressures", *words)).startswith(sentence)
-    assert kurbel("pressures", *words).code == 2
-
-
 # Over the developed crank circle ------------------------------------------------------------------
 
 
@@ -255,16 +189,3 @@ def test_the_page_says_where_its_angles_begin(drive: tuple[str, ...]) -> None:
     page = " ".join(printed(*words, "--lang=en").out.split())
     said = f"φ from the slide direction, the inner dead centre at φᵢ = {first}°"
     assert (said in page) == (float(first) != 0)
-
-
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        (("--eps=4", "--pressure=8bar"), "ε = 4; expansion by Mariotte's law"),
-        (("--pressure-ratio=3", "--suction-pressure=1bar"), "Π = 3; compression by Mariotte's law"),
-        (("--pump=double", "--delivery-pressure=3bar"), "Double-acting pump"),
-        (("--compression=6", "--heat=9", "--suction-pressure=1bar"), "ε = 6; Otto cycle"),
-    ],
-)
-def test_what_follows_a_semicolon_begins_as_within_a_sentence(words: tuple[str, ...], said: str) -> None:
-    assert said in " ".join(printed("pressures", "--bore=300mm", *words, "--lang=en").out.split())

@@ -1,4 +1,4 @@
-"""Floats with bounds: whatever is asked of them, the true number of flint's balls lies within the bound."""
+"""Floats and sums of two with bounds: the true number of flint's balls lies within, whatever is asked."""
 
 from __future__ import annotations
 
@@ -9,8 +9,10 @@ from typing import Any
 import flint
 import numpy as np
 import pytest
-from flint import arb
+from flint import arb, fmpq
 
+from kurbel.exact.enclosures.double import Double
+from kurbel.exact.enclosures.doubles import circle, settled
 from kurbel.exact.enclosures.enclosure import UNIT, Enclosure
 from kurbel.exact.enclosures.functions import PI, arc, half_turn_circle
 
@@ -99,3 +101,74 @@ def test_exact_numbers_have_no_error_and_others_half_a_place() -> None:
     assert abs(Fraction(tenth.value) - Fraction(1, 10)) <= Fraction(tenth.error) <= Fraction(UNIT) / 5
     with flint.ctx.workprec(200):
         assert abs(arb(float(PI.value)) - arb.pi()) < arb(float(PI.error))
+
+
+# Sums of two floats.
+
+RANDOM = np.random.default_rng(1971)
+
+
+def rational(number: Any) -> fmpq:
+    exact = Fraction(number)
+    return fmpq(exact.numerator, exact.denominator)
+
+
+def some() -> tuple[Double, list[fmpq]]:
+    """Return numbers of all sizes, of which the true ones lie at the ends of the bounds."""
+    high = RANDOM.uniform(0.5, 1, SIZE) * 10.0 ** RANDOM.integers(-12, 13, SIZE)
+    low = RANDOM.uniform(-0.5, 0.5, SIZE) * np.spacing(high)
+    error = abs(high) * 2.0 ** -RANDOM.integers(60, 110, SIZE)
+    ends = RANDOM.choice([-1, 0, 1], SIZE)
+    parts = zip(high.tolist(), low.tolist(), error.tolist(), ends.tolist(), strict=True)
+    true = [rational(Fraction(one) + Fraction(rest) + end * Fraction(off)) for one, rest, off, end in parts]
+    return Double(high, low, error), true
+
+
+def assert_holds(found: Double, true: list[Any]) -> None:
+    columns = (np.broadcast_to(part, (len(true),)).tolist() for part in (found.high, found.low, found.error))
+    for number, (high, low, error) in zip(true, zip(*columns, strict=True), strict=True):
+        off = abs(arb(rational(high) + rational(low)) - arb(number))
+        assert not off > arb(rational(error)), (high, low, error)
+
+
+@flint.ctx.workprec(400)
+def test_the_bound_of_every_operation_holds_the_true_number() -> None:
+    (one, ones), (other, others) = some(), some()
+    pairs = [*zip(ones, others, strict=True)]
+    assert_holds(one + other, [a + b for a, b in pairs])
+    assert_holds(one * other, [a * b for a, b in pairs])
+    assert_holds(one / other, [a / b for a, b in pairs])
+    assert_holds(one**0.5, [arb(a).sqrt() for a in ones])
+    # What is nearly alike takes digits away.
+    near = Double(one.high * (1 + 2.0**-30), one.low, one.error * 0)
+    sums = zip(near.high.tolist(), near.low.tolist(), strict=True)
+    exact = [rational(Fraction(high) + Fraction(low)) for high, low in sums]
+    # The low of the first is not below its last place any more.
+    near = near + 0
+    assert_holds(near - one, [b - a for a, b in zip(ones, exact, strict=True)])
+    assert_holds(near * one - one * one, [a * b - a * a for a, b in zip(ones, exact, strict=True)])
+
+
+@flint.ctx.workprec(400)
+def test_the_circle_of_exact_angles_has_a_hundred_bits() -> None:
+    numerators = np.concatenate([RANDOM.integers(-5040000, 5040000, 300), np.arange(-7, 8) * 315])
+    found = circle(numerators, 7)
+    turns = [fmpq(int(one), 7 * 180) for one in numerators]
+    assert_holds(found.sine, [arb.sin_pi_fmpq(one) for one in turns])
+    assert_holds(found.cosine, [arb.cos_pi_fmpq(one) for one in turns])
+    assert_holds(found.versine, [2 * arb.sin_pi_fmpq(one / 2) ** 2 for one in turns])
+    for part in (found.sine, found.cosine, found.versine):
+        assert float(np.asarray(part.error).max()) < 2.0**-98
+
+
+def test_a_cell_whose_bound_holds_a_boundary_is_asked_for() -> None:
+    error = np.array([2e-16, 1e-24, 1e-24, 0.0, np.inf])
+    found = Double(np.array([1.25, 1.25, 1.25, 1e40, 1.0]), np.array([1e-16, 1e-16, -1e-16, 0.0, 0.0]), error)
+    asked: list[int] = []
+
+    def exactly(row: int) -> int:
+        asked.append(row)
+        return 77
+
+    assert settled(found, 5, 1, exactly).tolist() == [77, 13, 12, 77, 77]
+    assert asked == [0, 3, 4]

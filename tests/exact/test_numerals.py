@@ -36,30 +36,6 @@ def test_numbers_are_rounded_as_decimal_arithmetic_rounds(mode: str, value: Deci
     assert number_text(nearest(Fraction(value), places, mode)) == quantized(value, places, mode)
 
 
-@pytest.mark.parametrize(
-    ("value", "places", "away", "even"),
-    [
-        ("0.575", 2, "0.58", "0.58"),
-        ("0.5625", 3, "0.563", "0.562"),
-        ("-0.5625", 3, "-0.563", "-0.562"),
-        ("0.5", 0, "1", "0"),
-        ("2.5", 0, "3", "2"),
-        ("-0.0005", 3, "-0.001", "0.000"),
-        ("-0.00049", 3, "0.000", "0.000"),
-        ("1249.9999", 1, "1250.0", "1250.0"),
-    ],
-)
-def test_ties_go_away_from_zero_or_to_the_even_digit(value: str, places: int, away: str, even: str) -> None:
-    assert number_text(nearest(Fraction(value), places)) == away
-    assert number_text(nearest(Fraction(value), places, "half-even")) == even
-
-
-@given(st.fractions(min_value=-1, max_value=1), st.integers(0, 12))
-def test_a_zero_has_no_sign(value: Fraction, places: int) -> None:
-    text = number_text(nearest(value, places))
-    assert text.startswith("-") == (value < 0 and text.strip("-0.") != "")
-
-
 @given(decimals_typed)
 def test_digits_carry_the_mark_and_the_minus_of_the_format(value: Decimal) -> None:
     number = nearest(Fraction(value), 8)

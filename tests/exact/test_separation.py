@@ -12,13 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 
-from kurbel.drive.crank import Crank
 from kurbel.exact import certify
-from kurbel.exact.kind import Kind, bounds
 from kurbel.exact.separation import Separation, circle_separation
-from kurbel.kernel.circle import Circle
-from kurbel.motion.evaluation import DIFFERENCE, value
-from kurbel.motion.quantities import registry
 
 WIDE = 4000
 """Bits at which values are compared with their bounds."""
@@ -26,10 +21,8 @@ WIDE = 4000
 
 @pytest.fixture
 def wide() -> Iterator[None]:
-    before = flint.ctx.prec
-    flint.ctx.prec = WIDE
-    yield
-    flint.ctx.prec = before
+    with flint.ctx.workprec(WIDE):
+        yield
 
 
 def assert_bound(number: Any, bound: Separation) -> None:
@@ -54,32 +47,7 @@ def convergents(number: Any, largest: int) -> Iterator[Fraction]:
         before = 1 / rest
 
 
-@pytest.mark.parametrize("key", ["x", "x_return", "c", "p", "p_return", "x_stroke"])
-@pytest.mark.parametrize("method", ["exact", "series", DIFFERENCE])
-@settings(max_examples=20, deadline=None)
-@given(
-    ratio=st.fractions(0, Fraction(8, 9), max_denominator=9),
-    angle=st.sampled_from([15, 18, 24, 30, 36, 40, 45, 60, 72, 90, 108, 120, 225]),
-)
-def test_values_keep_their_distance_from_the_best_fractions(
-    key: str, method: str, ratio: Fraction, angle: int
-) -> None:
-    quantity, crank = registry()[key], Crank(ratio)
-    bound = value(quantity, method, crank, separations(Fraction(angle)), bounds())
-    before = flint.ctx.prec
-    flint.ctx.prec = WIDE
-    try:
-        number = value(quantity, method, crank, certify.ball_circle(Fraction(angle)), Kind(certify.ball))
-        for fraction in convergents(number, 2**200):
-            assert_bound(number - certify.ball(fraction), bound - Separation.rational(fraction))
-    finally:
-        flint.ctx.prec = before
-
-
-def separations(angle: Fraction) -> Circle[Separation]:
-    return circle_separation(angle)
-
-
+ANGLES = (15, 18, 24, 30, 36, 40, 45, 60, 72, 90, 108, 120, 225)
 Expression = tuple[Any, Separation]
 """A number, be it a ball or a fraction, and its bound."""
 
@@ -87,7 +55,7 @@ Expression = tuple[Any, Separation]
 @st.composite
 def expressions(draw: st.DrawFn) -> Expression:
     """Numbers made by sums, products, quotients and roots from fractions and the sines of one angle."""
-    angle = draw(st.sampled_from([Fraction(n) for n in (30, 36, 45, 60, 72, 90, 120)]))
+    angle = draw(st.sampled_from([Fraction(n) for n in ANGLES]))
     circle, bounds = certify.ball_circle(angle)[:3], circle_separation(angle)[:3]
     leaves: list[Expression] = list(zip(circle, bounds, strict=True))
     for fraction in draw(st.lists(st.fractions(-3, 3, max_denominator=5), min_size=1, max_size=3)):
@@ -118,14 +86,10 @@ def combined(operation: str, one: Expression, other: Expression) -> Expression:
 @settings(max_examples=200, deadline=None)
 @given(drawn=st.data())
 def test_no_expression_comes_nearer_to_zero_than_its_bound(drawn: Any) -> None:
-    before = flint.ctx.prec
-    flint.ctx.prec = WIDE
-    try:
+    with flint.ctx.workprec(WIDE):
         number, bound = drawn.draw(expressions())
         for fraction in convergents(number, 2**100):
             assert_bound(number - certify.ball(fraction), bound - Separation.rational(fraction))
-    finally:
-        flint.ctx.prec = before
 
 
 @given(
@@ -145,19 +109,14 @@ def test_rational_numbers_keep_their_bound(first: Fraction, others: list[tuple[s
 def test_numbers_of_two_angles_are_bounded_in_the_field_of_both(bits: int) -> None:
     # The field of 2 sin 40° and 2 sin 72° has the degree 24; that of either alone claims too much.
     angles = Fraction(40), Fraction(72)
-    before = flint.ctx.prec
-    flint.ctx.prec = bits + 3000
-    try:
+    with flint.ctx.workprec(bits + 3000):
         one, other = (2 * certify.ball_circle(angle).sine for angle in angles)
         coefficients = small_combination(one, other, bits)
         number = polynomial(coefficients, one, other, certify.ball)
-        first, second = (2 * separations(angle).sine for angle in angles)
+        first, second = (2 * circle_separation(angle).sine for angle in angles)
         bound = polynomial(coefficients, first, second, Separation.rational)
-        assert abs(number) > 0
-        assert abs(number) < flint.arb(2) ** (-bits * 9 // 10)
+        assert 0 < abs(number) < flint.arb(2) ** (-bits * 9 // 10)
         assert abs(number) > flint.arb(2) ** -int(bound.bits() + 1)
-    finally:
-        flint.ctx.prec = before
 
 
 def small_combination(one: Any, other: Any, bits: int) -> list[list[int]]:

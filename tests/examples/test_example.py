@@ -4,32 +4,32 @@ from __future__ import annotations
 
 import csv
 import re
+import tomllib
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 import pytest
-from cli import printed, refusal
+from cli import printed, records
+from expansion import Expansion
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 from places import SOURCES
-from registers import register
-from textbook import Drive, evaluate, real, rounded
+from registers import BOOKS as SOURCE
+from registers import printed_values, register
 
 import kurbel
-from kurbel.books.examples.source import example, numbers_of, source_keys
-from kurbel.books.examples.working import WORDS, arc_text, names_in
-from kurbel.books.expression import Expression
-from kurbel.books.printed_value import printed_value
-from kurbel.books.source import source_tables
-from kurbel.errors import KurbelError
 
 BOOKS = SOURCES / "examples"
-EXAMPLES = [(key, number) for key in source_keys() for number in numbers_of(key)]
-TABLES = source_tables()
-FIFTH = Fraction(1, 5)
+EXAMPLES = [
+    *(("blau", str(number)) for number in range(31, 36)),
+    ("uebung", "12"),
+    ("weisbach", "149"),
+    ("weisbach", "150"),
+]
 Real = Any
 Given = Mapping[str, Fraction]
 
@@ -43,8 +43,8 @@ def bits() -> Iterator[None]:
 # What each step is, worked out with no root of a quadratic: cos α is where the acceleration is the target.
 
 
-def drive(given: Given) -> Drive:
-    return Drive(given["ratio"])
+def real(value: Fraction) -> Real:
+    return mp.mpf(value.numerator) / value.denominator
 
 
 def at(angle: Callable[[Given], Real]) -> dict[str, Callable[[Given], Real]]:
@@ -95,7 +95,7 @@ def position(target: Callable[[Given], Real]) -> dict[str, Callable[[Given], Rea
         "root": lambda given: 2 * (roots(given)[0] - roots(given)[1]),
         "quarter_root": lambda given: (roots(given)[0] - roots(given)[1]) / 2,
         "numerator": lambda given: 4 * roots(given)[0],
-        "dead_centre": lambda given: evaluate("p", "series", drive(given), Fraction(0)),
+        "dead_centre": lambda given: 1 + real(given["ratio"]),
         "vertex": lambda given: (roots(given)[0] + roots(given)[1]) / 2,
         "vertex_square": lambda given: (roots(given)[0] + roots(given)[1]) ** 2 / 4,
         "vertex_radicand": lambda given: (roots(given)[0] - roots(given)[1]) ** 2 / 4,
@@ -104,7 +104,7 @@ def position(target: Callable[[Given], Real]) -> dict[str, Callable[[Given], Rea
 
 def start(given: Given) -> Real:
     """One sixth of the acceleration at the dead centre, by eq. (26)."""
-    return evaluate("p", "series", drive(given), Fraction(0)) / 6
+    return (1 + real(given["ratio"])) / 6
 
 
 def lean(given: Given, side: int) -> Real:
@@ -137,66 +137,24 @@ BEAM = {
 }
 
 
-# Weisbach's upper sign is the return stroke; both angles by his relations with any back pressure.
-UPPER, LOWER = 1, -1
+STEAM_KEYS = ("alpha_min", "v_min", "alpha_max", "v_max")
 
 
-class Steam:
-    """§ 150 in mpmath: stroke by stroke, from the book's first equations for L, v and the angles."""
+def steam(given: Given) -> Expansion:
+    back = real(given["back"]) if "back" in given else None
+    return Expansion(real(given["ratio"]), real(given["eps"]), back)
 
-    def __init__(self, given: Given) -> None:
-        self.half = real(given["ratio"]) / 2
-        self.eps = real(given["eps"])
-        self.back = real(given["back"]) if "back" in given else 1 / self.eps
-        self.mean = 2 / mp.pi * ((1 + mp.log(self.eps)) / self.eps - self.back)
 
-    def path(self, angle: Real, sign: int) -> Real:
-        return 1 - mp.cos(angle) - sign * self.half * mp.sin(angle) ** 2
-
-    def energy(self, angle: Real, sign: int) -> Real:
-        path = self.path(angle, sign)
-        cut_off = 2 / self.eps
-        work = path if path < cut_off else cut_off * (1 + mp.log(path / cut_off))
-        return work - self.back * path - self.mean * angle
-
-    def least(self, sign: int) -> Real:
-        def excess(angle: Real) -> Real:
-            slope = mp.sin(angle) - sign * self.half * mp.sin(2 * angle)
-            return (1 - self.back) * slope - self.mean
-
-        return mp.findroot(excess, (mp.radians(8), mp.radians(40)), "anderson")
-
-    def greatest(self, sign: int) -> Real:
-        ratio, loss = 2 * self.half, self.eps * self.back
-        gain = 1 + mp.log(self.eps) - loss
-
-        def relation(angle: Real) -> Real:
-            square = mp.sin(angle / 2) ** 2
-            bracket = 1 + sign * ratio * square - loss * square * (1 - sign * ratio * mp.cos(angle))
-            return mp.pi * bracket - gain * mp.tan(angle / 2)
-
-        return mp.findroot(relation, (mp.radians(80), mp.radians(125)), "anderson")
-
-    def swing(self) -> Real:
-        highest = max(self.energy(self.greatest(sign), sign) for sign in (UPPER, LOWER))
-        return highest - min(self.energy(self.least(sign), sign) for sign in (UPPER, LOWER))
+def of_steam(key: str) -> Callable[[Given], Real]:
+    """Return a value of § 150, angles in degrees."""
+    return lambda given: (mp.degrees if "alpha" in key else mp.mpf)(steam(given).value(key))
 
 
 STEAM = {
-    "alpha_min_return": lambda given: mp.degrees(Steam(given).least(UPPER)),
-    "alpha_min": lambda given: mp.degrees(Steam(given).least(LOWER)),
-    "alpha_max_return": lambda given: mp.degrees(Steam(given).greatest(UPPER)),
-    "alpha_max": lambda given: mp.degrees(Steam(given).greatest(LOWER)),
-    "v_min_return": lambda given: Steam(given).energy(Steam(given).least(UPPER), UPPER),
-    "v_min": lambda given: Steam(given).energy(Steam(given).least(LOWER), LOWER),
-    "v_max_return": lambda given: Steam(given).energy(Steam(given).greatest(UPPER), UPPER),
-    "v_max": lambda given: Steam(given).energy(Steam(given).greatest(LOWER), LOWER),
-    "least": lambda given: Steam(given).energy(Steam(given).least(UPPER), UPPER),
-    "greatest": lambda given: Steam(given).energy(Steam(given).greatest(LOWER), LOWER),
-    "sum": lambda given: Steam(given).swing(),
-    "mean_force": lambda given: Steam(given).mean,
-    "divisor": lambda given: Steam(given).mean,
-    "delta": lambda given: Steam(given).swing() / Steam(given).mean,
+    **{key: of_steam(key) for key in ("sum", "mean_force", "divisor", "delta")},
+    **{f"{key}{stroke}": of_steam(f"{key}{stroke}") for key in STEAM_KEYS for stroke in ("", "_return")},
+    "least": of_steam("v_min_return"),
+    "greatest": of_steam("v_max"),
 }
 VALUES: Mapping[tuple[str, str], Mapping[str, Callable[[Given], Real]]] = {
     ("blau", "31"): at(lambda given: mp.radians(real(given["angle"]))),
@@ -210,8 +168,23 @@ VALUES: Mapping[tuple[str, str], Mapping[str, Callable[[Given], Real]]] = {
 }
 
 
-def records(*words: str) -> list[dict[str, str]]:
-    return printed("example", *words, "-f", "csv").records()
+def worked(*words: str) -> list[dict[str, str]]:
+    return records("example", *words)
+
+
+@cache
+def parts_of(key: str, number: str) -> dict[str, Given]:
+    """Return what is given in the parts of an example by their letters."""
+    with (SOURCE / key / f"{number}.toml").open("rb") as file:
+        parts = tomllib.load(file)["part"]
+    return {
+        part.get("letter", ""): {
+            name: Fraction(part[name].replace(":", "/"))
+            for name in ("ratio", "angle", "beam", "eps", "back")
+            if name in part
+        }
+        for part in parts
+    }
 
 
 def as_printed(value: Real, like: str) -> str:
@@ -233,8 +206,7 @@ def as_printed(value: Real, like: str) -> str:
 
 def to_nearest(value: Real) -> int:
     """Round half up; a value that is a tie within 600 bits is one."""
-    scaled = rounded(value, 0)
-    return int(mp.floor(value + mp.mpf("0.5") + mp.mpf(2) ** -400)) if scaled is None else scaled
+    return int(mp.floor(value + mp.mpf("0.5") + mp.mpf(2) ** -400))
 
 
 def assert_true(key: tuple[str, str], given: Given, rows: list[dict[str, str]]) -> None:
@@ -247,12 +219,12 @@ def assert_true(key: tuple[str, str], given: Given, rows: list[dict[str, str]]) 
 
 @pytest.mark.parametrize(("key", "number"), EXAMPLES)
 def test_recomputed_figures_are_those_of_the_formulas(key: str, number: str) -> None:
-    parts = example(key, number).parts
-    rows = records(key, number)
-    for part in parts:
-        if part.given:
-            own = [row for row in rows if row["part"] == part.letter]
-            assert_true((key, number), part.given, own)
+    rows, parts = worked(key, number), parts_of(key, number)
+    assert any(parts.values()) == (key != "uebung")
+    for letter, numbers in parts.items():
+        if numbers:
+            own = [row for row in rows if row["part"] == letter]
+            assert_true((key, number), numbers, own)
             for row in own:
                 if row["printed"] and "/" not in row["printed"]:
                     places = ["½" in row[name] for name in ("printed", "recomputed")]
@@ -262,9 +234,9 @@ def test_recomputed_figures_are_those_of_the_formulas(key: str, number: str) -> 
 
 OWN = [
     *(("blau", number, {"ratio": ratio}) for number in ("33", "34", "35") for ratio in
-      ("1:4.5", "2:7", "1:2", "3:10", "1:12", "5:6", "0.21", "99:100")),
+      ("1:4.5", "1:12", "5:6", "99:100")),
     *(("blau", number, {"ratio": "1:4.5", "angle": angle}) for number in ("31", "32")
-      for angle in ("0", "60", "22.5", "101.3", "180", "270")),
+      for angle in ("0", "101.3", "270")),
     ("uebung", "12", {"ratio": "2:9", "force": "10000"}),
     ("uebung", "12", {"ratio": "3:4", "force": "1234.5"}),
     ("weisbach", "149", {"ratio": "1:4", "beam": "3"}),
@@ -278,7 +250,7 @@ OWN = [
 @pytest.mark.parametrize(("key", "number", "own"), OWN, ids=str)
 def test_other_numbers_are_worked_in_the_same_steps(key: str, number: str, own: dict[str, str]) -> None:
     words = [f"--{name}={value + 'N' * (name == 'force')}" for name, value in own.items()]
-    rows = records(key, number, *words)
+    rows = worked(key, number, *words)
     given = {
         name: Fraction(*map(Fraction, value.split(":"))) if ":" in value else Fraction(value)
         for name, value in own.items()
@@ -290,7 +262,7 @@ def test_other_numbers_are_worked_in_the_same_steps(key: str, number: str, own: 
 RATIOS = st.fractions(Fraction(1, 60), Fraction(59, 60), max_denominator=83)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=15, deadline=None)
 @given(RATIOS, st.sampled_from(["33", "34", "35"]))
 def test_any_ratio_is_worked(ratio: Fraction, number: str) -> None:
     table = kurbel.example_table("blau", number, ratio=ratio)
@@ -325,7 +297,7 @@ def test_the_figures_that_differ_are_known() -> None:
     found = {
         (key, number, row["part"], row["step"]): row["difference"]
         for key, number in EXAMPLES
-        for row in records(key, number)
+        for row in worked(key, number)
         if row["printed"] and row["printed"] != row["recomputed"]
     }
     assert found == DIFFERENT
@@ -355,11 +327,11 @@ def figures_of_book(lines: str) -> list[str]:
 @pytest.mark.parametrize(("key", "number"), EXAMPLES)
 def test_the_figures_of_the_working_are_those_of_the_book(key: str, number: str) -> None:
     rows = printed("example", key, number, "-f", "csv", "--decimal", "comma").records(";")
-    for part in example(key, number).parts:
-        lines = [row["line"] for row in _firsts(rows, part.letter)]
+    for letter in parts_of(key, number):
+        lines = [row["line"] for row in _firsts(rows, letter)]
         page = " ".join(line for line in lines if not line.startswith("["))
         page = page.replace("½", " 1 2").translate(SMALL)
-        assert FIGURE.findall(page) == figures_of_book(book_lines(key)[number, part.letter])
+        assert FIGURE.findall(page) == figures_of_book(book_lines(key)[number, letter])
 
 
 def _firsts(rows: list[dict[str, str]], letter: str) -> Iterator[dict[str, str]]:
@@ -375,10 +347,10 @@ def test_every_printed_value_stands_in_its_example() -> None:
     counted = 0
     for key, number in EXAMPLES:
         shown = (row["printed"].replace("−", "-").replace("′", "'").replace(".", ",")
-                 for row in records(key, number) if row["printed"])  # fmt: skip
-        cells = TABLES[f"{key}-{number}"].cells if f"{key}-{number}" in TABLES else ()
+                 for row in worked(key, number) if row["printed"])  # fmt: skip
+        values = printed_values(f"{key}-{number}") if key != "uebung" else {}
         # The table of δ at the end of § 150 is none of the example's steps.
-        held = [cell.printed.text for cell in cells if cell.printed and "table" not in cell.place]
+        held = [text for place, text in values.items() if "table" not in place]
         assert Counter(shown) == Counter(held), (key, number)
         counted += len(held)
     assert counted == 86
@@ -386,7 +358,7 @@ def test_every_printed_value_stands_in_its_example() -> None:
 
 def test_figures_of_section_150_are_those_of_its_register() -> None:
     cells = {row["place"].split("/2/")[-1]: row for row in register(SOURCES / "weisbach" / "150.csv")}
-    for row in records("weisbach", "150"):
+    for row in worked("weisbach", "150"):
         if row["step"]:
             cell = cells[row["step"]]
             assert row["printed"].replace(".", ",").replace("′", "'") == cell["printed"]
@@ -394,85 +366,29 @@ def test_figures_of_section_150_are_those_of_its_register() -> None:
 
 
 def test_the_unusable_root_is_named_and_a_second_usable_one_worked() -> None:
-    rows = records("blau", "35", "--ratio=1:4,5", "--lang=en")
+    rows = worked("blau", "35", "--ratio=1:4,5", "--lang=en")
     assert [row["line"] for row in rows if row["step"] == "other"] == ["cos α = −2.2684, unusable"]
     assert not [row for row in rows if row["step"] == "other_alpha"]
-    both = records("blau", "35", "--ratio=5:6", "--lang=en")
+    both = worked("blau", "35", "--ratio=5:6", "--lang=en")
     assert [row["line"] for row in both if row["step"].startswith("other")] == [
         "cos α = −0.9377",
         "α = 159°40′",
     ]
-    edge = records("blau", "35", "--ratio=5:7")
+    edge = worked("blau", "35", "--ratio=5:7")
     assert [row["recomputed"] for row in edge if row["step"] == "other_alpha"] == ["180°0′"]
 
 
 def test_numbers_of_the_book_bring_its_printed_figures() -> None:
-    rows = records("blau", "33", "--ratio=1:4;1:6")
+    rows = worked("blau", "33", "--ratio=1:4;1:6")
     assert {row["part"] for row in rows} == {"b", "R:L = 1:6"}
     assert all(bool(row["printed"]) == (row["part"] == "b") for row in rows if row["step"] == "alpha")
 
 
-def test_a_difference_of_half_a_minute_is_named() -> None:
-    assert arc_text(printed_value("32°51½'").with_units(93)) == "46½′"
-    assert arc_text(printed_value("79°20'").with_units(4)) == "$4'$"
-    assert arc_text(printed_value("79°20'").with_units(64)) == "$1°4'$"
-
-
 def test_ties_are_rounded_away_from_zero() -> None:
     # 1 + 1/8 · 1/2 = 1.0625 and 1.125/2 = 0.5625, as the book has them too.
-    rows = {(row["part"], row["step"]): row["recomputed"] for row in records("blau", "32")}
+    rows = {(row["part"], row["step"]): row["recomputed"] for row in worked("blau", "32")}
     assert rows["a", "sum"] == "1.063"
     assert rows["b", "stroke"] == "0.563"
-
-
-def test_a_line_names_nothing_that_is_not_there() -> None:
-    for key, number in EXAMPLES:
-        one = example(key, number)
-        known = {*one.page.steps, *one.page.numbers, *one.page.takes, *WORDS}
-        for line in (*one.page.own.lines, *(line for part in one.parts for line in part.lines)):
-            assert {*names_in(line.text)} <= known, line
-        for step in one.page.steps.values():
-            assert not step.formula or Expression(step.formula.replace("angle", "1")).names <= known
-
-
-ERRORS = [
-    (("blu", "33"), 'there is no source "blu" (did you mean blau?); choose from blau, uebung, weisbach'),
-    (("blau", "3"), 'there is no example of blau "3"; choose from 31, 32, 33, 34, 35'),
-    (("blau", "33", "--angle=30"), "example blau 33 takes no angle of your own; it takes ratio"),
-    (("weisbach", "149", "--eps=2"), "example weisbach 149 takes no eps of your own; it takes ratio, beam"),
-    (("blau", "33", "--ratio=1:∞"), "the worked examples are of a finite rod; give a ratio such as 1:5"),
-    (("uebung", "12", "--force=1kN"), "a force becomes newtons with a ratio only; add one, such as 1:5"),
-    (("blau", "31", "--angle=0..180:1"), "that makes 181 examples; at most 100 are printed at once"),
-    (
-        ("weisbach", "150", "--eps=1"),
-        "the way of § 150 is for expanding steam; give an expansion ratio above 1",
-    ),
-    (
-        ("weisbach", "150", "--eps=1.1", "--back=0"),
-        "at ε = 1.1 the speed is greatest before the cut-off, where the equation of § 150 for α₂ does not",
-    ),
-    (
-        ("blau", "33", "--ratio=1:1"),
-        "crank ratio R:L is 1; it must be below 1, or the rod is too short to pass the dead centre",
-    ),
-    (
-        ("blau", "31", "--angle=2e6"),
-        "an angle is beyond 1000000°; give it within one turn, 0..360",
-    ),
-    (("blau", "33", "--ratio=1:4", "--ratio=x"), 'crank ratio "x" is not a ratio R:L; write it as 1:5,'),
-    (("weisbach", "149", "--beam=1"), "beam arm a is 1 r; it must be longer than the crank radius r,"),
-    (
-        ("-f", "html", "-o", "list.html"),
-        "--format is for the page of an example, and none is named; name one",
-    ),
-    (("blau", "--ratio=1:4"), "--ratio is for the page of an example, and none is named; name one, such as"),
-    (("weisbach", "150", "--eps=4", "--back=0.9"), "back pressure b = 0.9 leaves no work at ε = 4;"),
-]
-
-
-@pytest.mark.parametrize(("words", "sentence"), ERRORS, ids=[" ".join(words) for words, _ in ERRORS])
-def test_bad_input_is_answered_with_a_sentence(words: tuple[str, ...], sentence: str) -> None:
-    assert refusal("example", *words).startswith(sentence)
 
 
 def test_from_python_it_is_the_same_page() -> None:
@@ -482,7 +398,7 @@ def test_from_python_it_is_the_same_page() -> None:
     assert kurbel.typeset(steam, "text") == printed("example", "weisbach", "150", "--eps=4", "--back=10%").out
     forces = kurbel.example_table("uebung", 12, ratio="1:4", force=5000)
     assert kurbel.typeset(forces, "text") == printed("example", "uebung", "12", "-r1:4", "--force=5kN").out
-    with pytest.raises(KurbelError, match="no source"):
+    with pytest.raises(kurbel.KurbelError, match="no source"):
         kurbel.example_table("x", 1)
 
 

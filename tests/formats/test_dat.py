@@ -8,7 +8,6 @@ import re
 from pathlib import Path
 
 import pytest
-from cli import printed
 from everything import everything
 from tex import compiled, complaints
 
@@ -21,14 +20,6 @@ def test_fields_are_those_of_csv_and_curves_are_parted_by_a_blank_line() -> None
     lines = render(page, "dat").splitlines()
     assert [line.split(" ") for line in lines if line] == list(csv.reader(io.StringIO(render(page, "csv"))))
     assert [place for place, line in enumerate(lines) if not line] == [5]
-
-
-def test_a_long_table_is_streamed_as_a_short_one_is_written() -> None:
-    words = ("table", "--ratio=1:5;1:4", "--columns=ratio,phi,x", "--step=0.01", "--decimal=comma")
-    bulk = printed(*words, "--format=dat").out.splitlines()
-    assert len(bulk) == 2 * 36001 + 2
-    assert bulk.index("") == 36002
-    assert bulk[36001:36004] == ["1:5 360.00 0.0000", "", "1:4 0.00 0.0000"]
 
 
 def test_words_are_one_word_and_a_missing_value_is_nan() -> None:

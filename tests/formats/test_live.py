@@ -15,11 +15,9 @@ from cli import kurbel as run
 from cli import printed
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from pages import COMMANDS, about
 
 import kurbel
 from kurbel.formats.html.live.packing import packed, unpacked
-from kurbel.page.layouts import layout as layout_named
 
 DATA = re.compile(r'<script type="application/json" class="live-data">(.*?)</script>', re.DOTALL)
 SHOWN = re.compile(r'<div class="live-page">\n(.*?)</div>\n<script', re.DOTALL)
@@ -43,18 +41,8 @@ def static(*words: str) -> str:
 PAGES = [
     ("table --label a --angle 205", {"ratio": ["1:4", "1:4.5"], "offset": ["0.25", "-0.5"]}),
     pytest.param(
-        "table --label a --mechanism arc --angle 20 --lang en",
-        {"ratio": ["1:4", "1:5"], "rocker": ["5", "6.5"]},
-        marks=pytest.mark.slow,
-    ),
-    pytest.param(
         "turning --label a --angle 0;30;60",
         {"ratio": ["1:4", "1:∞"], "eps": ["2", "4"]},
-        marks=pytest.mark.slow,
-    ),
-    pytest.param(
-        "delta --label a --eps 2..3 --decimal point",
-        {"ratio": ["1:4", "1:5"], "clearance": ["1%", "5%"]},
         marks=pytest.mark.slow,
     ),
 ]
@@ -156,30 +144,6 @@ def test_the_rows_of_a_page_are_found_by_the_angle_on_both_strokes() -> None:
     assert data["cursor"]["rows"][-1] == 18
 
 
-REFUSED = {
-    "table --interactive": "--interactive is for html; the format is text, so add -f html or -o page.html",
-    "table --interactive -f html --ratio 1:3..6:0,1 --offset 0..0,9:0,01": "an interactive page of 2821 steps"
-    " (31 of --ratio x 91 of --offset) is too large; at most 1000 are allowed",
-    "table --interactive -f html --step 0.01": "an interactive page of 756042 numbers in all its steps is"
-    " too large; at most 300000 are allowed, so give fewer angles",
-    "table --interactive -f html --ratio 1:2;1:4 --offset 0;2": "this is of the step --ratio 1:2, --offset 2",
-    "turning --interactive -f html --clearance 1%..5mm": 'clearance "1%..5mm" has the units % and mm; give'
-    " its ends and its step in one",
-    "table --interactive -f html --offset 0;;1": 'offset "0;;1" has an empty place; write a list as 2;3;4',
-    "example blau 33 --interactive -f html": "an interactive page needs something to choose",
-    "firing --interactive -f html": "an interactive page needs something to choose",
-}
-
-
-@pytest.mark.parametrize("words", REFUSED)
-def test_what_cannot_be_interactive_is_refused_in_one_sentence(words: str) -> None:
-    refused = run(*words.split())
-    assert refused.code in (1, 2)
-    assert refused.out == ""
-    assert REFUSED[words] in refused.err
-    assert refused.err.count("\n") == 1
-
-
 @pytest.mark.slow
 def test_a_range_of_measures_has_its_unit_once() -> None:
     words = ("table", "--ratio=1:5", "--stroke=0,6m", "--angle=90", "--columns=c_mps")
@@ -220,17 +184,3 @@ def test_python_saves_the_page_that_the_command_prints(tmp_path: Path) -> None:
 def test_pages_come_out_of_their_packing_as_they_went_in(pages: list[list[str]]) -> None:
     texts = ["".join(page) for page in pages]
     assert unpacked(json.loads(json.dumps(packed(texts)))) == texts
-
-
-SOME = about("motion", "turning", "irregularity", "compressor", "pressures over the angle", "crank forces")
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("layout", SOME)
-def test_the_last_step_of_every_layout_is_what_is_printed_for_it(layout: str) -> None:
-    command = [*COMMANDS[layout_named(layout).subject], f"--layout={layout}", "--label=a", "--lang=en"]
-    _, data = delivered(*command)
-    last = {key: texts[-1] for key, texts in zip(data["keys"], data["texts"], strict=True)}
-    bare = [word for word in command if word.removeprefix("--").partition("=")[0] not in last]
-    expected = static(*bare, *(f"--{key}={text}" for key, text in last.items()))
-    assert unpacked(data["pages"])[-1] == expected

@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 import re
-import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from browser import DESKTOP, Viewer, assert_readable, assert_readable_in_the_dark
 from cli import kurbel, printed
-from places import ROOT
 from playwright.sync_api import Page
 from programs import wait_until
-from tools import require
 
-pytestmark = pytest.mark.slow
-SCRIPT = ROOT / "templates" / "base" / "live.js"
 MANIFEST = """
 title = "Motion"
 lang = "en"
@@ -103,6 +98,7 @@ def test_the_keyboard_chooses_and_the_table_is_what_is_printed_for_that_step(
     assert [url for url in requests if url.partition("#")[0] != offset.as_uri()] == []
 
 
+@pytest.mark.slow
 def test_a_figure_in_a_curve_is_that_of_the_step_it_names(viewer: Viewer, tmp_path: Path) -> None:
     # The true greatest velocity, 1,0198 at 79,1°, is none of the figures of the steps.
     page = viewer.open(written(tmp_path, "table", "--columns=c"))
@@ -111,6 +107,7 @@ def test_a_figure_in_a_curve_is_that_of_the_step_it_names(viewer: Viewer, tmp_pa
     assert named == [[("−1,0197", "280")], [("1,0197", "80")]]
 
 
+@pytest.mark.slow
 def test_an_address_may_have_points_and_what_it_does_not_know(viewer: Viewer, offset: Path) -> None:
     page = viewer.open(offset)
     page.evaluate("location.hash = '#offset=0.2&phi=7&ratio=1:9&x&%E0'")
@@ -119,6 +116,7 @@ def test_an_address_may_have_points_and_what_it_does_not_know(viewer: Viewer, of
     assert viewer.complaints == []
 
 
+@pytest.mark.slow
 def test_the_crank_turns_until_it_is_stopped(viewer: Viewer, offset: Path) -> None:
     page = viewer.open(offset)
     x = "document.querySelector('.live-crank').getAttribute('x2')"
@@ -133,6 +131,7 @@ def test_the_crank_turns_until_it_is_stopped(viewer: Viewer, offset: Path) -> No
     assert page.evaluate(x) == stopped
 
 
+@pytest.mark.slow
 def test_nothing_turns_for_those_who_ask_for_that(viewer: Viewer, offset: Path) -> None:
     viewer.page.emulate_media(reduced_motion="reduce")
     page = viewer.open(offset)
@@ -141,17 +140,14 @@ def test_nothing_turns_for_those_who_ask_for_that(viewer: Viewer, offset: Path) 
     wait_until(page.get_by_role("button", name="Drehen").is_visible)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "words",
     [
         ("table", "--angle=0..180:30"),
         ("table", "--mechanism=beam", "--beam=3", "--lang=en"),
-        ("table", "--mechanism=parallel"),
         ("turning", "--eps=2..4", "--lang=en"),
-        ("delta", "--eps=2..6"),
         ("delta", "--eps=2;4", "--detail"),
-        ("solve", "--where=x=0.5"),
-        ("table", "--layout=kolbenwege"),
     ],
     ids=" ".join,
 )
@@ -165,6 +161,7 @@ def test_everybody_can_use_a_page_on_a_telephone_too(
     assert_readable_in_the_dark(viewer, page)
 
 
+@pytest.mark.slow
 def test_paper_has_the_step_that_is_chosen_and_no_sliders(viewer: Viewer, offset: Path) -> None:
     page = viewer.open(offset)
     press(page, "ratio", "End")
@@ -175,6 +172,7 @@ def test_paper_has_the_step_that_is_chosen_and_no_sliders(viewer: Viewer, offset
     assert page.evaluate(ROWS)[3] == records("table", "--ratio=1:6", "--angle=90")[0][1:]
 
 
+@pytest.mark.slow
 def test_without_a_script_a_page_is_the_table_of_its_first_step(viewer: Viewer, offset: Path) -> None:
     browser = viewer.page.context.browser
     assert browser is not None
@@ -187,6 +185,7 @@ def test_without_a_script_a_page_is_the_table_of_its_first_step(viewer: Viewer, 
     context.close()
 
 
+@pytest.mark.slow
 def test_a_handbook_has_several_interactive_tables_and_one_script(viewer: Viewer, tmp_path: Path) -> None:
     (tmp_path / "handbook.toml").write_text(MANIFEST, encoding="utf-8")
     assert kurbel("handbook", "build", str(tmp_path)).code == 0
@@ -201,21 +200,3 @@ def test_a_handbook_has_several_interactive_tables_and_one_script(viewer: Viewer
     for name, ratio in (("motion", "1:5"), ("evenness", "1:3")):
         assert ratio in (page.locator(f"#tab-{name} caption").first.text_content() or "")
     assert (viewer.misfits(), viewer.violations(), viewer.complaints) == ([], [], [])
-
-
-def test_other_formats_of_a_handbook_have_the_first_step(tmp_path: Path) -> None:
-    first = MANIFEST.replace("interactive = true", "").replace("--ratio 1:4;1:5", "--ratio 1:4")
-    for name, manifest in (("interactive", MANIFEST), ("first", first)):
-        (tmp_path / name).mkdir()
-        text = manifest.replace('["html"]', '["latex", "typst", "text", "csv"]')
-        (tmp_path / name / "handbook.toml").write_text(text, encoding="utf-8")
-        assert kurbel("handbook", "build", str(tmp_path / name)).code == 0
-    pages = [path for path in (tmp_path / "first" / "pages" / "tables").iterdir()]
-    assert len(pages) == 12
-    for path in pages:
-        other = tmp_path / "interactive" / "pages" / "tables" / path.name
-        assert other.read_bytes() == path.read_bytes(), path.name
-
-
-def test_the_script_is_javascript() -> None:
-    subprocess.run([require("node"), "--check", str(SCRIPT)], check=True)

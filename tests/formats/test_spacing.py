@@ -37,32 +37,29 @@ def before(cells: Stub, key: str = "angle", every: int | None = None) -> list[in
 X, C = ("Kolbenweg",), ("Kolbengeschwindigkeit",)
 
 
-def test_gaps_are_half_as_wide_within_a_pair_as_between_pairs() -> None:
-    columns = [Column(str(place), ("Hingang",), path) for place, path in enumerate((X, X, C, C))]
-    assert [*gaps(panel(numbers(0, 20, 10), *columns))] == [0, 2.6, 1.3, 2.6, 1.3]
-
-
-def test_halves_under_one_outer_spanner_stand_closer_than_strangers() -> None:
-    paths = [("Rod", "x"), ("Rod", "x"), ("Rod", "c"), ("Pin", "c")]
-    columns = [Column(str(place), ("out",), path) for place, path in enumerate(paths)]
-    assert [*gaps(panel(numbers(0, 20, 10), *columns))][1:] == [2.6, 1.3, 2.0, 2.6]
-
-
-def test_columns_without_spanners_stand_at_even_gaps() -> None:
-    columns = [Column(name, (name,)) for name in "xcp"]
-    assert [*gaps(panel(numbers(0, 20, 10), *columns))] == [0, 2.0, 2.0, 2.0]
+@pytest.mark.parametrize(
+    ("paths", "wanted"),
+    [
+        ((X, X, C, C), [2.6, 1.3, 2.6, 1.3]),
+        # Halves under one outer spanner stand closer than strangers; without spanners gaps are even.
+        ((("Rod", "x"), ("Rod", "x"), ("Rod", "c"), ("Pin", "c")), [2.6, 1.3, 2.0, 2.6]),
+        (((), (), ()), [2.0, 2.0, 2.0]),
+    ],
+)
+def test_gaps_are_half_as_wide_within_a_pair_as_between_pairs(
+    paths: tuple[tuple[str, ...], ...], wanted: list[float]
+) -> None:
+    columns = [Column(str(place), ("Hingang",), path) for place, path in enumerate(paths)]
+    assert [*gaps(panel(numbers(0, 20, 10), *columns))] == [0, *wanted]
 
 
 @pytest.mark.parametrize(
     ("start", "stop", "step", "decimals", "stride"),
     [
         (0, 180, 10, 0, 30),
-        (0, 180, 5, 0, 15),
-        (0, 90, 1, 0, 5),
         (0, 90, 2, 0, 10),
         (0, 360, 15, 0, 45),
         (0, 360, 30, 0, 90),
-        (0, 360, 20, 0, 60),
         (0, 50, 1, 1, 5),
         (5, 175, 10, 0, 30),
     ],
@@ -72,31 +69,18 @@ def test_angles_pause_at_round_ones(start: int, stop: int, step: int, decimals: 
     assert before(numbers(start, stop, step, decimals)) == wanted
 
 
-def test_other_values_pause_at_fives_and_tens() -> None:
+def test_pauses_of_other_rows() -> None:
     # 2,0 to 6,0 in steps of 0,2: a pause before each whole number.
     assert before(numbers(20, 60, 2, 1), "expansion") == [5, 10, 15, 20]
-
-
-def test_angles_in_minutes_pause_as_those_in_decimals() -> None:
     halves = [Cell(f"${half // 2}°{30 * (half % 2)}'$") for half in range(13)]
     assert before(halves) == before(numbers(0, 60, 5, 1)) != []
-
-
-@pytest.mark.parametrize("stub", [numbers(0, 100, 10), [Cell(word) for word in "abcdefghijklmnop"]])
-def test_short_tables_and_words_have_no_pauses(stub: Stub) -> None:
-    assert before(stub) == []
-
-
-def test_uneven_steps_have_no_pauses() -> None:
-    assert before([*numbers(0, 120, 10), *numbers(125, 180, 5)]) == []
-
-
-def test_rows_of_one_cell_of_the_stub_stay_together() -> None:
+    # Short tables, words and uneven steps have none; rows of one cell of the stub stay together.
+    for stub in (numbers(0, 100, 10), [Cell(one) for one in "abcdefghijklmnop"],
+                 [*numbers(0, 120, 10), *numbers(125, 180, 5)]):  # fmt: skip
+        assert before(stub) == []
     pairs = [(Cell(DITTO if place % 4 else f"1:{place}"), Cell(f"row {place}")) for place in range(16)]
     assert before(pairs) == [4, 8, 12]
-
-
-def test_a_layout_says_after_how_many_rows() -> None:
+    # A layout says after how many rows.
     assert before(numbers(0, 70, 10), every=4) == [4]
     assert before(numbers(0, 180, 10), every=0) == []
 

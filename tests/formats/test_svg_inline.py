@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from functools import cache
 
-import handbook
 import pytest
 from browser import Viewer
+from cli import printed
+from manifests import FIGURES
 
 from kurbel.formats.html.svg import COLOURS, inline
-from kurbel.plot import style as plot_style
 
 SIZE = "svg { display: block; width: 600px; height: auto; }"
 ITSELF = "".join(f"--{name}: {colour};" for colour, name in COLOURS.items())
@@ -18,7 +18,7 @@ ITSELF = "".join(f"--{name}: {colour};" for colour, name in COLOURS.items())
 
 @cache
 def drawing(name: str) -> str:
-    return handbook.figure(name, "svg").decode()
+    return printed(*FIGURES[name].split(), "-f", "svg").out
 
 
 def picture(viewer: Viewer, body: str) -> bytes:
@@ -30,7 +30,7 @@ def bare(svg: str) -> str:
     return svg[svg.index("<svg") :]
 
 
-@pytest.mark.parametrize("name", handbook.FIGURES)
+@pytest.mark.parametrize("name", FIGURES)
 def test_a_drawing_looks_as_in_its_file(viewer: Viewer, name: str) -> None:
     found = picture(viewer, inline(drawing(name), "fig-a", "A", own_page=True))
     assert found == picture(viewer, bare(drawing(name)))
@@ -39,13 +39,13 @@ def test_a_drawing_looks_as_in_its_file(viewer: Viewer, name: str) -> None:
 
 def test_a_drawing_looks_the_same_beside_others(viewer: Viewer) -> None:
     """Ids of one drawing, such as that of a clipping path, occur in the next with another meaning."""
-    first, second = (inline(drawing(name), f"fig-{name}", name, own_page=True) for name in handbook.FIGURES)
+    first, second = (inline(drawing(name), f"fig-{name}", name, own_page=True) for name in FIGURES)
     for one, other in ((first, second), (second, first)):
         hidden = f'<div style="position: absolute; top: 200vh">{other}</div>'
         assert picture(viewer, hidden + one) == picture(viewer, one)
 
 
-@pytest.mark.parametrize("name", handbook.FIGURES)
+@pytest.mark.parametrize("name", FIGURES)
 def test_ids_are_the_drawings_own_and_all_are_used(name: str) -> None:
     svg = inline(drawing(name), "fig-a", 'Title "<&>"', own_page=True)
     ids = re.findall(r'\bid="([^"]*)"', svg)
@@ -55,14 +55,10 @@ def test_ids_are_the_drawings_own_and_all_are_used(name: str) -> None:
     assert {*used, "fig-a-title"} == set(ids)
 
 
-def test_what_only_files_need_is_gone() -> None:
-    svg = inline(drawing("kurven"), "fig-a", 'Title "<&>"', own_page=True)
+@pytest.mark.parametrize("name", FIGURES)
+def test_what_only_files_need_is_gone(name: str) -> None:
+    """A colour without a name would be the same on dark paper, and hard to see."""
+    svg = inline(drawing(name), "fig-a", 'Title "<&>"', own_page=True)
     assert svg.startswith("<svg ")
     assert re.findall("<style|metadata|xmlns|<!|<[?]|#[0-9a-f]{6}", svg) == []
     assert '<title id="fig-a-title">Title "&lt;&amp;&gt;"</title>' in svg
-
-
-def test_every_colour_of_drawings_has_a_name() -> None:
-    """A colour without one would be the same on dark paper, and hard to see."""
-    shared = {plot_style.BLACK, plot_style.GREY, plot_style.PALE, plot_style.WHITE}
-    assert shared | {line.colour for line in plot_style.LINES} == set(COLOURS)

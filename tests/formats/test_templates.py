@@ -15,16 +15,18 @@ import pytest
 from cli import kurbel as typed
 from cli import printed, refusal
 from everything import everything
-from handbook import document, fragments, table
+from golden import assert_golden
 from hypothesis import given
 from hypothesis import strategies as st
 from jinja2 import meta
+from manifests import built, chapter, keys_of, run
+from manifests import made as files
+from manifests import text as prose
 from places import ROOT
 
 import kurbel
-from kurbel.errors import LayoutError
+from kurbel import KurbelError
 from kurbel.formats.csv.writer import quoted
-from kurbel.formats.documents import document_files
 from kurbel.formats.folder import page_templates
 from kurbel.formats.registry import FORMATS, PageFormat, RecordsFormat, by_name
 from kurbel.formats.render import environment_of, render
@@ -51,35 +53,32 @@ def made(folder: Path, template: str) -> str:
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("standalone", [False, True])
-def test_our_own_templates_print_the_same_in_the_sandbox(name: str, standalone: bool, folder: Path) -> None:
-    (folder / "base/unused.css").touch()
-    ours = render(everything(), name, standalone=standalone)
-    assert render(everything(), name, standalone=standalone, templates=str(folder)) == ours
+def test_our_own_templates_print_the_same_in_the_sandbox(name: str, folder: Path) -> None:
+    for standalone in (False, True):
+        ours = render(everything(), name, standalone=standalone)
+        assert render(everything(), name, standalone=standalone, templates=str(folder)) == ours
 
 
-@pytest.mark.parametrize("name", ["latex", "markdown"])
-def test_our_documents_are_the_same_in_the_sandbox(name: str, folder: Path) -> None:
+BOOK = chapter("Wege, $x$", prose("Siehe [](#weg)."), run("weg", "table --ratio 1:5"), name="wege")
+
+
+def test_our_own_templates_set_the_same_handbook_in_the_sandbox(folder: Path) -> None:
     (folder / "base/unused.css").touch()
-    ours = document_files(document(), name, fragments(name))
-    assert document_files(document(), name, fragments(name), str(folder)) == ours
+    top = keys_of(title="Tafeln") + 'formats = ["latex", "markdown"]\n'
+    built(folder.parent, top + BOOK)
+    ours = files(folder.parent)
+    built(folder.parent, keys_of(templates="mine") + top + BOOK)
+    assert files(folder.parent) == ours
 
 
 def test_a_template_of_the_same_name_outdoes_ours(folder: Path) -> None:
     assert made(folder, "{{ page.caption }}, {{ page.key }}\n").endswith(", everything\n")
+    os.unlink(folder / "base/markdown.jinja")
     (folder / "base/index.markdown.jinja").write_text("{{ title }}!\n", encoding="utf-8")
-    pages = document_files(document(), "markdown", fragments("markdown"), str(folder))
-    assert pages["markdown/index.md"] == "Tafeln des Kurbeltriebs!\n"
-    assert pages["markdown/01-bewegung.md"].startswith('<a id="sec-bewegung">')
-
-
-def test_a_template_of_a_layout_is_for_that_layout_only(folder: Path) -> None:
-    (folder / "roetscher-112").mkdir()
-    (folder / "roetscher-112/latex.jinja").write_text(
-        "<< page.key >>: <% if 1 %>x<% endif %>", encoding="utf-8"
-    )
-    assert render(table("zusammenstellung"), "latex", templates=str(folder)) == "zusammenstellung: x"
-    assert render(table("weg"), "latex", templates=str(folder)) == render(table("weg"), "latex")
+    top = keys_of(title="Tafeln", templates="mine") + 'formats = ["markdown"]\n'
+    pages = built(folder.parent, top + BOOK) / "markdown"
+    assert (pages / "index.md").read_text(encoding="utf-8") == "Tafeln!\n"
+    assert (pages / "01-wege.md").read_text(encoding="utf-8").startswith('<a id="sec-wege">')
 
 
 def test_a_changed_template_is_read_again(folder: Path) -> None:
@@ -89,43 +88,35 @@ def test_a_changed_template_is_read_again(folder: Path) -> None:
     assert render(everything(), "markdown", templates=str(folder)) == render(everything(), "markdown")
 
 
-WITH_ADDRESS = "it prints an object with its place in memory, which is another one every time"
-
-
-@pytest.mark.parametrize(
-    ("template", "line", "reason"),
-    [
-        ("a\n{{ pge }}", 2, "'pge' is undefined"),
-        ("a\nb\n{% for %}", 3, "Expected an expression, got 'end of statement block'"),
-        ("{{ page.nothing }}", 1, "'kurbel.formats.page.Page object' has no attribute 'nothing'"),
-        ("\n\n\n{{ 1 / 0 }}", 4, "division by zero"),
-        ("{{ page.key | shout }}", 1, "No filter named 'shout'."),
-        ("{% include 'base/markdown.jinja' %}", 1, "it calls itself without end"),
-        ("{% macro m() %}{{ m() }}{% endmacro %}{{ m() }}", 1, "it calls itself without end"),
-        ("{% include '../secret' %}", 1, "there is no template ../secret"),
-        ("{% include '/etc/passwd' %}", 1, "there is no template /etc/passwd"),
-        ("{{ page.__class__ }}", 1, "access to attribute '__class__' of 'Page' object is unsafe."),
-        ("{{ page._replace(key='x') }}", 1, "access to attribute '_replace' of 'Page' object is unsafe."),
-        (
-            "{{ '{0.__class__}'.format(page) }}",
-            1,
-            "access to attribute '__class__' of 'Page' object is unsafe.",
-        ),
-        ("\n{{ page.words.keys }}", 2, WITH_ADDRESS),
-        ("{{ 'words: ' ~ [page.words.keys] }}", 1, WITH_ADDRESS),
-        ("{{ page.words.update(a=1) }}", 1, "access to attribute 'update' of 'dict' object is unsafe."),
-    ],
+MISTAKES = (
+    "a\n{{ pge }}",
+    "a\nb\n{% for %}",
+    "{{ page.nothing }}",
+    "\n\n\n{{ 1 / 0 }}",
+    "{{ page.key | shout }}",
+    "{% include 'base/markdown.jinja' %}",
+    "{% macro m() %}{{ m() }}{% endmacro %}{{ m() }}",
+    "{% include '../secret' %}",
+    "{% include 'base/nothing.jinja' %}",
+    "{% include '/etc/passwd' %}",
+    "{% include 'base/nothing.jinja' %}",
+    "{{ page.__class__ }}",
+    "{{ page._replace(key='x') }}",
+    "{{ '{0.__class__}'.format(page) }}",
+    "\n{{ page.words.keys }}",
+    "{{ 'words: ' ~ [page.words.keys] }}",
+    "{{ page.words.update(a=1) }}",
 )
-def test_a_mistake_is_a_sentence_with_file_and_line(
-    template: str, line: int, reason: str, folder: Path
-) -> None:
+
+
+def test_mistakes_are_sentences_with_file_and_line(folder: Path) -> None:
     (folder / "secret").write_text("secret", encoding="utf-8")
-    with pytest.raises(LayoutError) as caught:
-        made(folder, template)
-    assert (
-        str(caught.value)
-        == f"the template {folder}/base/markdown.jinja, line {line} cannot be used: {reason}"
-    )
+    found = []
+    for template in MISTAKES:
+        with pytest.raises(KurbelError) as caught:
+            made(folder, template)
+        found.append(f"{template}\n    {str(caught.value).replace(str(folder), 'mine')}\n")
+    assert_golden("mistakes-in-templates.txt", "\n".join(found))
 
 
 @pytest.mark.usefixtures("little_memory")
@@ -133,23 +124,20 @@ def test_a_mistake_is_a_sentence_with_file_and_line(
     "template",
     [
         "{{ 'a' * 10**10 }}",
-        "{{ 'a'|center(10**10) }}",
         "{{ '{:{}}'.format(1, 10**10) }}",
-        "{{ 'ab'|batch(10**10, 'x')|list }}",
         "{{ ('a' * 10**6)|replace('a', 'b' * 10**6) }}",
-        "{% set n = namespace(x='ab') %}{% for i in range(60) %}{% set n.x = n.x ~ n.x %}{% endfor %}",
         "{% for i in range(9999) %}{{ 'a' * 10**6 }}{% endfor %}",
     ],
 )
 def test_what_needs_too_much_memory_is_a_mistake(template: str, folder: Path) -> None:
-    with pytest.raises(LayoutError, match=r"markdown\.jinja(, line 1)? cannot be used: it needs more mem"):
+    with pytest.raises(KurbelError, match=r"markdown\.jinja(, line 1)? cannot be used: it needs more mem"):
         made(folder, template)
 
 
 def test_a_page_has_an_end(folder: Path) -> None:
     assert len(made(folder, "{{ 'a' * 10**7 }}")) == 10**7
     with pytest.raises(
-        LayoutError, match=r"markdown\.jinja cannot be used: .* more than 10000000 characters$"
+        KurbelError, match=r"markdown\.jinja cannot be used: .* more than 10000000 characters$"
     ):
         made(folder, "b{{ 'a' * 10**7 }}")
 
@@ -157,31 +145,30 @@ def test_a_page_has_an_end(folder: Path) -> None:
 def test_no_file_outside_the_folder_is_read(folder: Path, tmp_path: Path) -> None:
     (tmp_path / "secret.jinja").write_text("secret", encoding="utf-8")
     (folder / "base/markdown.jinja").symlink_to(tmp_path / "secret.jinja")
-    with pytest.raises(LayoutError, match=r"base/markdown.jinja is a link that leads out of .*mine$"):
+    with pytest.raises(KurbelError, match=r"base/markdown.jinja is a link that leads out of .*mine$"):
         render(everything(), "markdown", templates=str(folder))
+    # One within the folder is followed.
+    os.unlink(folder / "base/markdown.jinja")
+    (folder / "common").write_text("common", encoding="utf-8")
+    (folder / "base/markdown.jinja").symlink_to(folder / "common")
+    assert render(everything(), "markdown", templates=str(folder)) == "common"
     os.unlink(folder / "base/markdown.jinja")
     os.rmdir(folder / "base")
     (tmp_path / "elsewhere").mkdir()
     (folder / "base").symlink_to(tmp_path / "elsewhere")
     (tmp_path / "elsewhere/markdown.jinja").write_text("secret", encoding="utf-8")
-    with pytest.raises(LayoutError, match="is a link that leads out of"):
+    with pytest.raises(KurbelError, match="is a link that leads out of"):
         render(everything(), "markdown", templates=str(folder))
-
-
-def test_a_link_within_the_folder_is_followed(folder: Path) -> None:
-    (folder / "common").write_text("common", encoding="utf-8")
-    (folder / "base/markdown.jinja").symlink_to(folder / "common")
-    assert render(everything(), "markdown", templates=str(folder)) == "common"
 
 
 def test_what_is_no_text_is_refused(folder: Path) -> None:
     (folder / "base/markdown.jinja").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(
-        LayoutError, match=r"^the template .*base/markdown.jinja cannot be used: 'utf-8' codec"
+        KurbelError, match=r"^the template .*base/markdown.jinja cannot be used: 'utf-8' codec"
     ):
         render(everything(), "markdown", templates=str(folder))
     (folder / "base/markdown.jinja").write_text("x" * 2_000_000, encoding="utf-8")
-    with pytest.raises(LayoutError, match=r"markdown\.jinja is longer than 1000000 characters$"):
+    with pytest.raises(KurbelError, match=r"markdown\.jinja is longer than 1000000 characters$"):
         render(everything(), "markdown", templates=str(folder))
 
 
@@ -203,9 +190,7 @@ SMALL = ("table", "--ratio", "1:5", "--angle", "0;90", "--columns", "x", "-f", "
 @pytest.mark.parametrize(
     "command",
     [
-        "table", "delta --eps 2", "deadcentres --ratio 1:5", "solve --ratio 1:5 --where p=0",
-        "firing --order 1-3-4-2", "harmonics --ratio 1:5", "collate weisbach-149", "example blau 33",
-        "construct blau-9 --table",
+        "table", "collate weisbach-149", "example blau 33", "construct blau-9 --table",
     ],
 )  # fmt: skip
 def test_every_command_that_prints_a_page_takes_templates(command: str, tmp_path: Path) -> None:
@@ -251,21 +236,18 @@ def test_a_document_names_templates_in_its_folder_and_a_part_of_a_handbook_none(
     assert "--templates is for single tables; a document sets it by itself" in result.err
 
 
-TAKEN = ["first/kinematics", "second/kinematics", "first/base", "second/base"]
-
-
-@pytest.mark.parametrize("count", range(1, 5))
 def test_the_layouts_own_template_comes_first_then_the_base_and_templates_before_layouts(
-    count: int, tmp_path: Path
+    tmp_path: Path,
 ) -> None:
     layout = Path(template_folder()) / "kinematics" / "layout.toml"
     (tmp_path / "second" / "kinematics").mkdir(parents=True)
     (tmp_path / "first").mkdir()
     shutil.copy(layout, tmp_path / "second" / "kinematics")
-    for place in TAKEN[-count:]:
-        write(tmp_path, **{f"{place.replace('/', '__')}__markdown": place})
     folders = ("--templates", str(tmp_path / "first"), "--layouts", str(tmp_path / "second"))
-    assert printed(*SMALL, *folders).out == TAKEN[-count]
+    # Each is taken before those that are there already.
+    for place in ("second/base", "first/base", "second/kinematics", "first/kinematics"):
+        write(tmp_path, **{f"{place.replace('/', '__')}__markdown": place})
+        assert printed(*SMALL, *folders).out == place
     assert printed(*SMALL).out.startswith("**Kolbenweg")
 
 
@@ -281,7 +263,7 @@ def test_a_template_extends_one_of_ours_by_its_blocks(tmp_path: Path) -> None:
     assert changed == re.sub(r"^\*\*.*\*\*$", "K", usual, count=1, flags=re.MULTILINE) + "The house\n"
 
 
-@pytest.mark.parametrize("name", ["json", "dat", "xlsx", "ods"])
+@pytest.mark.parametrize("name", ["json", "ods"])
 def test_a_format_without_templates_refuses_them_where_they_are_typed(name: str, tmp_path: Path) -> None:
     folder = str(write(tmp_path / "mine", base__csv="own"))
     words = ("table", "--ratio", "1:5", "-o", str(tmp_path / f"page.{name}"))
@@ -295,21 +277,18 @@ def test_a_format_without_templates_refuses_them_where_they_are_typed(name: str,
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("base/markdwon.jinja", "is a template of nothing (did you mean markdown.jinja?); what others"),
         ("kinematics/markdwon.jinja", "is a template of nothing (did you mean markdown.jinja?); what others"),
         ("kinematics/handbook.html.jinja", "is a template of nothing"),
         ("kinmatics/text.jinja", "is of no layout (did you mean kinematics?); --layouts names the folder"),
     ],
 )
-@pytest.mark.parametrize("form", ["text", "csv"])
-def test_a_template_that_would_never_be_used_is_a_sentence(
-    name: str, said: str, form: str, tmp_path: Path
-) -> None:
+def test_a_template_that_would_never_be_used_is_a_sentence(name: str, said: str, tmp_path: Path) -> None:
     write(tmp_path, **{name.removesuffix(".jinja").replace("/", "__"): ""})
     (tmp_path / name).parent.mkdir(exist_ok=True)
     (tmp_path / name).touch()
-    sentence = refusal("table", "--templates", str(tmp_path), "-f", form, code=1)
-    assert sentence.startswith(f"{tmp_path}/{name} {said}")
+    for form in ("text", "csv"):
+        sentence = refusal("table", "--templates", str(tmp_path), "-f", form, code=1)
+        assert sentence.startswith(f"{tmp_path}/{name} {said}")
     assert refusal("table", "--templates", f"{tmp_path}/x", code=1) == (
         f"there is no folder {tmp_path}/x with templates"
     )
@@ -324,11 +303,7 @@ def test_a_template_may_be_for_a_layout_of_another_folder(tmp_path: Path) -> Non
 
 # Copies
 
-COPIED = {
-    "roetscher-112": "table --layout roetscher-112",
-    "weisbach-150": "delta --eps 2..6 --layout weisbach-150",
-    "balance": "balance --layout balance",
-}
+COPIED = {"roetscher-112": "table --layout roetscher-112", "balance": "balance --layout balance"}
 
 
 @pytest.mark.parametrize("name", COPIED)
@@ -365,7 +340,7 @@ def test_a_copy_changes_no_folder_that_is_there(tmp_path: Path) -> None:
 MOST = 2500
 
 
-@pytest.mark.parametrize("more", [(), ("--decimal", "comma"), ("--excel",), ("--excel", "--lang", "en")])
+@pytest.mark.parametrize("more", [("--decimal", "comma"), ("--excel", "--lang", "en")])
 def test_a_long_table_streams_past_the_template_with_the_same_bytes(
     more: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -1,135 +1,49 @@
-"""Plain text: what belongs together shows in gaps and pauses, stands side by side, is told by colours."""
+"""Plain text on terminals of any width: read by eye, with nothing lost where a page is parted."""
 
 from __future__ import annotations
 
 import re
-from itertools import pairwise
 
 import pytest
+from golden import assert_golden
+from pages import default_page
 
-from kurbel import collation_table, example_table, solve_table, table
+import kurbel
+from kurbel import collation_table, example_table, table
 from kurbel.formats.render import render
-from kurbel.page.layouts import LANGUAGES
 from kurbel.page.table import Table
 
+# What belongs together stands together: pairs, pauses, groups at the left, captions as wide as tables;
+# panels are parted between spanners, units repeated where they have room; what has none becomes a note.
+PAGES: dict[str, tuple[Table, int | None]] = {
+    "pairs.de": (table(), 80),
+    "pairs.en": (table(lang="en"), None),
+    "without-pauses": (table(angle="0;30;60"), None),
+    "groups": (table(ratio="1:4;1:5", angle="0;90"), None),
+    "narrow-caption": (table(columns="phi,x"), None),
+    "wide-caption": (table(columns="phi,x,c,p,psi"), None),
+    "panels": (table(layout="verfahren", angle="30;90"), 80),
+    "units-44": (kurbel.delta_table("2", layout="delta-detail"), 44),
+    "units-36": (kurbel.delta_table("2", layout="delta-detail"), 36),
+    "units-26": (kurbel.delta_table("2", layout="delta-detail"), 26),
+    "nowhere": (table(angle="30;90"), 10),
+    "collation-60.de": (collation_table("blau-33"), 60),
+    "collation-80.en": (collation_table("blau-33", lang="en"), 80),
+    "collation-120.de": (collation_table("blau-33"), 120),
+    "collation-panels.en": (collation_table("weisbach-150", lang="en"), 60),
+    "formulas": (collation_table("blau-equations"), None),
+    "formulas-52": (collation_table("blau-equations"), 52),
+    "example-60": (example_table("blau", "33"), 60),
+}
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_page_is_golden(name: str) -> None:
+    page, width = PAGES[name]
+    assert_golden(f"terminals/{name}.txt", render(page, "text", width=width))
+
+
 CODE = re.compile("\x1b\\[[0-9;]*m")
-HALVES = {"de": ["Hingang", "Rückgang"], "en": ["Outstroke", "Return"]}
-# What a light rule and a heavy one are made of.
-RULES = {"─", "━"}
-
-
-def lines(page: Table, width: int | None = None) -> list[str]:
-    return render(page, "text", width=width).splitlines()
-
-
-def figures_at(line: str) -> list[tuple[int, int]]:
-    """Return where the words of a line begin and end."""
-    return [match.span() for match in re.finditer(r"\S+", line)]
-
-
-def body(text: list[str]) -> list[str]:
-    """Return the lines between the rule below the head and the one at the end."""
-    rules = [place for place, line in enumerate(text) if line and set(line) <= RULES]
-    return text[rules[1] + 1 : rules[2]]
-
-
-@pytest.mark.parametrize("lang", LANGUAGES)
-def test_pairs_stand_together_and_apart_from_the_next_pair(lang: str) -> None:
-    text = lines(table(lang=lang))
-    (under,) = (line for line in text if "─ " in line)
-    pairs = [match.span() for match in re.finditer("─+", under)]
-    assert len(pairs) == 3
-    assert [after[0] - before[1] for before, after in pairwise(pairs)] == [4, 4]
-    (heading,) = (line for line in text if line.split()[-6:] == HALVES[lang] * 3)
-    stub, *halves = figures_at(heading.replace(" in ", "_in_"))
-    gaps = [after[0] - before[1] for before, after in zip(halves[::2], halves[1::2], strict=True)]
-    assert min(gaps) == 2
-    assert pairs[0][0] - stub[1] == 4
-    # The symbol of a pair stands once, above both.
-    assert sum(line.count("x/R") for line in text[:9]) == 1
-
-
-def test_a_pause_stands_before_every_30_degrees() -> None:
-    text = body(lines(table()))
-    after = [int(text[place + 1].split()[0]) for place, line in enumerate(text) if not line]
-    assert after == [30, 60, 90, 120, 150, 180]
-    assert "" not in body(lines(table(angle="0;30;60")))
-
-
-def test_all_six_columns_stand_side_by_side_in_80_columns() -> None:
-    text = lines(table(), width=80)
-    assert max(map(len, text)) <= 80
-    assert {len(line.split()) for line in body(text) if line} == {7}
-
-
-def test_the_label_of_a_group_stands_at_the_left_of_its_rows() -> None:
-    text = body(lines(table(ratio="1:4;1:5", angle="0;90")))
-    labels = [place for place, line in enumerate(text) if line.startswith(" R:L = 1:")]
-    assert labels == [0, 4]
-    assert (text[3], len(text)) == ("", 7)
-
-
-@pytest.mark.parametrize(("columns", "width"), [("phi,x", None), ("phi,x,c,p,psi", None), ("phi,x,c,p", 70)])
-def test_captions_are_balanced_and_no_wider_than_the_table(columns: str, width: int | None) -> None:
-    text = lines(table(columns=columns), width)
-    caption = text[: text.index("")]
-    rule = max(len(line) for line in text if line and set(line) <= RULES)
-    assert max(map(len, caption)) <= min(max(rule, 30), 0.85 * (width or 100))
-    # The first word of a line had no room in the line above it, were that no longer than the longest line.
-    longest = max(map(len, caption))
-    assert all(len(line) + len(after.split()[0]) + 1 > longest for line, after in pairwise(caption))
-    assert len(caption) > 1
-
-
-@pytest.mark.parametrize("lang", LANGUAGES)
-@pytest.mark.parametrize("width", [60, 80, 100, 120])
-def test_printed_recomputed_and_difference_stand_side_by_side(width: int, lang: str) -> None:
-    page = collation_table("blau-33", lang=lang)
-    text = lines(page, width)
-    assert max(map(len, text)) <= width
-    printed, recomputed, difference = (
-        ("gedruckt", "berechnet", "Unterschied") if lang == "de" else ("printed", "recomputed", "difference")
-    )
-    head = text[next(place for place, line in enumerate(text) if line and set(line) == {"─"}) - 1]
-    assert printed in head.split()
-    assert recomputed in head.split()
-    assert difference in head.split()
-    (angle,) = (line for line in text if "79°20′" in line)
-    assert angle.index("79°16′") > angle.index("79°20′")
-    assert re.search(r"79°16′ +4\b", angle)
-    # Nothing that is found is lost, wherever it stands.
-    said = " ".join(" ".join(text).split())
-    assert ("eine Ziffer: 4 für 2" if lang == "de" else "one digit: 4 for 2") in said
-
-
-@pytest.mark.parametrize("lang", LANGUAGES)
-def test_a_collation_is_one_table_on_a_narrow_terminal(lang: str) -> None:
-    text = lines(collation_table("weisbach-150", lang=lang), 60)
-    assert max(map(len, text)) <= 60
-    assert len([line for line in text if set(line) == {"━"}]) == 2
-
-
-def test_long_formulas_go_on_in_further_lines_of_their_column() -> None:
-    page = collation_table("blau-equations")
-
-    def printed(width: int | None) -> str:
-        text = lines(page, width)
-        assert len([line for line in text if line and set(line) == {"━"}]) == 2
-        (head,) = (line for line in text if "gedruckt" in line)
-        column = slice(head.index("gedruckt"), head.index("Befund"))
-        return re.sub(r"\s", "", "".join(line[column] for line in body(text)))
-
-    # In 52 characters some go on within brackets.
-    assert printed(None) == printed(60) == printed(52)
-    assert "⁾" not in printed(60)
-
-
-def test_long_texts_become_notes_where_they_have_no_room() -> None:
-    text = lines(collation_table("blau-33"), 60)
-    (row,) = (line for line in text if "79°20′" in line)
-    mark = row.split()[-1]
-    assert any(line.startswith(f" {mark} richtig auf gröbere Stelle: 10′") for line in text)
-    assert sum(line.endswith("richtig") for line in body(text)) == 15
 
 
 def test_colours_name_verdicts_and_move_nothing() -> None:
@@ -140,13 +54,29 @@ def test_colours_name_verdicts_and_move_nothing() -> None:
         ends = [line.count("\x1b[0m") for line in coloured.splitlines()]
         assert [len(CODE.findall(line)) for line in coloured.splitlines()] == [2 * count for count in ends]
     verdicts = render(collation_table("blau-33"), "text", colours=True)
-    told = dict(re.findall("\x1b\\[([0-9;]+)m(richtig|letzte|eine)\\b", verdicts))
-    assert len(told) == 3
-    assert "\x1b" not in render(solve_table("p=0"), "text", colours=True)
+    assert len(dict(re.findall("\x1b\\[([0-9;]+)m(richtig|letzte|eine)\\b", verdicts))) == 3
+    assert "\x1b" not in render(kurbel.solve_table("p=0"), "text", colours=True)
 
 
-def test_names_of_rows_stand_above_them_where_they_have_no_room_beside() -> None:
-    text = lines(example_table("blau", "33"), 60)
-    assert max(map(len, text)) <= 60
-    place = text.index(" cos² α + 5/4 cos α − 1/2 = 0")
-    assert text[place + 1].split() == ["L/(2R)", "5/4", "5/2ᵃ⁾"]
+# By what narrow pages do: spanners of pairs and of three, one level and two, units in a column, wide cells of
+# words, formulas, blocks of angles, ratios across, notes for long texts, and units in the heads.
+NARROW = {
+    "kinematics": 40, "verfahren": 60, "ensslin-forces": 80, "delta-detail": 40, "collation": 60,
+    "formulas": 80, "roetscher-112": 40, "kolbenwege": 40, "machine-forces": 60, "rod-points": 120,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", NARROW)
+def test_no_line_is_wider_than_the_terminal_and_no_figure_is_lost(name: str) -> None:
+    whole = render(default_page(name), "text")
+    for width in (NARROW[name], 80):
+        narrow = render(default_page(name), "text", width=width)
+        assert max(map(len, narrow.splitlines())) <= width
+        # The stub repeats in every panel.
+        assert set(figures(narrow)) == set(figures(whole))
+        assert len(figures(narrow)) >= len(figures(whole))
+    assert render(default_page(name), "text", width=200) == whole
+
+
+def figures(text: str) -> list[str]:
+    return sorted(word for word in text.split() if word.removeprefix("−").replace(",", "").isdigit())

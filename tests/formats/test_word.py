@@ -17,7 +17,6 @@ from tools import require
 from kurbel.formats.render import render
 from kurbel.page.table import Table
 
-pytestmark = pytest.mark.slow
 W = "{http://schemas.openxmlformats.org/wordprocessingml/2006/main}"
 M = "{http://schemas.openxmlformats.org/officeDocument/2006/math}"
 PAGES = ("kinematics", "kolbenwege", "delta-tafel", "firing", "verfahren", "forces")
@@ -26,18 +25,8 @@ PAGES = ("kinematics", "kolbenwege", "delta-tafel", "firing", "verfahren", "forc
 def word(page: Table, standalone: bool = False) -> Element:
     """Return what Word reads of the document."""
     html = render(page, "html", standalone=standalone)
-    filtered = [
-        require("pandoc"),
-        "-f",
-        "html",
-        "-t",
-        "docx",
-        "-L",
-        str(ROOT / "examples" / "word.lua"),
-        "-o",
-        "-",
-    ]
-    done = subprocess.run(filtered, input=html.encode(), capture_output=True, check=True)
+    words = ["-f", "html", "-t", "docx", "-L", str(ROOT / "examples" / "word.lua"), "-o", "-"]
+    done = subprocess.run([require("pandoc"), *words], input=html.encode(), capture_output=True, check=True)
     assert done.stderr == b""
     with ZipFile(io.BytesIO(done.stdout)) as file:
         return fromstring(file.read("word/document.xml"))
@@ -82,6 +71,7 @@ def test_heads_are_merged_and_every_formula_is_an_equation() -> None:
     assert targets.issuperset(links)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PAGES)
 def test_every_row_has_its_figures_at_the_right(name: str) -> None:
     page = default_page(name, "de")

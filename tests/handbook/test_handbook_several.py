@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 import pytest
-from cli import Result, kurbel, refusal
+from cli import Result, refusal
+from manifests import handbook as run
+from manifests import made as files
 from tools import require_library
 
-from kurbel.cli.asking import make_part
-from kurbel.handbook import build as building
-from kurbel.handbook.build import Build, Handbook
-from kurbel.handbook.folder import Folder
-from kurbel.handbook.manifest import read_manifest
-from kurbel.handbook.pool import Made, Task
+from kurbel.cli import asking
 
 MANIFEST = """\
 title = "TITLE"
@@ -50,20 +46,6 @@ def book(folder: Path, ratio: str = "1:5", manifest: str = MANIFEST) -> Path:
     text = manifest.replace("TITLE", folder.name).replace("RATIO", ratio)
     (folder / "handbook.toml").write_text(text, encoding="utf-8")
     return folder
-
-
-def run(command: str, *words: object) -> Result:
-    return kurbel("handbook", command, *map(str, words), "--jobs", "1")
-
-
-def files(folder: Path) -> dict[str, bytes]:
-    """Return all that was built, without what is of use on this machine only."""
-    output = folder / "pages"
-    return {
-        path.relative_to(output).as_posix(): path.read_bytes()
-        for path in sorted(output.rglob("*"))
-        if path.is_file() and ".kurbel" not in path.parts
-    }
 
 
 @pytest.fixture
@@ -175,21 +157,25 @@ def test_a_document_that_differs_by_its_text_alone_is_named_with_its_line(pair: 
     )
 
 
-def test_an_interrupted_build_leaves_old_or_new_files(pair: tuple[Path, Path], tmp_path: Path) -> None:
+def test_an_interrupted_build_leaves_old_or_new_files(
+    pair: tuple[Path, Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
     run("build", *pair)
     old = [files(one) for one in pair]
     for one in pair:
         book(one, "1:3")
     made: list[str] = []
+    make_part = asking.make_part
 
-    def make(task: Task) -> Made:
+    def make(task: Any) -> Any:
         if len(made) == 4:
             raise KeyboardInterrupt
         made.append(task.part.name)
         return make_part(task)
 
-    with pytest.raises(KeyboardInterrupt):
-        building.build([opened(one) for one in pair], make, 1, passed)
+    with monkeypatch.context() as patch:
+        patch.setattr(asking, "make_part", make)
+        assert run("build", *pair).code == 130
     left = [files(one) for one in pair]
     assert left != old
     assert run("build", *pair).code == 0
@@ -199,23 +185,18 @@ def test_an_interrupted_build_leaves_old_or_new_files(pair: tuple[Path, Path], t
         assert {path for path in was if was[path] != now[path]} >= {"tables/weg.csv", "markdown/01-wege.md"}
 
 
-def opened(folder: Path) -> Handbook:
-    manifest = read_manifest(str(folder / "handbook.toml"))
-    return Handbook(str(folder), manifest, Folder(manifest.folder, manifest.output))
-
-
-def passed(steps: Iterable[Any], _: int) -> Iterable[Any]:
-    return steps
-
-
-def test_nothing_is_made_anew_in_whatever_order_the_parts_were_made(pair: tuple[Path, Path]) -> None:
+def test_nothing_is_made_anew_in_whatever_order_the_parts_were_made(
+    pair: tuple[Path, Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
     require_library("typst")
     one, _ = pair
     book(one, manifest=MANIFEST.replace('"csv", "markdown"', '"pdf"'))
-    # As other processes may be done with them.
-    building.build([opened(one)], make_part, 1, lambda steps, _: reversed([*steps]))
-    again = Build(opened(one).manifest, opened(one).folder)
-    assert [again.parts(make_part), again.documents(), again.pdf()] == [[], [], []]
+    with monkeypatch.context() as patch:
+        # As other processes may be done with them.
+        patch.setattr("kurbel.cli.handbook._bar", lambda steps, count: reversed([*steps]))
+        assert run("build", one).code == 0
+    monkeypatch.setattr(asking, "make_part", None)
+    assert run("build", one).err.endswith(f": 0 written, {len(files(one)) - 1} unchanged\n")
 
 
 def test_all_mistakes_of_a_manifest_are_reported_at_once(tmp_path: Path) -> None:

@@ -9,14 +9,12 @@ import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
-import click
 import pytest
 from cli import kurbel
+from completion import EVERY, described
 from places import ROOT
 
 import kurbel as library
-from kurbel.cli import COMMANDS
-from kurbel.cli.app import command_of
 
 DOCS = ROOT / "docs"
 GENERATE = DOCS / "generate"
@@ -31,16 +29,6 @@ NAMED = {
 }
 
 
-def options(command: click.Command) -> Iterator[tuple[str, str]]:
-    """Every command that has no commands of its own, with its options."""
-    if isinstance(command, click.Group):
-        for inner in command.commands.values():
-            yield from options(inner)
-    for parameter in command.params:
-        if isinstance(parameter, click.Option) and not parameter.hidden:
-            yield str(command.name), parameter.opts[-1]
-
-
 @pytest.fixture(scope="module")
 def pages() -> Iterator[dict[str, str]]:
     """The pages of the reference by their places."""
@@ -50,11 +38,12 @@ def pages() -> Iterator[dict[str, str]]:
 
 
 def test_the_reference_describes_every_option_of_every_command(pages: dict[str, str]) -> None:
-    for name in COMMANDS:
-        described = pages[f"reference/command-line/{name}.md"]
-        for one, option in options(command_of(name)):
+    for words in EVERY:
+        page = pages[f"reference/command-line/{words[0]}.md"]
+        # Those of a sweep are those of its command.
+        for option in described(*words, "--") if words[0] != "sweep" else ():
             written = rf"^:+{{option}} (-\w, )?{option}\b"
-            assert re.search(written, described, re.MULTILINE), (name, one, option)
+            assert option == "--help" or re.search(written, page, re.MULTILINE), (words, option)
 
 
 def test_the_reference_describes_every_name_of_the_library(pages: dict[str, str]) -> None:

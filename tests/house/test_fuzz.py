@@ -9,8 +9,8 @@ import pytest
 from places import ROOT
 
 
-@pytest.mark.parametrize(("what", "count"), [("lines", 40), ("files", 20)])
+@pytest.mark.parametrize(("what", "count"), [("lines", 50), ("files", 20)])
 def test_random_command_lines_and_damaged_files_find_nothing(what: str, count: int) -> None:
-    script = [sys.executable, str(ROOT / "scripts" / "fuzz.py"), what, str(count), "--seed", "20"]
+    script = [sys.executable, str(ROOT / "scripts" / "fuzz.py"), what, str(count), "--seed", "6"]
     run = subprocess.run(script, capture_output=True, text=True, check=False)
-    assert (run.returncode, run.stdout) == (0, f"{count} {what} with seed 20: 0 failed\n"), run.stderr
+    assert (run.returncode, run.stdout) == (0, f"{count} {what} with seed 6: 0 failed\n"), run.stderr

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -17,7 +18,6 @@ from cli import kurbel
 from places import ROOT
 from tools import require
 
-pytestmark = pytest.mark.slow
 # What is loaded with a page; where other links lead needs a click.
 LOADED = {"script": "src", "img": "src", "link": "href", "iframe": "src", "source": "src"}
 
@@ -35,6 +35,24 @@ def built(folder: Path) -> Path:
 def read(site: Path) -> list[Path]:
     """Return the pages; the theme has templates of its own among its scripts."""
     return sorted(path for path in site.rglob("*.html") if "_static" not in path.parts)
+
+
+@pytest.fixture(scope="module")
+def sample(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A site of one page and what it looks like, which takes a second."""
+    source = tmp_path_factory.mktemp("a sample")
+    for name in ("_static", "_templates"):
+        shutil.copytree(ROOT / "docs" / name, source / name)
+    shutil.copy(ROOT / "docs" / "conf.py", source)
+    page = (ROOT / "docs" / "howto" / "latex.md").read_text(encoding="utf-8")
+    (source / "latex.md").write_text(re.sub(r"\]\([^)]*\)", "](index.md)", page), encoding="utf-8")
+    (source / "index.md").write_text("# kurbel\n\n```{toctree}\nlatex\n```\n", encoding="utf-8")
+    words = ("-W", "-n", "-q", "-b", "html", str(source), str(source / "site"))
+    done = subprocess.run(
+        [sys.executable, "-m", "sphinx", *words], capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    return source / "site"
 
 
 @pytest.fixture(scope="module")
@@ -62,6 +80,7 @@ class Page(HTMLParser):
             self.links.append(address)
 
 
+@pytest.mark.slow
 def test_every_link_leads_somewhere_and_nothing_is_loaded_from_elsewhere(site: Path) -> None:
     pages = {path: Page(path) for path in read(site)}
     assert len(pages) > 150
@@ -79,6 +98,7 @@ def test_every_link_leads_somewhere_and_nothing_is_loaded_from_elsewhere(site: P
         assert not re.search(r"url\(\s*[\"']?(https?:)?//", style.read_text(encoding="utf-8")), style
 
 
+@pytest.mark.slow
 def test_two_builds_are_the_same_bytes(site: Path, tmp_path: Path) -> None:
     def differing(pair: dircmp[str]) -> Iterator[str]:
         yield from (*pair.left_only, *pair.right_only, *pair.diff_files, *pair.funny_files)
@@ -90,8 +110,8 @@ def test_two_builds_are_the_same_bytes(site: Path, tmp_path: Path) -> None:
     assert [*differing(again)] == []
 
 
-def test_everybody_can_read_every_page(viewer: Viewer, site: Path) -> None:
-    """On a telephone in the light, and on a desktop in the dark, and by keyboard."""
+def unreadable(viewer: Viewer, site: Path) -> list[str]:
+    """Return what is amiss on a telephone in the light, on a desktop in the dark, and by keyboard."""
     found: list[str] = []
     for path in read(site):
         viewer.open(path, TELEPHONE)
@@ -107,7 +127,23 @@ def test_everybody_can_read_every_page(viewer: Viewer, site: Path) -> None:
         found += [f"{path.relative_to(site)}: {one}" for one in own]
         # What it still loads is given up here, and is no complaint about the next page.
         viewer.page.goto("about:blank")
-    assert found == []
+    return found
+
+
+def test_a_page_looks_as_all_do_is_found_and_has_lines_to_be_copied(viewer: Viewer, sample: Path) -> None:
+    assert unreadable(viewer, sample) == []
+    assert any("latex" in link for link in searched(viewer, sample, "caption"))
+    tab = viewer.open(sample / "latex.html")
+    assert (
+        tab.locator(".highlight-console button.copybtn").count()
+        == tab.locator(".highlight-console").count()
+        > 0
+    )
+
+
+@pytest.mark.slow
+def test_everybody_can_read_every_page(viewer: Viewer, site: Path) -> None:
+    assert unreadable(viewer, site) == []
 
 
 # What scrolls sideways must be no more than a part of the page, and reached by the keyboard.
@@ -122,17 +158,23 @@ _MISFITS = """() => {
 }"""
 
 
-@pytest.mark.parametrize(("asked", "page"), [("hammer blow", "locomotive"), ("--true-stroke", "given")])
-def test_the_search_finds_a_page_without_a_server(viewer: Viewer, site: Path, asked: str, page: str) -> None:
+def searched(viewer: Viewer, site: Path, asked: str) -> list[str]:
+    """Return what the search finds without a server."""
     tab = viewer.open(site / "search.html")
     tab.locator("input[type=search]:visible").first.fill(asked)
     tab.keyboard.press("Enter")
     # Links come one after the other.
     tab.wait_for_function("document.querySelector('.search-summary')?.textContent.includes('finished')")
-    links = tab.eval_on_selector_all("ul.search li a", "links => links.map(link => link.href)")
-    assert any(page in link for link in links), links
+    return list(tab.eval_on_selector_all("ul.search li a", "links => links.map(link => link.href)"))
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize(("asked", "page"), [("hammer blow", "locomotive"), ("--true-stroke", "given")])
+def test_the_search_finds_a_page(viewer: Viewer, site: Path, asked: str, page: str) -> None:
+    assert any(page in link for link in searched(viewer, site, asked))
+
+
+@pytest.mark.slow
 def test_three_clicks_lead_from_the_first_page_to_a_table_in_a_latex_document(
     viewer: Viewer, site: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from kurbel.exact import bulk
 from kurbel.exact.bulk import evaluate
-from kurbel.kernel import forces, kinematics
+from kurbel.kernel import forces, kinematics, parallel
 from kurbel.kernel.circle import circle
 from kurbel.kernel.fast import loops, worth
 from kurbel.kernel.fast.trace import UntraceableError
@@ -33,6 +33,7 @@ FORMULAS: list[Callable[[Any, Any], Any]] = [
     forces.rod_force,
     forces.guide_force,
     forces.radial_force,
+    lambda point, ratio: parallel.coupler(point).rise_acceleration,
 ]
 
 

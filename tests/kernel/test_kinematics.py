@@ -11,12 +11,11 @@ import flint
 import numpy as np
 import pytest
 from flint import arb, fmpq
-from numpy.testing import assert_allclose
 from numpy.typing import NDArray
 
 from kurbel.exact import bulk
 from kurbel.kernel import kinematics
-from kurbel.kernel.circle import Circle, circle, rod_angle
+from kurbel.kernel.circle import circle, rod_angle
 
 Ball = Any
 Textbook = Callable[[Ball, Ball, Ball], Ball]
@@ -206,74 +205,6 @@ def test_offset_cranks_are_within_the_stated_bound(
     assert_within(1 if quantity == "psi" else bound, quantity, OFFSET[quantity], ratio, offset, ratio, offset)
 
 
-ANGLES = np.array([3.7, 41.3, 88.8, 97.1, 133.2, 171.9, 204.4, 266.6, 311.5, 352.3])
-RATIOS = [0.23, -0.23, 0.61]
-
-
-def slope(formula: Callable[[Circle[Any]], Any]) -> NDArray[np.float64]:
-    """Return the derivative by the angle in radians, by central differences of fourth order."""
-    step = 0.05
-
-    def at(shift: float) -> Any:
-        return formula(circle(ANGLES + shift * step))
-
-    difference = 8 * (at(1) - at(-1)) - (at(2) - at(-2))
-    return np.asarray(difference / (12 * math.radians(step)))
-
-
-@pytest.mark.parametrize("ratio", RATIOS)
-@pytest.mark.parametrize(
-    ("path", "velocity", "acceleration"),
-    [
-        (kinematics.piston_path, kinematics.piston_velocity, kinematics.piston_acceleration),
-        (
-            kinematics.piston_path_first_order,
-            kinematics.piston_velocity_first_order,
-            kinematics.piston_acceleration_first_order,
-        ),
-    ],
-    ids=["exact", "series"],
-)
-def test_velocity_is_the_slope_of_the_path_and_acceleration_that_of_velocity(
-    path: Any, velocity: Any, acceleration: Any, ratio: float
-) -> None:
-    point = circle(ANGLES)
-    assert_allclose(velocity(point, ratio), slope(lambda c: path(c, ratio)), rtol=1e-9, atol=1e-9)
-    assert_allclose(acceleration(point, ratio), slope(lambda c: velocity(c, ratio)), rtol=1e-9, atol=1e-9)
-
-
-@pytest.mark.parametrize(("ratio", "offset"), [(0.23, 0.7), (-0.23, -0.7), (0.31, -1.1)])
-def test_offset_velocity_is_the_slope_of_the_offset_path(ratio: float, offset: float) -> None:
-    point = circle(ANGLES)
-    velocity = kinematics.offset_velocity
-    path_slope = slope(lambda c: kinematics.offset_path(c, ratio, offset))
-    assert_allclose(velocity(point, ratio, offset), path_slope, rtol=1e-9, atol=1e-9)
-    velocity_slope = slope(lambda c: velocity(c, ratio, offset))
-    acceleration = kinematics.offset_acceleration(point, ratio, offset)
-    assert_allclose(acceleration, velocity_slope, rtol=1e-9, atol=1e-9)
-
-
-@pytest.mark.parametrize(("ratio", "offset"), [(0.23, 0.7), (0.31, -1.1), (0.27, 0.0)])
-def test_return_stroke_mirrors_the_outstroke(ratio: float, offset: float) -> None:
-    here, opposite = circle(ANGLES), circle(ANGLES + 180)
-    travel = kinematics.stroke(ratio, offset)
-    back = kinematics.offset_path(here, -ratio, -offset)
-    assert_allclose(back, travel - kinematics.offset_path(opposite, ratio, offset), rtol=1e-14, atol=1e-15)
-    for formula in (kinematics.offset_velocity, kinematics.offset_acceleration):
-        assert_allclose(
-            formula(here, -ratio, -offset), -formula(opposite, ratio, offset), rtol=1e-13, atol=1e-14
-        )
-
-
-def test_offset_path_starts_at_its_dead_centre_and_ends_after_the_stroke() -> None:
-    ratio, offset = 0.27, 0.8
-    inner = math.degrees(math.asin(kinematics.dead_centre_sine(ratio, offset)))
-    outer = 180 + math.degrees(math.asin(kinematics.dead_centre_sine(-ratio, -offset)))
-    travel = kinematics.stroke(ratio, offset)
-    assert_allclose(kinematics.offset_path(circle(inner), ratio, offset), 0, rtol=0, atol=1e-15)
-    assert_allclose(kinematics.offset_path(circle(outer), ratio, offset), travel, rtol=1e-15, atol=0)
-
-
 def test_an_infinite_rod_gives_pure_sine() -> None:
     point = circle(sampled_angles(7))
     for path in (kinematics.piston_path, kinematics.piston_path_first_order):
@@ -283,27 +214,6 @@ def test_an_infinite_rod_gives_pure_sine() -> None:
     for acceleration in (kinematics.piston_acceleration, kinematics.piston_acceleration_first_order):
         np.testing.assert_array_equal(acceleration(point, 0), point.cosine)
     np.testing.assert_array_equal(rod_angle(point, 0.0), 0)
-
-
-@pytest.mark.parametrize("ratio", RATIOS)
-def test_a_vanishing_offset_leaves_the_straight_crank(ratio: float) -> None:
-    point = circle(ANGLES)
-    assert_allclose(
-        kinematics.offset_path(point, ratio, 0.0), kinematics.piston_path(point, ratio), rtol=1e-13, atol=0
-    )
-    assert_allclose(
-        kinematics.offset_velocity(point, ratio, 1e-13),
-        kinematics.piston_velocity(point, ratio),
-        rtol=1e-11,
-        atol=0,
-    )
-    assert_allclose(
-        kinematics.offset_acceleration(point, ratio, 1e-13),
-        kinematics.piston_acceleration(point, ratio),
-        rtol=1e-11,
-        atol=1e-11,
-    )
-    assert kinematics.stroke(ratio) == 2
 
 
 FORMULAS = [entry[0] for entry in STRAIGHT.values()]
@@ -331,22 +241,6 @@ def test_dead_centres_are_exact() -> None:
     assert kinematics.piston_acceleration(circle(0), 0.25) == 1.25
     assert kinematics.piston_acceleration(circle(180), 0.25) == -0.75
     assert kinematics.piston_acceleration_first_order(circle(45), 0.25) == circle(45).cosine
-
-
-def test_ball_formulas_contain_the_floats() -> None:
-    phi = ball(73.9) * arb.pi() / 180
-    point = Circle(phi.sin(), phi.cos(), 1 - phi.cos())
-    for formula in FORMULAS:
-        if formula is not rod_angle:
-            value = formula(point, ball(0.2345))
-            assert float(value.rad()) < 1e-80
-            assert_allclose(float(value.mid()), formula(circle(73.9), 0.2345), rtol=1e-15, atol=0)
-
-
-def test_mean_speed_is_stroke_times_revolutions_over_thirty() -> None:
-    # Stroke 0.6 m at 250 turns a minute: 300 m in 60 s.
-    assert_allclose(kinematics.mean_piston_speed(0.6, 250), 5.0, rtol=1e-15, atol=0)
-    assert_allclose(kinematics.mean_piston_velocity(kinematics.stroke(0.3)), 2 / math.pi, rtol=1e-15, atol=0)
 
 
 @pytest.mark.parametrize("cores", [1, 3])

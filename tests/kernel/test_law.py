@@ -1,4 +1,4 @@
-"""Pressures by pieces: the ends of a compressor from the textbook's definition in mpmath, on all numbers."""
+"""Pressures by pieces: the ends of a compressor from `kurbel.verify`, on all numbers."""
 
 from __future__ import annotations
 
@@ -8,14 +8,15 @@ from typing import Any
 import flint
 import numpy as np
 import pytest
-from energy_curve import real
 from flint import arb
-from mpmath import mp
 from numpy.testing import assert_allclose
 
+from kurbel import verify
 from kurbel.exact.certify import ball
 from kurbel.exact.separation import Separation
 from kurbel.kernel.law import Between, Constant, Law, Polytrope
+from kurbel.verify import enclose
+from kurbel.verify.numbers import number
 
 SHARES = tuple(Fraction(count, 97) for count in (0, 1, 3, 19, 40, 55, 60, 71, 80, 96, 97))
 CASES = (
@@ -44,54 +45,27 @@ def stroke(case: tuple[Fraction, ...], of: Any, exponent_of: Any = None) -> Betw
     return Between(leaving, coming)
 
 
-def pressures(case: tuple[Fraction, ...], share: Any) -> tuple[Any, Any]:
-    """Behind and before the piston: the air never falls below suction nor rises above delivery."""
-    ratio, exponent, clearance = map(real, case)
-    left = max(mp.mpf(1), ratio * (clearance / (clearance + share)) ** exponent) if clearance else mp.mpf(1)
-    room = clearance + 1 - share
-    right = min(ratio, ((1 + clearance) / room) ** exponent) if room else ratio
-    return left, right
-
-
-def force_of(case: tuple[Fraction, ...], share: Any) -> Any:
-    behind, before = pressures(case, share)
-    return behind - before
-
-
-def work_of(case: tuple[Fraction, ...], share: Fraction) -> Any:
-    ratio, exponent, clearance = map(real, case)
-    root = ratio ** (1 / exponent)
-    corners = [clearance * (root - 1), (1 + clearance) * (1 - 1 / root)]
-    ends = sorted({mp.mpf(0), real(share), *(min(one, real(share)) for one in corners)})
-    return mp.quad(lambda place: force_of(case, place), ends)
-
-
 @each_case
-def test_force_is_that_of_air_between_suction_and_delivery(case: tuple[Fraction, ...]) -> None:
-    of_floats = stroke(case, float)
-    expected = [float(force_of(case, real(share))) for share in SHARES]
-    assert_allclose([of_floats.force(float(one)) for one in SHARES], expected, rtol=1e-14, atol=1e-14)
+def test_force_work_and_slope_are_those_of_air_between_suction_and_delivery(
+    case: tuple[Fraction, ...],
+) -> None:
+    ratio, exponent, clearance = case
+    true, of_floats = verify.compressor(ratio, exponent=exponent, clearance=clearance), stroke(case, float)
+    with enclose.working(140), flint.ctx.workprec(150):
+        (acting, _) = true()
+        for share in SHARES:
+            force, work = acting.force(number(share)), acting.work(number(share))
+            assert of_floats.force(float(share)) == pytest.approx(float(force), rel=1e-14, abs=1e-14)
+            assert of_floats.work(float(share)) == pytest.approx(float(work), rel=1e-13, abs=1e-14)
+            found = stroke(case, ball).work(ball(share))
+            assert found.overlaps(ball(work.low).union(ball(work.high)))
+            assert found.rad() < arb("1e-38")
+        for share in SHARES[1:-1]:
+            slope = float(acting.slope(number(share)))
+            assert of_floats.slope(float(share)) == pytest.approx(slope, rel=1e-13, abs=1e-13)
+        expected = [float(acting.force(number(share))) for share in SHARES]
     at_once = of_floats.force(np.array([float(one) for one in SHARES]))
     assert_allclose(at_once, expected, rtol=1e-14, atol=1e-14)
-
-
-@each_case
-def test_work_is_the_integral_of_the_force(case: tuple[Fraction, ...]) -> None:
-    with mp.workdps(40):
-        for share in SHARES:
-            expected = work_of(case, share)
-            assert_allclose(stroke(case, float).work(float(share)), float(expected), rtol=1e-13, atol=1e-14)
-            with flint.ctx.workprec(150):
-                found = stroke(case, ball).work(ball(share))
-                assert found.overlaps(arb(f"{mp.nstr(expected, 38)} +/- 1e-35"))
-                assert found.rad() < arb("1e-38")
-
-
-@each_case
-def test_slope_is_that_of_the_force(case: tuple[Fraction, ...]) -> None:
-    for share in SHARES[1:-1]:
-        expected = mp.diff(lambda at: force_of(case, at), real(share))
-        assert_allclose(stroke(case, float).slope(float(share)), float(expected), rtol=1e-9, atol=1e-9)
 
 
 @each_case

@@ -10,13 +10,14 @@ import numpy as np
 import pytest
 from mpmath import mp
 from numpy.testing import assert_allclose
-from textbook import real
 
-from kurbel import certified, compute, typeset
-from kurbel.commands.motion import table
-from kurbel.errors import ProblemError
+from kurbel import KurbelError, certified, compute, table, typeset
 
 Real = Any
+
+
+def real(number: Fraction) -> Real:
+    return mp.mpf(number.numerator) / number.denominator
 
 
 def path(angle: Real, ratio: Real) -> Real:
@@ -125,5 +126,5 @@ def test_a_tie_of_the_third_order_is_proved() -> None:
     ],
 )
 def test_orders_that_say_nothing_are_refused(options: dict[str, Any], said: str) -> None:
-    with pytest.raises(ProblemError, match=said):
+    with pytest.raises(KurbelError, match=said):
         table("1:5", **options)

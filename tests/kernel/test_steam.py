@@ -1,4 +1,4 @@
-"""Steam over the stroke: pressure, work and cut-off against mpmath, in floats, arrays and balls alike."""
+"""Steam over the stroke: pressure, work and cut-off against `kurbel.verify`, in floats, arrays and balls."""
 
 from __future__ import annotations
 
@@ -10,18 +10,21 @@ from typing import Any
 import flint
 import numpy as np
 import pytest
-from energy_curve import real
 from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 from numpy.testing import assert_allclose
 
+from kurbel import verify
 from kurbel.exact.certify import ball
 from kurbel.kernel import steam, turning
 from kurbel.kernel.circle import circle
 from kurbel.kernel.kinematics import piston_path, piston_path_first_order
 from kurbel.kernel.steam import larger, logarithm, smaller
+from kurbel.verify import enclose
+from kurbel.verify.loads import Stroke
+from kurbel.verify.numbers import number
 
 Kind = Callable[[Fraction], Any]
 
@@ -42,67 +45,35 @@ def expansion(case: tuple[Fraction, ...], of: Kind) -> steam.Expansion:
     return steam.Expansion(*(of(number) for number in case))
 
 
-def pressure_of(case: tuple[Fraction, ...], share: Any) -> Any:
-    """p V^n = const from the cut-off on, less the back pressure, in mpmath."""
-    cut_off, back, exponent, clearance = map(real, case)
-    if share <= cut_off:
-        return 1 - back
-    return ((cut_off + clearance) / (share + clearance)) ** exponent - back
-
-
-def work_of(case: tuple[Fraction, ...], share: Fraction) -> Any:
-    ends = sorted({mp.mpf(0), min(real(case[0]), real(share)), real(share)})
-    return mp.quad(lambda place: pressure_of(case, place), ends)
+def true_of(case: tuple[Fraction, ...]) -> Stroke:
+    cut_off, back, exponent, clearance = case
+    return verify.steam(1 / cut_off, back=back, exponent=exponent, clearance=clearance)()[0]
 
 
 @each_case
-def test_net_pressure_is_that_of_the_expansion(case: tuple[Fraction, ...]) -> None:
-    for share in SHARES:
-        expected = float(pressure_of(case, real(share)))
-        found = expansion(case, float).force(float(share))
-        assert math.isclose(found, expected, rel_tol=0, abs_tol=4e-16)
-
-
-@each_case
-def test_work_is_the_integral_of_the_pressure(case: tuple[Fraction, ...]) -> None:
-    with mp.workdps(40):
+def test_net_pressure_work_and_slope_are_those_of_the_expansion(case: tuple[Fraction, ...]) -> None:
+    of_floats = expansion(case, float)
+    with enclose.working(140), flint.ctx.workprec(150):
+        true = true_of(case)
         for share in SHARES:
-            expected = work_of(case, share)
-            found = expansion(case, float).work(float(share))
-            assert math.isclose(found, float(expected), rel_tol=1e-14, abs_tol=1e-16)
-            with flint.ctx.workprec(150):
-                ball_found = expansion(case, ball).work(ball(share))
-                assert ball_found.overlaps(arb(f"{mp.nstr(expected, 38)} +/- 1e-35"))
-                assert ball_found.rad() < arb("1e-40")
-
-
-def test_work_before_cut_off_is_that_of_the_full_pressure() -> None:
-    for case in CASES:
-        share = float(case[0]) * 0.7
-        found = expansion(case, float).work(share)
-        assert math.isclose(found, share * (1 - float(case[1])), rel_tol=1e-15)
-
-
-@each_case
-def test_slope_is_the_change_of_the_pressure_beyond_cut_off(case: tuple[Fraction, ...]) -> None:
-    with mp.workdps(40):
-        for share in (one for one in SHARES if one > case[0]):
-            expected = float(mp.diff(lambda place: pressure_of(case, place), real(share)))
-            found = expansion(case, float).expansion_slope(float(share))
-            assert math.isclose(found, expected, rel_tol=1e-14)
-
-
-def test_slope_at_cut_off_is_that_from_the_right() -> None:
-    cut_off, _, exponent, clearance = (float(number) for number in CASES[2])
-    found = expansion(CASES[2], float).expansion_slope(cut_off)
-    assert math.isclose(found, -exponent / (cut_off + clearance), rel_tol=1e-15)
+            force, work = true.force(number(share)), true.work(number(share))
+            assert math.isclose(of_floats.force(float(share)), float(force), rel_tol=0, abs_tol=4e-16)
+            assert math.isclose(of_floats.work(float(share)), float(work), rel_tol=1e-14, abs_tol=1e-16)
+            found = expansion(case, ball).work(ball(share))
+            assert found.overlaps(ball(work.low).union(ball(work.high)))
+            assert found.rad() < arb("1e-40")
+            if share > case[0]:
+                slope = float(true.slope(number(share)))
+                assert math.isclose(of_floats.expansion_slope(float(share)), slope, rel_tol=1e-14)
 
 
 @each_case
 def test_best_back_pressure_is_the_steam_at_the_end_of_the_stroke(case: tuple[Fraction, ...]) -> None:
-    cut_off, _, exponent, clearance = (float(number) for number in case)
+    cut_off, _, exponent, clearance = (float(one) for one in case)
     best = steam.best_back(cut_off, exponent, clearance)
-    assert math.isclose(best, float(pressure_of((case[0], Fraction(0), *case[2:]), mp.mpf(1))), rel_tol=1e-15)
+    with enclose.working(80):
+        end = true_of((case[0], Fraction(0), *case[2:])).force(number(1))
+    assert math.isclose(best, float(end), rel_tol=1e-15)
     at_end = expansion(case, float)._replace(back=best)
     assert abs(at_end.force(1.0)) < 1e-15
 

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from cli import printed, refusal
+from cli import printed
 
 ANGLES = ("11", "90", "163.5", "217")
 
@@ -63,27 +63,3 @@ def test_every_axle_is_in_equilibrium_with_the_coupling_rods(weights: list[float
         else:
             assert float(row["coupling_force"]) == pytest.approx(rod, abs=1e-9)
             assert float(row["coupling_force_n"]) == pytest.approx(7000 * rod, abs=1e-5)
-
-
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        (("--mechanism=parallel", "--axles=1"), "the number of axles is 1; it must be a whole number from 2"),
-        (
-            ("--mechanism=parallel", "--axles=3;-1"),
-            "the weight on an axle is -1; it must be above 0, for its",
-        ),
-        (
-            ("--mechanism=parallel", "--axles=3;1", "--driven=3"),
-            "the driven axle is 3; it must be one of the 2",
-        ),
-        (
-            ("--mechanism=parallel", "--axles=3", "--driven=1.5"),
-            "the driven axle is 1.5; it must be the number",
-        ),
-        (("--mechanism=parallel", "--driven=2"), "--driven is for coupled axles; add --axles 3"),
-        (("--axles=3",), "--axles does not belong to the straight crank; it is for --mechanism parallel"),
-    ],
-)
-def test_axles_that_cannot_be_coupled_are_refused(words: tuple[str, ...], sentence: str) -> None:
-    assert refusal("forces", *words).startswith(sentence)

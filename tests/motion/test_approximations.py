@@ -1,25 +1,19 @@
-"""Rötscher's steps to GF, and the greatest errors of the series, against computations in mpmath."""
+"""Rötscher's steps to GF, and the greatest errors of the series, against kurbel.verify."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from fractions import Fraction
+from itertools import islice
 from pathlib import Path
 from random import Random
-from typing import Any
 
-import flint
 import pytest
 from cli import kurbel, printed
-from mpmath import mp
-from textbook import Drive, evaluate, real, rounded
 
-from kurbel.drive.crank import Crank
+from kurbel import verify
 from kurbel.exact.kind import balls
 from kurbel.kernel.series import chord
-from kurbel.motion.series.chord import steps_to
-from kurbel.motion.series.errors import Greatest
-
-Real = Any
 
 
 def errors_csv(*options: str) -> list[dict[str, str]]:
@@ -33,41 +27,33 @@ def steps_csv(*options: str) -> list[dict[str, str]]:
 # Greatest errors ---------------------------------------------------------------------------------
 
 
-def greatest(key: str, drive: Drive, order: int) -> tuple[Real, Real]:
-    """Search the whole turn, every third degree and then ever closer, for where a series errs most."""
-    method = "series" if order == 1 else f"series-{order}"
-
-    def error(degrees: Fraction) -> Real:
-        return abs(evaluate(key, "exact", drive, degrees, 256) - evaluate(key, method, drive, degrees, 256))
-
-    best, width = max((Fraction(angle) for angle in range(0, 360, 3)), key=error), Fraction(3)
-    while width > Fraction(1, 10**5):
-        best = max((best + width * part / 8 for part in range(-8, 9)), key=error)
-        width /= 4
-    return error(best), best
-
-
 @pytest.mark.parametrize(
     ("ratio", "order"), [("0.237", 1), ("0.31", 3), ("0.2", 5), ("0.43", 7), ("0.77", 9)]
 )
 def test_greatest_errors_are_those_of_a_search_over_the_turn(ratio: str, order: int) -> None:
     (record,) = errors_csv(f"--ratio={ratio}", f"--order={order}", "--lang=en")
+    drive = verify.drive(ratio)
     for key in ("x", "c", "p"):
-        value, place = greatest(key, Drive(Fraction(ratio)), order)
-        shown, angle = record[f"error_{key}"], Fraction(record[f"error_{key}_phi"])
-        assert int(shown.replace(".", "")) == rounded(value, len(shown.partition(".")[2]), 256), key
+        place = Fraction(record[f"error_{key}_phi"])
+
+        def error(angle: Fraction | int, key: str = key) -> float:
+            return abs(float(drive.value(key, angle, "difference", order=order)))
+
+        # Where it errs most a hair beside it errs as much, to the digits that are shown.
+        there = drive.value(key, place, "difference", order=order)
+        digits = len(record[f"error_{key}"].partition(".")[2])
+        assert record[f"error_{key}"] == there.digits(digits).removeprefix("-"), key
         # The same is found at four places of the turn.
-        mirrored = min(place % 180, 180 - place % 180)
-        assert abs(mirrored - angle) < Fraction(1, 1000), key
+        beside = [place + side * Fraction(1, 1000) for side in (-1, 1)]
+        assert max(map(error, [*range(0, 91, 6), *beside])) <= error(place), key
 
 
 def test_first_order_errs_by_an_eighth_and_a_half_of_the_third_power() -> None:
     # The first terms that are left out: λ³/8 of x and -λ³/2 of p at 90°, √27/32 λ³ of c at 60°.
-    found, ratio = Greatest(Fraction(1, 10**6), 1), 1e-6
-    for key, share in (("x", 1 / 8), ("c", 27**0.5 / 32), ("p", 1 / 2)):
-        assert abs(found.rough(key) / (share * ratio**3) - 1) < 1e-9
-    with flint.ctx.workprec(256):
-        assert abs(float(180 * found.half_turns()) - 60) < 1e-6
+    (record,) = errors_csv("--ratio=1:1000000", "--order=1", "--digits=40")
+    for key, share, place in (("x", 1 / 8, 90), ("c", 27**0.5 / 32, 60), ("p", 1 / 2, 90)):
+        assert float(record[f"error_{key}"]) == pytest.approx(share * 1e-18, rel=1e-9)
+        assert float(record[f"error_{key}_phi"]) == pytest.approx(place, abs=1e-6)
 
 
 def test_errors_have_the_digits_and_the_units_that_are_asked_for() -> None:
@@ -86,15 +72,68 @@ def test_errors_have_the_digits_and_the_units_that_are_asked_for() -> None:
     ]
 
 
+# Exact and first order side by side ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("ratio", ["1:3.7", "1:∞"])
+def test_every_difference_is_that_of_the_unrounded_values(ratio: str) -> None:
+    drive = verify.drive("0" if ratio.endswith("∞") else ratio)
+    words = ("--layout=verfahren", f"--ratio={ratio}", "--angle=0;33;60;90;147.25;180", "--digits=7")
+    for row in printed("table", *words, "-f", "csv").records():
+        for column in row.keys() - {"ratio", "phi"}:
+            key, _, method = column.partition("_")
+            value = drive.value(key, row["phi"], method)
+            assert value.confirms(row[column]) == verify.CONFIRMED, (row["phi"], column)
+
+
+LAYOUT = """\
+title = "Gain"
+caption = "Gain"
+ratios = ["4:5"]
+angles = ["90"]
+down = ["ratio", "angle"]
+stub = ["angle"]
+across = ["column"]
+columns = [{ quantity = "x_mm", method = "exact", key = "exact" },
+           { quantity = "x_mm", method = "series", key = "series" },
+           { quantity = "x_mm", method = "difference", key = "gain" }]
+"""
+
+
+def test_a_difference_half_way_is_rounded_as_one_and_its_neighbours_are_not(tmp_path: Path) -> None:
+    (tmp_path / "gain").mkdir()
+    (tmp_path / "gain" / "layout.toml").write_text(LAYOUT, encoding="utf-8")
+    words = ("table", f"--layouts={tmp_path}", "--layout=gain", "--digits=0", "-f", "csv")
+    # At λ = 4:5 and 90° x/R is 3/2, and to first order 7/5: a tenth of 25 mm.
+    for stroke, away, even in (
+        ("50", "3", "2"),
+        ("50.0001", "3", "3"),
+        ("49.9999", "2", "2"),
+        ("70", "4", "4"),
+    ):
+        for rounding, gain in (("half-away", away), ("half-even", even)):
+            (row,) = printed(*words, f"--stroke={stroke}mm", f"--rounding={rounding}").records()
+            assert row["gain"] == gain, (stroke, rounding)
+
+
 # Rötscher's steps --------------------------------------------------------------------------------
 
 
-def successive(ratio: Real, sine: Real, steps: int) -> Real:
-    """CF²/(2 L - GF) in units of R, with CF = R sin φ and L = R/λ."""
-    found = mp.mpf(0)
-    for _ in range(steps):
-        found = sine**2 / (2 / ratio - found)
-    return found
+def steps(drive: verify.Drive, angle: Fraction) -> Iterator[verify.Value]:
+    """Yield CF²/(2 L - GF) in units of R, with CF = R sin φ and L = R/λ, again and again."""
+
+    def after(found: Callable[[], verify.Number]) -> Callable[[], verify.Number]:
+        def next_one() -> verify.Number:
+            lift = drive.pin(angle, 0).value().y
+            gone: verify.Number = lift * lift / (2 * drive.rod - found())
+            return gone
+
+        return next_one
+
+    found: Callable[[], verify.Number] = lambda: drive.rod * 0  # noqa: E731
+    while True:
+        yield verify.Value(found)
+        found = after(found)
 
 
 def test_steps_and_their_number_are_those_of_the_equation_itself() -> None:
@@ -107,21 +146,25 @@ def test_steps_and_their_number_are_those_of_the_equation_itself() -> None:
             f"--ratio={float(ratio)}", f"--angle={float(angle)}", f"--digits={digits}",
             "--columns=" + ",".join((*names, "gf", "gf_steps")),
         )  # fmt: skip
-        with mp.workprec(400):
-            lam, sine = real(ratio), mp.sin(real(angle) * mp.pi / 180)
-            exact = (1 - mp.sqrt(1 - (lam * sine) ** 2)) / lam
-            wanted = rounded(exact, digits)
-            count = next(k for k in range(5000) if rounded(successive(lam, sine, k), digits) == wanted)
-            for step, name in enumerate(names, 1):
-                expected = rounded(successive(lam, sine, step), digits)
-                assert int(record[name].replace(".", "")) == expected, name
-            assert int(record["gf"].replace(".", "")) == wanted
-            assert int(record["gf_steps"]) == count
-            left, share = exact, exact / (2 / lam - exact)
-            for step in range(1, 12):
-                assert 0 < exact - successive(lam, sine, step) < share**step * exact
-                assert exact - successive(lam, sine, step) < share * left
-                left = exact - successive(lam, sine, step)
+        drive = verify.drive(ratio)
+        exact = drive.value("fd", angle)
+        assert exact.confirms(record["gf"]) == verify.CONFIRMED
+        count = int(record["gf_steps"])
+        found = list(islice(steps(drive, angle), max(count + 1, 12)))
+        for name, value in zip(names, found[1:], strict=False):
+            assert value.confirms(record[name]) == verify.CONFIRMED, name
+        # Steps rise: what the last but one lacks, all before it lack.
+        same = [
+            value.scaled(digits) == exact.scaled(digits) for value in found[max(count - 1, 0) : count + 1]
+        ]
+        assert same == ([False, True] if count else [True])
+        # Each step leaves less than the share GF/(2 L - GF) of what the last left.
+        true = left = exact.near()
+        share = true / (2 / ratio - true)
+        for value in found[1:12]:
+            lacking = true - value.near()
+            assert 0 < lacking < share * left
+            left = lacking
 
 
 def test_the_closed_form_is_that_of_the_steps() -> None:
@@ -133,10 +176,13 @@ def test_the_closed_form_is_that_of_the_steps() -> None:
 
 def test_steps_never_reach_a_value_half_way_that_is_rounded_up() -> None:
     # At λ = 4:5 and 90° GF is exactly ½ R, and all steps are below it: 2/5, 10/21, …
-    crank, quarter = Crank(Fraction(4, 5)), Fraction(90)
-    assert steps_to(crank, quarter, 0, "half-away") is None
-    assert steps_to(crank, quarter, 0, "half-even") == 0
-    assert steps_to(crank, quarter, 1, "half-away") == 2
+    half = ("--ratio=4:5", "--angle=90", "--columns=gf_steps")
+    for more, count in (
+        (("--digits=0",), ""),
+        (("--digits=0", "--rounding=half-even"), "0"),
+        (("--digits=1",), "2"),
+    ):
+        assert steps_csv(*half, *more) == [{"gf_steps": count}]
     page = printed(
         "table", "--layout=roetscher-gf", "--ratio=4:5", "--angle=90", "--digits=0", "--lang=en"
     ).out
@@ -155,36 +201,6 @@ def test_orders_are_listed_or_repeated_and_each_stands_once() -> None:
 
 
 # What is refused ---------------------------------------------------------------------------------
-
-
-def test_other_commands_say_that_their_series_are_of_first_order() -> None:
-    for words in ("inertia --centre=0.6 --gyration=0.3", "forces --method=series", "delta --eps=4"):
-        result = kurbel(*words.split(), "--order=3")
-        assert result.code == 2
-        assert "elsewhere --method series is of first order; see kurbel" in result.err
-
-
-@pytest.mark.parametrize(
-    ("options", "said"),
-    [
-        ("--layout=series-errors --angle=30", "is of the whole turn; leave --angle out"),
-        ("--layout=series-errors --method=series", "takes no method"),
-        ("--layout=series-errors --order=10", "write a whole number from 1 to 9"),
-        ("--layout=series-errors --order=0", "write a whole number from 1 to 9"),
-        ("--order=3", "add --method series, or leave --order out"),
-        ("--method=series --order=3 --order=5", "a page is of one order, and 2 were given"),
-        ("--layout=series-errors --offset=0.2", "is of the straight crank"),
-        ("--layout=roetscher-gf --offset=0.2", "is of the straight crank"),
-        ("--layout=roetscher-gf --order=3", "has steps and no series"),
-        ("--layout=roetscher-gf --acceleration=5rad/s²", "turns evenly"),
-        ("--layout=roetscher-gf --mechanism=arc --rocker=6", "and the arc crank was described"),
-    ],
-)
-def test_what_says_nothing_of_a_page_is_refused(options: str, said: str) -> None:
-    result = kurbel("table", *options.split())
-    assert (result.code, result.out) == (2, "") or result.code == 1
-    assert said in result.err
-    assert result.err.count("\n") == 1
 
 
 def test_steps_until_decimals_stand_can_be_swept(tmp_path: Path) -> None:

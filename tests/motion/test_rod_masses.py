@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import pi, sqrt
 
 import pytest
-from cli import printed, refusal
+from cli import printed
 
 POINTS = (("crosshead_mass", "crosshead_place"), ("centre_mass", ""), ("crank_mass", "crank_place"))
 
@@ -41,25 +41,3 @@ def test_the_radius_of_gyration_is_that_of_the_swing(pin: str, distance: float) 
     given = models(*rod, "--gyration=170mm")
     for model, row in models(*rod, *swing).items():
         assert row == pytest.approx(given[model], abs=1e-9)
-
-
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        (("--pendulum=1s",), "--pendulum needs the pin about which the rod swung; add --pendulum-from"),
-        (("--pendulum-from=crank",), "--pendulum-from is for --pendulum, the time of a full swing;"),
-        (("--pendulum=1s", "--pendulum-from=crank"), "--pendulum needs the length of the rod;"),
-        (
-            ("--pendulum=0.5s", "--pendulum-from=crank", "--rod=1m"),
-            "a swing of 0.5 s is too short: with all its mass 0.4 m from the pin the rod would take 1.269 s;",
-        ),
-        (("--pendulum=1s", "--gyration=0.3"), "--gyration and --pendulum say the same; leave one out"),
-        (
-            ("--gyration=0.3", "--speed=100/min"),
-            "layout rod-masses is of the rod by itself; leave --speed out",
-        ),
-    ],
-)
-def test_a_swing_that_tells_nothing_is_refused(words: tuple[str, ...], sentence: str) -> None:
-    said = refusal("inertia", "--layout=rod-masses", "--centre=0.6", *words)
-    assert said.removeprefix("kurbel: ").startswith(sentence)

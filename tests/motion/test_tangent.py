@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any
 
-import pytest
-from cli import printed, refusal
+from cli import printed
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 from pages import cells
 
 import kurbel
-from kurbel.errors import KurbelError
 from kurbel.exact.numerals import Number
 from kurbel.page.labels import plain
 
@@ -97,47 +94,5 @@ def test_sheet_has_closed_forms_beside_degrees_and_minutes() -> None:
     assert "<msqrt>" in kurbel.typeset(table, "html")
 
 
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        (
-            ("--at=tangent", "--offset=0.1"),
-            "the rod touches the crank circle at tan ψ = R/L with the straight",
-        ),
-        (
-            ("--at=tangent", "--angle=30"),
-            "--angle does not go with --at tangent, a position with an angle of its own; leave it out",
-        ),
-        (
-            ("--at=tangent", "--to=30"),
-            "--to does not go with --at tangent, a position with an angle of its own; leave it out",
-        ),
-        (("--at=tang",), 'there is no position "tang" (did you mean tangent?); choose from tangent'),
-        (("--at=tangent", "--columns=rod_force_n"), "column rod_force_n is in N and needs --force"),
-        (
-            ("--at=tangent", "--columns=torque_nm", "--force=1kN"),
-            "column torque_nm is in N m and needs --force",
-        ),
-        (("--at=tangent", "--columns=torque_return"), 'there is no column "torque_return"'),
-        (
-            ("--at=tangent", "--columns=ratio"),
-            "there is no column beside the ratio; add one, such as rod_force",
-        ),
-        (
-            ("--at=tangent", "--layout=forces"),
-            "layout forces is about something else; choose from forces-tangent",
-        ),
-    ],
-)
-def test_wrong_input_is_answered_with_a_sentence(words: tuple[str, ...], said: str) -> None:
-    assert refusal("forces", *words).startswith(said)
-
-
 def test_the_layout_alone_is_the_position() -> None:
     assert printed("forces", "--layout=forces-tangent").out == printed("forces", "--at=tangent").out
-
-
-@pytest.mark.parametrize("choices", [{"ratio": "5:1"}, {"ratio": []}, {"columns": "y"}, {"layout": "forces"}])
-def test_wrong_input_from_python_is_refused(choices: dict[str, Any]) -> None:
-    with pytest.raises(KurbelError):
-        kurbel.forces_table(at="tangent", **choices)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 
 import pytest
-from cli import printed, refusal
+from cli import printed
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -41,19 +41,8 @@ def rows(*words: str) -> list[dict[str, float]]:
 
 def test_a_run_counts_from_the_outer_dead_centre_and_says_so() -> None:
     asked = ("table", "--ratio", "1:4", "--zero", "outer", "--lang", "en")
-    page = printed(*asked, "--angle", "0")
-    # x = 2R there, and the acceleration is -(1 - λ).
-    assert {"2.0000", "−0.7500"} <= set(page.out.split())
-    assert "Angles of the table count from φ = 180°" in " ".join(page.out.split())
     run = printed(*asked, "--step", "1/8", "--to", "90", "--columns", "phi,x", "-f", "csv").records()
     assert [run[0]["phi"], run[-1]["phi"], len(run)] == ["0.000", "90.000", 721]
     long = printed(*asked, "--step", "0.01", "--columns", "phi,x,c", "-f", "csv").records()
     assert [row["phi"] for row in (long[0], long[1], long[-1])] == ["0.00", "0.01", "360.00"]
     assert long[9000]["x"] == "1.1270"
-
-
-def test_where_no_angle_is_zero_the_angle_is_asked_for() -> None:
-    assert "give the angle, 180 for the slide direction" in refusal(
-        "table", "--zero", "outer", "--offset", "0.3"
-    )
-    assert 'zero "otter" is not an angle' in refusal("table", "--zero", "otter")

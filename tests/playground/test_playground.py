@@ -5,11 +5,13 @@ from __future__ import annotations
 import functools
 import http.server
 import json
+import os
 import shlex
+import shutil
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -23,7 +25,6 @@ from programs import PATIENCE
 from tools import missing, require
 from typeset import words_of_pdf
 
-pytestmark = pytest.mark.slow
 BUILD = ROOT / "docs" / "playground" / "build.py"
 FORMATS = ("csv", "text", "html", "latex", "typst")
 FIRST = "kurbel table --ratio 1:5 --lang en"
@@ -32,13 +33,19 @@ FIRST = "kurbel table --ratio 1:5 --lang en"
 class Server:
     """A server on this machine that notes what it was asked for."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, answer: Callable[[str], str] = str) -> None:
         self.asked: list[str] = []
         asked = self.asked
 
         class Handler(http.server.SimpleHTTPRequestHandler):
             def log_message(self, *words: Any) -> None:
                 asked.append(self.path)
+
+            def do_POST(self) -> None:
+                question = self.rfile.read(int(self.headers["Content-Length"])).decode()
+                self.send_response(200)
+                self.end_headers()
+                self.wfile.write(answer(question).encode())
 
             def end_headers(self) -> None:
                 # Who is let in from everywhere shows that it was the page that did not ask.
@@ -58,6 +65,58 @@ class Server:
         self._server.shutdown()
         self._server.server_close()
         self._thread.join()
+
+
+# In place of Python in the browser: the same side in Python, on this machine.
+STAND_IN = """const answered = async words => (await fetch(new URL("ask", import.meta.url),
+    { method: "POST", body: JSON.stringify(words) })).json();
+onmessage = async ({ data: { number, action, words } }) => {
+    const nothing = { written: [], gone: [], files: [] };
+    const answer = action === "put" ? nothing : await answered([action, ...words]);
+    if (action === "run") answer.out = new TextEncoder().encode(answer.out);
+    postMessage({ kind: "answer", number, answer });
+};
+postMessage({ kind: "ready" });
+"""
+ANSWERS = """import json, sys
+import console
+for line in sys.stdin:
+    action, *words = json.loads(line)
+    answer = getattr(console, action)(*words)
+    if action == "run":
+        code, out, err, later = answer
+        answer = {"code": code, "out": out.decode(), "err": err, "later": later,
+                  "written": [], "gone": [], "files": []}
+    print(json.dumps(answer), flush=True)
+"""
+
+
+def test_a_line_is_typed_completed_and_answered(viewer: Viewer, tmp_path: Path) -> None:
+    folder = shutil.copytree(BUILD.with_name("page"), tmp_path / "docs" / "playground")
+    (folder / "worker.js").write_text(STAND_IN, encoding="utf-8")
+    (folder / "service.js").write_text("", encoding="utf-8")
+    python = subprocess.Popen(
+        [sys.executable, "-c", ANSWERS], cwd=tmp_path, env=os.environ | {"PYTHONPATH": str(BUILD.parent)},
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+    )  # fmt: skip
+
+    def answer(question: str) -> str:
+        assert python.stdin and python.stdout
+        print(question, file=python.stdin, flush=True)
+        return python.stdout.readline()
+
+    viewer.page.context.set_offline(False)
+    with Server(tmp_path, answer) as server:
+        opened(viewer, server)
+        assert printed(*shlex.split(FIRST)[1:]).out == viewer.page.text_content("#screen")
+        viewer.page.fill("#line", "kurbel delt")
+        viewer.page.press("#line", "Tab")
+        expect(viewer.page.locator("#line")).to_have_value("kurbel delta ")
+        assert "requires an argument" in typed(viewer.page, "kurbel delta --eps", "Failed, exit code 2")
+        assert viewer.violations() == viewer.misfits() == viewer.complaints == []
+        viewer.page.goto("about:blank")
+    viewer.page.context.set_offline(True)
+    python.communicate()
 
 
 @pytest.fixture(scope="module")
@@ -129,6 +188,7 @@ _WRITTEN = """async lines => {
 }"""
 
 
+@pytest.mark.slow
 def test_every_layout_has_the_same_bytes_as_on_the_machine(page: Page) -> None:
     layouts = json.loads(printed("layouts", "-f", "json").out)["rows"]
     lines = [f"{one['command']} -f {form}" for one in layouts for form in FORMATS]
@@ -142,6 +202,7 @@ def _told(result: Any) -> str:
     return f"{result.code} {result.err} {sha256(result.out.encode()).hexdigest()}"
 
 
+@pytest.mark.slow
 def test_a_pdf_says_there_what_it_says_here(page: Page, tmp_path: Path) -> None:
     for line in (FIRST, "kurbel delta --layout delta-tafel"):
         typed(page, f"{line} -o there.pdf")
@@ -151,6 +212,7 @@ def test_a_pdf_says_there_what_it_says_here(page: Page, tmp_path: Path) -> None:
         assert words_of_pdf(Path(download.value.path())) == words_of_pdf(tmp_path / "here.pdf")
 
 
+@pytest.mark.slow
 def test_everybody_can_read_the_page(viewer: Viewer, page: Page) -> None:
     typed(page, "kurbel collate roetscher-112 --lang en")
     typed(page, f"{FIRST} --standalone -o table.html")
@@ -166,6 +228,7 @@ def test_everybody_can_read_the_page(viewer: Viewer, page: Page) -> None:
     assert viewer.complaints == []
 
 
+@pytest.mark.slow
 def test_the_keyboard_alone_does_all(page: Page) -> None:
     keys = page.keyboard
     page.locator("#line").focus()
@@ -188,6 +251,7 @@ def test_the_keyboard_alone_does_all(page: Page) -> None:
     assert "1.1010" in (page.text_content("#screen") or "")
 
 
+@pytest.mark.slow
 def test_a_link_fills_in_its_command_and_runs_nothing(viewer: Viewer, page: Page, server: Server) -> None:
     opened(viewer, server, "#kurbel%20table%20--ratio%201:4")
     assert page.input_value("#line") == "kurbel table --ratio 1:4"
@@ -197,6 +261,7 @@ def test_a_link_fills_in_its_command_and_runs_nothing(viewer: Viewer, page: Page
     assert "R:L = 1:4" in (page.text_content("#screen") or "")
 
 
+@pytest.mark.slow
 def test_files_go_in_and_out_and_outlive_a_stop(page: Page) -> None:
     machine = b'[crank]\nratio = "1:3"\nstroke = "400mm"\n'
     page.set_input_files("#upload", {"name": "own.toml", "mimeType": "text/plain", "buffer": machine})
@@ -214,6 +279,7 @@ def test_files_go_in_and_out_and_outlive_a_stop(page: Page) -> None:
     assert "own.toml" in typed(page, line, "Failed, exit code")
 
 
+@pytest.mark.slow
 def test_what_needs_other_libraries_says_so(page: Page) -> None:
     assert "drawings and indicator cards need NumPy" in typed(
         page, "kurbel plot --ratio 1:5 -o motion.svg", "Failed, exit code 1"
@@ -222,6 +288,7 @@ def test_what_needs_other_libraries_says_so(page: Page) -> None:
     typed(page, "kurbel turning --eps 2..4 --interactive -o turning.html")
 
 
+@pytest.mark.slow
 def test_it_opens_without_a_network_and_connects_to_nothing_else(
     viewer: Viewer, folder: Path, tmp_path: Path
 ) -> None:

@@ -10,13 +10,11 @@ from fractions import Fraction
 from io import BytesIO
 from pathlib import Path
 
-import films
 import numpy as np
 import pytest
 from cli import kurbel as kurbel_run
-from cli import printed, refusal
-from textbook import Drive, evaluate, rounded
-from textbook import printed as as_printed
+from cli import printed, records
+from drawings import Film, film_data
 from tools import require_library
 
 import kurbel
@@ -31,14 +29,12 @@ def library() -> None:
     require_library("matplotlib")
 
 
-def film_of(*words: str) -> films.Film:
-    result = printed("plot", "--animate", *words, "-f", "svg")
-    return films.read(result.out)
+def film_of(*words: str) -> Film:
+    return Film(printed("plot", "--animate", *words, "-f", "svg").out)
 
 
-def mm(points: list[films.Point]) -> list[complex]:
-    """Return points in mm, across and up."""
-    return [complex(x, -y) / films.MM for x, y in points]
+def still(film: Film, key: str) -> list[complex]:
+    return [complex(one) for one in film.points(film.first(key))]
 
 
 @pytest.mark.parametrize(
@@ -48,21 +44,21 @@ def test_rod_and_crosshead_are_where_the_crank_leads_them_at_any_time(rod: float
     chance = random.Random(rod)
     words = [f"--ratio={1 / Fraction(str(rod))}", *([f"--offset={offset}"] if offset else [])]
     film = film_of(*words, f"--positions={chance.randrange(360)}")
-    shaft, pin = mm(film.points("crank"))
-    radius, drawn = abs(pin - shaft), mm(film.points("rod"))
+    shaft, pin = still(film, "crank")
+    radius, drawn = abs(pin - shaft), still(film, "rod")
     assert abs(drawn[1] - drawn[0]) == pytest.approx(rod * radius, abs=EXACT)
     corners = []
     for angle in (film.run[2], *(chance.uniform(0, 360) for _ in range(60))):
         turned = cmath.rect(1, math.radians(angle))
         true = complex(turned.real + math.sqrt(rod**2 - (turned.imag - offset) ** 2), offset)
-        ends = mm(film.at("rod", angle))
+        ends = film.at("rod", angle)
         # Rigid, so that its length is right between keyframes too; and at both ends where it should be.
         assert abs(ends[1] - ends[0]) == pytest.approx(rod * radius, abs=EXACT)
         assert abs(ends[0] - shaft - radius * turned) < TOLERANCE
         assert abs(ends[1] - shaft - radius * true) < TOLERANCE
-        crank = mm(film.at("crank", angle))
+        crank = film.at("crank", angle)
         assert abs(crank[1] - shaft - radius * turned) < EXACT
-        (corner, *_) = mm(film.at("head", angle))
+        (corner, *_) = film.at("head", angle)
         corners.append(corner - radius * true)
     assert max(abs(one - corners[0]) for one in corners) < TOLERANCE
 
@@ -76,13 +72,13 @@ def test_rod_and_crosshead_are_where_the_crank_leads_them_at_any_time(rod: float
 )
 def test_links_of_a_rocker_meet_and_keep_their_length(words: tuple[str, ...]) -> None:
     film, chance = film_of(*words, "--positions=40"), random.Random(7)
-    shaft, pin = mm(film.points("crank"))
-    rod, rocker = (mm(film.points(one)) for one in ("rod", "rocker"))
+    shaft, pin = still(film, "crank")
+    rod, rocker = (still(film, one) for one in ("rod", "rocker"))
     lengths = abs(rod[1] - rod[0]), abs(rocker[1] - rocker[0])
     pivot = rocker[1] if words[0].endswith("arc") else (rocker[0] + rocker[1]) / 2
     for angle in (chance.uniform(0, 360) for _ in range(60)):
-        rods = mm(film.at("rod", angle))
-        rockers = mm(film.at("rocker", angle))
+        rods = film.at("rod", angle)
+        rockers = film.at("rocker", angle)
         turned = cmath.rect(abs(pin - shaft), math.radians(angle))
         middle = rockers[1] if words[0].endswith("arc") else (rockers[0] + rockers[1]) / 2
         assert abs(rods[0] - shaft - turned) < TOLERANCE
@@ -98,66 +94,54 @@ def test_a_point_that_is_not_on_the_rod_hangs_on_its_ends(point: str, joined: in
     assert sum("-arm-" in name for name in film.frames) == joined
     share, beside = (float(one) for one in f"{point},0".split(",")[:2])
     for angle in (chance.uniform(0, 360) for _ in range(30)):
-        pin, head = mm(film.at("rod", angle))
+        pin, head = film.at("rod", angle)
         place = head + complex(share, -beside) * (pin - head)
         for arm, end in zip(arms, (pin, head), strict=False):
-            start, tip = mm(film.at(arm, angle))
+            start, tip = film.at(arm, angle)
             assert abs(start - end) < TOLERANCE
             assert abs(tip - place) < 2 * TOLERANCE
 
 
 def test_dots_run_on_their_curves() -> None:
-    film = film_of("--ratio=1:3")
-    curves = {one.get("id"): one for one in film.root.iter() if one.get("id", "").startswith("curve-")}
-    chance = random.Random(3)
-    for number, (_, curve) in enumerate(sorted(curves.items()), 1):
-        path = curve.find(f"{films.SVG}path")
-        assert path is not None
-        line = np.asarray(
-            [(float(x), float(y)) for x, y in re.findall(r"[ML] (\S+) (\S+)", path.get("d", ""))]
-        )
-        (use,) = film.elements[f"film-dot-{number}-1"].iter(f"{films.SVG}use")
-        still = float(use.get("x", "")), float(use.get("y", ""))
+    film, chance = film_of("--ratio=1:3"), random.Random(3)
+    for number in (1, 2, 3):
+        line = film.points(f"curve-{number}-1")
         for angle in (0, 360, *(chance.uniform(0, 360) for _ in range(40))):
-            ((x, y),) = film.moved(f"dot-{number}-1", [still], angle)
-            share = angle / 360
-            assert x == pytest.approx(line[0][0] + share * (line[-1][0] - line[0][0]), abs=0.03)
-            assert abs(y - np.interp(x, *line.T)) / films.MM < TOLERANCE
+            (dot,) = film.at(f"dot-{number}-1", angle)
+            assert dot.real == pytest.approx(
+                line[0].real + angle / 360 * (line[-1].real - line[0].real), abs=TOLERANCE
+            )
+            assert abs(dot.imag - np.interp(dot.real, line.real, line.imag)) < TOLERANCE
 
 
 def test_where_steam_changes_sides_dots_jump_and_in_a_polar_diagram_one_runs() -> None:
     film = film_of("--forces", "--eps=4", "--ratio=1:4", "--columns=piston_force")
-    (use,) = film.elements["film-dot-1-1"].iter(f"{films.SVG}use")
-    still = float(use.get("x", "")), float(use.get("y", ""))
-    (before, after) = (film.moved("dot-1-1", [still], 180 + step)[0] for step in (-0.01, 0.01))
+    (before, after) = (film.at("dot-1-1", 180 + step)[0] for step in (-0.01, 0.01))
     # From Q of expanded steam behind the piston to Q of fresh steam before it.
-    assert after[1] - before[1] > 20 * films.MM
+    assert before.imag - after.imag > 20
     polar = film_of("--polar", "--ratio=1:4")
-    (use,) = polar.elements["film-dot"].iter(f"{films.SVG}use")
-    still = float(use.get("x", "")), float(use.get("y", ""))
-    places = {angle: complex(*polar.moved("dot", [still], angle)[0]) for angle in (0, 90, 180, 77.3)}
+    places = {angle: polar.at("dot", angle)[0] for angle in (0, 90, 180, 77.3)}
     # At both dead centres the force is radial; at right angles its radial part is that of the slanted rod.
     unit = (places[180] - places[0]) / 2
     for angle in (90, 77.3):
-        turned, slant = math.radians(angle), math.asin(math.sin(math.radians(angle)) / 4)
-        tangential, radial = math.sin(turned + slant), math.cos(turned + slant)
-        true = places[0] + unit - (unit * radial + unit * 1j * tangential) / math.cos(slant)
-        assert abs(places[angle] - true) / films.MM < TOLERANCE
+        (row,) = records("forces", "--ratio=1:4", "--force=1N", f"--angle={angle}", "--digits=9")
+        tangential, radial = (float(row[f"{key}_force_n"]) for key in ("tangential", "radial"))
+        assert abs(places[angle] - places[0] - unit + unit * radial - unit * 1j * tangential) < TOLERANCE
 
 
 def test_a_film_stands_still_for_those_who_ask_for_that_and_is_the_same_file_every_time() -> None:
     words = ("plot", "--animate", "--positions=30;120", "--ratio=1:4", "--seconds=4", "-f", "svg")
     file = printed(*words).out
-    film = films.read(file)
+    film = Film(file)
     assert film.run == (0, 360, 30, 4)
     reduced = re.search(
         r"@media \(prefers-reduced-motion:reduce\)\{(.*)\{animation-play-state:paused\}\}", film.sheet
     )
     assert reduced is not None
-    assert {*reduced[1].replace("#", "").split(",")} == film.elements.keys() == film.rules.keys()
+    assert {*reduced[1].replace("#", "").split(",")} == film.moving == film.rules.keys()
     # It begins where it is drawn: 30° are a twelfth of 4 s.
     assert "animation:4s linear -0.333333s infinite" in film.sheet
-    assert film.root.find(f"{films.SVG}title") is not None
+    assert film.title
     assert "<script" not in file
     assert printed(*words).out == file
 
@@ -170,20 +154,19 @@ def test_a_gif_has_the_pictures_of_a_turn_and_links_of_their_length(tmp_path: Pa
     assert content == drawing.image("gif")
     with Image.open(BytesIO(content)) as picture:
         assert (getattr(picture, "n_frames", 1), picture.info["loop"]) == (20, 0)
-        film = films.read(drawing.image("svg"))
-        shaft, pin = film.points("crank")
-        scale = 150 / 72
+        film = Film(drawing.image("svg"))
+        shaft, pin = still(film, "crank")
+        # Dots per mm.
+        scale = 150 / 25.4
         times = 0
         for number in range(20):
             picture.seek(number)
             times += picture.info["duration"]
             grey = np.asarray(picture.convert("L"), float)
             angle = math.radians(18 * number)
-            radius = abs(pin[0] - shaft[0])
-            start = complex(shaft[0], -shaft[1]) + cmath.rect(radius, angle)
-            end = complex(
-                shaft[0] + radius * (math.cos(angle) + math.sqrt(9 - math.sin(angle) ** 2)), -shaft[1]
-            )
+            radius = abs(pin - shaft)
+            start = shaft + cmath.rect(radius, angle)
+            end = shaft + radius * (math.cos(angle) + math.sqrt(9 - math.sin(angle) ** 2))
             along = (end - start) / abs(end - start)
             for share in (0.25, 0.5, 0.75):
                 place = start + share * (end - start)
@@ -194,31 +177,14 @@ def test_a_gif_has_the_pictures_of_a_turn_and_links_of_their_length(tmp_path: Pa
         assert times == 1000
 
 
-def test_numbers_beside_the_slider_are_certified() -> None:
+def test_numbers_beside_the_slider_are_those_of_the_table() -> None:
     words = ("plot", "--animate", "--positions=0", "--ratio=1:4", "-f", "html", "--lang=en")
     page = printed(*words).out
     assert printed(*words).out == page
     assert 'aria-label="Values at the crank angle"' in page
-    told = films.data(page)
-    drive = Drive(Fraction(1, 4))
-    for column, key in enumerate(("x", "c", "p")):
-        for angle in (0, 1, 77, 90, 210, 299, 360):
-            exact = rounded(evaluate(key, "exact", drive, Fraction(angle)), 4)
-            assert exact is not None
-            assert told["values"][column][angle].replace("\u2212", "-") == as_printed(exact, 4)
-    assert [len(one) for one in told["values"]] == [361, 361, 361]
-
-
-def test_what_cannot_move_is_refused() -> None:
-    animate = ("plot", "--animate")
-    assert refusal(*animate, "-f", "pdf").startswith(
-        "pdf stands still, and --animate writes html, svg or gif"
-    )
-    assert "drawings that move, plot --animate" in refusal("plot", "-o", "turn.gif")
-    assert "add --animate" in refusal("plot", "--seconds", "3", "-f", "svg")
-    assert "takes 1 to 120" in refusal(*animate, "--seconds", "500", "-f", "svg")
-    assert "the angles from 0° to 90°" in refusal(*animate, "--to", "90", "-f", "svg")
-    assert "leave it out" in refusal(*animate, "--pressures", "--eps", "4", "-f", "svg")
+    rows = records("table", "--ratio=1:4", "--columns=x,c,p", "--angle=0..360:1")
+    told = [[one.replace("\u2212", "-") for one in values] for values in film_data(page)["values"]]
+    assert told == [[row[key] for row in rows] for key in ("x", "c", "p")]
 
 
 MANIFEST = """
@@ -238,7 +204,7 @@ def test_a_handbook_in_html_takes_it_and_in_print_it_stands_still(tmp_path: Path
     (tmp_path / "handbook.toml").write_text(MANIFEST, encoding="utf-8")
     assert kurbel_run("handbook", "build", str(tmp_path)).code == 0
     page = (tmp_path / "pages" / "handbook.html").read_text(encoding="utf-8")
-    assert films.data(page)["start"] == 30
+    assert film_data(page)["start"] == 30
     names = re.findall(r'id="([\w-]+-film-[\w-]+)"', page)
     assert "fig-turn-film-rod-1" in names
     for name in names:

@@ -6,10 +6,10 @@ import cmath
 import math
 from pathlib import Path
 
-import films
 import pytest
 from browser import DESKTOP, Viewer, assert_readable, assert_readable_in_the_dark
 from cli import printed
+from drawings import MM
 from playwright.sync_api import Page
 from programs import wait_until
 
@@ -34,7 +34,7 @@ def turn(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def ends(page: Page, key: str) -> list[complex]:
-    return [complex(x, -y) / films.MM for x, y in page.evaluate(ENDS, key)]
+    return [complex(x, -y) / MM for x, y in page.evaluate(ENDS, key)]
 
 
 def test_the_keyboard_leads_the_links_to_their_places_and_the_numbers_with_them(

@@ -1,38 +1,33 @@
-"""Drawings of mechanisms on paper: what their texts cover is measured in pixels, lines in their SVG."""
+"""Drawings of mechanisms on paper: links to scale, what texts cover in pixels, lines by their standard."""
 
 from __future__ import annotations
 
+import cmath
 import math
 import random
 import re
-import xml.etree.ElementTree as ET
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from itertools import combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import pytest
+from cli import records
+from drawings import MM, Paper, Points, plotted
 from numpy.typing import NDArray
 from tools import require_library
 
-from kurbel.drive.crank import Crank
-from kurbel.linkage.arc.crank import ArcCrank
-from kurbel.linkage.beam.crank import BeamCrank
-from kurbel.linkage.parallel import ParallelCrank
-from kurbel.plot.arc import arc_mechanism
-from kurbel.plot.links import outlined
-from kurbel.plot.mechanism import mechanism
-from kurbel.plot.style import image, style
+import kurbel
+from kurbel import verify
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.text import Text
 
 Pixels = NDArray[np.bool_]
-SVG = "{http://www.w3.org/2000/svg}"
 # Dots per mm of the pictures that are measured: a narrow line of 0.13 mm is one of them.
 DOTS = 8
-ARC = ArcCrank(Crank(Fraction(1, 4)), Fraction(4))
 
 
 @pytest.fixture(autouse=True)
@@ -40,27 +35,29 @@ def library() -> None:
     require_library("matplotlib")
 
 
-def drawing(kind: str, angles: list[Fraction], lang: str, ratio: Fraction, offset: Fraction) -> Figure:
-    if kind == "parallel":
-        return outlined(ParallelCrank().outline(), angles, ",")
+def drawing(
+    kind: str, angles: Sequence[float], lang: str = "en", ratio: Any = "1:4", offset: float = 0
+) -> kurbel.Drawing:
+    about: dict[str, Any] = {"mechanism": kind}
     if kind == "straight":
-        return mechanism(float(ratio), float(offset), angles, lang, ",")
-    crank = min(ratio, Fraction(1, 3))
-    drives = {"arc": ArcCrank(Crank(crank), Fraction(4)), "beam": BeamCrank(Crank(crank), Fraction(3))}
-    return arc_mechanism(drives[kind], angles, lang, ",")
+        about = {"ratio": ratio} | ({"offset": offset} if offset else {})
+    elif kind != "parallel":
+        about |= {"ratio": min(Fraction(str(ratio).replace(":", "/")), Fraction(1, 3))}
+        about |= {"rocker": 4} if kind == "arc" else {"beam": 3}
+    return kurbel.plot_mechanism(angles, lang=lang, **about)
 
 
-def drawings(seed: int, count: int) -> Iterator[tuple[str, list[Fraction], Figure]]:
+def drawings(seed: int, count: int) -> Iterator[tuple[str, list[int], Figure]]:
     """Yield drawings of drives at one to twelve angles."""
     chance = random.Random(seed)
     for _ in range(count):
         kind = chance.choice(("straight", "straight", "arc", "beam", "parallel"))
         ratio = Fraction(1, chance.choice((2, 3, 4, 5, 6, 8, 12)))
-        offset = chance.choice((0, 0, 1, -1)) * Fraction(chance.randrange(10), 20)
-        places = chance.sample(range(0, 360, 5), chance.choice((1, 2, 3, 4, 6, 12)))
-        angles = [Fraction(place) for place in places]
+        offset = chance.choice((0, 0, 1, -1)) * chance.randrange(10) / 20
+        angles = chance.sample(range(0, 360, 5), chance.choice((1, 2, 3, 4, 6, 12)))
         lang = chance.choice(("de", "en"))
-        yield f"{kind} {ratio} {offset} {places} {lang}", angles, drawing(kind, angles, lang, ratio, offset)
+        figure = drawing(kind, angles, lang, ratio, offset).figure
+        yield f"{kind} {ratio} {offset} {angles} {lang}", angles, figure
 
 
 class Letters(NamedTuple):
@@ -92,8 +89,7 @@ def on_paper(figure: Figure) -> tuple[Pixels, list[Letters]]:
 def pixels(figure: Figure, hidden: list[Any]) -> Pixels:
     for one in hidden:
         one.set_visible(False)
-    with style():
-        figure.canvas.draw()
+    figure.canvas.draw()
     for one in hidden:
         one.set_visible(True)
     canvas: Any = figure.canvas
@@ -102,6 +98,113 @@ def pixels(figure: Figure, hidden: list[Any]) -> Pixels:
 
 def texts_of(figure: Figure) -> list[Text]:
     return [one for one in figure.axes[0].texts if one.get_text()]
+
+
+# Links ------------------------------------------------------------------------------------------------
+
+# Words, rod and, of an arc crank, rocker and its pivot, all in R.
+DRIVES: list[tuple[str, float, float, complex]] = [
+    ("--ratio=1:5", 5, 0, 0),
+    ("--ratio=0.4 --offset=0.7", 2.5, 0, 0.7j),
+    ("--ratio=1:3 --offset=-1.1", 3, 0, -1.1j),
+    ("--mechanism=arc --ratio=1:5 --rocker=6", 5, 6, 5 + 6j),
+    ("--mechanism=arc --ratio=1:4 --offset=0.3 --rocker=3", 4, 3, 4 + 3.3j),
+    ("--mechanism=arc --ratio=1:5 --rocker=4 --pivot=4;-3.5", 5, 4, 4 - 3.5j),
+    ("--mechanism=arc --ratio=1:3 --rocker=3 --pivot=3.6;0", 3, 3, 3.6),
+]
+
+
+@pytest.mark.parametrize(("words", "rod", "rocker", "pivot"), DRIVES)
+def test_links_are_drawn_true_to_scale_where_the_table_has_them(
+    words: str, rod: float, rocker: float, pivot: complex
+) -> None:
+    for angle in (37, 201.5):
+        paper = plotted(f"--positions={angle}", *words.split())
+        shaft, pin = paper.points("crank")
+        radius = abs(pin - shaft)
+        pin, start, head = ((one - shaft) / radius for one in (pin, *paper.points("rod")))
+        assert pin == pytest.approx(cmath.rect(1, math.radians(angle)), abs=1e-5)
+        assert start == pytest.approx(pin, abs=1e-5)
+        assert abs(head - pin) == pytest.approx(rod, abs=1e-5)
+        key = "rocker" if rocker else "x"
+        (row,) = records("table", *words.split(), f"--angle={angle}", f"--columns={key}", "--digits=9")
+        if not rocker:
+            dead = math.sqrt((rod + 1) ** 2 - pivot.imag**2)
+            assert head == pytest.approx(dead - float(row["x"]) + pivot, abs=1e-5)
+            continue
+        end, fixed = ((one - shaft) / radius for one in paper.points("rocker"))
+        # The rocker's angle counts from where it hangs down, or stands up.
+        down = -1j if pivot.imag >= 0 else 1j
+        turned = cmath.rect(1, math.radians(float(row["rocker"])))
+        assert (end, fixed) == (pytest.approx(head, abs=1e-5), pytest.approx(pivot, abs=1e-5))
+        assert head - pivot == pytest.approx(rocker * down * turned, abs=1e-4)
+        # The path has gaps behind pins, whose ends lie on chords.
+        arc = (paper.points("arc") - shaft) / radius
+        np.testing.assert_allclose(np.abs(arc - pivot), rocker, rtol=1e-3)
+        assert np.abs(arc - head).min() < 0.05 * rocker
+
+
+@pytest.mark.parametrize("angle", [37, 201.5])
+def test_a_beam_is_drawn_true_to_scale_with_its_pivot_in_its_middle(angle: float) -> None:
+    paper = plotted(f"--positions={angle}", "--mechanism=beam", "--ratio=1:5", "--beam=3")
+    shaft, pin = paper.points("crank")
+    pin, start, head, joint, other = (
+        (one - shaft) / abs(pin - shaft) for one in (pin, *paper.points("rod"), *paper.points("rocker"))
+    )
+    assert (pin, joint) == (pytest.approx(start, abs=1e-5), pytest.approx(head, abs=1e-5))
+    assert pin == pytest.approx(cmath.rect(1, math.radians(angle)), abs=1e-5)
+    with verify.enclose.working(100):
+        drive = verify.drive("1:5", beam="3")
+        true = drive.driven(drive.pin(Fraction(angle)))
+        meant = complex(float(true.x.value), float(true.y.value))
+    assert head == pytest.approx(meant, abs=1e-5)
+    assert (abs(head - pin), abs(other - head)) == (pytest.approx(5, abs=1e-5), pytest.approx(6, abs=1e-5))
+
+
+def test_the_two_cranks_of_a_parallel_crank_turn_angle_for_angle() -> None:
+    paper = plotted("--positions=201.5;20", "--mechanism=parallel")
+    (shaft, pin), (other, second) = (paper.points(one) for one in ("crank", "second-crank"))
+    assert (pin - shaft) / abs(pin - shaft) == pytest.approx(cmath.rect(1, math.radians(201.5)), abs=1e-5)
+    assert second - other == pytest.approx(pin - shaft, abs=1e-5)
+    assert paper.points("rod").tolist() == pytest.approx([pin, second], abs=1e-5)
+    # Centre lines are level or upright.
+    chains = [one.points for one in paper.lines() if "stroke-dasharray" in one.look and one.name != "further"]
+    ways = [points[1] - points[0] for points in chains if len(points) == 2]
+    assert ways
+    assert all(min(abs(way.real), abs(way.imag)) < 1e-4 for way in ways)
+
+
+@pytest.mark.parametrize(
+    ("words", "points"),
+    [
+        ("--ratio=1:5", ("0.4",)),
+        ("--ratio=1:3 --offset=-0.6", ("0.3", "1.2,0.4", "-0.2")),
+        ("--mechanism=arc --ratio=2:9 --rocker=7 --offset=0.7", ("0.5,-0.2",)),
+    ],
+)
+def test_a_path_goes_through_the_places_of_its_point(words: str, points: tuple[str, ...]) -> None:
+    paper = plotted("--positions=40", *words.split(), f"--point={';'.join(points)}")
+    shaft, pin = paper.points("crank")
+    end, head = paper.points("rod")
+    for number, point in enumerate(points, 1):
+        rows = records("table", *words.split(), f"--point={point}", "--angle=40;15..345:30",
+                       "--columns=path_along,path_across", "--digits=9")  # fmt: skip
+        here, *others = (complex(-float(row["path_along"]), float(row["path_across"])) for row in rows)
+        share, _, beside = point.partition(",")
+        place = head + complex(float(share), -float(beside or 0)) * (end - head)
+        apart = [
+            to_line(paper.points(f"path-{number}"), place + abs(pin - shaft) * (one - here)) for one in others
+        ]
+        # Marks hide the line at a few of them.
+        assert sorted(apart)[8] < 0.01, apart
+        assert max(apart) < 1.5
+
+
+def to_line(line: Points, point: complex) -> float:
+    """Return how far a point is from a line of straight pieces."""
+    start, way = line[:-1], np.diff(line)
+    along = np.clip(((point - start) / np.where(way, way, 1)).real, 0, 1)
+    return float(abs(start + along * way - point).min())
 
 
 # Texts ------------------------------------------------------------------------------------------------
@@ -117,6 +220,13 @@ def check_texts(seed: int, count: int) -> tuple[int, int]:
             if lines[one.low : one.top, one.left : one.right].any():
                 covering += 1
                 assert not free_near(lines, texts, one), (name, one.text)
+            assert (
+                one.left >= 0 and one.right <= lines.shape[1] and one.low >= 0 and one.top <= lines.shape[0]
+            )
+        for one, other in combinations(texts, 2):
+            apart = one.right <= other.left or other.right <= one.left
+            assert apart or one.top <= other.low or other.top <= one.low, (name, one.text, other.text)
+        assert lines.shape[1] <= 120 * DOTS + 1 and lines.shape[0] <= 150 * DOTS + 1
         names = [one.text for one in texts]
         assert sum("°" in one for one in names) == (len(angles) if len(angles) > 1 else 0), name
         written += len(texts)
@@ -160,9 +270,16 @@ def test_of_many_drawings_few_have_a_text_that_covers_a_line() -> None:
     assert covering <= 0.01 * written
 
 
+def test_a_name_for_which_the_page_is_too_small_is_left_out() -> None:
+    points = ("0.123456789012345678901234567890123456789", "0.11")
+    words = plotted("--positions=30;60;90;120", f"--point={';'.join(points)}", "--width=56").words
+    assert "s = 0,11" in words
+    assert not [one for one in words if "0,1234" in one]
+
+
 def test_the_letter_of_a_length_stands_above_its_line_to_be_read_from_below_or_the_right() -> None:
     """ISO 129-1: above a line across the page, left of a line up the page and turned to it."""
-    figure = mechanism(0.25, 0.6, [Fraction(80)], "de", ",")
+    figure = drawing("straight", [80], offset=0.6).figure
     _, letters = on_paper(figure)
     spans = [np.asarray(line.get_window_extent().extents) for line in figure.axes[0].lines]
     turned = {one.get_text(): one.get_rotation() for one in texts_of(figure)}
@@ -179,13 +296,12 @@ def test_the_letter_of_a_length_stands_above_its_line_to_be_read_from_below_or_t
 
 def test_what_a_text_or_a_pin_hides_is_no_line_and_nothing_is_painted_over_it() -> None:
     """On a dark page white grounds would be blots: the drawing has no white, and its lines have gaps."""
-    angles = [Fraction(step) for step in range(0, 360, 30)]
-    figure = mechanism(1 / 12, 0, angles, "en", ".")
+    shown = drawing("straight", range(0, 360, 30), ratio="1:12")
+    written, figure = shown.image("svg").decode(), shown.figure
     figure.set_dpi(DOTS * 25.4)
     lines, texts = on_paper(figure)
     for one in texts:
         assert not lines[one.low : one.top, one.left : one.right].any(), one.text
-    written = image(figure, "svg").decode()
     assert not re.search("#fff|#d9d9d9|white", written)
     x, y = np.asarray(figure.axes[0].transData.transform((0, 0))).round().astype(int)
     # Between the shaft's dot and its edge, 0.6 to 1.3 mm from the middle.
@@ -198,50 +314,34 @@ def test_what_a_text_or_a_pin_hides_is_no_line_and_nothing_is_painted_over_it() 
 
 
 class Stroke(NamedTuple):
-    """A stroke of an SVG in mm: its width, its pattern, its points; and the id of its group."""
+    """A line of a drawing in mm: its width, its pattern, its corners; and the id of its group."""
 
     name: str
     width: float
     pattern: list[float]
-    points: NDArray[np.float64]
+    points: Points
 
 
-def strokes(figure: Figure) -> list[Stroke]:
-    root = ET.fromstring(image(figure, "svg"))
-    box = [float(side) for side in (root.get("viewBox") or "").split()]
-    size = re.fullmatch(r"([\d.]+)pt", root.get("width") or "")
-    assert size
-    # The nominal width of the page, in mm of the unit of the paths.
-    scale = float(size[1]) / 72 * 25.4 / box[2]
-    assert box[2] * scale == pytest.approx(120, abs=0.01)
+def strokes(kind: str) -> list[Stroke]:
+    paper = Paper(drawing(kind, [70, 160, 300], offset=0.3 if kind == "straight" else 0).image("svg"))
+    assert float((paper.root.get("width") or "").removesuffix("pt")) / MM == pytest.approx(120, abs=0.01)
     found = []
-    for group in root.iter(f"{SVG}g"):
-        for path in group.findall(f"{SVG}path"):
-            look = dict(re.findall(r"([a-z-]+): ([^;]+)", path.get("style") or ""))
-            if look.get("stroke", "none") != "none" and "stroke-width: 0;" not in f"{path.get('style')};":
-                pattern = [
-                    float(one) * scale for one in re.findall(r"[\d.]+", look.get("stroke-dasharray", ""))
-                ]
-                numbers = [float(one) for one in re.findall(r"-?[\d.]+", path.get("d") or "")]
-                points = np.asarray(numbers).reshape(-1, 2) * scale
-                width = float(look.get("stroke-width", 1)) * scale
-                found.append(Stroke(group.get("id") or "", width, pattern, points))
+    for name, _, look, points in paper.lines():
+        width = float(look.get("stroke-width", 1)) / MM
+        if look.get("stroke", "none") != "none" and width:
+            pattern = [float(one) / MM for one in re.findall(r"[\d.]+", look.get("stroke-dasharray", ""))]
+            found.append(Stroke(name, width, pattern, points))
     return found
 
 
-FIGURES: dict[str, Callable[[], Figure]] = {
-    kind: lambda kind=kind: drawing(  # type: ignore[misc]
-        kind, [Fraction(70), Fraction(160), Fraction(300)], "en", Fraction(1, 4), Fraction(3, 10)
-    )
-    for kind in ("straight", "arc", "beam", "parallel")
-}
+KINDS = ("straight", "arc", "beam", "parallel")
 
 
 @pytest.mark.usefixtures("whole_lines")
-@pytest.mark.parametrize("kind", FIGURES)
+@pytest.mark.parametrize("kind", KINDS)
 def test_lines_have_the_widths_and_chains_of_iso_128(kind: str) -> None:
     """ISO 128-2: widths 0.13, 0.25, 0.5 and 0.7 mm; dashes of 24 widths, gaps of 3, dots of half a width."""
-    found = strokes(FIGURES[kind]())
+    found = strokes(kind)
     widths = {round(one.width, 3) for one in found}
     assert widths == {0.13, 0.25, 0.5, 0.7}
     chains: set[int] = set()
@@ -266,27 +366,37 @@ def test_lines_have_the_widths_and_chains_of_iso_128(kind: str) -> None:
 
 
 def length(stroke: Stroke) -> float:
-    return float(np.hypot(*np.diff(stroke.points, axis=0).T).sum())
+    return float(np.abs(np.diff(stroke.points)).sum())
 
 
-@pytest.mark.parametrize("kind", FIGURES)
+@pytest.mark.parametrize("kind", KINDS)
 def test_all_hatches_rise_to_the_right_by_45_degrees(kind: str) -> None:
-    hatches = [one for one in strokes(FIGURES[kind]()) if one.name == "hatch"]
+    hatches = [one for one in strokes(kind) if one.name == "hatch"]
     assert len(hatches) >= 6
     for one in hatches:
-        # In SVG, y goes down.
-        across, down = one.points[1] - one.points[0]
-        assert math.degrees(math.atan(-down / across)) == pytest.approx(45, abs=0.1)
+        way = one.points[1] - one.points[0]
+        assert math.degrees(math.atan(way.imag / way.real)) == pytest.approx(45, abs=0.1)
         assert one.width == pytest.approx(0.13, abs=0.001)
 
 
-def test_dead_centres_are_dots_on_the_circle() -> None:
+@pytest.mark.parametrize(("kind", "offset"), [("straight", 0), ("straight", 0.8), ("arc", 0)])
+def test_dead_centres_are_dots_where_crank_and_rod_are_in_line(kind: str, offset: float) -> None:
     """A mark as high as wide, and far wider than any line there: no dash is taken for it."""
-    figure = mechanism(0.25, 0, [Fraction(70)], "en", ".")
+    figure = drawing(kind, [70], offset=offset).figure
     figure.set_dpi(20 * 25.4)
     lines = pixels(figure, [])
-    for place in ((-1, 0), (1, 0), (3, 0), (5, 0)):
-        x, y = np.asarray(figure.axes[0].transData.transform(place)).round().astype(int)
+    heads = [complex(math.sqrt((4 + way) ** 2 - offset**2), offset) for way in (1, -1)]
+    if kind == "arc":
+        # Where the circle of 5 R or 3 R about the shaft meets that of 4 R about the pivot, at 4 R + 4 R i.
+        shares = [(16 + reach**2) / 64 for reach in (5, 3)]
+        heads = [
+            (4 + 4j) * (share - 1j * math.sqrt(reach**2 / 32 - share**2))
+            for share, reach in zip(shares, (5, 3), strict=True)
+        ]
+    # The arrow of e stands beside the outer one.
+    for place in (*heads[: 1 if offset else 2], heads[0] / abs(heads[0]), -heads[1] / abs(heads[1])):
+        there = (place.real, place.imag)
+        x, y = np.asarray(figure.axes[0].transData.transform(there)).round().astype(int)
         # What is solid over 0.3 mm in both directions: lines of 0.13 mm are not.
         part = lines[y - 30 : y + 31, x - 30 : x + 31]
         windows: Any = np.lib.stride_tricks.sliding_window_view(part, (7, 7))

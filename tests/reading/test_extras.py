@@ -63,10 +63,6 @@ def test_windows_has_double_quotes(monkeypatch: pytest.MonkeyPatch) -> None:
     assert extras._quoted("--editable") == "--editable"
 
 
-def test_this_checkout_is_named() -> None:
-    assert extras.how_to_install("pdf").endswith(f"--editable '{ROOT}[pdf]'")
-
-
 def test_nothing_tells_to_install_the_bare_name() -> None:
     folders = ("src", "docs", "examples", "templates")
     files = [ROOT / "README.md", ROOT / "action.yml"]

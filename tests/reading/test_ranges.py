@@ -11,7 +11,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kurbel
-from kurbel.errors import KurbelError, NotationError
 from kurbel.reading import notation
 from kurbel.reading.ranges import respelled
 from kurbel.reading.shares import share
@@ -32,7 +31,7 @@ LISTS = ("{0} {1} {2}", "{0}|{1}|{2}", "[{0}, {1}, {2}]", "{0} - {1} - {2}")
 def test_a_range_is_answered_with_the_very_range(first: int, step: int, count: int, spelling: str) -> None:
     last = first + count * step
     text = spelling.format(first, last, step)
-    with pytest.raises(NotationError) as raised:
+    with pytest.raises(kurbel.KurbelError) as raised:
         notation.angles([text])
     written = str(raised.value).rpartition("write it as ")[2]
     asked = [*range(first, last + 1, step if spelling in WITH_STEP else 1)]
@@ -81,7 +80,7 @@ def test_every_list_of_a_command_is_answered_so(words: tuple[str, ...], written:
     "text", ["0..180:0", "180-0", "1 1/2 x", "a-b", "0-", "-5", "…", "linspace(0)", "1" * 130]
 )
 def test_what_is_no_range_keeps_its_own_sentence(text: str) -> None:
-    with pytest.raises(NotationError) as raised:
+    with pytest.raises(kurbel.KurbelError) as raised:
         notation.angles([text, "no angle"])
     assert "write it as" not in str(raised.value) or "22°30'" in str(raised.value)
 
@@ -93,7 +92,7 @@ def test_any_text_is_respelled_or_left(text: str) -> None:
     respelled(text, ratios=True)
     try:
         notation.angles([text])
-    except KurbelError as error:
+    except kurbel.KurbelError as error:
         assert str(error).isprintable()
 
 
@@ -106,7 +105,7 @@ def test_a_share_has_many_spellings() -> None:
     assert {share(text) for text in TENTH} == {Fraction(1, 10)}
     assert share("2 1/2 %") == Fraction(1, 40)
     for text in ("1:0", "x%", "1:2:3", "%", ":", "10%%"):
-        with pytest.raises(NotationError, match="share"):
+        with pytest.raises(kurbel.KurbelError, match="share"):
             share(text)
 
 
@@ -145,14 +144,3 @@ SHARES = {
 def test_options_that_ask_for_a_share_take_any_spelling(option: str) -> None:
     flag, words = f"--{option.replace('_', '-')}", SHARES[option]
     assert len({printed(*words, flag, text, "-f", "csv").out for text in ("0,1", "10 %", "1:10")}) == 1
-
-
-@pytest.mark.parametrize("text", ["25%", "25 %", "0,25", "0.25", "1/4", "1:4", "4;25%"])
-def test_a_cut_off_in_place_of_the_expansion_is_told_the_expansion(text: str) -> None:
-    assert refusal("delta", "--eps", text).endswith(" after 0.25 of it, ε = 4")
-    assert refusal("power", "--eps", text, "--pressure=8bar").endswith(" after 0.25 of it, ε = 4")
-
-
-def test_python_is_told_so_too() -> None:
-    with pytest.raises(KurbelError, match=r"ε = 4$"):
-        kurbel.delta_table(0.25)

@@ -1,33 +1,20 @@
-"""Tables over the path: angles at shares of the stroke, found anew in mpmath from crank, rod and slide."""
+"""Tables over the path: at the angles that stand there the drive that verify encloses has gone the share."""
 
 from __future__ import annotations
 
-import csv
-from collections.abc import Iterator
 from fractions import Fraction
-from io import StringIO
-from typing import Any
 
 import pytest
-import textbook
-from cli import printed, refusal
+from cli import printed, records
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from mpmath import mp
 
 import kurbel
+from kurbel import verify
 
-# mpmath has no types.
-Real = Any
 DIGITS = 20
-CLOSE = mp.mpf(10) ** -DIGITS * mp.mpf("0.51")
-OUT, RETURN = 0, 180
 ratios = st.fractions(Fraction(1, 20), Fraction(7, 10), max_denominator=40)
 shares = st.fractions(Fraction(0), Fraction(1), max_denominator=30)
-
-
-def records(*words: str) -> Iterator[dict[str, str]]:
-    yield from csv.DictReader(StringIO(printed(*words, "-f", "csv").out))
 
 
 def asked(ratio: Fraction, share: Fraction, columns: str, *more: str) -> dict[str, str]:
@@ -36,44 +23,25 @@ def asked(ratio: Fraction, share: Fraction, columns: str, *more: str) -> dict[st
     return found
 
 
-class Slide:
-    """Crank, rod and a crosshead on a line that misses the shaft by e: where the crosshead is, in R."""
-
-    def __init__(self, ratio: Fraction, offset: Fraction = Fraction(0)) -> None:
-        self.rod, self.offset = 1 / textbook.real(ratio), textbook.real(offset)
-
-    def place(self, angle: Real) -> Real:
-        """Return how far the crosshead is from the shaft along the slide."""
-        return mp.cos(angle) + mp.sqrt(self.rod**2 - (mp.sin(angle) - self.offset) ** 2)
-
-    def ends(self) -> tuple[Real, Real]:
-        """Return the angles of the dead centres: crank and rod in a line, once stretched and once folded."""
-        return mp.asin(self.offset / (self.rod + 1)), mp.pi + mp.asin(self.offset / (self.rod - 1))
-
-    def angle(self, share: Fraction, stroke: int) -> Real:
-        """Return the angle at a share of a stroke, from the slide direction on."""
-        inner, outer = self.ends()
-        low, high = (inner, outer) if stroke == OUT else (outer, inner + 2 * mp.pi)
-        gone = textbook.real(share) * (self.place(low) - self.place(high))
-        if share in (0, 1):
-            return high if share else low
-        return mp.findroot(
-            lambda angle: self.place(low) - self.place(angle) - gone, (low, high), solver="anderson"
-        )
-
-
-def check(row: dict[str, str], slide: Slide, share: Fraction) -> None:
-    for stroke, back in ((OUT, ""), (RETURN, "_return")):
-        angle, sign = slide.angle(share, stroke), -1 if stroke == OUT else 1
-        true = {
-            f"phi{back}": mp.degrees(angle) - stroke,
-            f"c{back}": sign * mp.diff(slide.place, angle),
-            f"p{back}": sign * mp.diff(slide.place, angle, 2),
-            f"psi{back}": mp.degrees(mp.asin((mp.sin(angle) - slide.offset) / slide.rod)),
-        }
-        for key, value in true.items():
-            given = mp.mpf(row[key])
-            assert abs(given - value) <= CLOSE, f"{key} at {share}: {given} for {value}"
+def check(drive: verify.Drive, ratio: Fraction, share: Fraction, *more: str, method: str = "exact") -> None:
+    """Beside the angle the share is another on either side; what stands there is had at a closer angle."""
+    row = asked(ratio, share, COLUMNS, *more)
+    (close,) = records(
+        "table", "--over=path", f"--ratio={ratio}", f"--shares={share}", "--columns=phi,phi_return",
+        "--digits=45", *more,
+    )  # fmt: skip
+    half = Fraction(1, 2 * 10**DIGITS)
+    for back in ("", "_return"):
+        angle, known = Fraction(row[f"phi{back}"]), Fraction(close[f"phi{back}"])
+        assert abs(angle - known) <= half
+        for side in (-1, 1):
+            beside = drive.value(f"x{back}_stroke", known + side * Fraction(1, 10**44), method).near(450)
+            # At its ends the stroke stands still.
+            still = share in (0, 1) and abs(beside - share) < Fraction(1, 10**86)
+            assert still or (beside - share) * side > 0
+        for key in ("c", "p", "psi"):
+            value = drive.value(f"{key}{back}", known, method)
+            assert value.confirms(row[f"{key}{back}"]) == verify.CONFIRMED, (key, back, share)
 
 
 COLUMNS = "phi,phi_return,c,c_return,p,p_return,psi,psi_return"
@@ -84,8 +52,7 @@ COLUMNS = "phi,phi_return,c,c_return,p,p_return,psi,psi_return"
 @example(ratio=Fraction(5, 8), share=Fraction(1))
 @settings(deadline=None, max_examples=12)
 def test_angles_velocities_and_accelerations_are_those_of_the_links(ratio: Fraction, share: Fraction) -> None:
-    with mp.workdps(60):
-        check(asked(ratio, share, COLUMNS), Slide(ratio), share)
+    check(verify.drive(ratio), ratio, share)
 
 
 @given(
@@ -97,12 +64,16 @@ def test_angles_velocities_and_accelerations_are_those_of_the_links(ratio: Fract
 def test_offset_cranks_are_found_from_their_own_dead_centres(
     ratio: Fraction, offset: Fraction, share: Fraction
 ) -> None:
-    with mp.workdps(60):
-        check(asked(ratio, share, COLUMNS, f"--offset={offset}"), Slide(ratio, offset), share)
+    check(verify.drive(ratio, offset), ratio, share, f"--offset={offset}")
+
+
+def test_first_order_has_its_own_path() -> None:
+    ratio = Fraction(2, 9)
+    check(verify.drive(ratio), ratio, Fraction(3, 10), "--method=series", method="series")
 
 
 def test_the_return_stroke_is_the_outstroke_from_its_other_end() -> None:
-    rows = list(records("table", "--over=path", "--ratio=1:4", "--step=12.5%"))
+    rows = records("table", "--over=path", "--ratio=1:4", "--step=12.5%")
     assert len(rows) == 9
     for row, other in zip(rows, reversed(rows), strict=True):
         assert row["c"] == other["c_return"]
@@ -117,22 +88,8 @@ def test_values_on_a_rounding_boundary_are_proved_to_lie_there() -> None:
     # R, L and the way from shaft to crosshead are as 3, 4 and 5: sin φ = 4/5, tan ψ = 3/4, c/v = 5/4.
     words = ("table", "--over=path", "--ratio=3:4", "--shares=1/3", "--columns=c", "--digits=1")
     roundings = ("half-even", "half-away")
-    found = [next(records(*words, f"--rounding={one}"))["c"] for one in roundings]
+    found = [records(*words, f"--rounding={one}")[0]["c"] for one in roundings]
     assert found == ["1.2", "1.3"]
-
-
-def test_first_order_has_its_own_path() -> None:
-    ratio, share = Fraction(2, 9), Fraction(3, 10)
-    row = asked(ratio, share, "phi,c,p", "--method=series")
-    with mp.workdps(60):
-        lam = textbook.real(ratio)
-        # 1 - y + ½ λ (1 - y²) = 2 s for y = cos φ.
-        under = 1 + lam * (2 + lam - 4 * textbook.real(share))
-        cosine = (mp.sqrt(under) - 1) / lam
-        angle = mp.acos(cosine)
-        assert abs(mp.mpf(row["phi"]) - mp.degrees(angle)) <= CLOSE
-        assert abs(mp.mpf(row["c"]) - (mp.sin(angle) + lam / 2 * mp.sin(2 * angle))) <= CLOSE
-        assert abs(mp.mpf(row["p"]) - (cosine + lam * mp.cos(2 * angle))) <= CLOSE
 
 
 def test_forces_of_masses_are_those_at_the_angle() -> None:
@@ -163,7 +120,7 @@ def test_friction_at_an_end_is_that_of_the_stroke_which_begins_there() -> None:
 
 def test_linkages_move_over_their_arcs() -> None:
     words = ("--mechanism=arc", "--rocker=6", "--ratio=1:5", f"--digits={DIGITS}")
-    rows = list(records("table", "--over=path", *words, "--step=20%", "--columns=share,phi,path,velocity"))
+    rows = records("table", "--over=path", *words, "--step=20%", "--columns=share,phi,path,velocity")
     whole, unit = Fraction(rows[-1]["path"]), Fraction(1, 10**DIGITS)
     for row in rows:
         assert abs(Fraction(row["path"]) - whole * Fraction(row["share"])) <= unit
@@ -209,34 +166,6 @@ def test_a_page_says_what_holds_for_its_own_drive(words: str, there: list[str], 
     assert [one for one in absent if one in said] == []
 
 
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        ("--step 5", "write --step 5%"),
-        ("--angle 30", "--shares 0;50%;100% or --step 5%"),
-        ("--zero outer", "which count from the dead centre"),
-        ("--shares 0;101%", "within 0..1, that is 0%..100%"),
-        ("--shares 100", "write 100%"),
-        ("--shares 0 --step 5%", "one or the other"),
-        ("--step 0.001%", "at most 10001"),
-        ("--layout kinematics", "not over the path"),
-        ("--columns velocity,rocker", "another mechanism"),
-        ("--columns c_mps", "--stroke and --speed"),
-        ("--columns time --method series", "--stroke and --speed"),
-        ("--from 50% --to 20%", "the end must not lie before the start"),
-    ],
-)
-def test_what_is_not_over_the_path_is_refused(words: str, said: str) -> None:
-    assert said in refusal("table", "--over", "path", *words.split())
-
-
 def test_defaults_in_degrees_are_left_out() -> None:
     words = ("table", "--over=path", "--step=20%")
     assert printed(*words, KURBEL_TABLE_ZERO="outer", KURBEL_TABLE_TO="180").out == printed(*words).out
-
-
-def test_shares_need_the_path_and_engines_have_none() -> None:
-    assert "with --over path" in refusal("table", "--shares", "0")
-    assert "kurbel pressures" in refusal("forces", "--over", "path", "--eps", "4")
-    assert "one position" in refusal("forces", "--over", "path", "--at", "tangent")
-    assert "--layout turning-path" in refusal("turning", "--over", "path")

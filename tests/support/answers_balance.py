@@ -127,14 +127,7 @@ def wheels_of(spacing: mpf, gauge: mpf, mass: mpf) -> tuple[mpc, mpc]:
 
 @solution
 def inside_cylinders(
-    crank: mpf,
-    spacing: mpf,
-    gauge: mpf,
-    turning: mpf,
-    mass: mpf,
-    share: mpf,
-    at: mpf,
-    speed: mpf,
+    crank: mpf, spacing: mpf, gauge: mpf, turning: mpf, mass: mpf, share: mpf, at: mpf, speed: mpf
 ) -> Rows:
     left, right = wheels_of(spacing, gauge, turning + share * mass)
     lifting = abs(wheels_of(spacing, gauge, share * mass)[0])
@@ -156,15 +149,7 @@ def inside_cylinders(
 
 @solution
 def wheels_lift(
-    crank: mpf,
-    spacing: mpf,
-    gauge: mpf,
-    turning: mpf,
-    mass: mpf,
-    share: mpf,
-    at: mpf,
-    wheel: mpf,
-    load: mpf,
+    crank: mpf, spacing: mpf, gauge: mpf, turning: mpf, mass: mpf, share: mpf, at: mpf, wheel: mpf, load: mpf
 ) -> Rows:
     lifting = abs(wheels_of(spacing, gauge, share * mass)[0]) * crank
     speed = (load / lifting) ** mpf("0.5")

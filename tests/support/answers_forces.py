@@ -1,17 +1,42 @@
-"""Problems on forces: Newton and Euler, or a triangle where that is all."""
+"""Problems on forces: Newton and Euler as kurbel.verify solves them, or a triangle where that is all."""
 
 from __future__ import annotations
 
-from mpmath import atan2, cos, degrees, mpf, pi, radians, sqrt
-from newton_euler import Drive
+from collections.abc import Callable
+from fractions import Fraction
+
+from mpmath import atan2, cos, degrees, mpf, pi, radians, sign, sin, sqrt
+from mpmath.libmp import to_rational
 from problem_answers import Rows, solution
+
+from kurbel import verify
 
 KEYS = ("rod_force_n", "guide_force_n", "torque_nm")
 G = mpf("9.81")
+Forces = Callable[..., dict[str, mpf]]
 
 
-def some(forces: dict[str, mpf], *keys: str) -> Rows:
-    return [{key: forces[key] for key in keys}]
+def exact(value: mpf | int) -> Fraction:
+    return Fraction(*map(int, to_rational(mpf(value)._mpf_)))
+
+
+def real(value: verify.Value) -> mpf:
+    """Return a value to more digits than are compared."""
+    found = value.near(120)
+    return mpf(found.numerator) / found.denominator
+
+
+def forces(crank: mpf, rod: mpf, angle: mpf, speed: mpf | int = 1, **bodies: mpf | int | None) -> Forces:
+    """Return what gives some forces at an angle, by their keys; a length of the rod counts in m."""
+    shares = {name: value / rod for name in ("centre", "gyration") if (value := bodies.pop(name, None))}
+    numbers = {name: exact(value) for name, value in (bodies | shares).items() if value is not None}
+    drive = verify.drive(exact(crank / rod), radius=exact(crank), speed=exact(speed))
+    there = verify.bodies(drive, **numbers)
+
+    def some(*keys: str) -> dict[str, mpf]:
+        return {key: real(there.value(key, exact(angle))) for key in keys}
+
+    return some
 
 
 @solution
@@ -29,27 +54,29 @@ def rod_touches_the_crank_circle(crank: mpf, rod: mpf, force: mpf) -> Rows:
 
 @solution
 def forces_at_an_angle(crank: mpf, rod: mpf, force: mpf, angle: mpf) -> Rows:
-    forces = Drive(crank, rod, mpf(1)).forces(angle, force)
-    return some(forces, *KEYS, "tangential_force_n", "radial_force_n")
+    return [forces(crank, rod, angle, force=force)(*KEYS, "tangential_force_n", "radial_force_n")]
 
 
 @solution
 def masses_in_the_dead_centre(crank: mpf, rod: mpf, speed: mpf, mass: mpf) -> Rows:
-    pull = mass * crank * speed**2
-    return [{"rod_force_n": -pull * (1 + crank / rod)}, {"rod_force_n": pull * (1 - crank / rod)}]
+    return [forces(crank, rod, at, speed, reciprocating=mass)("rod_force_n") for at in (0, 180)]
 
 
 @solution
 def first_order_inertia(crank: mpf, rod: mpf, speed: mpf, mass: mpf, force: mpf, angle: mpf) -> Rows:
+    return [forces(crank, rod, angle, force=force - mass * to_first_order(crank, rod, speed, angle))(*KEYS)]
+
+
+def to_first_order(crank: mpf, rod: mpf, speed: mpf, angle: mpf) -> mpf:
+    """The acceleration of the piston towards the shaft."""
     phi = radians(angle)
-    towards_the_shaft = crank * speed**2 * (cos(phi) + crank / rod * cos(2 * phi))
-    return some(Drive(crank, rod, speed).forces(angle, force - mass * towards_the_shaft), *KEYS)
+    return crank * speed**2 * (cos(phi) + crank / rod * cos(2 * phi))
 
 
 @solution
 def vertical_engine(stroke: mpf, rod: mpf, speed: mpf, mass: mpf, force: mpf, angle: mpf) -> Rows:
-    drive = Drive(stroke / 2, rod, speed, mass, slope=mpf(90), gravity=G)
-    return some(drive.forces(angle, force), *KEYS)
+    standing = {"reciprocating": mass, "slope": 90, "gravity": G, "force": force}
+    return [forces(stroke / 2, rod, angle, speed, **standing)(*KEYS)]
 
 
 @solution
@@ -64,8 +91,9 @@ def heavy_rod(
     force: mpf,
     angle: mpf,
 ) -> Rows:
-    drive = Drive(crank, rod, speed, mass, heavy, centre, gyration)
-    return some(drive.forces(angle, force), "guide_force_n", "crank_pin_force_n", "torque_nm")
+    weights = {"reciprocating": mass, "rod_mass": heavy, "centre": centre, "gyration": gyration}
+    there = forces(crank, rod, angle, speed, force=force, **weights)
+    return [there("guide_force_n", "crank_pin_force_n", "torque_nm")]
 
 
 @solution
@@ -80,8 +108,9 @@ def heavy_rod_and_weight(
     slope: mpf,
     angle: mpf,
 ) -> Rows:
-    drive = Drive(crank, rod, speed, mass, heavy, centre, gyration, slope, G)
-    return some(drive.forces(angle, 0), "guide_force_n", "torque_nm")
+    weights = {"reciprocating": mass, "rod_mass": heavy, "centre": centre, "gyration": gyration}
+    there = forces(crank, rod, angle, speed, slope=slope, gravity=G, **weights)
+    return [there("guide_force_n", "torque_nm")]
 
 
 @solution
@@ -98,24 +127,19 @@ def pressure_on_both_sides(
     angle: mpf,
 ) -> Rows:
     steam = pi / 4 * (cover * bore**2 - under * (bore**2 - thick**2))
-    drive = Drive(stroke / 2, rod, speed, mass, slope=mpf(90), gravity=G)
-    forces = drive.forces(angle, steam - friction)
-    # A rod without mass: the load at the crosshead is what its thrust has along the slide.
-    load = forces["rod_force_n"] * cos(drive.lean(radians(angle)))
-    return [{"crosshead_load_n": load, **some(forces, "guide_force_n", "torque_nm")[0]}]
+    # It is against the motion, which turns back at half a turn.
+    force = steam - friction * sign(sin(radians(angle)))
+    there = forces(stroke / 2, rod, angle, speed, reciprocating=mass, slope=90, gravity=G, force=force)
+    return [there("crosshead_load_n", "guide_force_n", "torque_nm")]
 
 
 @solution
 def petrol_engine(stroke: mpf, rod: mpf, bore: mpf, pressure: mpf, mass: mpf, speed: mpf, angle: mpf) -> Rows:
-    crank, phi = stroke / 2, radians(angle)
-    towards_the_shaft = crank * speed**2 * (cos(phi) + crank / rod * cos(2 * phi))
-    load = pressure * pi / 4 * bore**2 - mass * towards_the_shaft
-    return [{"crosshead_load_n": load, **some(Drive(crank, rod, speed).forces(angle, load), *KEYS)[0]}]
+    load = pressure * pi / 4 * bore**2 - mass * to_first_order(stroke / 2, rod, speed, angle)
+    return [{"crosshead_load_n": load, **forces(stroke / 2, rod, angle, force=load)(*KEYS)}]
 
 
 @solution
 def load_reverses(stroke: mpf, rod: mpf, mass: mpf, force: mpf, angle: mpf) -> Rows:
-    drive = Drive(stroke / 2, rod, mpf(1))
-    at_one = -drive.acceleration(drive.crosshead, radians(angle))
-    speed = sqrt((force + mass * G) / (mass * at_one))
-    return [{"speed": speed * 30 / pi}]
+    inertia = forces(stroke / 2, rod, angle, reciprocating=mass)("inertia_force_n")["inertia_force_n"]
+    return [{"speed": sqrt((force + mass * G) / -inertia) * 30 / pi}]

@@ -36,11 +36,7 @@ def place(angle: mpf, crank: mpf, rod: mpf, speed: mpf) -> dict[str, mpf]:
         return path(phi, crank, rod)
 
     phi = radians(angle)
-    return {
-        "x_mm": at(phi) * 1000,
-        "c_mps": diff(at, phi) * speed,
-        "p_mps2": diff(at, phi, 2) * speed**2,
-    }
+    return {"x_mm": at(phi) * 1000, "c_mps": diff(at, phi) * speed, "p_mps2": diff(at, phi, 2) * speed**2}
 
 
 def angle_of(condition: Callable[[mpf], mpf], low: float, high: float) -> mpf:
@@ -59,10 +55,7 @@ def greatest_velocity_first_order(crank: mpf, rod: mpf, speed: mpf) -> Rows:
     ratio = crank / rod
     phi = acos((sqrt(1 + 8 * ratio**2) - 1) / (4 * ratio))
     velocity = crank * speed * (sin(phi) + ratio / 2 * sin(2 * phi))
-    return [
-        {"phi": degrees(phi), "c_mps": velocity},
-        {"phi": 180 - degrees(phi), "c_mps": velocity},
-    ]
+    return [{"phi": degrees(phi), "c_mps": velocity}, {"phi": 180 - degrees(phi), "c_mps": velocity}]
 
 
 @solution

@@ -30,14 +30,7 @@ def mean_pressure_of_steam(pressure: mpf, back: mpf, expansion: mpf) -> Rows:
 
 @solution
 def clearance_and_factor(
-    pressure: mpf,
-    back: mpf,
-    expansion: mpf,
-    clearance: mpf,
-    factor: mpf,
-    bore: mpf,
-    stroke: mpf,
-    speed: mpf,
+    pressure: mpf, back: mpf, expansion: mpf, clearance: mpf, factor: mpf, bore: mpf, stroke: mpf, speed: mpf
 ) -> Rows:
     ideal = mean_pressure(pressure, back, expansion, clearance)
     power = 2 * factor * ideal * swept(bore, stroke) * turns(speed)

@@ -1,10 +1,12 @@
-"""Problems on the connecting rod: point masses that stand in for it; Newton and Euler."""
+"""Problems on the connecting rod: point masses that stand in for it, and the bodies of kurbel.verify."""
 
 from __future__ import annotations
 
-from mpmath import asin, cos, diff, mpf, pi, radians, sin, sqrt
-from newton_euler import Drive
+from answers_forces import exact, forces, real
+from mpmath import mpf, pi
 from problem_answers import Rows, solution
+
+from kurbel import verify
 
 
 def equivalent(mass: mpf, centre: mpf, apart: mpf) -> dict[str, mpf]:
@@ -33,26 +35,23 @@ def rod_as_a_pendulum(rod: mpf, mass: mpf, centre: mpf, time: mpf) -> Rows:
 
 @solution
 def moving_rod(crank: mpf, rod: mpf, speed: mpf, mass: mpf, centre: mpf, gyration: mpf, angle: mpf) -> Rows:
-    drive = Drive(crank, rod, speed, rod_mass=mass, centre=centre, gyration=gyration)
-    forces = drive.forces(angle, 0)
-    return [
-        {
-            "inertia_guide_n": forces["guide_force_n"],
-            "inertia_pin_n": forces["crank_pin_force_n"],
-            "inertia_torque_nm": forces["torque_nm"],
-        }
-    ]
+    there = forces(crank, rod, angle, speed, rod_mass=mass, centre=centre, gyration=gyration)
+    found = there("guide_force_n", "crank_pin_force_n", "torque_nm")
+    return [dict(zip(("inertia_guide_n", "inertia_pin_n", "inertia_torque_nm"), found.values(), strict=True))]
 
 
 @solution
 def crank_slows_down(crank: mpf, rod: mpf, speed: mpf, slowing: mpf, angle: mpf) -> Rows:
-    def crank_at(time: mpf) -> mpf:
-        return radians(angle) + speed * time + slowing * time**2 / 2
+    """x'' ω² + x' α of the slopes by the crank angle."""
+    drive = verify.drive(exact(crank / rod))
 
-    def lean(time: mpf) -> mpf:
-        return asin(crank * sin(crank_at(time)) / rod)
+    def over_time(key: str, slope: str) -> mpf:
+        bend, first = (real(drive.value(one, exact(angle))) for one in (key, slope))
+        return bend * speed**2 + first * slowing
 
-    def gone(time: mpf) -> mpf:
-        return -crank * cos(crank_at(time)) - sqrt(rod**2 - (crank * sin(crank_at(time))) ** 2)
-
-    return [{"p_mps2": diff(gone, 0, 2), "rod_acceleration_radps2": diff(lean, 0, 2)}]
+    return [
+        {
+            "p_mps2": crank * over_time("p", "c"),
+            "rod_acceleration_radps2": over_time("rod_acceleration", "rod_velocity"),
+        }
+    ]

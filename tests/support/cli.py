@@ -54,7 +54,7 @@ def kurbel(*words: str, **environment: str) -> Result:
 def printed(*words: str, **environment: str) -> Result:
     """Run a command that must succeed without a word on standard error."""
     result = kurbel(*words, **environment)
-    assert (result.code, result.err) == (0, "")
+    assert (result.code, result.err) == (0, ""), result.err
     return result
 
 
@@ -71,3 +71,13 @@ def refusal(*words: str, code: int = 2, **environment: str) -> str:
     assert not line.endswith(".")
     assert ". " not in line
     return line
+
+
+def records(*words: str, **environment: str) -> list[dict[str, str]]:
+    """Return the rows of the page that a command line prints, by their keys."""
+    return printed(*words, "-f", "csv", **environment).records()
+
+
+def column(key: str, *words: str) -> list[str]:
+    """Return what a command line prints under this key, row by row."""
+    return [record[key] for record in records(*words)]

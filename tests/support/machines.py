@@ -1,117 +1,153 @@
-"""Machines of every drive under every load, turned in steps: force and energy without kurbel's formulas.
+"""Machines of every drive under every load: force, energy, load of the rod and speed, nothing of kurbel's.
 
 The driven end of a mechanism is found from the lengths of its links, its velocity from their constraints, the
-dead centres where that is zero. Loads are the pressures of the textbooks' diagrams at a share of the stroke;
-the tangential force follows by virtual work, the energy as its sum over the steps, that of the masses from
-the velocities of two points of the rod. Lengths are in R.
+dead centres where that is zero. The tangential force follows by virtual work, the energy by quadrature
+between the corners of the load, that of the masses from the velocities of two points of the rod, what presses
+on its ends from Newton's and Euler's equations. Lengths are in R, forces in Q, masses in Q/(R ω²), angles of
+the crank in degrees from the slide direction.
 
-python tests/support/machines.py [--machines N] [--samples N] [--seed N]
+python tests/support/machines.py [--machines N] [--seed N]
 
-compares so many random machines, each in so many steps, with what kurbel prints.
+compares so many random machines with what kurbel prints.
 """
 
 from __future__ import annotations
 
-import argparse
 import math
-import random
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike
 from scipy.optimize import brentq
+from strokes import Grid, Options, Stroke, number, pressure_of, strokes
+from turns import Speed, Turn
 
-Grid = NDArray[np.float64]
-# From the share of the stroke gone to the net force in its direction, on the outstroke and the return, or on
-# the four strokes of a cycle of two turns; in units of Q.
-Forces = tuple[Callable[[Grid], Grid], ...]
-Pair = tuple[float, float]
-# Steps that are summed at once.
-BLOCK = 250_000
+Plane: TypeAlias = Any
+# Steps of the difference that is a derivative to sixteen digits of what has its waves in whole turns.
+REACH = 0.02
 
 
 class Motion(NamedTuple):
-    """The driven end at crank angles in radians: its place, and its velocity over R ω as a vector."""
+    """The driven end at crank angles: its way since somewhere, which grows on the outstroke, the slope of
+    that, where it stands and where the outstroke leads, X from the shaft to the cylinder and Y to the side of
+    the pin on the outstroke."""
 
-    place: Grid
+    way: Grid
     speed: Grid
-    across: Grid
-    along: Grid
+    place: Plane
+    heading: Plane
+
+    @property
+    def velocity(self) -> Plane:
+        return self.speed * self.heading
 
 
+@dataclass(frozen=True)
 class Slide:
-    """A piston on a straight slide that passes the shaft at `offset`."""
+    """A piston on a straight slide that passes the shaft at `offset`; `series` to the first power of λ."""
 
-    def __init__(self, length: float, offset: float = 0.0) -> None:
-        self.length, self.offset = length, offset
+    length: float
+    offset: float = 0.0
+    series: bool = False
+
+    @property
+    def true(self) -> Slide:
+        return Slide(self.length, self.offset)
 
     def motion(self, angle: Grid) -> Motion:
-        """Return the way from the far end of the slide, counted towards the shaft."""
         rise = np.sin(angle) - self.offset
-        reach = np.sqrt(self.length**2 - rise**2)
-        speed = np.sin(angle) + rise * np.cos(angle) / reach
-        return Motion(-(np.cos(angle) + reach), speed, np.zeros_like(angle), -speed)
+        if self.series:
+            drop, slope = rise**2 / (2 * self.length), rise * np.cos(angle) / self.length
+        else:
+            reach = np.sqrt(self.length**2 - rise**2)
+            drop, slope = rise**2 / (self.length + reach), rise * np.cos(angle) / reach
+        way, speed = drop - np.cos(angle), np.sin(angle) + slope
+        # An infinite rod ends nowhere.
+        far = self.length if self.length < math.inf else 0.0
+        return Motion(way, speed, far - way + 1j * self.offset, np.full_like(angle, -1) + 0j)
 
 
+@dataclass(frozen=True)
 class Rocker:
-    """A piston at the end of a rocker of length B whose pivot lies at (x, y) from the shaft."""
+    """A piston at the end of a rocker whose pivot lies at x + iy from the shaft."""
 
-    def __init__(self, length: float, rocker: float, pivot: tuple[float, float]) -> None:
-        self.length, self.rocker, self.pivot = length, rocker, pivot
+    length: float
+    rocker: float
+    pivot: complex
+
+    @property
+    def true(self) -> Rocker:
+        return self
 
     def motion(self, angle: Grid) -> Motion:
-        """Return the way along the arc, counted so that it grows as the end comes nearer to the shaft."""
-        pin = np.cos(angle), np.sin(angle)
-        reach = self.pivot[0] - pin[0], self.pivot[1] - pin[1]
-        span = np.hypot(*reach)
+        """Return the motion of that end which lies farther from the shaft along the slide."""
+        pin = np.exp(1j * angle)
+        line = pin - self.pivot
         # The angle at the pivot in the triangle of rocker, rod and the line to the crank pin.
-        opening = np.arccos((self.rocker**2 + span**2 - self.length**2) / (2 * self.rocker * span))
-        towards = np.arctan2(-reach[1], -reach[0]) + opening
-        radius = self.rocker * np.cos(towards), self.rocker * np.sin(towards)
-        end = self.pivot[0] + radius[0], self.pivot[1] + radius[1]
-        rod = end[0] - pin[0], end[1] - pin[1]
+        opening = np.arccos(
+            (self.rocker**2 + abs(line) ** 2 - self.length**2) / (2 * self.rocker * abs(line))
+        )
+        towards = np.angle(line / -self.pivot) + np.angle(-self.pivot)
+        side = 1 if np.cos(towards + opening).sum() > np.cos(towards - opening).sum() else -1
+        radius = self.rocker * np.exp(1j * (towards + side * opening))
+        rod = self.pivot + radius - pin
         # The end moves square to the rocker, and as fast along the rod as the pin does.
-        square = radius[1] / self.rocker, -radius[0] / self.rocker
-        pull = rod[0] * -np.sin(angle) + rod[1] * np.cos(angle)
-        speed = pull / (rod[0] * square[0] + rod[1] * square[1])
-        return Motion(-self.rocker * towards, speed, speed * square[1], speed * square[0])
+        square = -1j * side * radius / self.rocker
+        speed = _dot(rod, 1j * pin) / _dot(rod, square)
+        way = -side * self.rocker * (towards + side * opening)
+        return Motion(way, speed, self.pivot + radius, square)
 
 
-class Rod(NamedTuple):
-    """Moving masses in units of Q/(R ω²): reciprocating, the rod, its a/L from the crank pin and its k/L."""
+Drive: TypeAlias = Slide | Rocker
+
+
+def _dot(one: Plane, other: Plane) -> Grid:
+    return np.asarray((one * other.conjugate()).real)
+
+
+def _cross(arm: Plane, force: Plane) -> Grid:
+    return np.asarray((arm.conjugate() * force).imag)
+
+
+def slope(function: Callable[[Grid], Any], angle: Grid) -> Any:
+    """Return the derivative over the angle."""
+    factors = (4 / 5, -1 / 5, 4 / 105, -1 / 280)
+    return sum(
+        factor * (function(angle + step * REACH) - function(angle - step * REACH)) / REACH
+        for step, factor in enumerate(factors, 1)
+    )
+
+
+class Masses(NamedTuple):
+    """What reciprocates, the rod, its centre from the crosshead pin and its radius of gyration in lengths,
+    the rocker's J/B², the crank's counterweight, and gravity over R ω²."""
 
     reciprocating: float = 0.0
     rod: float = 0.0
     centre: float = 0.5
     gyration: float = 0.3
-
-    def energy(self, angle: Grid, motion: Motion, length: float) -> Grid:
-        pin = -np.sin(angle), np.cos(angle)
-        end = motion.along, motion.across
-        middle = [(1 - self.centre) * one + self.centre * other for one, other in zip(pin, end, strict=True)]
-        turning = sum((one - other) ** 2 for one, other in zip(pin, end, strict=True)) / length**2
-        own = middle[0] ** 2 + middle[1] ** 2 + (self.gyration * length) ** 2 * turning
-        whole: Grid = (self.reciprocating * motion.speed**2 + self.rod * own) / 2
-        return whole
+    rocker: float = 0.0
+    rotating: float = 0.0
+    gravity: complex = 0j
 
 
 @dataclass(frozen=True)
 class Machine:
     """Pistons alike, each on a drive of this kind; `options` are kurbel's for the same."""
 
-    drive: Slide | Rocker
-    forces: Forces
-    options: Mapping[str, Any]
+    drive: Drive
+    strokes: Sequence[Stroke]
+    options: Options
     cranks: tuple[float, ...] = (0.0,)
-    masses: Rod = field(default_factory=Rod)
+    masses: Masses = field(default_factory=Masses)
 
     @cached_property
     def dead_centres(self) -> tuple[float, float]:
-        """Return the crank angles in radians at which the outstroke and the return begin."""
+        """The crank angles in degrees at which the outstroke and the return begin."""
 
         def speed(angle: float) -> float:
             return float(self.drive.motion(np.array([angle])).speed[0])
@@ -122,225 +158,181 @@ class Machine:
             bool(grows[index + 1]): brentq(speed, coarse[index], coarse[index + 1], xtol=1e-15)
             for index in np.flatnonzero(grows[1:] != grows[:-1])
         }
-        outer = float(roots[False])
-        return float(roots[True]), outer if outer > roots[True] else outer + math.tau
+        inner, outer = math.degrees(roots[True]), math.degrees(roots[False])
+        return inner, outer if outer > inner else outer + 360
 
-    def torque(self, shaft: Grid) -> Grid:
-        """Return the tangential force of the load at angles of the first crank, all cranks, in Q."""
+    @property
+    def cycle(self) -> int:
+        """Degrees after which the load comes again."""
+        return 180 * len(self.strokes)
+
+    @cached_property
+    def _ends(self) -> Grid:
+        return self.drive.motion(np.radians(self.dead_centres)).way
+
+    def stroke(self, degrees: ArrayLike) -> tuple[Any, Grid]:
+        """Return the stroke at angles of a crank of its own, and the share of it that is gone."""
+        angle = np.asarray(degrees, dtype=float)
         inner, outer = self.dead_centres
-        ends = self.drive.motion(np.array([inner, outer])).place
-        total = np.zeros_like(shaft)
-        for crank in self.cranks:
-            angle = shaft - math.radians(crank)
-            motion = self.drive.motion(angle)
-            turns = len(self.forces) // 2
-            since = np.mod(angle - inner, math.tau * turns)
-            stroke = 2 * np.floor(since / math.tau).astype(int) + (np.mod(since, math.tau) >= outer - inner)
-            gone = (motion.place - ends[0]) / (ends[1] - ends[0])
-            share = np.clip(np.where(stroke % 2, 1 - gone, gone), 0, 1)
-            force = np.select(
-                [stroke == index for index in range(2 * turns)], [one(share) for one in self.forces]
-            )
-            total += force * np.abs(motion.speed)
-        return total
+        since = np.mod(angle - inner, self.cycle)
+        stroke = 2 * np.floor(since / 360).astype(int) + (np.mod(since, 360) >= outer - inner)
+        gone = (self.drive.motion(np.radians(angle)).way - self._ends[0]) / (self._ends[1] - self._ends[0])
+        return stroke, np.clip(np.where(stroke % 2, 1 - gone, gone), 0, 1)
 
-    def energy(self, shaft: Grid) -> Grid:
-        """Return the kinetic energy of all masses, in Q R."""
-        total = np.zeros_like(shaft)
-        for crank in self.cranks:
-            angle = shaft - math.radians(crank)
-            total += self.masses.energy(angle, self.drive.motion(angle), self.drive.length)
-        return total
+    def net(self, degrees: ArrayLike) -> Grid:
+        """Return the force on one piston in its direction of travel, by angles of its own crank."""
+        stroke, share = self.stroke(degrees)
+        return np.select([stroke == index for index in range(len(self.strokes))],
+                         [one.force(share) for one in self.strokes])  # fmt: skip
 
-    def turned(self, samples: int) -> tuple[float, float]:
-        """Return the mean tangential force in Q and δ, in units of |P| r/(m₁ v₁²), from so many steps."""
-        span = math.pi * len(self.forces)
-        step, begun = span / samples, self.dead_centres[0]
-        work, blocks = 0.0, []
-        for first in range(0, samples, BLOCK):
-            count = min(BLOCK, samples - first)
-            edges: Grid = begun + step * np.arange(first, first + count + 1, dtype=np.float64)
-            # Simpson's rule in each step.
-            ends, middles = self.torque(edges), self.torque(edges[:-1] + step / 2)
-            done = work + np.cumsum((ends[:-1] + 4 * middles + ends[1:]) * step / 6)
-            work = float(done[-1])
-            blocks.append((edges[1:], done - self.energy(edges[1:])))
-        mean = work / span
-        excess = [energy - mean * (angles - begun) for angles, energy in blocks]
-        most, least = max(float(one.max()) for one in excess), min(float(one.min()) for one in excess)
-        return mean, (most - least) / abs(mean)
+    def steam(self, degrees: ArrayLike, drive: Drive | None = None) -> Grid:
+        """Return the tangential force of the load of all cranks, at the true angle of the rod."""
+        drive = drive or self.drive.true
+        own = [np.asarray(degrees, dtype=float) - crank for crank in self.cranks]
+        return np.asarray(sum(self.net(one) * abs(drive.motion(np.radians(one)).speed) for one in own))
 
+    def power(self, degrees: ArrayLike) -> Grid:
+        """Return the work over the angle: the tangential force, but to the first power of λ."""
+        if self.drive.true == self.drive:
+            return self.force(degrees)
+        return self.steam(degrees, self.drive)
 
-def steam(expansion: float, back: float, exponent: float, clearance: float, double: bool) -> Forces:
-    """Return the forces of steam: full pressure up to the cut-off, then p V^n = const."""
-    cut_off = 1 / expansion
+    def force(self, degrees: ArrayLike) -> Grid:
+        """Return the tangential force of load and masses of all cranks."""
+        if self.masses == Masses():
+            return self.steam(degrees)
+        return self.steam(degrees) - slope(self.stored, np.radians(np.asarray(degrees, dtype=float)))
 
-    def acting(share: Grid) -> Grid:
-        full = (cut_off + clearance) / (np.maximum(share, cut_off) + clearance)
-        return full**exponent - back
+    def stored(self, angle: Grid) -> Grid:
+        """Return the energy of motion and of height of all masses in Q R, at radians."""
+        return self.kinetic(angle) - self.fallen(angle)
 
-    return acting, acting if double else np.zeros_like
+    def kinetic(self, angle: Grid) -> Grid:
+        return self._sum(self._kinetic, angle)
 
+    def fallen(self, angle: Grid) -> Grid:
+        """Return what gravity has done on the way to the places of the masses."""
+        return self._sum(self._height, angle)
 
-def compressor(ratio: float, exponent: float, clearance: float, losses: Pair, double: bool) -> Forces:
-    """Return the forces of a compressor: expansion of what is left, suction, compression, delivery."""
-    low, high = 1 - losses[0], ratio * (1 + losses[1])
+    def _sum(self, energy: Callable[[Grid], Grid], angle: Grid) -> Grid:
+        return np.asarray(sum(energy(angle - math.radians(crank)) for crank in self.cranks))
 
-    def leaving(share: Grid) -> Grid:
-        if not clearance:
-            return np.full_like(share, low)
-        return np.maximum(low, high * (clearance / (clearance + share)) ** exponent)
+    def _kinetic(self, angle: Grid) -> Grid:
+        masses, end = self.masses, self.drive.motion(angle)
+        pin = 1j * np.exp(1j * angle)
+        middle = end.velocity + masses.centre * (pin - end.velocity)
+        own = abs(middle) ** 2 + (masses.gyration * abs(pin - end.velocity)) ** 2
+        return ((masses.reciprocating + masses.rocker) * end.speed**2 + masses.rod * own) / 2
 
-    def coming(share: Grid) -> Grid:
-        whole = 1 + clearance
-        with np.errstate(divide="ignore"):
-            return np.minimum(high, low * (whole / (whole - share)) ** exponent)
+    def _height(self, angle: Grid) -> Grid:
+        masses, end = self.masses, self.drive.motion(angle).place
+        middle = end + masses.centre * (np.exp(1j * angle) - end)
+        return _dot(masses.reciprocating * end + masses.rod * middle, np.full_like(end, masses.gravity))
 
-    if double:
-        both: Callable[[Grid], Grid] = lambda share: leaving(share) - coming(share)  # noqa: E731
-        return both, both
-    return (lambda share: leaving(share) - 1), (lambda share: 1 - coming(share))
+    def angles_of(self, stroke: int, shares: ArrayLike) -> Grid:
+        """Return the angles in degrees at which these shares of a stroke are gone, by halving."""
+        inner, outer = self.dead_centres
+        wanted = np.asarray(shares, dtype=float)
+        begin, end = ((inner, outer), (outer, inner + 360))[stroke % 2]
+        low, high = np.full_like(wanted, begin), np.full_like(wanted, end)
+        ends = self._ends[::-1] if stroke % 2 else self._ends
+        for _ in range(54):
+            middle = (low + high) / 2
+            gone = (self.drive.motion(np.radians(middle)).way - ends[0]) / (ends[1] - ends[0])
+            low, high = np.where(gone < wanted, middle, low), np.where(gone < wanted, high, middle)
+        return low + 360 * (stroke // 2)
 
+    @cached_property
+    def turn(self) -> Turn:
+        return Turn(self)
 
-def pump(kind: str, suction: float, small: float = 0.5) -> Forces:
-    """Return the forces of a pump by its two faces, in the delivery pressure less the suction pressure."""
-    delivery, full = suction + 1, np.ones_like
-    if kind == "double":
-        return (lambda share: (suction - delivery) * full(share),) * 2
-    other = small * delivery if kind == "differential" else 0.0
-    return (lambda share: (suction - other) * full(share)), (lambda share: (other - delivery) * full(share))
-
-
-def gas(compression: float, peak: float, cut_off: float, exponents: Pair, exhaust: float) -> Forces:
-    """Return the forces of the dual cycle in four strokes, from the expansion on; other faces at suction."""
-    clearance = 1 / (compression - 1)
-    volume = clearance * cut_off
-
-    def expansion(share: Grid) -> Grid:
-        return peak * (volume / np.maximum(clearance + share, volume)) ** exponents[1] - 1
-
-    def compressed(share: Grid) -> Grid:
-        whole = 1 + clearance
-        return 1 - (whole / (whole - share)) ** exponents[0]
-
-    return expansion, lambda share: 1 - exhaust + np.zeros_like(share), np.zeros_like, compressed
-
-
-def text(value: float, places: int = 3) -> str:
-    """Return a number as it is typed, of which kurbel and the model take the same value."""
-    return f"{value:.{places}f}"
-
-
-class Draw:
-    """Random machines. Numbers are as they are typed: floats of few decimals."""
-
-    def __init__(self, seed: int) -> None:
-        self.random = random.Random(seed)
-
-    def number(self, low: float, high: float, places: int = 3) -> float:
-        return round(self.random.uniform(low, high), places)
-
-    def machine(self, mechanism: str, load: str) -> Machine:
-        """Return a machine of this drive under this load."""
-        drive, options = getattr(self, f"_{mechanism}")()
-        double = self.random.random() < 0.6
-        forces, acting = getattr(self, f"_{load}")(double)
-        options |= acting
-        cranks = self.random.choice(((0.0,), (0.0,), (0.0, 90.0), (0.0, 120.0, 240.0), (0.0, 77.5)))
-        if len(cranks) > 1:
-            options["cranks"] = ";".join(text(one, 1) for one in cranks)
-        masses = Rod()
-        if self.random.random() < 0.4:
-            masses, more = self._masses(load, options)
-            options |= more
-        elif options.get("pump") == "double":
-            # Without a bore nothing is counted in them.
-            del options["suction_pressure"], options["delivery_pressure"]
-        return Machine(drive, forces, options, cranks, masses)
-
-    def _straight(self) -> tuple[Slide, dict[str, Any]]:
-        length = self.number(2.2, 8)
-        return Slide(length), {"ratio": f"1:{text(length)}"}
-
-    def _offset(self) -> tuple[Slide, dict[str, Any]]:
-        length, offset = self.number(3, 8), self.number(-1.6, 1.6)
-        return Slide(length, offset), {"ratio": f"1:{text(length)}", "offset": text(offset)}
-
-    def _arc(self) -> tuple[Rocker, dict[str, Any]]:
-        length, rocker, offset = self.number(3, 6), self.number(3, 9), self.number(-0.8, 0.8)
-        drive = Rocker(length, rocker, (length, offset + rocker))
-        return drive, {
-            "mechanism": "arc", "ratio": f"1:{text(length)}", "rocker": text(rocker), "offset": text(offset),
+    def rod(self, degrees: ArrayLike) -> dict[str, Grid]:
+        """Return the forces of one crank in Q by kurbel's names, all in the frame of the outstroke."""
+        masses, angle = self.masses, np.radians(np.asarray(degrees, dtype=float))
+        gravity, pin, end = masses.gravity, np.exp(1j * angle), self.drive.motion(angle)
+        heading = end.heading
+        piston = self.net(degrees) * np.where(self.stroke(degrees)[0] % 2, -1, 1)
+        line = end.place - pin
+        speeds = slope(lambda at: self.drive.motion(at).velocity, angle)
+        to_centre = (1 - masses.centre) * line
+        pull = masses.rod * (-pin + (1 - masses.centre) * (speeds + pin) - gravity)
+        turning = slope(lambda at: _spin(self.drive, at), angle)
+        moment = masses.rod * (masses.gyration * abs(line)) ** 2 * turning + _cross(to_centre, pull)
+        # The rod's end is pressed by what inertia and weight leave of the piston's force.
+        inertia, weight = masses.reciprocating * -speeds, masses.reciprocating * gravity
+        along = piston + _dot(inertia + weight, heading)
+        aside = heading * -1j
+        across = (moment - along * _cross(line, heading)) / _cross(line, aside)
+        head = along * heading + across * aside
+        foot = pull - head
+        bearing = masses.rotating * pin - foot
+        return {
+            "piston_force": piston, "inertia_force": _dot(inertia, heading), "crosshead_load": along,
+            "guide_force": across - _dot(inertia + weight, aside),
+            "rod_force": -_dot(head, line) / abs(line), "crank_end_force": _dot(foot, line) / abs(line),
+            "crosshead_pin_force": abs(head), "crank_pin_force": abs(foot),
+            "tangential_force": -_cross(pin, foot), "radial_force": _dot(pin, foot),
+            "bearing_along": -bearing.real, "bearing_across": bearing.imag, "bearing_force": abs(bearing),
         }  # fmt: skip
 
-    def _beam(self) -> tuple[Rocker, dict[str, Any]]:
-        length, arm = self.number(4, 8), self.number(2, 6)
-        return beam(arm, length), {"mechanism": "beam", "ratio": f"1:{text(length)}", "beam": text(arm)}
+    def speed(self, inertia: float | None = None, number: float = 0.0, square: bool = False) -> Speed:
+        """Return the speed of a flywheel of J in Q R/ω² or of m₁ v₁²/(P r), against a constant torque or one
+        as the square of the speed."""
+        return Speed(self, inertia, number, square)
 
-    def _steam(self, double: bool) -> tuple[Forces, dict[str, Any]]:
-        expansion, exponent = self.number(1.1, 6, 2), self.random.choice((1.0, 1.0, 1.13, 1.3))
-        clearance, back = self.number(0, 0.1, 2), self.number(0, 0.12, 2)
-        given = {
-            "eps": text(expansion, 2), "back": text(back, 2), "exponent": text(exponent, 2),
-            "clearance": text(clearance, 2), "single_acting": not double,
-        }  # fmt: skip
-        return steam(expansion, back, exponent, clearance, double), given
 
-    def _compressor(self, double: bool) -> tuple[Forces, dict[str, Any]]:
-        ratio, exponent = self.number(1.5, 6, 2), self.random.choice((1.0, 1.2, 1.35))
-        clearance = self.random.choice((0.0, self.number(0.01, 0.1, 2)))
-        losses = self.random.choice(((0.0, 0.0), (self.number(0, 0.1, 2), self.number(0, 0.1, 2))))
-        given = {
-            "pressure_ratio": text(ratio, 2), "exponent": text(exponent, 2), "clearance": text(clearance, 2),
-            "suction_loss": text(losses[0], 2), "delivery_loss": text(losses[1], 2),
-            "single_acting": not double,
-        }  # fmt: skip
-        return compressor(ratio, exponent, clearance, losses, double), given
+def _spin(drive: Drive, angle: Grid) -> Grid:
+    """Return the angular velocity of the rod over that of the crank."""
+    end, pin = drive.motion(angle), np.exp(1j * angle)
+    return _cross(end.place - pin, end.velocity - 1j * pin) / abs(end.place - pin) ** 2
 
-    def _pump(self, double: bool) -> tuple[Forces, dict[str, Any]]:
-        kind = self.random.choice(("double", "single", "differential"))
-        suction, delivery, small = self.number(-0.6, 0.6, 2), self.number(1, 9, 2), self.number(0.2, 0.7, 2)
-        given = {
-            "pump": kind, "suction_pressure": f"{text(suction, 2)}bar",
-            "delivery_pressure": f"{text(delivery, 2)}bar",
-        }  # fmt: skip
-        if kind == "differential":
-            given["small_area"] = text(small, 2)
-        return pump(kind, suction / (delivery - suction), small), given
 
-    def _gas(self, double: bool) -> tuple[Forces, dict[str, Any]]:
-        compression, exponents = self.number(4, 9, 1), (self.number(1.2, 1.4, 2), self.number(1.15, 1.4, 2))
-        cut_off, exhaust = self.number(1, 2, 2), self.number(1, 1.2, 2)
-        peak = round(compression ** exponents[0] * self.number(1.5, 3), 1)
-        given = {
-            "compression": text(compression, 1), "cycle": "dual", "peak_pressure": text(peak, 1),
-            "cut_off": text(cut_off, 2), "exponent": text(exponents[0], 2),
-            "expansion_exponent": text(exponents[1], 2), "exhaust_pressure": text(exhaust, 2),
-        }  # fmt: skip
-        return gas(compression, peak, cut_off, exponents, exhaust), given
+def machine(**options: Any) -> Machine:
+    """Return the machine that kurbel's options describe, written as they are typed."""
+    drive, radius = _drive(options), number(options.get("stroke"), 2.0) / 2
+    cranks = tuple(number(one) for one in str(options.get("cranks", 0)).split(";"))
+    return Machine(drive, strokes(options), options, cranks, _masses(options, drive, radius))
 
-    def _masses(self, load: str, options: Mapping[str, Any]) -> tuple[Rod, dict[str, Any]]:
-        """Return masses whose forces are a share of the load's, and what weighs them."""
-        stroke, bore, speed = self.number(0.3, 1.5, 2), self.number(0.2, 0.6, 2), self.number(5, 20, 1)
-        share = self.number(0.02, 0.2)
-        pressure = 8.0 if load == "steam" else 1.0
-        if load == "pump":
-            suction, delivery = (float(options[f"{one}_pressure"][:-3]) for one in ("suction", "delivery"))
-            pressure = delivery - suction
-        unit = math.pi / 4 * bore**2 * pressure * 1e5 / (stroke / 2 * speed**2)
-        reciprocating, rod = (round(unit * one, 1) for one in (share, share / 2))
-        centre, gyration = self.number(0.4, 0.8, 2), self.number(0.2, 0.4, 2)
-        given = {
-            "stroke": f"{text(stroke, 2)}m", "bore": f"{text(bore, 2)}m", "speed": f"{text(speed, 1)}rad/s",
-            "reciprocating": f"{text(reciprocating, 1)}kg", "rod_mass": f"{text(rod, 1)}kg",
-            "centre": text(centre, 2), "gyration": text(gyration, 2),
-        }  # fmt: skip
-        if load == "steam":
-            given["pressure"] = "8bar"
-        elif load != "pump":
-            given["suction_pressure"] = "1bar"
-        # kurbel's centre counts from the crosshead pin.
-        return Rod(reciprocating / unit, rod / unit, 1 - centre, gyration), given
+
+def _ratio(options: Options) -> float:
+    if "rod" in options:
+        return number(options["stroke"]) / 2 / number(options["rod"])
+    crank, _, rod = str(options.get("ratio", "1:5")).replace("/", ":").partition(":")
+    return 0.0 if rod == "∞" else float(crank) / float(rod or 1)
+
+
+def _drive(options: Options) -> Drive:
+    ratio = _ratio(options)
+    length = 1 / ratio if ratio else math.inf
+    offset = number(options.get("offset"))
+    if str(options.get("offset", "")).endswith("m"):
+        offset /= number(options["stroke"]) / 2
+    mechanism = options.get("mechanism")
+    if mechanism == "beam":
+        return beam(number(options["beam"]), length)
+    if mechanism == "arc":
+        rocker = number(options["rocker"])
+        along, _, across = str(options.get("pivot", f"{length};{offset + rocker}")).partition(";")
+        return Rocker(length, rocker, complex(float(along), float(across)))
+    return Slide(length, offset, options.get("method") == "series")
+
+
+def _masses(options: Options, drive: Drive, radius: float) -> Masses:
+    if not options.keys() & {"reciprocating", "rod_mass", "rotating"}:
+        return Masses()
+    omega = number(options["speed"]) * (1 if isinstance(options["speed"], str) else math.tau)
+    scale = radius * omega**2 / (math.pi / 4 * number(options["bore"]) ** 2 * pressure_of(options))
+    weights = [scale * number(options.get(key)) for key in ("reciprocating", "rod_mass", "rotating")]
+    rocker = 0.0
+    if isinstance(drive, Rocker):
+        rocker = scale * number(options.get("rocker_inertia")) / (drive.rocker * radius) ** 2
+    gravity = 0j
+    if "slope" in options or options.get("vertical"):
+        steep = math.radians(number(options.get("slope"), 90.0))
+        pull = number(options.get("gravity"), 9.80665) / (radius * omega**2)
+        gravity = -pull * complex(math.sin(steep), math.cos(steep))
+    centre, gyration = number(options.get("centre"), 0.5), number(options.get("gyration"), 0.3)
+    return Masses(weights[0], weights[1], centre, gyration, rocker, weights[2], gravity)
 
 
 def beam(arm: float, length: float) -> Rocker:
@@ -351,55 +343,21 @@ def beam(arm: float, length: float) -> Rocker:
     end swings; turned so that the slide direction, upwards, is kurbel's.
     """
 
-    def lacking(chord: float) -> float:
+    def heights(chord: float) -> tuple[float, float, float]:
         sagitta = arm - math.sqrt(arm**2 - chord**2)
-        heights = [math.sqrt((length + sign) ** 2 - sagitta**2 / 4) for sign in (1, -1)]
-        return heights[0] - heights[1] - 2 * chord
+        high, low = (math.sqrt((length + sign) ** 2 - sagitta**2 / 4) for sign in (1, -1))
+        return high, low, sagitta
 
-    chord = brentq(lacking, 0.5, min(arm, length) * (1 - 1e-12), xtol=1e-15)
-    sagitta = arm - math.sqrt(arm**2 - chord**2)
-    heights = [math.sqrt((length + sign) ** 2 - sagitta**2 / 4) for sign in (1, -1)]
+    def lacking(chord: float) -> float:
+        high, low, _ = heights(chord)
+        return high - low - 2 * chord
+
+    high, low, sagitta = heights(brentq(lacking, 0.5, min(arm, length) * (1 - 1e-12), xtol=1e-15))
     # In the middle the end lies half the sagitta beyond the vertical, away from the pivot.
-    return Rocker(length, arm, (sum(heights) / 2, arm - sagitta / 2))
-
-
-MECHANISMS = ("straight", "offset", "arc", "beam")
-LOADS = ("steam", "compressor", "pump", "gas")
-DIGITS = 5
-
-
-def printed(machine: Machine) -> tuple[float, float]:
-    """Return the mean tangential force and δ as kurbel prints them."""
-    import kurbel
-
-    page = kurbel.delta_table(**machine.options, columns="mean_force,delta", digits=DIGITS)
-    *_, force, delta = kurbel.typeset(page, "csv").splitlines()[-1].split(",")
-    return float(force), float(delta)
-
-
-def compared(machine: Machine, samples: int) -> float:
-    """Return by how many units of its last place the worse of both is off the sum over the steps."""
-    pairs = zip(printed(machine), machine.turned(samples), strict=True)
-    return float(max(abs(one - other) for one, other in pairs) * 10**DIGITS)
-
-
-def main() -> int:
-    parser = argparse.ArgumentParser()
-    for name, default in (("machines", 200), ("samples", 2_000_000), ("seed", 1)):
-        parser.add_argument(f"--{name}", type=int, default=default)
-    asked = parser.parse_args()
-    draw, worst = Draw(asked.seed), 0.0
-    for number in range(asked.machines):
-        mechanism = MECHANISMS[number % len(MECHANISMS)]
-        load = LOADS[number // len(MECHANISMS) % len(LOADS)]
-        machine = draw.machine(mechanism, load)
-        off = compared(machine, asked.samples)
-        worst = max(worst, off)
-        if off > 1:
-            print(f"{mechanism}, {load}: off by {off:.2f}: {machine.options}")
-    print(f"{asked.machines} machines in {asked.samples} steps each: at most {worst:.3f} of the last place")
-    return int(worst > 1)
+    return Rocker(length, arm, complex((high + low) / 2, arm - sagitta / 2))
 
 
 if __name__ == "__main__":
+    from drawn_machines import main
+
     sys.exit(main())

@@ -139,13 +139,10 @@ ENGINES = about(
     "rod load",
     "flywheel",
 )
-LOADED = about("compressor", "pump", "gas cycle")
 POWERS = about("power")
 BEAMS = about("dead centres", "drive dead centres")
 BALANCES = about("harmonics", "balance")
 TURNED = about("balance at angles", "balance extremes", "rotor", "locomotive")
-TORQUES = about("torque", "excitation", "cylinders")
-FIRINGS = about("firing orders", "firing")
 COLLATIONS = about("collation", "formulas")
 EFFORTS = about("effort")
 LINKAGES = about("arc crank", "parallel crank", "coupled axles", "beam engine", "rod points")

@@ -8,5 +8,6 @@ TESTS = Path(__file__).parents[1]
 ROOT = TESTS.parent
 CARDS = TESTS / "cards"
 GOLDEN = TESTS / "golden"
+TRANSCRIPTS = TESTS / "transcripts"
 SOURCES = TESTS / "sources"
 SUPPORT = TESTS / "support"

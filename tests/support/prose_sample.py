@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from html.parser import HTMLParser
-from typing import Literal
+from typing import Any, Literal
 
 from hypothesis import strategies as st
 
+import kurbel
 from kurbel.documents.markdown import parse_prose
-from kurbel.documents.prose import Blocks
-from kurbel.errors import ChoiceError, ProseError
-from kurbel.formats.printer import Reference
+from kurbel.formats.printer import Reference, set_prose
+from kurbel.formats.registry import by_name
 
 SAMPLE = r"""# Kurbeltrieb mit $λ_1 = R/L$ & *mehr*
 
@@ -99,7 +99,7 @@ class Parts:
 
     def __call__(self, name: str) -> Reference:
         if name not in _PARTS:
-            raise ChoiceError(f"no part has the name {name}")
+            raise kurbel.KurbelError(f"no part has the name {name}")
         kind, prefix, number = _PARTS[name]
         target = _TARGETS[self.form].format(prefix, name)
         return Reference(kind, target, f"{_NAMES[kind]} {number}")
@@ -123,9 +123,14 @@ def shown(page: str) -> str:
     return Characters(page).found
 
 
-def parsed(text: str) -> Blocks:
+def parsed(text: str) -> Any:
     """Return the blocks of a text, or none if it is refused."""
     try:
         return parse_prose(text)
-    except ProseError:
+    except kurbel.KurbelError:
         return ()
+
+
+def set_in(form: str, text: str, level: int = 1) -> str:
+    """Return a text in a format; raises KurbelError if it cannot be set."""
+    return set_prose(parse_prose(text), by_name(form), ",", Parts(form), level)  # type: ignore[arg-type]

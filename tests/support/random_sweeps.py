@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import csv
+import shlex
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from decimal import Decimal
@@ -51,210 +52,136 @@ def _listed(name: str, values: Sequence[str]) -> Sequence[str]:
     return values if name == "cranks" else [";".join(values)]
 
 
-Draw = Callable[[Random], Asked]
-KINDS: dict[str, Draw] = {}
+class Span(NamedTuple):
+    """A few different values of a few figures between two."""
+
+    low: float
+    high: float
+    unit: str = ""
+    most: int = 3
+    before: str = ""
+
+    def drawn(self, random: Random) -> list[str]:
+        count = random.randint(1, self.most)
+        found = {f"{Decimal(f'{random.uniform(self.low, self.high):.3g}'):f}" for _ in range(count)}
+        return [f"{self.before}{one}{self.unit}" for one in sorted(found)]
 
 
-def kind(draw: Draw) -> Draw:
-    KINDS[draw.__name__] = draw
-    return draw
+class Kind(NamedTuple):
+    """A command with what is the same everywhere, and its axes, of which some may be left out."""
+
+    line: str
+    axes: Mapping[str, Span | Sequence[str]]
+    # Values that are refused, or limits, of which one may stand beside those of an axis.
+    odd: Mapping[str, Sequence[str]] = {}
+    optional: frozenset[str] = frozenset()
+
+    def __call__(self, random: Random) -> Asked:
+        left_out = {name for name in self.optional if random.random() < 0.5}
+        names = [name for name in self.axes if name not in left_out]
+        axes: dict[str, Sequence[str]] = {}
+        for name in random.sample(names, len(names)):
+            axis = self.axes[name]
+            odd = random.sample(
+                self.odd.get(name, ()), min(random.randint(0, 1), len(self.odd.get(name, ())))
+            )
+            axes[name] = [*(axis.drawn(random) if isinstance(axis, Span) else axis), *odd]
+        command, *fixed = shlex.split(self.line)
+        return Asked(command, fixed, axes)
 
 
-def some(random: Random, low: float, high: float, unit: str = "", most: int = 3) -> list[str]:
-    """A few different values of a few figures."""
-    found = {f"{Decimal(f'{random.uniform(low, high):.3g}'):f}{unit}" for _ in range(random.randint(1, most))}
-    return sorted(found)
+RATIO, ANGLE, EPS = Span(1.3, 8, before="1:"), Span(0, 360), Span(1.5, 8)
+TWO = RATIO._replace(most=2)
+SPEED, BORE = Span(60, 300, "/min"), Span(400, 600, "mm", 2)
+STROKE = "--stroke=1m --pressure=5bar --speed=100/min"
+METHODS = ("exact", "series", "infinite")
+ENGINE_METHODS = ("exact", "series", "weisbach")
+KINDS: dict[str, Kind] = {
+    "motion": Kind(
+        "table --columns x,c,p,psi", {"ratio": RATIO, "angle": Span(-20, 380), "method": METHODS},
+        optional=frozenset({"method"}),
+    ),
+    # The return stroke ends at 180°.
+    "both_strokes": Kind(
+        "table --columns x_return,c,p_return,psi_return", {"ratio": RATIO, "angle": Span(0, 180)}
+    ),
+    "refused_motion": Kind(
+        "table --columns x,p", {"ratio": ("1:4", "1:3"), "angle": ANGLE},
+        {"ratio": ("1", "1.2", "-0.25"), "angle": ("1e10",)},
+    ),
+    "sized_motion": Kind(
+        "table --stroke=600mm --ratio=1:4 --columns=x_mm,c_mps,p_mps2",
+        {"offset": Span(-0.4, 0.4), "speed": SPEED, "angle": ANGLE},
+    ),
+    "other_drives": Kind(
+        "table --mechanism=arc --columns=path,velocity",
+        {"rocker": Span(4, 9), "ratio": RATIO, "angle": ANGLE},
+    ),
+    "forces": Kind(
+        "forces --stroke=400mm", {"ratio": RATIO, "force": Span(1, 50, "kN"), "angle": Span(1, 179)}
+    ),
+    "forces_of_steam": Kind("forces", {"eps": EPS, "ratio": RATIO, "angle": Span(1, 359)}),
+    "forces_of_masses": Kind(
+        "forces --stroke=600mm --ratio=1:5",
+        {"reciprocating": Span(50, 400, "kg"), "speed": SPEED, "angle": ANGLE},
+    ),
+    "inertia": Kind(
+        "inertia --gyration=0.3 --rod-mass=100kg --stroke=600mm --speed=120/min",
+        {"centre": Span(0.4, 0.7), "ratio": TWO, "angle": ANGLE},
+    ),
+    "delta": Kind(
+        "delta",
+        {"eps": Span(1.1, 9), "ratio": RATIO, "back": Span(0, 0.5), "method": ENGINE_METHODS},
+        {"eps": ("1", "0.5"), "ratio": ("1", "1:∞"), "back": ("1.5", "-0.1")},
+        frozenset({"back", "method"}),
+    ),
+    "delta_with_clearance": Kind(
+        "delta --ratio=1:5",
+        {"clearance": Span(0, 10, "%"), "exponent": Span(1.05, 1.4), "eps": EPS._replace(most=2)},
+    ),
+    "delta_of_cranks": Kind("delta --ratio=1:5", {"cranks": ("0;90", "0;120;240"), "eps": EPS}),
+    "delta_of_single_acting_cranks": Kind(
+        "delta --ratio=1:5 --single-acting", {"cranks": ("0;90", "0;120;240"), "eps": EPS}
+    ),
+    "delta_of_strokes": Kind("delta --detail", {"eps": EPS, "ratio": TWO}),
+    "compressor": Kind(
+        "delta --ratio=1:5", {"pressure-ratio": Span(1.5, 6), "clearance": Span(1, 60, "%")}
+    ),
+    "pump": Kind("delta --pump", {"ratio": RATIO, "cranks": ("0", "0;90")}),
+    "turning": Kind("turning", {"eps": EPS, "ratio": TWO, "angle": ANGLE}),
+    "torques": Kind(
+        "turning --torque='5000 + 1500 sin(3φ)' --load-torque='5000 + 600 sin φ'", {"angle": ANGLE}
+    ),
+    "pressures": Kind(
+        f"pressures {STROKE} --reciprocating=100kg --ratio=1:5", {"eps": Span(1.5, 5), "bore": BORE}
+    ),
+    "power": Kind(f"power {STROKE}", {"eps": Span(1.5, 5), "bore": BORE, "back": Span(0, 9, "%")}),
+    "flywheel": Kind(
+        "flywheel --eps=3 --ratio=1:5",
+        {"delta": ("1:50", "1:100"), "power": Span(10, 90, "kW"), "speed": Span(60, 200, "/min")},
+    ),
+    "dead_centres": Kind("deadcentres", {"offset": Span(-0.5, 0.5), "ratio": RATIO}),
+    "harmonics": Kind("harmonics", {"ratio": RATIO, "orders": ("2", "5")}),
+    "balance": Kind("balance", {"engine": ("inline-3", "inline-4"), "ratio": TWO}),
+    "rotor": Kind(
+        "rotor --masses=10kg;12kg --radii=100mm;120mm --angles=0;75",
+        {"speed": Span(60, 900, "/min")},
+    ),
+    "locomotive": Kind(
+        "locomotive --gauge=1.5m --stroke=60cm --reciprocating=300kg --wheel=1.8m --wheel-load=30kN",
+        {"spacing": Span(0.5, 0.9, "m"), "speed": SPEED, "share": ("0", "1/2")},
+    ),
+    "firing": Kind("firing", {"cranks": ("0;180;180;0", "0;120;240;240;120;0")}),
+    "firing_of_strokes": Kind("firing", {"strokes": ("2", "4")}),
+    "roots": Kind("solve --where=s=30%", {"ratio": RATIO}),
+}  # fmt: skip
 
 
-def ratios(random: Random, most: int = 3) -> list[str]:
-    return [f"1:{one}" for one in some(random, 1.3, 8, most=most)]
-
-
-def shuffled(random: Random, axes: Mapping[str, Sequence[str]]) -> dict[str, Sequence[str]]:
-    names = random.sample([*axes], len(axes))
-    return {name: axes[name] for name in names}
-
-
-@kind
-def motion(random: Random) -> Asked:
-    keys, angles = ["x", "c", "p", "psi"], some(random, -20, 380)
-    if random.random() < 0.5:
-        # The return stroke ends at 180°.
-        keys, angles = [*keys, *(f"{key}_return" for key in keys)], some(random, 0, 180)
-    axes: dict[str, Sequence[str]] = {"ratio": ratios(random), "angle": angles}
-    if random.random() < 0.3:
-        axes["method"] = random.sample(["exact", "series", "infinite"], 2)
-    columns = random.sample(keys, 3)
-    return Asked("table", ["--columns", ",".join(columns)], shuffled(random, axes))
-
-
-@kind
-def refused_motion(random: Random) -> Asked:
-    ratio = ["1:4", random.choice(["1", "1.2", "-0.25"])]
-    axes = {"ratio": ratio, "angle": [*some(random, 0, 360), "1e10"]}
-    return Asked("table", ["--columns", "x,p"], shuffled(random, axes))
-
-
-@kind
-def sized_motion(random: Random) -> Asked:
-    axes = {
-        "offset": some(random, -0.4, 0.4),
-        "speed": some(random, 60, 300, "/min"),
-        "angle": some(random, 0, 360),
-    }
-    return Asked(
-        "table", ["--stroke=600mm", "--ratio=1:4", "--columns=x_mm,c_mps,p_mps2"], shuffled(random, axes)
-    )
-
-
-@kind
-def other_drives(random: Random) -> Asked:
-    axes = {"rocker": some(random, 4, 9), "ratio": ratios(random), "angle": some(random, 0, 360)}
-    return Asked("table", ["--mechanism=arc", "--columns=path,velocity"], shuffled(random, axes))
-
-
-@kind
-def forces(random: Random) -> Asked:
-    axes = {
-        "ratio": ratios(random),
-        "force": some(random, 1, 50, "kN"),
-        "angle": some(random, 1, 179),
-    }
-    return Asked("forces", ["--stroke=400mm"], shuffled(random, axes))
-
-
-@kind
-def forces_of_steam(random: Random) -> Asked:
-    axes = {"eps": some(random, 1.5, 8), "ratio": ratios(random), "angle": some(random, 1, 359)}
-    return Asked("forces", [], shuffled(random, axes))
-
-
-@kind
-def forces_of_masses(random: Random) -> Asked:
-    axes = {
-        "reciprocating": some(random, 50, 400, "kg"),
-        "speed": some(random, 60, 300, "/min"),
-        "angle": some(random, 0, 360),
-    }
-    return Asked("forces", ["--stroke=600mm", "--ratio=1:5"], shuffled(random, axes))
-
-
-@kind
-def inertia(random: Random) -> Asked:
-    axes = {"centre": some(random, 0.4, 0.7), "ratio": ratios(random, 2), "angle": some(random, 0, 360)}
-    fixed = ["--gyration=0.3", "--rod-mass=100kg", "--stroke=600mm", "--speed=120/min"]
-    return Asked("inertia", fixed, shuffled(random, axes))
-
-
-@kind
-def delta(random: Random) -> Asked:
-    axes: dict[str, Sequence[str]] = {
-        "eps": [*some(random, 1.1, 9), *random.choice([[], ["1"], ["0.5"]])],
-        "ratio": [*ratios(random), *random.choice([[], ["1"], ["1:∞"]])],
-    }
-    if random.random() < 0.6:
-        axes["back"] = [*some(random, 0, 0.5), *random.choice([[], ["1.5"], ["-0.1"]])]
-    if random.random() < 0.3:
-        axes["method"] = ["exact", "series", "weisbach"]
-    return Asked("delta", [], shuffled(random, axes))
-
-
-@kind
-def delta_with_clearance(random: Random) -> Asked:
-    axes = {
-        "clearance": some(random, 0, 10, "%"),
-        "exponent": some(random, 1.05, 1.4),
-        "eps": some(random, 1.5, 8, most=2),
-    }
-    return Asked("delta", ["--ratio=1:5"], shuffled(random, axes))
-
-
-@kind
-def delta_of_cranks(random: Random) -> Asked:
-    axes = {"cranks": ["0;90", "0;120;240"], "eps": some(random, 1.5, 8)}
-    return Asked("delta", ["--ratio=1:5", *random.choice([[], ["--single-acting"]])], shuffled(random, axes))
-
-
-@kind
-def delta_of_strokes(random: Random) -> Asked:
-    axes = {"eps": some(random, 1.5, 8), "ratio": ratios(random, 2)}
-    return Asked("delta", ["--detail"], shuffled(random, axes))
-
-
-@kind
-def compressor(random: Random) -> Asked:
-    axes = {"pressure-ratio": some(random, 1.5, 6), "clearance": some(random, 1, 60, "%")}
-    return Asked("delta", ["--ratio=1:5"], shuffled(random, axes))
-
-
-@kind
-def pump(random: Random) -> Asked:
-    return Asked("delta", ["--pump"], {"ratio": ratios(random), "cranks": ["0", "0;90"]})
-
-
-@kind
-def turning(random: Random) -> Asked:
-    axes = {"eps": some(random, 1.5, 8), "ratio": ratios(random, 2), "angle": some(random, 0, 360)}
-    return Asked("turning", [], shuffled(random, axes))
-
-
-@kind
-def torques(random: Random) -> Asked:
-    axes = {"angle": some(random, 0, 360)}
-    return Asked("turning", ["--torque=5000 + 1500 sin(3φ)", "--load-torque=5000 + 600 sin φ"], axes)
-
-
-@kind
-def pressures(random: Random) -> Asked:
-    fixed = ["--stroke=1m", "--pressure=5bar", "--speed=100/min", "--reciprocating=100kg", "--ratio=1:5"]
-    return Asked("pressures", fixed, {"eps": some(random, 1.5, 5), "bore": some(random, 400, 600, "mm", 2)})
-
-
-@kind
-def power(random: Random) -> Asked:
-    axes = {
-        "eps": some(random, 1.5, 5),
-        "bore": some(random, 400, 600, "mm", 2),
-        "back": some(random, 0, 9, "%"),
-    }
-    return Asked("power", ["--stroke=1m", "--pressure=5bar", "--speed=100/min"], shuffled(random, axes))
-
-
-@kind
-def flywheel(random: Random) -> Asked:
-    axes = {
-        "delta": ["1:50", "1:100"],
-        "power": some(random, 10, 90, "kW"),
-        "speed": some(random, 60, 200, "/min"),
-    }
-    return Asked("flywheel", ["--eps=3", "--ratio=1:5"], shuffled(random, axes))
-
-
-@kind
-def dead_centres(random: Random) -> Asked:
-    axes = {"offset": some(random, -0.5, 0.5), "ratio": ratios(random)}
-    return Asked("deadcentres", [], shuffled(random, axes))
-
-
-@kind
-def harmonics(random: Random) -> Asked:
-    return Asked("harmonics", [], {"ratio": ratios(random), "orders": ["2", "5"]})
-
-
-@kind
-def balance(random: Random) -> Asked:
-    return Asked("balance", [], {"engine": ["inline-3", "inline-4"], "ratio": ratios(random, 2)})
-
-
-@kind
-def rotor(random: Random) -> Asked:
-    fixed = ["--masses=10kg;12kg", "--radii=100mm;120mm", "--angles=0;75"]
-    return Asked("rotor", fixed, {"speed": some(random, 60, 900, "/min")})
-
-
-@kind
-def roots(random: Random) -> Asked:
-    return Asked("solve", ["--where=s=30%"], {"ratio": ratios(random)})
+def alone(asked: Asked) -> Iterator[Asked]:
+    """Yield the same with each of its axes alone, the others at their first value."""
+    for name in asked.axes:
+        others = [f"--{one}={values[0]}" for one, values in asked.axes.items() if one != name]
+        yield asked._replace(fixed=[*asked.fixed, *others], axes={name: asked.axes[name]})
 
 
 def deviations(asked: Asked, more: Sequence[str], folder: Path, form: str) -> Iterator[str]:
@@ -370,7 +297,9 @@ def drawn(random: Random, name: str) -> tuple[Asked, list[str], str]:
     more = random.choice([[], ["--bounds"], ["--digits", str(random.choice([3, 8, 20]))]])
     # Arrays have no decimals.
     forms = [one for one in READERS if one != "nc" or "--digits" not in more]
-    return KINDS[name](random), more, random.choice(forms)
+    asked = KINDS[name](random)
+    # All options together, or one of them.
+    return random.choice([asked, *alone(asked)]), more, random.choice(forms)
 
 
 def main() -> None:
@@ -383,14 +312,11 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         for number in range(given.count):
             name = [*KINDS][number % len(KINDS)]
-            for said in deviations(*_ordered(drawn(random, name), Path(folder))):
+            asked, more, form = drawn(random, name)
+            for said in deviations(asked, more, Path(folder), form):
                 wrong += 1
                 print(f"{name}: {said[:600]}")
     print(f"{given.count} sweeps, {wrong} cells differ")
-
-
-def _ordered(asked: tuple[Asked, list[str], str], folder: Path) -> tuple[Asked, list[str], Path, str]:
-    return asked[0], asked[1], folder, asked[2]
 
 
 if __name__ == "__main__":

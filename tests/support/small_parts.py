@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import os
 import signal
-from fractions import Fraction
+from decimal import Decimal
 from pathlib import Path
+from typing import Any
 
-from kurbel.reading.notation import Progression
-from kurbel.sweeps.plan import Axis, Plan
-from kurbel.sweeps.rows import Part, Sweep
+from kurbel.sweeps import run as runs
+from kurbel.sweeps.asked import planned
+from kurbel.sweeps.rows import Part
+from kurbel.sweeps.rows import Sweep as Sweep
 
+run, Running, StoppedError = runs.run, runs.Running, runs.StoppedError
 # Where a file of this name lies, a part ends its process; the file is gone before.
 KILLS = "kills"
 DEADLY = 10
+DELTA = "kurbel.commands.engine:delta_table"
 
 
 class SmallParts(Sweep):
@@ -42,9 +46,12 @@ class InThreads(SmallParts):
         return True
 
 
-def plan_of(count: int, step: Fraction = Fraction(1)) -> Plan:
+def plan_of(count: int, step: str = "1") -> Any:
     """Return a plan of three times so many rows, of which the first three are refused."""
-    expansions = Axis("eps", Progression(Fraction(1), step, count))
-    return Plan(
-        "kurbel.commands.engine:delta_table", {}, ((expansions,), (Axis("ratio", ("1:4", "1:5", "1:6")),))
-    )
+    last = 1 + (count - 1) * Decimal(step)
+    return planned(DELTA, {"eps": [f"1..{last}:{step}"], "ratio": ["1:4;1:5;1:6"]})
+
+
+def small(**options: Any) -> SmallParts:
+    """Return the sweep of δ over these options, as they are typed."""
+    return SmallParts(planned(DELTA, options))

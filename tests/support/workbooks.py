@@ -27,6 +27,8 @@ class Read:
     formats: dict[Place, str] = field(default_factory=dict)
     spans: dict[Place, Place] = field(default_factory=dict)
     formulas: int = 0
+    slanted: set[Place] = field(default_factory=set)
+    centred: set[Place] = field(default_factory=set)
 
     def row(self, number: int) -> list[float | str]:
         return [value for (row, _), value in sorted(self.values.items()) if row == number]
@@ -36,13 +38,17 @@ def xlsx_sheets(content: bytes) -> dict[str, Read]:
     """Return the sheets of a workbook of Excel by their names."""
     with ZipFile(io.BytesIO(content)) as file:
         texts = [_letters(one, S) for one in _part(file, "xl/sharedStrings.xml")]
-        formats = [*_formats(_part(file, "xl/styles.xml"))]
+        styles = _part(file, "xl/styles.xml")
+        formats, slanted, centred = [*_formats(styles)], [*_slanted(styles)], [*_centred(styles)]
         names = [str(one.get("name")) for one in _part(file, "xl/workbook.xml").iter(f"{S}sheet")]
         sheets = {}
         for number, name in enumerate(names, 1):
             root, read = _part(file, f"xl/worksheets/sheet{number}.xml"), Read()
             for cell in root.iter(f"{S}c"):
                 _read_cell(cell, texts, formats, read)
+                for places, has in ((read.slanted, slanted), (read.centred, centred)):
+                    if has[int(cell.get("s", 0))]:
+                        places.add(_place(str(cell.get("r"))))
             for merged in root.iter(f"{S}mergeCell"):
                 first, last = map(_place, str(merged.get("ref")).split(":"))
                 read.spans[first] = last[0] - first[0] + 1, last[1] - first[1] + 1
@@ -65,6 +71,22 @@ def _formats(styles: Element) -> Iterator[str]:
     assert used is not None
     for one in used:
         yield own.get(one.get("numFmtId")) or known[str(one.get("numFmtId"))]
+
+
+def _slanted(styles: Element) -> Iterator[bool]:
+    fonts, used = styles.find(f"{S}fonts"), styles.find(f"{S}cellXfs")
+    assert fonts is not None
+    assert used is not None
+    for one in used:
+        yield fonts[int(one.get("fontId", 0))].find(f"{S}i") is not None
+
+
+def _centred(styles: Element) -> Iterator[bool]:
+    used = styles.find(f"{S}cellXfs")
+    assert used is not None
+    for one in used:
+        place = one.find(f"{S}alignment")
+        yield place is not None and place.get("horizontal") == "center"
 
 
 def ods_sheets(content: bytes) -> dict[str, Read]:

@@ -7,10 +7,9 @@ import re
 import sys
 
 import pytest
-from small_parts import SmallParts, plan_of
+from small_parts import SmallParts, Sweep, plan_of
 
 from kurbel.cli.sweeps.running import running
-from kurbel.sweeps.rows import Sweep
 
 
 class Screen(io.StringIO):

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from itertools import cycle
 from pathlib import Path
 from random import Random
 
 import pytest
-from random_sweeps import KINDS, READERS, deviations, drawn
-
-from kurbel.cli.sweeps.group import TABLES
+from cli import refusal
+from random_sweeps import KINDS, alone, deviations, drawn
 
 
 def wrong(seed: int, count: int, folder: Path) -> list[str]:
@@ -20,21 +20,33 @@ def wrong(seed: int, count: int, folder: Path) -> list[str]:
     return found
 
 
+WAYS: tuple[tuple[list[str], str], ...] = (
+    ([], "nc"),
+    (["--bounds"], "arrow"),
+    (["--digits", "8"], "parquet"),
+)
+
+
 @pytest.mark.parametrize("name", ["refused_motion", "delta", "harmonics"])
 def test_cells_are_what_the_single_command_says(name: str, tmp_path: Path) -> None:
     random = Random(name)
-    for more, form in (([], "nc"), (["--bounds"], "arrow"), (["--digits", "8"], "parquet")):
+    for more, form in WAYS:
         assert [*deviations(KINDS[name](random), more, tmp_path, form)] == []
+
+
+def test_the_random_sweeps_are_of_every_command_that_can_be_swept() -> None:
+    commands = refusal("sweep", "nothing").split("; choose from ")[1].split(", ")
+    assert {kind.line.split()[0] for kind in KINDS.values()} == {*commands}
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_each_option_is_swept_alone(name: str, tmp_path: Path) -> None:
+    asked = KINDS[name]._replace(optional=frozenset())(Random(name))
+    for one, (more, form) in zip(alone(asked), cycle(WAYS), strict=False):
+        assert [*deviations(one, more, tmp_path, form)] == []
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_a_thousand_random_sweeps_are_what_the_single_command_says(seed: int, tmp_path: Path) -> None:
     assert wrong(seed, 250, tmp_path) == []
-
-
-def test_random_sweeps_are_of_every_command() -> None:
-    random = Random(1)
-    # Firing orders and locomotives are tried by themselves: they have no options of numbers in common.
-    assert {draw(random).command for draw in KINDS.values()} == {*TABLES} - {"firing", "locomotive"}
-    assert {*READERS} == {"parquet", "arrow", "nc"}

@@ -10,7 +10,7 @@ import resource
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
-from decimal import Decimal, localcontext
+from decimal import Decimal
 from itertools import islice
 from math import isnan
 from pathlib import Path
@@ -24,23 +24,19 @@ import pyarrow.dataset
 import pyarrow.parquet
 import pytest
 import xarray
-from cli import kurbel, printed
+from cli import kurbel, printed, records
+from cli import refusal as refusal_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from small_parts import SmallParts
+from places import CARDS
+from random_sweeps import Asked
+from small_parts import SmallParts, Sweep, small
 
 import kurbel as library
-from kurbel.errors import KurbelError, NotationError, OutputError
-from kurbel.sweeps.asked import planned
-from kurbel.sweeps.columns import Column
 from kurbel.sweeps.files.arrow import batch_of, in_sizes
-from kurbel.sweeps.files.cf import udunits
-from kurbel.sweeps.files.csv import lines_of
-from kurbel.sweeps.files.decimals import decimals_of, texts_of
 from kurbel.sweeps.files.forms import form_of
 from kurbel.sweeps.files.grid import chunks_of
 from kurbel.sweeps.lazy import dataset_of
-from kurbel.sweeps.rows import Part, Sweep
 
 ASKED = ("delta", "--eps", "2;1/2;4", "--ratio", "1:4;1:5", "--bounds")
 SUPPORT = Path(__file__).parent.parent / "support"
@@ -141,6 +137,11 @@ def test_xarray_has_the_axes_as_coordinates(
     check(rows, expected)  # type: ignore[arg-type]
 
 
+def test_numbers_of_a_netcdf_file_are_packed(folder: Path) -> None:
+    with xarray.open_dataset(folder / "a.nc") as found:
+        assert found["delta"].encoding["zlib"]
+
+
 def numbers(found: xarray.Dataset, expansion: float, ratio: float) -> list[float]:
     place = found.sel(epsilon=expansion, ratio=ratio)
     return [float(place["delta"]), float(place["delta_bound"])]
@@ -149,6 +150,11 @@ def numbers(found: xarray.Dataset, expansion: float, ratio: float) -> list[float
 def reason_at(found: xarray.Dataset, expansion: float, ratio: float) -> str | None:
     reason = found["reason"].sel(epsilon=expansion, ratio=ratio).values[()]
     return str(found["reason_text"].values[reason] if "reason_text" in found else reason) or None
+
+
+def test_numbers_are_packed_in_netcdf(folder: Path) -> None:
+    with xarray.open_dataset(folder / "a.nc") as data:
+        assert {one.encoding["zlib"] for one in (data["delta"], data["delta_bound"])} == {True}
 
 
 def test_what_a_file_says_of_its_inputs_makes_it_again(folder: Path, tmp_path: Path) -> None:
@@ -188,38 +194,58 @@ def test_a_column_has_a_formula_where_a_line_holds_it(tmp_path: Path) -> None:
         assert metadata.get(b"formula", b"").decode() == formula
 
 
-@pytest.mark.parametrize("digits", [25, 40])
-def test_decimals_have_the_digits_of_the_command(tmp_path: Path, digits: int) -> None:
-    name, asked = f"{tmp_path}/a", ("--eps", "2;4", "--back", "0;0,1", "--digits", str(digits))
+@pytest.mark.parametrize("digits", [0, 25, 40])
+@pytest.mark.parametrize(
+    "asked",
+    [
+        Asked("delta", ["--columns=delta"], {"eps": ("2", "4"), "back": ("0", "0,1")}),
+        # Below zero, and between 0 and -1.
+        Asked("table", ["--ratio=1:4", "--columns=p"], {"angle": ("0", "80", "90", "180")}),
+    ],
+)
+def test_decimals_have_the_digits_of_the_command(tmp_path: Path, asked: Asked, digits: int) -> None:
+    key, name, more = asked.fixed[-1].removeprefix("--columns="), f"{tmp_path}/a", f"--digits={digits}"
     for suffix in ("parquet", "csv"):
-        assert kurbel("sweep", "delta", *asked, "--columns", "delta", "-o", f"{name}.{suffix}").code == 0
-    single = [
-        printed("delta", "--eps", e, "--back", b, "--digits", str(digits), "-f", "csv").records()[0]["delta"]
-        for e in ("2", "4")
-        for b in ("0", "0,1")
-    ]
-    read = pyarrow.parquet.read_table(f"{name}.parquet")["delta"]
-    assert read.to_pylist() == [Decimal(text) for text in single]
-    assert polars.read_csv(f"{name}.csv", infer_schema=False)["delta"].to_list() == single
+        assert kurbel("sweep", *asked.words(), more, "-o", f"{name}.{suffix}").code == 0
+    single = [records(*words, more)[0][key] for words in asked.single()]
+    assert pyarrow.parquet.read_table(f"{name}.parquet")[key].to_pylist() == [*map(Decimal, single)]
+    assert polars.read_csv(f"{name}.csv", infer_schema=False)[key].to_list() == single
     if digits <= 28:
-        found = asked_of_duckdb(f"SELECT delta FROM '{name}.parquet'")
-        assert [one for (one,) in found] == [Decimal(text) for text in single]
+        found = asked_of_duckdb(f"SELECT {key} FROM '{name}.parquet'")
+        assert [one for (one,) in found] == [*map(Decimal, single)]
 
 
-@given(st.lists(st.none() | st.integers(-(10**45), 10**45), min_size=1, max_size=5), st.integers(0, 50))
-@settings(deadline=None, max_examples=15)
-def test_decimals_are_whole_numbers_of_their_last_place(scaled: list[int | None], decimals: int) -> None:
-    column = Column("x", "decimal", decimals=decimals)
-    if decimals <= 28 and any(abs(one or 0) >= 10**38 for one in scaled):
-        with pytest.raises(OutputError, match="more than 38 digits"):
-            decimals_of(column, scaled)
-        return
-    array = decimals_of(column, scaled)
-    array.validate(full=True)
-    true = [None if one is None else f"{one:0{decimals + 1 + (one < 0)}d}" for one in scaled]
-    true = [t and f"{t[:-decimals]}.{t[-decimals:]}" if decimals else t for t in true]
-    assert texts_of(array).to_pylist() == true
-    assert array.to_pylist() == [None if one is None else Decimal(one) for one in true]
+def test_decimals_of_more_digits_than_a_file_holds_are_refused(tmp_path: Path) -> None:
+    sizes = ["--eps=2", "--stroke=100m", "--pressure=100bar", "--speed=100/min", "--columns=indicated_power"]
+    asked, name = Asked("power", sizes, {"bore": ("100m", "200m")}), f"{tmp_path}/a.parquet"
+    # With 28 decimals there are ten places before the point, with more a wider kind of numbers.
+    said = refusal_of("sweep", *asked.words(), "--digits=28", "-o", name, code=1)
+    assert said == (
+        "indicated_power has numbers of more than 38 digits, which no file of decimals holds;"
+        " ask for fewer --digits"
+    )
+    for digits in ("--digits=27", "--digits=29"):
+        assert kurbel("sweep", *asked.words(), digits, "-o", name).code == 0
+        single = [Decimal(records(*words, digits)[0]["indicated_power"]) for words in asked.single()]
+        assert pyarrow.parquet.read_table(name)["indicated_power"].to_pylist() == single
+        assert single[0] < 10**10 < single[1]
+
+
+def test_csv_quotes_what_others_would_take_for_fields(tmp_path: Path) -> None:
+    names = ['a "b", c.csv', "d;e.csv"]
+    for name in names:
+        (tmp_path / name).write_bytes((CARDS / "ideal-2.csv").read_bytes())
+    words = ("sweep", "delta", *(f"--card={tmp_path}/{name}" for name in names), "--ratio=1:4;3:1")
+    text = kurbel(*words, "-f", "csv", "-o", "-").out
+    rows = [*csv.reader(text.splitlines())]
+    assert [*dict.fromkeys(row[0] for row in rows[1:])] == [f"{tmp_path}/{name}" for name in names]
+    assert {row[-1] for row in rows[1:]} == {
+        "",
+        refusal_of("delta", f"--card={CARDS}/ideal-2.csv", "--ratio=3:1"),
+    }
+    written = io.StringIO(newline="")
+    csv.writer(written, lineterminator="\n").writerows(rows)
+    assert text == written.getvalue()
 
 
 @given(st.lists(st.integers(0, 7), max_size=6), st.lists(st.integers(1, 9), min_size=30, max_size=30))
@@ -246,38 +272,52 @@ def test_a_chunk_is_a_run_of_rows(sizes: tuple[int, ...], rows: int) -> None:
     assert np.concatenate([whole[place].ravel() for place in places]).tolist() == whole.ravel().tolist()
 
 
-@pytest.mark.parametrize(
-    ("unit", "known"),
-    [("m/s²", "m s-2"), ("N m", "N m"), ("min⁻¹", "minute-1"), ("kg/kWh", "kg kW-1 hour-1"), ("°", "degree"),
-     ("% of the stroke", "percent"), ("M R ω²", "1"), ("", "1"), ("v²/R", "1"), ("m³/min", "m3 minute-1")],
-)  # fmt: skip
-def test_units_are_spelled_as_udunits_does(unit: str, known: str) -> None:
-    assert udunits(unit) == known
-
-
-def sweep_of(**options: Any) -> Sweep:
-    return SmallParts(planned("kurbel.commands.engine:delta_table", options))
+def test_units_are_spelled_as_udunits_does() -> None:
+    asked: dict[str, dict[str, Any]] = {
+        "table": dict(stroke="600mm", speed="90/min", angle="30;60", columns="x,x_percent,c_mps,p,p_mps2"),
+        "flywheel": dict(eps="3;4", power="50kW", speed="90/min", delta="1:100"),
+        "power": dict(eps="2;3", pressure="8bar", specific_volume="0.24 m3/kg", columns="steam_per_kwh"),
+        "delta": dict(
+            pressure_ratio="3;4",
+            stroke="600mm",
+            bore="300mm",
+            speed="90/min",
+            suction_pressure="1bar",
+            columns="delivery",
+        ),
+    }
+    units = {
+        name: column.attrs["units"]
+        for command, options in asked.items()
+        for name, column in library.sweep(command, **options).variables.items()
+        if column.attrs.get("units", "1") != "1"
+    }
+    assert units == {
+        "x_percent": "percent", "c_mps": "m s-1", "p_mps2": "m s-2", "phi": "degree", "power": "W",
+        "speed": "minute-1", "omega": "radian s-1", "mean_torque": "N m", "swing": "J", "inertia": "kg m2",
+        "steam_per_kwh": "kg kW-1 hour-1", "delivery": "m3 minute-1",
+    }  # fmt: skip
 
 
 def test_a_large_dataset_computes_what_is_asked_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    sweep = sweep_of(eps=["2;3;4;1/2"], ratio=["1:4;1:5;1:6"])
+    sweep = small(eps=["2;3;4;1/2"], ratio=["1:4;1:5;1:6"])
     lazy = dataset_of(sweep)
     assert max(lazy["delta"].data.chunksize) <= 2
     starts: list[int] = []
     computed = SmallParts.computed
 
-    def noted(self: SmallParts, start: int, stop: int) -> Part:
+    def noted(self: SmallParts, start: int, stop: int) -> Any:
         starts.append(start)
         return computed(self, start, stop)
 
     monkeypatch.setattr(SmallParts, "computed", noted)
     one = lazy.sel(epsilon=3, ratio=0.2).compute()
     assert len(starts) == 1
-    small = dataset_of(Sweep(sweep.plan))
-    assert one["delta"].item() == small["delta"].sel(epsilon=3, ratio=0.2).item()
+    other = dataset_of(Sweep(sweep.plan))
+    assert one["delta"].item() == other["delta"].sel(epsilon=3, ratio=0.2).item()
     whole = lazy.compute()
     assert whole["refused"].values.tolist() == [[False] * 3] * 3 + [[True] * 3]
-    xarray.testing.assert_identical(whole, small.drop_vars("reason"))
+    xarray.testing.assert_identical(whole, other.drop_vars("reason"))
 
 
 def test_options_are_given_as_python_has_them() -> None:
@@ -289,12 +329,6 @@ def test_options_are_given_as_python_has_them() -> None:
     linked = library.sweep("delta", eps=range(2, 5), back=["0", "0.1", "0.2"], zip="eps,back", only="eps < 4")
     assert (linked["epsilon"].values.tolist(), linked["back"].values.tolist()) == ([2, 3], [0, 0.1])
     assert linked["delta"].dims == ("point",)
-    with pytest.raises(NotationError, match="write each of them as text: '0;120;240'"):
-        library.sweep("balance", cranks=[[0, 180], [0, 90]])
-    with pytest.raises(NotationError, match="resume and restart are for an output"):
-        library.sweep("delta", eps=2, resume=True)
-    with pytest.raises(NotationError, match="no function that makes a table of a machine"):
-        library.sweep(library.compute, ratio=[0.2])
 
 
 def batches_of(sweep: Sweep, rows: int) -> Iterator[pa.RecordBatch]:
@@ -304,7 +338,7 @@ def batches_of(sweep: Sweep, rows: int) -> Iterator[pa.RecordBatch]:
 
 @pytest.mark.parametrize("name", FILES)
 def test_what_ends_half_written_leaves_what_was_there(tmp_path: Path, name: str) -> None:
-    sweep, target = sweep_of(eps=["2;3"], ratio=["1:4;1:5;1:6"]), f"{tmp_path}/{name}"
+    sweep, target = small(eps=["2;3"], ratio=["1:4;1:5;1:6"]), f"{tmp_path}/{name}"
     (scratch := tmp_path / "scratch").mkdir()
     form = form_of(target)
 
@@ -312,12 +346,12 @@ def test_what_ends_half_written_leaves_what_was_there(tmp_path: Path, name: str)
         yield from batches_of(sweep, 4)
         raise OSError(28, "No space left on device")
 
-    with pytest.raises(OutputError, match=r"cannot write .*No space left on device"):
+    with pytest.raises(library.KurbelError, match=r"cannot write .*No space left on device"):
         form.write(sweep, ended(), target, str(scratch))
     assert os.listdir(tmp_path) == ["scratch"] and os.listdir(scratch) == []
     form.write(sweep, batches_of(sweep, 6), target, str(scratch))
     first = content_of(Path(target))
-    with pytest.raises(OutputError, match="No space left on device"):
+    with pytest.raises(library.KurbelError, match="No space left on device"):
         form.write(sweep, ended(), target, str(scratch))
     assert content_of(Path(target)) == first and os.listdir(scratch) == []
     form.write(sweep, batches_of(sweep, 6), target, str(scratch))
@@ -326,13 +360,13 @@ def test_what_ends_half_written_leaves_what_was_there(tmp_path: Path, name: str)
 
 @pytest.mark.parametrize("name", FILES)
 def test_a_full_disk_is_one_sentence_and_leaves_nothing(tmp_path: Path, name: str) -> None:
-    sweep = sweep_of(eps=["2;3"], ratio=["1:4;1:5;1:6"])
+    sweep = small(eps=["2;3"], ratio=["1:4;1:5;1:6"])
     (scratch := tmp_path / "scratch").mkdir()
     batches = list(batches_of(sweep, 6))
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (100, limits[1]))
     try:
-        with pytest.raises(OutputError, match=r"cannot write \S+: File too large$"):
+        with pytest.raises(library.KurbelError, match=r"cannot write \S+: File too large$"):
             form_of(f"{tmp_path}/{name}").write(sweep, iter(batches), f"{tmp_path}/{name}", str(scratch))
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
@@ -351,23 +385,21 @@ def content_of(path: Path) -> dict[str, bytes]:
         ("own.zarr", "the folder has other files; name a new one"),
         ("own.nc", "it is a directory; name a file in it"),
         ("none/a.nc", "the directory .*none does not exist"),
-        ("a.xlsx", r"\.xlsx is no form of columns; name a file with \.parquet"),
-        ("-", "standard output has no suffix"),
     ],
 )
 def test_no_file_of_other_content_is_removed(tmp_path: Path, target: str, said: str) -> None:
     for name in ("own", "own.zarr", "own.nc"):
         (tmp_path / name).mkdir()
         (tmp_path / name / "letter.txt").write_text("mine")
-    with pytest.raises(KurbelError, match=said):
-        library.sweep("delta", eps=2, output=target if target == "-" else f"{tmp_path}/{target}")
+    with pytest.raises(library.KurbelError, match=said):
+        library.sweep("delta", eps=2, output=f"{tmp_path}/{target}")
     assert sorted(os.listdir(tmp_path)) == ["own", "own.nc", "own.zarr"]
     assert (tmp_path / "own" / "letter.txt").read_text() == "mine"
 
 
 @pytest.mark.parametrize("place", ["folder/letter.txt", "a.zarr/letter.txt", "a.zarr/delta/c/letter.txt"])
 def test_a_folder_of_a_sweep_keeps_what_somebody_put_there(tmp_path: Path, place: str) -> None:
-    sweep, target = sweep_of(eps=["2;3"], ratio=["1:4;1:5"]), f"{tmp_path}/{place.partition('/')[0]}"
+    sweep, target = small(eps=["2;3"], ratio=["1:4;1:5"]), f"{tmp_path}/{place.partition('/')[0]}"
     (scratch := tmp_path / "scratch").mkdir()
     form = form_of(f"{target}/")
     form.write(sweep, batches_of(sweep, 4), target, str(scratch))
@@ -378,20 +410,12 @@ def test_a_folder_of_a_sweep_keeps_what_somebody_put_there(tmp_path: Path, place
         (tmp_path / place).write_text("mine")
         yield from batches_of(sweep, 4)
 
-    with pytest.raises(OutputError, match="the folder has other files"):
+    with pytest.raises(library.KurbelError, match="the folder has other files"):
         form.write(sweep, batches_of(sweep, 4), target, str(scratch))
     (tmp_path / place).unlink()
-    with pytest.raises(OutputError, match="the folder has other files"):
+    with pytest.raises(library.KurbelError, match="the folder has other files"):
         form.write(sweep, late(), target, str(scratch))
     assert content_of(tmp_path) == before
-
-
-def test_csv_quotes_what_needs_it() -> None:
-    texts = ['a "b"', "c,d", "e\nf", "g"]
-    batch = pa.record_batch({"x": pa.array(texts), "y": pa.array([1.5, None, 1e-7, 1e22])})
-    read = list(csv.reader(io.StringIO(lines_of(batch).to_pybytes().decode(), newline="")))
-    assert [row[0] for row in read] == texts
-    assert [row[1] and float(row[1]) for row in read] == [1.5, "", 1e-7, 1e22]
 
 
 @pytest.mark.slow
@@ -401,13 +425,3 @@ def test_the_bytes_are_the_same_in_every_process(folder: Path, tmp_path: Path) -
     environment = {**os.environ, "PYTHONHASHSEED": "7", "PYTHONPATH": str(SUPPORT)}
     subprocess.run([sys.executable, "-c", code % (("sweep", *ASKED),), *words], check=True, env=environment)
     assert content_of(tmp_path) == content_of(folder)
-
-
-@given(st.lists(st.integers(-(2**62), 2**62), min_size=1, max_size=9), st.sampled_from([0, 3, 20, 30]))
-@settings(deadline=None, max_examples=40)
-def test_decimals_of_arrays_are_the_whole_numbers_of_the_last_place(scaled: list[int], places: int) -> None:
-    column = Column("x", "decimal", decimals=places)
-    found = decimals_of(column, np.array(scaled, np.int64)).to_pylist()
-    with localcontext() as context:
-        context.prec = 80
-        assert [int(one.scaleb(places)) for one in found] == scaled

@@ -11,24 +11,27 @@ import subprocess
 import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from fractions import Fraction
-from itertools import islice
 from pathlib import Path
 from threading import Event
+from typing import Any
 
 import pytest
 from places import ROOT
-from small_parts import DEADLY, KILLS, InThreads, SmallParts, plan_of
+from small_parts import (
+    DEADLY,
+    KILLS,
+    InThreads,
+    Running,
+    SmallParts,
+    StoppedError,
+    plan_of,
+    run,
+    small,
+)
 
-from kurbel.errors import FailedError, OutputError
-from kurbel.sweeps import run as runs
-from kurbel.sweeps.files import parquet
-from kurbel.sweeps.rows import Part, Sweep
-from kurbel.sweeps.run import Running, StoppedError, run
-from kurbel.sweeps.work import joining, units
-from kurbel.sweeps.work.folder import working
+import kurbel
 from kurbel.sweeps.work.hands import Threads
-from kurbel.sweeps.work.identity import identity_of
+from kurbel.sweeps.work.units import Parts
 
 SWEEP = SmallParts(plan_of(6))
 PARTS = 9
@@ -78,7 +81,7 @@ def computed(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     starts: list[int] = []
     part = SmallParts.computed
 
-    def noted(self: SmallParts, start: int, stop: int) -> Part:
+    def noted(self: SmallParts, start: int, stop: int) -> Any:
         starts.append(start)
         return part(self, start, stop)
 
@@ -92,7 +95,7 @@ def test_a_run_that_was_ended_goes_on_with_its_parts(
     folder = f"{target}.parts"
     said = f"stopped; finished parts are kept in {folder}: the same command with --resume goes on"
     assert ended(target) == said
-    with pytest.raises(OutputError, match="--resume goes on with them, --restart begins anew"):
+    with pytest.raises(kurbel.KurbelError, match="--resume goes on with them, --restart begins anew"):
         run(SWEEP, target)
     starts = computed(monkeypatch)
     run(SWEEP, target, Running(jobs=1, resume=True))
@@ -133,25 +136,39 @@ def test_a_broken_part_is_computed_again(
 def test_parts_of_another_sweep_or_of_other_libraries_are_refused_and_stay(target: str, whole: bytes) -> None:
     ended(target)
     with pytest.raises(
-        OutputError, match="has parts of another sweep; give what that run was given, or --restart"
+        kurbel.KurbelError, match="has parts of another sweep; give what that run was given, or --restart"
     ):
         run(SmallParts(plan_of(7)), target, Running(resume=True))
     noted = Path(f"{target}.parts/sweep.json")
     mine = noted.read_text()
     noted.write_text(json.dumps(json.loads(mine) | {"numpy": "1.0"}))
-    with pytest.raises(OutputError, match=r"were computed by numpy 1\.0 in place of [2-9].*with --restart"):
+    with pytest.raises(
+        kurbel.KurbelError, match=r"were computed by numpy 1\.0 in place of [2-9].*with --restart"
+    ):
         run(SWEEP, target, Running(resume=True))
     noted.write_text(mine)
     run(SWEEP, target, Running(jobs=1, resume=True))
     assert Path(target).read_bytes() == whole
 
 
-def test_a_second_run_of_one_target_is_refused(target: str) -> None:
-    with (
-        working(target, identity_of(SWEEP)),
-        pytest.raises(OutputError, match=rf"another run writes {target} at this moment"),
-    ):
-        run(SWEEP, target)
+def test_parts_of_a_card_that_has_changed_are_those_of_another_sweep(target: str, tmp_path: Path) -> None:
+    card, head = tmp_path / "card.csv", "position [%];p_forward [bar];p_return [bar]\n"
+    card.write_text(head + "".join(f"{place};8.0;1.5\n" for place in range(0, 101, 10)))
+    sweep = small(ratio=["1:4;1:5;1:6"], cylinder=f"card={card}")
+    with pytest.raises(StoppedError):
+        run(sweep, target, Running(jobs=1, watch=stopped_after(1, KeyboardInterrupt())))
+    card.write_text(card.read_text().replace("8.0", "7.0"))
+    with pytest.raises(kurbel.KurbelError, match="has parts of another sweep"):
+        run(small(ratio=["1:4;1:5;1:6"], cylinder=f"card={card}"), target, Running(resume=True))
+
+
+def test_a_second_run_of_one_target_is_refused(target: str, whole: bytes) -> None:
+    def again() -> None:
+        with pytest.raises(kurbel.KurbelError, match=rf"another run writes {target} at this moment"):
+            run(SWEEP, target)
+
+    run(SWEEP, target, Running(jobs=1, watch=stopped_after(2, again)))
+    assert Path(target).read_bytes() == whole
 
 
 def test_a_folder_of_ones_own_is_left_as_it_is(target: str, whole: bytes) -> None:
@@ -170,7 +187,7 @@ def test_a_full_disk_is_one_sentence_and_parts_stay(target: str, whole: bytes) -
         resource.setrlimit(resource.RLIMIT_FSIZE, (100, hard))
 
     try:
-        with pytest.raises(FailedError) as raised:
+        with pytest.raises(kurbel.KurbelError) as raised:
             run(SWEEP, target, Running(jobs=1, watch=stopped_after(3, fill)))
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
@@ -183,33 +200,14 @@ def test_a_full_disk_is_one_sentence_and_parts_stay(target: str, whole: bytes) -
     assert Path(target).read_bytes() == whole
 
 
-class Counting:
-    """Hands that note how many parts they have at once, and write nothing."""
-
-    most = 4
-
-    def __init__(self) -> None:
-        self.given: list[int] = []
-        self.at_most = 0
-
-    def give(self, number: int) -> None:
-        self.given.append(number)
-        self.at_most = max(self.at_most, len(self.given))
-
-    def take(self) -> tuple[int, str]:
-        # The last one first, as nobody promises an order.
-        return (number := self.given.pop()), f"part {number}"
-
-    def end(self, at_once: bool) -> None: ...
-
-
-def test_few_parts_of_the_largest_sweep_are_asked_for_at_once(target: str) -> None:
-    endless = Sweep(plan_of(10**12 // 3, Fraction(1, 10**11)))
-    hands = Counting()
-    with working(target, {"sweep": "endless"}) as work:
-        first = [*islice(runs._parts(units.Parts(endless), work, hands, lambda rows: None), 3)]
-    assert first == ["part 0", "part 1", "part 2"]
-    assert hands.at_most == hands.most
+def test_few_parts_of_the_largest_sweep_are_asked_for_at_once(
+    target: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    endless = SmallParts(plan_of(10**9, "0.00000001"))
+    starts = computed(monkeypatch)
+    with pytest.raises(StoppedError):
+        run(endless, target, Running(jobs=1, watch=stopped_after(3, KeyboardInterrupt())))
+    assert starts == [0, 2, 4]
 
 
 @pytest.mark.slow
@@ -238,9 +236,9 @@ def test_killed_runs_go_on_to_the_same_bytes_and_leave_nothing() -> None:
 
 
 def small_partitions(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(parquet, "GROUP", 4)
-    monkeypatch.setattr(parquet, "GROUPS", 2)
-    monkeypatch.setattr(units, "ROWS", 8)
+    monkeypatch.setattr("kurbel.sweeps.files.parquet.GROUP", 4)
+    monkeypatch.setattr("kurbel.sweeps.files.parquet.GROUPS", 2)
+    monkeypatch.setattr("kurbel.sweeps.work.units.ROWS", 8)
 
 
 def test_a_second_ctrl_c_finds_threads_that_leave_their_partitions(
@@ -251,7 +249,7 @@ def test_a_second_ctrl_c_finds_threads_that_leave_their_partitions(
     starts, part, let_go = computed(monkeypatch), SmallParts.computed, Threads.let_go
     shutdown = ThreadPoolExecutor.shutdown
 
-    def waiting(self: SmallParts, start: int, stop: int) -> Part:
+    def waiting(self: SmallParts, start: int, stop: int) -> Any:
         if start == 8:
             begun.set()
         # The first partition is done in the middle of the second one, which goes on when the run is stopped.
@@ -287,12 +285,15 @@ def test_partitions_that_are_done_outlast_a_full_disk(
     small_partitions(monkeypatch)
     target, sweep, part = f"{tmp_path}/out/", InThreads(plan_of(6)), SmallParts.computed
 
-    def full(self: SmallParts, start: int, stop: int) -> Part:
+    def full(self: SmallParts, start: int, stop: int) -> Any:
         if start == 12:
             raise OSError(errno.ENOSPC, "No space left on device")
         return part(self, start, stop)
 
-    with monkeypatch.context() as patch, pytest.raises(FailedError, match=r"No space .* --resume goes on"):
+    with (
+        monkeypatch.context() as patch,
+        pytest.raises(kurbel.KurbelError, match=r"No space .* --resume goes on"),
+    ):
         patch.setattr(SmallParts, "computed", full)
         run(sweep, target, Running(jobs=2))
     kept = [path.name[:12] for path in Path(f"{tmp_path}/out.parts").rglob("*.parquet")]
@@ -307,7 +308,7 @@ def test_partitions_are_the_same_whoever_writes_them(tmp_path: Path, monkeypatch
     sweep, joined, apart = InThreads(plan_of(6)), f"{tmp_path}/joined/", f"{tmp_path}/apart/"
     with monkeypatch.context() as patch:
         # From parts, as what is computed slowly is.
-        patch.setattr(joining, "unit_of", lambda sweep, form: units.Parts(sweep))
+        patch.setattr("kurbel.sweeps.work.joining.unit_of", lambda sweep, form: Parts(sweep))
         outcome = run(sweep, joined, Running(jobs=1))
     with pytest.raises(StoppedError):
         run(sweep, apart, Running(jobs=1, watch=stopped_after(2, KeyboardInterrupt())))

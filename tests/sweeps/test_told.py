@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from math import asin, degrees, log, radians, sin
 from pathlib import Path
 
 import pyarrow.parquet
 import pytest
-from cli import kurbel
+from cli import kurbel, printed
 from random_sweeps import READERS
-
-from kurbel.sweeps import estimate
-from kurbel.sweeps.asked import planned
-from kurbel.sweeps.files.forms import form_of
-from kurbel.sweeps.rows import Sweep
 
 
 def test_of_refused_rows_one_reason_is_named_even_where_each_has_its_own(tmp_path: Path) -> None:
@@ -73,12 +69,40 @@ def test_rows_beyond_a_stroke_are_of_no_stroke_in_names_and_columns(tmp_path: Pa
     assert "x_return" in table.column_names
 
 
-def test_an_estimate_multiplies_only_what_grows_with_the_rows(monkeypatch: pytest.MonkeyPatch) -> None:
-    # A file has all exact inputs, however few of its rows are written.
-    monkeypatch.setattr(
-        estimate, "_written", lambda sweep, form, batch: (900 + 8 * len(batch), 5 + len(batch))
-    )
-    sweep = Sweep(planned("kurbel.commands.motion:table", {"ratio": "1:3..8:0.01", "step": "0.1"}))
-    found = estimate.estimated(sweep, form_of("x.parquet", None))
-    assert found.writing == pytest.approx(5 + len(sweep), rel=1e-12)
-    assert found.size == pytest.approx(900 + 8 * len(sweep), rel=1e-12)
+@pytest.mark.parametrize("name", ["x.parquet", "x.arrow", "x.csv", "x.nc"])
+def test_an_estimate_multiplies_only_what_grows_with_the_rows(name: str, tmp_path: Path) -> None:
+    """A file has all exact inputs, however few of its rows are written."""
+    target = tmp_path / name
+    words = ("sweep", "table", "--ratio=1:3..8:0.05", "--step=1", "-o", str(target))
+    said = kurbel(*words, "--dry-run").out.splitlines()
+    kurbel(*words)
+    told = {line.split()[0]: line.split(maxsplit=1)[1] for line in said}
+    number, unit = re.match(r"(?:about )?([\d.]+) (\w+)", told["size"]).groups()  # type: ignore[union-attr]
+    estimated = float(number) * {"bytes": 1, "kB": 1e3, "MB": 1e6, "GB": 1e9}[unit]
+    assert estimated == pytest.approx(target.stat().st_size, rel=0.3)
+
+
+@pytest.mark.parametrize(
+    ("free", "count", "said"),
+    [
+        (0, 2, "3 seconds on 1 core"),
+        (0, 600, "5 minutes on 2 cores"),
+        (0, 36000, "3.3 hours on 3 cores"),
+        (0, 300_000, "1.2 days on 3 cores"),
+        # Where rows take no time, one core writes and the others wait.
+        (2 * 5, 600, "1 seconds on 2 cores"),
+        (999, 600, "less than a second on 2 cores"),
+    ],
+)
+def test_a_sweep_takes_as_long_as_its_sample_times_its_rows(
+    free: int, count: int, said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Behind the free ones, whatever is measured takes a second: each of five rows, until that is enough, and
+    # the file to be written.
+    seconds = (max(0, number - free) for number in itertools.count())
+    monkeypatch.setattr("time.process_time", lambda: next(seconds))
+    monkeypatch.setattr("kurbel.sweeps.run.cores", lambda: 3)
+    monkeypatch.setattr("kurbel.sweeps.estimate.TRIED", 4)
+    words = ["flywheel", "--eps=3", "--ratio=1:5", "--delta=1:50", "--power=50kW", "--dry-run"]
+    shown = printed("sweep", *words, f"--speed=1..{count}:1/min").out.splitlines()
+    assert f"time     about {said}, measured on a sample" in shown

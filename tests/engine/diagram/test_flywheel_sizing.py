@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from cli import printed, refusal
+from cli import printed
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp, mpf
@@ -192,93 +192,6 @@ def test_every_figure_follows_from_the_others_as_it_was(data: st.DataObject) -> 
         "disc_diameter",
         "disc_thickness",
     }
-
-
-REFUSED = [
-    ("", "the swing needs --swing, --areas, --torque, --energy-fluctuation or an engine, --eps"),
-    ("--power 50kW --speed 120/min --delta 1:100 --ratio 1:5",
-     "the swing needs --swing, --areas, --torque, --energy-fluctuation or an engine, --eps"),
-    ("--work 11kJ --power 5.5kW --share 1/4 --strokes 40/min --speed 200/min --delta 10%",
-     "--power gives the power 5500 W, and --work and --strokes give 7333.3 W; leave one of them out"),
-    ("--power 50kW --speed 120/min --delta 1:60 --inertia 1200kgm2 --energy-fluctuation 0.1",
-     "--inertia, --speed, --delta and --energy-fluctuation give the work of a cycle 31583 J, and --power and"
-     " --speed give 25000 J; leave one of them out"),
-    ("--work 11kJ --strokes 30/min --speed 200/min --delta 1:10",
-     "the swing is a share of the work of a cycle; add that of a press, --share or --duration, or"
-     " --energy-fluctuation"),
-    ("--swing 5kJ --delta 1:50", "the flywheel needs the speed; add --speed, for example --speed 120/min"),
-    ("--swing 5kJ --speed 120/min",
-     "the flywheel needs --delta, to find its moment of inertia, or --inertia or --mass and --radius, to find"
-     " δ"),
-    ("--energy-fluctuation 0.1 --speed 120/min --delta 1:50",
-     "the coefficient of fluctuation of energy is a share of the work of a cycle; add --work, or --power and"
-     " --speed"),
-    ("--mass 100kg --radius 1m --inertia 99kgm2 --swing 5kJ --speed 120/min",
-     "--inertia gives the moment of inertia 99 kg m², and --mass and --radius give 100 kg m²; leave one of"
-     " them out"),
-    ("--speed 212/min --greatest-speed 225/min --least-speed 200/min --swing 5kJ",
-     "--speed gives the speed 212 min⁻¹, and --greatest-speed and --least-speed give 212.5 min⁻¹; leave one"
-     " of them out"),
-    ("--greatest-speed 200/min --least-speed 225/min --swing 5kJ",
-     "the greatest speed is 200/min and the least 225/min; the greatest must be above the least"),
-    ("--swing 5kJ --speed 10/min --inertia 1kgm2",
-     "degree of irregularity δ is 4559.5; it must be below 2, at which the flywheel would come to rest in"
-     " every turn"),
-    ("--work 5kJ --share 0 --inertia 1kgm2 --greatest-speed 100/min",
-     "the flywheel has 54.831 J at its greatest speed and is to give up 5000 J; it would come to rest, give a"
-     " heavier one"),
-    ("--speed 90/min --rim-diameter 8m --density 7200kg/m3 --hoop-stress 6MPa",
-     "the hoop stress of the rim is 10.233 MPa, above the 6 MPa that --hoop-stress allows; give a smaller"
-     " --rim-diameter, or leave it out to have it found"),
-    ("--speed 90/min --hoop-stress 6MPa",
-     "the hoop stress needs the density of the rim; add --density, such as 7200kg/m3"),
-    ("--swing 5kJ --speed 300/min --delta 1:50 --bore 300mm",
-     "--bore is of an engine, and none is described; add --eps, --card or another load, or leave it out"),
-    ("--eps 4 --power 50kW --speed 120/min --delta 1:100 --swing 5kJ",
-     "--swing is of a flywheel without an engine, and one is described; leave one of the two out"),
-    ("--eps 2;4 --power 50kW --speed 120/min --delta 1:100 --rim-diameter 3m",
-     "a rim is that of one engine by one method; 2 engines were given"),
-    ("--work 5kJ --power 6kW --duration 1s",
-     "a stroke takes 1 s and comes again after 0.83333 s; it must take less than that"),
-    ("--work 5kJ --duration 1s",
-     "--duration is a share of the time between two strokes; add --strokes, or --power and --work"),
-    ("--hole 38mm --shear-energy 7J/mm²",
-     'hole "38mm" is not a diameter and the thickness of the plate, 38mm x 32mm'),
-    ("--hole 38mm×32mm",
-     "--hole needs the energy of the sheared area, --shear-energy 7J/mm², or the strength of the plate,"
-     " --shear-strength 300MPa; give one of the two"),
-    ("--inertia 100kgm2 --rim-diameter 2m --density 7200kg/m3 --rim-section 100mmx40mm",
-     "the rim has the moment of inertia 180.96 kg m², more than the whole flywheel with 100 kg m²; give a"
-     " smaller rim"),
-    ("--rim-diameter 2m --rim-section 2:0",
-     'section of the rim "2:0" cannot be read; write breadth to thickness, 2:1, both, 400mm x 200mm, or'
-     " 800cm²"),
-    ("--rim-diameter 2m --rim-section 2:1 --rim-share 105%",
-     "the share of the rim is 1.05; it must be at most 1, the whole flywheel"),
-    ("--share 1 --work 5kJ",
-     "the share of the cycle in which the press works is 1; it must be 0 or more, for a blow, and below 1, at"
-     " which the motor does all the work at once"),
-    ("--swing 5kJ --speed 300/min --delta 1:50 --columns rim_mass",
-     "column rim_mass does not follow from what is given; add what it needs of --rim-diameter, --density"),
-    ("--swing 5kJ --speed 300/min --delta 1:50 --area-scale 5J",
-     "--area-scale is for --areas or --triangles; add these, or leave it out"),
-    ("--swing 5kJ --rim-speed 26..28m/s --delta 3%",
-     "--rim-speed gives the coefficient of fluctuation of speed 0.074074, and --delta gives 0.03;"
-     " leave one of them out"),
-    ("--swing 5kJ --rim-speed 25m/s",
-     "the flywheel needs --delta, to find the mass of its rim by the speed of that, or --rim-speed 26..28m/s,"
-     " from the least to the greatest"),
-    ("--triangles 0;-1;3;0 --turns 2 --power 20kW",
-     "the triangles have no scale; add the energy of a unit of area, --area-scale 3J, or --power and --speed,"
-     " which give the work of the cycle, or write their unit: '-350J;+3550J'"),
-    ("--triangles 0;-3;1;0 --turns 2 --power 20kW --speed 300/min",
-     "the triangles sum to -2; they are the work of a cycle and must sum to more than 0"),
-]  # fmt: skip
-
-
-@pytest.mark.parametrize(("words", "sentence"), REFUSED, ids=[words for words, _ in REFUSED])
-def test_what_is_missing_or_contradicts_itself_is_told(words: str, sentence: str) -> None:
-    assert refusal("flywheel", *words.split()) == sentence
 
 
 @pytest.mark.parametrize(
