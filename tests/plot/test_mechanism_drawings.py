@@ -20,6 +20,7 @@ from tools import require_library
 
 import kurbel
 from kurbel import verify
+from kurbel.plot.style import style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -79,7 +80,10 @@ def on_paper(figure: Figure) -> tuple[Pixels, list[Letters]]:
     found = []
     for one, place in zip(texts, places, strict=True):
         left, low = (max(0, int(side) - 2) for side in (place.x0, place.y0))
-        ink = letters[low : int(place.y1) + 3, left : int(place.x1) + 3]
+        # What stands near has ink of its own.
+        near = place.padded(3).count_overlaps(places) > 1
+        own = pixels(figure, [*others, *(text for text in texts if text is not one)]) if near else letters
+        ink = own[low : int(place.y1) + 3, left : int(place.x1) + 3]
         rows, columns = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
         sides = left + columns[0], low + rows[0], left + columns[-1] + 1, low + rows[-1] + 1
         found.append(Letters(one.get_text(), *map(int, sides)))
@@ -89,7 +93,8 @@ def on_paper(figure: Figure) -> tuple[Pixels, list[Letters]]:
 def pixels(figure: Figure, hidden: list[Any]) -> Pixels:
     for one in hidden:
         one.set_visible(False)
-    figure.canvas.draw()
+    with style():
+        figure.canvas.draw()
     for one in hidden:
         one.set_visible(True)
     canvas: Any = figure.canvas

@@ -168,8 +168,10 @@ KINDS: dict[str, Kind] = {
         {"speed": Span(60, 900, "/min")},
     ),
     "locomotive": Kind(
-        "locomotive --gauge=1.5m --stroke=60cm --reciprocating=300kg --wheel=1.8m --wheel-load=30kN",
-        {"spacing": Span(0.5, 0.9, "m"), "speed": SPEED, "share": ("0", "1/2")},
+        # Shares are rows of its page, at each point all of them.
+        "locomotive --gauge=1.5m --stroke=60cm --reciprocating=300kg --wheel=1.8m --wheel-load=30kN"
+        " --share=0;1/2",
+        {"spacing": Span(0.5, 0.9, "m"), "speed": SPEED},
     ),
     "firing": Kind("firing", {"cranks": ("0;180;180;0", "0;120;240;240;120;0")}),
     "firing_of_strokes": Kind("firing", {"strokes": ("2", "4")}),
