@@ -171,7 +171,7 @@ CROWDS = {
     "ratios": lambda: kurbel.plot_motion("1:3..10", columns="x,c", step=15),
     "narrow": lambda: kurbel.plot_motion("1:3..10", columns="rod_force", width=60, step=15),
     "forces": lambda: kurbel.plot_engine_forces(
-        [2, 3, 4, 5], ratio="1:5", columns="piston_force,crank_pin_force", width=85, step=15
+        [6, 7, 8, 9], ratio="1:5", columns="piston_force,crank_pin_force", width=85, step=15
     ),
     "heading": lambda: kurbel.plot_forces("1:5", force="10kN", stroke="600mm", width=60, step=15),
 }
@@ -192,7 +192,7 @@ def test_legends_and_headings_cover_nothing_and_are_read_along_their_rows(name: 
             places = [(-round(one.get_window_extent().y0), one.get_window_extent().x0) for one in named]
             numbers = [int(re.findall(r"\d+", one.get_text())[-1]) for one in named]
             order = [number for _, number in sorted(zip(places, numbers, strict=True))]
-            assert order == ([2, 3, 4, 5] if name == "forces" else [*range(3, 11)])
+            assert order == ([6, 7, 8, 9] if name == "forces" else [*range(3, 11)])
             boxes.append(legend.get_window_extent())
         for low, high in pairwise(reversed(boxes)):
             assert not low.overlaps(high)

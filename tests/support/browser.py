@@ -67,6 +67,8 @@ class Viewer:
         media: Literal["screen", "print"] = "screen",
     ) -> Page:
         """Open the text of a page or a file, and forget the complaints about those before."""
+        # The page before may still have something to say.
+        self.page.goto("about:blank")
         self.complaints.clear()
         self.page.set_viewport_size({"width": width, "height": 800})
         self.page.emulate_media(color_scheme=scheme, media=media)
@@ -74,6 +76,7 @@ class Viewer:
             self.page.goto(page.absolute().as_uri())
         else:
             self.page.set_content(page)
+        self.page.wait_for_function("width => innerWidth === width", arg=width)
         return self.page
 
     def violations(self, *rules: str) -> list[str]:
