@@ -10,6 +10,9 @@ IN_PARALLEL := -n 2 --dist loadfile
 # The heading of the last release. Its tag is the base of `make same`; without one, the commit that dated it.
 RELEASE = $(shell sed -n '/^\#\# [0-9.]* ([0-9-]*)$$/{p;q;}' CHANGELOG.md)
 
+# The tests start kurbel a thousand times; what Python has compiled is kept from one to the next.
+unexport PYTHONDONTWRITEBYTECODE
+
 .DEFAULT_GOAL := help
 .PHONY: help demo handbook test test-all check bench peers docs links playground golden same mutants tools clean
 
