@@ -11,9 +11,10 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.errors import ProblemError
-from kurbel.verify.drives import OUT, RETURN, Drive
+from kurbel.verify.drives import Drive
 from kurbel.verify.jets import Jet, slope_of_angle
 from kurbel.verify.numbers import Number, Undecided, number, sine_cosine
+from kurbel.verify.places import OUT, RETURN
 from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
 

@@ -1,8 +1,6 @@
-"""Crank drives by their geometry: where the pins are, and from that how everything moves.
+"""Crank drives: what a column of kurbel's says of them at a crank angle, in its unit.
 
-Lengths are in crank radii. The shaft is at (0, 0), the crank pin A at φ from the slide direction, B the
-driven end of the rod. A stroke's angle counts from 0° on the outstroke and from 180° on the return; the way
-of B is positive in the direction of the stroke.
+Where the pins are is known from `places`; everything else is its slope, or a force along its lines.
 """
 
 from __future__ import annotations
@@ -10,130 +8,31 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
 from typing import Any
 
 from kurbel.errors import ProblemError
-from kurbel.verify import enclose
-from kurbel.verify.jets import Jet, slope_of_angle, turning
+from kurbel.verify.jets import Jet, slope_of_angle
 from kurbel.verify.numbers import Number, degrees_of, number, pi
-from kurbel.verify.plane import Arrow, circle_meets_circle, circle_meets_level
+from kurbel.verify.places import OUT, RETURN, Places
+from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
-from kurbel.verify.zeros import zero
 
-OUT, RETURN = 1, -1
-# Slopes that a jet has.
-ORDER = 3
-SHAFT = Arrow(number(0), number(0))
 METHODS = ("exact", "series", "infinite", "difference")
 
 
 @dataclass(frozen=True)
-class Drive:
-    """A crank with a rod whose end B a slide guides at the level `offset`, or a rocker about a pivot."""
+class Drive(Places):
+    """A drive of a size at a speed, a force on B, or two parallel cranks with a rod that couples them."""
 
-    ratio: Fraction
-    offset: Fraction = Fraction(0)
-    rocker: Fraction | None = None
-    pivot: tuple[Fraction, Fraction] | None = None
-    circuit: int = 1
-    beam: bool = False
     parallel: bool = False
     radius: Fraction = Fraction(1)
     speed: Fraction = Fraction(1)
     turns: bool = False
     force: Fraction = Fraction(1)
 
-    # Places.
-
-    @property
-    def rod(self) -> Number:
-        return 1 / number(self.ratio)
-
-    @property
-    def right(self) -> int:
-        """Whether B lies to the right of the way from A to the pivot, or, -1, to the left."""
-        below = self.pivot is not None and self.pivot[1] < 0
-        return -self.circuit if below else self.circuit
-
-    @property
-    def bearing(self) -> Arrow:
-        """The pivot of the rocker."""
-        if self.beam:
-            return _beam_pivot(self, enclose.iv.prec)
-        assert self.rocker is not None
-        if self.pivot is None:
-            return Arrow(self.rod, number(self.offset + self.rocker))
-        return Arrow(*map(number, self.pivot))
-
-    def pin(self, degrees: Fraction, order: int = ORDER, reach: Fraction = Fraction(0)) -> Arrow:
-        return Arrow(*turning(degrees, order, reach))
-
-    def driven(self, pin: Arrow) -> Arrow:
-        """Where B is."""
-        return self._reached(pin, self.rod)
-
-    def _reached(self, centre: Arrow, reach: Number) -> Arrow:
-        if self.rocker is None:
-            return circle_meets_level(centre, reach, number(self.offset))
-        return circle_meets_circle(centre, reach, self.bearing, number(self.rocker), self.right)
-
-    def dead(self, stroke: int) -> Arrow:
-        """Where B is at the dead centre from which a stroke begins: crank and rod in one line, L + 1 or L - 1
-        from the shaft. Seen from the shaft it is on the same side of the pivot as from A, for A is on the
-        line through B and the shaft, before B."""
-        return self._reached(SHAFT, self.rod + stroke)
-
-    def dead_degrees(self, stroke: int) -> Number:
-        """The crank angle of that dead centre: A points to B on the outstroke, away from it on the return."""
-        if not self.ratio:
-            return number(0 if stroke == OUT else 180)
-        inner = degrees_of(*self.dead(OUT))
-        if stroke == OUT:
-            return inner
-        outer = degrees_of(*self.dead(RETURN).times(number(-1)))
-        return outer if outer.low > inner.low else outer + 360
-
-    def way(self, end: Arrow, stroke: int) -> Arrow:
-        """The direction in which B goes on a stroke, of length 1."""
-        if self.rocker is None:
-            return Arrow(number(-stroke), number(0))
-        arm = end.minus(self.bearing).times(1 / number(self.rocker))
-        return arm.right().times(number(stroke * self.right))
-
-    def moved(self, end: Arrow, stroke: int) -> Any:
-        """The way of B along its path since the dead centre, a jet by φ: on a rocker the arc."""
-        if self.rocker is None:
-            return (self.dead(stroke).x - end.x) * stroke
-        turned = self.turned(end, stroke)
-        return turned * number(self.rocker)
-
-    def turned(self, end: Arrow, stroke: int) -> Jet:
-        """The rocker's turn since the dead centre in radians, positive in the direction of the stroke."""
-        arm, before = end.minus(self.bearing), self.dead(stroke).minus(self.bearing)
-        sense = number(-stroke * self.right)
-        # The angle from the one arm to the other, which is less than half a turn.
-        value = degrees_of(before.dot(arm.value()), before.cross(arm.value())) * pi() / 180
-        return Jet([value, *_integrated(slope_of_angle(*arm))]) * sense
-
-    @property
-    def stroke(self) -> Number:
-        if not self.ratio:
-            return number(2)
-        if self.rocker is None:
-            return self.dead(OUT).x - self.dead(RETURN).x
-        return self.swing * pi() / 180 * self.rocker
-
-    @property
-    def swing(self) -> Number:
-        before, after = (self.dead(one).minus(self.bearing) for one in (OUT, RETURN))
-        return abs(degrees_of(before.dot(after), before.cross(after)))
-
     @property
     def omega(self) -> Number:
         return number(self.speed) * (2 * pi() if self.turns else 1)
-
-    # Values.
 
     def value(
         self,
@@ -315,31 +214,6 @@ def parted(key: str) -> tuple[str, bool, str]:
     rest = key.removeprefix(name).split("_")[1:]
     returning = rest[:1] == ["return"]
     return name, returning, "_".join(rest[returning:])
-
-
-@lru_cache(maxsize=64)
-def _beam_pivot(drive: Drive, bits: int) -> Arrow:
-    """The beam's end swings from q above to q below; the vertical through the shaft halves its sagitta.
-
-    With s half the sagitta and the beam level at the height h, (h + q)² + s² = (L + 1)² and
-    (h - q)² + s² = (L - 1)²: their difference is h q = L, their mean L²/q² + q² + s² = L² + 1.
-    """
-    assert drive.rocker is not None
-    arm, rod = number(drive.rocker), drive.rod
-
-    def half_sagitta(chord: Any) -> Any:
-        return (arm - (arm * arm - chord * chord).root()) / 2
-
-    def misses(chord: Jet) -> Jet:
-        aside = half_sagitta(chord)
-        return rod * rod / (chord * chord) + chord * chord + aside * aside - (rod * rod + 1)
-
-    chord = zero(misses, Fraction(1))
-    return Arrow(rod / chord, arm - half_sagitta(chord))
-
-
-def _integrated(slope: Jet) -> list[Any]:
-    return [one / k for k, one in enumerate(slope.terms, 1)]
 
 
 def _approximate(name: str, drive: Drive, pin: Arrow, stroke: int, order: int) -> Number:

@@ -31,10 +31,11 @@ from typing import Any
 from kurbel.errors import ProblemError
 from kurbel.verify import enclose
 from kurbel.verify.bodies import Bodies, stored
-from kurbel.verify.drives import ORDER, OUT, RETURN, Drive
+from kurbel.verify.drives import Drive
 from kurbel.verify.jets import Jet, slope_of_angle, turned_by
 from kurbel.verify.loads import Load, disc, hull
 from kurbel.verify.numbers import Number, Undecided, number, pi, sine_cosine, spread
+from kurbel.verify.places import ORDER, OUT, RETURN
 from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
 
