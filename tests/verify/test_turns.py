@@ -97,7 +97,7 @@ def test_no_place_at_which_the_force_is_its_mean_is_missed(options: dict[str, An
     shown = [one["phi"] for one in records("solve", *words(options), "--where=tangential_excess=0")]
     turn = verified(**options)
     period, places = float(turn.known.period), [float(one) for one in turn.stationary()]
-    assert len(shown) == len(places) * round(turn.known.cycle / period) > 1
+    assert len(shown) == len(places) * round(180 * len(turn.load()) / period) > 1
     for angle in shown:
         assert any(abs(math.remainder(one - float(angle), period)) < 1e-4 for one in places)
     assert len(turn.stationary(rising=True)) == len(turn.stationary(rising=False))
@@ -120,7 +120,7 @@ def test_works_are_integrals_and_slopes_are_slopes(load: str) -> None:
     turn = verified(**drawn("straight", load))
     step, share = Fraction(1, 10**4), Fraction(61, 100)
     with enclose.working(100):
-        for stroke in turn.known.strokes:
+        for stroke in turn.load():
             for work, force in ((stroke.work, stroke.force), (stroke.force, stroke.slope)):
                 near = [work(number(share + by * step)) for by in (-2, -1, 1, 2)]
                 slope = (near[0] - 8 * near[1] + 8 * near[2] - near[3]) / (12 * step)

@@ -8,7 +8,10 @@ from typing import Any
 
 from kurbel.verify import enclose
 from kurbel.verify.jets import Jet
-from kurbel.verify.numbers import Number, Undecided, number, spread
+from kurbel.verify.numbers import Number, Undecided, number, pi, spread
+
+# What an enclosure too wide for a cell raises.
+TOO_WIDE = (Undecided, ZeroDivisionError, OverflowError, ValueError)
 
 
 def zero(function: Callable[[Jet], Any], guess: Fraction) -> Number:
@@ -35,4 +38,35 @@ def zero(function: Callable[[Jet], Any], guess: Fraction) -> Number:
             continue
         if point - reach < found.low and found.high < point + reach:
             return found
+    raise Undecided("a zero")
+
+
+def narrowed(
+    function: Callable[[Fraction], Number],
+    slope: Callable[[Fraction, Fraction], Number],
+    middle: Fraction,
+    half: Fraction,
+) -> tuple[Fraction, Fraction]:
+    """Return a point and a reach about it, in degrees, that hold the one zero of a cell.
+
+    Newton's steps within the cell find a point m; m - f(m)/f'(X) within X = m ± ε proves a zero in X.
+    """
+    bits, point, arc = enclose.iv.prec, middle, 180 / pi()
+    low, high = middle - half, middle + half
+    for _ in range(80):
+        step = function(point) / slope(point, Fraction(1, 2**bits)) * arc
+        moved = point - (step.low + step.high) / 2
+        moved = Fraction(round(min(max(moved, low), high) * 2**bits), 2**bits)
+        near, point = abs(moved - point) < Fraction(1, 2 ** (bits - 24)), moved
+        if near:
+            break
+    for widening in range(bits - 24, 8, -8):
+        reach = Fraction(1, 2**widening)
+        try:
+            off = function(point) / slope(point, reach) * arc
+        except TOO_WIDE:
+            continue
+        bound = max(abs(off.low), abs(off.high))
+        if bound < reach and low <= point - reach and point + reach <= high:
+            return point, Fraction(int(bound * 2 ** (2 * bits)) + 1, 2 ** (2 * bits))
     raise Undecided("a zero")
