@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -27,6 +28,15 @@ def test_words_are_one_word_and_a_missing_value_is_nan() -> None:
     assert all(len(row) == len(head) == 4 for row in rows)
     assert rows[0] == ["1:5", "60", "0.500", "sagt_a;b_,_c"]
     assert rows[2][2:] == ["nan", "nan"]
+
+
+@pytest.mark.parametrize("sign", '#%{}\\"$&~^ \t')
+def test_what_tex_obeys_as_it_reads_a_word_is_not_in_it(sign: str) -> None:
+    page = everything()
+    label = sign.replace("$", r"\$").join(("a", "b", "", "c"))
+    records = page.records._replace(rows=[("1:5", None, None, label)])
+    _, row = render(replace(page, records=records), "dat").splitlines()
+    assert row == "1:5 nan nan a_b_c"
 
 
 @pytest.mark.slow

@@ -138,13 +138,14 @@ def test_sample_has_all_its_blocks() -> None:
     assert 'if (a < b) { x = "y"; }  # 100 %\n    weiter' in document.astext()
 
 
-def test_grid_of_cells_of_any_extent() -> None:
+@pytest.mark.parametrize("wide", ["字", "Ａ"])
+def test_grid_of_cells_of_any_extent(wide: str) -> None:
     cells = [
         GridCell(0, 0, ("a", "b"), down=2),
         GridCell(0, 1, ("wide",), across=2),
         GridCell(1, 1, ("c",)),
         GridCell(1, 2, ("",)),
-        GridCell(2, 0, ("字",)),
+        GridCell(2, 0, (wide,)),
         GridCell(2, 1, ("1",), right=True),
         GridCell(2, 2, ("e\u0301",)),
     ]
@@ -154,7 +155,7 @@ def test_grid_of_cells_of_any_extent() -> None:
         "| b  +---+---+",
         "|    | c |   |",
         "+====+===+===+",
-        "| 字 | 1 | e\u0301 |",
+        f"| {wide} | 1 | e\u0301 |",
         "+----+---+---+",
     ]
 
