@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Sequence
-from functools import cache
+from functools import cache, partial
 from itertools import product
 from math import cos, exp, radians, sin, sqrt
 from pathlib import Path
@@ -169,12 +169,16 @@ AMOUNT, REACH = 1e-3, 0.06
 
 def changes(shares: Sequence[float]) -> Iterator[Callable[[float], float]]:
     """Yield pressures that change the work at these shares by AMOUNT up or down, in all combinations."""
+
+    def change(share: float, signs: Sequence[int]) -> float:
+        return sum(
+            -2 * AMOUNT * sign * (share - at) / REACH**2 * exp(-(((share - at) / REACH) ** 2))
+            for sign, at in zip(signs, shares, strict=True)
+        )
+
     for signs in product((-1, 0, 1), repeat=len(shares)):
         if any(signs):
-            yield lambda share, signs=signs: sum(  # type: ignore[misc]
-                -2 * AMOUNT * sign * (share - at) / REACH**2 * exp(-(((share - at) / REACH) ** 2))
-                for sign, at in zip(signs, shares, strict=True)
-            )
+            yield partial(change, signs=signs)
 
 
 def share_at(degrees: float) -> float:

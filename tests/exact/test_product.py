@@ -58,6 +58,9 @@ def test_without_decimals_a_number_has_five_figures_and_a_short_one_its_own() ->
     assert number_text(Product.of(F(5, 2), 2).number(None, "half-away")) == "24.674"
     assert number_text(Product.of(20000).number(None, "half-away")) == "20000"
     assert number_text(Product.of(F(1, 3)).number(None, "half-away")) == "0.33333"
+    # 9.999966... is 10.000 to five figures, 9.999933... is not.
+    assert number_text(Product.of(F(299999, 30000)).number(None, "half-away")) == "10.000"
+    assert number_text(Product.of(F(149999, 15000)).number(None, "half-away")) == "9.9999"
 
 
 def test_an_algebraic_number_is_rational_where_that_is_proved() -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from browser import DESKTOP, Viewer, assert_readable, assert_readable_in_the_dark
 from cli import kurbel, printed
-from playwright.sync_api import Page
+from playwright.sync_api import Page, Request
 from programs import wait_until
 
 MANIFEST = """
@@ -61,7 +61,10 @@ def offset(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def requests(viewer: Viewer) -> Iterator[list[str]]:
     """What a page asks for, itself aside."""
     asked: list[str] = []
-    listener = lambda request: asked.append(request.url)  # noqa: E731
+
+    def listener(request: Request) -> None:
+        asked.append(request.url)
+
     viewer.page.on("request", listener)
     yield asked
     viewer.page.remove_listener("request", listener)

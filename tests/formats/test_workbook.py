@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import sys
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from zipfile import ZipFile
@@ -155,7 +156,7 @@ def test_without_its_library_the_command_that_installs_it_is_named(
 
 def test_what_no_sheet_holds_is_refused() -> None:
     class Many:
-        def __iter__(self):  # type: ignore[no-untyped-def]
+        def __iter__(self) -> Iterator[tuple[Number]]:
             return iter([(Number(1, 0),)] * (1 << 20))
 
     with pytest.raises(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -155,7 +156,7 @@ def test_roots_of_the_arc_crank_are_those_of_its_links(
         roots = [radians(root, stroke) for root in angles(rows, stroke)]
         for root in roots:
             assert scanned(np.array([root]), stroke)[0] == pytest.approx(float(value), abs=1e-7)
-        check_none_missed(lambda grid, stroke=stroke: scanned(grid, stroke), span, float(value), roots)  # type: ignore[misc]
+        check_none_missed(partial(scanned, stroke=stroke), span, float(value), roots)
 
 
 # Places that are known: by their condition the strokes and angles, None where the angle is no round one.

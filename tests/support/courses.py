@@ -39,7 +39,10 @@ def course(drive: Slide, key: str, stroke: str = OUT) -> Course:
         whole = end - begin if key == "s" else sign
         return lambda angle: (drive.motion(angle).way - begin) / whole
     if key in ("c", "p", "tangential_force"):
-        speed: Course = lambda angle: sign * drive.motion(angle).speed  # noqa: E731
+
+        def speed(angle: Grid) -> Grid:
+            return sign * drive.motion(angle).speed
+
         return slope(speed) if key == "p" else speed
 
     def lean(angle: Grid) -> Grid:

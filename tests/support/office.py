@@ -7,6 +7,7 @@ import subprocess
 from collections.abc import Iterable
 from pathlib import Path
 
+from programs import PATIENCE
 from tools import require
 
 GERMAN = """<?xml version="1.0" encoding="UTF-8"?>
@@ -30,7 +31,7 @@ def converted(files: Iterable[Path], to: str, folder: Path, reading: str = "") -
     words = [require("soffice"), f"-env:UserInstallation={profile.as_uri()}", "--headless"]
     words += [f"--infilter={reading}"] if reading else []
     words += ["--convert-to", to, "--outdir", str(folder), *map(str, files)]
-    done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=600)
+    done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=PATIENCE)
     assert done.returncode == 0, done.stderr
     assert "Error" not in done.stderr, done.stderr
 

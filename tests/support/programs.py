@@ -103,6 +103,6 @@ def wait_until(condition: Callable[[], bool]) -> None:
 
 
 def into_the_next_second() -> None:
-    """Return when the clock, by which files are dated, has gone on to another second."""
+    """Return when the clock, by which files are dated, shows another second; it may be set back meanwhile."""
     second = int(time.time())
-    wait_until(lambda: int(time.time()) > second)
+    wait_until(lambda: int(time.time()) != second)

@@ -17,7 +17,7 @@ import pytest
 from cli import refusal
 from clusters import Cluster
 from places import ROOT
-from programs import Programs, wait_until
+from programs import PATIENCE, Programs, wait_until
 from small_parts import DEADLY, KILLS, Running, SmallParts, plan_of, run
 
 import kurbel
@@ -127,15 +127,19 @@ def test_a_scheduler_that_is_not_there_is_one_sentence(
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("greeting", "sentence"),
+    ("greeting", "patience", "sentence"),
     [
         # One that speaks HTTP waits for a request, or refuses ours.
-        (b"", "what answers at {} has not greeted as a scheduler within 1 s;"),
-        (b"HTTP/1.1 400 Bad Request\r\nConnection: close\r\n\r\n", "what answers at {} is no scheduler;"),
+        (b"", 1, "what answers at {} has not greeted as a scheduler within 1 s;"),
+        (
+            b"HTTP/1.1 400 Bad Request\r\nConnection: close\r\n\r\n",
+            PATIENCE,
+            "what answers at {} is no scheduler;",
+        ),
     ],
 )
 def test_what_is_no_scheduler_is_one_sentence(
-    greeting: bytes, sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    greeting: bytes, patience: float, sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     class Server(BaseRequestHandler):
         def handle(self) -> None:
@@ -144,7 +148,7 @@ def test_what_is_no_scheduler_is_one_sentence(
                 pass
 
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("kurbel.sweeps.work.cluster.PATIENCE", 1)
+    monkeypatch.setattr("kurbel.sweeps.work.cluster.PATIENCE", patience)
     with ThreadingTCPServer(("127.0.0.1", 0), Server) as server:
         Thread(target=server.serve_forever, daemon=True).start()
         address = f"tcp://127.0.0.1:{server.server_address[1]}"

@@ -168,6 +168,16 @@ def test_areas_and_a_torque_give_their_swings() -> None:
     assert "φ = 60°, 180°, 300°" in " ".join(text.out.split())
 
 
+@pytest.mark.parametrize(("waves", "more"), [(8, ""), (9, ", ...")])
+def test_of_many_places_of_one_speed_the_first_eight_are_named(waves: int, more: str) -> None:
+    torque = ("--torque", f"5000 + 1500 sin({waves}φ)", "--lang=en")
+    text = printed("flywheel", "--speed=300/min", "--inertia=200kgm2", *torque).out
+    greatest, least = (
+        ", ".join(f"{180 * (2 * place + first) / waves:g}°" for place in range(8)) for first in (1, 0)
+    )
+    assert f"greatest at φ = {greatest}{more}, least at φ = {least}{more}" in " ".join(text.split())
+
+
 positive = st.fractions(F(1, 50), 100, max_denominator=50)
 
 
