@@ -9,6 +9,7 @@ from random import Random
 import pytest
 from cli import refusal
 from random_sweeps import KINDS, alone, deviations, drawn
+from small_parts import small
 
 
 def wrong(seed: int, count: int, folder: Path) -> list[str]:
@@ -44,6 +45,19 @@ def test_each_option_is_swept_alone(name: str, tmp_path: Path) -> None:
     asked = KINDS[name]._replace(optional=frozenset())(Random(name))
     for one, (more, form) in zip(alone(asked), cycle(WAYS), strict=False):
         assert [*deviations(one, more, tmp_path, form)] == []
+
+
+@pytest.mark.parametrize(
+    "rows", [(0, 404), (50, 150), (50, 90), (99, 102), (100, 303), (101, 202), (350, 404)]
+)
+def test_rows_that_begin_and_end_anywhere_have_the_values_of_their_places(rows: tuple[int, int]) -> None:
+    # Of 101 rows alike the values are written in one go.
+    sweep = small(eps=["2;3"], back=["0;10%"], ratio=["1:3..8:0.05"])
+    points = [(eps, back, 3 + place / 20) for eps in (2, 3) for back in (0, 0.1) for place in range(101)]
+    found = sweep.varied(*rows)
+    rods = [1 / ratio for ratio in found["ratio"]]
+    own = list(zip(found["epsilon"], found["back"], rods, strict=True))
+    assert own == [pytest.approx(point) for point in points[slice(*rows)]]
 
 
 @pytest.mark.slow
