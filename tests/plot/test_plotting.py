@@ -120,7 +120,7 @@ def test_type_is_embedded_in_pdf_and_outlined_in_svg_and_comes_with_matplotlib()
     assert b"<text" not in file_of("curves", "svg")
     with style():
         for family in ("STIXGeneral", "STIXGeneral:italic", "STIXSizeOneSym"):
-            assert Path(matplotlib.get_data_path()) in Path(findfont(family)).parents
+            assert Path(matplotlib.get_data_path()).resolve() in Path(findfont(family)).resolve().parents
 
 
 # Curves -----------------------------------------------------------------------------------------------
