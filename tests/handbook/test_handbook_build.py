@@ -14,6 +14,7 @@ import subprocess
 import sys
 from collections.abc import Mapping
 from contextlib import suppress
+from functools import partial
 from itertools import takewhile
 from pathlib import Path
 from typing import Any
@@ -26,6 +27,7 @@ from programs import Programs, into_the_next_second, is_alone, wait_until
 from tools import require_library
 
 from kurbel.formats.registry import FORMATS
+from kurbel.handbook.pool import Made, Piece, worked
 from kurbel.page import build as page
 
 MANIFEST = """\
@@ -423,6 +425,15 @@ def test_a_full_disk_leaves_the_old_files_and_no_halves(
     assert "No space left on device" in result.err
     assert "Traceback" not in result.err
     assert files(tmp_path) == before
+
+
+def test_a_process_that_ends_costs_its_own_part_and_after_three_the_rest_is_not_tried() -> None:
+    ends: Any = partial(os._exit, 1)
+    pieces = [Piece(str(place), "", partial(Made, {}) if place == 1 else ends, None) for place in range(6)]
+    ended = "its process was ended, for want of memory or from outside"
+    untried = "not tried, for others like it were stopped"
+    found = {piece.name: became for piece, became in worked(pieces, 2)}
+    assert found == {"0": ended, "1": Made({}), "2": ended, "3": ended, "4": untried, "5": untried}
 
 
 def run(programs: Programs, folder: Path) -> subprocess.Popen[bytes]:
