@@ -13,7 +13,6 @@ from drawings import MM
 from playwright.sync_api import Page
 from programs import wait_until
 
-pytestmark = pytest.mark.slow
 # Where the ends of a line are on the screen, in units of the drawing.
 ENDS = """key => {
     const path = document.querySelector(`[id$=film-${key}] path`), root = path.ownerSVGElement;
@@ -37,6 +36,7 @@ def ends(page: Page, key: str) -> list[complex]:
     return [complex(x, -y) / MM for x, y in page.evaluate(ENDS, key)]
 
 
+@pytest.mark.slow
 def test_the_keyboard_leads_the_links_to_their_places_and_the_numbers_with_them(
     viewer: Viewer, turn: Path
 ) -> None:
@@ -74,6 +74,7 @@ def test_it_turns_until_it_is_stopped_at_a_whole_degree(viewer: Viewer, turn: Pa
     assert len(set(stopped)) == 1
 
 
+@pytest.mark.slow
 def test_page_and_file_stand_still_for_those_who_ask_for_that(
     viewer: Viewer, turn: Path, tmp_path: Path
 ) -> None:
@@ -96,6 +97,7 @@ def test_page_and_file_stand_still_for_those_who_ask_for_that(
     wait_until(lambda: page.evaluate(ENDS, "rod-1") != first)
 
 
+@pytest.mark.slow
 def test_everybody_can_read_it(viewer: Viewer, turn: Path) -> None:
     viewer.page.emulate_media(reduced_motion="reduce")
     assert_readable(viewer, turn)

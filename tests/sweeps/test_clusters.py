@@ -106,7 +106,6 @@ def test_workers_that_might_write_other_bytes_are_refused(
     assert os.listdir(tmp_path).count("delta.parquet.parts") == 0
 
 
-@pytest.mark.slow
 def test_a_scheduler_that_is_not_there_is_one_sentence(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -125,7 +124,6 @@ def test_a_scheduler_that_is_not_there_is_one_sentence(
     assert not [*tmp_path.iterdir()]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("greeting", "patience", "sentence"),
     [
