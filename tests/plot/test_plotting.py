@@ -244,6 +244,7 @@ def test_ticks_of_values_are_multiples_of_the_least_round_number_that_leaves_the
         ("--turning --torque 3-900*sin(φ)^2", "Drehmomente in N m"),
         ("--turning --torque 12000+5000*sin(φ)", "Drehmomente in kN m"),
         ("--turning --torque 2500000+5000*sin(φ)", "Drehmomente in MN m"),
+        ("--turning --torque 2500000000+5000*sin(φ)", "Drehmomente in GN m"),
         ("--stroke=60m --columns=x_mm", "Kolbenweg x in m"),
         ("--stroke=600mm --speed=6000/min --columns=p_mps2", "Kolbenbeschleunigung p in 103 m/s2"),
         ("--columns=x", "Kolbenweg x/R"),
