@@ -114,6 +114,15 @@ def test_the_arrow_of_the_swing_stands_beside_the_frame_and_reaches_from_least_t
     (arrow,) = (one for one in arrows if one[0, 0] == pytest.approx(one[1, 0]))
     ends = in_mm(axes, np.asarray([(0.0, 0.0), (0.0, 500.0)]))[:, 1]
     assert sorted(arrow[:, 1]) == pytest.approx(ends, abs=0.01)
+    # Its heads point outwards from there, three times as long as they are broad.
+    heads = [in_mm(axes, one.get_xy()) for one in axes.patches if type(one).__name__ == "Polygon"]
+    heads = [one for one in heads if abs(one[0, 0] - arrow[0, 0]) < 0.01]
+    assert sorted(one[0, 1] for one in heads) == pytest.approx(ends, abs=0.01)
+    for tip, *base in (one[:3] for one in heads):
+        length = math.dist(tip, (base[0] + base[1]) / 2)
+        assert length == pytest.approx(3 * math.dist(*base), rel=0.05)
+        assert 1.5 < length < 2.5
+        assert ends[0] < base[0][1] < ends[1]
     (text,) = (one for one in texts(waves()) if r"\Delta" in one.get_text())
     box = text.get_window_extent()
     assert axes.bbox.x1 < box.x0 and box.x1 <= waves().figure.bbox.x1

@@ -87,7 +87,7 @@ def test_links_of_a_rocker_meet_and_keep_their_length(words: tuple[str, ...]) ->
         assert (abs(rods[1] - rods[0]), abs(rockers[1] - rockers[0])) == pytest.approx(lengths, abs=EXACT)
 
 
-@pytest.mark.parametrize(("point", "joined"), [("0.5,0.2", 2), ("1.3", 1), ("0.4", 0)])
+@pytest.mark.parametrize(("point", "joined"), [("0.5,0.2", 2), ("1.3", 1), ("0.4", 0), ("0", 0), ("1", 0)])
 def test_a_point_that_is_not_on_the_rod_hangs_on_its_ends(point: str, joined: int) -> None:
     film, chance = film_of("--ratio=1:3", f"--point={point}", "--positions=40"), random.Random(point)
     arms = [f"point-1-arm-{number + 1}" for number in range(joined)]

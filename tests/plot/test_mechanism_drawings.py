@@ -299,6 +299,14 @@ def test_the_letter_of_a_length_stands_above_its_line_to_be_read_from_below_or_t
         assert any(0.4 <= gap / dpm <= 2 for gap in gaps), text
 
 
+@pytest.mark.parametrize("kind", ["straight", "beam"])
+def test_angles_and_dead_centres_are_read_from_below(kind: str) -> None:
+    turned = [one.get_rotation() for one in texts_of(drawing(kind, [65, 200, 340]).figure)
+              if len(one.get_text().strip("$")) > 1]  # fmt: skip
+    assert len(turned) >= 5
+    assert set(turned) == {0}
+
+
 def test_what_a_text_or_a_pin_hides_is_no_line_and_nothing_is_painted_over_it() -> None:
     """On a dark page white grounds would be blots: the drawing has no white, and its lines have gaps."""
     shown = drawing("straight", range(0, 360, 30), ratio="1:12")

@@ -148,3 +148,11 @@ def test_what_cannot_be_verified_is_said() -> None:
     ):
         with pytest.raises(KurbelError):
             ask()
+
+
+def test_an_angle_that_is_not_given_is_that_of_the_dead_centre() -> None:
+    turn = verified(eps="3")
+    assert turn.value("energy").digits(12) == "0.000000000000"
+    turn = verified(eps="3", offset="0.3")
+    assert turn.value("tangential").digits(12) == turn.value("tangential", 360).digits(12)
+    assert turn.value("tangential").digits(12) != turn.value("tangential", 2).digits(12)

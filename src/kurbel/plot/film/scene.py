@@ -175,10 +175,12 @@ class _Stage:
         rod = next(link for link in links if link.kind == "rod")
         start, end = self.places(rod.start), self.places(rod.end)
         here, along = places[self.at] - start[self.at], end[self.at] - start[self.at]
-        share = float(here @ along / (along @ along))
-        beside = math.dist(here, share * along) > NEAR * self.mm
-        joined = [(start, beside or share < 0), (end, beside or share > 1)]
-        for number, joint in enumerate((joint for joint, is_joined in joined if is_joined), 1):
+        share, near = float(here @ along / (along @ along)), NEAR * self.mm
+        beside = math.dist(here, share * along) > near
+        ends = [joint for joint, beyond in ((start, share < 0), (end, share > 1)) if beside or beyond]
+        # What is itself a pin needs no arm, whatever is lost in its share.
+        apart = [joint for joint in ends if math.dist(places[self.at], joint[self.at]) > near]
+        for number, joint in enumerate(apart, 1):
             away = places - joint
             turns = np.degrees(np.unwrap(np.arctan2(*away.T[::-1])))
             line = self.line(np.stack((joint[self.at], places[self.at])), THIN, LINKS - 0.1)
