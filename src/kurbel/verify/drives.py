@@ -60,7 +60,7 @@ class Drive:
     def bearing(self) -> Arrow:
         """The pivot of the rocker."""
         if self.beam:
-            return _beam_pivot(self, enclose.iv.prec)
+            return _beam_pivot(self, enclose.Working.bits)
         assert self.rocker is not None
         if self.pivot is None:
             return Arrow(self.rod, number(self.offset + self.rocker))

@@ -92,7 +92,7 @@ class Turn:
     @property
     def known(self) -> Known:
         """What is known with the working bits."""
-        bits = enclose.iv.prec
+        bits = enclose.Working.bits
         if bits not in self._kept:
             self._kept[bits] = Known(self)
         found: Known = self._kept[bits]
@@ -368,7 +368,7 @@ def narrowed(
 
     Newton's steps within the cell find a point m; m - f(m)/f'(X) within X = m ± ε proves a zero in X.
     """
-    bits, point, arc = enclose.iv.prec, middle, 180 / pi()
+    bits, point, arc = enclose.Working.bits, middle, 180 / pi()
     low, high = middle - half, middle + half
     for _ in range(80):
         step = function(point) / slope(point, Fraction(1, 2**bits)) * arc

@@ -17,7 +17,7 @@ def zero(function: Callable[[Jet], Any], guess: Fraction) -> Number:
     Newton's steps from the guess find a point m; then m - f(m)/f'(X) within X = m ± ε proves that X has
     exactly one zero, and that it lies there (f(m) = f'(ξ)(m - z) with ξ in X by the mean value).
     """
-    bits = enclose.iv.prec
+    bits = enclose.Working.bits
     point = guess
     for _ in range(60):
         at = function(Jet([number(point), number(1)]))
