@@ -14,10 +14,10 @@ from fractions import Fraction
 from typing import Any
 
 from mpmath.libmp import (
-    fzero,
     from_int,
     from_man_exp,
     from_rational,
+    fzero,
     mpf_neg,
     mpi_abs,
     mpi_add,
