@@ -71,9 +71,13 @@ class Drive:
 
     def driven(self, pin: Arrow) -> Arrow:
         """Where B is."""
-        return self._reached(pin, self.rod)
+        return self.reached(pin, self.rod)
 
-    def _reached(self, centre: Arrow, reach: Number) -> Arrow:
+    def placed(self, degrees: Fraction) -> tuple[Arrow, Arrow]:
+        """A and B at an angle."""
+        return _placed(self, degrees, enclose.Working.bits)
+
+    def reached(self, centre: Arrow, reach: Number) -> Arrow:
         if self.rocker is None:
             return circle_meets_level(centre, reach, number(self.offset))
         return circle_meets_circle(centre, reach, self.bearing, number(self.rocker), self.right)
@@ -82,7 +86,7 @@ class Drive:
         """Where B is at the dead centre from which a stroke begins: crank and rod in one line, L + 1 or L - 1
         from the shaft. Seen from the shaft it is on the same side of the pivot as from A, for A is on the
         line through B and the shaft, before B."""
-        return self._reached(SHAFT, self.rod + stroke)
+        return _dead(self, stroke, enclose.Working.bits)
 
     def dead_degrees(self, stroke: int) -> Number:
         """The crank angle of that dead centre: A points to B on the outstroke, away from it on the return."""
@@ -169,23 +173,22 @@ class Drive:
 
     def _value(self, name: str, unit: str, stroke: int, degrees: Fraction, method: str, order: int) -> Number:
         angle = degrees if stroke == OUT else degrees + 180
-        pin = self.pin(angle)
         if self.parallel:
-            found = _parallel(name, pin)
+            found = _parallel(name, self.pin(angle))
         elif name in _OF_DRIVE:
             found = _OF_DRIVE[name](self)
         elif name == "time":
             found = (angle - self.dead_degrees(stroke)) * pi() / 180 / self.omega
         elif name in _FORCES:
-            found = self._force(name, pin, stroke, method)
+            found = self._force(name, angle, stroke, method)
         elif method == "exact":
-            found = self._moving(name, pin, stroke)
+            found = self._moving(name, angle, stroke)
         else:
-            found = _approximate(name, self, pin, stroke, order if method == "series" else 0)
+            found = _approximate(name, self, self.pin(angle), stroke, order if method == "series" else 0)
         return found * self._unit(unit)
 
-    def _moving(self, name: str, pin: Arrow, stroke: int) -> Number:
-        end = self.driven(pin)
+    def _moving(self, name: str, degrees: Fraction, stroke: int) -> Number:
+        pin, end = self.placed(degrees)
         rod = pin.minus(end)
         if name in _SLOPES:
             of, slope = _SLOPES[name]
@@ -213,14 +216,13 @@ class Drive:
             return -degrees_of(tangent.dot(rod), tangent.cross(rod))
         return moved.size() if name == "chord" else moved.x if name == "slide_path" else -moved.y
 
-    def _force(self, name: str, pin: Arrow, stroke: int, method: str) -> Number:
+    def _force(self, name: str, degrees: Fraction, stroke: int, method: str) -> Number:
         """A force of 1 on B in the direction of the stroke, which rod and guide hold."""
-        place, crank = (None, pin.value())
         if method == "infinite":
-            line = Arrow(number(-1), number(0))
+            crank, line = self.pin(degrees).value(), Arrow(number(-1), number(0))
             way = Arrow(number(-stroke), number(0))
         else:
-            place = self.driven(pin).value()
+            crank, place = (one.value() for one in self.placed(degrees))
             line, way = crank.minus(place).times(number(self.ratio)), self.way(place, stroke)
         # Along the path the rod alone holds it.
         thrust = 1 / line.dot(way)
@@ -238,8 +240,7 @@ class Drive:
             rod = pin.minus(end)
             return end.plus(rod.times(share)).plus(rod.right().times(beside))
 
-        pin = self.pin(degrees)
-        place = at(pin, self.driven(pin))
+        place = at(*self.placed(degrees))
         dead = self.dead(OUT)
         before = at(dead.times(1 / (self.rod + 1)), dead)
         quantity, _, part = name.partition("_")
@@ -315,6 +316,20 @@ def parted(key: str) -> tuple[str, bool, str]:
     rest = key.removeprefix(name).split("_")[1:]
     returning = rest[:1] == ["return"]
     return name, returning, "_".join(rest[returning:])
+
+
+# What many columns ask for is kept, with the bits it was computed with.
+
+
+@lru_cache(maxsize=64)
+def _placed(drive: Drive, degrees: Fraction, bits: int) -> tuple[Arrow, Arrow]:
+    pin = drive.pin(degrees)
+    return pin, drive.driven(pin)
+
+
+@lru_cache(maxsize=64)
+def _dead(drive: Drive, stroke: int, bits: int) -> Arrow:
+    return drive.reached(SHAFT, drive.rod + stroke)
 
 
 @lru_cache(maxsize=64)
