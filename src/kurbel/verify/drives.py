@@ -184,7 +184,7 @@ class Drive:
         elif method == "exact":
             found = self._moving(name, angle, stroke)
         else:
-            found = _approximate(name, self, self.pin(angle), stroke, order if method == "series" else 0)
+            found = _approximate(name, self, angle, stroke, order if method == "series" else 0)
         return found * self._unit(unit)
 
     def _moving(self, name: str, degrees: Fraction, stroke: int) -> Number:
@@ -357,11 +357,12 @@ def _integrated(slope: Jet) -> list[Any]:
     return [one / k for k, one in enumerate(slope.terms, 1)]
 
 
-def _approximate(name: str, drive: Drive, pin: Arrow, stroke: int, order: int) -> Number:
+def _approximate(name: str, drive: Drive, degrees: Fraction, stroke: int, order: int) -> Number:
     """The straight crank by powers of λ up to an order, 0 of an infinitely long rod.
 
     λ is the variable of a series whose coefficients are series in φ: nothing is expanded by hand.
     """
+    pin = drive.pin(degrees)
     nothing = pin.x * 0
 
     def powers(*terms: Any) -> Jet:
@@ -375,7 +376,7 @@ def _approximate(name: str, drive: Drive, pin: Arrow, stroke: int, order: int) -
     if name == "fd":
         return versine.at(ratio).value
     if name == "psi":
-        return drive._moving(name, pin, stroke) if order else number(0)
+        return drive._moving(name, degrees, stroke) if order else number(0)
     of, slope = _SLOPES[name]
     if of == "rod":
         by_angle = [Jet([one.derived() for one in series.terms]) for series in (cosine, sine)]
