@@ -68,7 +68,7 @@ def test_slides(seed: int) -> None:
     for method, order in (("series", "1"), ("series", "7"), ("infinite", "")):
         asked = ["table", f"--ratio={ratio}", f"--method={method}", *([f"--order={order}"] if order else [])]
         named = f"{method}-{order}".removesuffix("-")
-        columns = keys("x", "c", "p", "rod_velocity", "rod_acceleration")
+        columns = keys("x", "c", "p", "psi", "rod_velocity", "rod_acceleration")
         assert confirm(verify.drive(1 / rod), [*asked, *run, columns], method=named)
 
 

@@ -38,7 +38,8 @@ class Continued:
         """Return a number of another kind as a constant."""
         if isinstance(number, Continued):
             return number
-        if isinstance(number, Fraction):
+        # Whole numbers first: of what is none, an abstract class such as Fraction is asked slowly.
+        if not isinstance(number, int) and isinstance(number, Fraction):
             return cls(acb(ball(number)), float(number))
         return cls(acb(number), float(number))
 

@@ -18,6 +18,8 @@ from kurbel.sweeps.ways.records import TRIED
 # Seconds that are spent on measuring, and rows of one measurement at the most.
 PATIENCE = 1.0
 LONGEST = 1 << 18
+# Rows of which a file is written where each is computed alone.
+WRITTEN = 256
 # Forms that are arrays of their own are written by axes: eight bytes a number.
 BYTES = 8
 
@@ -69,7 +71,7 @@ def _samples(sweep: Sweep) -> Iterator[tuple[int, int]]:
 
 def _file(sweep: Sweep, form: Form) -> tuple[float, float]:
     """Return about how many bytes the file has, and how long it is written, by one of its first rows."""
-    rows = min(len(sweep), 256 if sweep.rows_at_once <= 4096 else LONGEST)
+    rows = min(len(sweep), WRITTEN if sweep.rows_at_once <= 4096 else LONGEST)
     batch = batch_of(sweep, sweep.part(0, rows))
     # What a file of no rows takes, such as the exact inputs that it has, does not grow with them.
     (bare, begin), (size, seconds) = _written(sweep, form, batch[:0]), _written(sweep, form, batch)

@@ -8,10 +8,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 from kurbel.errors import ProblemError
 from kurbel.verify.drives import Drive
+from kurbel.verify.enclose import Working
 from kurbel.verify.jets import Jet, slope_of_angle
 from kurbel.verify.numbers import Number, Undecided, number, sine_cosine
 from kurbel.verify.places import OUT, RETURN
@@ -59,7 +61,13 @@ class Bodies:
         return Value(lambda: _FORCES[name](self.at(Fraction(degrees), side)))
 
     def at(self, degrees: Fraction, stroke: int) -> At:
-        return At(self, degrees if stroke == OUT else degrees + 180, stroke)
+        return _at(self, degrees if stroke == OUT else degrees + 180, stroke, Working.bits)
+
+
+@lru_cache(maxsize=64)
+def _at(bodies: Bodies, degrees: Fraction, stroke: int, bits: int) -> At:
+    """Kept for many columns, with the bits it was computed with."""
+    return At(bodies, degrees, stroke)
 
 
 class At:
@@ -68,8 +76,7 @@ class At:
     def __init__(self, bodies: Bodies, degrees: Fraction, stroke: int) -> None:
         self.bodies, self.drive, self.stroke = bodies, bodies.drive, stroke
         self.radius = number(self.drive.radius)
-        pin = self.drive.pin(degrees)
-        end = self.drive.driven(pin)
+        pin, end = self.drive.placed(degrees)
         self.pin_jet, self.end_jet = pin, end
         self.centre_jet = end.plus(pin.minus(end).times(number(bodies.centre)))
         self.pin, self.end, self.centre = (self._long(one.value()) for one in (pin, end, self.centre_jet))

@@ -68,23 +68,22 @@ class Drive(Places):
 
     def _value(self, name: str, unit: str, stroke: int, degrees: Fraction, method: str, order: int) -> Number:
         angle = degrees if stroke == OUT else degrees + 180
-        pin = self.pin(angle)
         if self.parallel:
-            found = _parallel(name, pin)
+            found = _parallel(name, self.pin(angle))
         elif name in _OF_DRIVE:
             found = _OF_DRIVE[name](self)
         elif name == "time":
             found = (angle - self.dead_degrees(stroke)) * pi() / 180 / self.omega
         elif name in _FORCES:
-            found = self._force(name, pin, stroke, method)
+            found = self._force(name, angle, stroke, method)
         elif method == "exact":
-            found = self._moving(name, pin, stroke)
+            found = self._moving(name, angle, stroke)
         else:
-            found = _approximate(name, self, pin, stroke, order if method == "series" else 0)
+            found = _approximate(name, self, angle, stroke, order if method == "series" else 0)
         return found * self._unit(unit)
 
-    def _moving(self, name: str, pin: Arrow, stroke: int) -> Number:
-        end = self.driven(pin)
+    def _moving(self, name: str, degrees: Fraction, stroke: int) -> Number:
+        pin, end = self.placed(degrees)
         rod = pin.minus(end)
         if name in _SLOPES:
             of, slope = _SLOPES[name]
@@ -112,14 +111,13 @@ class Drive(Places):
             return -degrees_of(tangent.dot(rod), tangent.cross(rod))
         return moved.size() if name == "chord" else moved.x if name == "slide_path" else -moved.y
 
-    def _force(self, name: str, pin: Arrow, stroke: int, method: str) -> Number:
+    def _force(self, name: str, degrees: Fraction, stroke: int, method: str) -> Number:
         """A force of 1 on B in the direction of the stroke, which rod and guide hold."""
-        place, crank = (None, pin.value())
         if method == "infinite":
-            line = Arrow(number(-1), number(0))
+            crank, line = self.pin(degrees).value(), Arrow(number(-1), number(0))
             way = Arrow(number(-stroke), number(0))
         else:
-            place = self.driven(pin).value()
+            crank, place = (one.value() for one in self.placed(degrees))
             line, way = crank.minus(place).times(number(self.ratio)), self.way(place, stroke)
         # Along the path the rod alone holds it.
         thrust = 1 / line.dot(way)
@@ -137,8 +135,7 @@ class Drive(Places):
             rod = pin.minus(end)
             return end.plus(rod.times(share)).plus(rod.right().times(beside))
 
-        pin = self.pin(degrees)
-        place = at(pin, self.driven(pin))
+        place = at(*self.placed(degrees))
         dead = self.dead(OUT)
         before = at(dead.times(1 / (self.rod + 1)), dead)
         quantity, _, part = name.partition("_")
@@ -216,11 +213,12 @@ def parted(key: str) -> tuple[str, bool, str]:
     return name, returning, "_".join(rest[returning:])
 
 
-def _approximate(name: str, drive: Drive, pin: Arrow, stroke: int, order: int) -> Number:
+def _approximate(name: str, drive: Drive, degrees: Fraction, stroke: int, order: int) -> Number:
     """The straight crank by powers of λ up to an order, 0 of an infinitely long rod.
 
     λ is the variable of a series whose coefficients are series in φ: nothing is expanded by hand.
     """
+    pin = drive.pin(degrees)
     nothing = pin.x * 0
 
     def powers(*terms: Any) -> Jet:
@@ -234,7 +232,7 @@ def _approximate(name: str, drive: Drive, pin: Arrow, stroke: int, order: int) -
     if name == "fd":
         return versine.at(ratio).value
     if name == "psi":
-        return drive._moving(name, pin, stroke) if order else number(0)
+        return drive._moving(name, degrees, stroke) if order else number(0)
     of, slope = _SLOPES[name]
     if of == "rod":
         by_angle = [Jet([one.derived() for one in series.terms]) for series in (cosine, sine)]

@@ -18,17 +18,17 @@ class Number:
 
     __slots__ = ("_span", "exact")
 
-    def __init__(self, span: Interval = None, exact: surd.Surd | None = None) -> None:
+    def __init__(self, span: Interval | None = None, exact: surd.Surd | None = None) -> None:
         self._span, self.exact = span, exact
 
     @property
     def span(self) -> Interval:
         if self._span is None:
             assert self.exact is not None
-            self._span = enclose.iv.mpf(0)
+            self._span = enclose.of(0)
             for radicand, factor in self.exact.items():
                 one = enclose.of(factor)
-                self._span += one if radicand == 1 else one * enclose.iv.sqrt(enclose.iv.mpf(radicand))
+                self._span += one if radicand == 1 else one * enclose.root(enclose.of(radicand))
         return self._span
 
     @property

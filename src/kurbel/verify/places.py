@@ -49,7 +49,7 @@ class Places:
     def bearing(self) -> Arrow:
         """The pivot of the rocker."""
         if self.beam:
-            return _beam_pivot(self, enclose.iv.prec)
+            return _beam_pivot(self, enclose.Working.bits)
         assert self.rocker is not None
         if self.pivot is None:
             return Arrow(self.rod, number(self.offset + self.rocker))
@@ -60,9 +60,13 @@ class Places:
 
     def driven(self, pin: Arrow) -> Arrow:
         """Where B is."""
-        return self._reached(pin, self.rod)
+        return self.reached(pin, self.rod)
 
-    def _reached(self, centre: Arrow, reach: Number) -> Arrow:
+    def placed(self, degrees: Fraction) -> tuple[Arrow, Arrow]:
+        """A and B at an angle."""
+        return _placed(self, degrees, enclose.Working.bits)
+
+    def reached(self, centre: Arrow, reach: Number) -> Arrow:
         if self.rocker is None:
             return circle_meets_level(centre, reach, number(self.offset))
         return circle_meets_circle(centre, reach, self.bearing, number(self.rocker), self.right)
@@ -71,7 +75,7 @@ class Places:
         """Where B is at the dead centre from which a stroke begins: crank and rod in one line, L + 1 or L - 1
         from the shaft. Seen from the shaft it is on the same side of the pivot as from A, for A is on the
         line through B and the shaft, before B."""
-        return self._reached(SHAFT, self.rod + stroke)
+        return _dead(self, stroke, enclose.Working.bits)
 
     def dead_degrees(self, stroke: int) -> Number:
         """The crank angle of that dead centre: A points to B on the outstroke, away from it on the return."""
@@ -117,6 +121,20 @@ class Places:
     def swing(self) -> Number:
         before, after = (self.dead(one).minus(self.bearing) for one in (OUT, RETURN))
         return abs(degrees_of(before.dot(after), before.cross(after)))
+
+
+# What many columns ask for is kept, with the bits it was computed with.
+
+
+@lru_cache(maxsize=64)
+def _placed(places: Places, degrees: Fraction, bits: int) -> tuple[Arrow, Arrow]:
+    pin = places.pin(degrees)
+    return pin, places.driven(pin)
+
+
+@lru_cache(maxsize=64)
+def _dead(places: Places, stroke: int, bits: int) -> Arrow:
+    return places.reached(SHAFT, places.rod + stroke)
 
 
 @lru_cache(maxsize=64)

@@ -20,7 +20,7 @@ def rational(number: Fraction | int) -> Surd:
 def added(one: Surd, other: Surd) -> Surd | None:
     found = dict(one)
     for radicand, factor in other.items():
-        found[radicand] = found.get(radicand, Fraction(0)) + factor
+        found[radicand] = found[radicand] + factor if radicand in found else factor
     return _kept(found)
 
 
@@ -30,8 +30,9 @@ def multiplied(one: Surd, other: Surd) -> Surd | None:
     found: Surd = {}
     for left, factor in one.items():
         for right, times in other.items():
-            outside, inside = parted(left * right)
-            found[inside] = found.get(inside, Fraction(0)) + factor * times * outside
+            outside, inside = (1, left * right) if 1 in (left, right) else parted(left * right)
+            product = factor * times * outside
+            found[inside] = found[inside] + product if inside in found else product
     return _kept(found)
 
 

@@ -91,7 +91,7 @@ class Turn:
     @property
     def known(self) -> Known:
         """What is known with the working bits."""
-        bits = enclose.iv.prec
+        bits = enclose.Working.bits
         if bits not in self._kept:
             self._kept[bits] = Known(self)
         found: Known = self._kept[bits]

@@ -20,7 +20,7 @@ def zero(function: Callable[[Jet], Any], guess: Fraction) -> Number:
     Newton's steps from the guess find a point m; then m - f(m)/f'(X) within X = m ± ε proves that X has
     exactly one zero, and that it lies there (f(m) = f'(ξ)(m - z) with ξ in X by the mean value).
     """
-    bits = enclose.iv.prec
+    bits = enclose.Working.bits
     point = guess
     for _ in range(60):
         at = function(Jet([number(point), number(1)]))
@@ -51,7 +51,7 @@ def narrowed(
 
     Newton's steps within the cell find a point m; m - f(m)/f'(X) within X = m ± ε proves a zero in X.
     """
-    bits, point, arc = enclose.iv.prec, middle, 180 / pi()
+    bits, point, arc = enclose.Working.bits, middle, 180 / pi()
     low, high = middle - half, middle + half
     for _ in range(80):
         step = function(point) / slope(point, Fraction(1, 2**bits)) * arc
