@@ -290,6 +290,15 @@ def check_length(count: int, most: int, what: str) -> None:
         raise NotationError(f"{count} {what} were given; at most {most} are allowed")
 
 
+def in_shell(text: str) -> str:
+    """Return a text as it is typed in a shell: in quotes where that would take a part of it for its own."""
+    if re.fullmatch(r"[\w.,:/%=@+°²³·∞′″−-]+", text):
+        return text
+    if "'" in text and not re.search(r'["$`\\!]', text):
+        return f'"{text}"'
+    return "'" + text.replace("'", "'\"'\"'") + "'"
+
+
 def quoted(text: str) -> str:
     return f'"{clipped(text)}"'
 

@@ -107,7 +107,15 @@ class _Reader:
             try:
                 choose(key, fields, getattr(shape.cls, "NOUN", f"entry of [{_dotted(place)}],"))
             except KurbelError as error:
-                yield (*place, key), str(error)
+                from kurbel.reading.foreign import ours
+
+                name, written = ours(key, str(value), [one.replace("_", "-") for one in fields])
+                line = f"write {name.replace('-', '_')} = {json.dumps(written, ensure_ascii=False)}"
+                said = str(error)
+                yield (
+                    (*place, key),
+                    f"{said.partition(' (did')[0].partition('; ')[0]}; {line}" if name else said,
+                )
             else:
                 yield from self.faults(value, fields[key].type, (*place, key))
         for key, field in fields.items():
