@@ -172,7 +172,9 @@ class Crank:
 def check_angles(angles: Sequence[Fraction]) -> None:
     """Raise ProblemError unless there are angles and all lie within a million degrees of zero."""
     if not angles:
-        raise ProblemError("no angle was given; write them as --angle 0;45;90 or --from 0 --to 180 --step 10")
+        raise ProblemError(
+            "no angle was given; write them as --angle '0;45;90' or --from 0 --to 180 --step 10"
+        )
     if largest(angles) > LARGEST_ANGLE:
         raise ProblemError(f"an angle is beyond {LARGEST_ANGLE}°; give it within one turn, 0..360")
 
