@@ -22,6 +22,9 @@ _SAME = """
     ratio | lambda crank_ratio kurbelverhaltnis
     epsilon eps | expansion
     torque | drehmoment
+    turn | rocker_turn swing
+    turn_velocity | rocker_velocity
+    turn_acceleration | rocker_acceleration
     rod_force | stangenkraft
     guide_force | fuhrungsdruck fuhrungskraft
     tangential_force | tangentialkraft

@@ -35,8 +35,9 @@ def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
             found[name] = f"--{name.replace('_', '-')} needs the planes of the masses; add --planes"
     if not is_given(values["balance_planes"]):
         found["balance_radii"] = (
-            "--balance-radii is of the masses in --balance-planes; add these, or in one plane ask for a mass"
-            " with its angle by a ? and give its radius among --radii"
+            "--balance-radii is of the masses in --balance-planes; add these, such as --balance-planes"
+            " '100;1100mm' beside --planes, or in one plane ask for a mass with its angle by a ? and give its"
+            " radius among --radii"
         )
     return found
 
