@@ -36,6 +36,8 @@ _SAME = """
     de | deutsch german de_de de_at de_ch
     en | english englisch en_us en_gb
     series | first_order
+    straight | slider_crank
+    arc | four_bar fourbar
     infinite | unendlich inf
     inline | i l r straight reihe
     boxer | b flat
