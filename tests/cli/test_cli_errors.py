@@ -45,6 +45,15 @@ def test_nothing_is_written_on_an_error(format_name: str, tmp_path: Path) -> Non
     assert old.read_text() == "as it was"
 
 
+def test_what_says_nothing_is_refused_if_it_was_typed_and_gives_way_if_it_serves_many(tmp_path: Path) -> None:
+    machine = tmp_path / "engine.toml"
+    machine.write_text('[steam]\nbore = "300mm"\n')
+    bare = ("forces", "--ratio", "1:5", "--angle", "30")
+    assert refusal(*bare, "--bore", "300mm").startswith("--bore is for the steam of an engine")
+    assert printed(*bare, KURBEL_FORCES_BORE="300mm") == printed(*bare)
+    assert printed(*bare, "--machine", str(machine)) == printed(*bare)
+
+
 def test_a_traceback_is_left_to_faults_of_ours(monkeypatch: pytest.MonkeyPatch) -> None:
     def fault(question: object) -> None:
         raise ZeroDivisionError

@@ -158,8 +158,14 @@ def test_an_offset_is_read_and_so_is_a_mark_before_the_text(tmp_path: Path) -> N
     ("text", "sentence"),
     [
         (b"\xff", "line 1: the byte 0xff is not UTF-8; save the machine so"),
-        (b"[crank]\nstroke = %d" % 2**3999, f"crank.stroke is {str(2**3999)[:40]}; it must be text such as"),
-        (b"[crank]\nstroke = %d" % 2**4000, "crank.stroke is a number of very many digits; it must be text"),
+        (
+            b"[crank]\nstroke = %d" % 2**3999,
+            f"line 2: stroke is {str(2**3999)[:40]}; it must be text such as",
+        ),
+        (
+            b"[crank]\nstroke = %d" % 2**4000,
+            "line 2: stroke is a number of very many digits; it must be text",
+        ),
         (b"a." * 199 + b"a = 1", 'there is no section "a"'),
         (b"a." * 200 + b"a = 1", "has a key of very many parts; a machine has sections with entries"),
         (b"[crank]\nratio = " + b"[" * 5000, "is nested too deeply; a machine has sections with entries"),

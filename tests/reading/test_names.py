@@ -47,6 +47,13 @@ def test_conditions_know_them_too(mechanism: str) -> None:
     assert len(pages) == 1
 
 
+def test_the_velocity_of_a_rocker_is_that_of_its_turn() -> None:
+    drive = MECHANISMS["arc"]
+    for own, other in (("turn_velocity", "rocker_velocity"), ("turn_acceleration", "rocker_acceleration")):
+        columns = [data("table", *drive, "--angle=30;75", f"--columns=phi,{one}") for one in (own, other)]
+        assert columns[0] == columns[1]
+
+
 def test_other_commands_know_them_too() -> None:
     for word in ("c", "v", "Velocity"):
         assert data("harmonics", "--ratio=1:5", f"--quantity={word}") == data(

@@ -84,7 +84,7 @@ def test_fractions_stand_in_lists_and_ranges() -> None:
         Fraction(1, 3), Fraction(2, 3), Fraction(1), Fraction(3, 2), Fraction(2),
     )  # fmt: skip
     assert sentence_of(lambda text: notation.numbers([text], "share"), "1/3,2/3") == (
-        'share "1/3,2/3" has commas between its values; write the list as 1/3;2/3'
+        "share \"1/3,2/3\" has commas between its values; write the list as '1/3;2/3'"
     )
 
 
@@ -168,6 +168,12 @@ def test_an_angle_in_seconds_is_read_back_from_what_is_printed(seconds: int) -> 
         (["1/3..4:0,5"], [3, Fraction(7, 2), 4]),
         (["0.2..0.25:0.05"], [5, 4]),
         (["1:5;0.2;2:10"], [5]),
+        # A comma before another ratio parts a list, which needs no quotes in a shell; others are decimals.
+        (["1:4,1:5"], [4, 5]),
+        (["1:4,1:4,5,1:10/3"], [4, Fraction(9, 2), Fraction(10, 3)]),
+        (["1:4,5, 1:5;1:6"], [Fraction(9, 2), 5, 6]),
+        (["1:3..4,5:0,5"], [3, Fraction(7, 2), 4, Fraction(9, 2)]),
+        (["0,5:4,5", "1:4,10/3"], [9, Fraction("4.10") / 3]),
     ],
 )
 def test_lists_and_ranges_of_ratios(texts: list[str], rods: list[Fraction]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from fractions import Fraction
 
 import numpy as np
@@ -33,7 +34,7 @@ def test_a_range_is_answered_with_the_very_range(first: int, step: int, count: i
     text = spelling.format(first, last, step)
     with pytest.raises(kurbel.KurbelError) as raised:
         notation.angles([text])
-    written = str(raised.value).rpartition("write it as ")[2]
+    (written,) = shlex.split(str(raised.value).rpartition("write it as ")[2])
     asked = [*range(first, last + 1, step if spelling in WITH_STEP else 1)]
     assert [*notation.angles([written])] == (
         [*dict.fromkeys((first, last, step))] if spelling in LISTS else asked
@@ -60,15 +61,15 @@ def test_functions_of_numpy_are_answered_with_their_numbers(first: int, over: in
     [
         (("table", "--ratio=1:5", "--angle=0-180"), "0..180"),
         (("table", "--ratio=1:5", "--angle=0:10:180"), "0..180:10"),
-        (("table", "--ratio=1:5", "--angle=2°30'–10°"), "2°30'..10°"),
+        (("table", "--ratio=1:5", "--angle=2°30'–10°"), '"2°30\'..10°"'),
         (("table", "--ratio=1:3-1:6"), "1:3..6"),
         (("table", "--ratio=1:3…6:0.5"), "1:3..6:0.5"),
-        (("table", "--ratio=1:4 1:5"), "1:4;1:5"),
+        (("table", "--ratio=1:4 1:5"), "'1:4;1:5'"),
         (("delta", "--eps=2-6"), "2..6"),
         (("delta", "--eps=2:6"), "2..6"),
         (("deadcentres", "--ratio=1:5", "--beam=3-4:0,5"), "3..4:0,5"),
-        (("balance", "--cranks=0-180-180-0"), "0;180;180;0"),
-        (("balance", "--cranks=0-180"), "0;180"),
+        (("balance", "--cranks=0-180-180-0"), "'0;180;180;0'"),
+        (("balance", "--cranks=0-180"), "'0;180'"),
     ],
     ids=lambda one: one if isinstance(one, str) else " ".join(one),
 )

@@ -143,7 +143,9 @@ def run() -> tuple[int, str]:
         tell(f"{error.format_message()}\n")
         return error.exit_code, ""
     except click.ClickException as error:
-        return error.exit_code, one_line(error)
+        from kurbel.cli.astray import one_line
+
+        return error.exit_code, one_line(error, sys.argv[1:])
 
 
 def _complete_lists() -> None:
@@ -154,19 +156,3 @@ def _complete_lists() -> None:
         source_template = FishComplete.source_template.replace('string split ","', 'string split --max 1 ","')
 
     add_completion_class(ListFishComplete)
-
-
-def one_line(error: click.ClickException) -> str:
-    """Return click's sentences as one of ours."""
-    if isinstance(error, click.NoSuchOption):
-        from kurbel.cli.astray import elsewhere
-        from kurbel.reading.given import did_you_mean
-
-        name = error.option_name
-        hint = did_you_mean(name, error.possibilities or ())
-        hint = hint or elsewhere(getattr(error.ctx, "command_path", ""), name)
-        message = f'there is no option "{name[:60]}"{hint}'
-    else:
-        message = " ".join(error.format_message().split()).rstrip(".").replace(". ", "; ")
-    command = getattr(getattr(error, "ctx", None), "command_path", "")
-    return f"{message}; see {command} --help" if command else message

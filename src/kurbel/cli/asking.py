@@ -14,7 +14,7 @@ import click
 from click.core import ParameterSource, augment_usage_errors
 
 from kurbel.cli import COMMANDS
-from kurbel.cli.app import command_of, one_line
+from kurbel.cli.app import command_of
 from kurbel.cli.machine import machine_defaults
 from kurbel.cli.options import MACHINE, Document, FileName, Given, Type
 from kurbel.cli.tables import MakingCommand
@@ -107,7 +107,9 @@ def asked(
         with augment_usage_errors(context):
             made, code = command.made(Given(context))
     except click.ClickException as error:
-        raise ProblemError(one_line(error)) from None
+        from kurbel.cli.astray import one_line
+
+        raise ProblemError(one_line(error, words)) from None
     if isinstance(made, Table):
         made = _unprompted(made)
     values = context.params

@@ -1,4 +1,4 @@
-"""What was typed at the wrong place: an option twice, or a value without its option.
+"""What was typed at the wrong place: an option twice, a value without its option, and what click refuses.
 
 Loaded where that is found.
 """
@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import chain
 from typing import Any
 
 import click
@@ -14,6 +15,7 @@ import click
 from kurbel.commands.options import Choice, Columns, Kind, LayoutName
 from kurbel.errors import KurbelError
 from kurbel.reading import notation
+from kurbel.reading.given import did_you_mean
 from kurbel.reading.unit_text import plain_unit
 
 # What has methods side by side, by the command.
@@ -32,8 +34,110 @@ ELSEWHERE = {
     ("inertia", "--over"): "forces over the path, those of masses too, are of kurbel forces",
     ("solve", "--over"): 'kurbel table has --over path, and here --where "s = 25%" is a share of the stroke',
 }
+# Whose values have words with spaces between them.
+SENTENCES = ("where", "only", "torque", "load_torque", "caption", "note", "source")
 _LONGEST = 60
+# More commands that have an option are not listed.
+_OWNERS = 4
 _NUMBER = re.compile(r"[+−-]?\d[\d.,/]*")
+
+
+def one_line(error: click.ClickException, words: Sequence[str]) -> str:
+    """Return what click says of the words that were typed as one of our sentences."""
+    match error:
+        case click.NoSuchOption():
+            message = _no_option(error, words)
+        case click.BadOptionUsage() if "requires an argument" in error.message:
+            message = f"{error.option_name} needs a value{_example(error.ctx, error.option_name)}"
+        case click.BadOptionUsage() if "does not take a value" in error.message:
+            message = f"{error.option_name} takes no value; leave out what follows the sign ="
+        case click.MissingParameter():
+            message = _missing(error)
+        case click.UsageError() if found := re.fullmatch(
+            r"Got unexpected extra arguments? \((.*)\)", error.message
+        ):
+            name = error.ctx.command_path if error.ctx else "kurbel"
+            message = f"{name} needs no such word as {notation.quoted(found[1])}; leave it out"
+        case _:
+            message = " ".join(error.format_message().split()).rstrip(".").replace(". ", "; ")
+    context = getattr(error, "ctx", None)
+    return f"{message}; see {context.command_path} --help" if context else message
+
+
+def _no_option(error: click.NoSuchOption, words: Sequence[str]) -> str:
+    """Return the sentence about an option that there is not: which is meant, or which command has it."""
+    from kurbel.reading.foreign import line
+
+    name, command = error.option_name, error.ctx.command if error.ctx else None
+    options = _flags(command)
+    begun = f"there is no option {notation.quoted(name)}"
+    if isinstance(command, click.Group):
+        typed = " ".join(filter(None, (name, _as_typed(_value_of(name, words)))))
+        return f"{begun} before a command; write kurbel table {typed}" if _owners(name) else begun
+    value = _value_of(name, words)
+    if ours := line(name, value, options):
+        return f"{begun}; write {ours}"
+    single = next((word for word in words if word.startswith(name) and word.lstrip("-") in options), "")
+    if len(name) == 2 and single:
+        return f"there is no option {notation.quoted(single)}; write -{single}"
+    hint = did_you_mean(name, [f"--{one}" for one in options])
+    return begun + (hint or elsewhere(getattr(error.ctx, "command_path", ""), name) or _owners(name, value))
+
+
+def _flags(command: click.Command | None) -> Mapping[str, click.Option]:
+    """Return the options of a command by their names without dashes."""
+    options = (one for one in (command.params if command else ()) if isinstance(one, click.Option))
+    return {flag.lstrip("-"): one for one in options for flag in one.opts if flag.startswith("--")}
+
+
+def _value_of(name: str, words: Sequence[str]) -> str:
+    """Return the value that was typed behind a flag, nothing if none was."""
+    for word, behind in zip(words, [*words[1:], ""], strict=True):
+        flag, _, value = word.partition("=")
+        if flag == name:
+            return value or ("" if behind.startswith("--") else behind)
+    return ""
+
+
+def _owners(flag: str, value: str = "") -> str:
+    """Return which commands have an option that this one has not, or one of that meaning; nothing if none."""
+    from kurbel.cli import COMMANDS
+    from kurbel.cli.app import command_of
+    from kurbel.reading.foreign import ours
+
+    flags = {name: _flags(command_of(name)) for name in COMMANDS}
+    name = flag.lstrip("-")
+    found = (
+        name
+        if any(name in own for own in flags.values())
+        else ours(name, value, {*chain(*flags.values())})[0]
+    )
+    owners = [command for command, own in flags.items() if found in own]
+    if not owners:
+        return ""
+    *first, last = [*owners[:_OWNERS], *(["others"] if len(owners) > _OWNERS else [])]
+    which = "it" if found == name else f"--{found}"
+    return f"; kurbel {', '.join(first)} and {last} have {which}" if first else f"; kurbel {last} has {which}"
+
+
+def _missing(error: click.MissingParameter) -> str:
+    """Return the sentence about all that a command cannot do without, with the first line of its help."""
+    assert error.ctx is not None
+    needed = [one for one in error.ctx.command.params if one.required]
+    *first, last = [
+        one.opts[-1] if isinstance(one, click.Option) else one.make_metavar(error.ctx) for one in needed
+    ]
+    path = error.ctx.command_path
+    example = re.search(rf"^\s*({path} .*)$", error.ctx.command.help or "", re.MULTILINE)
+    listed = f"{', '.join(first)} and {last}" if first else last
+    return f"{path} needs {listed}{f', as in {example[1]}' if example else ''}"
+
+
+def _example(context: click.Context | None, flag: str) -> str:
+    """Return what an option may be given, out of its sentence in the help."""
+    option = _flags(context.command if context else None).get(flag.lstrip("-"))
+    found = re.search(r": ('[^']+'|[^\s;,']*\d[^\s;,']*)", (option and option.help) or "")
+    return f", as in {flag} {found[1].rstrip('.,')}" if found else ""
 
 
 def twice(flag: str, values: Iterable[Any], command: str | None) -> str:
@@ -52,14 +156,52 @@ def elsewhere(command: str, flag: str) -> str:
 def stray(text: str, command: click.Command, words: Sequence[str]) -> str:
     """Return the sentence that refuses one of the words, which has no option, with what is likely meant: an
     option, or quotes about a value with a space."""
+    if text in _flags(command):
+        return f"{notation.quoted(text)} stands behind no option; write --{text}"
+    if "where" in _flags(command) and (condition := _condition(text, words)):
+        return f"{notation.quoted(text)} stands behind no option; write --where {_as_typed(condition)}"
     if parted := _parted(text, words):
         return f"{notation.quoted(text)} stands behind no option; a value with a space needs quotes: {parted}"
     options = {one.name or "": one for one in command.params if isinstance(one, click.Option)}
     shown = notation.quoted(text)
+    flag, values = _before(text, words)
+    option = _flags(command).get(flag.lstrip("-"))
     name = next((name for name in _names(text, options) if name in options), "")
+    if option and not option.is_flag and (not name or options[name] is option):
+        joined = _joined(option, values)
+        if joined:
+            return f"{shown} stands behind no option; write {flag} {_as_typed(joined)}"
     if not name:
         return f"{shown} stands behind no option, and kurbel {command.name} needs no such word"
     return f"{shown} stands behind no option; write {long_flag(options[name])} {_as_typed(text)}"
+
+
+def _condition(text: str, words: Sequence[str]) -> str:
+    """Return a condition that was typed as several words, of which this is the first, nothing for others."""
+    place = [*words].index(text) if text in words else len(words)
+    typed = words[place : place + 3]
+    return " ".join(typed) if len(typed) == 3 and typed[1] == "=" else ""
+
+
+def _before(text: str, words: Sequence[str]) -> tuple[str, Sequence[str]]:
+    """Return the flag before a word, and all words from that to the next flag."""
+    place = [*words].index(text) if text in words else 0
+    start = next((at for at in range(place, -1, -1) if words[at].startswith("--")), None)
+    if start is None:
+        return "", ()
+    end = next((at for at in range(place, len(words)) if words[at].startswith("-")), len(words))
+    flag, equals, value = words[start].partition("=")
+    return flag, [*([value] if equals else []), *words[start + 1 : end]]
+
+
+def _joined(option: click.Option, values: Sequence[str]) -> str:
+    """Return several words behind an option as its one value; nothing where it takes no such value."""
+    kind = getattr(option.type, "kind", None)
+    if isinstance(kind, Columns):
+        return ",".join(value.strip(",;") for value in values)
+    if option.name in SENTENCES:
+        return " ".join(values)
+    return ";".join(value.strip(",;") for value in values) if option.multiple else ""
 
 
 def _parted(text: str, words: Sequence[str]) -> str:
@@ -67,7 +209,7 @@ def _parted(text: str, words: Sequence[str]) -> str:
     place = [*words].index(text) if text in words else 0
     before = words[place - 1] if place > 1 else ""
     first = before.rpartition("=")[2]
-    if first.endswith((",", ";")) or (_NUMBER.fullmatch(first) and plain_unit(text)):
+    if _NUMBER.fullmatch(first) and plain_unit(text):
         return _as_typed(f"{first} {text}")
     return ""
 
@@ -77,12 +219,15 @@ def long_flag(option: click.Option) -> str:
 
 
 def command_for(text: str) -> str:
-    """Return the command of a value in place of a command, nothing if none is likely."""
+    """Return the command of a value in place of a command, or by another word, nothing if none is likely."""
     if _reads(notation.ratios, [text]) and any(mark in text for mark in ":∶"):
         return f"kurbel table --ratio {_as_typed(text)}"
     if _is_condition(text):
         return f"kurbel solve --ratio 1:5 --where {_as_typed(text)}"
-    return ""
+    from kurbel.reading.foreign import command
+
+    found = command(text)
+    return f"kurbel {found}" if found else ""
 
 
 def _names(text: str, options: Mapping[str, click.Option]) -> Iterable[str]:
@@ -143,6 +288,4 @@ def _reads(read: Callable[[Any], Any], text: str | Sequence[str]) -> bool:
 
 
 def _as_typed(text: str) -> str:
-    from shlex import quote
-
-    return quote(text) if len(text) <= _LONGEST else "VALUE"
+    return notation.in_shell(text) if text and len(text) <= _LONGEST else text and "VALUE"

@@ -60,7 +60,8 @@ class MakingCommand(click.Command, ABC):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         ctx.allow_extra_args = True
-        left = super().parse_args(ctx, [*args])
+        with augment_usage_errors(ctx):
+            left = super().parse_args(ctx, [*args])
         if left and not ctx.resilient_parsing:
             from kurbel.cli.astray import stray
 

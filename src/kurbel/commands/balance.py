@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 Ratios = Annotated[
     option.Given | None,
-    option.RATIO._replace(help="Crank ratio: 1:5; lists 1:4;1:5 and ranges 1:3..6:0.5."),
+    option.RATIO._replace(help="Crank ratio: 1:5; lists '1:4;1:5' and ranges 1:3..6:0.5."),
 ]
 Orders = Annotated[
     int,
@@ -58,12 +58,12 @@ Engine = Annotated[
 ]
 CylinderCranks = Annotated[
     option.Given | None,
-    Option("Another engine: the crank of every cylinder, 0;180;180;0.", "ANGLES", unit="degrees"),
+    Option("Another engine: the crank of every cylinder, '0;180;180;0'.", "ANGLES", unit="degrees"),
 ]
 Banks = Annotated[
     option.Given | None,
     Option(
-        "Directions of its cylinders, counted as the cranks: -45;45; default 0.", "ANGLES", unit="degrees"
+        "Directions of its cylinders, counted as the cranks: '-45;45'; default 0.", "ANGLES", unit="degrees"
     ),
 ]
 
@@ -80,7 +80,7 @@ class Heavy(engines.MovingRod, Revolving, option.Sheet, total=False):
     reciprocating: Annotated[
         option.Given | None,
         Option(
-            "Mass of piston and crosshead of a cylinder: 2kg; or of each: 2;2.5kg. Masses need --stroke and"
+            "Mass of piston and crosshead of a cylinder: 2kg; or of each: '2;2.5kg'. Masses need --stroke and"
             " --speed.", "MASSES", unit="kg",
         ),
     ]  # fmt: skip
@@ -159,7 +159,7 @@ def balance_table(
     positions: Annotated[
         option.Given | None,
         Option(
-            "Where its cylinders lie along the shaft: 0;1;2;3, which is the default, or 0;400;800mm.",
+            "Where its cylinders lie along the shaft: '0;1;2;3', which is the default, or '0;400;800mm'.",
             "NUMBERS",
             unit="a unit of your own",
         ),
@@ -182,7 +182,7 @@ def balance_table(
     method: Method = "exact",
     angle: Annotated[
         option.Given | None,
-        option.ANGLE._replace(help="Angles of the shaft at which forces are printed: 30, 0;30, 0..180:10."),
+        option.ANGLE._replace(help="Angles of the shaft at which forces are printed: 30, '0;30', 0..180:10."),
     ] = None,
     columns: Annotated[option.Names, option.columns_option("balance", "order,along,forward")] = (),
     layout: Annotated[str | None, option.layout_option(*SUBJECTS)] = None,

@@ -150,15 +150,15 @@ def example_table(
     angle: Annotated[
         option.Given | None,
         option.ANGLE._replace(
-            help="Crank angles in degrees, where the example starts from them: 60, lists 30;60."
+            help="Crank angles in degrees, where the example starts from them: 60, lists '30;60'."
         ),
     ] = None,
     beam: Annotated[
-        option.Given | None, Option("Arm of the beam in crank radii: 3; lists 3;4.", "A:R", many=True)
+        option.Given | None, Option("Arm of the beam in crank radii: 3; lists '3;4'.", "A:R", many=True)
     ] = None,
     eps: Annotated[
         option.Given | None,
-        option.EPS._replace(help="Expansion ratio ε: 4; lists 2;4, ranges 2..6."),
+        option.EPS._replace(help="Expansion ratio ε: 4; lists '2;4', ranges 2..6."),
     ] = None,
     back: Annotated[
         Exact | None,

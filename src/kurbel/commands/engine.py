@@ -205,7 +205,9 @@ def turning_table(
     speed: option.PlainSpeed = None,
     angle: Annotated[
         option.Given | None,
-        option.ANGLE._replace(help="Crank angles in degrees: 22.5, 2°30', lists 0;45;90, ranges 0..360:10."),
+        option.ANGLE._replace(
+            help="Crank angles in degrees: 22.5, 2°30', lists '0;45;90', ranges 0..360:10."
+        ),
     ] = None,
     step: Annotated[
         Exact | None,

@@ -183,7 +183,7 @@ class Forces(
         option.Given | None,
         Option(
             "Parallel crank: so many coupled axles alike, 3, or the weights on them, by which they share the"
-            " effort: 14;15;14.",
+            " effort: '14;15;14'.",
             "WEIGHTS",
         ),
     ]

@@ -48,7 +48,7 @@ PARTS = tuple(name for name in FURTHER if name not in OWN)
 LAYOUTS = {"pressure_ratio": "compressor", "pump": "pump", "compression": "gas-cycle"}
 _Several = Annotated[
     Exact | Iterable[Exact] | None,
-    Option("Compressor: pressure ratio p₂/p₁: 4; lists 2;3;4, ranges 2..6.", "Π", many=True),
+    Option("Compressor: pressure ratio p₂/p₁: 4; lists '2;3;4', ranges 2..6.", "Π", many=True),
 ]
 
 
@@ -94,7 +94,7 @@ class Loads(TypedDict, total=False):
     ]
     compression: Annotated[
         Exact | Iterable[Exact] | None,
-        Option("Gas engine: compression ratio: 6; lists 5;6;7, ranges 5..8.", "ε", many=True),
+        Option("Gas engine: compression ratio: 6; lists '5;6;7', ranges 5..8.", "ε", many=True),
     ]
     cycle: Annotated[
         str | None,

@@ -149,7 +149,7 @@ def needless_over(values: Mapping[str, Any]) -> Mapping[str, str]:
         return {"shares": "--shares are those of the stroke, with --over path; add that"}
     why = "is for pages over the crank angle; with --over path give shares of the stroke"
     return {
-        "angle": f"--angle {why}, --shares 0;50%;100% or --step 5%",
+        "angle": f"--angle {why}, --shares '0;50%;100%' or --step 5%",
         "zero": f"--zero {why}, which count from the dead centre where the stroke begins",
         "acceleration": "--acceleration is at crank angles of a turn; leave it out, or --over path",
     }

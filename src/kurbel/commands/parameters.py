@@ -23,11 +23,11 @@ Path: TypeAlias = str | PathLike[str]
 
 
 RATIO = Option(
-    "Crank ratio: 1:5, 1:4,5, 0.2; lists 1:4;1:5 and ranges 1:3..6:0.5; 1:∞ is the infinite rod.",
+    "Crank ratio: 1:5, 1:4,5, 0.2; lists '1:4;1:5' and ranges 1:3..6:0.5; 1:∞ is the infinite rod.",
     "R:L", short="-r", many=True,
 )  # fmt: skip
 ANGLE = Option(
-    "Crank angles in degrees: 22.5, 2°30', lists 0;45;90, ranges 0..180:10.", "ANGLES", unit="degrees",
+    "Crank angles in degrees: 22.5, 2°30', lists '0;45;90', ranges 0..180:10.", "ANGLES", unit="degrees",
     many=True,
 )  # fmt: skip
 STEP = Option(
@@ -51,7 +51,9 @@ FIRST_ORDER = METHOD._replace(
     help="Of moving masses: exact (default), series (accelerated to first order, the rod at its true angle)"
     " or infinite (rod of infinite length)."
 )
-EPS = Option("Expansion ratio, cut-off after 1/ε of the stroke: 4; lists 2;3;4, ranges 2..6.", "ε", many=True)
+EPS = Option(
+    "Expansion ratio, cut-off after 1/ε of the stroke: 4; lists '2;3;4', ranges 2..6.", "ε", many=True
+)
 BACK = Option(
     "Back pressure as a share of the steam pressure: 0.1, 10%, or beside --pressure as a pressure, both"
     " above vacuum: 1.1bar; default: the best, to which the steam expands.",
@@ -103,7 +105,7 @@ Eps = Annotated[Given | None, EPS]
 Cranks = Annotated[
     Given | None,
     Option(
-        "Angles by which the cranks follow the first, with cylinders alike: 0;90 or 0;120;240.", "ANGLES",
+        "Angles by which the cranks follow the first, with cylinders alike: '0;90' or '0;120;240'.", "ANGLES",
         unit="degrees",
     ),
 ]  # fmt: skip
@@ -131,7 +133,7 @@ RockerInertia = Annotated[
 
 ROD_POINT = Option(
     "Points of the rod by their share from the crosshead pin to the crank pin: 0.5, beyond the ends -0.2;"
-    " beside its axis 0.5,0.1 in rod lengths; with --rod 150mm; lists 0;0.5;1, ranges 0..1:0.25.",
+    " beside its axis 0.5,0.1 in rod lengths; with --rod 150mm; lists '0;0.5;1', ranges 0..1:0.25.",
     "POINTS", many=True,
 )  # fmt: skip
 RodPoint = Annotated[Given | None, ROD_POINT]
@@ -202,7 +204,7 @@ class Plain(TypedDict, total=False):
 
 
 UNITS = Option(
-    "Units of pages and data: metric, imperial or a list, cm;kN. Default: metric; pages of what is given in"
+    "Units of pages and data: metric, imperial or a list, 'cm;kN'. Default: metric; pages of what is given in"
     " imperial units alone have these.",
     "UNITS",
     last=True,

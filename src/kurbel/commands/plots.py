@@ -62,13 +62,13 @@ DrawnPoint = Annotated[
     option.Given | None,
     option.ROD_POINT._replace(
         help="Draw the paths of points of the rod beside the mechanism, with --columns their motion over the"
-        " crank angle: 0.5, 0.5,0.1, 0;0.5;1."
+        " crank angle: 0.5, 0.5,0.1, '0;0.5;1'."
     ),
 ]
 AxisUnits = Annotated[
     str | None,
     option.UNITS._replace(
-        help="Units of the axes: metric, imperial or a list, cm;kN. Default: metric; of what is given in"
+        help="Units of the axes: metric, imperial or a list, 'cm;kN'. Default: metric; of what is given in"
         " imperial units alone these."
     ),
 ]
@@ -176,7 +176,7 @@ def plot_mechanism(
     positions: Annotated[
         option.Given | None,
         Option(
-            "Draw the mechanism to scale at these crank angles: 30, or 30;90;150.",
+            "Draw the mechanism to scale at these crank angles: 30, or '30;90;150'.",
             "ANGLES",
             unit="degrees",
             many=True,
@@ -192,7 +192,7 @@ def plot_mechanism(
     from kurbel.plot.coupler.paths import coupled
 
     if positions is None and point is None:
-        raise ProblemError("no crank angle was given; give one, such as 30, or 30;90;150")
+        raise ProblemError("no crank angle was given; give one, such as 30, or '30;90;150'")
     lang, mark = given["lang"], mark_of(given["lang"], given["decimal"])
     angles = as_angles(POSITION if positions is None else positions)
     chosen, said = described(given)

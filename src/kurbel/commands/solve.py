@@ -70,7 +70,10 @@ def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
             return needless_of_ratio(values, _texts(values["where"]))
         # What a force needs, its own page says.
         return {} if _is_loaded(values) or _is_of_forces(values) else needless_of_motion()
-    pressed = "is for --unknown, and for kurbel forces; conditions on angles are under an engine's load"
+    pressed = (
+        "is for --unknown, such as --unknown bore --angle 30, and for kurbel forces; conditions on angles are"
+        " under the load of an engine, such as --eps 4"
+    )
     return {
         "angle": "--angle is for --unknown; conditions find the angles themselves",
         **{name: f"--{name.replace('_', '-')} {pressed}" for name in PRESSING},

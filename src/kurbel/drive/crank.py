@@ -172,7 +172,9 @@ class Crank:
 def check_angles(angles: Sequence[Fraction]) -> None:
     """Raise ProblemError unless there are angles and all lie within a million degrees of zero."""
     if not angles:
-        raise ProblemError("no angle was given; write them as --angle 0;45;90 or --from 0 --to 180 --step 10")
+        raise ProblemError(
+            "no angle was given; write them as --angle '0;45;90' or --from 0 --to 180 --step 10"
+        )
     if largest(angles) > LARGEST_ANGLE:
         raise ProblemError(f"an angle is beyond {LARGEST_ANGLE}°; give it within one turn, 0..360")
 
@@ -203,9 +205,11 @@ def _check_ratio(ratio: Fraction) -> None:
             f"crank ratio R:L is {about(ratio)}; it must not be negative, for both are lengths"
         )
     if ratio >= 1:
+        upright = 1 < ratio <= 100 and ratio.denominator <= 10
+        hint = f"; a rod of {about(ratio)} cranks is {ratio_text(1 / ratio)}" if upright else ""
         raise ProblemError(
             f"crank ratio R:L is {about(ratio)}; it must be below 1,"
-            " or the rod is too short to pass the dead centre"
+            f" or the rod is too short to pass the dead centre{hint}"
         )
     if 0 < ratio < Fraction(1, LONGEST_ROD):
         raise ProblemError(

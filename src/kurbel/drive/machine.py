@@ -22,15 +22,16 @@ Which sections and entries there are stands in sections.py.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any
 
 from msgspec.structs import asdict
 
-from kurbel.drive.sections import LOADS, SECTIONS, File, Files, Joined, Machine, One, Several
+from kurbel.drive.sections import LOADS, SECTIONS, File, Files, Joined, Machine, One, Section, Several
 from kurbel.errors import KurbelError, MachineError
 from kurbel.reading.given import File as NamedFile
-from kurbel.reading.toml_file import TomlFile, TomlKind
+from kurbel.reading.toml_file import Place, TomlFile, TomlKind
 
 KIND = TomlKind(
     "machine",
@@ -38,8 +39,28 @@ KIND = TomlKind(
     20_000,
     "a machine has sections with entries",
     "--machine engine.toml",
-    lines=False,
 )
+
+
+# Entries that are nothing without a unit, by one that it may have.
+UNITS = {
+    name: unit
+    for unit, names in {
+        "mm": "stroke crank true_stroke rod bore piston_rod tail_rod radius rim_diameter rim_breadth"
+        " rim_thickness disc_diameter disc_thickness",
+        "/min": "speed",
+        "bar": "pressure suction_pressure delivery_pressure",
+        "kg": "reciprocating rod_mass rotating mass",
+        "N": "friction",
+        "kW": "power",
+        "s": "pendulum",
+        "kgm²": "inertia rocker_inertia",
+        "kg/m³": "density",
+        "m³/kg": "specific_volume",
+        "MPa": "hoop_stress",
+    }.items()
+    for name in names.split()
+}
 
 
 class Listed(dict[str, Any]):
@@ -61,6 +82,10 @@ def read_machine(path: str | NamedFile) -> dict[str, Any]:
         if key not in SECTIONS and homes and not isinstance(value, dict):
             raise file.error((key,), f"{key} stands outside of the sections; write it under [{homes[0]}]")
     machine = file.read(Machine)
+    for home in SECTIONS:
+        _check_units(file, (home,), getattr(machine, home))
+    for number, one in enumerate(machine.cylinder or ()):
+        _check_units(file, ("cylinder", number), one)
     loads = [name for name in LOADS if getattr(machine, name) is not None]
     if len(loads) > 1:
         raise file.error(
@@ -81,6 +106,17 @@ def read_machine(path: str | NamedFile) -> dict[str, Any]:
             for where in [f"{file.path}, line {file.line(('cylinder', number))}"]
         ]
     return options
+
+
+def _check_units(file: TomlFile, home: Place, section: Section | None) -> None:
+    """Raise MachineError with file, line and key for a number where a measure is wanted."""
+    if section is None:
+        return
+    for name, key in zip(section.__struct_fields__, section.__struct_encode_fields__, strict=True):
+        (value,) = getattr(section, name) or ("",) if name in UNITS else ("",)
+        if re.fullmatch(r"[+−-]?[\d.,]*\d[\d.,]*", value):
+            said = f'{key} is {value}, without a unit; write {key} = "{value}{UNITS[name]}"'
+            raise file.error((*home, key), said)
 
 
 def _sized(options: dict[str, Any], where: str) -> dict[str, Any]:

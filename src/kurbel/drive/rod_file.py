@@ -53,6 +53,8 @@ _SHARES = {"": Fraction(1), "1": Fraction(1), "-": Fraction(1), "%": Fraction(1,
 _LENGTHS = _SHARES | {"L": Fraction(1)}
 # Of π², far beyond the 50 decimals that are printed at most.
 BITS = 600
+# A position beyond so many rods is more likely in millimetres.
+_LONGEST = 5
 
 
 def read_rod(path: str | os.PathLike[str], length: Fraction | None = None) -> Rod:
@@ -85,7 +87,14 @@ def _section(texts: Sequence[str], head: Head, length: Fraction | None) -> tuple
     )
     ends = [value * _position_unit(unit, length) for value, unit in places]
     section = Section(ends[0], ends[-1], mass[0] * _mass_unit(mass[1]))
-    check_section(section)
+    try:
+        check_section(section)
+    except ProblemError as error:
+        far = next(
+            (at for at, (value, unit) in enumerate(places) if not unit and abs(value) > _LONGEST), None
+        )
+        hint = "" if far is None else f"; in millimetres its head is {head.columns[far].name} [mm]"
+        raise ProblemError(f"{error}{hint}") from None
     return section, mass[1] not in _SHARES
 
 
@@ -102,8 +111,8 @@ def _position_unit(unit: str, length: Fraction | None) -> Fraction:
     metres = _factor(unit, "position", "m", "length", "mm, cm, m, inch")
     if length is None:
         raise NotationError(
-            f"the position is in {clipped(unit)} and the rod's length is not known; give the length,"
-            " or positions as shares of it"
+            f"the position is in {clipped(unit)} and the rod's length is not known; add --rod 600mm, or"
+            " --stroke and one --ratio, or write positions as shares of the length"
         )
     return metres / length
 
@@ -129,7 +138,8 @@ def _head(line: str) -> Head:
     if {column.name for column in head.columns} not in (set(_POINTS), set(_SECTIONS)):
         heads = clipped(", ".join(fields), 60)
         raise NotationError(
-            f"the heads are {heads}; a rod has either position and mass, or from, to and mass"
+            f"the heads are {heads}; a rod has either position and mass, or from, to and mass, with units in"
+            " brackets: position [mm], mass [kg]"
         )
     return head
 

@@ -212,7 +212,7 @@ class Engine:
         if self.cranks[0] != 0:
             raise ProblemError(
                 f"the first crank is at {about(self.cranks[0])}°; angles count from the first crank,"
-                " write them as 0;90"
+                " write them as '0;90'"
             )
 
     @property

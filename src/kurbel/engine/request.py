@@ -102,7 +102,7 @@ class EngineRequest(Question):
 
     def _check_lists(self) -> None:
         if not self.steams:
-            raise ProblemError("no expansion ratio was given; write them as 4, 2;3;4 or 2..6")
+            raise ProblemError("no expansion ratio was given; write them as 4, '2;3;4' or 2..6")
         if not self.drives:
             raise ProblemError("no crank ratio was given; write one as 1:5")
         # A range of angles may be too long to be written out.

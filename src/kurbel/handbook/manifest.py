@@ -131,7 +131,13 @@ def read_manifest(path: str, outside: bool = False) -> Manifest:
     Raises ManifestError with file, line, what is allowed and the nearest name of each mistake.
     """
     if not os.path.lexists(path):
-        raise HandbookError(f"there is no {path}; kurbel handbook init writes a first one")
+        folder, name = os.path.split(path) if path.endswith(".toml") else (path, "folder")
+        where = (
+            f"there is no {name} {folder}" if name == "folder" else f"{folder or 'this folder'} has no {name}"
+        )
+        raise HandbookError(
+            f"{where}; kurbel handbook init{f' {folder}' if folder else ''} writes a first one"
+        )
     reader = _Reader(TomlFile(path, KIND), outside)
     manifest = reader.manifest()
     if reader.mistakes:

@@ -76,7 +76,7 @@ class Axles:
             if count.denominator > 1 or not 2 <= count <= MOST_AXLES:
                 raise ProblemError(
                     f"the number of axles is {about(count)}; it must be a whole number from 2 to"
-                    f" {MOST_AXLES}, or give the weights on them, for example 14;15;14"
+                    f" {MOST_AXLES}, or give the weights on them, for example '14;15;14'"
                 )
             given = (Fraction(1),) * int(count)
         if low := [weight for weight in given if weight <= 0]:

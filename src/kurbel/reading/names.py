@@ -22,6 +22,9 @@ _SAME = """
     ratio | lambda crank_ratio kurbelverhaltnis
     epsilon eps | expansion
     torque | drehmoment
+    turn | rocker_turn swing
+    turn_velocity | rocker_velocity
+    turn_acceleration | rocker_acceleration
     rod_force | stangenkraft
     guide_force | fuhrungsdruck fuhrungskraft
     tangential_force | tangentialkraft
@@ -33,6 +36,8 @@ _SAME = """
     de | deutsch german de_de de_at de_ch
     en | english englisch en_us en_gb
     series | first_order
+    straight | slider_crank
+    arc | four_bar fourbar
     infinite | unendlich inf
     inline | i l r straight reihe
     boxer | b flat
@@ -67,13 +72,13 @@ _RETURN = "return"
 def meant(name: str, names: Sequence[str]) -> str | None:
     """Return which of the names is meant by another word for it, None if none or more than one is."""
     ways = _ways(names)
-    return ways.get(_spelled(name)) or None
+    return ways.get(spelled(name)) or None
 
 
 def others(name: str, names: Iterable[str]) -> Iterator[str]:
     """Yield those of the names that are other words for one of them."""
-    words = {*_other_words(_spelled(name))}
-    return (one for one in names if one != name and _spelled(one) in words)
+    words = {*_other_words(spelled(name))}
+    return (one for one in names if one != name and spelled(one) in words)
 
 
 def near(name: str, names: Sequence[str], words: bool = False) -> list[str]:
@@ -81,13 +86,13 @@ def near(name: str, names: Sequence[str], words: bool = False) -> list[str]:
 
     With `words` what may be written is one of the other words for a name, too.
     """
-    ways, asked = _ways(names), _spelled(name[:_LONGEST])
+    ways, asked = _ways(names), spelled(name[:_LONGEST])
     if ways.get(asked):
         return [ways[asked]]
     begun = _with_more(asked, names)
     if 0 < len(begun) <= MOST:
         return begun
-    own = {_spelled(one) for one in names}
+    own = {spelled(one) for one in names}
     ranked = sorted(
         (distance, way not in own, place)
         for place, way in enumerate(ways)
@@ -96,7 +101,7 @@ def near(name: str, names: Sequence[str], words: bool = False) -> list[str]:
     if ranked and _tells_apart(asked, [[*ways][place] for _, _, place in ranked]):
         way = [*ways][ranked[0][2]]
         return [way if words and way not in own and way.isalpha() else ways[way]]
-    found = [one for one in names if _is_part(asked, _spelled(one))]
+    found = [one for one in names if _is_part(asked, spelled(one))]
     return found if len(found) <= MOST else []
 
 
@@ -116,12 +121,12 @@ def _with_more(asked: str, names: Sequence[str]) -> list[str]:
     return [
         name
         for name in names
-        for spelled in (_spelled(name),)
-        if any(spelled.startswith(f"{one}_") and _RETURN not in spelled.split("_") for one in said)
+        for own in (spelled(name),)
+        if any(own.startswith(f"{one}_") and _RETURN not in own.split("_") for one in said)
     ]
 
 
-def _spelled(name: str) -> str:
+def spelled(name: str) -> str:
     """Return the words of a name: inline_4 of Inline-4 and of inline4."""
     plain = _ENCODING.sub("", _UNIT.sub("", name.strip().casefold()))
     return _SIGNS.sub("_", plain.translate(_LETTERS)).strip("_") or plain
@@ -131,20 +136,20 @@ def _ways(names: Sequence[str]) -> Mapping[str, str]:
     """Return the names by all ways of writing them, "" where two of them are written so."""
     ways: dict[str, str] = {}
     for name in names:
-        spelled = _spelled(name)
-        ways[spelled] = spelled if spelled in names else "" if spelled in ways else name
+        own = spelled(name)
+        ways[own] = own if own in names else "" if own in ways else name
     for name in names:
-        for other in _other_words(_spelled(name)):
+        for other in _other_words(spelled(name)):
             ways.setdefault(other, name)
     return ways
 
 
-def _other_words(spelled: str) -> Iterator[str]:
+def _other_words(name: str) -> Iterator[str]:
     """Yield what the words may be called otherwise."""
     for names, others in _GROUPS:
         for word in names:
-            if spelled == word or spelled.startswith(f"{word}_"):
-                yield from (other + spelled[len(word) :] for other in (*names, *others) if other != word)
+            if name == word or name.startswith(f"{word}_"):
+                yield from (other + name[len(word) :] for other in (*names, *others) if other != word)
 
 
 def _is_part(asked: str, name: str) -> bool:

@@ -33,6 +33,8 @@ _ANGLE = (
     rf"(?a)([+−-]?)(?:(?P<deg>{_PART})\s*(?:°|deg))?\s*"
     rf"(?:(?P<min>{_PART})\s*['′’])?\s*(?:(?P<sec>{_PART})\s*(?:\"|″|''))?"
 )
+# Before another ratio, and between its crank and its rod.
+_COMMA, _COLON = r",\s*(?=\d+(?:\.\d+)?\s*[:∶])", "[:∶]"
 _INFINITE = {"∞", "inf", "oo"}
 
 
@@ -138,8 +140,8 @@ def angle(text: str, what: str = "angle") -> Fraction:
 
 
 def ratios(texts: Iterable[str], most: int = LONGEST_LIST) -> tuple[Fraction, ...]:
-    """Return the ratios of lists and ranges: "1:5", "1:4;1:4,5", "1:3..6", "1:3..6:0.5", "0.2..0.3:0.05"."""
-    parts = parts_of(texts, ratio, "crank ratio")
+    """Return the ratios of lists and ranges: "1:5", "1:4;1:4,5", "1:4,1:5", "1:3..6:0.5", "0.2..0.3:0.05"."""
+    parts = parts_of(map(_semicolons, texts), ratio, "crank ratio")
     return tuple(dict.fromkeys(_values(parts, ratio, partial(_ratio_range, most=most), most, "crank ratios")))
 
 
@@ -228,8 +230,16 @@ def _read(
         for each in spelled.split(";"):
             several(each) if ".." in each else one(each)
         raise NotationError(
-            f"{quoted(part)} is not how lists and ranges are written; write it as {spelled}"
+            f"{quoted(part)} is not how lists and ranges are written; write it as {in_shell(spelled)}"
         ) from None
+
+
+def _semicolons(text: str) -> str:
+    """Return a list of ratios 1:4,1:5 as 1:4;1:5; that of 1:4,5 is the comma of a decimal."""
+    if "," not in text or ".." in text:
+        return text
+    parts = re.split(_COMMA, text)
+    return ";".join(parts) if all(re.search(_COLON, part) for part in parts) else text
 
 
 def parts_of(texts: Iterable[str], read: Callable[[str], Fraction], what: str) -> Iterator[str]:
@@ -241,7 +251,7 @@ def parts_of(texts: Iterable[str], read: Callable[[str], Fraction], what: str) -
             check_commas(text, read, what)
         parts = [part.strip() for part in text.split(";")]
         if len(parts) > 1 and not all(parts):
-            raise NotationError(f"{what} {quoted(text)} has an empty place; write a list as 2;3;4")
+            raise NotationError(f"{what} {quoted(text)} has an empty place; write a list as '2;3;4'")
         longest = max(parts, key=len)
         if len(longest) > LONGEST_RANGE:
             raise NotationError(
@@ -288,6 +298,15 @@ def _angle_range(text: str) -> Progression:
 def check_length(count: int, most: int, what: str) -> None:
     if count > most:
         raise NotationError(f"{count} {what} were given; at most {most} are allowed")
+
+
+def in_shell(text: str) -> str:
+    """Return a text as it is typed in a shell: in quotes where that would take a part of it for its own."""
+    if re.fullmatch(r"[\w.,:/%=@+°²³·∞′″−-]+", text):
+        return text
+    if "'" in text and not re.search(r'["$`\\!]', text):
+        return f'"{text}"'
+    return "'" + text.replace("'", "'\"'\"'") + "'"
 
 
 def quoted(text: str) -> str:

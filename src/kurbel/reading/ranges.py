@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from kurbel.errors import NotationError
 from kurbel.exact.numerals import exact_text
-from kurbel.reading.notation import angle, clipped, quoted
+from kurbel.reading.notation import angle, clipped, in_shell, quoted
 
 # A number, or an angle with its marks.
 _NUMBER = r"\d+(?:[.,]\d+)?"
@@ -64,7 +64,7 @@ def check_commas(text: str, read: Callable[[str], Fraction], what: str) -> None:
     parts = [part.strip() for part in text.split(",")]
     if len(parts) == 1 or not all(_is_read(part, read) for part in parts):
         return
-    listed = clipped(";".join(parts))
+    listed = in_shell(clipped(";".join(parts)))
     if not _is_read(text, read):
         raise NotationError(
             f"{what} {quoted(text)} has commas between its values; write the list as {listed}"

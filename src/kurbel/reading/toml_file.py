@@ -22,17 +22,13 @@ MOST_BITS = 4000
 
 
 class TomlKind(NamedTuple):
-    """What a file is called, what is wrong with it, how large it may be, what it has, and a name for one.
-
-    Sentences name the line and the key, or without `lines` the whole path of the key.
-    """
+    """What a file is called, what is wrong with it, how large it may be, what it has, and a name for one."""
 
     name: str
     error: type[KurbelError]
     largest: int
     shape: str
     example: str
-    lines: bool = True
 
 
 class Fault(KurbelError):
@@ -97,10 +93,7 @@ class TomlFile:
 
     def error(self, place: Place, said: object) -> KurbelError:
         """Return the kind's error with the file, the line of the place, and what is to be said."""
-        # Of several tables with one name the line tells which is meant.
-        numbered = any(isinstance(key, int) for key in place)
-        where = f", line {self.line(place)}" if self.kind.lines or numbered else ""
-        return self.kind.error(f"{self.path}{where}: {said}")
+        return self.kind.error(f"{self.path}, line {self.line(place)}: {said}")
 
     def read(self, model: type[Model]) -> Model:
         """Return what the file says as its model; raise the kind's error for the first thing amiss."""

@@ -45,7 +45,7 @@ def read_rest(file: TomlFile, model: type[Model]) -> tuple[Model, list[tuple[Pla
 def _faults(file: TomlFile, model: type[Any]) -> Iterator[tuple[Place, str]]:
     if model not in _SHAPES:
         _SHAPES[model] = inspect.type_info(model)
-    return _Reader(file.kind.lines).faults(file.given, _SHAPES[model], ())
+    return _faults_in(file.given, _SHAPES[model], ())
 
 
 # Of some of them a command reads many files.
@@ -69,56 +69,59 @@ def _leave_out(given: Any, place: Place) -> None:
         del given[place[last]]
 
 
-class _Reader:
-    """Goes through what a file says; sentences name a key, or without `lines` its whole path."""
-
-    def __init__(self, lines: bool) -> None:
-        self.lines = lines
-
-    def faults(self, given: Any, shape: inspect.Type, place: Place) -> Iterator[tuple[Place, str]]:
-        """Yield where something is amiss, in the order of the file, and the sentence about it."""
-        match shape:
-            case inspect.Metadata():
-                yield from self.faults(given, shape.type, place)
-            case inspect.UnionType():
-                yield from self.faults(given, left(shape), place)
-            case inspect.StructType() | inspect.DataclassType() if isinstance(given, dict):
-                yield from self._of_keys(given, shape, place)
-            case inspect.DictType() if isinstance(given, dict):
-                for key, value in given.items():
-                    yield from self.faults(value, shape.value_type, (*place, key))
-            case inspect.VarTupleType() if isinstance(given, list) and len(given) >= (shape.min_length or 0):
-                for index, value in enumerate(given):
-                    yield from self.faults(value, shape.item_type, (*place, index))
-            case inspect.CustomType():
-                try:
-                    _made(shape.cls, given, name := self._name(place))
-                except Fault as fault:
-                    yield place, f"{name} is {shown(given)}; it must be {fault}"
-                except KurbelError as error:
-                    yield place, str(error)
-            case _:
-                if wanted := _wanted(given, shape, place):
-                    yield place, f"{self._name(place)} is {shown(given)}; {wanted}"
-
-    def _of_keys(self, given: Mapping[str, Any], shape: KEYED, place: Place) -> Iterator[tuple[Place, str]]:
-        fields = {field.encode_name: field for field in shape.fields}
-        for key, value in given.items():
+def _faults_in(given: Any, shape: inspect.Type, place: Place) -> Iterator[tuple[Place, str]]:
+    """Yield where something is amiss, in the order of the file, and the sentence about it."""
+    match shape:
+        case inspect.Metadata():
+            yield from _faults_in(given, shape.type, place)
+        case inspect.UnionType():
+            yield from _faults_in(given, left(shape), place)
+        case inspect.StructType() | inspect.DataclassType() if isinstance(given, dict):
+            yield from _of_keys(given, shape, place)
+        case inspect.DictType() if isinstance(given, dict):
+            for key, value in given.items():
+                yield from _faults_in(value, shape.value_type, (*place, key))
+        case inspect.VarTupleType() if isinstance(given, list) and len(given) >= (shape.min_length or 0):
+            for index, value in enumerate(given):
+                yield from _faults_in(value, shape.item_type, (*place, index))
+        case inspect.CustomType():
             try:
-                choose(key, fields, getattr(shape.cls, "NOUN", f"entry of [{_dotted(place)}],"))
+                _made(shape.cls, given, name := _name(place))
+            except Fault as fault:
+                yield place, f"{name} is {shown(given)}; it must be {fault}"
             except KurbelError as error:
-                yield (*place, key), str(error)
-            else:
-                yield from self.faults(value, fields[key].type, (*place, key))
-        for key, field in fields.items():
-            if field.required and key not in given:
-                yield place, f"there is no {key}; write {key} = {_example(field.type)}"
+                yield place, str(error)
+        case _:
+            if wanted := _wanted(given, shape, place):
+                yield place, f"{_name(place)} is {shown(given)}; {wanted}"
 
-    def _name(self, place: Place) -> str:
-        """Return what a value is called: by its key, and by its number in a list."""
-        keys = [key for key in place if isinstance(key, str)]
-        name = keys[-1] if self.lines else ".".join(keys)
-        return f"entry {place[-1] + 1} of {name}" if isinstance(place[-1], int) else name
+
+def _of_keys(given: Mapping[str, Any], shape: KEYED, place: Place) -> Iterator[tuple[Place, str]]:
+    fields = {field.encode_name: field for field in shape.fields}
+    for key, value in given.items():
+        try:
+            choose(key, fields, getattr(shape.cls, "NOUN", f"entry of [{_dotted(place)}],"))
+        except KurbelError as error:
+            from kurbel.reading.foreign import ours
+
+            name, written = ours(key, str(value), [one.replace("_", "-") for one in fields])
+            line = f"write {name.replace('-', '_')} = {json.dumps(written, ensure_ascii=False)}"
+            said = str(error)
+            yield (
+                (*place, key),
+                f"{said.partition(' (did')[0].partition('; ')[0]}; {line}" if name else said,
+            )
+        else:
+            yield from _faults_in(value, fields[key].type, (*place, key))
+    for key, field in fields.items():
+        if field.required and key not in given:
+            yield place, f"there is no {key}; write {key} = {_example(field.type)}"
+
+
+def _name(place: Place) -> str:
+    """Return what a value is called: by its key, and by its number in a list."""
+    keys = [key for key in place if isinstance(key, str)]
+    return f"entry {place[-1] + 1} of {keys[-1]}" if isinstance(place[-1], int) else keys[-1]
 
 
 def left(shape: inspect.UnionType) -> inspect.Type:

@@ -13,8 +13,9 @@ from functools import cache
 from typing import Any
 
 from kurbel.errors import NotationError, ProblemError
+from kurbel.exact.numerals import exact_text
 from kurbel.reading.amounts import FOOT, INCH, POUND, POUND_FORCE
-from kurbel.reading.notation import about, number
+from kurbel.reading.notation import about, number, quoted
 from kurbel.reading.unit_text import plain_unit
 
 
@@ -26,6 +27,8 @@ def _scaled(units: Mapping[str, int | str]) -> Mapping[str, Fraction]:
 BEFORE_UNIT = r"[+−-]?(?:\d+\s+(?=\d+/\d))?[\d.,]+(?:[eE][+-]?\d+)?(?:\s*/\s*[\d.,]+(?:[eE][+-]?\d+)?)?"
 # The number is read by kurbel, for pint would evaluate 9**9**9; the unit may not compute either.
 _MEASURE = rf"\s*({BEFORE_UNIT})\s*((?:(?:1\s*)?/\s*)?[A-Za-zµμ].*?)?\s*"
+# 2' 6", 24", 2ft 6in
+_FEET = r"""(?:(\d+)\s*(?:'|′|’|ft|feet)\s*)?(?:([\d./ ]*\d)\s*(?:"|″|”|''|in|inch|inches))?"""
 _LONGEST = 80
 # With which pint answers what is no unit; an unknown one with an AttributeError of its own.
 PINT_ERRORS = (AttributeError, ValueError, TypeError, AssertionError)
@@ -71,6 +74,16 @@ KNOWN: Mapping[str, Mapping[str, Fraction]] = {
 # Turns a second, of which radians are none.
 TURNS = _scaled({"/s": 1, "1/s": 1, "/min": "1/60", "1/min": "1/60", "rpm": "1/60", "Hz": 1})
 RADIANS = "rad/s"
+
+
+# Units of mass, or unknown ones, that are taken for others, and how many of these they are, of two tons.
+_FORCES: Mapping[str, tuple[str, Mapping[str, int]]] = {
+    **dict.fromkeys(("lb", "lbs", "pound", "pounds"), ("lbf", {})),
+    **dict.fromkeys(("kg", "kp"), ("kgf", {})),
+    **dict.fromkeys(("kgm", "mkg", "kpm", "mkp"), ("kgf m", {})),
+    "ata": ("at", {}),
+    **dict.fromkeys(("ton", "tons", "tonf", "tonsf"), ("lbf", {"short": 2000, "long": 2240})),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -205,6 +218,8 @@ def _known(text: str, what: str, units: Mapping[str, Fraction]) -> Fraction | No
 
 def _quantity(text: str, what: str, example: str, dimension: str) -> Any:
     digits, unit, written = _parts(text)
+    if dimension == "[length]" and (inches := _inches(text)):
+        raise NotationError(f"{what} {quoted(text)} has feet and inches or their marks; write {inches}in")
     if not digits:
         raise NotationError(f'{what} "{text[:40]}" is not {example}')
     if unit is None:
@@ -212,10 +227,45 @@ def _quantity(text: str, what: str, example: str, dimension: str) -> Any:
     try:
         quantity = registry().Quantity(number(digits, what), "1" + unit if unit.startswith("/") else unit)
     except PINT_ERRORS:
-        raise NotationError(f'{what} "{text[:40]}" has the unknown unit {written}; write {example}') from None
+        hint = in_forces(written, dimension, number(digits, what)) or example
+        raise NotationError(f'{what} "{text[:40]}" has the unknown unit {written}; write {hint}') from None
     if not quantity.check(dimension):
-        raise NotationError(f'{what} "{text[:40]}" is in {_name(quantity, written)}; it must be {example}')
+        hint = in_forces(written, dimension, number(digits, what))
+        wanted = f"write {hint}, with a force in place of the mass" if hint else f"it must be {example}"
+        raise NotationError(f'{what} "{text[:40]}" is in {_name(quantity, written)}; {wanted}')
     return quantity
+
+
+def _inches(text: str) -> str:
+    """Return how many inches a length of feet and inches has, or one with their marks; nothing for others."""
+    match = re.fullmatch(_FEET, text.strip()) if len(text) <= _LONGEST else None
+    if match is None or not (all(match.groups()) or re.search("[^\\w./ ]", text)):
+        return ""
+    return exact_text(12 * number(match[1] or "0") + number(match[2] or "0"))
+
+
+def in_forces(written: str, dimension: str, amount: Fraction | None = None) -> str:
+    """Return a unit, with its amount, of which a mass is meant as a force, as it is written; nothing for what
+    is no such unit of the dimension."""
+    found = re.sub("[A-Za-z]+", lambda name: _FORCES.get(name[0], (name[0],))[0], written)
+    if found == written or not _has_dimension(found, dimension):
+        return ""
+    sizes = next((own[1] for word in re.findall("[A-Za-z]+", written) if (own := _FORCES.get(word))), {})
+    if amount is None:
+        several = " and ".join(f"{size} of a {name} ton" for name, size in sizes.items())
+        return found + (f", {several}" if several else "")
+    if not sizes:
+        return f"{exact_text(amount)} {found}"
+    return " or ".join(f"{exact_text(amount * size)} {found} for {name} tons" for name, size in sizes.items())
+
+
+def _has_dimension(unit: str, dimension: str) -> bool:
+    if plain_unit(unit) in KNOWN.get(dimension, {}):
+        return True
+    try:
+        return bool(registry().Quantity(Fraction(1), plain_unit(unit) or unit).check(dimension))
+    except PINT_ERRORS:
+        return False
 
 
 def _name(quantity: Any, written: str) -> str:

@@ -11,7 +11,7 @@ from kurbel.errors import NotationError
 from kurbel.exact.numerals import degrees_text, exact_text, finite_decimals
 from kurbel.reading import notation
 from kurbel.reading.given import as_share, meant
-from kurbel.reading.notation import LONGEST_NUMBER
+from kurbel.reading.notation import LONGEST_NUMBER, quoted
 from kurbel.reading.units import BEFORE_UNIT
 
 GRAMMAR = 'write it as p=0, s=25%, x=1.1, "x = 200 mm", c=max, p=min or "p = 1/6 of dead centre"'
@@ -76,6 +76,7 @@ def read_condition(
     if match is None or not match.group(2):
         raise NotationError(f"{shown} cannot be read; {GRAMMAR}")
     name, right = match.groups()
+    _refuse_column(name, right, names)
     quantity = names[meant(name, names, "quantity")]
     if right in (MAX, MIN):
         return Condition(quantity, right)
@@ -94,6 +95,20 @@ def read_condition(
             f" write it as s={right.replace(' ', '')}"
         )
     return Condition(quantity, VALUE, _number(right, shown))
+
+
+def _refuse_column(name: str, right: str, names: Mapping[str, str]) -> None:
+    """Raise NotationError for the name of a column in a unit, c_mps, of which a condition has the unit behind
+    the value."""
+    quantity, _, ending = name.rpartition("_")
+    if name in names or quantity not in (*names, *MEASURED):
+        return
+    from kurbel.reading.amounts import UNITS
+
+    if symbol := next((unit.symbol for unit in UNITS.values() if unit.ending == ending), ""):
+        unit = "" if right in (MAX, MIN) or any(map(str.isalpha, right)) else f" {symbol}"
+        line = f'"{quantity} = {right}{unit}"'
+        raise NotationError(f"{quoted(name)} is a column; a condition has its unit behind the value: {line}")
 
 
 def _of_dead_centre(quantity: str, share: str, shown: str) -> Condition:

@@ -134,7 +134,11 @@ class Loaded:
         least, most = (number_text(nearest(end, decimals)) for end in ends)
         said = f"{condition.quantity} lies between {least} and {most} {units_of[not condition.unit]}"
         jumps = ", and may jump at a dead centre" if condition.quantity in CRANK_FORCES else ""
-        return f"{condition} is reached nowhere; {said}{jumps}"
+        part, unit = self.turn.part, units_of[0]
+        known = condition.quantity in MEASURED and part.pressure is not None
+        known = known and (unit != "N m" or self.turn.engine.crank.radius is not None)
+        hint = "" if condition.unit or not known else f'; in {unit} write "{condition} {unit}"'
+        return f"{condition} is reached nowhere; {said}{jumps}{hint}"
 
 
 def measured(condition: Condition) -> Fraction:

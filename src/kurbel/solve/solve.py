@@ -19,6 +19,7 @@ from kurbel.exact.place import Place
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN
 from kurbel.reading import units
+from kurbel.reading.amounts import UNITS
 from kurbel.reading.where import (
     DEAD_CENTRE,
     LEANING,
@@ -240,8 +241,17 @@ def _no_root(drive: Drive, condition: Condition) -> str:
         where = " and ".join(f"{found} on {OF_STROKE[stroke]}" for stroke, found in ranges.items())
     return (
         f"{condition} is reached nowhere{drive.where};"
-        f" {condition.quantity} lies {where}{_unusable(drive, condition)}"
+        f" {condition.quantity} lies {where}{_unusable(drive, condition)}{_with_unit(drive, condition)}"
     )
+
+
+def _with_unit(drive: Drive, condition: Condition) -> str:
+    """Return the condition with the unit that a bare number has not, where the drive has its measures."""
+    measure = MEASURES.get(condition.quantity)
+    if condition.unit or condition.kind != VALUE or measure is None or measure.column not in drive.columns:
+        return ""
+    (unit,) = (one.symbol for one in UNITS.values() if measure.column.endswith(f"_{one.ending}"))
+    return f'; in {unit} write "{condition} {unit}"'
 
 
 def _unusable(drive: Drive, condition: Condition) -> str:

@@ -82,7 +82,7 @@ def planned(
         if axis.option in RUN:
             raise ProblemError(
                 f"--{axis.option} takes one value, {len(axis.values)} were given; several angles are --angle"
-                " 0;45;90 or --angle 0..360:10"
+                " '0;45;90' or --angle 0..360:10"
             )
     given = {name: found[0] for name, found in values.items() if len(found) == 1}
     plan = replace(plan, given=given, groups=plan.groups or _grouped(axes, linked))

@@ -47,10 +47,11 @@ class SweepCommand(click.Command):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         ctx.allow_extra_args = True
-        if not ctx.resilient_parsing:
-            *_, order = self.make_parser(ctx).parse_args(args=[*args])
-            ctx.meta[ORDER] = [one.name for one in order]
-        left = super().parse_args(ctx, [*args])
+        with augment_usage_errors(ctx):
+            if not ctx.resilient_parsing:
+                *_, order = self.make_parser(ctx).parse_args(args=[*args])
+                ctx.meta[ORDER] = [one.name for one in order]
+            left = super().parse_args(ctx, [*args])
         if left and not ctx.resilient_parsing:
             from kurbel.cli.astray import stray
 

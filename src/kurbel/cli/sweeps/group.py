@@ -64,7 +64,7 @@ def sweep() -> None:
     kurbel sweep table --ratio 1:3..8 --step 0.01 --columns x,c -o motion.parquet
     kurbel sweep sweep.toml --dry-run
 
-    COMMAND has the options that it has by itself, and each takes several values: lists 2;3;4, ranges 2..6:0.5
-    with units, words. A file sweep.toml says the same: command, [axes], [options], output; what is typed
-    outdoes it.
+    COMMAND has the options that it has by itself, and each takes several values: lists '2;3;4', ranges
+    2..6:0.5 with units, words. A file sweep.toml says the same: command, [axes], [options], output; what is
+    typed outdoes it.
     """

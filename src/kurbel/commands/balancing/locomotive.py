@@ -48,7 +48,7 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
 def locomotive_table(
     *,
     cranks: Annotated[
-        option.Given, Option("Angles of the cranks: 0;90, or 0;120;240.", "ANGLES", unit="degrees")
+        option.Given, Option("Angles of the cranks: '0;90', or '0;120;240'.", "ANGLES", unit="degrees")
     ] = "0;90",
     spacing: Annotated[
         Exact | None,
@@ -56,7 +56,7 @@ def locomotive_table(
     ] = None,
     positions: Annotated[
         option.Given | None,
-        Option("Their places from the middle in place of that: -0.4;0.4m.", "LENGTHS", unit="m"),
+        Option("Their places from the middle in place of that: '-0.4;0.4m'.", "LENGTHS", unit="m"),
     ] = None,
     gauge: Annotated[Exact, Option("Distance of the planes of the wheels: 1.5m.", "LENGTH", unit="m")],
     stroke: option.Stroke = None,
@@ -75,7 +75,7 @@ def locomotive_table(
     ] = 1,
     share: Annotated[
         option.Given,
-        Option("Shares of the reciprocating masses that are balanced: 2/3, 0.5;0.6.", "SHARES"),
+        Option("Shares of the reciprocating masses that are balanced: 2/3, '0.5;0.6'.", "SHARES"),
     ] = SHARES,
     balance_radius: Annotated[
         Exact | None, Option("Radius of the balancing masses: 600mm.", "LENGTH", unit="m")

@@ -21,7 +21,7 @@ class Revolving(TypedDict, total=False):
     revolving: Annotated[
         option.Given | None,
         Option(
-            "Mass that turns with each crank at its radius: 1.5kg, or 1.5;2kg; default: balanced apart.",
+            "Mass that turns with each crank at its radius: 1.5kg, or '1.5;2kg'; default: balanced apart.",
             "MASSES", unit="kg",
         ),
     ]  # fmt: skip

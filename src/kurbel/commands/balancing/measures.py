@@ -58,7 +58,7 @@ def _parts(given: Exact | Iterable[Exact], what: str) -> list[Any]:
         raise NotationError(f"{what} {quoted(given)} has {len(given)} characters; at most {LONGEST} are read")
     parts = [part.strip() for part in given.split(";")]
     if not all(parts):
-        raise NotationError(f"{what} {quoted(given)} has an empty place; write a list as 2;3;4")
+        raise NotationError(f"{what} {quoted(given)} has an empty place; write a list as '2;3;4'")
     return parts
 
 

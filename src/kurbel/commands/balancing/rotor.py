@@ -35,8 +35,9 @@ def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
             found[name] = f"--{name.replace('_', '-')} needs the planes of the masses; add --planes"
     if not is_given(values["balance_planes"]):
         found["balance_radii"] = (
-            "--balance-radii is of the masses in --balance-planes; add these, or in one plane ask for a mass"
-            " with its angle by a ? and give its radius among --radii"
+            "--balance-radii is of the masses in --balance-planes; add these, such as --balance-planes"
+            " '100;1100mm' beside --planes, or in one plane ask for a mass with its angle by a ? and give its"
+            " radius among --radii"
         )
     return found
 
@@ -49,28 +50,30 @@ def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
 def rotor_table(
     masses: Annotated[
         option.Given,
-        Option("The masses: 200kg;300kg, or 200;300kg; a ? for one that is asked for.", "MASSES", unit="kg"),
+        Option(
+            "The masses: '200kg;300kg', or '200;300kg'; a ? for one that is asked for.", "MASSES", unit="kg"
+        ),
     ],
     *,
     radii: Annotated[
         option.Given | None,
-        Option("Radii of their centres of mass: 200;150mm, or one for all.", "LENGTHS", unit="m"),
+        Option("Radii of their centres of mass: '200;150mm', or one for all.", "LENGTHS", unit="m"),
     ] = None,
     angles: Annotated[
         option.Given,
         Option(
-            "Their directions, in the sense of rotation: 0;45;120; a ? for what is asked.",
+            "Their directions, in the sense of rotation: '0;45;120'; a ? for what is asked.",
             "ANGLES",
             unit="degrees",
         ),
     ],
     planes: Annotated[
         option.Given | None,
-        Option("Their planes along the shaft: 0;400;800mm; a ? for what is asked.", "LENGTHS", unit="m"),
+        Option("Their planes along the shaft: '0;400;800mm'; a ? for what is asked.", "LENGTHS", unit="m"),
     ] = None,
     balance_planes: Annotated[
         option.Given | None,
-        Option("Planes of balancing masses, one or two: 100;1100mm.", "LENGTHS", unit="m"),
+        Option("Planes of balancing masses, one or two: '100;1100mm'.", "LENGTHS", unit="m"),
     ] = None,
     balance_radii: Annotated[
         option.Given | None,
@@ -78,7 +81,7 @@ def rotor_table(
     ] = None,
     bearings: Annotated[
         option.Given | None,
-        Option("Places of the two bearings along the shaft: 0;1.8m.", "LENGTHS", unit="m"),
+        Option("Places of the two bearings along the shaft: '0;1.8m'.", "LENGTHS", unit="m"),
     ] = None,
     speed: Annotated[
         Exact | None, option.SPEED._replace(help="Speed, for forces in N: 300/min, 12.5rad/s.")

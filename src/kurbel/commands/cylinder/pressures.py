@@ -74,7 +74,7 @@ def pressures_table(
     ] = None,
     shares: Annotated[
         option.Given | None,
-        Option("Shares of the stroke: 0.25, lists 0;0.5;1, ranges; default 0..1:0.1.", "SHARES", many=True),
+        Option("Shares of the stroke: 0.25, lists '0;0.5;1', ranges; default 0..1:0.1.", "SHARES", many=True),
     ] = None,
     angle: Annotated[
         option.Given | None,

@@ -80,7 +80,7 @@ class Turned(option.Linked, option.Sheet, total=False):
 def dead_centres_table(
     beam: Annotated[
         Given | None,
-        Option("Arm of the beam in crank radii: 3; lists 3;4, ranges 3..6:0.5.", "A:R", many=True),
+        Option("Arm of the beam in crank radii: 3; lists '3;4', ranges 3..6:0.5.", "A:R", many=True),
     ] = None,
     *,
     ratio: Annotated[

@@ -67,7 +67,7 @@ class Linked(Slide, total=False):
         str | tuple[Exact, Exact] | None,
         Option(
             "Arc crank: the rocker's pivot along and across the slide, in units of R or as lengths; default:"
-            " as far as the rod is long, and B above the slide line. With D;0 angles count from the line of"
+            " as far as the rod is long, and B above the slide line. With 'D;0' angles count from the line of"
             " centres, as of a four-bar.",
             "D;H", unit="R",
         ),
@@ -76,7 +76,7 @@ class Linked(Slide, total=False):
         Exact | None,
         Option(
             "Arc crank: 1 or -1, the two ways to assemble the links; default 1. Of a four-bar with its pivot"
-            " at D;0 the open one is -1.",
+            " at 'D;0' the open one is -1.",
             "WAY",
         ),
     ]  # fmt: skip
@@ -104,7 +104,8 @@ class Over(TypedDict, total=False):
     shares: Annotated[
         Exact | Iterable[Exact] | None,
         Option(
-            "With --over path: shares of the stroke, 25%, lists 0;0.5;1, ranges; default 0..1:0.1.", "SHARES",
+            "With --over path: shares of the stroke, 25%, lists '0;0.5;1', ranges; default 0..1:0.1.",
+            "SHARES",
             many=True,
         ),
     ]  # fmt: skip

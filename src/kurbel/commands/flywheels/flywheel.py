@@ -124,7 +124,7 @@ def flywheel_table(
     ] = None,
     delta: Annotated[
         option.Given | None,
-        Option("Degree of irregularity to keep: 1:100, 0.01, ±0.5%; lists 1:50;1:100.", "δ", many=True),
+        Option("Degree of irregularity to keep: 1:100, 0.01, ±0.5%; lists '1:50;1:100'.", "δ", many=True),
     ] = None,
     radius: Annotated[
         Exact | None,

@@ -25,7 +25,7 @@ def firing_table(
     intervals: Annotated[
         option.Given | None,
         Option(
-            "With --order: the angles from each firing to the next, 315;405; default: equal ones.",
+            "With --order: the angles from each firing to the next, '315;405'; default: equal ones.",
             "ANGLES",
             unit="degrees",
         ),

@@ -75,7 +75,7 @@ def values_of(name: str, texts: Sequence[str]) -> Sequence[str]:
     """Return the values of lists and ranges of numbers with or without units, each once."""
     parts = [part.strip() for text in texts for part in text.split(";")]
     if len(parts) > 1 and not all(parts):
-        raise NotationError(f"{name} {quoted(';'.join(texts))} has an empty place; write a list as 2;3;4")
+        raise NotationError(f"{name} {quoted(';'.join(texts))} has an empty place; write a list as '2;3;4'")
     parts = _in_one_unit(parts)
     if len(parts) == 1:
         return _range(parts[0], name) if ".." in parts[0] else tuple(parts)

@@ -70,6 +70,9 @@ class _Reader(Tokens):
         try:
             return units.signed_torque(f"1 {unit}", f"unit of the {self.what}")
         except NotationError:
+            written = self.text[self.token.place - 1 :].strip()
+            if hint := units.in_forces(written, units.signed_torque.dimension):
+                self.refuse(f'has the unit "{written}" at place {self.token.place}; write {hint}')
             self.refuse_token()
 
     def _sign(self) -> Fraction:
@@ -118,6 +121,7 @@ class _Reader(Tokens):
         if self.took("("):
             opened = self.open()
             angle = self._angle()
+            self.refuse_angle()
             self.close(opened)
             behind = self._power()
         else:
@@ -134,6 +138,7 @@ class _Reader(Tokens):
         factor = self.number() if numbered else Fraction(1)
         is_angle = bool(self.took(*ANGLES))
         if not (is_angle or numbered):
+            self.refuse_angle()
             self.refuse(f"has no angle behind the {name} at place {function.place}; write {name}(3φ)")
         if not is_angle:
             self.took("°")
@@ -193,6 +198,7 @@ class _Reader(Tokens):
             found = self._angle()
             self.close(opened)
             return found, bool(found.order)
+        self.refuse_angle()
         self.refuse_token()
 
     def _power(self) -> int:

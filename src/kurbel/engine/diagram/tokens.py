@@ -48,7 +48,9 @@ class Tokens:
         rest = self.text[place:]
         if rest.strip():
             begun = place + len(rest) - len(rest.lstrip()) + 1
-            self.refuse(f'has "{rest.strip()[0]}" at place {begun}, which no formula has')
+            sign = rest.strip()[0]
+            angle = "; the crank angle is φ or phi" if sign.isalpha() else ""
+            self.refuse(f'has "{sign}" at place {begun}, which no formula has{angle}')
         return [*found, Token("end", "", len(self.text) + 1)]
 
     @property
@@ -80,6 +82,12 @@ class Tokens:
         if self.depth > DEEPEST:
             self.refuse(f"has more than {DEEPEST} brackets within each other")
         return self.tokens[self.next - 1].place
+
+    def refuse_angle(self) -> None:
+        """Refuse a token that is another word for the crank angle."""
+        kind, text, place = self.token
+        if kind == "word" and text not in (*ANGLES, *PI):
+            self.refuse(f'has "{text}" at place {place}; write the crank angle as φ or phi, {EXAMPLE}')
 
     def close(self, opened: int) -> None:
         if not self.took(")"):

@@ -93,7 +93,7 @@ class PressuresRequest(Question):
     def check(self) -> None:
         check_angles(self.angles)
         if self.layout.subject == OVER_STROKE and not self.shares:
-            raise ProblemError("no share of the stroke was given; write them as 0;0.5;1 or 0..1:0.1")
+            raise ProblemError("no share of the stroke was given; write them as '0;0.5;1' or 0..1:0.1")
         for share in self.shares:
             if not 0 <= share <= 1:
                 raise ProblemError(f"share of the stroke is {about(share)}; it must lie within 0..1")

@@ -124,7 +124,7 @@ def _pivot(said: Described, radius: Fraction | None) -> tuple[Fraction, Fraction
     if not isinstance(parts, Sequence) or len(parts) != 2:
         raise NotationError(
             f'pivot "{str(given)[:40]}" is not a place; write its distance from the shaft along and across'
-            " the slide in units of R as D;H, for example 5;6"
+            " the slide in units of R as 'D;H', for example '5;6'"
         )
     distance, height = (radii(part, "pivot", radius) for part in parts)
     return distance, height

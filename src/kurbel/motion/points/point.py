@@ -97,7 +97,7 @@ def _each(given: Exact | Iterable[Exact], one: Callable[[Exact], Fraction]) -> I
 
 def _read(part: str, whole: str, one: Callable[[Exact], Fraction]) -> Iterator[Point]:
     if not part.strip():
-        raise NotationError(f"{_WHAT} {quoted(whole)} has an empty place; write a list as 0;0.5;1")
+        raise NotationError(f"{_WHAT} {quoted(whole)} has an empty place; write a list as '0;0.5;1'")
     if ".." in part:
         yield from map(Point, notation.each_number([part], _WHAT, one))
         return
@@ -125,7 +125,7 @@ def _check_comma(part: str, share: str, beside: str) -> None:
             f" {first}.{second},{third}.{fourth}"
         )
     if len(figures) > 2:
-        raise NotationError(f"{_WHAT} {quoted(part)} has {len(figures)} parts; write a list as 0;0.5;1")
+        raise NotationError(f"{_WHAT} {quoted(part)} has {len(figures)} parts; write a list as '0;0.5;1'")
     if _WHOLE.fullmatch(share) and _PLAIN.fullmatch(beside):
         first, second = share.strip(), beside.strip()
         raise NotationError(

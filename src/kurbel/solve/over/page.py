@@ -95,7 +95,7 @@ class PathRequest(Question):
         if not self.drives:
             raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
         if not self.shares:
-            raise ProblemError("no share of the stroke was given; write them as 0;50%;100% or --step 5%")
+            raise ProblemError("no share of the stroke was given; write them as '0;50%;100%' or --step 5%")
         if len(self.shares) > MOST_SHARES:
             raise ProblemError(
                 f"{len(self.shares)} shares of the stroke were asked for; at most {MOST_SHARES} are solved,"
