@@ -82,8 +82,8 @@ def shown(
 
 @contextmanager
 def own_terminal(columns: int, lines: int, **settings: str) -> Iterator[Any]:
-    """Make a terminal of the standard streams of this process, but for its errors; give a function that ends it and returns what it
-    shows."""
+    """Make a terminal of the standard streams of this process, but for its errors; give a function that ends
+    it and returns what it shows."""
     with terminal(columns, lines) as (ours, theirs):
         stream = os.fdopen(theirs, "w", encoding="utf-8")
 

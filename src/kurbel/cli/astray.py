@@ -32,6 +32,11 @@ ELSEWHERE = {
     ("inertia", "--over"): "forces over the path, those of masses too, are of kurbel forces",
     ("solve", "--over"): 'kurbel table has --over path, and here --where "s = 25%" is a share of the stroke',
 }
+# Commands that there were once.
+GONE = {
+    "man": "manual pages are made by make docs, in the folder build/man of kurbel's source, and the same is"
+    " said by kurbel COMMAND --help",
+}
 _LONGEST = 60
 _NUMBER = re.compile(r"[+−-]?\d[\d.,/]*")
 
@@ -76,13 +81,13 @@ def long_flag(option: click.Option) -> str:
     return next(one for one in option.opts if one.startswith("--"))
 
 
-def command_for(text: str) -> str:
-    """Return the command of a value in place of a command, nothing if none is likely."""
+def instead_of(text: str) -> str:
+    """Return what to do in place of a command that is none, such as a value; nothing if nothing is likely."""
     if _reads(notation.ratios, [text]) and any(mark in text for mark in ":∶"):
-        return f"kurbel table --ratio {_as_typed(text)}"
+        return f"write kurbel table --ratio {_as_typed(text)}"
     if _is_condition(text):
-        return f"kurbel solve --ratio 1:5 --where {_as_typed(text)}"
-    return ""
+        return f"write kurbel solve --ratio 1:5 --where {_as_typed(text)}"
+    return GONE.get(text, "")
 
 
 def _names(text: str, options: Mapping[str, click.Option]) -> Iterable[str]:
