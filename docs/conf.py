@@ -61,7 +61,7 @@ copybutton_prompt_text = "$ "
 copybutton_only_copy_prompt_lines = True
 
 _COMMANDS, _FILES = "reference/command-line", "reference/files"
-man_pages = [
+man_pages: list[tuple[str, str, str, list[str], int]] = [
     (f"{_COMMANDS}/kurbel", "kurbel", "certified tables of the crank drive", [], 1),
     *((f"{_COMMANDS}/{name}", f"kurbel-{name}", line, [], 1) for name, (_, line) in COMMANDS.items()),
     (f"{_FILES}/machine", "kurbel-machine.toml", "a machine, for --machine of every command", [], 5),

@@ -6,12 +6,12 @@ import gc
 import os
 import signal
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager
 from queue import SimpleQueue
 from threading import Event, Lock, local
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Generic, NoReturn, Protocol, TypeVar
 
 from kurbel.errors import FailedError
 
@@ -23,8 +23,12 @@ BALLS = Lock()
 # What a part becomes: the name of its file, or its content.
 Result = str | bytes
 Make = Callable[[int], Result]
+Made = TypeVar("Made")
+Taken = TypeVar("Taken", covariant=True)
 # A part that ended so many processes will end those that come after.
 MOST_DEATHS = 3
+# More processes than these no machine has cores for.
+MOST_JOBS = 1024
 # One is computed, and one is there as soon as that is done.
 FOR_EACH = 2
 # So many more objects than before let a process look for garbage.
@@ -45,7 +49,12 @@ def check_wanted() -> None:
         raise LetGoError("the run was stopped")
 
 
-class Hands(Protocol):
+def cores() -> int:
+    """Return how many processes run at once."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+class Hands(Protocol[Taken]):
     """Who computes parts: some at once are given, and each is taken as it is done."""
 
     @property
@@ -55,11 +64,26 @@ class Hands(Protocol):
     def give(self, number: int) -> None:
         """Have a part computed."""
 
-    def take(self) -> tuple[int, Result]:
+    def take(self) -> tuple[int, Taken]:
         """Return a part that is done, waiting for it; raise what kept it from being made."""
 
     def end(self, at_once: bool) -> None:
         """Let all go; `at_once` without what they are computing."""
+
+
+def taken(hands: Hands[Made], count: int) -> Generator[tuple[int, Made], None, None]:
+    """Yield so many parts as they are done, and let all go then, or where nobody takes them any longer."""
+    given = 0
+    try:
+        for done in range(count):
+            while given < min(count, done + hands.most):
+                hands.give(given)
+                given += 1
+            yield hands.take()
+    except BaseException:
+        hands.end(at_once=True)
+        raise
+    hands.end(at_once=False)
 
 
 class Here:
@@ -120,16 +144,31 @@ class Threads:
                 return
 
 
-class Processes:
-    """Processes, each by itself: one that dies takes nothing along but the parts that it was given."""
+def _refuse(number: int) -> NoReturn:
+    raise FailedError(
+        f"processes that had to compute part {number} were ended {MOST_DEATHS} times, for want of"
+        " memory or from outside; --jobs 1 leaves more memory to each"
+    )
 
-    def __init__(self, make: Make, count: int) -> None:
-        self.most = count * FOR_EACH
-        self._make = make
+
+class Processes(Generic[Made]):
+    """Processes, each by itself: one that dies takes nothing along but the parts that it was given, `ahead`
+    at the most. A part that ends so many as it has `tries` becomes what `ended` makes of its number."""
+
+    def __init__(
+        self,
+        make: Callable[[int], Made],
+        count: int,
+        ahead: int = FOR_EACH,
+        tries: int = MOST_DEATHS,
+        ended: Callable[[int], Made] = _refuse,
+    ) -> None:
+        self.most = count * ahead
+        self._make, self._tries, self._ended = make, tries, ended
         self._pools = [_pool(make) for _ in range(count)]
         self._given = [0] * count
         self._deaths: dict[int, int] = {}
-        self._done: SimpleQueue[tuple[int, int, ProcessPoolExecutor, Future[Result]]] = SimpleQueue()
+        self._done: SimpleQueue[tuple[int, int, ProcessPoolExecutor, Future[Made]]] = SimpleQueue()
 
     def give(self, number: int) -> None:
         from concurrent.futures.process import BrokenProcessPool
@@ -145,7 +184,7 @@ class Processes:
         pool = self._pools[place]
         future.add_done_callback(lambda done: self._done.put((number, place, pool, done)))
 
-    def take(self) -> tuple[int, Result]:
+    def take(self) -> tuple[int, Made]:
         from concurrent.futures.process import BrokenProcessPool
 
         while True:
@@ -156,16 +195,10 @@ class Processes:
                 return number, future.result()
             if pool is self._pools[place]:
                 self._replace(place)
-            self._again(number)
-
-    def _again(self, number: int) -> None:
-        self._deaths[number] = self._deaths.get(number, 0) + 1
-        if self._deaths[number] == MOST_DEATHS:
-            raise FailedError(
-                f"processes that had to compute part {number} were ended {MOST_DEATHS} times, for want of"
-                " memory or from outside; --jobs 1 leaves more memory to each"
-            )
-        self.give(number)
+            self._deaths[number] = self._deaths.get(number, 0) + 1
+            if self._deaths[number] == self._tries:
+                return number, self._ended(number)
+            self.give(number)
 
     def _replace(self, place: int) -> None:
         self._pools[place].shutdown(wait=False)
@@ -182,7 +215,7 @@ class Processes:
             pool.shutdown(cancel_futures=True)
 
 
-def _pool(make: Make) -> ProcessPoolExecutor:
+def _pool(make: Callable[[int], Any]) -> ProcessPoolExecutor:
     from concurrent.futures import ProcessPoolExecutor
     from multiprocessing import get_context
 
@@ -216,10 +249,10 @@ def _without_script() -> Iterator[None]:
         sys.modules["__main__"] = script
 
 
-_make: list[Make] = []
+_make: list[Callable[[int], Any]] = []
 
 
-def _start(make: Make) -> None:
+def _start(make: Callable[[int], Any]) -> None:
     """Make a process ready: it ends with the one that started it, and by no other's Ctrl-C."""
     from multiprocessing import parent_process
     from threading import Thread
