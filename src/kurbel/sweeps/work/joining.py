@@ -7,11 +7,12 @@ from collections.abc import Iterable, Iterator
 
 import pyarrow as pa
 import pyarrow.compute as compute
+from pyarrow.dataset import dataset, field
 
 from kurbel.sweeps.columns import MISSING
 from kurbel.sweeps.files.arrow import REASON, with_options
 from kurbel.sweeps.files.forms import PARTITIONS, Form
-from kurbel.sweeps.files.parquet import gather, reasons_of
+from kurbel.sweeps.files.parquet import gather
 from kurbel.sweeps.rows import Sweep
 from kurbel.sweeps.work.task import Unit
 from kurbel.sweeps.work.units import Partitions, Parts
@@ -64,7 +65,9 @@ def _there(sweep: Sweep, batch: pa.RecordBatch) -> pa.RecordBatch:
 
 def _noted(paths: Iterator[str], refused: Counter[str]) -> Iterator[str]:
     for path in paths:
-        _count(reasons_of(path, REASON), refused)
+        # Of groups without a refused row nothing is read.
+        rows = dataset(path).to_batches(columns=[REASON], filter=field(REASON).is_valid())
+        _count((one[REASON] for one in rows), refused)
         yield path
 
 
