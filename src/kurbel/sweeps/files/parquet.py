@@ -33,7 +33,8 @@ def write(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, scratch:
 def write_folder(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, scratch: str) -> None:
     """Write all batches, in order, to the files part-000000.parquet and so on of a folder."""
     # pyarrow.dataset.write_dataset takes the batches in a thread of its own, so that Ctrl-C is heard when all
-    # is done; in order it takes 1.5 times as long, and holds five times the memory, 990 MiB of 4e7 rows.
+    # is done; in order it takes 1.5 times as long, and holds five times the memory, 990 MiB of 4e7 rows. To
+    # import it takes 0.4 s and 43 MiB.
     schema, groups = schema_of(sweep), in_groups(batches, GROUP)
     with whole_path(target, scratch, _is_ours) as folder:
         os.mkdir(folder)
@@ -58,6 +59,17 @@ def gather(partitions: Iterable[str], target: str, scratch: str) -> None:
             except OSError:
                 # A file system without second names.
                 shutil.copyfile(path, own)
+
+
+def reasons_of(path: str, column: str) -> Iterator[pa.Array]:
+    """Yield why rows of a partition were refused, and nothing of groups without such rows."""
+    with parquet.ParquetFile(path) as file:
+        place = file.schema_arrow.get_field_index(column)
+        for group in range(file.num_row_groups):
+            about = file.metadata.row_group(group).column(place)
+            known = about.statistics is not None and about.statistics.has_null_count
+            if not known or about.statistics.null_count < about.num_values:
+                yield from file.read_row_group(group, [column])[column].chunks
 
 
 def _parted(groups: Iterator[pa.RecordBatch]) -> Iterator[Iterator[pa.RecordBatch]]:

@@ -7,12 +7,11 @@ from collections.abc import Iterable, Iterator
 
 import pyarrow as pa
 import pyarrow.compute as compute
-from pyarrow.dataset import dataset, field
 
 from kurbel.sweeps.columns import MISSING
 from kurbel.sweeps.files.arrow import REASON, with_options
 from kurbel.sweeps.files.forms import PARTITIONS, Form
-from kurbel.sweeps.files.parquet import gather
+from kurbel.sweeps.files.parquet import gather, reasons_of
 from kurbel.sweeps.rows import Sweep
 from kurbel.sweeps.work.task import Unit
 from kurbel.sweeps.work.units import Partitions, Parts
@@ -65,9 +64,7 @@ def _there(sweep: Sweep, batch: pa.RecordBatch) -> pa.RecordBatch:
 
 def _noted(paths: Iterator[str], refused: Counter[str]) -> Iterator[str]:
     for path in paths:
-        # Of groups without a refused row nothing is read.
-        rows = dataset(path).to_batches(columns=[REASON], filter=field(REASON).is_valid())
-        _count((one[REASON] for one in rows), refused)
+        _count(reasons_of(path, REASON), refused)
         yield path
 
 
