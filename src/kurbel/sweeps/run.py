@@ -22,8 +22,9 @@ from kurbel.reading.extras import missing_extra
 from kurbel.sweeps.files.forms import form_of, is_device
 from kurbel.sweeps.rows import Sweep
 from kurbel.sweeps.work.folder import Work, working
-from kurbel.sweeps.work.hands import Hands, Here, Processes, Result, Threads, cores
+from kurbel.sweeps.work.hands import Hands, Here, Result, Threads, cores
 from kurbel.sweeps.work.identity import files_of, grounded, identity_of
+from kurbel.sweeps.work.processes import Processes
 from kurbel.sweeps.work.task import Unit, kept, made
 
 # Parts that are done before one that is not: their names are all that is kept.
