@@ -103,20 +103,14 @@ def by_whom(scheduler: str | None) -> Worked:
 
 
 def worked(pieces: Iterable[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
-    """Yield each piece with what it became, or a sentence why it became nothing, as they are done.
-
-    All share their processes, but for those that may end them.
-    """
-    lots: dict[int, list[Piece]] = {}
-    for piece in pieces:
-        lots.setdefault(0 if piece.killed == KILLED else id(piece.owner), []).append(piece)
-    for lot in lots.values():
-        by_themselves = any(piece.apart for piece in lot) or (jobs > 1 and len(lot) >= WORTH_A_PROCESS)
-        if by_themselves and HAS_PROCESSES:
-            yield from _worked_apart(lot, jobs)
-        else:
-            for piece in lot:
-                yield piece, tried(piece.make)
+    """Yield each piece with what it became, or a sentence why it became nothing, as they are done."""
+    pieces = [*pieces]
+    by_themselves = any(piece.apart for piece in pieces) or (jobs > 1 and len(pieces) >= WORTH_A_PROCESS)
+    if by_themselves and HAS_PROCESSES:
+        yield from _worked_apart(pieces, jobs)
+    else:
+        for piece in pieces:
+            yield piece, tried(piece.make)
 
 
 class Makes:
@@ -160,7 +154,7 @@ def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[tuple[Piece, M
         for number, made in done:
             piece = left.pop(number)
             yield piece, made
-            count += made == piece.killed
+            count += made == KILLED
             if count == MOST_KILLED:
                 break
     for piece in left.values():
