@@ -32,11 +32,13 @@ def pages() -> Iterator[tuple[str, str]]:
 def _overview() -> Iterator[str]:
     yield "# Command line"
     yield plain("Every command prints its own help: `kurbel table --help`.")
-    yield table(
-        ("command", "what it does"),
-        ((f"[`kurbel {name}`]({name}.md)", line) for name, (_, line) in COMMANDS.items()),
-    )
+    yield _listed()
     yield toctree(("kurbel", *COMMANDS), ":hidden:")
+
+
+def _listed() -> str:
+    rows = ((f"[`kurbel {name}`]({name}.md)", line) for name, (_, line) in COMMANDS.items())
+    return table(("command", "what it does"), rows)
 
 
 def _kurbel() -> Iterator[str]:
@@ -45,6 +47,9 @@ def _kurbel() -> Iterator[str]:
     yield plain(f"{SUMMARY} {LANGUAGES}")
     yield directive("program", "kurbel", "")
     yield from _described(cli.get_params(_context(cli, "kurbel")), _context(cli, "kurbel"))
+    yield "## Commands"
+    yield plain("Each has its own help, `kurbel table --help`, and a manual page, `man kurbel-table`.")
+    yield _listed()
     yield "## Environment"
     yield plain(VARIABLES)
     yield "## Exit status"

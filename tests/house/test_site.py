@@ -106,8 +106,10 @@ def test_man_shows_every_manual_page_without_a_warning(site: Path) -> None:
     said = subprocess.run([require("mandoc"), "-T", "lint", "-W", "error", *files], capture_output=True)
     assert (said.returncode, said.stdout, said.stderr) == (0, b"", b"")
     settings = os.environ | {"LC_ALL": "C.UTF-8", "MANWIDTH": "80", "MANPAGER": "cat"}
+    # A cell of a table may be too narrow for a line as long as the others: that is no fault of the page.
+    man = [require("man"), "--no-justification", "--warnings", "-l"]
     for file in files:
-        done = subprocess.run([require("man"), "--warnings", "-l", file], capture_output=True, env=settings)
+        done = subprocess.run([*man, file], capture_output=True, env=settings)
         assert (done.returncode, done.stderr) == (0, b""), file
     table = (site.parent / "man" / "man1" / "kurbel-table.1").read_text(encoding="utf-8")
     # Copied from a page that is typeset it is still an option, and no word with hyphens.
