@@ -75,6 +75,7 @@ man_make_section_directory = True
 def setup(app: Sphinx) -> None:
     app.connect("doctree-read", _with_dashes)
     app.connect("doctree-read", _in_its_language)
+    app.connect("doctree-resolved", _without_links)
 
 
 def _with_dashes(app: Sphinx, page: nodes.document) -> None:
@@ -90,3 +91,11 @@ def _in_its_language(app: Sphinx, page: nodes.document) -> None:
         for section in page.findall(nodes.section):
             section["classes"].append("language-de")
             break
+
+
+def _without_links(app: Sphinx, page: nodes.document, name: str) -> None:
+    """Leave the words of a manual page that link to other pages, where Sphinx would set <> behind them."""
+    if app.builder.name == "man":
+        for link in [*page.findall(nodes.reference)]:
+            if link.get("internal"):
+                link.replace_self(link.children)

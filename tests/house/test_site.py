@@ -111,6 +111,8 @@ def test_man_shows_every_manual_page_without_a_warning(site: Path) -> None:
     for file in files:
         done = subprocess.run([*man, file], capture_output=True, env=settings)
         assert (done.returncode, done.stderr) == (0, b""), file
+    # Other pages have no address there.
+    assert not any("<>" in Path(file).read_text(encoding="utf-8") for file in files)
     table = (site.parent / "man" / "man1" / "kurbel-table.1").read_text(encoding="utf-8")
     # Copied from a page that is typeset it is still an option, and no word with hyphens.
     assert r"\-\-ratio" in table
