@@ -67,7 +67,6 @@ peers: $(DEV) ## set one table with kurbel and its peers side by side, docs/gall
 
 docs: $(DOCS) ## build the site of the documentation in build/site and manual pages in build/man
 	$(BIN)/python docs/generate/schemas.py
-	$(BIN)/kurbel man --output build/man
 	$(BIN)/python docs/generate/website.py build/site --playground
 
 links: docs ## try the links of the documentation that lead elsewhere; needs a network

@@ -10,6 +10,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 
 import kurbel
+from kurbel.cli import COMMANDS
 
 project = "kurbel"
 version = release = kurbel.__version__
@@ -59,10 +60,22 @@ html_sidebars: dict[str, list[str]] = {
 copybutton_prompt_text = "$ "
 copybutton_only_copy_prompt_lines = True
 
+_COMMANDS, _FILES = "reference/command-line", "reference/files"
+man_pages: list[tuple[str, str, str, list[str], int]] = [
+    (f"{_COMMANDS}/kurbel", "kurbel", "certified tables of the crank drive", [], 1),
+    *((f"{_COMMANDS}/{name}", f"kurbel-{name}", line, [], 1) for name, (_, line) in COMMANDS.items()),
+    (f"{_FILES}/machine", "kurbel-machine.toml", "a machine, for --machine of every command", [], 5),
+    (f"{_FILES}/layout", "kurbel-layout.toml", "a page layout of one's own, for --layouts", [], 5),
+    (f"{_FILES}/sweep", "kurbel-sweep.toml", "a sweep, for kurbel sweep", [], 5),
+    (f"{_FILES}/handbook", "kurbel-handbook.toml", "the manifest of a handbook", [], 5),
+]
+man_make_section_directory = True
+
 
 def setup(app: Sphinx) -> None:
     app.connect("doctree-read", _with_dashes)
     app.connect("doctree-read", _in_its_language)
+    app.connect("doctree-resolved", _without_links)
 
 
 def _with_dashes(app: Sphinx, page: nodes.document) -> None:
@@ -78,3 +91,11 @@ def _in_its_language(app: Sphinx, page: nodes.document) -> None:
         for section in page.findall(nodes.section):
             section["classes"].append("language-de")
             break
+
+
+def _without_links(app: Sphinx, page: nodes.document, name: str) -> None:
+    """Leave the words of a manual page that link to other pages, where Sphinx would set <> behind them."""
+    if app.builder.name == "man":
+        for link in [*page.findall(nodes.reference)]:
+            if link.get("internal"):
+                link.replace_self(link.children)

@@ -8,16 +8,22 @@ from collections.abc import Iterable, Iterator
 import click
 from markdown import described, directive, plain, table, toctree
 
-from kurbel.cli import COMMANDS, help_text
+from kurbel.cli import COMMANDS, LANGUAGES, SUMMARY, VARIABLES
 from kurbel.cli.app import HELP_OPTIONS, cli, command_of
 from kurbel.cli.manual.sections import sections
 from kurbel.cli.tables import MakingCommand
 
 FOLDER = "reference/command-line"
+CODES = (
+    ("0", "Done."),
+    ("1", "Failed, or with `--check` and `--strict` something is stale or deviates; one sentence says what."),
+    ("2", "Wrong usage."),
+)
 
 
 def pages() -> Iterator[tuple[str, str]]:
     yield f"{FOLDER}/index.md", "\n\n".join(_overview()) + "\n"
+    yield f"{FOLDER}/kurbel.md", "\n\n".join(_kurbel()) + "\n"
     for name in COMMANDS:
         page = "\n\n".join(_page(command_of(name), f"kurbel {name}", "#"))
         yield f"{FOLDER}/{name}.md", page + "\n"
@@ -26,16 +32,28 @@ def pages() -> Iterator[tuple[str, str]]:
 def _overview() -> Iterator[str]:
     yield "# Command line"
     yield plain("Every command prints its own help: `kurbel table --help`.")
-    yield table(
-        ("command", "what it does"),
-        ((f"[`kurbel {name}`]({name}.md)", line) for name, (_, line) in COMMANDS.items()),
-    )
-    yield "## Options of kurbel itself"
+    yield _listed()
+    yield toctree(("kurbel", *COMMANDS), ":hidden:")
+
+
+def _listed() -> str:
+    rows = ((f"[`kurbel {name}`]({name}.md)", line) for name, (_, line) in COMMANDS.items())
+    return table(("command", "what it does"), rows)
+
+
+def _kurbel() -> Iterator[str]:
+    """Yield kurbel itself; the list of all pages stands elsewhere, or its manual page would have them all."""
+    yield "# kurbel"
+    yield plain(f"{SUMMARY} {LANGUAGES}")
     yield directive("program", "kurbel", "")
     yield from _described(cli.get_params(_context(cli, "kurbel")), _context(cli, "kurbel"))
+    yield "## Commands"
+    yield plain("Each has its own help, `kurbel table --help`, and a manual page, `man kurbel-table`.")
+    yield _listed()
     yield "## Environment"
-    yield plain(help_text().partition("Environment:")[2])
-    yield toctree(COMMANDS, ":hidden:")
+    yield plain(VARIABLES)
+    yield "## Exit status"
+    yield table(("code", "what it says"), CODES)
 
 
 def _page(command: click.Command, name: str, level: str) -> Iterator[str]:

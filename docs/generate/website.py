@@ -1,7 +1,7 @@
-"""Build the site of the documentation: python docs/generate/website.py build/site [--playground].
+"""Build the documentation: python docs/generate/website.py build/site [--playground].
 
 The pages that are written by hand and those made of the program itself are laid into one folder beside the
-site, and Sphinx makes the site of them.
+site, and Sphinx makes the site of them, and manual pages in the folder `man` beside it.
 """
 
 from __future__ import annotations
@@ -34,7 +34,12 @@ def main() -> int:
     # What is left of another build would be taken for a page of this one.
     for old in (read, *(one for one in site.glob("*") if one.name != "playground")):
         shutil.rmtree(old) if old.is_dir() else old.unlink(missing_ok=True)
-    return build_main([*STRICTLY, "-b", "html", "-d", str(read), str(source), str(site)])
+    places = {"html": site, "man": site.with_name("man")}
+    shutil.rmtree(places["man"], ignore_errors=True)
+    return max(
+        build_main([*STRICTLY, "-b", kind, "-d", str(read), str(source), str(place)])
+        for kind, place in places.items()
+    )
 
 
 def playground(target: Path) -> bool:

@@ -1,11 +1,10 @@
-"""The help, the manual pages and the scripts of shells, and the way to a page in English.
+"""The help and the scripts of shells, and the way to a page in English.
 
 What shells are offered stands in tests/transcripts/printed/completion.txt.
 """
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import shlex
@@ -13,12 +12,10 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import pytest
-from cli import kurbel, printed, refusal
+from cli import kurbel, printed
 from completion import COMMANDS, EVERY, GROUPS, PRINTING, described
-from places import ROOT
 from programs import Programs
 from terminals import own_terminal, shown
 from tools import require
@@ -27,12 +24,6 @@ from kurbel import __version__ as kurbel_version
 from kurbel.cli.app import run
 
 ALONE = [words for words in EVERY if words[0] not in GROUPS]
-SCHEMAS = {
-    "machine.toml": "drive/machine.schema.json",
-    "layout.toml": "page/layout.schema.json",
-    "sweep.toml": "sweeps/sweep.schema.json",
-    "handbook.toml": "handbook/handbook.schema.json",
-}
 LISTS = (("sources",), ("layouts",), ("quantities",))
 ENGLISH = "Pages are in German; in English with --lang en, or KURBEL_LANG=en for all."
 
@@ -62,88 +53,6 @@ def test_a_folded_example_is_the_same_for_the_shell(words: tuple[str, ...]) -> N
 
     assert examples(50) == examples(80)
     assert examples(50) or words in LISTS
-
-
-@pytest.fixture(scope="module")
-def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
-    """Return the manual pages by the names of `man`."""
-    folder = tmp_path_factory.mktemp("man") / "new"
-    result = kurbel("man", "-o", str(folder))
-    files = {path.stem: path for path in folder.rglob("*") if path.is_file()}
-    assert (result.code, result.out) == (0, "")
-    assert result.err == (
-        f"kurbel: {len(files)} manual pages are written; man finds them with:"
-        f" MANPATH={folder}: man kurbel-table\n"
-    )
-    return files
-
-
-def plain(page: Path) -> str:
-    """Return the text of a page without the notation of man(7)."""
-    text = re.sub(r"\\f[BIR]|\\&|^\.\w+ ?", "", page.read_text(encoding="utf-8"), flags=re.MULTILINE)
-    text = re.sub(r"\\\[u([0-9A-F]{4,})\]", lambda one: chr(int(one[1], 16)), text)
-    for sign, written in (("-", "\\-"), ("'", "\\(aq"), ("`", "\\(ga"), ("^", "\\(ha"), ("~", "\\(ti")):
-        text = text.replace(written, sign)
-    return " ".join(text.replace("\\e", "\\").split())
-
-
-def test_every_command_and_every_file_has_a_manual_page_with_all_that_help_says(
-    pages: dict[str, Path],
-) -> None:
-    ours = [words for words in EVERY if words[0] != "sweep" or len(words) == 1]
-    names = {f"kurbel-{'-'.join(words)}": words for words in ours}
-    assert pages.keys() == {"kurbel", *names, *(f"kurbel-{name}" for name in SCHEMAS)}
-    for name, words in names.items():
-        assert pages[name].parent.name == "man1"
-        assert plain(pages[name]).partition(' "SYNOPSIS" ')[2].startswith(f"kurbel {' '.join(words)} ")
-        for option, said in described(*words, "--").items():
-            # Copied from a page that is typeset it is still an option, and no word with hyphens.
-            written = rf"\fB{option}".replace("-", r"\-")
-            assert (
-                words[0] == "sweep"
-                or option == "--help"
-                or (written in pages[name].read_text(encoding="utf-8") and said in plain(pages[name]))
-            ), (name, option)
-    assert printed("man", "handbook", "build").out == pages["kurbel-handbook-build"].read_text("utf-8")
-    assert printed("man", "kurbel-handbook-build").out == printed("man", "handbook build").out
-    assert printed("man", "handbook.toml").out == pages["kurbel-handbook.toml"].read_text("utf-8")
-
-
-@pytest.mark.parametrize("name", SCHEMAS)
-def test_a_page_of_a_file_has_every_key_of_its_schema(name: str, pages: dict[str, Path]) -> None:
-    said = plain(pages[f"kurbel-{name}"])
-    schema = json.loads((ROOT / "src/kurbel" / SCHEMAS[name]).read_text(encoding="utf-8"))
-
-    def check(section: Any) -> None:
-        for key, one in section.get("properties", {}).items():
-            assert key in said
-            if key != "defaults":
-                check(one)
-                check(one.get("items", {}))
-
-    check(schema)
-    assert "[[chapter.part]]" in said or name != "handbook.toml"
-
-
-def test_what_cannot_be_shown_or_written_is_said(programs: Programs, tmp_path: Path) -> None:
-    (tmp_path / "file").write_text("")
-    folder = str(tmp_path / "file" / "below")
-    assert refusal("man", "-o", folder, code=1) == f"cannot make the folder {folder}: Not a directory"
-    text, code = shown(programs, "man", "table", PATH="/nowhere")
-    assert code == 1
-    assert "kurbel table --help says the same" in text
-
-
-@pytest.mark.slow
-def test_man_and_mandoc_show_every_page_without_a_warning(pages: dict[str, Path]) -> None:
-    files = sorted(map(str, pages.values()))
-    said = subprocess.run([require("mandoc"), "-T", "lint", "-W", "warning", *files], capture_output=True)
-    assert (said.returncode, said.stdout, said.stderr) == (0, b"", b"")
-    settings = os.environ | {"LC_ALL": "C.UTF-8", "MANWIDTH": "80", "MANPAGER": "cat"}
-    for file in files:
-        done = subprocess.run([require("man"), "--warnings", "-l", file], capture_output=True, env=settings)
-        assert (done.returncode, done.stderr) == (0, b""), file
-        assert max(map(len, done.stdout.decode().splitlines())) <= 80
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])

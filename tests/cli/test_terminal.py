@@ -47,7 +47,7 @@ def test_what_is_longer_than_the_screen_goes_through_the_pager(
     page: list[bytes], paged: bool, tmp_path: Path
 ) -> None:
     file = tmp_path / "page"
-    with own_terminal(80, LINES, KURBEL_PAGER=f"cat > {shlex.quote(str(file))}", PAGER="false") as end:
+    with own_terminal(80, LINES, KURBEL_PAGER=f"tee {shlex.quote(str(file))}", PAGER="false") as end:
         screen.show(iter(page), paging=True)
         there = end()
     # Ctrl-C is ours again.
@@ -76,12 +76,15 @@ def test_a_page_is_printed_where_there_is_to_be_no_pager(settings: dict[str, str
         assert end() == b"".join(lines(100)).decode()
 
 
-def test_a_pager_that_is_not_there_is_named(capsys: pytest.CaptureFixture[str]) -> None:
-    with own_terminal(80, LINES, PAGER="lesss -R") as end:
+@pytest.mark.parametrize(("command", "program"), [("lesss -R", "lesss"), ("less '-R", "less '-R")])
+def test_a_pager_that_is_not_there_is_named(
+    command: str, program: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with own_terminal(80, LINES, PAGER=command) as end:
         screen.show(iter(lines(100)), paging=True)
         assert end() == b"".join(lines(100)).decode()
     assert capsys.readouterr().err == (
-        'kurbel: PAGER is "lesss -R", and there is no program lesss; name another, or cat for none\n'
+        f'kurbel: PAGER is "{command}", and there is no program {program}; name another, or cat for none\n'
     )
 
 
@@ -103,7 +106,7 @@ def test_ctrl_c_is_the_pagers_and_what_is_said_meanwhile_stays_seen(
     programs: Programs, tmp_path: Path
 ) -> None:
     page, read, interrupted = (tmp_path / name for name in ("page", "read", "interrupted"))
-    pager = (
+    pager = "sh -c " + shlex.quote(
         f"trap 'touch {interrupted}' INT; cat > {page}; touch {read}; "
         f"until [ -e {interrupted} ]; do sleep 0.01; done; echo the pager ends"
     )

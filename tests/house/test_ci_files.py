@@ -302,7 +302,7 @@ def test_in_ci_nothing_is_promoted(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize(
     ("target", "line"),
     [
-        ("docs", "kurbel man --output build/man"),
+        ("docs", "docs/generate/website.py build/site --playground"),
         ("golden", "git diff --stat --patch -- tests docs README.md examples/notes.md"),
     ],
 )

@@ -46,6 +46,21 @@ def test_the_reference_describes_every_option_of_every_command(pages: dict[str, 
             assert option == "--help" or re.search(written, page, re.MULTILINE), (words, option)
 
 
+def test_every_command_and_every_file_has_a_manual_page(pages: dict[str, str]) -> None:
+    manual = runpy.run_path(str(DOCS / "conf.py"))["man_pages"]
+    files = [name for name in pages if re.match(r"reference/files/(?!index)\w+\.md", name)]
+    assert {f"{place}.md" for place, *_ in manual} == {
+        "reference/command-line/kurbel.md",
+        *(f"reference/command-line/{words[0]}.md" for words in EVERY),
+        *files,
+    }
+    assert {(name, section) for _, name, _, _, section in manual} == {
+        ("kurbel", 1),
+        *((f"kurbel-{words[0]}", 1) for words in EVERY),
+        *((f"kurbel-{Path(name).stem}.toml", 5) for name in files),
+    }
+
+
 def test_the_reference_describes_every_name_of_the_library(pages: dict[str, str]) -> None:
     described = "".join(text for name, text in pages.items() if name.startswith("reference/python/"))
     for name in set(library.__all__) - {"__version__"}:

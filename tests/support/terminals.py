@@ -82,8 +82,8 @@ def shown(
 
 @contextmanager
 def own_terminal(columns: int, lines: int, **settings: str) -> Iterator[Any]:
-    """Make the standard output of this process a terminal; give a function that ends it and returns what it
-    shows."""
+    """Make a terminal of the standard streams of this process, but for its errors; give a function that ends
+    it and returns what it shows."""
     with terminal(columns, lines) as (ours, theirs):
         stream = os.fdopen(theirs, "w", encoding="utf-8")
 
@@ -92,6 +92,7 @@ def own_terminal(columns: int, lines: int, **settings: str) -> Iterator[Any]:
             return seen(ours)
 
         with (
+            mock.patch.object(sys, "stdin", stream),
             mock.patch.object(sys, "stdout", stream),
             mock.patch.object(sys, "__stdout__", stream),
             mock.patch.dict(os.environ, environment(**settings), clear=True),

@@ -75,7 +75,6 @@ COMMANDS = {
     "inject": ("kurbel.cli.inject", "Refresh the tables at marked places of your own documents."),
     "layouts": ("kurbel.cli.lists", "List the page layouts."),
     "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),
-    "man": ("kurbel.cli.man", "Show a manual page, or write all of them for man."),
 }
 
 # What stands together in the help.
@@ -86,7 +85,7 @@ GROUPS = {
     "Sweeps": ("sweep",),
     "Books": ("collate", "sources", "example"),
     "Drawings and documents": ("plot", "construct", "handbook", "inject"),
-    "Lists and manual": ("layouts", "quantities", "man"),
+    "Lists": ("layouts", "quantities"),
 }
 # Characters of a word, such as a path, and of a sentence, which may list all columns.
 LONGEST_WORD, LONGEST_SENTENCE = 300, 3000
@@ -121,8 +120,7 @@ Options:
   --version    Show the version and exit.
   -h, --help   Show this message and exit.
 
-  Each command has its own help, kurbel table --help, and the same as a manual
-  page, kurbel man table.
+  Each command has its own help, kurbel table --help.
 
   Environment: {variables}
 """

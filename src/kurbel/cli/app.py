@@ -50,10 +50,10 @@ class Group(click.Group):
             try:
                 args = [meant(args[0], self.list_commands(ctx), self.what), *args[1:]]
             except ChoiceError:
-                from kurbel.cli.astray import command_for
+                from kurbel.cli.astray import instead_of
 
-                if self.what == Group.what and (command := command_for(args[0])):
-                    raise ChoiceError(f'there is no command "{args[0][:60]}"; write {command}') from None
+                if self.what == Group.what and (hint := instead_of(args[0])):
+                    raise ChoiceError(f'there is no command "{args[0][:60]}"; {hint}') from None
                 raise
         return super().resolve_command(ctx, args)
 

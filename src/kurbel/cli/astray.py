@@ -36,6 +36,11 @@ ELSEWHERE = {
 }
 # Whose values have words with spaces between them.
 SENTENCES = ("where", "only", "torque", "load_torque", "caption", "note", "source")
+# Commands that there were once.
+GONE = {
+    "man": "manual pages are made by make docs, in the folder build/man of kurbel's source, and the same is"
+    " said by kurbel COMMAND --help",
+}
 _LONGEST = 60
 # More commands that have an option are not listed.
 _OWNERS = 4
@@ -218,16 +223,17 @@ def long_flag(option: click.Option) -> str:
     return next(one for one in option.opts if one.startswith("--"))
 
 
-def command_for(text: str) -> str:
-    """Return the command of a value in place of a command, or by another word, nothing if none is likely."""
+def instead_of(text: str) -> str:
+    """Return what to do in place of a command that is none, such as a value or another word for one; nothing
+    if nothing is likely."""
     if _reads(notation.ratios, [text]) and any(mark in text for mark in ":∶"):
-        return f"kurbel table --ratio {_as_typed(text)}"
+        return f"write kurbel table --ratio {_as_typed(text)}"
     if _is_condition(text):
-        return f"kurbel solve --ratio 1:5 --where {_as_typed(text)}"
+        return f"write kurbel solve --ratio 1:5 --where {_as_typed(text)}"
     from kurbel.reading.foreign import command
 
     found = command(text)
-    return f"kurbel {found}" if found else ""
+    return f"write kurbel {found}" if found else GONE.get(text, "")
 
 
 def _names(text: str, options: Mapping[str, click.Option]) -> Iterable[str]:

@@ -18,7 +18,8 @@ from kurbel.cli.listing import show_lines
 from kurbel.cli.options import Option, Type, lang_option
 from kurbel.commands.options import Choice, Count
 from kurbel.formats.registry import compiled_format
-from kurbel.handbook.pool import MOST_PROCESSES, by_whom, cores
+from kurbel.handbook.pool import by_whom
+from kurbel.sweeps.work.hands import MOST_JOBS, cores
 
 if TYPE_CHECKING:
     from kurbel.handbook.build import Build, Handbook
@@ -56,7 +57,7 @@ ONLY = click.option("--only", multiple=True, metavar="NAME",
 OUTSIDE = click.option("--allow-outside", is_flag=True,
                        help="Files that the manifest names may lie outside of its folder.")  # fmt: skip
 QUIET = click.option("-q", "--quiet", is_flag=True, help="Say only what is wrong.")
-JOBS = click.option("-j", "--jobs", cls=Option, type=Type(Count("jobs", 1, MOST_PROCESSES)), metavar="N",
+JOBS = click.option("-j", "--jobs", cls=Option, type=Type(Count("jobs", 1, MOST_JOBS)), metavar="N",
                     help="Processes at once; default: one for each core.")  # fmt: skip
 CLUSTER = click.option("--scheduler", metavar="ADDRESS",
                        help="Dask cluster that makes the parts: tcp://HOST:8786.")  # fmt: skip

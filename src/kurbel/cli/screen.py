@@ -4,15 +4,25 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
+import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, redirect_stderr
 from functools import partial
+from io import StringIO
 from itertools import chain
-from shutil import get_terminal_size
+from shutil import get_terminal_size, which
 from stat import S_ISREG
 from time import monotonic
 
+from kurbel.cli import say
+
+# The variables that name the pager, and what each of them says to have none.
+PAGERS, UNPAGED = ("KURBEL_PAGER", "PAGER"), ("", "cat")
+# It ends where one screen is enough, obeys the codes of colours, and leaves the page on the screen, which is
+# UTF-8 wherever it is printed.
+LESS = {"LESS": "FRX", "LV": "-c", "LESSCHARSET": "utf-8"}
 # A terminal that can do nothing but print.
 DUMB = "dumb"
 # What tells the language of the one who reads, the first that is set.
@@ -60,12 +70,10 @@ def show(pieces: Iterable[bytes], paging: bool) -> None:
     """Write to standard output, with `paging` through a pager what is longer than the screen."""
     pieces = iter(pieces)
     if paging and sys.stdout.isatty() and os.environ.get("TERM") != DUMB:
-        from kurbel.cli.pager import pager
-
         first, is_longer = _screenful(pieces)
         pieces = chain(first, pieces)
-        if is_longer and (found := pager(os.environ)):
-            found.show(pieces)
+        if is_longer and (pager := _pager()):
+            _page(pieces, pager)
             return
     for piece in pieces:
         sys.stdout.buffer.write(piece)
@@ -86,6 +94,50 @@ def _screenful(pieces: Iterator[bytes]) -> tuple[list[bytes], bool]:
         if height >= rows:
             return first, True
     return first, False
+
+
+def _pager() -> str:
+    """Return the pager that the environment names, or less; nothing where there is none, or is to be none."""
+    named = next((name for name in PAGERS if name in os.environ), "")
+    command = os.environ[named].strip() if named else "less -FRX"
+    if command in UNPAGED:
+        return ""
+    try:
+        program = shlex.split(command)[0]
+    except (ValueError, IndexError):
+        # A quotation mark without its other.
+        program = command
+    if which(program):
+        return command
+    if named:
+        say(f'{named} is "{command}", and there is no program {program}; name another, or cat for none')
+    return ""
+
+
+def _page(pieces: Iterable[bytes], pager: str) -> None:
+    """Hand the pieces to the pager, and return when its reader has done with it."""
+    from click import get_pager_file
+
+    # click reads them here.
+    os.environ.update(LESS | os.environ | {"PAGER": pager})
+    said = StringIO()
+    try:
+        # What is said meanwhile would be lost among the lines of the page.
+        with redirect_stderr(said), get_pager_file() as stream, _without_ctrl_c():
+            for piece in pieces:
+                stream.buffer.write(piece)
+    finally:
+        sys.stderr.write(said.getvalue())
+
+
+@contextmanager
+def _without_ctrl_c() -> Iterator[None]:
+    """Leave Ctrl-C to the pager: the terminal is not the shell's again until that has ended."""
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 @contextmanager

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 from kurbel.handbook.inputs import digest_of
 from kurbel.handbook.pool import Made, Piece, Task, tried, worked
+from kurbel.sweeps.work.hands import BALLS, taken
 
 # What pages are made by beside numbers.
 OF_PAGES = ("jinja2", "markdown-it-py", "tabulate", "matplotlib", "xlsxwriter")
@@ -32,8 +33,6 @@ class Parts:
         self.makes = [_absolute(piece) for piece in pieces]
 
     def __call__(self, number: int) -> Elsewhere:
-        from kurbel.sweeps.work.hands import BALLS
-
         make = self.makes[number]
         # The precision of balls is that of the process.
         with BALLS:
@@ -46,36 +45,23 @@ def worked_by(scheduler: str, pieces: Iterable[Piece], jobs: int) -> Iterator[tu
 
     Raises KurbelError where the cluster cannot be used.
     """
+    from kurbel.sweeps.work.cluster import Cluster
+    from kurbel.sweeps.work.versions import LIBRARIES
+
     here: list[Piece] = []
     there: list[Piece] = []
     for piece in pieces:
         (here if _has_own_pages(piece) else there).append(piece)
     if there:
-        parts = Parts(there)
-        for number, one in _taken(scheduler, parts):
+        parts, name = Parts(there), f"handbook-{os.urandom(8).hex()}"
+        cluster = Cluster(scheduler, parts, name, {}, (*LIBRARIES, *OF_PAGES))
+        for number, one in taken(cluster, len(there)):
             piece = there[number]
             if isinstance(one.made, str) or one.inputs != _inputs(parts.makes[number], one.made):
                 here.append(piece)
             else:
                 yield piece, one.made
     yield from worked(here, jobs)
-
-
-def _taken(scheduler: str, parts: Parts) -> Iterator[tuple[int, Elsewhere]]:
-    from kurbel.sweeps.work.cluster import Cluster
-    from kurbel.sweeps.work.versions import LIBRARIES
-
-    cluster = Cluster(scheduler, parts, f"handbook-{os.urandom(8).hex()}", {}, (*LIBRARIES, *OF_PAGES))
-    try:
-        given = taken = 0
-        while taken < len(parts.makes):
-            while given < min(len(parts.makes), taken + cluster.most):
-                cluster.give(given)
-                given += 1
-            yield cluster.take()
-            taken += 1
-    finally:
-        cluster.end(at_once=True)
 
 
 def _has_own_pages(piece: Piece) -> bool:

@@ -2,30 +2,24 @@
 
 from __future__ import annotations
 
-import gc
 import os
-import signal
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import closing
 from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from kurbel.errors import KurbelError
 from kurbel.formats.apart import HAS_PROCESSES
 from kurbel.page.quantity import Letter
+from kurbel.sweeps.work.hands import taken
 
 if TYPE_CHECKING:
-    from concurrent.futures import Future, ProcessPoolExecutor
-
     from kurbel.handbook.manifest import Part
 
-# Windows waits for no more processes at once.
-MOST_PROCESSES = 61
 # Fewer pieces than these are done before another process has loaded the libraries.
 WORTH_A_PROCESS = 4
-# So many more objects than before let a process look for garbage: a sixth less time than as Python does it,
-# for 35 megabytes more.
-ALLOCATED = 1_000_000
+# A piece whose process was ended is given to another: what is there of memory is not its fault alone.
+TRIES = 2
 # What ended the processes of so many pieces will end those of the rest.
 MOST_KILLED = 3
 KILLED = "its process was ended, for want of memory or from outside"
@@ -99,12 +93,6 @@ class Piece(NamedTuple):
 Worked = Callable[[Iterable[Piece], int], Iterator[tuple[Piece, Made | str]]]
 
 
-def cores() -> int:
-    """Return how many processes run at once."""
-    count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return min(count, MOST_PROCESSES)
-
-
 def by_whom(scheduler: str | None) -> Worked:
     """Return what works the pieces: the cluster of a scheduler, or the cores of this machine."""
     if scheduler is None:
@@ -115,20 +103,24 @@ def by_whom(scheduler: str | None) -> Worked:
 
 
 def worked(pieces: Iterable[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
-    """Yield each piece with what it became, or a sentence why it became nothing, as they are done.
+    """Yield each piece with what it became, or a sentence why it became nothing, as they are done."""
+    pieces = [*pieces]
+    by_themselves = any(piece.apart for piece in pieces) or (jobs > 1 and len(pieces) >= WORTH_A_PROCESS)
+    if by_themselves and HAS_PROCESSES:
+        yield from _worked_apart(pieces, jobs)
+    else:
+        for piece in pieces:
+            yield piece, tried(piece.make)
 
-    All share their processes, but for those that may end them.
-    """
-    lots: dict[int, list[Piece]] = {}
-    for piece in pieces:
-        lots.setdefault(0 if piece.killed == KILLED else id(piece.owner), []).append(piece)
-    for lot in lots.values():
-        by_themselves = any(piece.apart for piece in lot) or (jobs > 1 and len(lot) >= WORTH_A_PROCESS)
-        if by_themselves and HAS_PROCESSES:
-            yield from _worked_apart(lot, jobs)
-        else:
-            for piece in lot:
-                yield piece, tried(piece.make)
+
+class Makes:
+    """What makes pieces, by their numbers; it goes to other processes."""
+
+    def __init__(self, pieces: Iterable[Piece]) -> None:
+        self.makes = [piece.make for piece in pieces]
+
+    def __call__(self, number: int) -> Made | str:
+        return tried(self.makes[number])
 
 
 def tried(make: Callable[[], Made]) -> Made | str:
@@ -150,71 +142,20 @@ def tried(make: Callable[[], Made]) -> Made | str:
 
 def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
     # Later than most imports: a handbook without changes needs no processes.
-    from concurrent.futures import as_completed
+    from kurbel.sweeps.work.processes import Processes
 
-    from kurbel.sweeps.work.hands import unheard
+    def killed(number: int) -> str:
+        return pieces[number].killed
 
-    left = dict(enumerate(pieces))
-    with _pool(min(jobs, len(pieces))) as pool:
-        with unheard():
-            places = {pool.submit(tried, piece.make): place for place, piece in left.items()}
-        for future in as_completed(places):
-            if not _was_killed(future):
-                yield left.pop(places[future]), future.result()
-    # One process that ended has ended the others' pool as well: each of the rest has one of its own.
-    count = 0
+    # One at a time to each, or it could not be told which of them ended its process.
+    hands = Processes(Makes(pieces), min(jobs, len(pieces)), ahead=1, tries=TRIES, ended=killed)
+    left, count = dict(enumerate(pieces)), 0
+    with closing(taken(hands, len(pieces))) as done:
+        for number, made in done:
+            piece = left.pop(number)
+            yield piece, made
+            count += made == KILLED
+            if count == MOST_KILLED:
+                break
     for piece in left.values():
-        if count == MOST_KILLED:
-            yield piece, NOT_TRIED
-            continue
-        with _pool(1) as pool:
-            with unheard():
-                alone = pool.submit(tried, piece.make)
-            ended = _was_killed(alone)
-            count += ended
-            yield piece, piece.killed if ended else alone.result()
-
-
-def _was_killed(future: Future[Any]) -> bool:
-    from concurrent.futures.process import BrokenProcessPool
-
-    return isinstance(future.exception(), BrokenProcessPool)
-
-
-@contextmanager
-def _pool(jobs: int) -> Iterator[ProcessPoolExecutor]:
-    """Give a pool of so many processes; they end at once where the block ends early."""
-    from concurrent.futures import ProcessPoolExecutor
-    from multiprocessing import active_children, get_context
-
-    # Started anew, not copied, so that a piece finds the same process on every system.
-    anew = get_context("spawn")
-    pool = ProcessPoolExecutor(jobs, anew, initializer=_start)
-    try:
-        yield pool
-    except BaseException:
-        for child in active_children():
-            child.kill()
-        # The rest of what one of them had begun to send would be waited for without end.
-        pool._result_queue._writer.close()  # type: ignore[attr-defined]
-        raise
-    finally:
-        pool.shutdown(cancel_futures=True)
-
-
-def _start() -> None:
-    """Make a process of the pool ready: it ends with the one that started it, and by no other's Ctrl-C."""
-    from multiprocessing import parent_process
-    from threading import Thread
-
-    gc.set_threshold(ALLOCATED)
-    # The terminal sends it to all; who waits for the pieces ends them.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    parent = parent_process()
-    assert parent is not None
-
-    def follow() -> None:
-        parent.join()
-        os._exit(1)
-
-    Thread(target=follow, daemon=True).start()
+        yield piece, NOT_TRIED

@@ -22,8 +22,9 @@ from kurbel.reading.extras import missing_extra
 from kurbel.sweeps.files.forms import form_of, is_device
 from kurbel.sweeps.rows import Sweep
 from kurbel.sweeps.work.folder import Work, working
-from kurbel.sweeps.work.hands import Hands, Here, Processes, Threads
+from kurbel.sweeps.work.hands import Hands, Here, Result, Threads, cores
 from kurbel.sweeps.work.identity import files_of, grounded, identity_of
+from kurbel.sweeps.work.processes import Processes
 from kurbel.sweeps.work.task import Unit, kept, made
 
 # Parts that are done before one that is not: their names are all that is kept.
@@ -98,7 +99,7 @@ def _working(place: str, sweep: Sweep, running: Running) -> AbstractContextManag
     return working(place, identity_of(sweep), resume=running.resume, restart=running.restart)
 
 
-def _parts(unit: Unit, work: Work, hands: Hands, watch: Callable[[int], None]) -> Iterator[str]:
+def _parts(unit: Unit, work: Work, hands: Hands[Result], watch: Callable[[int], None]) -> Iterator[str]:
     """Yield the files of all parts, in order."""
     count, coming, given = unit.count, 0, 0
     ready: dict[int, str] = {}
@@ -124,7 +125,7 @@ def _parts(unit: Unit, work: Work, hands: Hands, watch: Callable[[int], None]) -
 
 
 @contextmanager
-def _hands(unit: Unit, work: Work, running: Running) -> Iterator[Hands]:
+def _hands(unit: Unit, work: Work, running: Running) -> Iterator[Hands[Result]]:
     """Give who computes the parts; they end with the block."""
     hands = _hired(unit, work, running)
     try:
@@ -138,7 +139,7 @@ def _hands(unit: Unit, work: Work, running: Running) -> Iterator[Hands]:
     hands.end(at_once=False)
 
 
-def _hired(unit: Unit, work: Work, running: Running) -> Hands:
+def _hired(unit: Unit, work: Work, running: Running) -> Hands[Result]:
     make = partial(made, unit, work.place)
     if running.scheduler:
         from kurbel.sweeps.work.cluster import Cluster
@@ -148,11 +149,6 @@ def _hired(unit: Unit, work: Work, running: Running) -> Hands:
     if count == 1:
         return Here(make)
     return Threads(make, count) if unit.sweep.in_threads else Processes(make, count)
-
-
-def cores() -> int:
-    """Return how many processes run at once."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 @contextmanager

@@ -19,7 +19,7 @@ def show_estimate(sweep: Sweep, target: str | None, format: str | None) -> None:
     """Print rows, columns, parts, size and time of a sweep. Raises KurbelError."""
     from kurbel.sweeps.estimate import estimated
     from kurbel.sweeps.files.forms import form_of
-    from kurbel.sweeps.run import cores
+    from kurbel.sweeps.work.hands import cores
 
     form = form_of(target or "-", format or (None if target else "parquet"))
     form.check(sweep, target or "sweep")

@@ -11,13 +11,11 @@ import click
 
 from kurbel.cli.options import Option, Type
 from kurbel.commands.options import Count
+from kurbel.sweeps.work.hands import MOST_JOBS
 
 if TYPE_CHECKING:
     from kurbel.sweeps.rows import Sweep
     from kurbel.sweeps.run import Running
-
-# More processes than these no machine has cores for.
-MOST_JOBS = 1024
 
 
 def running_options() -> list[click.Parameter]:

@@ -32,6 +32,9 @@ def write(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, scratch:
 
 def write_folder(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, scratch: str) -> None:
     """Write all batches, in order, to the files part-000000.parquet and so on of a folder."""
+    # pyarrow.dataset.write_dataset takes the batches in a thread of its own, so that Ctrl-C is heard when all
+    # is done; in order it takes 1.5 times as long, and holds five times the memory, 990 MiB of 4e7 rows. To
+    # import it takes 0.4 s and 43 MiB.
     schema, groups = schema_of(sweep), in_groups(batches, GROUP)
     with whole_path(target, scratch, _is_ours) as folder:
         os.mkdir(folder)

@@ -14,18 +14,22 @@ from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from functools import partial
-from importlib.util import find_spec
 from queue import Empty, SimpleQueue
 from socket import create_connection
 from time import monotonic, sleep
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 from kurbel.errors import ChoiceError, FailedError
 from kurbel.reading.extras import missing_extra
 from kurbel.sweeps.work.versions import LIBRARIES, NONE, content_of, makers, other
 
-if TYPE_CHECKING:
-    from distributed import Client, Future
+try:
+    from distributed import Client, Future, KilledWorker, get_worker
+    from distributed.client import ClosedClientError
+    from distributed.comm import CommClosedError, connect, get_address_host_port
+    from distributed.security import Security
+except ImportError as error:
+    raise missing_extra("a scheduler needs dask.distributed", "scale") from error
 
 Made = TypeVar("Made")
 # Seconds in which a scheduler answers, or its file is there, and in which a worker has come to it.
@@ -99,9 +103,6 @@ class Cluster:
 
     def take(self) -> tuple[int, Any]:
         """Return a piece that is done; raise what kept it from being made."""
-        from distributed import KilledWorker
-        from distributed.comm import CommClosedError
-
         number, future = self._next()
         try:
             made = future.result()
@@ -154,8 +155,6 @@ class Cluster:
 @contextmanager
 def _there(scheduler: str) -> Iterator[None]:
     """Raise FailedError where a client cannot reach the scheduler any longer, or has been closed for that."""
-    from distributed.client import ClosedClientError
-
     try:
         yield
     except (OSError, RuntimeError, ClosedClientError) as error:
@@ -174,10 +173,6 @@ def connected(scheduler: str) -> Client:
             f'scheduler "{scheduler[:60]}" is no address; write tcp://HOST:8786, tls://HOST:8786, or the'
             " scheduler.json that dask scheduler --scheduler-file wrote"
         )
-    if find_spec("distributed") is None:
-        raise missing_extra("a scheduler needs dask.distributed", "scale")
-    from distributed import Client
-
     _quiet()
     address = _noted(scheduler) if by_file else scheduler
     if address.startswith("tls://"):
@@ -203,9 +198,6 @@ async def _greet(address: str, scheduler: str) -> None:
     Raises FailedError for what answers otherwise, TimeoutError and OSError for what does not, and ValueError
     for what is no address.
     """
-    from distributed.comm import connect, get_address_host_port
-    from distributed.security import Security
-
     get_address_host_port(address)
     about = Security().get_connection_args("client")
     greeting = asyncio.ensure_future(connect(address, timeout=PATIENCE, **about))
@@ -223,8 +215,6 @@ async def _greet(address: str, scheduler: str) -> None:
 
 def _listens(address: str) -> bool:
     """Whether anybody can be reached at an address, also one who never greets as a scheduler does."""
-    from distributed.comm import get_address_host_port
-
     try:
         with create_connection(get_address_host_port(address), PATIENCE):
             return True
@@ -256,8 +246,6 @@ def _noted(file: str) -> str:
 
 
 def _check_certificates(scheduler: str) -> None:
-    from distributed.security import Security
-
     if Security().get_connection_args("client").get("ssl_context") is None:
         raise FailedError(
             f"{scheduler} needs certificates; name them in the configuration of Dask, distributed.comm.tls,"
@@ -319,8 +307,6 @@ def _made(
     files: Mapping[str, str],
 ) -> Made:
     """Make a piece on a worker; one that came later was not asked by what it computes."""
-    from distributed import get_worker
-
     worker = get_worker().address
     _refuse_others(worker, made_by, makers(libraries))
     for path, content in files.items():
