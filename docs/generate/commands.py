@@ -10,7 +10,7 @@ from markdown import described, directive, plain, table, toctree
 
 from kurbel.cli import COMMANDS, help_text
 from kurbel.cli.app import HELP_OPTIONS, cli, command_of
-from kurbel.cli.manual.sections import sections
+from kurbel.cli.manual.topics import topics_of
 from kurbel.cli.tables import MakingCommand
 
 FOLDER = "reference/command-line"
@@ -45,8 +45,8 @@ def _page(command: click.Command, name: str, level: str) -> Iterator[str]:
     yield f"```text\n{name} {' '.join(command.collect_usage_pieces(context))}\n```"
     yield directive("program", name, "")
     if isinstance(command, MakingCommand):
-        for title, options in sections(command):
-            yield f"{level}# {title}"
+        for topic, options in topics_of(command):
+            yield f"{level}# {topic.title}"
             yield from _described(options, context)
     else:
         yield from _described(command.get_params(context), context)

@@ -15,7 +15,7 @@ from kurbel.cli import COMMANDS, GROUPS, LANGUAGES, SUMMARY, VARIABLES
 from kurbel.cli.app import HELP_OPTIONS, command_of
 from kurbel.cli.manual import roff
 from kurbel.cli.manual.help import folded
-from kurbel.cli.manual.sections import sections
+from kurbel.cli.manual.topics import topics_of
 from kurbel.cli.tables import MakingCommand
 
 WIDTH = 68
@@ -100,8 +100,8 @@ def _command(command: click.Command, path: str, line: str) -> Iterator[str]:
             yield from roff.entry(reference, inner.get_short_help_str(WIDTH))
     yield from roff.heading("Options")
     if is_making:
-        for title, options in sections(command):
-            yield from roff.section(title)
+        for topic, options in topics_of(command):
+            yield from roff.section(topic.title)
             for option in options:
                 yield from _option(option, context)
     else:
