@@ -58,8 +58,8 @@ SHORT: Mapping[str, Sequence[tuple[str, str]]] = {
         ("--eps 4 --pressure 8bar --bore 300mm --stroke 600mm --speed 2/s", "of an ideal card"),
     ),
     "flywheel": (
-        ("--power 50kW --speed 120/min --delta 1:100 --eps 4", "of a steam engine"),
-        ("--swing 5kJ --speed 300/min --delta ±1% --radius 1m", "from the energy"),
+        ("--power 50kW --speed 120/min --delta 1:100 --eps 4", "steam"),
+        ("--swing 5kJ --speed 300/min --delta ±1% --radius 1m", "a swing"),
         ("--areas '+52;-124;+72' --area-scale '500 N m; 6°' --speed 600/min --delta ±1.5%", "a diagram"),
         ("--work 10kJ --strokes 30/min --share 1/4 --speed 200..225/min --radius 0.5m", "a press"),
     ),
@@ -134,7 +134,7 @@ SWEEPS: Mapping[str, str] = {
     "harmonics": "--ratio 1:3..8 -o harmonics.csv",
     "balance": "--engine 'inline-3;inline-4' --ratio 1:3..6 -o balance.csv",
     "rotor": "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120' --planes '0;200mm' -o rotor.csv",
-    "locomotive": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg --speed 200..300/min:20 -o blow.csv",
+    "locomotive": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg --speed 4..5/s -o blow.csv",
     "firing": "--engine 'inline-4;inline-6' -o firing.csv",
 }
 # What shows a topic, behind what its command needs: under a load, and elsewhere.
@@ -263,7 +263,7 @@ OWN: Mapping[str, Mapping[str, str]] = {
         "crank": "blau 33 --ratio 1:4,5",
         "linkage": "weisbach 149 --beam 4",
         "angles": "blau 31 --angle 60",
-        "piston": "uebung 12 --force 10kN",
+        "piston": "uebung 12 --ratio 1:5 --force 10kN",
         "steam": "weisbach 150 --eps 4",
         "page": "blau 33 --lang en",
     },

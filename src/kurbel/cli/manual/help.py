@@ -193,15 +193,16 @@ def _write_headed(head: str, lines: Sequence[str], formatter: click.HelpFormatte
 
 
 def _write_examples(lines: Sequence[tuple[str, str]], formatter: click.HelpFormatter) -> None:
-    """Write lines and what each is, in a column behind them, or where there is no room on the next line."""
+    """Write lines and what each is: in a column behind them, right behind one that is longer, or below."""
     width = formatter.width - INDENT
     room = width - max(len(what) for _, what in lines)
     column = max((len(line) + APART for line, _ in lines if len(line) + APART <= room), default=FURTHER)
     for line, what in lines:
         *before, last = folded(line, width).split("\n")
-        if len(last) + APART > column:
-            before, last = [*before, last], ""
-        for one in (*before, f"{last:{column}}{what}"):
+        place = max(column, len(last) + APART)
+        if place + len(what) > width:
+            before, last, place = [*before, last], "", column
+        for one in (*before, f"{last:{place}}{what}"):
             formatter.write(f"{'':{INDENT}}{one}\n")
 
 

@@ -1,4 +1,4 @@
-"""The topics of a command's help, and what `-h` shows of it first: the one place that says where an option stands.
+"""The topics of a command's help, and what `-h` shows first: the one place that says where an option stands.
 
 A topic has no command's name, for both are behind `kurbel help`.
 """
@@ -10,12 +10,10 @@ from typing import NamedTuple, TypeGuard
 
 import click
 
-from kurbel.errors import ProblemError
-
 
 class Topic(NamedTuple):
-    """What belongs together: its name and its title, the names of its options, the most used first, and those of
-    other topics that go with them.
+    """What belongs together: its name and its title, the names of its options, the most used first, and
+    those of other topics that go with them.
 
     What another command has elsewhere by the same name has its command before it: "locomotive.stroke"; what
     sweeps have elsewhere, "sweep".
@@ -166,7 +164,7 @@ FIRST: Mapping[str, str] = {
     "balance": "engine cranks positions spacing orders ratio stroke rod speed machine reciprocating"
     " revolving columns",
     "rotor": "masses radii angles planes bearings speed balance_planes balance_radii columns digits",
-    "locomotive": "share gauge spacing cranks stroke reciprocating revolving speed wheel_load wheel columns",
+    "locomotive": "reciprocating share gauge spacing cranks stroke revolving speed wheel_load wheel columns",
     "firing": "engine cranks strokes order intervals columns",
     "collate": "quantity csv ratio method only strict sources columns",
     "example": "ratio angle force eps back",
@@ -192,7 +190,7 @@ SHORTER: Mapping[str, str] = {
     "revolving": "Mass that turns with each crank at its radius",
     "columns": "Columns and their order; kurbel quantities has all",
     "format": "text, html, latex, csv, xlsx, pdf and others",
-    "locomotive.share": "Shares of the masses that are balanced",
+    "locomotive.share": "Shares of them that are balanced",
     "firing.intervals": "With --order: firing intervals",
     "plot.point": "Paths of points of the rod: 0.5",
     "plot.pressures": "Draw the acceleration pressure over the stroke",
