@@ -75,6 +75,7 @@ COMMANDS = {
     "inject": ("kurbel.cli.inject", "Refresh the tables at marked places of your own documents."),
     "layouts": ("kurbel.cli.lists", "List the page layouts."),
     "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),
+    "help": ("kurbel.cli.help", "Say what there is for what one wants, or search for a word."),
     "man": ("kurbel.cli.man", "Show a manual page, or write all of them for man."),
 }
 
@@ -86,7 +87,7 @@ GROUPS = {
     "Sweeps": ("sweep",),
     "Books": ("collate", "sources", "example"),
     "Drawings and documents": ("plot", "construct", "handbook", "inject"),
-    "Lists and manual": ("layouts", "quantities", "man"),
+    "Lists and help": ("layouts", "quantities", "help", "man"),
 }
 # Characters of a word, such as a path, and of a sentence, which may list all columns.
 LONGEST_WORD, LONGEST_SENTENCE = 300, 3000

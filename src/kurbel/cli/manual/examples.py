@@ -134,7 +134,7 @@ SWEEPS: Mapping[str, str] = {
     "harmonics": "--ratio 1:3..8 -o harmonics.csv",
     "balance": "--engine 'inline-3;inline-4' --ratio 1:3..6 -o balance.csv",
     "rotor": "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120' --planes '0;200mm' -o rotor.csv",
-    "locomotive": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg --speed 4..5/s -o blow.csv",
+    "locomotive": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg --speed 4..5/s -o b.csv",
     "firing": "--engine 'inline-4;inline-6' -o firing.csv",
 }
 # What shows a topic, behind what its command needs: under a load, and elsewhere.

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import click
 
 from kurbel.cli import LANGUAGES
-from kurbel.cli.manual.topics import DEFAULTS, SHORTER, Topic, first_of, options_of, topics_of
+from kurbel.cli.manual.topics import DEFAULTS, SHORTER, Topic, first_of, flag_of, options_of, topics_of
 from kurbel.reading.given import choose
 
 # What an option takes in the first column; a longer one has its sentence below it.
@@ -94,16 +94,20 @@ def _records(options: Sequence[click.Option], context: click.Context) -> Iterato
 def topic_text(context: click.Context, name: str) -> str:
     """Return the options of one topic, with an example and its keys in a machine's file. Raises
     ChoiceError."""
+    from kurbel.cli.manual.examples import topical
+
     command = context.command
     found = {topic.name: (topic, options) for topic, options in topics_of(command)}
     topic, options = found[choose(name, found, f"topic of {context.command_path}")]
     formatter = context.make_formatter()
     rows = list(_records(options, context))
     _write_records(topic.title, rows, _column([written for written, _ in rows]), formatter)
-    if line := topic_example(context, topic):
-        _write_lines("An example", folded(line, formatter.width - INDENT).split("\n"), formatter)
+    if words := topical(command, topic.name):
+        with formatter.section("An example"):
+            write_examples([(f"{context.command_path} {words}", "")], formatter)
     if keys := [*_machine_keys(command, options)]:
-        _write_lines("In a machine file, --machine engine.toml", keys, formatter)
+        with formatter.section("In a machine file, --machine engine.toml"):
+            formatter.write_dl(keys)
     if beside := _beside(command, topic):
         formatter.write_paragraph()
         formatter.write_text(f"Go with these: {beside}.")
@@ -112,22 +116,8 @@ def topic_text(context: click.Context, name: str) -> str:
     return formatter.getvalue()
 
 
-def _write_lines(title: str, lines: Sequence[str], formatter: click.HelpFormatter) -> None:
-    with formatter.section(title):
-        for line in lines:
-            formatter.write(f"{'':{INDENT}}{line}\n")
-
-
-def topic_example(context: click.Context, topic: Topic) -> str:
-    """Return a line that the command takes, nothing where no option of the topic stands alone."""
-    from kurbel.cli.manual.examples import topical
-
-    words = topical(context.command, topic.name)
-    return f"{context.command_path} {words}" if words else ""
-
-
-def _machine_keys(command: click.Command, options: Sequence[click.Option]) -> Iterator[str]:
-    """Yield a line for each section of a machine's file that has keys for these options."""
+def _machine_keys(command: click.Command, options: Sequence[click.Option]) -> Iterator[tuple[str, str]]:
+    """Yield the sections of a machine's file that have keys for these options, with those."""
     from kurbel.drive.sections import SECTIONS
 
     if not any(one.name == "machine" for one in command.params):
@@ -136,7 +126,7 @@ def _machine_keys(command: click.Command, options: Sequence[click.Option]) -> It
     for title, section in SECTIONS.items():
         keys = dict(zip(section.__struct_fields__, section.__struct_encode_fields__, strict=True))
         if found := [keys[name] for name in names if name in keys]:
-            yield f"[{title}]  {' '.join(found)}"
+            yield f"[{title}]", " ".join(found)
 
 
 def _beside(command: click.Command, topic: Topic) -> str:
@@ -147,10 +137,6 @@ def _beside(command: click.Command, topic: Topic) -> str:
         if name in options and homes[name] != topic:
             parts.setdefault(homes[name].name, []).append(flag_of(options[name]))
     return ", ".join(f"{' '.join(flags)} ({home})" for home, flags in parts.items())
-
-
-def flag_of(option: click.Option) -> str:
-    return next(one for one in option.opts if one.startswith("--"))
 
 
 def short_text(context: click.Context) -> str:
@@ -164,7 +150,7 @@ def short_text(context: click.Context) -> str:
     with formatter.indentation():
         formatter.write_text(inspect.cleandoc(command.help or "").partition("\n\n")[0])
     with formatter.section("Examples"):
-        _write_examples([(f"{path} {words}".rstrip(), what) for words, what in short(command)], formatter)
+        write_examples([(f"{path} {words}".rstrip(), what) for words, what in short(command)], formatter)
     options = first_of(command)
     records = [(one, record[0]) for one in options if (record := one.get_help_record(context))]
     width = min(max(len(written) for _, written in records), WIDEST)
@@ -192,7 +178,7 @@ def _write_headed(head: str, lines: Sequence[str], formatter: click.HelpFormatte
             head = ""
 
 
-def _write_examples(lines: Sequence[tuple[str, str]], formatter: click.HelpFormatter) -> None:
+def write_examples(lines: Sequence[tuple[str, str]], formatter: click.HelpFormatter) -> None:
     """Write lines and what each is: in a column behind them, right behind one that is longer, or below."""
     width = formatter.width - INDENT
     room = width - max(len(what) for _, what in lines)
@@ -202,7 +188,7 @@ def _write_examples(lines: Sequence[tuple[str, str]], formatter: click.HelpForma
         place = max(column, len(last) + APART)
         if place + len(what) > width:
             before, last, place = [*before, last], "", column
-        for one in (*before, f"{last:{place}}{what}"):
+        for one in (*before, f"{last:{place}}{what}".rstrip()):
             formatter.write(f"{'':{INDENT}}{one}\n")
 
 

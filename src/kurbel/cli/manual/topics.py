@@ -235,6 +235,11 @@ def name_of(option: click.Option) -> str:
     return "help" if "--help" in option.opts else option.name or ""
 
 
+def flag_of(option: click.Option) -> str:
+    """Return an option as it is typed, in the long way if there is one."""
+    return max(option.opts, key=len)
+
+
 def _is_option(one: click.Parameter) -> TypeGuard[click.Option]:
     return isinstance(one, click.Option)
 
