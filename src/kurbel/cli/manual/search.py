@@ -14,6 +14,7 @@ import click
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
 from kurbel.cli.manual.command import TopicCommand
+from kurbel.cli.manual.help import GAP, folded
 from kurbel.cli.manual.topics import flag_of, options_of, topics_of
 from kurbel.cli.manual.wants import WANTS
 from kurbel.errors import ChoiceError, OutputError
@@ -67,13 +68,15 @@ WIDEST = 22
 
 
 class Found(NamedTuple):
-    """What there is: its kind, its name, what is said of it, where it is told, and other words for it."""
+    """What there is: its kind, its name, what is said of it, the line that tells more, other words for it,
+    and the commands that have it as well."""
 
     kind: str
     name: str
     told: str
     where: str
     words: str = ""
+    others: str = ""
 
 
 def search(text: str) -> tuple[Sequence[str], Mapping[str, Sequence[Found]]]:
@@ -137,7 +140,7 @@ def _commands() -> Iterator[Found]:
 
 def _wants() -> Iterator[Found]:
     for want in WANTS:
-        lines = " ".join(f"{line} {what}" for line, what in want.lines)
+        lines = " ".join(what for _, what in want.lines)
         yield Found("Tasks", want.name, want.sentence, f"kurbel help {want.name}", lines)
 
 
@@ -157,9 +160,8 @@ def _options() -> Iterator[Found]:
                 homes.setdefault((flag_of(one), ""), []).append(name)
                 told.setdefault((flag_of(one), ""), one.help or "")
     for (flag, topic), names in homes.items():
-        further = f", and {', '.join(names[1:])}" if names[1:] else ""
         where = f"kurbel {names[0]} --help {topic}".rstrip()
-        yield Found("Options", flag, told[flag, topic], f"{where}{further}", topic)
+        yield Found("Options", flag, told[flag, topic], where, topic, ", ".join(names[1:]))
 
 
 def _quantities() -> Iterator[Found]:
@@ -235,12 +237,19 @@ def page_text(name: str) -> str:
 def write_found(found: Mapping[str, Sequence[Found]], formatter: click.HelpFormatter) -> None:
     """Write what was found below the heads of its kinds, of each the nearest."""
     for kind, listed in found.items():
-        most = MOST[kind]
+        near, more = listed[: MOST[kind]], len(listed) - MOST[kind]
+        width = min(max(len(one.name) for one in near), WIDEST)
         with formatter.section(kind):
-            rows = [row for one in listed[:most] for row in ((one.name, _first(one.told)), ("", one.where))]
-            formatter.write_dl(rows, WIDEST)
-            if listed[most:]:
-                formatter.write_text(f"... and {len(listed) - most} more, which more words tell apart")
+            for one in near:
+                rows = [(one.name.ljust(width), _first(one.told))]
+                if one.others:
+                    rows.append((" " * width, f"also of {one.others}"))
+                formatter.write_dl(rows, WIDEST)
+                left = formatter.current_indent + width + GAP
+                for line in folded(one.where, formatter.width - left).split("\n"):
+                    formatter.write(f"{'':{left}}{line}\n")
+            if more > 0:
+                formatter.write_text(f"... and {more} more, which more words tell apart")
 
 
 def _first(told: str) -> str:
