@@ -13,7 +13,7 @@ from kurbel.cli.manual.command import TopicCommand, show_text
 from kurbel.cli.manual.help import short_text, topic_text, write_examples
 from kurbel.cli.manual.topics import TOPICS, topics_of
 from kurbel.cli.manual.wants import WANTS, Want
-from kurbel.errors import ChoiceError
+from kurbel.reading.given import meant
 
 MORE = (
     ("kurbel help WORD", "one of these, a command, a topic; else a search"),
@@ -63,12 +63,10 @@ def _of_command(words: Sequence[str]) -> str:
     )
     rest = words[1:]
     if rest and isinstance(context.command, click.Group):
-        below = context.command.get_command(context, rest[0])
-        if below is None:
-            raise ChoiceError(
-                f'there is no command "{rest[0][:60]}" of kurbel {words[0]}; kurbel {words[0]} -h lists them'
-            )
-        context, rest = click.Context(below, context, info_name=rest[0]), rest[1:]
+        name = meant(rest[0], context.command.list_commands(context), f"command of kurbel {words[0]}")
+        below = context.command.get_command(context, name)
+        assert below
+        context, rest = click.Context(below, context, info_name=name), rest[1:]
     if isinstance(context.command, TopicCommand):
         return topic_text(context, rest[0]) if rest else short_text(context)
     return context.get_help()

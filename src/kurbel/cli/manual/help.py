@@ -9,7 +9,16 @@ from collections.abc import Iterator, Mapping, Sequence
 import click
 
 from kurbel.cli import LANGUAGES
-from kurbel.cli.manual.topics import DEFAULTS, SHORTER, Topic, first_of, flag_of, options_of, topics_of
+from kurbel.cli.manual.topics import (
+    DEFAULTS,
+    SHORTER,
+    Topic,
+    first_of,
+    flag_of,
+    is_sweep,
+    options_of,
+    topics_of,
+)
 from kurbel.reading.given import choose
 
 # What an option takes in the first column; a longer one has its sentence below it.
@@ -21,7 +30,7 @@ INDENT, GAP, APART = 2, 2, 3
 HEAD = 8
 # Where a sentence of an option ends, and where one of its clauses begins.
 _SENTENCE = re.compile(r"; |\.(?: |$)")
-_CLAUSE = re.compile(r"(?=, |: | \()")
+_CLAUSE = re.compile(r"(?=[,:;] | \()")
 _DEFAULT = re.compile(r"[;.] default:? (.+?)(?=[;,(]|\.(?: |$)|$)", re.IGNORECASE)
 # A list, which a shell takes for one word in quotes alone.
 _LIST = re.compile(r"(?<![\w';.])[\w.:/-]+(?:;[\w.:/-]+)+(?!')")
@@ -109,8 +118,8 @@ def topic_text(context: click.Context, name: str) -> str:
         with formatter.section("In a machine file, --machine engine.toml"):
             formatter.write_dl(keys)
     if beside := _beside(command, topic):
-        formatter.write_paragraph()
-        formatter.write_text(f"Go with these: {beside}.")
+        with formatter.section("Options of other topics go with these"):
+            formatter.write_dl(beside)
     formatter.write_paragraph()
     formatter.write_text(f"Topics: {' '.join(found)}")
     return formatter.getvalue()
@@ -129,14 +138,14 @@ def _machine_keys(command: click.Command, options: Sequence[click.Option]) -> It
             yield f"[{title}]", " ".join(found)
 
 
-def _beside(command: click.Command, topic: Topic) -> str:
-    """Return the options of other topics that go with those of one, each topic in brackets."""
-    homes = {one.name: other for other, listed in topics_of(command) for one in listed}
-    options, parts = options_of(command), {}
+def _beside(command: click.Command, topic: Topic) -> Sequence[tuple[str, str]]:
+    """Return the options of other topics that go with those of one, by their topics."""
+    homes = {one.name: other.name for other, listed in topics_of(command) for one in listed}
+    options, parts = options_of(command), dict[str, str]()
     for name in topic.also.split():
-        if name in options and homes[name] != topic:
-            parts.setdefault(homes[name].name, []).append(flag_of(options[name]))
-    return ", ".join(f"{' '.join(flags)} ({home})" for home, flags in parts.items())
+        if homes.get(name, topic.name) != topic.name:
+            parts[homes[name]] = f"{parts.get(homes[name], '')} {flag_of(options[name])}".strip()
+    return [*parts.items()]
 
 
 def short_text(context: click.Context) -> str:
@@ -196,10 +205,10 @@ def brief(option: click.Option, context: click.Context, room: int) -> str:
     """Return the beginning of what an option says, as far as there is room, and its default."""
     text = _own(SHORTER, option, context) or _SENTENCE.split(option.help or "")[0]
     default = _default(option, context)
-    end = f"  [{default}]" if default else ""
+    end = f"  [{default}]" if default and not (";" in default and default in text) else ""
     text, end = (_LIST.sub(r"'\g<0>'", one) for one in (text, end))
     while len(text) + len(end) > room and (parts := _CLAUSE.split(text))[1:]:
-        text = text[: -len(parts[-1])].rstrip(" ,:(")
+        text = text[: -len(parts[-1])].rstrip(" ,:;(")
     return f"{text}{end}"
 
 
@@ -216,4 +225,6 @@ def _default(option: click.Option, context: click.Context) -> str:
 
 def _own(texts: Mapping[str, str], option: click.Option, context: click.Context) -> str | None:
     """Return a text on an option, of the command or of all."""
+    if is_sweep(context.command) and f"sweep.{option.name}" in texts:
+        return texts[f"sweep.{option.name}"]
     return texts.get(f"{context.command.name}.{option.name}", texts.get(option.name or ""))

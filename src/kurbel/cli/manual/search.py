@@ -185,12 +185,12 @@ def _layouts() -> Iterator[Found]:
 
 def _pages() -> Iterator[Found]:
     for name in page_names():
-        text = page_text(name)
-        title, *heads = re.findall(
-            r"^#+ (.+)$", re.sub(r"```.*?```", "", text, flags=re.DOTALL), re.MULTILINE
-        )
-        below = f"; {', '.join(heads)}" if heads else ""
-        yield Found("Pages", name, f"{title}{below}", f"kurbel help {name}", text)
+        # Without what stands in blocks, where lines begin with # as well.
+        title, *blocks = re.sub(r"```.*?```", "", page_text(name), flags=re.DOTALL).split("\n\n")
+        heads = [one.strip("# ") for one in blocks if one.startswith("#")]
+        first = next((one for one in blocks if one and not one.startswith("#")), "")
+        told = "; ".join((title.strip("# "), *heads))
+        yield Found("Pages", name, told, f"kurbel help {name}", first)
 
 
 KINDS: Mapping[str, Callable[[], Iterator[Found]]] = {

@@ -190,6 +190,8 @@ SHORTER: Mapping[str, str] = {
     "revolving": "Mass that turns with each crank at its radius",
     "columns": "Columns and their order; kurbel quantities has all",
     "format": "text, html, latex, csv, xlsx, pdf and others",
+    "sweep.format": "parquet, arrow, csv, netcdf or zarr",
+    "sweep.output": "File to write: sweep.parquet",
     "locomotive.share": "Shares of them that are balanced",
     "firing.intervals": "With --order: firing intervals",
     "plot.point": "Paths of points of the rod: 0.5",
