@@ -120,7 +120,7 @@ def _write_topic(name: str, formatter: click.HelpFormatter) -> None:
         if isinstance(found, TopicCommand) and any(one == topic for one, _ in topics_of(found)):
             having.append(command)
     with formatter.section(f"{topic.title}, its options"):
-        first, *others = having
+        first, *others = having or ["sweep table"]
         further = f"; and so with {', '.join(others)}" if others else ""
         formatter.write_text(f"kurbel {first} --help {name}{further}")
 

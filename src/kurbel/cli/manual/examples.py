@@ -125,7 +125,7 @@ SWEEPS: Mapping[str, str] = {
     "forces": "--ratio 1:3..8 --step 15 --columns torque -o forces.csv",
     "inertia": "--ratio 1:3..8 --centre 0.5..0.7:0.1 --gyration 0.3 -o inertia.csv",
     "solve": "--ratio 1:3..8 --where c=max -o solve.csv",
-    "delta": "--eps 1..10:0.1 --ratio 1:3..8 -o delta.parquet",
+    "delta": "--eps 1.5..10:0.1 --ratio 1:3..8 -o delta.parquet",
     "turning": "--eps 2..6 --step 15 -o turning.csv",
     "pressures": "--machine engine.toml --speed '60/min;120/min' -o pressures.csv",
     "power": "--machine engine.toml --speed 60..120/min:20 -o power.csv",
@@ -292,7 +292,7 @@ OWN: Mapping[str, Mapping[str, str]] = {
     },
 }
 # The same of every sweep, behind its line.
-SWEPT: Mapping[str, str] = {"combinations": "--sample sobol:64", "run": "--jobs 2", "output": "--dry-run"}
+SWEPT: Mapping[str, str] = {"combinations": "--bounds", "run": "--jobs 2", "output": "--dry-run"}
 
 
 def short(command: click.Command) -> Sequence[tuple[str, str]]:

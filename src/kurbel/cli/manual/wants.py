@@ -256,7 +256,7 @@ WANTS = (
         (
             ("delta --eps 2..6 --ratio '1:4;1:5;1:6'", "on a page"),
             ("table --ratio 1:3..6 -o page.html --interactive", "a page with sliders"),
-            ("sweep delta --eps 1..10:0.1 --ratio 1:3..8 -o delta.parquet", "a file of columns"),
+            ("sweep delta --eps 1.5..10:0.1 --ratio 1:3..8 -o delta.parquet", "a file of columns"),
         ),
         "howto/sweeps howto/interactive howto/columns",
     ),
