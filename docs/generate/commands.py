@@ -25,7 +25,9 @@ def pages() -> Iterator[tuple[str, str]]:
 
 def _overview() -> Iterator[str]:
     yield "# Command line"
-    yield plain("Every command prints its own help: `kurbel table --help`.")
+    yield plain(
+        "Every command prints its own help, in short by `kurbel table -h`, whole by `kurbel table --help`."
+    )
     yield table(
         ("command", "what it does"),
         ((f"[`kurbel {name}`]({name}.md)", line) for name, (_, line) in COMMANDS.items()),

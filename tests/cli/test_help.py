@@ -12,6 +12,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -28,8 +29,10 @@ from kurbel.cli.app import run
 
 ALONE = [words for words in EVERY if words[0] not in GROUPS]
 # Commands that print no table of a machine, but have topics.
-OF_TOPICS = [(one,) for one in ("collate", "example", "plot", "construct")]
-OF_TOPICS += [words for words in EVERY if words[0] == "sweep" and len(words) == 2]
+OF_TOPICS = (
+    *(words for words in EVERY if words[0] in ("collate", "example", "plot", "construct")),
+    *(words for words in EVERY if words[0] == "sweep" and len(words) == 2),
+)
 WITH_TOPICS = [*((one,) for one in PRINTING), *OF_TOPICS]
 # Without which these print no page.
 NEEDED = {
@@ -209,6 +212,34 @@ def test_a_search_finds_what_others_call_otherwise(words: str, found: str) -> No
     text = printed("help", "--search", words).out
     assert re.search(rf"^ +{re.escape(found)}", text, re.MULTILINE), text
     assert max(map(len, text.splitlines())) <= 80
+
+
+FIND = (ROOT / "docs" / "howto" / "find.md").read_text(encoding="utf-8")
+WAYS = re.findall(r"^\| `([\w-]+)` \| [^|]+ \| ([^|]+) \|$", FIND, re.MULTILINE)
+
+
+def read_toml(file: Path) -> dict[str, Any]:
+    return tomllib.loads(file.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize(("problem", "way"), WAYS)
+def test_a_problem_of_a_textbook_is_found_from_help_alone(problem: str, way: str) -> None:
+    """Each page that is asked for names the next one's command, and together they have every option."""
+    files = (ROOT / "examples" / "problems").glob("*.toml")
+    runs = {one["name"]: one["run"] for file in files for one in read_toml(file).get("problem", [])}
+    name, *rest = shlex.split(runs[problem])
+    text = printed("help").out
+    for step in re.findall(r"`kurbel ([^`]+)`", way):
+        word = step.removeprefix("help ").split()[0]
+        assert re.search(rf"\b{word}\b", text) or "--search" in step, step
+        text += printed(*step.split()).out
+    assert f"kurbel {name}" in text
+    flags = {one.partition("=")[0] for one in rest if one.startswith("--")}
+    assert flags <= {*re.findall(r"--[\w-]+", text)}
+
+
+def test_ten_problems_and_more_are_found() -> None:
+    assert len(WAYS) >= 10
 
 
 def test_help_goes_through_the_pager(programs: Programs) -> None:

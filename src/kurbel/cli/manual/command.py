@@ -63,7 +63,8 @@ class TopicCommand(click.Command):
     """A command whose options stand in topics."""
 
     def __init__(self, *args: Any, **more: Any) -> None:
-        super().__init__(*args, add_help_option=False, **more)
+        super().__init__(*args, **more)
+        self.add_help_option = False
         short = click.Option(
             ["help_short", "-h"], is_flag=True, is_eager=True, expose_value=False, hidden=True,
             allow_from_autoenv=False, callback=_show_short,

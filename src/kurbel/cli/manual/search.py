@@ -161,9 +161,9 @@ def _options() -> Iterator[Found]:
             for one in options_of(command).values():
                 homes.setdefault((flag_of(one), ""), []).append(name)
                 told.setdefault((flag_of(one), ""), one.help or "")
-    for (flag, topic), names in homes.items():
-        where = f"kurbel {names[0]} --help {topic}".rstrip()
-        yield Found("Options", flag, told[flag, topic], where, topic, ", ".join(names[1:]))
+    for (flag, home), names in homes.items():
+        where = f"kurbel {names[0]} --help {home}".rstrip()
+        yield Found("Options", flag, told[flag, home], where, home, ", ".join(names[1:]))
 
 
 def _quantities() -> Iterator[Found]:
