@@ -26,6 +26,7 @@ from tools import require
 
 from kurbel import __version__ as kurbel_version
 from kurbel.cli.app import run
+from kurbel.cli.manual import topics
 
 ALONE = [words for words in EVERY if words[0] not in GROUPS]
 # Commands that print no table of a machine, but have topics.
@@ -88,17 +89,30 @@ def test_kurbel_itself_fits_a_screen_and_names_every_command() -> None:
 
 @pytest.mark.parametrize("words", WITH_TOPICS, ids=" ".join)
 def test_every_option_stands_in_one_topic(words: tuple[str, ...]) -> None:
-    topics = listed_topics(*words)
-    assert len(topics) == len({*topics})
-    assert not {*topics} & {*COMMANDS}
+    listed = listed_topics(*words)
+    assert len(listed) == len({*listed})
+    assert not {*listed} & {*COMMANDS}
     found = []
-    for topic in topics:
+    for topic in listed:
         text = printed(*words, "--help", topic, COLUMNS="200").out
         assert max(map(len, text.splitlines())) <= 80
         head = text.partition("\n\n")[0]
         found += re.findall(r"^  (?:-\w, )?(--[\w-]+)", head, re.MULTILINE)
         assert text == printed("help", *words, topic, COLUMNS="200").out
     assert sorted(found) == sorted(described(*words, "--"))
+
+
+def test_no_table_of_the_help_names_an_option_that_is_none() -> None:
+    known = {words: {one[2:].replace("-", "_") for one in described(*words, "--")} for words in WITH_TOPICS}
+    # The names of Python's keywords are other ones on the command line.
+    every = {"zip_"} | {name for names in known.values() for name in names}
+    for topic in topics.TOPICS:
+        for name in f"{topic.options} {topic.also}".split():
+            assert name.rpartition(".")[2] in every, (topic.name, name)
+    for command, first in topics.FIRST.items():
+        assert {*first.split()} <= known[(command,)], command
+    for name in (*topics.SHORTER, *topics.DEFAULTS):
+        assert name.rpartition(".")[2] in every, name
 
 
 def lines_of(text: str) -> list[list[str]]:

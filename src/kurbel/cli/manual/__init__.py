@@ -1,1 +1,1 @@
-"""What the command line says of itself: its options in sections, and its manual pages."""
+"""What the command line says of itself: topics and examples, tasks, a search, and its manual pages."""
