@@ -10,7 +10,7 @@ from markdown import described, directive, plain, table, toctree
 
 from kurbel.cli import COMMANDS, LANGUAGES, SUMMARY, VARIABLES
 from kurbel.cli.app import HELP_OPTIONS, cli, command_of
-from kurbel.cli.manual.sections import sections
+from kurbel.cli.manual.topics import topics_of
 from kurbel.cli.tables import MakingCommand
 
 FOLDER = "reference/command-line"
@@ -31,7 +31,9 @@ def pages() -> Iterator[tuple[str, str]]:
 
 def _overview() -> Iterator[str]:
     yield "# Command line"
-    yield plain("Every command prints its own help: `kurbel table --help`.")
+    yield plain(
+        "Every command prints its own help, in short by `kurbel table -h`, whole by `kurbel table --help`."
+    )
     yield _listed()
     yield toctree(("kurbel", *COMMANDS), ":hidden:")
 
@@ -63,8 +65,8 @@ def _page(command: click.Command, name: str, level: str) -> Iterator[str]:
     yield f"```text\n{name} {' '.join(command.collect_usage_pieces(context))}\n```"
     yield directive("program", name, "")
     if isinstance(command, MakingCommand):
-        for title, options in sections(command):
-            yield f"{level}# {title}"
+        for topic, options in topics_of(command):
+            yield f"{level}# {topic.title}"
             yield from _described(options, context)
     else:
         yield from _described(command.get_params(context), context)

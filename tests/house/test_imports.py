@@ -105,6 +105,12 @@ def test_import_and_help_load_no_library() -> None:
     assert not help_of_plot & HEAVY
 
 
+@pytest.mark.parametrize("line", ["--help", "-h", "--version", "version"])
+def test_kurbels_own_help_loads_hardly_anything_of_ours(line: str) -> None:
+    (names,) = loaded(line)
+    assert len({name for name in names if name.partition(".")[0] == "kurbel"}) <= 10
+
+
 def test_a_small_page_loads_nothing_of_other_mechanisms_or_of_engines() -> None:
     for names in loaded("table --ratio 1:5", "solve --ratio 1:5 --where p=0"):
         assert not {one for one in names if one.startswith(("kurbel.linkage.", "kurbel.engine."))}

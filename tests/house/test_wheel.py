@@ -43,6 +43,13 @@ def test_the_wheel_holds_templates_sources_and_types(wheel: Path) -> None:
     assert metadata.count("License-File: ") == len(licences) == 2
     for layout in (ROOT / "templates").rglob("*.*"):
         assert f"kurbel/templates/{layout.relative_to(ROOT / 'templates').as_posix()}" in names
+    # What `kurbel help` searches and shows.
+    for page in (
+        *ROOT.glob("docs/howto/*.md"),
+        *ROOT.glob("docs/subjects/*.md"),
+        *ROOT.glob("docs/books/*.md"),
+    ):
+        assert f"kurbel/{page.relative_to(ROOT).as_posix()}" in names
     for file in (ROOT / "src" / "kurbel").glob("books/sources/**/*.*"):
         assert file.relative_to(ROOT / "src").as_posix() in names
 
@@ -65,6 +72,11 @@ def test_an_installed_wheel_prints_a_table_from_another_directory(wheel: Path, t
         "ratio,phi,x,x_return,c,c_return,p,p_return",
         "1:5,90,1.1010,0.8990,1.0000,1.0000,-0.2041,0.2041",
     ]
+    read = subprocess.run(
+        [str(environment / "bin" / "kurbel"), "help", "subjects/forces"],
+        check=True, capture_output=True, text=True, cwd=elsewhere, env={"PYTHONUTF8": "1"},
+    )  # fmt: skip
+    assert read.stdout == (ROOT / "docs" / "subjects" / "forces.md").read_text(encoding="utf-8")
     page = subprocess.run(
         [str(python), "-m", "kurbel", "table", "--layout", "roetscher-112", "-f", "latex"],
         check=True, capture_output=True, text=True, cwd=elsewhere, env={"PYTHONUTF8": "1"},

@@ -75,6 +75,7 @@ COMMANDS = {
     "inject": ("kurbel.cli.inject", "Refresh the tables at marked places of your own documents."),
     "layouts": ("kurbel.cli.lists", "List the page layouts."),
     "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),
+    "help": ("kurbel.cli.help", "Say what there is for what one wants, or search for a word."),
 }
 
 # What stands together in the help.
@@ -85,7 +86,7 @@ GROUPS = {
     "Sweeps": ("sweep",),
     "Books": ("collate", "sources", "example"),
     "Drawings and documents": ("plot", "construct", "handbook", "inject"),
-    "Lists": ("layouts", "quantities"),
+    "Lists and help": ("layouts", "quantities", "help"),
 }
 # Characters of a word, such as a path, and of a sentence, which may list all columns.
 LONGEST_WORD, LONGEST_SENTENCE = 300, 3000
@@ -103,6 +104,23 @@ KURBEL_LANG, KURBEL_FORMAT and KURBEL_DECIMAL set defaults for
   all commands, KURBEL_TABLE_RATIO and the like one option of a command. Long
   pages go through KURBEL_PAGER, else PAGER, else less; NO_COLOR takes colours
   away, FORCE_COLOR has them in pipes."""
+SHORT = """\
+Usage: kurbel COMMAND [OPTIONS]
+
+  {summary}
+
+  kurbel table --ratio 1:5              a first table
+  kurbel table --ratio 1:5 --lang en    in English; KURBEL_LANG=en for all
+  kurbel forces --eps 4 -o forces.tex   a steam engine, for LaTeX
+
+{groups}
+
+More:
+  kurbel help                what one has or wants: a steam engine, a diagram
+  kurbel help --search WORD  what you do not know the name of
+  kurbel COMMAND -h          what one needs first of a command
+  kurbel --help              what each command does
+"""
 HELP = """\
 Usage: kurbel [OPTIONS] COMMAND [ARGS]...
 
@@ -118,12 +136,21 @@ Usage: kurbel [OPTIONS] COMMAND [ARGS]...
 Options:
   --no-pager   Print long pages on a terminal without a pager.
   --version    Show the version and exit.
-  -h, --help   Show this message and exit.
+  -h           Show the commands by their names alone.
+  --help       Show what each command does.
 
-  Each command has its own help, kurbel table --help.
+  kurbel help is by what one has or wants, and searches. Of a command kurbel
+  table -h shows what one needs first, kurbel table --help all options, kurbel
+  table --help page those of a topic.
 
   Environment: {variables}
 """
+
+
+def short_help() -> str:
+    """Return what `kurbel` says of itself on a screen."""
+    groups = "\n".join(f"{f'{title}:':24}{' '.join(names)}" for title, names in GROUPS.items())
+    return SHORT.format(summary=SUMMARY, groups=groups)
 
 
 def help_text() -> str:
@@ -242,12 +269,14 @@ def _open_closed_streams() -> None:
 
 
 def _run() -> tuple[int, str]:
-    if sys.argv[1:] in (["-h"], ["--help"]):
+    if sys.argv[1:] == ["-h"]:
+        sys.stdout.write(short_help())
+    elif sys.argv[1:] == ["--help"] and not sys.stdout.isatty():
         sys.stdout.write(help_text())
-    elif sys.argv[1:] == ["--version"]:
+    elif sys.argv[1:] in (["--version"], ["version"]):
         print(f"kurbel {__version__}")
     elif not sys.argv[1:] and "_KURBEL_COMPLETE" not in os.environ:
-        tell(help_text())
+        tell(short_help())
         return 2, ""
     else:
         from kurbel.cli.app import run

@@ -13,7 +13,7 @@ from typing import Any
 import click
 
 from kurbel import __version__
-from kurbel.cli import COMMANDS, INTERRUPTED, help_text, say, tell
+from kurbel.cli import COMMANDS, INTERRUPTED, help_text, say, short_help, tell
 from kurbel.errors import ChoiceError, KurbelError
 
 HELP_OPTIONS = ["-h", "--help"]
@@ -115,11 +115,40 @@ def show(pieces: Iterable[bytes], has_words: bool = True) -> None:
         say(screen.HINT)
 
 
+def _show_help(context: click.Context, parameter: click.Parameter, asked: bool) -> None:
+    if asked and not context.resilient_parsing:
+        text = short_help() if parameter.opts == ["-h"] else help_text()
+        show([text.encode(sys.stdout.encoding, errors="replace")], has_words=False)
+        context.exit()
+
+
 @click.group(
     cls=LazyGroup,
+    add_help_option=False,
     context_settings={"help_option_names": HELP_OPTIONS, "auto_envvar_prefix": "KURBEL"},
 )
-@click.option("--no-pager", is_flag=True, expose_value=False, callback=_without_pager)
+@click.option(
+    "--no-pager",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_without_pager,
+    help="Print long pages on a terminal without a pager.",
+)
+@click.option(
+    "short",
+    "-h",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_show_help,
+    allow_from_autoenv=False,
+    help="Show the commands by their names alone.",
+)
+@click.option(
+    "whole", "--help", is_flag=True, is_eager=True, expose_value=False, callback=_show_help,
+    allow_from_autoenv=False, help="Show what each command does.",
+)  # fmt: skip
 @click.version_option(__version__, "--version", message="kurbel %(version)s")
 def cli() -> None:
     """Compute and typeset tables of the crank drive; every printed digit is right."""

@@ -12,6 +12,7 @@ from typing import Any
 
 import click
 
+from kurbel.cli import COMMANDS
 from kurbel.commands.options import Choice, Columns, Kind, LayoutName
 from kurbel.errors import KurbelError
 from kurbel.reading import notation
@@ -156,6 +157,16 @@ def elsewhere(command: str, flag: str) -> str:
     """Return what an option says to a command that has it not, after a semicolon, nothing if none."""
     found = ELSEWHERE.get((command.rpartition(" ")[2], flag)) or ELSEWHERE.get(("", flag))
     return f"; {found}" if found else ""
+
+
+def before_command(words: Sequence[str]) -> str:
+    """Return the line with its options behind the command, nothing where no command is named."""
+    from shlex import join
+
+    place = next((place for place, word in enumerate(words) if word in COMMANDS), None)
+    if place is None:
+        return ""
+    return join(["kurbel", *words[place:], *words[:place]])
 
 
 def stray(text: str, command: click.Command, words: Sequence[str]) -> str:

@@ -49,14 +49,14 @@ def layouts(layouts: File | None, copy: tuple[str, str] | None, form: str, lang:
         )
         return
     found = [layout(name, layouts) for name in layout_names(layouts)]
-    rows = [(one.key, one.title[lang], Shell(_printing(one, layouts))) for one in found]
+    rows = [(one.key, one.title[lang], Shell(printing(one, layouts))) for one in found]
     entries = [(key, (title, command)) for key, title, command in rows]
     keys = ("layout", "title", "command")
     listing = Listing("layouts", lang, keys, rows, HEADS["layouts"][lang], entries)
     show_list(listing, form, plain_lines(rows))
 
 
-def _printing(layout: Layout, folder: File | None) -> str:
+def printing(layout: Layout, folder: File | None) -> str:
     """Return what prints the layout."""
     own = ("--layouts", str(folder)) if folder and os.path.exists(layout_file(folder, layout.key)) else ()
     sample = SUBJECTS[layout.subject].sample.partition(" --layout ")[0]

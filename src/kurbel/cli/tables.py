@@ -17,11 +17,10 @@ from click.core import augment_usage_errors
 
 from kurbel.cli import say
 from kurbel.cli.app import show
+from kurbel.cli.manual.command import TopicCommand
 from kurbel.cli.options import (
     RIVALS,
-    Document,
     Given,
-    Option,
     click_option,
     help_of,
     machine_option,
@@ -47,7 +46,7 @@ BAR_ROWS = 200_000
 BAR_STEPS = 100
 
 
-class MakingCommand(click.Command, ABC):
+class MakingCommand(TopicCommand, ABC):
     """A command of which a document can ask what it makes."""
 
     @abstractmethod
@@ -71,26 +70,6 @@ class MakingCommand(click.Command, ABC):
     def invoke(self, ctx: click.Context) -> int:
         with augment_usage_errors(ctx):
             return self.run(Given(ctx))
-
-    def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        from kurbel.cli.manual.help import write_text
-
-        write_text(self.help or "", formatter)
-
-    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        from kurbel.cli.manual.help import write_options
-
-        write_options(self, ctx, formatter)
-
-    def get_help_option(self, ctx: click.Context) -> click.Option | None:
-        if not ctx.find_object(Document):
-            return super().get_help_option(ctx)
-        return Option(["-h", "--help"], is_flag=True, is_eager=True, expose_value=False, callback=_no_help)
-
-
-def _no_help(context: click.Context, parameter: click.Parameter, asked: bool) -> None:
-    if asked:
-        raise ProblemError(f"{context.info_name} was asked for its help; a document needs a table")
 
 
 class TableCommand(MakingCommand):

@@ -1,1 +1,1 @@
-"""What the command line says of itself: its options in sections."""
+"""What the command line says of itself: topics and examples, tasks, and a search."""

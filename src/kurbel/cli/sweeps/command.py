@@ -10,6 +10,7 @@ import click
 from click.core import ParameterSource, augment_usage_errors
 
 from kurbel.cli import say
+from kurbel.cli.manual.command import TopicCommand
 from kurbel.cli.options import RIVALS, Given, help_of, resolved_values
 from kurbel.cli.sweeps.from_file import FILE
 from kurbel.cli.sweeps.options import own_options, sweep_options
@@ -22,20 +23,14 @@ if TYPE_CHECKING:
     from kurbel.sweeps.plan import Plan
     from kurbel.sweeps.run import Outcome
 
-# The heads of the help below which the options of sweeps stand.
-SECTIONS = {
-    "The sweep": "zip_ only sample seed digits bounds strict",
-    "The run": "scheduler jobs resume restart",
-    "The output": "output format dry_run help",
-}
 # Where a context keeps the options in the order in which they were typed.
 ORDER = "kurbel.cli.sweeps"
 
 
-class SweepCommand(click.Command):
+class SweepCommand(TopicCommand):
     """The sweep of a command, which lies at a place."""
 
-    sections = SECTIONS
+    swept = True
 
     def __init__(self, name: str, place: str, command: Command) -> None:
         super().__init__(
@@ -57,16 +52,6 @@ class SweepCommand(click.Command):
 
             raise click.UsageError(stray(left[0], self, args), ctx)
         return left
-
-    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        from kurbel.cli.manual.help import write_options
-
-        write_options(self, ctx, formatter)
-
-    def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        from kurbel.cli.manual.help import write_text
-
-        write_text(self.help or "", formatter)
 
     def invoke(self, ctx: click.Context) -> int:
         with augment_usage_errors(ctx):

@@ -18,12 +18,12 @@ class _Commands(Group):
 
     def further(self) -> Mapping[str, Sequence[click.Option]]:
         """Return the options of every sweep, by the heads below which manuals have them."""
-        from kurbel.cli.manual.sections import titled
-        from kurbel.cli.sweeps.command import SECTIONS
+        from kurbel.cli.manual.topics import topics_of
         from kurbel.cli.sweeps.options import sweep_options
         from kurbel.cli.sweeps.running import running_options
 
-        return titled([*sweep_options(), *running_options()], SECTIONS)
+        own = click.Command("sweep", params=[*sweep_options(), *running_options()], add_help_option=False)
+        return {topic.title: options for topic, options in topics_of(own)}
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(TABLES)

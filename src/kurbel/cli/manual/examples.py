@@ -1,0 +1,314 @@
+"""Lines that a help shows: of each command a few with what each is, of each topic one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import click
+
+from kurbel.cli.manual.topics import is_sweep
+
+# What stands behind the command, and what it is.
+SHORT: Mapping[str, Sequence[tuple[str, str]]] = {
+    "table": (
+        ("--ratio 1:5", "the motion"),
+        ("--stroke 600mm --rod 1500mm --speed 120/min", "in m and m/s"),
+        ("--ratio '1:4;1:4,5' --step 15 -o table.tex", "for LaTeX"),
+        ("--mechanism arc --ratio 1:5 --rocker 6", "of a rocker"),
+    ),
+    "forces": (
+        ("--force 10kN --stroke 600mm", "in N and N m"),
+        ("--eps 4 --bore 300mm --pressure 8bar", "a steam engine"),
+        ("--machine engine.toml --angle '30;60'", "at two angles"),
+        ("--mechanism arc --ratio 1:5 --rocker 6", "of a rocker"),
+    ),
+    "inertia": (
+        ("--centre 0.6 --gyration 0.3", "without dimensions"),
+        ("--centre 0.6 --gyration 0.3 --digits 6", "more decimals"),
+        ("--machine engine.toml", "in newtons"),
+    ),
+    "solve": (
+        ("--ratio 1:5 --where p=0", "no acceleration"),
+        ("--ratio 1:5 --where c=max", "the greatest velocity"),
+        ("--ratio 1:5 --where 's = 25%'", "a quarter of the stroke"),
+        ("--machine engine.toml --where torque=max", "the greatest torque"),
+    ),
+    "delta": (
+        ("--eps 4 --ratio 1:5", "cut-off after a quarter"),
+        ("--eps 2..6 --ratio '1:4;1:5'", "a table of both"),
+        ("--machine engine.toml", "with its masses"),
+        ("--pressure-ratio 4 --clearance 5%", "a compressor"),
+    ),
+    "turning": (
+        ("--eps 4 --ratio 1:5", "without dimensions"),
+        ("--machine engine.toml", "a machine, in N and J"),
+        ("--eps 4 --cranks '0;90'", "two cylinders"),
+        ("--torque '5000 + 1500 sin(3φ)'", "a diagram without an engine"),
+    ),
+    "pressures": (
+        ("--machine engine.toml", "of a machine"),
+        ("--machine engine.toml --shares '25%;50%'", "at two places"),
+    ),
+    "power": (
+        ("--machine engine.toml", "of a machine"),
+        (
+            "--power 50kW --mean-pressure 3bar --speed 120/min --stroke 600mm --working-strokes 2",
+            "the bore for a power",
+        ),
+        ("--eps 4 --pressure 8bar --bore 300mm --stroke 600mm --speed 2/s", "of an ideal card"),
+    ),
+    "flywheel": (
+        ("--power 50kW --speed 120/min --delta 1:100 --eps 4", "steam"),
+        ("--swing 5kJ --speed 300/min --delta ±1% --radius 1m", "a swing"),
+        ("--areas '+52;-124;+72' --area-scale '500 N m; 6°' --speed 600/min --delta ±1.5%", "a diagram"),
+        ("--work 10kJ --strokes 30/min --share 1/4 --speed 200..225/min --radius 0.5m", "a press"),
+    ),
+    "deadcentres": (
+        ("--ratio 1:4 --offset 0.3", "of an offset crank"),
+        ("--mechanism beam --beam 3", "of a beam engine"),
+        ("--mechanism arc --ratio 1:5 --rocker 6", "of a rocker"),
+    ),
+    "harmonics": (
+        ("--ratio 1:5", "of the motion"),
+        ("--machine engine.toml --quantity torque", "of the torque"),
+        ("--ratio 1:5 --orders 8 --digits 6", "up to the eighth"),
+    ),
+    "balance": (
+        ("--engine inline-4", "an engine by its name"),
+        ("--cranks '0;180;180;0' --spacing 100mm --reciprocating 1kg --speed 50/s --stroke 80mm", "in N"),
+        ("--cranks '0;90' --ratio 1:5", "by its cranks"),
+    ),
+    "rotor": (
+        (
+            "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120' --planes '0;200mm'"
+            " --balance-planes '50mm;150mm' --balance-radii 100mm",
+            "what balances two masses",
+        ),
+    ),
+    "locomotive": (
+        (
+            "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg --speed 300/min",
+            "by shares",
+        ),
+        ("--spacing 2m --gauge 1.5m --crank 30cm --reciprocating 240kg --share 2/3", "for one share"),
+    ),
+    "firing": (
+        ("--engine inline-4", "all orders"),
+        ("--engine inline-6 --order 1-5-3-6-2-4", "one order"),
+        ("--cranks '0;180;180;0'", "by its cranks"),
+    ),
+    "collate": (
+        ("roetscher-112", "a table of a book"),
+        ("weisbach-150 --only deviations", "what is not right there"),
+        ("--csv scan.csv --quantity p --ratio 1:4 --method series", "your own transcription"),
+    ),
+    "example": (
+        ("", "all there are"),
+        ("blau 33", "one of them"),
+        ("blau 33 --ratio 1:4,5", "your own number"),
+    ),
+    "plot": (
+        ("--ratio 1:5 -o motion.svg", "the motion"),
+        ("--positions 30 --ratio 1:5 -o drive.svg", "to scale"),
+        ("--turning --eps 4 --ratio 1:5 -o turning.pdf", "turning effort"),
+        ("--animate --ratio 1:4 -o turn.html", "what moves"),
+    ),
+    "construct": (
+        ("", "all there are"),
+        ("blau-9 --ratio 1:4 --angle 50", "its lengths"),
+        ("blau-9 --ratio 1:4 --angle 50 -o fig9.svg", "drawn"),
+        ("blau-9 --ratio 1:4 --angle 50 -o fig9.html", "to click through"),
+    ),
+}
+SWEEPS: Mapping[str, str] = {
+    "table": "--ratio 1:3..8 --step 1 --columns x,c -o table.parquet",
+    "forces": "--ratio 1:3..8 --step 15 --columns torque -o forces.csv",
+    "inertia": "--ratio 1:3..8 --centre 0.5..0.7:0.1 --gyration 0.3 -o inertia.csv",
+    "solve": "--ratio 1:3..8 --where c=max -o solve.csv",
+    "delta": "--eps 1.5..10:0.1 --ratio 1:3..8 -o delta.parquet",
+    "turning": "--eps 2..6 --step 15 -o turning.csv",
+    "pressures": "--machine engine.toml --speed '60/min;120/min' -o pressures.csv",
+    "power": "--machine engine.toml --speed 60..120/min:20 -o power.csv",
+    "flywheel": "--power 50kW --speed 120/min --delta 1:100 --eps 2..6 -o flywheel.csv",
+    "deadcentres": "--ratio 1:3..8 --offset 0..0.5:0.1 -o dead.csv",
+    "harmonics": "--ratio 1:3..8 -o harmonics.csv",
+    "balance": "--engine 'inline-3;inline-4' --ratio 1:3..6 -o balance.csv",
+    "rotor": "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120' --planes '0;200mm' -o rotor.csv",
+    "locomotive": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg --speed 4..5/s -o b.csv",
+    "firing": "--engine 'inline-4;inline-6' -o firing.csv",
+}
+# What shows a topic, behind what its command needs: under a load, and elsewhere.
+TOPICAL: Mapping[str, str] = {
+    "crank": "--stroke 600mm --rod 1500mm",
+    "linkage": "--mechanism arc --ratio 1:5 --rocker 6",
+    "angles": "--angle 0..90:15",
+    "steam": "--eps 4 --back 10%",
+    "compressor": "--pressure-ratio 4 --clearance 5%",
+    "pump": "--pump single",
+    "gas": "--compression 6 --peak-pressure 30",
+    "piston": "--single-acting",
+    "cylinders": "--cranks '0;90'",
+    "masses": "--machine engine.toml --reciprocating 300kg",
+    "friction": "--machine engine.toml --friction 500N",
+    "work": "--power 50kW --inertia 1200kgm2 --speed 120/min",
+    "wheel": "--flywheel 50",
+    "diagram": "--torque '5000 + 1500 sin(3φ)'",
+    "page": "--lang en --digits 3",
+    "drawing": "--width 85",
+    "output": "-o page.html",
+}
+LOADS = ("steam", "compressor", "pump", "gas")
+LOADED: Mapping[str, str] = {
+    "solve": "--where torque=max",
+    "flywheel": "--power 50kW --speed 120/min --delta 1:100",
+    "harmonics": "--quantity torque",
+    "plot": "--turning -o effort.svg",
+}
+NEEDED: Mapping[str, str] = {
+    "inertia": "--centre 0.6 --gyration 0.3",
+    "solve": "--where c=max",
+    "delta": "--eps 4",
+    "turning": "--eps 4",
+    "pressures": "--machine engine.toml",
+    "power": "--machine engine.toml",
+    "flywheel": "--power 50kW --speed 120/min --delta 1:100 --eps 4",
+    "rotor": "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120'",
+    "locomotive": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg",
+    "example": "blau 33",
+    "plot": "-o drawing.svg",
+    "construct": "blau-9",
+}
+# Whole, where a command shows a topic in its own way.
+OWN: Mapping[str, Mapping[str, str]] = {
+    "table": {"question": "--ratio 1:5 --point 0.5"},
+    "forces": {
+        "cylinders": "--eps 4 --cranks '0;90'",
+        "question": "--ratio 1:5 --at tangent",
+        "piston": "--force 10kN --stroke 600mm",
+        "friction": "--force 10kN --friction 500N",
+    },
+    "inertia": {"masses": "--centre 0.6 --gyration 0.3"},
+    "solve": {
+        "question": "--ratio 1:5 --where 's = 25%'",
+        "angles": "--unknown stroke --angle 60 --where x=200mm",
+        "piston": "--eps 4 --single-acting --where torque=max",
+        "cylinders": "--eps 4 --cranks '0;90' --where torque=max",
+        "masses": "--machine engine.toml --reciprocating 300kg --where torque=max",
+        "friction": "--machine engine.toml --friction 500N --where torque=max",
+    },
+    "delta": {"question": "--eps 4 --detail"},
+    "turning": {"diagram": "--torque '5000 + 1500 sin(3φ)'"},
+    "pressures": {
+        "steam": "--eps 4 --pressure 8bar --bore 300mm",
+        "compressor": "--pressure-ratio 4 --suction-pressure 1bar --bore 300mm",
+        "pump": "--pump single --suction-pressure=-0.3bar --delivery-pressure 6bar --bore 200mm",
+        "gas": "--compression 6 --peak-pressure 30 --suction-pressure 1bar --bore 200mm",
+    },
+    "power": {
+        "work": "--power 50kW --mean-pressure 3bar --working-strokes 2 --stroke 600mm --speed 120/min",
+        "crank": "--machine engine.toml --speed 150/min",
+        "steam": "--eps 4 --pressure 8bar --bore 300mm --stroke 600mm --speed 120/min",
+        "compressor": "--pressure-ratio 4 --suction-pressure 1bar --bore 300mm --stroke 600mm --speed 2/s",
+        "pump": "--pump double --suction-pressure=-0.3bar --delivery-pressure 6bar --bore 200mm"
+        " --stroke 400mm --speed 1/s",
+        "gas": "--compression 6 --peak-pressure 30 --suction-pressure 1bar --bore 200mm --stroke 300mm"
+        " --speed 5/s",
+        "piston": "--machine engine.toml --piston-rod 50mm",
+        "cylinders": "--machine engine.toml --cylinders 2",
+    },
+    "flywheel": {
+        "wheel": "--swing 5kJ --speed 300/min --delta ±1% --radius 1m",
+        "rim": "--swing 56kJ --speed 120/min --delta 1:60 --rim-diameter 3m --density 7200kg/m³",
+        "disc": "--swing 2kJ --speed 300/min --delta 1:60 --disc-diameter 1m --density 7800kg/m³",
+        "press": "--work 10kJ --strokes 30/min --share 1/4 --speed 200..225/min --radius 0.5m",
+        "work": "--power 300kW --speed 90/min --energy-fluctuation 0.1 --delta ±0.5% --radius 2m",
+        "diagram": "--torque '5000 + 1500 sin(3φ)' --speed 300/min --inertia 200kgm2",
+        "masses": "--delta 1:100 --machine engine.toml --reciprocating 300kg",
+        "friction": "--delta 1:100 --machine engine.toml --friction 500N",
+    },
+    "deadcentres": {"question": "--beam 3 --exact"},
+    "harmonics": {
+        "question": "--ratio 1:5 --quantity x --orders 8",
+        "linkage": "--quantity torque --eps 4 --mechanism arc --ratio 1:5 --rocker 6",
+        "piston": "--quantity torque --eps 4 --single-acting",
+        "cylinders": "--quantity torque --eps 4 --cranks '0;90'",
+        "masses": "--quantity torque --machine engine.toml --reciprocating 300kg",
+        "friction": "--quantity torque --machine engine.toml --friction 500N",
+    },
+    "balance": {
+        "question": "--engine inline-6 --orders 6",
+        "cylinders": "--engine v8-90",
+        "masses": "--engine inline-4 --reciprocating 1kg --stroke 80mm --speed 50/s",
+        "counterweights": "--engine inline-2-180 --reciprocating 1kg --stroke 80mm --speed 50/s --share 1/2",
+        "angles": "--layout balance-angle --angle 0..90:15",
+    },
+    "rotor": {
+        "masses": "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120'",
+        "counterweights": "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120' --planes '0;200mm'"
+        " --balance-planes '50mm;150mm' --balance-radii 100mm",
+    },
+    "locomotive": {
+        "counterweights": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg --share 2/3",
+        "masses": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg",
+        "axle": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg",
+    },
+    "firing": {"question": "--engine inline-6 --order 1-5-3-6-2-4", "cylinders": "--engine v8-90"},
+    "collate": {
+        "question": "weisbach-150 --only deviations",
+        "crank": "--csv scan.csv --quantity p --ratio 1:4 --method series",
+        "page": "roetscher-112 --lang en",
+        "output": "roetscher-112 -o page.html",
+    },
+    "example": {
+        "crank": "blau 33 --ratio 1:4,5",
+        "linkage": "weisbach 149 --beam 4",
+        "angles": "blau 31 --angle 60",
+        "piston": "uebung 12 --ratio 1:5 --force 10kN",
+        "steam": "weisbach 150 --eps 4",
+        "page": "blau 33 --lang en",
+    },
+    "plot": {
+        "question": "--positions 30 --ratio 1:5 -o drive.svg",
+        "angles": "--step 5 --over path -o curve.svg",
+        "piston": "--forces --force 10kN --stroke 600mm -o forces.svg",
+        "cylinders": "--turning --eps 4 --cranks '0;90' -o effort.svg",
+        "masses": "--forces --machine engine.toml --reciprocating 300kg -o forces.svg",
+        "friction": "--forces --machine engine.toml --friction 500N -o forces.svg",
+        "work": "--turning --eps 4 --power 50kW --inertia 1200kgm2 --speed 120/min -o speeds.svg",
+        "wheel": "--turning --eps 4 --flywheel 50 --speed 120/min -o speeds.svg",
+        "diagram": "--turning --torque '5000 + 1500 sin(3φ)' -o effort.svg",
+        "page": "--ratio 1:5 --lang en -o motion.svg",
+        "output": "--ratio 1:5 -o motion.pdf",
+    },
+    "construct": {
+        "question": "blau-9 --ratio 1:4 --angle 50 --table",
+        "linkage": "weisbach-149 --mechanism beam --beam 3",
+        "angles": "blau-9 --angle 50",
+        "steam": "radinger --eps 4",
+        "masses": "ensslin-5 --centre 0.6 --gyration 0.3",
+        "page": "blau-9 --lang en",
+        "drawing": "blau-9 --width 85 -o fig9.svg",
+        "output": "blau-9 -o fig9.html",
+    },
+}
+# The same of every sweep, behind its line.
+SWEPT: Mapping[str, str] = {"combinations": "--bounds", "run": "--jobs 2", "output": "--dry-run"}
+
+
+def short(command: click.Command) -> Sequence[tuple[str, str]]:
+    """Return lines behind a command and what they are."""
+    name = command.name or ""
+    if not is_sweep(command):
+        return SHORT[name]
+    return ((SWEEPS[name], "into a file"), (f"{SWEEPS[name]} --dry-run", "how much, how long"))
+
+
+def topical(command: click.Command, topic: str) -> str:
+    """Return what stands behind a command to show a topic, nothing if none does."""
+    if is_sweep(command):
+        return f"{SWEEPS[command.name or '']} {SWEPT[topic]}" if topic in SWEPT else ""
+    name = command.name or ""
+    if whole := OWN.get(name, {}).get(topic):
+        return whole
+    needed = (LOADED if topic in LOADS else NEEDED).get(name, "")
+    return f"{needed} {TOPICAL[topic]}".strip() if topic in TOPICAL else ""

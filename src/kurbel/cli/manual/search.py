@@ -1,0 +1,259 @@
+"""Words searched in all that kurbel says of itself: commands, topics, options, quantities, layouts, pages."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import click
+
+from kurbel.cli import COMMANDS
+from kurbel.cli.app import command_of
+from kurbel.cli.manual.command import TopicCommand
+from kurbel.cli.manual.help import GAP, folded
+from kurbel.cli.manual.topics import flag_of, options_of, topics_of
+from kurbel.cli.manual.wants import WANTS
+from kurbel.errors import ChoiceError, OutputError
+from kurbel.reading.given import did_you_mean
+
+# What others call it, and what is searched for then.
+SYNONYMS: Mapping[str, Sequence[str]] = {
+    "mep": ("mean pressure",),
+    "imep": ("mean pressure",),
+    "bmep": ("mean pressure", "brake power"),
+    "rpm": ("speed",),
+    "revolutions": ("speed",),
+    "hp": ("power",),
+    "horsepower": ("power",),
+    "four bar": ("rocker", "pivot"),
+    "fourbar": ("rocker", "pivot"),
+    "4 bar": ("rocker", "pivot"),
+    "crank rocker": ("rocker",),
+    "slider crank": ("motion of a piston", "crank drive", "piston path", "crank ratio"),
+    "quick return": ("time ratio", "offset crank"),
+    "desaxe": ("offset crank",),
+    "coefficient of fluctuation of energy": ("energy fluctuation", "energy swing"),
+    "fluctuation of energy": ("energy fluctuation", "energy swing"),
+    "coefficient of fluctuation": ("irregularity", "energy fluctuation"),
+    "cyclic irregularity": ("irregularity",),
+    "cut off": ("expansion ratio", "cut off"),
+    "cutoff": ("expansion ratio", "cut off"),
+    "turning moment": ("turning effort", "torque", "turning moment"),
+    "crank effort": ("turning effort", "tangential force"),
+    "side thrust": ("guide force",),
+    "connecting rod": ("rod",),
+    "conrod": ("rod",),
+    "obliquity": ("rod angle",),
+    "displacement": ("piston path",),
+    "dead center": ("dead centre",),
+    "tdc": ("dead centre",),
+    "bdc": ("dead centre",),
+    "fourier": ("harmonics",),
+    "primary": ("orders", "balance"),
+    "secondary": ("orders", "balance"),
+    "punch": ("press", "shear"),
+    "punching press": ("press",),
+    "punching": ("press", "shear"),
+    "indicator diagram": ("indicator card",),
+    "p v diagram": ("indicator card",),
+    "inches": ("imperial",),
+    "excel": ("excel", "xlsx"),
+    "tex": ("latex",),
+}
+# How many of a kind are listed.
+MOST = {"Tasks": 4, "Commands": 4, "Options": 8, "Quantities": 6, "Layouts": 4, "Pages": 6}
+WIDEST = 22
+
+
+class Found(NamedTuple):
+    """What there is: its kind, its name, what is said of it, the line that tells more, other words for it,
+    and the commands that have it as well."""
+
+    kind: str
+    name: str
+    told: str
+    where: str
+    words: str = ""
+    others: str = ""
+
+
+def search(text: str) -> tuple[Sequence[str], Mapping[str, Sequence[Found]]]:
+    """Return what was searched for in place of the text, and what was found by its kind, the nearest first.
+
+    Raises ChoiceError if nothing was.
+    """
+    asked = " ".join(_words(text))
+    ways = _ways(asked)
+    ranked = sorted(
+        ((rank, place, one) for place, one in enumerate(_all()) if (rank := _rank(one, ways)) is not None),
+        key=lambda each: each[:2],
+    )
+    found: dict[str, list[Found]] = {kind: [] for kind in KINDS}
+    for _, _, one in ranked:
+        found[one.kind].append(one)
+    if not ranked:
+        known = {word for one in _all() for word in _words(one.name)} | SYNONYMS.keys()
+        near = did_you_mean(asked, sorted(known))
+        raise ChoiceError(f'nothing is said of "{text[:60]}"{near}; kurbel help lists what one may want')
+    return [way for way in ways if way != asked], {kind: listed for kind, listed in found.items() if listed}
+
+
+def _ways(asked: str) -> Sequence[str]:
+    """Return the words that are searched for: by themselves, and with synonyms in their place."""
+    padded, ways = f" {asked} ", [asked]
+    # A longer synonym, which has a shorter one in it, is the right one.
+    for name in sorted(SYNONYMS, key=len, reverse=True):
+        if f" {name} " in padded:
+            ways += [padded.replace(f" {name} ", f" {one} ").strip() for one in SYNONYMS[name]]
+            break
+    return [*dict.fromkeys(ways)]
+
+
+def _words(text: str) -> list[str]:
+    return re.findall(r"[^\W_]+", text.lower())
+
+
+def _rank(one: Found, ways: Sequence[str]) -> int | None:
+    """Return how near an entry is, of the least rank the nearest; None for one that is not meant."""
+    for rank, text in enumerate((one.name, one.told, one.words)):
+        there = _words(f"{one.name} {text}")
+        for place, words in enumerate(map(_words, ways)):
+            if rank == 0 and words == there:
+                return place - len(ways)
+            if words and all(any(_begins(known, word) for known in there) for word in words):
+                return rank * len(ways) + place
+    return None
+
+
+def _begins(known: str, word: str) -> bool:
+    """Whether a word of an entry is meant by one that is searched, in the plural too."""
+    return known.startswith(word) or (len(word) > 3 and known == word.removesuffix("s"))
+
+
+def _commands() -> Iterator[Found]:
+    for name, (_, line) in COMMANDS.items():
+        about = inspect.cleandoc(command_of(name).help or "").partition("\b")[0]
+        yield Found("Commands", name, line, f"kurbel {name} -h", about)
+
+
+def _wants() -> Iterator[Found]:
+    for want in WANTS:
+        lines = " ".join(what for _, what in want.lines)
+        yield Found("Tasks", want.name, want.sentence, f"kurbel help {want.name}", lines)
+
+
+def _options() -> Iterator[Found]:
+    """Yield the options, of those that commands share the first."""
+    homes: dict[tuple[str, str], list[str]] = {}
+    told: dict[tuple[str, str], str] = {}
+    for name in COMMANDS:
+        command = command_of(name)
+        for topic, options in topics_of(command) if isinstance(command, TopicCommand) else ():
+            for one in options:
+                key = (flag_of(one), topic.name)
+                homes.setdefault(key, []).append(name)
+                told.setdefault(key, one.help or "")
+        if not isinstance(command, TopicCommand):
+            for one in options_of(command).values():
+                homes.setdefault((flag_of(one), ""), []).append(name)
+                told.setdefault((flag_of(one), ""), one.help or "")
+    for (flag, home), names in homes.items():
+        where = f"kurbel {names[0]} --help {home}".rstrip()
+        yield Found("Options", flag, told[flag, home], where, home, ", ".join(names[1:]))
+
+
+def _quantities() -> Iterator[Found]:
+    from kurbel.page.subject import subject
+    from kurbel.page.subjects import SUBJECTS
+
+    for about in map(subject, SUBJECTS):
+        for one, command in about.entries():
+            unit = one.plain_unit("en")
+            told = f"{about.name_of(one, 'en')}{f', {unit}' if unit else ''}"
+            yield Found("Quantities", one.key, told, f"kurbel {command}", about.name_of(one, "de"))
+
+
+def _layouts() -> Iterator[Found]:
+    from kurbel.cli.lists import printing
+    from kurbel.page.layouts import layout, layout_names
+
+    for one in map(layout, layout_names()):
+        yield Found("Layouts", one.key, one.title["en"], printing(one, None), one.title["de"])
+
+
+def _pages() -> Iterator[Found]:
+    for name in page_names():
+        # Without what stands in blocks, where lines begin with # as well.
+        title, *blocks = re.sub(r"```.*?```", "", page_text(name), flags=re.DOTALL).split("\n\n")
+        heads = [one.strip("# ") for one in blocks if one.startswith("#")]
+        first = next((one for one in blocks if one and not one.startswith("#")), "")
+        told = "; ".join((title.strip("# "), *heads))
+        yield Found("Pages", name, told, f"kurbel help {name}", first)
+
+
+KINDS: Mapping[str, Callable[[], Iterator[Found]]] = {
+    "Tasks": _wants,
+    "Commands": _commands,
+    "Options": _options,
+    "Quantities": _quantities,
+    "Layouts": _layouts,
+    "Pages": _pages,
+}
+
+
+def _all() -> Iterable[Found]:
+    seen = set()
+    for entries in KINDS.values():
+        for one in entries():
+            # Lists name again what another page has, too.
+            if (one.kind, one.name, one.told) not in seen:
+                seen.add((one.kind, one.name, one.told))
+                yield one
+
+
+@cache
+def page_folder() -> Path:
+    """Return the folder of the documentation: in the installed package, else in the checkout."""
+    package = Path(__file__).parents[2]
+    for folder in (package / "docs", package.parents[1] / "docs"):
+        if folder.is_dir():
+            return folder
+    raise OutputError(f"there is no documentation beside {package}; the installation is not complete")
+
+
+def page_names() -> Sequence[str]:
+    """Return the pages of the documentation that are there to be read: howto/latex."""
+    folder = page_folder()
+    names = (path.relative_to(folder).with_suffix("").as_posix() for path in sorted(folder.rglob("*.md")))
+    return [name for name in names if name.partition("/")[0] in ("howto", "subjects", "books", "tutorial")]
+
+
+def page_text(name: str) -> str:
+    return (page_folder() / f"{name}.md").read_text(encoding="utf-8")
+
+
+def write_found(found: Mapping[str, Sequence[Found]], formatter: click.HelpFormatter) -> None:
+    """Write what was found below the heads of its kinds, of each the nearest."""
+    for kind, listed in found.items():
+        near, more = listed[: MOST[kind]], len(listed) - MOST[kind]
+        width = min(max(len(one.name) for one in near), WIDEST)
+        with formatter.section(kind):
+            for one in near:
+                rows = [(one.name.ljust(width), _first(one.told))]
+                if one.others:
+                    rows.append((" " * width, f"also of {one.others}"))
+                formatter.write_dl(rows, WIDEST)
+                left = formatter.current_indent + width + GAP
+                for line in folded(one.where, formatter.width - left).split("\n"):
+                    formatter.write(f"{'':{left}}{line}\n")
+            if more > 0:
+                formatter.write_text(f"... and {more} more, which more words tell apart")
+
+
+def _first(told: str) -> str:
+    """Return the first sentence, without its end."""
+    return re.split(r"; |[.] |[.]$", told)[0]
