@@ -56,7 +56,7 @@ LIMITS: Mapping[str, tuple[float, float, str]] = {
 
 
 @overload
-def delta(
+def compute_delta(
     eps: float,
     ratio: float | str,
     back: float | None = None,
@@ -67,7 +67,7 @@ def delta(
     fast: bool | None = None,
 ) -> float: ...
 @overload
-def delta(
+def compute_delta(
     eps: ArrayLike,
     ratio: ArrayLike,
     back: ArrayLike | None = None,
@@ -77,7 +77,7 @@ def delta(
     method: str = "exact",
     fast: bool | None = None,
 ) -> float | Floats: ...
-def delta(
+def compute_delta(
     eps: ArrayLike,
     ratio: ArrayLike,
     back: ArrayLike | None = None,
@@ -106,7 +106,7 @@ def delta(
     is (2/π)(N/ε) Q without clearance and exponent. Raises KurbelError.
     Source: Weisbach-Herrmann, § 150; clearance and exponent are ours.
 
-    >>> delta([2, 3], "1:5").round(6).tolist()
+    >>> compute_delta([2, 3], "1:5").round(6).tolist()
     [1.281865, 1.374452]
     """
     formula = METHODS[choose(method, METHODS, "method")]
@@ -145,7 +145,7 @@ def delta(
 
 
 def enclosed(given: Mapping[str, Any], method: str, usual: Collection[str] = ()) -> tuple[Floats, Floats]:
-    """Return δ of engines as `delta` does, and by how much each may be off the δ of its exact inputs.
+    """Return δ of engines as `compute_delta` does, and by how much each may be off the δ of its exact inputs.
 
     `given` has an array of each input's floats, of `back` None for the best one; `usual` names those that are
     nowhere other than where nothing is told of them. Both are no numbers where an input is not valid, or so
@@ -159,7 +159,7 @@ def enclosed(given: Mapping[str, Any], method: str, usual: Collection[str] = ())
         own: dict[str, Any] = {
             name: None if one is None or name in usual else one[good] for name, one in given.items()
         }
-        found[good] = delta(**own, method=method)
+        found[good] = compute_delta(**own, method=method)
     with np.errstate(all="ignore"):
         share = (UNITS + ROUNDED * stretch) * (1 + (done + taken) / (done - taken))
         return found, np.where(good, (share + ROUNDED / np.sqrt(1 - given["ratio"])) * found, np.nan)
