@@ -12,7 +12,7 @@ import click
 from kurbel.books.constructions.model import Construction
 from kurbel.books.constructions.registry import CONSTRUCTIONS, construction
 from kurbel.cli.listing import Listing, list_formats, plain_lines, show_list
-from kurbel.cli.options import RIVALS, FormatName, Given, Option, Type, click_option, resolved
+from kurbel.cli.options import FormatName, Given, Option, Type, click_option
 from kurbel.cli.tables import TableCommand
 from kurbel.commands.constructions.construct import construction_table, plot_construction
 from kurbel.commands.shown import Drawing
@@ -114,7 +114,7 @@ class ConstructCommand(TableCommand):
     def _drawn(self, given: Given) -> Drawing:
         _check_drawn(given)
         command = plot_construction.command
-        drawing: Drawing = command.ask(**resolved(command, given, RIVALS.get("construct", ())))
+        drawing: Drawing = command.ask(**given.arguments(command))
         return drawing
 
 

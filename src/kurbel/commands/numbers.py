@@ -16,12 +16,14 @@ from kurbel.page.subject import check_rounding
 from kurbel.page.table import Table
 from kurbel.reading import notation
 from kurbel.reading.given import Exact, as_angle, as_fraction, as_names, as_ratio, meant
+from kurbel.reading.keywords import checks_keywords
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
 
+@checks_keywords
 def certified(
     quantity: str,
     ratio: Exact,
@@ -115,6 +117,7 @@ def _of_motion(
     return evaluate(functions, degrees, check=_check_degrees)
 
 
+@checks_keywords
 def typeset(
     page: Table,
     format: str = DEFAULT,

@@ -17,6 +17,7 @@ from kurbel.kernel.irregularity.extremes import BY_NUMPY, METHODS, Arithmetic
 from kurbel.kernel.irregularity.load import load
 from kurbel.reading import notation
 from kurbel.reading.given import choose
+from kurbel.reading.keywords import checks_keywords
 
 Floats: TypeAlias = NDArray[np.float64]
 Reader: TypeAlias = Callable[[slice], Any]
@@ -77,6 +78,7 @@ def compute_delta(
     method: str = "exact",
     fast: bool | None = None,
 ) -> float | Floats: ...
+@checks_keywords
 def compute_delta(
     eps: ArrayLike,
     ratio: ArrayLike,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, overload
 import kurbel
 from kurbel.commands.options import Parameter, is_given
 from kurbel.commands.steps.several import is_whole
-from kurbel.errors import NotationError
+from kurbel.errors import ChoiceError, KeywordError, NotationError
 from kurbel.reading.given import meant
 from kurbel.sweeps.asked import planned
 from kurbel.sweeps.files.forms import need
@@ -128,11 +128,10 @@ def sweep(
 
 def _command(command: Callable[..., Any] | str) -> Any:
     """Return the function that makes a table."""
-    tables = [name for name in kurbel.__all__ if name.endswith("table") and name not in _BOOKS]
-    known = {name.removesuffix("_table").replace("_", ""): getattr(kurbel, name) for name in tables}
+    functions = [getattr(kurbel, name) for name in kurbel.__all__ if name not in _BOOKS]
+    known = {one.command.name: one for one in functions if hasattr(one, "question")}
     if isinstance(command, str):
-        name = command.removesuffix("_table").replace("_", "")
-        return known[meant(name, known, "command")]
+        return known[meant(command, known, "command")]
     if command not in known.values():
         raise NotationError(
             f"{getattr(command, '__name__', command)} is no function that makes a table of a machine, such as"
@@ -144,7 +143,10 @@ def _command(command: Callable[..., Any] | str) -> Any:
 def _named(asking: Any, options: Mapping[str, Any]) -> dict[str, Any]:
     """Return the options by their names on the command line, each with its values as a list."""
     known = {one.name: one for one in asking.command.parameters.values()} | dict(asking.command.parameters)
-    given = {known[meant(name, known, "option")]: value for name, value in options.items()}
+    try:
+        given = {known[meant(name, known, "option")]: value for name, value in options.items()}
+    except ChoiceError as error:
+        raise KeywordError(str(error)) from None
     read = {one.name: _values(one, value) for one, value in given.items()}
     return {name: value for name, value in read.items() if is_given(value)}
 

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
-from click.core import ParameterSource, augment_usage_errors
+from click.core import augment_usage_errors
 
 from kurbel.cli import say
-from kurbel.cli.options import RIVALS, Given, help_of, resolved_values
+from kurbel.cli.options import Given, help_of
 from kurbel.cli.sweeps.from_file import FILE
 from kurbel.cli.sweeps.options import own_options, sweep_options
 from kurbel.cli.sweeps.running import running, running_options
 from kurbel.commands.options import is_given
+from kurbel.commands.precedence import RIVALS, Values
 from kurbel.commands.subject import SPELLED, Command
 from kurbel.errors import KurbelError
 
@@ -119,7 +119,7 @@ class SweepCommand(click.Command):
 
         own = {one.name: one for one in self.asking.parameters.values()}
         said = {name: value for name, value in given.values.items() if name in own and is_given(value)}
-        if given.sources["lang"] is ParameterSource.DEFAULT:
+        if given.origins["lang"] is None:
             # Files are in English unless somebody asks for another language.
             del said["lang"]
         left = self._left(given, {name: values_of(own[name], value)[0] for name, value in said.items()})
@@ -128,10 +128,9 @@ class SweepCommand(click.Command):
 
     def _left(self, given: Given, first: dict[str, Any]) -> set[str]:
         """Return the names of the options that are not outdone by others."""
-        trial = copy.copy(given)
-        trial.values, trial.sources = {**given.values, **first}, dict(given.sources)
+        trial = Values({**given.values, **first}, given.origins)
         try:
-            values = resolved_values(self.asking, trial, RIVALS.get(self.name or "", ()))
+            values = trial.resolved(self.asking, RIVALS.get(self.name or "", ()))
         except KurbelError:
             # What is refused everywhere is refused at the first combination, too.
             return set(first)
