@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pandas
 import polars
+import polars.testing
 import pyarrow
 import pytest
 
@@ -80,6 +81,29 @@ def test_arrays_and_frames_have_the_printed_numbers_and_what_they_mean() -> None
     assert frames[0].attrs["phi"] == {"name": "Crank angle", "symbol": "φ", "unit": "°", "decimals": "1"}
     assert arrow.schema.field("phi").metadata[b"unit"] == "°".encode()
     assert arrow.schema.metadata[b"table"] == b"kinematics"
+
+
+def test_a_page_is_as_long_as_its_records_and_has_rows_and_columns() -> None:
+    assert len(PAGE) == 6
+    assert PAGE
+    for key in KEYS[1:]:
+        assert [f"{value:.{4 if key != 'phi' else 1}f}" for value in PAGE[key]] == printed_numbers(key)
+    assert PAGE["ratio"].tolist() == ["1:4"] * 3 + ["1:4.5"] * 3
+    assert PAGE["acceleration"].tolist() == PAGE["p"].tolist()
+    rows = [*PAGE]
+    assert [row._fields for row in rows] == [tuple(KEYS)] * 6
+    assert [*zip(*rows, strict=True)] == [tuple(PAGE[key].tolist()) for key in KEYS]
+    with pytest.raises(kurbel.KurbelError, match=r'no column "phl" \(did you mean phi\?\)'):
+        PAGE["phl"]
+
+
+def test_a_frame_is_made_of_the_page_itself() -> None:
+    missing = kurbel.inertia_table(
+        centre=0.9, gyration=0.3, layout="inertia-errors", columns="force,model,error,error_phi"
+    )
+    for page in (PAGE, missing, kurbel.example_table("blau", 35)):
+        pandas.testing.assert_frame_equal(pandas.DataFrame(page), page.to_pandas())
+        polars.testing.assert_frame_equal(polars.DataFrame(page), page.to_polars())
 
 
 def test_missing_values_stay_missing_and_mixed_columns_are_text() -> None:
