@@ -11,12 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from kurbel.engine.engine import LARGEST_CLEARANCE, LARGEST_EXPANSION, LARGEST_EXPONENT, LEAST_CURVE
 from kurbel.errors import NotationError, ProblemError
-from kurbel.exact.bulk import in_blocks
+from kurbel.exact.bulk import broadcast_shape, in_blocks
 from kurbel.kernel.fast.worth import pays
 from kurbel.kernel.irregularity.extremes import BY_NUMPY, METHODS, Arithmetic
 from kurbel.kernel.irregularity.load import load
-from kurbel.reading import notation
-from kurbel.reading.given import choose
+from kurbel.reading.given import as_ratio_array, choose
 from kurbel.reading.keywords import checks_keywords
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -92,11 +91,11 @@ def compute_delta(
     """Return the degree of irregularity δ of the double-acting steam engine with one crank.
 
     δ = (v_max - v_min)/v_1 over a whole turn, in units of P r/(m_1 v_1²). `eps` is the expansion ratio ε
-    (cut-off after the path 2r/ε, then p V^n = const), `ratio` is R:L, one value also as text such as
-    "1:5", `back` the back pressure b = R_b/Q, None the best one, that of the steam at the end of the stroke
-    (1/ε), `clearance` κ as a share of the stroke, None for 0, `exponent` n, None for 1 (Mariotte's law). They
-    broadcast: numbers alone give a float, arrays an array of the broadcast shape. `method` is "exact",
-    "series" (first-order kinematics) or "weisbach" (first order, at the angles of his equations, which have
+    (cut-off after the path 2r/ε, then p V^n = const), `ratio` is R:L, also as text such as "1:5" or
+    "1:4;1:5", `back` the back pressure b = R_b/Q, None the best one, that of the steam at the end of the
+    stroke (1/ε), `clearance` κ as a share of the stroke, None for 0, `exponent` n, None for 1 (Mariotte's
+    law). They broadcast: numbers alone give a float, arrays an array of the broadcast shape. `method` is
+    "exact", "series" (first-order kinematics) or "weisbach" (first order, at the angles of his equations, which have
     neither clearance nor exponent).
 
     Bulk: on all cores, memory bounded by the output and a fixed block a core; by numba, where it is
@@ -112,8 +111,8 @@ def compute_delta(
     [1.281865, 1.374452]
     """
     formula = METHODS[choose(method, METHODS, "method")]
-    if isinstance(ratio, str):
-        ratio = float(notation.ratio(ratio))
+    if np.asarray(ratio).dtype.kind == "U":
+        ratio = as_ratio_array(ratio)
     asked: dict[str, Any] = {
         "eps": eps,
         "ratio": ratio,
@@ -124,13 +123,7 @@ def compute_delta(
     given = {name: _checked(one, name) for name, one in asked.items() if one is not None or name in ALWAYS}
     if method == "weisbach" and len({"clearance", "exponent"} & set(given)):
         raise ProblemError('method "weisbach" has neither clearance nor exponent; use exact or series')
-    try:
-        shape = np.broadcast_shapes(*(values.shape for values in given.values()))
-    except ValueError:
-        *names, last = given
-        shapes = ", ".join(str(values.shape) for values in given.values())
-        named = f"{', '.join(names)} and {last}"
-        raise ProblemError(f"{named} have the shapes {shapes}; they do not broadcast") from None
+    shape = broadcast_shape(given)
     out = np.empty(shape)
     readers = {name: _reader(values, shape) for name, values in given.items()}
     by = _arithmetic(method, out.size, fast)

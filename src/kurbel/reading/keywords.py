@@ -40,8 +40,8 @@ def bound(
         raise KeywordError(_sentence(name, signature, args, kwargs)) from None
 
 
-def unknown(function: str, keyword: str, known: Collection[str]) -> KeywordError:
-    """Return the error of a keyword that the function has not."""
+def unknown(function: str, keyword: str, known: Collection[str], listed: str = "") -> KeywordError:
+    """Return the error of a keyword that the function has not; `listed` says where those are that it has."""
     if keyword in WRITING:
         value = '"latex"' if keyword == "format" else f"{keyword}=…"
         return KeywordError(
@@ -49,9 +49,8 @@ def unknown(function: str, keyword: str, known: Collection[str]) -> KeywordError
             f" kurbel.typeset(page, {value}), or page.save"
         )
     near = did_you_mean(keyword, known, words=True)
-    return KeywordError(
-        f'kurbel.{function} has no keyword "{keyword[:60]}"{near}; help(kurbel.{function}) lists its keywords'
-    )
+    listed = listed or f"help(kurbel.{function}) lists its keywords"
+    return KeywordError(f'kurbel.{function} has no keyword "{keyword[:60]}"{near}; {listed}')
 
 
 def _sentence(name: str, signature: inspect.Signature, args: Sequence[Any], kwargs: Mapping[str, Any]) -> str:

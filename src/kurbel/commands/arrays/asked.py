@@ -56,7 +56,9 @@ def _asked(key: str, given: Mapping[str, Any]) -> tuple[Asking[..., Question], Q
     if not takers:
         known = {name for page in PAGES for name in page.command.signature.parameters}
         if wrong := sorted({*given} - known):
-            raise unknown("compute", wrong[0], sorted(known))
+            raise unknown(
+                "compute", wrong[0], sorted(known), "it has those of kurbel.forces_table and its like"
+            )
         raise ProblemError(
             f"no page takes {', '.join(sorted(given))} together; leave what is not of this drive out"
         )
