@@ -108,8 +108,10 @@ class Table(Page):
         return frames.column(self, key)
 
     def _repr_html_(self) -> str:
+        from kurbel.formats.render import in_notebook
+
         # A notebook runs no script of a page.
-        return replace(self, steps=None).typeset("html")
+        return in_notebook(replace(self, steps=None))
 
     def _repr_latex_(self) -> str:
         return self.typeset("latex")

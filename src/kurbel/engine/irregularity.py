@@ -95,8 +95,8 @@ def compute_delta(
     "1:4;1:5", `back` the back pressure b = R_b/Q, None the best one, that of the steam at the end of the
     stroke (1/ε), `clearance` κ as a share of the stroke, None for 0, `exponent` n, None for 1 (Mariotte's
     law). They broadcast: numbers alone give a float, arrays an array of the broadcast shape. `method` is
-    "exact", "series" (first-order kinematics) or "weisbach" (first order, at the angles of his equations, which have
-    neither clearance nor exponent).
+    "exact", "series" (first-order kinematics) or "weisbach" (first order, at the angles of his equations,
+    which have neither clearance nor exponent).
 
     Bulk: on all cores, memory bounded by the output and a fixed block a core; by numba, where it is
     installed, once there is so much to do that this pays, with the same bits: `fast` True takes it at once,
