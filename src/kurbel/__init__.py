@@ -113,6 +113,8 @@ _MODULES = {
     "kurbel.formats.pdf.by_typst": ("typeset_pdf",),
     "kurbel.sweeps.dataset": ("sweep",),
 }
+# Commands of which functions had names of their own, with _table behind them.
+_COMMANDS = {"collation": "collate", "construction": "construct", "dead_centres": "deadcentres"}
 
 
 def __getattr__(name: str) -> object:
@@ -121,6 +123,10 @@ def __getattr__(name: str) -> object:
             from importlib import import_module
 
             return getattr(import_module(module), name)
+    stem = name.removesuffix("_table")
+    new = _COMMANDS.get(stem, stem)
+    if new != name and new in __all__:
+        raise AttributeError(f"kurbel.{name} is called kurbel.{new} now, as the command is")
     raise AttributeError(f"module 'kurbel' has no attribute {name!r}")
 
 
