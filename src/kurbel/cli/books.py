@@ -10,8 +10,8 @@ import click
 from kurbel.cli.listing import Entry, Heading, Listing, list_format, list_formats, plain_lines, show_list
 from kurbel.cli.options import Given, Option, click_option, lang_option
 from kurbel.cli.tables import CollateCommand, Printing, TableCommand
-from kurbel.commands import motion
 from kurbel.commands import books as pages
+from kurbel.commands import motion
 from kurbel.errors import ProblemError
 from kurbel.formats.registry import DEFAULT
 from kurbel.reading.given import File
