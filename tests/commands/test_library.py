@@ -142,6 +142,18 @@ def test_a_machine_gives_what_is_not_given_by_hand(file: str) -> None:
     assert pages >= 5
 
 
+def test_sweeps_are_of_a_machine_too(tmp_path: Path) -> None:
+    file = str(EXAMPLES / "engine.toml")
+    found = kurbel.sweep("delta", machine=file, eps="2..4", method="series", digits=6, lang="en")
+    words = ("sweep", "delta", f"--machine={file}", "--eps=2..4", "--method=series")
+    assert kurbel_line(*words, "-o", str(tmp_path / "a.csv")).code == 0
+    lines = (tmp_path / "a.csv").read_text(encoding="utf-8").splitlines()
+    column = lines[0].split(",").index("delta")
+    assert found["delta"].dims == ("epsilon",)
+    values = [float(line.split(",")[column]) for line in lines[1:]]
+    assert [float(value) for value in found["delta"].values.ravel()] == pytest.approx(values, abs=1e-6)
+
+
 def test_arrays_are_of_a_machine_too() -> None:
     file = EXAMPLES / "engine.toml"
     page = kurbel.forces_table(machine=file, angle="30;60", columns="torque_nm", digits=6).to_numpy()

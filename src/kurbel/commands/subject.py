@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from functools import partial, wraps
-from os import PathLike, fspath
+from os import fspath
 from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, Protocol, TypeVar, cast
 
 from kurbel.commands.in_python import described, plain_signature
@@ -244,25 +244,32 @@ def _given(command: Command, args: tuple[Any, ...], kwargs: Mapping[str, Any]) -
     }
     defaults = {one.name: one.default for one in command.parameters.values()}
     if machine is not None:
-        return _on_machine(command, FILE.taken(machine, MACHINE), defaults, given)
+        return _on_machine(command, machine, defaults, given)
     values = {**defaults, **given}
     settled = command.settled(values)
     command.refuse(settled, lambda name: is_given(settled.get(name)), spelling(values))
     return settled
 
 
-def _on_machine(
-    command: Command, file: str | PathLike[str], defaults: Mapping[str, Any], given: Mapping[str, Any]
-) -> Mapping[str, Any]:
-    """Return the values of all options where a machine's file gives what is not given by hand."""
+def of_machine(command: Command, file: Any) -> dict[str, Any]:
+    """Return the options of the command that a machine's file gives. Raises KurbelError."""
     from kurbel.commands.machine_file import machine_defaults
-    from kurbel.commands.precedence import RIVALS, Origin, Values
 
     options = {one.name: one for one in command.parameters.values()}
     many = {name: one.option.many for name, one in options.items()}
-    named = file if isinstance(file, File) else File(fspath(file))
+    named = File(fspath(FILE.taken(file, MACHINE)))
     found = machine_defaults(command.name, many, named)
-    values = {**defaults, **{name: options[name].taken(value) for name, value in found.items()}, **given}
+    return {name: options[name].taken(value) for name, value in found.items()}
+
+
+def _on_machine(
+    command: Command, file: Any, defaults: Mapping[str, Any], given: Mapping[str, Any]
+) -> Mapping[str, Any]:
+    """Return the values of all options where a machine's file gives what is not given by hand."""
+    from kurbel.commands.precedence import RIVALS, Origin, Values
+
+    found = of_machine(command, file)
+    values = {**defaults, **found, **given}
     origins = {**dict.fromkeys(defaults), **dict.fromkeys(found, Origin.MACHINE)}
     told = Values(values, {**origins, **{name: Origin.TYPED for name in given if is_given(given[name])}})
     return told.resolved(
