@@ -98,8 +98,8 @@ def by_kurbel(count: int, has_clearance: bool) -> Run:
 
     eps, ratio, back, clearance = engines(count, has_clearance)
     if has_clearance:
-        return lambda: kurbel.delta(eps, ratio, back, clearance=clearance, fast=True)
-    return lambda: kurbel.delta(eps, ratio, back, fast=True)
+        return lambda: kurbel.compute_delta(eps, ratio, back, clearance=clearance, fast=True)
+    return lambda: kurbel.compute_delta(eps, ratio, back, fast=True)
 
 
 def chosen(count: int) -> slice:

@@ -10,7 +10,7 @@ from markdown import described, directive, plain, table, toctree
 
 import kurbel
 from kurbel import errors
-from kurbel.commands.options import Parameter
+from kurbel.commands.options import Option, option_of
 from kurbel.commands.shown import Drawing, Table
 from kurbel.commands.subject import Command
 
@@ -77,7 +77,7 @@ def _function(name: str) -> Iterator[str]:
     if behind.strip():
         parts.extend(described(inspect.cleandoc(behind)))
     returned = "Drawing" if name.startswith("plot_") else "Table"
-    fields = [_field(one) for one in command.parameters.values()]
+    fields = [_field(key, option_of(one.annotation)) for key, one in command.signature.parameters.items()]
     fields += [f":returns: a {{py:class}}`{returned}`", ":raises KurbelError: what was given cannot be"]
     parts.append("\n".join(fields))
     yield directive("py:function", f"{name}{_bare(command.signature)}", "\n\n".join(parts))
@@ -87,9 +87,9 @@ def _doc(found: Any) -> str:
     return inspect.cleandoc(found.__doc__ or "")
 
 
-def _field(one: Parameter) -> str:
-    unit = f" A bare number is in {one.option.unit}." if one.option.unit else ""
-    return f":param {one.name}: {plain(one.option.help + unit)}"
+def _field(name: str, option: Option) -> str:
+    unit = f" A bare number is in {option.unit}." if option.unit else ""
+    return f":param {name}: {plain(option.help + unit)}"
 
 
 def _bare(signature: inspect.Signature) -> str:

@@ -4,7 +4,7 @@ One function a subject, in the words of the command line: values are text as the
 the SI, degrees, or turns a second. They return a `Table`, which prints itself, or a `Drawing`;
 `table.question(...)` and its like return what would be computed. All is imported when it is first used, so
 that `import kurbel` loads neither click nor Jinja nor NumPy. Pages and certified digits are for one thread at
-a time, for the precision of ball arithmetic is the process's; `compute` and `delta` run in any.
+a time, for the precision of ball arithmetic is the process's; `compute` and `compute_delta` run in any.
 
 >>> import kurbel
 >>> kurbel.certified("x", "1:5", 60, digits=30)
@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from kurbel.commands.plots import plot_forces, plot_mechanism, plot_motion, plot_polar
     from kurbel.commands.shown import Drawing, Table
     from kurbel.commands.solve import solve_table
-    from kurbel.engine.irregularity import delta
+    from kurbel.engine.irregularity import compute_delta
     from kurbel.formats.pdf.by_typst import typeset_pdf
     from kurbel.sweeps.dataset import sweep
 
@@ -58,9 +58,9 @@ __all__ = [
     "certified",
     "collation_table",
     "compute",
+    "compute_delta",
     "construction_table",
     "dead_centres_table",
-    "delta",
     "delta_table",
     "example_table",
     "firing_table",
@@ -109,10 +109,12 @@ _MODULES = {
     "kurbel.commands.plots": ("plot_forces", "plot_mechanism", "plot_motion", "plot_polar"),
     "kurbel.commands.shown": ("Drawing", "Table"),
     "kurbel.commands.solve": ("solve_table",),
-    "kurbel.engine.irregularity": ("delta",),
+    "kurbel.engine.irregularity": ("compute_delta",),
     "kurbel.formats.pdf.by_typst": ("typeset_pdf",),
     "kurbel.sweeps.dataset": ("sweep",),
 }
+# Commands of which functions had names of their own, with _table behind them.
+_COMMANDS = {"collation": "collate", "construction": "construct", "dead_centres": "deadcentres"}
 
 
 def __getattr__(name: str) -> object:
@@ -121,6 +123,10 @@ def __getattr__(name: str) -> object:
             from importlib import import_module
 
             return getattr(import_module(module), name)
+    stem = name.removesuffix("_table")
+    new = _COMMANDS.get(stem, stem)
+    if new != name and new in __all__:
+        raise AttributeError(f"kurbel.{name} is called kurbel.{new} now, as the command is")
     raise AttributeError(f"module 'kurbel' has no attribute {name!r}")
 
 

@@ -24,6 +24,10 @@ class NotationError(KurbelError):
     """Text that is not a number, an angle, a ratio or a list of them."""
 
 
+class KeywordError(KurbelError, TypeError):
+    """A name of a value that a function of Python has not, is given twice or lacks."""
+
+
 class ProblemError(KurbelError):
     """A crank drive that cannot be built or cannot turn."""
 

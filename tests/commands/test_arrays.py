@@ -76,3 +76,32 @@ def test_a_diagram_without_an_engine_has_arrays_over_any_turns() -> None:
     true = [5000 + 1500 * np.sin(3 * phi), excess, energy, excess / 40]
     for key, values in zip(keys, true, strict=True):
         np.testing.assert_allclose(found[key], values, rtol=1e-12, atol=1e-9, err_msg=key)
+
+
+def test_several_ratios_broadcast_with_the_angles() -> None:
+    texts, angles = ["1:4", "2:9", "1:4", "1:5"], np.array([[30.0], [200.0], [725.0]])
+    singles = [kurbel.compute(angles.ravel(), one, ["x", "p"]) for one in texts]
+    several: tuple[Any, ...] = (texts, np.array(texts), np.array([texts]), [0.25, "2:9", "0.25", 0.2])
+    grids = (kurbel.compute(angles, ratios, ["x", "p"]) for ratios in several)
+    for grid in grids:
+        for key in ("x", "p"):
+            assert grid[key].tolist() == np.array([one[key] for one in singles]).T.tolist()
+    pairs = kurbel.compute([30, 60, 90, 120], texts, "torque_nm", force=1000, stroke=0.5)["torque_nm"]
+    each = [
+        kurbel.compute(angle, one, "torque_nm", force=1000, stroke=0.5)["torque_nm"].item()
+        for angle, one in zip((30, 60, 90, 120), texts, strict=True)
+    ]
+    assert pairs.tolist() == each
+    assert kurbel.compute([30, 60], "1:4;1:5", "c")["c"].shape == (2,)
+    assert kurbel.compute([30, 60], [["1:4"]], "c")["c"].shape == (1, 2)
+    assert kurbel.compute([], ["1:4"], "c")["c"].shape == (0,)
+    with pytest.raises(
+        kurbel.KurbelError, match=r"^angles and ratio have the shapes \(3,\), \(2,\); they do"
+    ):
+        kurbel.compute([1, 2, 3], ["1:4", "1:5"])
+
+
+def test_ratios_of_engines_are_text_too() -> None:
+    found = np.asarray(kurbel.compute_delta([[2], [3]], ["1:4", "1:5"]))
+    assert found.tolist() == np.asarray(kurbel.compute_delta([[2], [3]], [0.25, 0.2])).tolist()
+    assert found.tolist() == np.asarray(kurbel.compute_delta([[2], [3]], "1:4;1:5")).tolist()

@@ -9,15 +9,19 @@ import re
 from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
+from operator import attrgetter
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from cli import kurbel as kurbel_line
 from cli import printed, refusal
 from completion import PRINTING, described
 
 import kurbel
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 NAMES = {"table": "table", "deadcentres": "dead_centres_table", "collate": "collation_table"}
 TABLES: dict[str, Callable[..., Any]] = {
     name: getattr(kurbel, NAMES.get(name, f"{name}_table")) for name in (*PRINTING, "collate", "example")
@@ -28,7 +32,7 @@ PLOTS: dict[str, Callable[..., Any]] = {
     if name.startswith("plot_") and name != "plot_construction"
 }
 ONLY_TYPED = {
-    *("machine", "format", "output", "decimal", "standalone", "longtable", "siunitx", "excel", "strict"),
+    *("format", "output", "decimal", "standalone", "longtable", "siunitx", "excel", "strict"),
     *("interactive", "help", "text"),
 }
 
@@ -61,9 +65,100 @@ def test_a_function_has_the_options_of_its_command() -> None:
 def test_the_help_of_python_describes_every_parameter(function: Any) -> None:
     text = pydoc.plain(pydoc.render_doc(function))
     for name, parameter in inspect.signature(function).parameters.items():
-        (option,) = parameter.annotation.__metadata__
-        assert f"{name}: {option.help}" in text
+        assert f"    {name} ({parameter.annotation}" in text
+    for key, one in function.command.parameters.items():
+        assert re.search(rf"^    {key} \([^\n]*\): {re.escape(one.option.help)}", text, re.MULTILINE), key
     assert not {"\b", "\f"} & set(text)
+    assert text.count("\n") <= 150
+    assert "Annotated" not in text
+
+
+def test_types_are_plain_and_every_number_may_be_a_float() -> None:
+    parameters = inspect.signature(kurbel.forces_table).parameters
+    found = {
+        name: parameters[name].annotation for name in ("ratio", "columns", "stroke", "vertical", "digits")
+    }
+    assert found == {
+        "ratio": "str | float | list",
+        "columns": "str | list",
+        "stroke": "str | float",
+        "vertical": "bool",
+        "digits": "int",
+    }
+    assert parameters["machine"].annotation == parameters["layouts"].annotation == "str | Path"
+    assert pydoc.plain(pydoc.render_doc(kurbel.forces_table)).splitlines()[2] == (
+        "forces_table(ratio=None, **options) -> Table"
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "args", "more", "sentence"),
+    [
+        ("table", (), {"stroek": "600mm"}, r'kurbel.table has no keyword "stroek" \(did you mean stroke\?\)'),
+        ("forces_table", (), {"rpm": 120}, r'kurbel.forces has no keyword "rpm" \(did you mean speed\?\)'),
+        ("table.question", (), {"colums": "x"}, r"\(did you mean columns\?\)"),
+        ("table", (), {"format": "csv"}, r'kurbel.typeset\(page, "latex"\), or page.save$'),
+        ("table", ("1:5", "1:4"), {}, r"is given 2 values without a name; ratio can stand without"),
+        ("table", ("1:5",), {"ratio": "1:4"}, r"is given ratio twice, by its place and by its name"),
+        ("certified", ("x",), {"angle": 60}, r"^kurbel.certified needs ratio; help\(kurbel.certified\) says"),
+        ("plot_motion", (), {"ofset": 1}, r"\(did you mean offset\?\)"),
+        ("compute", ([1], "1:5"), {"ofset": 1}, r"\(did you mean offset\?\)"),
+        ("compute", ([1], "1:5", "torque_nm"), {"forse": 1}, r"\(did you mean force\?\)"),
+        ("compute_delta", (2, 0.2), {"clearence": 0.1}, r"\(did you mean clearance\?\)"),
+        ("sweep", ("delta",), {"epss": [1, 2]}, r"\(did you mean eps\?\)"),
+        ("typeset", (kurbel.table(), "csv"), {"decimals": 2}, r"\(did you mean decimal\?\)"),
+    ],
+)
+def test_a_wrong_keyword_is_told_the_nearest(
+    name: str, args: tuple[Any, ...], more: dict[str, Any], sentence: str
+) -> None:
+    with pytest.raises(kurbel.KurbelError, match=sentence) as raised:
+        attrgetter(name)(kurbel)(*args, **more)
+    assert isinstance(raised.value, TypeError)
+
+
+MACHINES = ("engine.toml", "blower.toml", "gas-engine.toml", "pump.toml", "machines/*.toml")
+
+
+@pytest.mark.parametrize(
+    "file",
+    [str(one) for names in MACHINES for one in sorted(EXAMPLES.glob(names))],
+    ids=lambda one: Path(one).stem,
+)
+def test_a_machine_gives_what_is_not_given_by_hand(file: str) -> None:
+    """Each function makes the page of its command, or says the same sentence."""
+    pages = 0
+    for name, function in TABLES.items():
+        if function.command.machine:  # type: ignore[attr-defined]
+            typed = ["--stroke=610mm"] if "stroke" in taken(function) else []
+            line = kurbel_line(name, f"--machine={file}", *typed)
+            try:
+                page = str(function(machine=file, **({"stroke": "610mm"} if typed else {})))
+            except kurbel.KurbelError as error:
+                assert line.err == f"kurbel: {error}\n", name
+            else:
+                assert page == line.out, name
+                pages += 1
+    assert pages >= 5
+
+
+def test_sweeps_are_of_a_machine_too(tmp_path: Path) -> None:
+    file = str(EXAMPLES / "engine.toml")
+    found = kurbel.sweep("delta", machine=file, eps="2..4", method="series", digits=6, lang="en")
+    words = ("sweep", "delta", f"--machine={file}", "--eps=2..4", "--method=series")
+    assert kurbel_line(*words, "-o", str(tmp_path / "a.csv")).code == 0
+    lines = (tmp_path / "a.csv").read_text(encoding="utf-8").splitlines()
+    column = lines[0].split(",").index("delta")
+    assert found["delta"].dims == ("epsilon",)
+    values = [float(line.split(",")[column]) for line in lines[1:]]
+    assert [float(value) for value in found["delta"].values.ravel()] == pytest.approx(values, abs=1e-6)
+
+
+def test_arrays_are_of_a_machine_too() -> None:
+    file = EXAMPLES / "engine.toml"
+    page = kurbel.forces_table(machine=file, angle="30;60", columns="torque_nm", digits=6).to_numpy()
+    found = kurbel.compute([30, 60], columns="torque_nm", machine=file)["torque_nm"]
+    np.testing.assert_allclose(found, page["torque_nm"], rtol=0, atol=5.1e-7)
 
 
 @pytest.mark.parametrize("name", ["kurbel", *kurbel.__all__])
@@ -205,7 +300,7 @@ def test_a_question_is_what_would_be_made() -> None:
         question.lang = "en"  # type: ignore[misc]
 
 
-def test_machines_and_variables_are_for_the_command_line(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_variables_are_for_the_command_line(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("KURBEL_TABLE_RATIO", "1:4")
     monkeypatch.setenv("KURBEL_LANG", "en")
     assert "1:5" in kurbel.table().caption

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pandas
 import polars
+import polars.testing
 import pyarrow
 import pytest
 
@@ -31,7 +32,7 @@ def test_a_table_prints_as_text_and_has_a_short_name() -> None:
 
 
 def test_a_notebook_shows_it_as_the_formats_set_it() -> None:
-    assert PAGE._repr_html_() == kurbel.typeset(PAGE, "html")
+    assert kurbel.typeset(PAGE, "html").partition("<figure")[2] in PAGE._repr_html_()
     assert PAGE._repr_latex_() == kurbel.typeset(PAGE, "latex")
     assert PAGE._repr_markdown_() == kurbel.typeset(PAGE, "markdown")
 
@@ -80,6 +81,29 @@ def test_arrays_and_frames_have_the_printed_numbers_and_what_they_mean() -> None
     assert frames[0].attrs["phi"] == {"name": "Crank angle", "symbol": "φ", "unit": "°", "decimals": "1"}
     assert arrow.schema.field("phi").metadata[b"unit"] == "°".encode()
     assert arrow.schema.metadata[b"table"] == b"kinematics"
+
+
+def test_a_page_is_as_long_as_its_records_and_has_rows_and_columns() -> None:
+    assert len(PAGE) == 6
+    assert PAGE
+    for key in KEYS[1:]:
+        assert [f"{value:.{4 if key != 'phi' else 1}f}" for value in PAGE[key]] == printed_numbers(key)
+    assert PAGE["ratio"].tolist() == ["1:4"] * 3 + ["1:4.5"] * 3
+    assert PAGE["acceleration"].tolist() == PAGE["p"].tolist()
+    rows = [*PAGE]
+    assert [row._fields for row in rows] == [tuple(KEYS)] * 6
+    assert [*zip(*rows, strict=True)] == [tuple(PAGE[key].tolist()) for key in KEYS]
+    with pytest.raises(kurbel.KurbelError, match=r'no column "phl" \(did you mean phi\?\)'):
+        PAGE["phl"]
+
+
+def test_a_frame_is_made_of_the_page_itself() -> None:
+    missing = kurbel.inertia_table(
+        centre=0.9, gyration=0.3, layout="inertia-errors", columns="force,model,error,error_phi"
+    )
+    for page in (PAGE, missing, kurbel.example_table("blau", 35)):
+        pandas.testing.assert_frame_equal(pandas.DataFrame(page), page.to_pandas())
+        polars.testing.assert_frame_equal(polars.DataFrame(page), page.to_polars())
 
 
 def test_missing_values_stay_missing_and_mixed_columns_are_text() -> None:

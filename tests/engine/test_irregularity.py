@@ -21,7 +21,7 @@ from mpmath import mp
 from numpy.typing import NDArray
 
 import kurbel
-from kurbel import delta
+from kurbel import compute_delta
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import circle
 from kurbel.kernel.irregularity import extremes as kernel
@@ -200,7 +200,7 @@ def random_engine(random: np.random.Generator, kind: int) -> tuple[float, float,
 
 def assert_on_paper(eps: float, ratio: float, back: float | None, method: str) -> None:
     expected = on_paper(eps, ratio, back, method)
-    found = delta(eps, ratio, back, method=method)
+    found = compute_delta(eps, ratio, back, method=method)
     assert abs(found / expected - 1) <= ACCURACY * condition(eps, back), (eps, ratio, back, found, expected)
 
 
@@ -215,7 +215,7 @@ def test_the_largest_expansions_keep_most_digits() -> None:
     # Their cut-off is at 1e-150 of a turn, where 1 - cos α needs 300 digits.
     with mp.workdps(340):
         expected = Paper(1e300, 0.5, None, "series").irregularity
-    np.testing.assert_allclose(delta(1e300, 0.5, method="series"), expected, rtol=1e-14, atol=0)
+    np.testing.assert_allclose(compute_delta(1e300, 0.5, method="series"), expected, rtol=1e-14, atol=0)
 
 
 @pytest.mark.parametrize("method", ["exact", "series"])
@@ -253,7 +253,7 @@ def test_it_agrees_with_the_certified_pages(method: str) -> None:
         page = kurbel.delta_table(**options, method=method, columns="delta", digits=18)
         numbers: dict[str, Any] = {key: float(value) for key, value in options.items()}
         certified = float(kurbel.typeset(page, "csv").split()[-1])
-        np.testing.assert_allclose(delta(**numbers, method=method), certified, rtol=1e-14, atol=0)
+        np.testing.assert_allclose(compute_delta(**numbers, method=method), certified, rtol=1e-14, atol=0)
 
 
 def walked(
@@ -291,7 +291,7 @@ def test_the_curve_of_excess_work_never_leaves_the_range(
     # The mean pressure of the steam is above that at the end of the stroke.
     end = ((1 / eps + clearance) / (1 + clearance)) ** exponent
     back = share * ((1 + np.log(eps)) / eps if clearance == 0 and exponent == 1 else end)
-    found = delta(eps, ratio, back, clearance=clearance, exponent=exponent, method=method)
+    found = compute_delta(eps, ratio, back, clearance=clearance, exponent=exponent, method=method)
     grid, resolution = walked(eps, ratio, back, method, clearance, exponent)
     assert grid * (1 - 1e-12) <= found <= grid * (1 + 1e-12) + 1.5 * resolution
 
@@ -351,8 +351,8 @@ def test_an_engine_has_the_same_bits_alone_and_among_others(
     engines: list[tuple[float, float, float]], method: str
 ) -> None:
     rows = [(eps, ratio, share * (1 + np.log(eps)) / eps) for eps, ratio, share in engines]
-    together = delta(*(np.array([row[place] for row in rows]) for place in range(3)), method=method)
-    assert np.asarray(together).tolist() == [delta(*row, method=method) for row in rows]
+    together = compute_delta(*(np.array([row[place] for row in rows]) for place in range(3)), method=method)
+    assert np.asarray(together).tolist() == [compute_delta(*row, method=method) for row in rows]
 
 
 # Cut-off long before the greatest force and long behind it, slow and steep expansion, least speed on either
@@ -381,16 +381,18 @@ def test_clearance_and_exponent_are_those_of_the_definition(engine: Any) -> None
     for method in ("exact", "series"):
         with mp.workdps(DIGITS):
             expected, condition = Cylinder(eps, ratio, back, clearance or 0, exponent or 1, method).both()
-        found = delta(eps, ratio, back, clearance=clearance, exponent=exponent, method=method)
+        found = compute_delta(eps, ratio, back, clearance=clearance, exponent=exponent, method=method)
         assert abs(found / expected - 1) <= 2 * ACCURACY * condition
 
 
 def test_no_clearance_and_exponent_1_are_the_plain_engine() -> None:
     eps, ratio, back = np.linspace(1.1, 40, 50), np.linspace(0, 0.9, 50), 0.02
-    plain = np.asarray(delta(eps, ratio, back))
+    plain = np.asarray(compute_delta(eps, ratio, back))
     kinds: list[dict[str, Any]] = [{"clearance": 0}, {"exponent": 1}, {"clearance": 0, "exponent": 1}]
     for more in kinds:
-        np.testing.assert_allclose(np.asarray(delta(eps, ratio, back, **more)), plain, rtol=2e-14, atol=0)
+        np.testing.assert_allclose(
+            np.asarray(compute_delta(eps, ratio, back, **more)), plain, rtol=2e-14, atol=0
+        )
 
 
 # numba takes seconds to compile all of them.
@@ -416,10 +418,10 @@ def test_a_loop_has_the_same_bits_as_arrays(method: str, kind: str) -> None:
     if kind == "exponent":
         eps, more["exponent"] = np.minimum(eps, 1000), 1.2
     back = None if kind == "best" else random.uniform(0, 0.5, eps.size) * (1 + np.log(eps)) / eps
-    plain = np.asarray(delta(eps, ratio, back, fast=False, **more))
+    plain = np.asarray(compute_delta(eps, ratio, back, fast=False, **more))
     assert np.isfinite(plain).all()
     assert (
-        np.asarray(delta(eps, ratio, back, fast=True, **more)).view(np.int64) == plain.view(np.int64)
+        np.asarray(compute_delta(eps, ratio, back, fast=True, **more)).view(np.int64) == plain.view(np.int64)
     ).all()
 
 
@@ -433,39 +435,41 @@ def many(count: int) -> tuple[Floats, Floats, Floats]:
 def test_order_and_blocks_do_not_matter(method: str, monkeypatch: pytest.MonkeyPatch) -> None:
     engines = many(5000)
     order = np.random.default_rng(0).permutation(5000)
-    whole = np.asarray(delta(*engines, method=method))
-    assert (np.asarray(delta(*(one[order] for one in engines), method=method)) == whole[order]).all()
+    whole = np.asarray(compute_delta(*engines, method=method))
+    assert (np.asarray(compute_delta(*(one[order] for one in engines), method=method)) == whole[order]).all()
     monkeypatch.setattr("kurbel.exact.bulk.BLOCK", 617)
-    assert (np.asarray(delta(*engines, method=method)) == whole).all()
+    assert (np.asarray(compute_delta(*engines, method=method)) == whole).all()
 
 
 def test_arrays_broadcast_however_they_lie_in_memory(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("kurbel.exact.bulk.BLOCK", 7)
     eps, ratio = np.linspace(1.5, 6, 8)[::2, None], np.linspace(0, 0.4, 5)
     back = np.linspace(0, 0.1, 20).reshape(5, 4).T
-    found = np.asarray(delta(eps, ratio, back))
+    found = np.asarray(compute_delta(eps, ratio, back))
     assert found.shape == (4, 5)
     for row, column in np.ndindex(4, 5):
-        assert found[row, column] == delta(float(eps[row, 0]), float(ratio[column]), float(back[row, column]))
+        assert found[row, column] == compute_delta(
+            float(eps[row, 0]), float(ratio[column]), float(back[row, column])
+        )
 
 
 def test_numbers_give_a_float_and_arrays_an_array() -> None:
-    assert type(delta(2, "1:5")) is float
-    assert type(delta(np.float64(2), Fraction(1, 5), Decimal("0.5"))) is float  # type: ignore[call-overload]
-    assert np.asarray(delta([2], 0.2)).shape == (1,)
-    assert np.asarray(delta([[2]], [0.2])).shape == (1, 1)
-    assert np.asarray(delta([], 0.2)).shape == (0,)
-    assert np.asarray(delta(np.full((0, 3), 2.0), [0.1, 0.2, 0.3], 0.1)).shape == (0, 3)
+    assert type(compute_delta(2, "1:5")) is float
+    assert type(compute_delta(np.float64(2), Fraction(1, 5), Decimal("0.5"))) is float  # type: ignore[call-overload]
+    assert np.asarray(compute_delta([2], 0.2)).shape == (1,)
+    assert np.asarray(compute_delta([[2]], [0.2])).shape == (1, 1)
+    assert np.asarray(compute_delta([], 0.2)).shape == (0,)
+    assert np.asarray(compute_delta(np.full((0, 3), 2.0), [0.1, 0.2, 0.3], 0.1)).shape == (0, 3)
 
 
 def test_a_ratio_may_be_text() -> None:
-    assert delta(3, "1:4,5") == delta(3, 1 / 4.5)
+    assert compute_delta(3, "1:4,5") == compute_delta(3, 1 / 4.5)
 
 
 def test_the_arguments_are_left_as_they_are() -> None:
     engines = many(100)
     copies = [one.copy() for one in engines]
-    delta(*engines)
+    compute_delta(*engines)
     for one, copy in zip(engines, copies, strict=True):
         assert (one == copy).all()
 
@@ -476,7 +480,7 @@ def test_memory_is_bounded_by_the_result_and_a_block_a_core(monkeypatch: pytest.
     for count in (200_000, 1_000_000):
         eps, ratio = np.linspace(1.1, 9, count), np.linspace(0, 0.5, count)
         tracemalloc.start()
-        delta(eps, ratio, 0.05)
+        compute_delta(eps, ratio, 0.05)
         peaks.append(tracemalloc.get_traced_memory()[1] - 8 * count)
         tracemalloc.stop()
     assert peaks[1] < peaks[0] + 1e6
@@ -488,11 +492,11 @@ def test_the_first_bad_engine_of_all_blocks_is_named(monkeypatch: pytest.MonkeyP
     back = np.full(100, 0.3)
     back[[37, 38, 91]] = 0.9
     with pytest.raises(kurbel.KurbelError, match=r"^back\[37\] leaves no work"):
-        delta(2, 0.2, back)
+        compute_delta(2, 0.2, back)
 
 
 def test_the_example_of_the_docstring_is_true() -> None:
-    result = doctest.testmod(sys.modules[delta.__module__])
+    result = doctest.testmod(sys.modules[compute_delta.__module__])
     assert (result.failed, result.attempted) == (0, 1)
 
 

@@ -15,8 +15,7 @@ from click.core import ParameterSource, augment_usage_errors
 
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
-from kurbel.cli.machine import machine_defaults
-from kurbel.cli.options import MACHINE, Document, FileName, Given, Type
+from kurbel.cli.options import MACHINE, Document, FileName, Given, Type, defaults_by_machine
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
 from kurbel.formats.registry import FORMATS, WorkbookFormat
@@ -134,7 +133,7 @@ def _defaults(command: click.Command, defaults: Mapping[str, Any], machine: File
     allowed = set(params) if "machine" in params else OF_THE_PAGE & set(params)
     given: dict[str, Any] = {}
     if machine is not None and "machine" in params:
-        given |= machine_defaults(command, machine)
+        given |= defaults_by_machine(command, machine)
     for name, value in defaults.items():
         if name in allowed:
             given[name] = _value(params[name], value)

@@ -10,8 +10,8 @@ import click
 from kurbel.cli.listing import Entry, Heading, Listing, list_format, list_formats, plain_lines, show_list
 from kurbel.cli.options import Given, Option, click_option, lang_option
 from kurbel.cli.tables import CollateCommand, Printing, TableCommand
+from kurbel.commands import books as pages
 from kurbel.commands import motion
-from kurbel.commands.books import collation_table, example_table
 from kurbel.errors import ProblemError
 from kurbel.formats.registry import DEFAULT
 from kurbel.reading.given import File
@@ -31,7 +31,7 @@ HEADS: Mapping[str, Mapping[str, Sequence[str]]] = {
         "en": ("source", "no.", "example", "takes"),
     },
 }
-_OF_COLLATION = {one.name: one for one in collation_table.command.parameters.values()}
+_OF_COLLATION = {one.name: one for one in pages.collation_table.command.parameters.values()}
 
 
 @click.command(params=[click_option(_OF_COLLATION["sources"]), list_format(), lang_option("list")])
@@ -115,10 +115,10 @@ def _rows(key: str, lang: str) -> Iterator[tuple[str, ...]]:
 _OF_TABLES = {one.name: one for one in motion.table.command.parameters.values()}
 collate = CollateCommand(
     "collate",
-    collation_table.command,
+    pages.collation_table.command,
     {
         "columns": [Option(["--strict"], is_flag=True, help="Exit with 1 if a printed value deviates.")],
         "": [click_option(_OF_TABLES[name]) for name in ("digits", "rounding")],
     },
 )
-example = ExampleCommand("example", example_table.command)
+example = ExampleCommand("example", pages.example_table.command)

@@ -12,9 +12,9 @@ import click
 from kurbel.books.constructions.model import Construction
 from kurbel.books.constructions.registry import CONSTRUCTIONS, construction
 from kurbel.cli.listing import Listing, list_formats, plain_lines, show_list
-from kurbel.cli.options import RIVALS, FormatName, Given, Option, Type, click_option, resolved
+from kurbel.cli.options import FormatName, Given, Option, Type, click_option
 from kurbel.cli.tables import TableCommand
-from kurbel.commands.constructions.construct import construction_table, plot_construction
+from kurbel.commands.constructions import construct as pages
 from kurbel.commands.shown import Drawing
 from kurbel.errors import ChoiceError, ProblemError
 from kurbel.formats.registry import DEFAULT, FORMATS
@@ -69,8 +69,8 @@ class ConstructCommand(TableCommand):
     """The command, whose options are those of the table and of the drawing."""
 
     def __init__(self) -> None:
-        super().__init__("construct", construction_table.command)
-        own = {one.name: click_option(one) for one in plot_construction.command.parameters.values()}
+        super().__init__("construct", pages.construction_table.command)
+        own = {one.name: click_option(one) for one in pages.plot_construction.command.parameters.values()}
         for place, param in enumerate(self.params):
             if param.name == "format":
                 self.params[place] = _format_option()
@@ -113,8 +113,8 @@ class ConstructCommand(TableCommand):
 
     def _drawn(self, given: Given) -> Drawing:
         _check_drawn(given)
-        command = plot_construction.command
-        drawing: Drawing = command.ask(**resolved(command, given, RIVALS.get("construct", ())))
+        command = pages.plot_construction.command
+        drawing: Drawing = command.ask(**given.arguments(command))
         return drawing
 
 

@@ -11,54 +11,22 @@ import click
 from click.core import ParameterSource
 
 from kurbel.commands import options as kinds
-from kurbel.commands.loads import NAMES, OWN
-from kurbel.commands.options import Parameter, is_given
+from kurbel.commands.options import Parameter
 from kurbel.commands.parameters import LANG
-from kurbel.commands.subject import SPELLED, Command, spelling
-from kurbel.errors import NotationError, ProblemError
+from kurbel.commands.precedence import Origin, Values
+from kurbel.errors import NotationError
 from kurbel.exact.numerals import DECIMALS
 from kurbel.formats.registry import FORMATS
-from kurbel.reading.given import File, as_length, as_ratios
-from kurbel.reading.notation import ratio_text
+from kurbel.reading.given import File
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
-# An option, and those that outdo it where they are all typed.
-Rivals = Sequence[tuple[str, str]]
-_ANGLES: Rivals = (
-    *(("angle", other) for other in ("from", "to", "step")),
-    *((other, "angle") for other in ("from", "to", "step")),
-)
-_STEAM: Rivals = (
-    *((name, "card") for name in ("eps", "back", "exponent", "clearance", "pressure")),
-    ("card", "eps"),
-)
-_ROD: Rivals = (
-    *((name, "rod_file") for name in ("rod_mass", "centre", "gyration", "pendulum", "pendulum_from")),
-    *(("rod_file", name) for name in ("centre", "gyration", "pendulum")),
-    *(("gyration", name) for name in ("pendulum", "pendulum_from")),
-    *((name, "gyration") for name in ("pendulum", "pendulum_from")),
-)
-_WHEEL: Rivals = (("flywheel", "inertia"), ("inertia", "flywheel"))
-# A flywheel is given by its inertia, its mass or its sizes, or is to keep an irregularity.
-_SIZES: Rivals = (
-    *(("inertia", other) for other in ("mass", "rim_diameter", "disc_diameter", "delta")),
-    *((other, "inertia") for other in ("mass", "disc_diameter", "delta")),
-    ("speed", "least_speed"),
-    ("delta", "least_speed"),
-)
-RIVALS: Mapping[str, Rivals] = {
-    "table": (*_ANGLES, ("mechanism", "layout"), ("layout", "mechanism")),
-    # A force that is typed outdoes the steam of a machine.
-    "forces": (*_ANGLES, *_STEAM, *_ROD, *((key, "force") for key in OWN)),
-    "inertia": (*_ANGLES, *_ROD),
-    **dict.fromkeys(("delta", "turning", "plot"), (*_STEAM, *_ROD, *_WHEEL)),
-    "flywheel": (*_STEAM, *_ROD, *_SIZES),
-    "power": _STEAM,
-    "balance": (("engine", "cranks"), *((name, "engine") for name in ("cranks", "positions", "banks"))),
+_ORIGINS: Mapping[ParameterSource | None, Origin] = {
+    ParameterSource.COMMANDLINE: Origin.TYPED,
+    ParameterSource.ENVIRONMENT: Origin.ENVIRONMENT,
+    ParameterSource.DEFAULT_MAP: Origin.MACHINE,
 }
-_LENGTHS = ("ratio", "stroke", "rod")
 
 
 # Generic from click 8.5 on, and not to be subscripted before.
@@ -244,118 +212,13 @@ def help_of(function: Callable[..., Any]) -> str:
     return inspect.cleandoc(function.__doc__ or "").partition("\f")[0]
 
 
-class Given:
-    """The values of a command's options by their names, and where they come from."""
+class Given(Values):
+    """What was given to a command of click."""
 
     def __init__(self, context: click.Context) -> None:
-        self.values: dict[str, Any] = dict(context.params)
+        sources = {name: context.get_parameter_source(name) for name in context.params}
+        super().__init__(context.params, {name: _ORIGINS.get(one) for name, one in sources.items()})
         self.in_document = context.find_object(Document) is not None
-        self.sources = {name: context.get_parameter_source(name) for name in context.params}
-
-    def typed(self, name: str) -> bool:
-        """Whether an option stands on the command line; a default from elsewhere gives way."""
-        return self.sources.get(name) is ParameterSource.COMMANDLINE
-
-    def drop(self, name: str) -> None:
-        """Make an option one that was not given."""
-        value = self.values[name]
-        self.values[name] = () if isinstance(value, tuple) else False if value is True else None
-
-    def settle(self, rivals: Rivals) -> None:
-        """Drop what is outdone by what was typed."""
-        for name, other in rivals:
-            if not self.typed(name) and self.typed(other):
-                self.drop(name)
-
-    def settle_loads(self) -> None:
-        """Drop the loads that one which was typed outdoes, with all that describes them alone."""
-        typed = [key for key in OWN if key in self.values and self.typed(key)]
-        if not typed or not any(key in self.values and is_given(self.values[key]) for key in NAMES):
-            return
-        others = [key for key in OWN if key not in typed and is_given(self.values.get(key))]
-        for name in {option for key in others for option in (key, *OWN[key][1])}:
-            if name in self.values and not self.typed(name):
-                self.drop(name)
-
-    def settle_sizes(self, command: Command) -> str:
-        """Give the stroke its value by the option that was given, and return the name of that; settle the
-        units of the page."""
-        if spelling(self.values) != "stroke":
-            names = [name for name in ("stroke", *SPELLED[:-1]) if is_given(self.values.get(name))]
-            if any(map(self.typed, names)):
-                for name in names:
-                    if not self.typed(name):
-                        self.drop(name)
-        if (spelled := spelling(self.values)) != "stroke":
-            self.sources["stroke"] = self.sources[spelled]
-            if is_given(self.values.get("time_ratio")):
-                self.sources["rod"] = self.sources[spelled]
-        self.values = dict(command.settled(self.values))
-        return spelled
-
-    def settle_unknown(self) -> None:
-        """Drop what is asked for as --unknown."""
-        name = self.values.get("unknown")
-        if name in self.values and not self.typed(name):
-            self.drop(name)
-
-    def settle_lengths(self) -> None:
-        """Keep two of crank ratio, stroke and length of the rod at the most, for two give the third.
-
-        Raises ProblemError where what is left says two different things.
-        """
-        if self.typed("ratio") and self.sources["rod"] is ParameterSource.ENVIRONMENT:
-            self.drop("rod")
-        if not all(is_given(self.values[name]) for name in _LENGTHS):
-            return
-        if not self.typed("ratio"):
-            if not (self.typed("stroke") or self.typed("rod")):
-                self._check_agreement()
-            self.drop("ratio")
-        elif self.typed("stroke") != self.typed("rod"):
-            self.drop("rod" if self.typed("stroke") else "stroke")
-        elif not self.typed("rod"):
-            raise ProblemError(
-                "stroke and rod are known and give the ratio; beside --ratio give the stroke or the rod"
-                " as well"
-            )
-
-    def _check_agreement(self) -> None:
-        ratio, stroke, rod = (self.values[name] for name in _LENGTHS)
-        share = as_length(stroke, "stroke") / 2 / as_length(rod, "rod")
-        if set(as_ratios(ratio)) != {share}:
-            raise ProblemError(
-                f"stroke {stroke} and rod {rod} give R:L = {ratio_text(share)},"
-                f" and the ratio is {';'.join(ratio)}; leave one of the three out"
-            )
-
-
-def resolved(command: Command, given: Given, rivals: Rivals = ()) -> dict[str, Any]:
-    """Return the values as the command's function takes them, by its parameters' names.
-
-    Raises ProblemError for what was typed in vain.
-    """
-    return command.arguments(resolved_values(command, given, rivals))
-
-
-def resolved_values(command: Command, given: Given, rivals: Rivals = ()) -> dict[str, Any]:
-    """Return the same by the names of options."""
-    given.settle(rivals)
-    given.settle_loads()
-    given.settle_unknown()
-    own = {one.name for one in command.parameters.values()}
-    spelled = given.settle_sizes(command)
-    values = {name: value for name, value in given.values.items() if name in own}
-    command.refuse(values, given.typed, spelled)
-    for name in command.foreign(values):
-        given.drop(name)
-    if own.issuperset(_LENGTHS):
-        given.settle_lengths()
-    # What may be repeated and was not given is an empty tuple for click.
-    defaults = {one.name: one.default for one in command.parameters.values()}
-    return {
-        name: defaults[name] if value == () else value for name, value in given.values.items() if name in own
-    }
 
 
 # Where a context keeps the name of the file.
@@ -371,9 +234,16 @@ def machine_option() -> click.Option:
     )  # fmt: skip
 
 
+def defaults_by_machine(command: click.Command, file: File) -> dict[str, Any]:
+    """Return what a machine's file says of the options of a command."""
+    from kurbel.commands.machine_file import machine_defaults
+
+    return machine_defaults(
+        command.name or "", {one.name or "": one.multiple for one in command.params}, file
+    )
+
+
 def _load(context: click.Context, parameter: click.Parameter, file: File | None) -> None:
     if file is not None:
-        from kurbel.cli.machine import machine_defaults
-
-        context.default_map = {**(context.default_map or {}), **machine_defaults(context.command, file)}
+        context.default_map = {**(context.default_map or {}), **defaults_by_machine(context.command, file)}
         context.meta[MACHINE] = str(file)

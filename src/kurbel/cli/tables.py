@@ -19,15 +19,13 @@ from kurbel.cli import say
 from kurbel.cli.app import show
 from kurbel.cli.manual.command import TopicCommand
 from kurbel.cli.options import (
-    RIVALS,
     Given,
     click_option,
     help_of,
     machine_option,
     printing_options,
-    resolved,
-    resolved_values,
 )
+from kurbel.commands.precedence import RIVALS
 from kurbel.commands.subject import Command
 from kurbel.errors import ProblemError
 from kurbel.formats.registry import DEFAULT, FORMATS, BytesFormat, Format, RecordsFormat, for_suffix
@@ -83,7 +81,7 @@ class TableCommand(MakingCommand):
 
     def question(self, given: Given) -> Any:
         """Return what is asked for. Raises KurbelError."""
-        return self.made_by.ask(**resolved(self.made_by, given, RIVALS.get(self.name or "", ())))
+        return self.made_by.ask(**given.arguments(self.made_by, RIVALS.get(self.name or "", ())))
 
     def exit_code(self, given: Given, question: Any) -> int:
         """Return what the command ends with, once it has printed."""
@@ -102,7 +100,7 @@ class TableCommand(MakingCommand):
         """Return the table of an interactive page, with those of its steps. Raises KurbelError."""
         from kurbel.commands.steps.stepped import NOTHING, stepped
 
-        values = resolved_values(self.made_by, given, RIVALS.get(self.name or "", ()))
+        values = given.resolved(self.made_by, RIVALS.get(self.name or "", ()))
         page = stepped(self.made_by, values, given.values)
         if page.steps is None and given.typed("interactive"):
             raise ProblemError(NOTHING)

@@ -74,7 +74,7 @@ EXTREMES = "balance extremes"
 SUBJECTS = ("balance", AT_ANGLES, EXTREMES)
 
 
-class Heavy(engines.MovingRod, Revolving, option.Sheet, total=False):
+class Heavy(option.OnMachine, engines.MovingRod, Revolving, option.Sheet, total=False):
     """The masses of each cylinder, with what makes forces of them."""
 
     reciprocating: Annotated[

@@ -47,7 +47,7 @@ class ExampleNumber(Kind):
         return numbers_of(typed["book"]) if typed.get("book") in source_keys() else ()
 
 
-@makes_table(machine=False)
+@makes_table()
 def collation_table(
     table: Annotated[
         str | None, Option("A table of a book, as `kurbel sources` lists it.", positional=True)
@@ -137,7 +137,7 @@ def collation_table(
     return FormulaRequest(layout=layout_of(own, ("formulas",), layouts), **asked)
 
 
-@makes_table(machine=False, build="kurbel.books.examples.page:build_example")
+@makes_table(build="kurbel.books.examples.page:build_example")
 def example_table(
     book: Annotated[
         str | None, Option("The book, as `kurbel example` lists it.", kind=Source(), positional=True)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections import namedtuple
+from collections.abc import Callable, Iterator, Sized
 from decimal import Decimal
 from fractions import Fraction
 from importlib import import_module
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from kurbel.exact.numerals import Number, number_text
 from kurbel.page.labels import plain
 from kurbel.page.table import Field, Table, Value
+from kurbel.reading.given import meant
 
 if TYPE_CHECKING:
     import numpy as np
@@ -61,19 +63,39 @@ def as_decimal(number: Number) -> Decimal:
     return Decimal(number_text(number))
 
 
+def count(table: Table) -> int:
+    """Return how many records there are."""
+    found = table.records.rows
+    return len(found) if isinstance(found, Sized) else sum(1 for _ in found)
+
+
+def rows(table: Table) -> Iterator[Any]:
+    """Yield the records as named tuples of floats and text."""
+    made = frames(table, as_float)
+    # Such keys as are no names of Python have their place as a name, _1.
+    row = namedtuple("Row", [one.key for one in made], rename=True)  # type: ignore[misc]
+    return map(row._make, zip(*(one.values for one in made), strict=True))
+
+
+def column(table: Table, key: str) -> np.ndarray[Any, Any]:
+    """Return one column, by its key or another word for it. Raises ChoiceError."""
+    made = {one.key: one for one in frames(table, as_float)}
+    return _array(made[meant(key, made, "column")])
+
+
+def _array(frame: Frame) -> np.ndarray[Any, Any]:
+    import numpy as np
+
+    if frame.numeric:
+        return np.array([float("nan") if one is None else one for one in frame.values], dtype=np.float64)
+    return np.array([one or "" for one in frame.values], dtype=np.str_)
+
+
 def to_numpy(table: Table) -> np.ndarray[Any, Any]:
     """Return a structured array, a field a column: floats, NaN for missing ones, and text."""
     import numpy as np
 
-    columns = {
-        frame.key: np.array(
-            [float("nan") if one is None else one for one in frame.values]
-            if frame.numeric
-            else [one or "" for one in frame.values],
-            dtype=np.float64 if frame.numeric else np.str_,
-        )
-        for frame in frames(table, as_float)
-    }
+    columns = {frame.key: _array(frame) for frame in frames(table, as_float)}
     kinds = [(key, column.dtype) for key, column in columns.items()]
     made = np.empty(len(next(iter(columns.values()))), dtype=kinds)
     for key, column in columns.items():

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from decimal import Context, Decimal
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import LARGEST_ANGLE, Crank, check_angles
@@ -15,13 +16,15 @@ from kurbel.page.quantity import Quantity, bare
 from kurbel.page.subject import check_rounding
 from kurbel.page.table import Table
 from kurbel.reading import notation
-from kurbel.reading.given import Exact, as_angle, as_fraction, as_names, as_ratio, meant
+from kurbel.reading.given import Exact, as_angle, as_fraction, as_names, as_ratio, as_ratio_array, meant
+from kurbel.reading.keywords import checks_keywords
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
 
+@checks_keywords
 def certified(
     quantity: str,
     ratio: Exact,
@@ -56,7 +59,7 @@ def certified(
 
 def compute(
     angles: ArrayLike,
-    ratio: Exact | None = None,
+    ratio: Exact | ArrayLike | None = None,
     columns: str | Sequence[str] = ("x", "c", "p"),
     *,
     method: str = "exact",
@@ -64,11 +67,14 @@ def compute(
     offset: Exact = 0,
     **given: Any,
 ) -> dict[str, NDArray[np.float64]]:
-    """Return each quantity as an array of floats of the shape of `angles`, in degrees.
+    """Return each quantity as an array of floats; `angles`, in degrees, and `ratio` broadcast.
+
+    A ratio is a number or text, and several are a list, an array, or one text, "1:4;1:5".
 
     `columns` are keys of `kurbel quantities` that are of a crank angle, and `given` the options of `table`,
     `forces_table`, `inertia_table` or `turning_table` that they need: lengths, speed, force, masses, another
-    mechanism, steam and other loads, torques. Units are those of the columns; angles beyond a turn go on.
+    mechanism, steam and other loads, torques, or the file of a `machine`. Units are those of the columns;
+    angles beyond a turn go on.
 
     Bulk: NumPy on all cores, memory bounded by the output and a fixed block a core; with the extra `fast`
     numba once that pays, to the same bits. For the straight
@@ -78,43 +84,74 @@ def compute(
 
     >>> compute([0, 90, 180], "1:5")["p"].tolist()
     [1.2, -0.20412414523193154, -0.8]
+    >>> compute([[0], [90], [180]], "1:4;1:5", "p")["p"].round(3).tolist()
+    [[1.25, 1.2], [-0.258, -0.204], [-0.75, -0.8]]
     >>> compute([30, 60], "1:4", "torque_nm", stroke="600mm", force="10kN")["torque_nm"].round(1).tolist()
     [1827.3, 2930.7]
     >>> compute([30, 60], "1:5", "tangential", eps=4)["tangential"].round(4).tolist()
     [0.4403, 0.5902]
     """
+    import numpy as np
+
+    from kurbel.exact.bulk import broadcast_shape
+
     degrees, keys = _degrees(angles), as_names(columns)
+    ratios = np.asarray(None) if ratio is None else as_ratio_array(ratio)
+    shape = broadcast_shape({"angles": degrees, "ratio": ratios})
     named, method = method, _method(method, order)
-    if not given and all(map(_is_plain, keys)):
-        rows: Iterable[NDArray[np.float64]] = _of_motion(keys, degrees.ravel(), ratio, method, offset)
-    else:
+    is_plain = not given and all(map(_is_plain, keys))
+
+    def rows(one: Fraction | None, at: NDArray[np.float64]) -> Iterable[NDArray[np.float64]]:
+        if is_plain:
+            return _of_motion(keys, at, one, method, offset)
         from kurbel.commands.arrays.asked import arrays
 
-        _check_degrees(degrees)
+        _check_degrees(at)
         told = {
-            "ratio": ratio,
+            "ratio": one,
             "offset": offset or None,
             "method": None if named == "exact" else named,
             "order": order,
         }
-        about = {**{name: one for name, one in told.items() if one is not None}, **given}
-        rows = arrays(keys, degrees.ravel(), about)
-    return {key: row.reshape(degrees.shape) for key, row in zip(keys, rows, strict=True)}
+        return arrays(keys, at, {**{name: one for name, one in told.items() if one is not None}, **given})
+
+    if ratios.size == 1:
+        found = [row.reshape(shape) for row in rows(ratios.item(), degrees.ravel())]
+    else:
+        degrees, found = np.broadcast_to(degrees, shape).ravel(), [np.empty(shape) for _ in keys]
+        for one, where in _places(ratios, shape):
+            for out, row in zip(found, rows(one, degrees[where]), strict=True):
+                out.reshape(-1)[where] = row
+    return dict(zip(keys, found, strict=True))
+
+
+def _places(
+    ratios: NDArray[np.object_], shape: tuple[int, ...]
+) -> Iterator[tuple[Fraction, NDArray[np.intp]]]:
+    """Return each ratio with its places among those of the broadcast shape, counted in one row."""
+    import numpy as np
+
+    distinct, index = np.unique(ratios, return_inverse=True)
+    index = np.broadcast_to(index.reshape(ratios.shape), shape).ravel()
+    order = np.argsort(index, kind="stable")
+    bounds = np.searchsorted(index[order], np.arange(1, len(distinct)))
+    return zip(distinct.tolist(), np.split(order, bounds), strict=False)
 
 
 def _of_motion(
-    keys: Sequence[str], degrees: NDArray[np.float64], ratio: Exact | None, method: str, offset: Exact
+    keys: Sequence[str], degrees: NDArray[np.float64], ratio: Fraction | None, method: str, offset: Exact
 ) -> NDArray[np.float64]:
     from kurbel.exact.bulk import evaluate
     from kurbel.motion.bulk import on_floats
 
     if ratio is None:
         raise ProblemError("compute needs the crank ratio; write it as 1:5")
-    crank = Crank(as_ratio(ratio), as_fraction(offset))
+    crank = Crank(ratio, as_fraction(offset))
     functions = [on_floats(bare(_quantity(key), method, 0), crank) for key in keys]
     return evaluate(functions, degrees, check=_check_degrees)
 
 
+@checks_keywords
 def typeset(
     page: Table,
     format: str = DEFAULT,

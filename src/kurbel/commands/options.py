@@ -258,7 +258,7 @@ def signature_of(function: Callable[..., Any], order: str = "") -> inspect.Signa
     (group,) = get_args(own.pop().annotation)
     shared = [
         inspect.Parameter(
-            name, inspect.Parameter.KEYWORD_ONLY, default=_option(kind).default, annotation=kind
+            name, inspect.Parameter.KEYWORD_ONLY, default=option_of(kind).default, annotation=kind
         )
         for name, kind in group.__annotations__.items()
     ]
@@ -266,23 +266,24 @@ def signature_of(function: Callable[..., Any], order: str = "") -> inspect.Signa
 
     def place(one: inspect.Parameter) -> tuple[bool, bool, int]:
         by_name = one.kind is inspect.Parameter.KEYWORD_ONLY
-        return by_name, by_name and _option(one.annotation).last, ranks.get(one.name, len(ranks))
+        return by_name, by_name and option_of(one.annotation).last, ranks.get(one.name, len(ranks))
 
     return signature.replace(parameters=sorted([*shared, *own], key=place))
 
 
-def _option(annotation: Any) -> Option:
+def option_of(annotation: Any) -> Option:
+    """Return the option that the annotation of a parameter holds."""
     (option,) = (one for one in annotation.__metadata__ if isinstance(one, Option))
     return option
 
 
-def parameters_of(signature: inspect.Signature) -> Mapping[str, Parameter]:
+def parameters_of(signature: inspect.Signature) -> dict[str, Parameter]:
     """Return the options of a function by its parameters' names, in their order."""
     found = {}
     for name, one in signature.parameters.items():
         required = one.default is one.empty
         default = None if required else one.default
-        found[name] = Parameter(name.rstrip("_"), _option(one.annotation), default, required)
+        found[name] = Parameter(name.rstrip("_"), option_of(one.annotation), default, required)
     return found
 
 
@@ -291,21 +292,3 @@ def is_given(value: Any) -> bool:
     if value is None or value is False:
         return False
     return isinstance(value, str) or not isinstance(value, Collection) or len(value) > 0
-
-
-def described(text: str, parameters: Mapping[str, Parameter]) -> str:
-    """Return the docstring for Python of a function whose docstring is the help of a command.
-
-    Examples of the command line stand behind a \\b there, those of Python behind a \\f.
-    """
-    about, _, examples = inspect.cleandoc(text).partition("\f")
-    lines = [
-        about.replace("\b\n", "").rstrip(),
-        "",
-        "Values are text as on the command line, or numbers.",
-        "",
-    ]
-    for name, parameter in parameters.items():
-        unit = f" A bare number is in {parameter.option.unit}." if parameter.option.unit else ""
-        lines.append(f"{name}: {parameter.option.help}{unit}")
-    return "\n".join([*lines, examples.rstrip()]) + "\n"

@@ -7,6 +7,7 @@ from typing import Annotated, TypeAlias, TypedDict
 from kurbel.commands.drives.given import AnyDrive as AnyDrive
 from kurbel.commands.drives.given import Crank as Crank
 from kurbel.commands.drives.given import Linked as Linked
+from kurbel.commands.drives.given import OnMachine as OnMachine
 from kurbel.commands.drives.given import Over as Over
 from kurbel.commands.drives.given import Rod as Rod
 from kurbel.commands.drives.given import Stroke as Stroke

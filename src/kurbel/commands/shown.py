@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any
 
@@ -25,8 +25,9 @@ if TYPE_CHECKING:
 class Table(Page):
     """A table with its certified digits.
 
-    `print` shows it as text and a notebook as HTML; `save` writes it in any format. Its records become arrays
-    and frames: floats, or with `exact` Decimal, as printed; crank ratios are text.
+    `print` shows it as text and a notebook as HTML; `save` writes it in any format. It has as many rows as
+    records, named tuples of floats and text, and `page["x"]` is the array of a column; pandas and polars make
+    a DataFrame of it. With `exact` their numbers are Decimal, as printed. Crank ratios are text.
     """
 
     @classmethod
@@ -94,9 +95,23 @@ class Table(Page):
         with whole_file(os.fspath(path)) as stream:
             stream.write(content)
 
+    def __len__(self) -> int:
+        return frames.count(self)
+
+    def __bool__(self) -> bool:
+        return True
+
+    def __iter__(self) -> Iterator[Any]:
+        return frames.rows(self)
+
+    def __getitem__(self, key: str) -> np.ndarray[Any, Any]:
+        return frames.column(self, key)
+
     def _repr_html_(self) -> str:
+        from kurbel.formats.render import in_notebook
+
         # A notebook runs no script of a page.
-        return replace(self, steps=None).typeset("html")
+        return in_notebook(replace(self, steps=None))
 
     def _repr_latex_(self) -> str:
         return self.typeset("latex")

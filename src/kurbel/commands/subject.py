@@ -7,11 +7,14 @@ import re
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from functools import partial, wraps
+from os import fspath
 from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, Protocol, TypeVar, cast
 
-from kurbel.commands.options import TEXT, Parameter, described, is_given, parameters_of, signature_of
+from kurbel.commands.in_python import described, plain_signature
+from kurbel.commands.options import FILE, TEXT, Parameter, is_given, parameters_of, signature_of
 from kurbel.errors import ProblemError
-from kurbel.reading.given import found_at
+from kurbel.reading.given import File, found_at
+from kurbel.reading.keywords import bound
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Table
@@ -38,6 +41,8 @@ UNTOLD = frozenset(("label", "caption", "note", "source", "layouts", "layout", "
 UNMEASURED = frozenset(("units", "width", "height"))
 # A longer name nobody would type.
 LONGEST = 40
+# The parameter of Python that names the file of a machine.
+MACHINE = "machine"
 _FIGURES = r"[A-Za-z0-9.,:;/% -]*"
 _MINUS = r"(?<![\w.])-(?=[0-9.])"
 _PARTS = r"[^A-Za-z0-9.]+"
@@ -57,11 +62,10 @@ def _none(values: Mapping[str, Any]) -> Mapping[str, str]:
 class Command(NamedTuple):
     """What stands behind a function.
 
-    `ask` reads the values and returns what is asked for, or drawn; `built` makes a page of that. `machine`
-    tells whether a machine's file may describe what it is about. `foreign` names the options that belong
-    to other cases than the one that the values are about, and `needless` those that say nothing in this one;
-    each with its sentence. A default from elsewhere that is foreign is dropped, one that is needless is left
-    to `ask`.
+    `ask` reads the values and returns what is asked for, or drawn; `built` makes a page of that. `foreign`
+    names the options that belong to other cases than the one that the values are about, and `needless` those
+    that say nothing in this one; each with its sentence. A default from elsewhere that is foreign is dropped,
+    one that is needless is left to `ask`.
     """
 
     ask: Callable[..., Any]
@@ -69,13 +73,29 @@ class Command(NamedTuple):
     parameters: Mapping[str, Parameter]
     foreign: Refusals
     needless: Refusals = _none
-    machine: bool = True
     builder: str = ""
 
     @classmethod
-    def of(cls, ask: Callable[..., Any], order: str, *about: Any) -> Command:
+    def of(
+        cls,
+        ask: Callable[..., Any],
+        order: str = "",
+        *about: Any,
+    ) -> Command:
         signature = signature_of(ask, order)
-        return cls(ask, signature, parameters_of(signature), *about)
+        parameters = parameters_of(signature)
+        parameters.pop(MACHINE, None)
+        return cls(ask, signature, parameters, *about)
+
+    @property
+    def machine(self) -> bool:
+        """Whether a machine's file may describe what it is about."""
+        return MACHINE in self.signature.parameters
+
+    @property
+    def name(self) -> str:
+        """What the command is called."""
+        return self.ask.__name__.removesuffix("_table")
 
     def settled(self, values: Mapping[str, Any]) -> Mapping[str, Any]:
         """Return the values with those that are given in another way under the name of their option, and
@@ -151,14 +171,13 @@ def makes_table(
     *,
     foreign: Refusals = _none,
     needless: Refusals = _none,
-    machine: bool = True,
     build: str = "kurbel.page.build:build",
     order: str = "",
 ) -> Callable[[Callable[Words, Question]], Asking[Words, Question]]:
     """Make of what returns a question a function that returns its table; the order is that of its options."""
 
     def decorate(ask: Callable[Words, Question]) -> Asking[Words, Question]:
-        command = Command.of(ask, order, foreign, needless, machine, build)
+        command = Command.of(ask, order, foreign, needless, build)
         question = _checked(command)
 
         @wraps(ask)
@@ -215,23 +234,53 @@ def _interactive(command: Command) -> Callable[..., Table]:
 
 def _given(command: Command, args: tuple[Any, ...], kwargs: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return the values of all options, settled and checked, by their names."""
-    bound = command.signature.bind(*args, **kwargs)
+    by_hand = bound(command.name, command.signature, args, kwargs).arguments
+    machine = by_hand.pop(MACHINE, None)
     # None says nothing, also of an option with another default.
-    for name in [name for name, value in bound.arguments.items() if value is None]:
-        if not command.parameters[name].required:
-            del bound.arguments[name]
-    for name, value in bound.arguments.items():
-        bound.arguments[name] = command.parameters[name].taken(value)
-    bound.apply_defaults()
-    values = {command.parameters[name].name: value for name, value in bound.arguments.items()}
+    given = {
+        one.name: one.taken(by_hand[key])
+        for key, one in command.parameters.items()
+        if key in by_hand and (by_hand[key] is not None or one.required)
+    }
+    defaults = {one.name: one.default for one in command.parameters.values()}
+    if machine is not None:
+        return _on_machine(command, machine, defaults, given)
+    values = {**defaults, **given}
     settled = command.settled(values)
     command.refuse(settled, lambda name: is_given(settled.get(name)), spelling(values))
     return settled
 
 
+def of_machine(command: Command, file: Any) -> dict[str, Any]:
+    """Return the options of the command that a machine's file gives. Raises KurbelError."""
+    from kurbel.commands.machine_file import machine_defaults
+
+    options = {one.name: one for one in command.parameters.values()}
+    many = {name: one.option.many for name, one in options.items()}
+    named = File(fspath(FILE.taken(file, MACHINE)))
+    found = machine_defaults(command.name, many, named)
+    return {name: options[name].taken(value) for name, value in found.items()}
+
+
+def _on_machine(
+    command: Command, file: Any, defaults: Mapping[str, Any], given: Mapping[str, Any]
+) -> Mapping[str, Any]:
+    """Return the values of all options where a machine's file gives what is not given by hand."""
+    from kurbel.commands.precedence import RIVALS, Origin, Values
+
+    found = of_machine(command, file)
+    values = {**defaults, **found, **given}
+    origins = {**dict.fromkeys(defaults), **dict.fromkeys(found, Origin.MACHINE)}
+    told = Values(values, {**origins, **{name: Origin.TYPED for name in given if is_given(given[name])}})
+    return told.resolved(
+        command, RIVALS.get("plot" if command.name.startswith("plot_") else command.name, ())
+    )
+
+
 def _documented(function: Callable[..., Any], command: Command, **more: Any) -> Callable[..., Any]:
-    function.__doc__ = described(command.ask.__doc__ or "", command.parameters)
-    vars(function).update(command=command, __signature__=command.signature, **more)
+    function.__doc__ = described(command.ask.__doc__ or "", command.signature)
+    returned = "Table" if command.builder else "Drawing"
+    vars(function).update(command=command, __signature__=plain_signature(command.signature, returned), **more)
     return function
 
 

@@ -11,12 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from kurbel.engine.engine import LARGEST_CLEARANCE, LARGEST_EXPANSION, LARGEST_EXPONENT, LEAST_CURVE
 from kurbel.errors import NotationError, ProblemError
-from kurbel.exact.bulk import in_blocks
+from kurbel.exact.bulk import broadcast_shape, in_blocks
 from kurbel.kernel.fast.worth import pays
 from kurbel.kernel.irregularity.extremes import BY_NUMPY, METHODS, Arithmetic
 from kurbel.kernel.irregularity.load import load
-from kurbel.reading import notation
-from kurbel.reading.given import choose
+from kurbel.reading.given import as_ratio_array, choose
+from kurbel.reading.keywords import checks_keywords
 
 Floats: TypeAlias = NDArray[np.float64]
 Reader: TypeAlias = Callable[[slice], Any]
@@ -56,7 +56,7 @@ LIMITS: Mapping[str, tuple[float, float, str]] = {
 
 
 @overload
-def delta(
+def compute_delta(
     eps: float,
     ratio: float | str,
     back: float | None = None,
@@ -67,7 +67,7 @@ def delta(
     fast: bool | None = None,
 ) -> float: ...
 @overload
-def delta(
+def compute_delta(
     eps: ArrayLike,
     ratio: ArrayLike,
     back: ArrayLike | None = None,
@@ -77,7 +77,8 @@ def delta(
     method: str = "exact",
     fast: bool | None = None,
 ) -> float | Floats: ...
-def delta(
+@checks_keywords
+def compute_delta(
     eps: ArrayLike,
     ratio: ArrayLike,
     back: ArrayLike | None = None,
@@ -90,12 +91,12 @@ def delta(
     """Return the degree of irregularity δ of the double-acting steam engine with one crank.
 
     δ = (v_max - v_min)/v_1 over a whole turn, in units of P r/(m_1 v_1²). `eps` is the expansion ratio ε
-    (cut-off after the path 2r/ε, then p V^n = const), `ratio` is R:L, one value also as text such as
-    "1:5", `back` the back pressure b = R_b/Q, None the best one, that of the steam at the end of the stroke
-    (1/ε), `clearance` κ as a share of the stroke, None for 0, `exponent` n, None for 1 (Mariotte's law). They
-    broadcast: numbers alone give a float, arrays an array of the broadcast shape. `method` is "exact",
-    "series" (first-order kinematics) or "weisbach" (first order, at the angles of his equations, which have
-    neither clearance nor exponent).
+    (cut-off after the path 2r/ε, then p V^n = const), `ratio` is R:L, also as text such as "1:5" or
+    "1:4;1:5", `back` the back pressure b = R_b/Q, None the best one, that of the steam at the end of the
+    stroke (1/ε), `clearance` κ as a share of the stroke, None for 0, `exponent` n, None for 1 (Mariotte's
+    law). They broadcast: numbers alone give a float, arrays an array of the broadcast shape. `method` is
+    "exact", "series" (first-order kinematics) or "weisbach" (first order, at the angles of his equations,
+    which have neither clearance nor exponent).
 
     Bulk: on all cores, memory bounded by the output and a fixed block a core; by numba, where it is
     installed, once there is so much to do that this pays, with the same bits: `fast` True takes it at once,
@@ -106,12 +107,12 @@ def delta(
     is (2/π)(N/ε) Q without clearance and exponent. Raises KurbelError.
     Source: Weisbach-Herrmann, § 150; clearance and exponent are ours.
 
-    >>> delta([2, 3], "1:5").round(6).tolist()
+    >>> compute_delta([2, 3], "1:5").round(6).tolist()
     [1.281865, 1.374452]
     """
     formula = METHODS[choose(method, METHODS, "method")]
-    if isinstance(ratio, str):
-        ratio = float(notation.ratio(ratio))
+    if np.asarray(ratio).dtype.kind == "U":
+        ratio = as_ratio_array(ratio)
     asked: dict[str, Any] = {
         "eps": eps,
         "ratio": ratio,
@@ -122,13 +123,7 @@ def delta(
     given = {name: _checked(one, name) for name, one in asked.items() if one is not None or name in ALWAYS}
     if method == "weisbach" and len({"clearance", "exponent"} & set(given)):
         raise ProblemError('method "weisbach" has neither clearance nor exponent; use exact or series')
-    try:
-        shape = np.broadcast_shapes(*(values.shape for values in given.values()))
-    except ValueError:
-        *names, last = given
-        shapes = ", ".join(str(values.shape) for values in given.values())
-        named = f"{', '.join(names)} and {last}"
-        raise ProblemError(f"{named} have the shapes {shapes}; they do not broadcast") from None
+    shape = broadcast_shape(given)
     out = np.empty(shape)
     readers = {name: _reader(values, shape) for name, values in given.items()}
     by = _arithmetic(method, out.size, fast)
@@ -145,7 +140,7 @@ def delta(
 
 
 def enclosed(given: Mapping[str, Any], method: str, usual: Collection[str] = ()) -> tuple[Floats, Floats]:
-    """Return δ of engines as `delta` does, and by how much each may be off the δ of its exact inputs.
+    """Return δ of engines as `compute_delta` does, and by how much each may be off the δ of its exact inputs.
 
     `given` has an array of each input's floats, of `back` None for the best one; `usual` names those that are
     nowhere other than where nothing is told of them. Both are no numbers where an input is not valid, or so
@@ -159,7 +154,7 @@ def enclosed(given: Mapping[str, Any], method: str, usual: Collection[str] = ())
         own: dict[str, Any] = {
             name: None if one is None or name in usual else one[good] for name, one in given.items()
         }
-        found[good] = delta(**own, method=method)
+        found[good] = compute_delta(**own, method=method)
     with np.errstate(all="ignore"):
         share = (UNITS + ROUNDED * stretch) * (1 + (done + taken) / (done - taken))
         return found, np.where(good, (share + ROUNDED / np.sqrt(1 - given["ratio"])) * found, np.nan)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kurbel.errors import ProblemError
 from kurbel.kernel.circle import circle
 
 Integers: TypeAlias = NDArray[np.int64]
@@ -31,6 +32,17 @@ class OfDegrees(NamedTuple):
     """A column of the angle itself, in degrees, and not of its circle."""
 
     of: Callable[[NDArray[np.float64]], Any]
+
+
+def broadcast_shape(given: Mapping[str, NDArray[Any]]) -> tuple[int, ...]:
+    """Return the shape of all of them together. Raises ProblemError."""
+    try:
+        return np.broadcast_shapes(*(values.shape for values in given.values()))
+    except ValueError:
+        *names, last = given
+        shapes = ", ".join(str(values.shape) for values in given.values())
+        named = f"{', '.join(names)} and {last}"
+        raise ProblemError(f"{named} have the shapes {shapes}; they do not broadcast") from None
 
 
 # Loops of numba hold no intermediate columns; with blocks of 65536 threads wait for each other (8 % slower).

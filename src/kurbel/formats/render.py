@@ -92,6 +92,13 @@ def render(
     return fragment
 
 
+def in_notebook(table: Table) -> str:
+    """Return the table as HTML with the look of a page of its own, to stand among the cells of a notebook."""
+    form = by_name("html")
+    assert isinstance(form, PageFormat)
+    return filled_by(form, "base/html.notebook.jinja", {"fragment": render(table, form.name)}, ())
+
+
 def as_one_page(folders: Folders | str | None) -> AbstractContextManager[None]:
     """Have the templates of a user's within the time of one page for all of it."""
     if not folders:

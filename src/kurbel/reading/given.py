@@ -20,6 +20,9 @@ from kurbel.errors import ChoiceError, NotationError
 from kurbel.reading import notation
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from kurbel.reading.units import Speed
 
 # A float is read by its shortest decimal, so that 0.2 is 1/5; text as on the command line.
@@ -128,6 +131,17 @@ def read_values(
 
 def as_ratios(given: Exact | Iterable[Exact]) -> tuple[Fraction, ...]:
     return tuple(read_values(given, notation.ratios, as_ratio))
+
+
+def as_ratio_array(given: Any) -> NDArray[np.object_]:
+    """Read crank ratios in an array, text or numbers; those of a text that holds several stand in a row."""
+    import numpy as np
+
+    if isinstance(given, str):
+        found = as_ratios(given)
+        return np.array(found if len(found) > 1 else found[0], dtype=object)
+    values = given if hasattr(given, "dtype") else np.array(given, dtype=object)
+    return np.array(np.frompyfunc(as_ratio, 1, 1)(values), dtype=object)
 
 
 def as_angles(given: Exact | Iterable[Exact]) -> Sequence[Fraction]:

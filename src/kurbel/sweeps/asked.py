@@ -9,7 +9,9 @@ from math import prod
 from typing import Any
 
 from kurbel.commands.options import TEXT, Parameter, is_given
+from kurbel.commands.precedence import RIVALS, Values
 from kurbel.commands.steps.several import PLACES, is_whole, several
+from kurbel.commands.subject import SPELLED, Command
 from kurbel.errors import KurbelError, NotationError, ProblemError
 from kurbel.motion.page import AngleQuestion, is_beyond
 from kurbel.page.axes import AngleAxis, shifted
@@ -25,6 +27,17 @@ from kurbel.sweeps.ways.records import DECIMALS, tried
 RUN = ("from", "to", "step")
 # Longer lists are not tried one by one.
 MOST_TRIED = 1000
+
+
+def not_outdone(command: Command, given: Values, first: Mapping[str, Any]) -> set[str]:
+    """Return the names of those options, with the first value of each, that are not outdone by others."""
+    trial = Values({**given.values, **first}, given.origins)
+    try:
+        values = trial.resolved(command, RIVALS.get(command.name, ()))
+    except KurbelError:
+        # What is refused everywhere is refused at the first combination, too.
+        return set(first)
+    return {name for name in first if name in SPELLED or is_given(values.get(name))}
 
 
 def values_of(parameter: Parameter, given: Any) -> Sequence[Any]:

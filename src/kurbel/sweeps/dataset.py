@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING, Any, overload
 
 import kurbel
 from kurbel.commands.options import Parameter, is_given
+from kurbel.commands.precedence import Origin, Values
 from kurbel.commands.steps.several import is_whole
-from kurbel.errors import NotationError
+from kurbel.commands.subject import MACHINE, Command, of_machine
+from kurbel.errors import ChoiceError, KeywordError, NotationError
 from kurbel.reading.given import meant
-from kurbel.sweeps.asked import planned
+from kurbel.sweeps.asked import not_outdone, planned, values_of
 from kurbel.sweeps.files.forms import need
 from kurbel.sweeps.rows import Sweep
 from kurbel.sweeps.run import Outcome, Running, run
@@ -89,7 +91,7 @@ def sweep(
     `output` all becomes a file instead, whose form its suffix says: .parquet, .arrow, .csv, .nc, .zarr, or a
     folder. It is computed by so many `jobs` on this machine, or by the cluster of a `scheduler`, may `resume`
     what an earlier run left or `restart` it; what comes back says how many rows there are, and how many of
-    them were refused.
+    them were refused. A `machine` is a file that gives the options which are not given here.
 
     >>> import kurbel
     >>> found = kurbel.sweep("delta", eps=[2, 3, 4], ratio="1:4..1:6")
@@ -107,9 +109,13 @@ def sweep(
                 "jobs, scheduler, resume and restart are for an output; Dask says what computes a dataset"
             )
     asking = _command(command)
+    machine = options.pop(MACHINE, None)
+    by_hand = _named(asking, options)
+    given = by_hand if machine is None else _on_machine(asking.command, machine, by_hand)
     plan = planned(
         f"{asking.__module__}:{asking.__name__}",
-        _named(asking, options),
+        given,
+        defaults=[name for name in given if name not in by_hand],
         linked=_linked(zip),
         digits=digits,
         bounds=bounds,
@@ -128,11 +134,10 @@ def sweep(
 
 def _command(command: Callable[..., Any] | str) -> Any:
     """Return the function that makes a table."""
-    tables = [name for name in kurbel.__all__ if name.endswith("table") and name not in _BOOKS]
-    known = {name.removesuffix("_table").replace("_", ""): getattr(kurbel, name) for name in tables}
+    functions = [getattr(kurbel, name) for name in kurbel.__all__ if name not in _BOOKS]
+    known = {one.command.name: one for one in functions if hasattr(one, "question")}
     if isinstance(command, str):
-        name = command.removesuffix("_table").replace("_", "")
-        return known[meant(name, known, "command")]
+        return known[meant(command, known, "command")]
     if command not in known.values():
         raise NotationError(
             f"{getattr(command, '__name__', command)} is no function that makes a table of a machine, such as"
@@ -144,9 +149,25 @@ def _command(command: Callable[..., Any] | str) -> Any:
 def _named(asking: Any, options: Mapping[str, Any]) -> dict[str, Any]:
     """Return the options by their names on the command line, each with its values as a list."""
     known = {one.name: one for one in asking.command.parameters.values()} | dict(asking.command.parameters)
-    given = {known[meant(name, known, "option")]: value for name, value in options.items()}
+    try:
+        given = {known[meant(name, known, "option")]: value for name, value in options.items()}
+    except ChoiceError as error:
+        raise KeywordError(str(error)) from None
     read = {one.name: _values(one, value) for one, value in given.items()}
     return {name: value for name, value in read.items() if is_given(value)}
+
+
+def _on_machine(command: Command, file: Any, given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the options, and those of a machine's file that they do not outdo behind them."""
+    own = {one.name: one for one in command.parameters.values()}
+    found = of_machine(command, file)
+    said = {**given, **{name: value for name, value in found.items() if name not in given}}
+    origins: dict[str, Origin | None] = dict.fromkeys(own)
+    origins |= dict.fromkeys(found, Origin.MACHINE) | dict.fromkeys(given, Origin.TYPED)
+    values = Values({**{name: one.default for name, one in own.items()}, **said}, origins)
+    first = {name: values_of(own[name], value)[0] for name, value in said.items()}
+    left = not_outdone(command, values, first)
+    return {name: value for name, value in said.items() if name in left}
 
 
 def _values(parameter: Parameter, value: Any) -> Any:

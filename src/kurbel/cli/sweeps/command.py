@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
-from click.core import ParameterSource, augment_usage_errors
+from click.core import augment_usage_errors
 
 from kurbel.cli import say
 from kurbel.cli.manual.command import TopicCommand
-from kurbel.cli.options import RIVALS, Given, help_of, resolved_values
+from kurbel.cli.options import Given, help_of
 from kurbel.cli.sweeps.from_file import FILE
 from kurbel.cli.sweeps.options import own_options, sweep_options
 from kurbel.cli.sweeps.running import running, running_options
 from kurbel.commands.options import is_given
-from kurbel.commands.subject import SPELLED, Command
-from kurbel.errors import KurbelError
+from kurbel.commands.subject import Command
 
 if TYPE_CHECKING:
     from kurbel.sweeps.plan import Plan
@@ -101,27 +99,18 @@ class SweepCommand(TopicCommand):
     def told(self, given: Given, order: Sequence[str]) -> dict[str, Any]:
         """Return the options that say something by what they are given, in the order of the command line;
         behind them those whose values come from elsewhere, without what others outdo."""
-        from kurbel.sweeps.asked import values_of
+        from kurbel.sweeps.asked import not_outdone, values_of
 
         own = {one.name: one for one in self.asking.parameters.values()}
         said = {name: value for name, value in given.values.items() if name in own and is_given(value)}
-        if given.sources["lang"] is ParameterSource.DEFAULT:
+        if given.origins["lang"] is None:
             # Files are in English unless somebody asks for another language.
             del said["lang"]
-        left = self._left(given, {name: values_of(own[name], value)[0] for name, value in said.items()})
+        left = not_outdone(
+            self.asking, given, {name: values_of(own[name], value)[0] for name, value in said.items()}
+        )
         names = [*dict.fromkeys(name for name in order if name in said), *said]
         return {name: said[name] for name in dict.fromkeys(names) if name in left}
-
-    def _left(self, given: Given, first: dict[str, Any]) -> set[str]:
-        """Return the names of the options that are not outdone by others."""
-        trial = copy.copy(given)
-        trial.values, trial.sources = {**given.values, **first}, dict(given.sources)
-        try:
-            values = resolved_values(self.asking, trial, RIVALS.get(self.name or "", ()))
-        except KurbelError:
-            # What is refused everywhere is refused at the first combination, too.
-            return set(first)
-        return {name for name in first if name in SPELLED or is_given(values.get(name))}
 
 
 def _told(target: str, outcome: Outcome) -> str:

@@ -21,6 +21,7 @@ from kurbel.exact.kind import floats
 from kurbel.motion.page import AngleQuestion
 from kurbel.page.quantity import Quantity
 from kurbel.page.subject import Question
+from kurbel.reading.keywords import unknown
 
 if TYPE_CHECKING:
     from kurbel.commands.subject import Asking
@@ -51,13 +52,15 @@ def arrays(columns: Sequence[str], degrees: Floats, given: Mapping[str, Any]) ->
 
 def _asked(key: str, given: Mapping[str, Any]) -> tuple[Asking[..., Question], Question]:
     """Return the first page that takes the options and has the quantity, and its question."""
-    takers = [page for page in PAGES if set(given) <= set(page.command.parameters)]
+    takers = [page for page in PAGES if set(given) <= set(page.command.signature.parameters)]
     if not takers:
-        unknown = {*given}.difference(*(page.command.parameters for page in PAGES))
+        known = {name for page in PAGES for name in page.command.signature.parameters}
+        if wrong := sorted({*given} - known):
+            raise unknown(
+                "compute", wrong[0], sorted(known), "it has those of kurbel.forces_table and its like"
+            )
         raise ProblemError(
-            f"compute takes no {min(unknown)}; its options are those of kurbel.forces_table and its like"
-            if unknown
-            else f"no page takes {', '.join(sorted(given))} together; leave what is not of this drive out"
+            f"no page takes {', '.join(sorted(given))} together; leave what is not of this drive out"
         )
     refused: list[KurbelError] = []
     for page in takers:

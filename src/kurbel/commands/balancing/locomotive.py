@@ -41,7 +41,6 @@ def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
 
 @makes_table(
     foreign=_foreign,
-    machine=False,
     order="cranks spacing positions gauge stroke crank reciprocating revolving share axles balance_radius"
     " speed velocity wheel wheel_load hammer_blow",
 )

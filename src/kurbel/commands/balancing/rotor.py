@@ -44,7 +44,6 @@ def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
 
 @makes_table(
     needless=_needless,
-    machine=False,
     order="masses radii angles planes balance_planes balance_radii bearings speed about",
 )
 def rotor_table(

@@ -44,7 +44,7 @@ NEEDED = (
 )
 
 
-class Powered(engines.Cylinder, Rods, option.Sheet, total=False):
+class Powered(option.OnMachine, engines.Cylinder, Rods, option.Sheet, total=False):
     """A cylinder, what acts in it, and the power it is to have."""
 
     cranks: option.Cranks

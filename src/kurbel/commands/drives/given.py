@@ -1,9 +1,10 @@
 """The options that describe a crank drive: which one it is, and its lengths."""
 
 from collections.abc import Iterable
+from os import PathLike
 from typing import Annotated, TypedDict
 
-from kurbel.commands.options import Choice, Option
+from kurbel.commands.options import FILE, Choice, Option
 from kurbel.drive import mechanisms
 from kurbel.reading.given import Exact
 
@@ -25,7 +26,19 @@ OVER_PATH, FORCES_OVER_PATH = "over path", "forces over path"
 APPROXIMATE = ("series errors", "successive")
 
 
-class Slide(TypedDict, total=False):
+class OnMachine(TypedDict, total=False):
+    """What a machine's file may say."""
+
+    machine: Annotated[
+        str | PathLike[str] | None,
+        Option(
+            "Machine in a TOML file: its crank, load, masses, flywheel; what is given beside it outdoes it.",
+            "FILE", FILE, last=True,
+        ),
+    ]  # fmt: skip
+
+
+class Slide(OnMachine, total=False):
     """A crank drive with a crosshead, beside its ratio."""
 
     offset: Annotated[

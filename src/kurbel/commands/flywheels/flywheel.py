@@ -58,7 +58,11 @@ def _of_others(values: Mapping[str, Any]) -> Mapping[str, str]:
     if not any(is_given(values[name]) for name in _OWN if name not in _FURTHER):
         return {}
     why = "is of an engine, and none is described; add --eps, --card or another load, or leave it out"
-    kept = {*option.Sheet.__annotations__, *(("cranks",) if is_diagram(values) else ())}
+    kept = {
+        *option.OnMachine.__annotations__,
+        *option.Sheet.__annotations__,
+        *(("cranks",) if is_diagram(values) else ()),
+    }
     names = (name.rstrip("_") for name in engines.Engine.__annotations__ if name not in kept)
     return {name: f"--{name.replace('_', '-')} {why}" for name in names}
 

@@ -12,7 +12,7 @@ from kurbel.page.subject import Question
 from kurbel.reading.given import as_crank_angles, as_names
 
 
-@makes_table(machine=False)
+@makes_table()
 def firing_table(
     engine: Engine = None,
     *,

@@ -38,7 +38,15 @@ class Driven(
 
 
 # What the motion has, too.
-_SHARED = (*option.Sheet.__annotations__, "layouts", "stroke", *SPELLED, "rod", "offset")
+_SHARED = (
+    *option.OnMachine.__annotations__,
+    *option.Sheet.__annotations__,
+    "layouts",
+    "stroke",
+    *SPELLED,
+    "rod",
+    "offset",
+)
 
 
 def _of_torque(values: Mapping[str, Any]) -> bool:

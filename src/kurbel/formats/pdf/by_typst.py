@@ -19,6 +19,7 @@ from kurbel.formats.pdf import STANDARDS, Standard
 from kurbel.formats.pdf.tagged import with_row_headers
 from kurbel.page.table import Table
 from kurbel.reading.dates import source_date_epoch
+from kurbel.reading.keywords import checks_keywords
 
 # Beside those that the package brings along: the letters of formulas, of the family of the text.
 FONTS = os.path.join(os.path.dirname(kurbel.formats.typst.__file__), "fonts")
@@ -40,6 +41,7 @@ _PLACE = re.compile(r"┌─ (.+):([0-9]+):[0-9]+$", re.MULTILINE)
 _MAIN = "__typst_py_bytes__.typ"
 
 
+@checks_keywords
 def typeset_pdf(page: Table, *, decimal: str | None = None, standards: Sequence[Standard] = ()) -> bytes:
     """Return the page as a PDF document; needs the extra `pdf`.
 

@@ -30,7 +30,7 @@ KEYS = ("eps", "back", *FURTHER)
 
 @dataclass(frozen=True)
 class Irregularities:
-    """Floats of `kurbel.delta`; what it would refuse is asked of the single command."""
+    """Floats of `kurbel.compute_delta`; what it would refuse is asked of the single command."""
 
     asked: Asked
     question: EngineRequest

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
-
-import click
 
 from kurbel.errors import MachineError
 from kurbel.reading.given import File
@@ -13,30 +12,29 @@ from kurbel.reading.given import File
 _ALIKE = {"pressures": "one", "construct": "one", "power": "cylinders alike", "balance": "cylinders alike"}
 
 
-def machine_defaults(command: click.Command, file: File) -> dict[str, Any]:
-    """Return what the file says of the options of the command, by their names."""
+def machine_defaults(command: str, options: Mapping[str, bool], file: File) -> dict[str, Any]:
+    """Return what the file says of the options of the command, by their names, with whether each may be
+    repeated."""
     from kurbel.drive.machine import read_machine, with_ratio
 
-    names = {one.name for one in command.params}
     machine = read_machine(file)
-    if "rod" not in names:
+    if "rod" not in options:
         machine = with_ratio(machine)
     for name in ("offset", "mechanism"):
-        if machine.get(name, "straight") != "straight" and name not in names:
+        if machine.get(name, "straight") != "straight" and name not in options:
             raise MachineError(
-                f"{file}: crank.{name} is {machine[name]}, and kurbel {command.name} is about the"
+                f"{file}: crank.{name} is {machine[name]}, and kurbel {command} is about the"
                 f" straight crank; leave the {name} out of the machine"
             )
-    if machine.get("cylinder") and "cylinder" not in names and (alike := _ALIKE.get(command.name or "")):
+    if machine.get("cylinder") and "cylinder" not in options and (alike := _ALIKE.get(command)):
         raise MachineError(
-            f"{file}: the machine has a list of cylinders, and kurbel {command.name} is about {alike}; take"
+            f"{file}: the machine has a list of cylinders, and kurbel {command} is about {alike}; take"
             " the list out, and write what one of them has into the sections, as bore into [steam] and"
             " reciprocating into [masses]"
         )
     # What may be repeated is a list, though the machine has one of it.
-    lists = {one.name for one in command.params if one.multiple}
     return {
-        name: [value] if name in lists and isinstance(value, str) else value
+        name: [value] if options[name] and isinstance(value, str) else value
         for name, value in machine.items()
-        if name in names
+        if name in options
     }
