@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import chain
+from shlex import join
 from typing import Any
 
 import click
@@ -78,6 +79,8 @@ def _no_option(error: click.NoSuchOption, words: Sequence[str]) -> str:
     options = _flags(command)
     begun = f"there is no option {notation.quoted(name)}"
     if isinstance(command, click.Group):
+        if moved := _before_command(words):
+            return f"{begun} before a command; write {moved}"
         typed = " ".join(filter(None, (name, _as_typed(_value_of(name, words)))))
         return f"{begun} before a command; write kurbel table {typed}" if _owners(name) else begun
     value = _value_of(name, words)
@@ -159,14 +162,10 @@ def elsewhere(command: str, flag: str) -> str:
     return f"; {found}" if found else ""
 
 
-def before_command(words: Sequence[str]) -> str:
-    """Return the line with its options behind the command, nothing where no command is named."""
-    from shlex import join
-
-    place = next((place for place, word in enumerate(words) if word in COMMANDS), None)
-    if place is None:
-        return ""
-    return join(["kurbel", *words[place:], *words[:place]])
+def _before_command(words: Sequence[str]) -> str:
+    """Return the line with its options behind the command, nothing where none is named behind them."""
+    place = next((place for place, word in enumerate(words) if word in COMMANDS), 0)
+    return join(["kurbel", *words[place:], *words[:place]]) if place else ""
 
 
 def stray(text: str, command: click.Command, words: Sequence[str]) -> str:
