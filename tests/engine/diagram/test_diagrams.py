@@ -136,6 +136,12 @@ def test_swings_and_places_are_those_by_hand(
     assert places(*words) == (greatest, least)
 
 
+def test_brackets_beside_each_other_are_not_within_each_other() -> None:
+    # At 90° the sine of φ, 5φ … is 1, that of 3φ, 7φ … is -1, and the others are nothing: one is left of 41.
+    formula = "1000 + " + " + ".join(f"10 sin({order}φ)" for order in range(1, 42))
+    assert column("torque", "turning", f"--torque={formula}", "--angle=90", "--columns=torque") == ["1010.0"]
+
+
 def test_a_tie_at_an_angle_that_is_no_rational_number_is_one() -> None:
     """E = -(a/2) cos 2φ - b cos φ is least at 0°, greatest at cos φ = -b/2a: the swing of a = 10, b = 1 is
     a + b + b²/4a = 11.025, a tie at two decimals, which a bisection of digits never ends."""
