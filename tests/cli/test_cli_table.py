@@ -91,8 +91,6 @@ def test_layouts_and_quantities_are_listed_in_two_languages_a_line_each() -> Non
         ("table --offset 0,2R", "table --offset 0.2"),
         ("table -f md", "table -f markdown"),
         ("table -f tex", "table -f latex"),
-        ("-h", "--help"),
-        ("table -h", "table --help"),
         ("table --lang en --digits 3 --lang EN --digits 3", "table --lang en --digits 3"),
         ("harmonics --stroke 600mm --rod 1m", "harmonics --ratio 3:10"),
         ("delta --eps 4 --stroke 600mm --offset 60mm", "delta --eps 4 --offset 0.2"),
@@ -122,7 +120,7 @@ def test_a_page_that_a_document_asks_for_leaves_the_help_of_its_command() -> Non
 def test_without_a_command_the_help_is_shown_as_an_error() -> None:
     for words, start in (((), "Usage: kurbel "), (("handbook",), "Usage: kurbel handbook [OPTIONS] COMMAND")):
         result = kurbel(*words)
-        assert (result.code, result.out, result.err) == (2, "", printed(*words, "--help").out)
+        assert (result.code, result.out, result.err) == (2, "", printed(*words, "-h").out)
         assert result.err.startswith(start)
 
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from browser import Viewer, launched
+from browser import Viewer
 
 import kurbel
 
@@ -39,12 +38,6 @@ LOOK = """() => {
         return [one.className, ...place.map(Math.round), ...names.map(name => style[name])];
     });
 }"""
-
-
-@pytest.fixture(scope="module")
-def viewer() -> Iterator[Viewer]:
-    with launched() as found:
-        yield found
 
 
 @pytest.mark.parametrize(

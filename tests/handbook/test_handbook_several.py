@@ -75,7 +75,7 @@ def test_one_that_cannot_be_built_keeps_no_other_from_it(tmp_path: Path, pair: t
     assert result.code == 1
     assert f"{pair[0]}/pages is a file; the handbook is built into a folder" in result.err
     assert f"{broken}/handbook.toml, line 1: " in result.err
-    assert f"there is no {tmp_path}/none" in result.err
+    assert f"there is no folder {tmp_path}/none; kurbel handbook init" in result.err
     assert "tables/delta.csv" in files(pair[1])
 
 
