@@ -9,8 +9,10 @@ import re
 import shlex
 import signal
 import sys
+from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import pytest
 from cli import kurbel, printed, refusal
@@ -30,6 +32,14 @@ def lines(count: int) -> list[bytes]:
     return [f"{number:06}\n".encode() for number in range(count)]
 
 
+@pytest.fixture
+def ctrl_c() -> Iterator[Any]:
+    """What Python does at Ctrl-C, wherever the tests were started; return that."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield signal.default_int_handler
+    signal.signal(signal.SIGINT, before)
+
+
 @pytest.mark.parametrize(
     ("page", "paged"),
     [
@@ -44,14 +54,14 @@ def lines(count: int) -> list[bytes]:
     ],
 )
 def test_what_is_longer_than_the_screen_goes_through_the_pager(
-    page: list[bytes], paged: bool, tmp_path: Path
+    page: list[bytes], paged: bool, tmp_path: Path, ctrl_c: Any
 ) -> None:
     file = tmp_path / "page"
     with own_terminal(80, LINES, KURBEL_PAGER=f"tee {shlex.quote(str(file))}", PAGER="false") as end:
         screen.show(iter(page), paging=True)
         there = end()
     # Ctrl-C is ours again.
-    assert signal.getsignal(signal.SIGINT) is not signal.SIG_IGN
+    assert signal.getsignal(signal.SIGINT) is ctrl_c
     whole = b"".join(page)
     assert (there, file.read_bytes() if file.exists() else b"") == (
         ("", whole) if paged else (whole.decode(), b"")
@@ -88,18 +98,17 @@ def test_a_pager_that_is_not_there_is_named(
     )
 
 
-def test_less_is_the_pager_with_the_options_that_git_gives_it(tmp_path: Path) -> None:
+def test_less_is_the_pager_with_the_options_that_git_gives_it(tmp_path: Path, ctrl_c: Any) -> None:
     less = tmp_path / "less"
     less.write_text(f'#!/bin/sh\necho "$0 $@ $LESS" > {shlex.quote(str(tmp_path / "asked"))}\n')
     less.chmod(0o755)
-    before = signal.getsignal(signal.SIGINT)
     for settings, said in (({}, "-FRX FRX"), ({"PAGER": "less"}, " FRX"), ({"LESS": "i"}, "-FRX i")):
         with own_terminal(80, LINES, PATH=f"{tmp_path}:{os.environ['PATH']}", **settings):
             # It ends before it has read all, which is no mistake.
             screen.show(iter(lines(50_000)), paging=True)
         asked = (tmp_path / "asked").read_text()
         assert (Path(asked.split()[0]).name, asked.partition(" ")[2].strip()) == ("less", said.strip())
-        assert signal.getsignal(signal.SIGINT) is before
+        assert signal.getsignal(signal.SIGINT) is ctrl_c
 
 
 def test_ctrl_c_is_the_pagers_and_what_is_said_meanwhile_stays_seen(
