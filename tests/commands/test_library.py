@@ -67,7 +67,7 @@ def test_the_help_of_python_describes_every_parameter(function: Any) -> None:
     for name, parameter in inspect.signature(function).parameters.items():
         assert f"    {name} ({parameter.annotation}" in text
     for key, one in function.command.parameters.items():
-        assert re.search(rf"^    {key} \([^\n]*\): {re.escape(one.option.help)}", text, re.MULTILINE), key
+        assert re.search(rf"^    {key} \([^\n]*\): {re.escape(one.help)}", text, re.MULTILINE), key
     assert not {"\b", "\f"} & set(text)
     assert text.count("\n") <= 150
     assert "Annotated" not in text

@@ -114,7 +114,7 @@ class ConstructCommand(TableCommand):
     def _drawn(self, given: Given) -> Drawing:
         _check_drawn(given)
         command = pages.plot_construction.command
-        drawing: Drawing = command.ask(**given.arguments(command))
+        drawing: Drawing = command.ask(given)
         return drawing
 
 

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import inspect
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
 from click.core import ParameterSource
 
 from kurbel.commands import options as kinds
-from kurbel.commands.options import Parameter
 from kurbel.commands.parameters import LANG
-from kurbel.commands.precedence import Origin, Values
+from kurbel.commands.part import Origin, Values
 from kurbel.errors import NotationError
 from kurbel.exact.numerals import DECIMALS
 from kurbel.formats.registry import FORMATS
@@ -21,6 +20,8 @@ from kurbel.reading.given import File
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
+
+    from kurbel.commands.subject import Command
 
 _ORIGINS: Mapping[ParameterSource | None, Origin] = {
     ParameterSource.COMMANDLINE: Origin.TYPED,
@@ -126,14 +127,14 @@ class Option(click.Option):
         return None if ctx.find_object(Document) else super().resolve_envvar_value(ctx)
 
 
-def click_option(parameter: Parameter) -> click.Parameter:
-    """Return a parameter of a function as click's."""
-    option, default = parameter.option, parameter.default
+def click_option(option: kinds.Option[Any]) -> click.Parameter:
+    """Return an option of a command as click's."""
+    default = option.default
     plain = option.kind in (kinds.TEXT, kinds.FLAG)
     kind = None if plain else FileName() if option.kind is kinds.FILE else Type(option.kind)
     if option.positional:
-        return click.Argument([parameter.name], type=kind, required=False)
-    names = [parameter.name, parameter.flag, *filter(None, [option.short])]
+        return click.Argument([option.name], type=kind, required=False)
+    names = [option.name, option.flag, *filter(None, [option.short])]
     if option.kind is kinds.FLAG:
         return Option(names, is_flag=True, help=option.help)
     own: dict[str, Any] = {} if option.many or default is None else {"default": default}
@@ -144,7 +145,7 @@ def click_option(parameter: Parameter) -> click.Parameter:
         type=kind,
         metavar=option.metavar,
         multiple=option.many,
-        required=parameter.required,
+        required=option.required,
         help=option.help,
         show_default=default not in (None, "", ()),
         envvar=option.environment or None,
@@ -202,14 +203,12 @@ def _named(context: click.Context, parameter: click.Parameter, name: str | None)
 
 def lang_option(what: str) -> click.Parameter:
     """Return --lang of what is no page."""
-    return click_option(
-        Parameter("lang", LANG._replace(help=f"Language of the {what}: de or en."), "de", False)
-    )
+    return click_option(LANG.but(name="lang", help=f"Language of the {what}: de or en."))
 
 
-def help_of(function: Callable[..., Any]) -> str:
-    """Return the help of a command: its function's docstring."""
-    return inspect.cleandoc(function.__doc__ or "").partition("\f")[0]
+def help_of(command: Command) -> str:
+    """Return the help of a command: its docstring, without the examples of Python."""
+    return inspect.cleandoc(command.doc).partition("\f")[0]
 
 
 class Given(Values):

@@ -25,7 +25,6 @@ from kurbel.commands.engine import Wheeled
 from kurbel.commands.loads import PARTS, astray, named
 from kurbel.commands.machines import MASSES, STEAM
 from kurbel.commands.options import Choice
-from kurbel.commands.precedence import RIVALS
 from kurbel.commands.shown import Drawing
 from kurbel.commands.subject import Command
 from kurbel.errors import ProblemError
@@ -109,7 +108,7 @@ class PlotCommand(MakingCommand):
             raise ProblemError(f"{kind.name} are of one cylinder, and the machine has a list; leave that out")
         for name in set(given.values) - SHARED - kind.takes:
             given.drop(name)
-        return kind.command.ask(**given.arguments(kind.command, RIVALS["plot"])), 0
+        return kind.command.ask(given), 0
 
     def run(self, given: Given) -> int:
         from kurbel.formats.render import whole_file

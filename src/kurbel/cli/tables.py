@@ -25,7 +25,6 @@ from kurbel.cli.options import (
     machine_option,
     printing_options,
 )
-from kurbel.commands.precedence import RIVALS
 from kurbel.commands.subject import Command
 from kurbel.errors import ProblemError
 from kurbel.formats.registry import DEFAULT, FORMATS, BytesFormat, Format, RecordsFormat, for_suffix
@@ -76,12 +75,12 @@ class TableCommand(MakingCommand):
     def __init__(
         self, name: str, command: Command, more: Mapping[str, Sequence[click.Parameter]] | None = None
     ) -> None:
-        super().__init__(name, params=_params(name, command, more or {}), help=help_of(command.ask))
+        super().__init__(name, params=_params(name, command, more or {}), help=help_of(command))
         self.made_by = command
 
     def question(self, given: Given) -> Any:
         """Return what is asked for. Raises KurbelError."""
-        return self.made_by.ask(**given.arguments(self.made_by, RIVALS.get(self.name or "", ())))
+        return self.made_by.ask(given)
 
     def exit_code(self, given: Given, question: Any) -> int:
         """Return what the command ends with, once it has printed."""
@@ -100,8 +99,7 @@ class TableCommand(MakingCommand):
         """Return the table of an interactive page, with those of its steps. Raises KurbelError."""
         from kurbel.commands.steps.stepped import NOTHING, stepped
 
-        values = given.resolved(self.made_by, RIVALS.get(self.name or "", ()))
-        page = stepped(self.made_by, values, given.values)
+        page = stepped(self.made_by, given)
         if page.steps is None and given.typed("interactive"):
             raise ProblemError(NOTHING)
         return page

@@ -18,7 +18,7 @@ from kurbel.commands.balancing.masses import (
 )
 from kurbel.commands.cylinder import engines
 from kurbel.commands.machines import MASSES, is_heavy, weighed
-from kurbel.commands.motion import ratios_of, sheet_of
+from kurbel.commands.old_motion import ratios_of, sheet_of
 from kurbel.commands.options import Choice, Count, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.drive.crank import Described

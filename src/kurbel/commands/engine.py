@@ -16,7 +16,7 @@ from kurbel.commands.machines import (
     needless_of_load,
     whole_cycle,
 )
-from kurbel.commands.motion import STEP, meant, of_other_mechanisms
+from kurbel.commands.old_motion import STEP, meant, of_other_mechanisms
 from kurbel.commands.options import FLAG, Choice, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError

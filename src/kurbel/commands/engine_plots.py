@@ -23,7 +23,7 @@ from kurbel.commands.machines import (
     over_cycle,
     unsized,
 )
-from kurbel.commands.motion import of_other_mechanisms
+from kurbel.commands.old_motion import of_other_mechanisms
 from kurbel.commands.plots import (
     AxisUnits,
     CurveStep,

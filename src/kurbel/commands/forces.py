@@ -37,7 +37,7 @@ from kurbel.commands.machines import (
     weighed,
     weightless,
 )
-from kurbel.commands.motion import (
+from kurbel.commands.old_motion import (
     angles_of,
     is_over_path,
     meant,

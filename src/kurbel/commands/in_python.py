@@ -12,7 +12,7 @@ from os import PathLike
 from types import UnionType
 from typing import Any, Union, get_args, get_origin
 
-from kurbel.commands.options import option_of
+from kurbel.commands.options import Option, option_of
 
 _NUMBERS = (float, Fraction, Decimal)
 _GENERIC: Mapping[Any, str] = {PathLike: "Path", Mapping: "dict", tuple: "tuple"}
@@ -40,6 +40,8 @@ def plain_signature(signature: inspect.Signature, returned: str) -> inspect.Sign
 
 def plain_type(annotation: Any) -> str:
     """Return what an option takes in a few words, "str | float | list"."""
+    if isinstance(annotation, Option):
+        return f"{annotation.kind.python} | list" if annotation.many else annotation.kind.python
     return _joined(get_args(annotation)[0])
 
 

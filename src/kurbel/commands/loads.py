@@ -52,7 +52,7 @@ _Several = Annotated[
 ]
 
 
-def _share(help: str) -> Option:
+def _share(help: str) -> Option[Any]:
     return Option(help, "SHARE")
 
 

@@ -14,7 +14,7 @@ from kurbel.commands.cylinder.effort import RODS, RUBBING
 from kurbel.commands.cylinder.engines import MovingRod
 from kurbel.commands.cylinder.slope import LYING, check_crosshead, slope_of
 from kurbel.commands.loads import FURTHER
-from kurbel.commands.motion import FULL_TURN, described, meant, sheet_of
+from kurbel.commands.old_motion import FULL_TURN, described, meant, sheet_of
 from kurbel.commands.options import is_given
 from kurbel.commands.parameters import Run
 from kurbel.drive.spin import acceleration_of

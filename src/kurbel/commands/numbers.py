@@ -188,7 +188,7 @@ def typeset(
 
 
 def _method(method: str, order: int | None) -> str:
-    from kurbel.commands.motion import method_of
+    from kurbel.commands.old_motion import method_of
 
     named = meant(method, METHODS, "method")
     return method_of({"method": named, "order": order}) or named

@@ -1,20 +1,28 @@
-"""What an option is, on the command line and in Python: stated once, in the annotation of a parameter.
+"""What an option is, on the command line, in Python, in a machine's file: declared once, in its part.
 
-    ratio: Annotated[Given | None, Option("Crank ratio: 1:5.", "R:L", short="-r", many=True)] = None
+    class Lying(Part):
+        slope = measure(as_angle, "Angle by which the slide rises: 30.", "ANGLE", unit="degrees")
 
-The parameter gives the name, `--ratio`, the default and the place in the help. Options that functions share
-are the keys of a TypedDict, and each function has them as `**given: Unpack[Shared]`: before its own keywords,
-or behind them if they are `last`, unless it has an order of its own. Their default is in the Option.
+The attribute gives the name, `--slope`. `measure` is of what is read, `word` of a name or a text as it
+stands, `flag` of what is said or not.
 """
+
+from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from copy import copy
 from os import PathLike
-from typing import Any, NamedTuple, cast, get_args
+from typing import TYPE_CHECKING, Any, Generic, Self, TypeVar, cast, get_args, overload
 
 from kurbel.errors import NotationError
 from kurbel.reading import given
 from kurbel.reading.given import found_at, meant
+
+if TYPE_CHECKING:
+    from kurbel.commands.part import Part
+
+Value = TypeVar("Value")
 
 
 class Kind:
@@ -24,6 +32,7 @@ class Kind:
     """
 
     name = "text"
+    python = "str | float"
 
     def read(self, text: str, typed: Mapping[str, Any]) -> Any:
         """Return what was typed as a value. Raises KurbelError."""
@@ -51,8 +60,19 @@ class Kind:
 TEXT = Kind()
 
 
+class Prose(Kind):
+    """Words of one's own, which are no number."""
+
+    python = "str"
+
+
+PROSE = Prose()
+
+
 class Flag(Kind):
     """Said or not."""
+
+    python = "bool"
 
     def taken(self, value: Any, name: str) -> Any:
         if not isinstance(value, bool):
@@ -65,6 +85,8 @@ FLAG = Flag()
 
 class File(Kind):
     """A file or a folder that is read."""
+
+    python = "str | Path"
 
     def taken(self, value: Any, name: str) -> Any:
         if not isinstance(value, str | PathLike) or "\0" in str(value):
@@ -81,6 +103,8 @@ FILE = File()
 
 class Choice(Kind):
     """One of a few names, which may stand elsewhere as "module:NAME"; a wrong one is told the nearest."""
+
+    python = "str"
 
     def __init__(self, name: str, names: Iterable[str] | Callable[[], Iterable[str]] | str) -> None:
         self.name = name
@@ -106,7 +130,7 @@ class Choice(Kind):
 class Count(Kind):
     """A whole number within bounds; `wrong` says of another text what it is."""
 
-    name = "number"
+    name, python = "number", "int"
 
     def __init__(self, what: str, least: int, most: int, wrong: str = "is no such number") -> None:
         self.what = what
@@ -130,7 +154,7 @@ class Columns(Kind):
     """Names of columns, parted by commas; which there are depends on the layout, by default this one, or that
     of a page that is the same for every mechanism."""
 
-    name = "names"
+    name, python = "names", "str"
 
     def __init__(self, layout: str, of_mechanisms: str = "") -> None:
         self.layout, self.of_mechanisms = layout, of_mechanisms
@@ -163,7 +187,7 @@ class Columns(Kind):
 class LayoutName(Kind):
     """A layout about one of these subjects; others are read, too, but not offered."""
 
-    name = "layout"
+    name, python = "layout", "str"
 
     def __init__(self, subjects: tuple[str, ...]) -> None:
         self.subjects = subjects
@@ -192,36 +216,59 @@ def _folder(typed: Mapping[str, Any]) -> given.File | None:
     return folder if isinstance(folder, given.File) else None
 
 
-class Option(NamedTuple):
-    """A sentence of help, what stands for the value there, and what kind of value it is.
+class Option(Generic[Value]):
+    """An option: a sentence of help, what stands for the value there, what kind of value it is, and how that
+    is read.
 
     `unit` is that of bare numbers in Python; `many` options may be repeated. A positional one has no dashes.
     `environment` is a variable for all commands, beside that of the command's own option. What is `first` is
-    read before the others, which need it. `default` and `last` are for options that functions share. Without
-    a value, and True in Python, an option is `bare`.
+    parsed before the others, which need it; what is `last` stands behind the command's own. Without a value,
+    and True in Python, an option is `bare`. `what` it is called in sentences, if not by its name.
+
+    `name` is that on the command line, with underscores, and `default` the value where none is given. It is
+    declared in a part, and belongs to the first one that does. To ask a part for it reads it, once, and
+    notes that it was read.
     """
 
-    help: str
-    metavar: str | None = None
-    kind: Kind = TEXT
-    short: str = ""
-    unit: str = ""
-    many: bool = False
-    positional: bool = False
-    environment: str = ""
-    first: bool = False
-    default: Any = None
-    last: bool = False
-    bare: str = ""
+    name = ""
+    home: type[Part] | None = None
 
+    def __init__(
+        self,
+        help: str,
+        metavar: str | None = None,
+        kind: Kind = TEXT,
+        short: str = "",
+        unit: str = "",
+        many: bool = False,
+        positional: bool = False,
+        environment: str = "",
+        first: bool = False,
+        default: Any = None,
+        last: bool = False,
+        bare: str = "",
+        required: bool = False,
+        read: Callable[[Any, str], Any] | None = None,
+        what: str = "",
+    ) -> None:
+        self.help, self.metavar, self.kind, self.short, self.unit = help, metavar, kind, short, unit
+        self.many, self.positional, self.environment, self.first = many, positional, environment, first
+        self.default, self.last, self.bare, self.required = default, last, bare, required
+        self.read, self.what = read, what
 
-class Parameter(NamedTuple):
-    """An option of one function: its name on the command line, with underscores, and its default there."""
+    def but(self, **changes: Any) -> Self:
+        """Return the same option with another help, another default: as it is in one command."""
+        found = copy(self)
+        vars(found).update(changes)
+        return found
 
-    name: str
-    option: Option
-    default: Any
-    required: bool
+    _replace = but
+
+    def __set_name__(self, owner: type[Part], name: str) -> None:
+        # In Python a name that is a keyword has a line behind it.
+        self.name = name.rstrip("_")
+        if self.home is None:
+            self.home = owner
 
     @property
     def flag(self) -> str:
@@ -236,14 +283,49 @@ class Parameter(NamedTuple):
             value = value.item()
         if value is None or value is False:
             return value
-        if value is True and self.option.bare:
-            return self.option.bare
-        kind, one = self.option.kind, isinstance(value, str | bytes | PathLike | Mapping)
+        if value is True and self.bare:
+            return self.bare
+        kind, one = self.kind, isinstance(value, str | bytes | PathLike | Mapping)
         one = one or not isinstance(value, Iterable)
-        if not self.option.many or (one and kind is TEXT):
+        if not self.many or (one and kind is TEXT):
             return kind.taken(value, self.name)
         several = [value] if one else value
         return several if kind is TEXT else [kind.taken(each, self.name) for each in several]
+
+    @overload
+    def __get__(self, part: None, owner: type[Part]) -> Self: ...
+    @overload
+    def __get__(self, part: Part, owner: type[Part]) -> Value: ...
+    def __get__(self, part: Part | None, owner: type[Part]) -> Any:
+        return self if part is None else part.values.parsed(self)
+
+
+def measure(
+    read: Callable[[Any, str], Value], help: str, metavar: str | None = None, **more: Any
+) -> Option[Value | None]:
+    """Return an option that is read, None where it is not given; `read` takes it, and what it is called."""
+    return Option(help, metavar, read=read, **more)
+
+
+def alone(read: Callable[[Any], Value]) -> Callable[[Any, str], Value]:
+    """Return a reader that needs not to know what the value is called."""
+    return lambda value, what: read(value)
+
+
+@overload
+def word(
+    help: str, metavar: str | None = ..., kind: Kind = ..., *, default: str, **more: Any
+) -> Option[str]: ...
+@overload
+def word(help: str, metavar: str | None = ..., kind: Kind = ..., **more: Any) -> Option[str | None]: ...
+def word(help: str, metavar: str | None = None, kind: Kind = TEXT, **more: Any) -> Option[Any]:
+    """Return an option that is a name or a text, as it stands."""
+    return Option(help, metavar, kind, **more)
+
+
+def flag(help: str, **more: Any) -> Option[bool]:
+    """Return an option that is said or not."""
+    return Option(help, kind=FLAG, default=False, **more)
 
 
 def signature_of(function: Callable[..., Any], order: str = "") -> inspect.Signature:
@@ -271,19 +353,22 @@ def signature_of(function: Callable[..., Any], order: str = "") -> inspect.Signa
     return signature.replace(parameters=sorted([*shared, *own], key=place))
 
 
-def option_of(annotation: Any) -> Option:
+def option_of(annotation: Any) -> Option[Any]:
     """Return the option that the annotation of a parameter holds."""
+    if isinstance(annotation, Option):
+        return annotation
     (option,) = (one for one in annotation.__metadata__ if isinstance(one, Option))
     return option
 
 
-def parameters_of(signature: inspect.Signature) -> dict[str, Parameter]:
+def parameters_of(signature: inspect.Signature) -> dict[str, Option[Any]]:
     """Return the options of a function by its parameters' names, in their order."""
     found = {}
     for name, one in signature.parameters.items():
         required = one.default is one.empty
-        default = None if required else one.default
-        found[name] = Parameter(name.rstrip("_"), option_of(one.annotation), default, required)
+        found[name] = option_of(one.annotation).but(
+            name=name.rstrip("_"), default=None if required else one.default, required=required
+        )
     return found
 
 

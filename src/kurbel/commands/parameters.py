@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 from os import PathLike
-from typing import Annotated, TypeAlias, TypedDict
+from typing import Annotated, Any, TypeAlias, TypedDict
 
 from kurbel.commands.drives.given import AnyDrive as AnyDrive
 from kurbel.commands.drives.given import Crank as Crank
@@ -71,17 +71,17 @@ LAYOUTS = Option(
 LISTED = "; `kurbel quantities` lists them. What tells rows apart is always among them."
 
 
-def columns_option(layout: str, example: str, more: str = LISTED) -> Option:
+def columns_option(layout: str, example: str, more: str = LISTED) -> Option[Any]:
     """Return --columns of a command, whose columns are by default those of a layout."""
     return Option(f"Columns and their order: {example}{more}", "NAMES", Columns(layout), many=True)
 
 
-def columns_over_angle(layout: str, example: str) -> Option:
+def columns_over_angle(layout: str, example: str) -> Option[Any]:
     """Return the same of a command over the crank angle."""
     return columns_option(layout, example, f"{LISTED} Pages keep φ at the left.")
 
 
-def layout_option(*subjects: str) -> Option:
+def layout_option(*subjects: str) -> Option[Any]:
     return Option("Page layout; `kurbel layouts` lists them.", kind=LayoutName(subjects))
 
 

@@ -8,7 +8,7 @@ from kurbel.commands import parameters as option
 from kurbel.commands.drawn.film import Filmed, curves_of, moving_mechanism, polar_of, still
 from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.drives.given import ANGLE, AXES, PATH
-from kurbel.commands.motion import described, ends_of, meant, method_of, of_other_mechanisms, some
+from kurbel.commands.old_motion import described, ends_of, meant, method_of, of_other_mechanisms, some
 from kurbel.commands.options import FLAG, Choice, Columns, Option, is_given
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws

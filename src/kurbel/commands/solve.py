@@ -20,7 +20,7 @@ from kurbel.commands.machines import (
     weighed,
     weightless,
 )
-from kurbel.commands.motion import described, meant, method_of, of_other_mechanisms, sheet_of, some
+from kurbel.commands.old_motion import described, meant, method_of, of_other_mechanisms, sheet_of, some
 from kurbel.commands.options import Choice, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import NotationError, ProblemError

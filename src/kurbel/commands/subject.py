@@ -1,17 +1,20 @@
-"""A function in the words of the command line: called it makes the table, and `question` is what it asks."""
+"""A command as a function in the words of the command line: called it makes the table, and `question` is what
+it asks."""
 
 from __future__ import annotations
 
 import inspect
 import re
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
-from functools import partial, wraps
+from functools import cached_property, partial
 from os import fspath
-from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, Protocol, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from kurbel.commands.in_python import described, plain_signature
-from kurbel.commands.options import FILE, TEXT, Parameter, is_given, parameters_of, signature_of
+from kurbel.commands.options import FILE, TEXT, Option, is_given, parameters_of, signature_of
+from kurbel.commands.part import CommandOptions, Origin, Values, flag_of
 from kurbel.errors import ProblemError
 from kurbel.reading.given import File, found_at
 from kurbel.reading.keywords import bound
@@ -22,13 +25,8 @@ if TYPE_CHECKING:
     from kurbel.page.table import Variant
     from kurbel.reading.amounts import Units
 
-Words = ParamSpec("Words")
-Question = TypeVar("Question", covariant=True)
-Drawn = TypeVar("Drawn", covariant=True)
 # From the values of all options to the sentences that refuse some of them.
 Refusals = Callable[[Mapping[str, Any]], Mapping[str, str]]
-
-
 # Units that follow a number; of time there is one kind.
 _MARK = r"(?<=[\d. *·/])(?:%s)(?![A-Za-z])"
 _IMPERIAL = _MARK % "in|inch|inches|Zoll|ft|foot|feet|lbs?|lbf?(?:ft)?|psi|hp|mph"
@@ -46,76 +44,76 @@ MACHINE = "machine"
 _FIGURES = r"[A-Za-z0-9.,:;/% -]*"
 _MINUS = r"(?<![\w.])-(?=[0-9.])"
 _PARTS = r"[^A-Za-z0-9.]+"
+_PLACED, _NAMED = inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY
 # Options that stand for another, the stroke.
 SPELLED = ("crank", "true_stroke", "time_ratio")
-
-
-def spelling(values: Mapping[str, Any]) -> str:
-    """Return the name of the option that gives the stroke."""
-    return next((name for name in SPELLED if is_given(values.get(name))), "stroke")
 
 
 def _none(values: Mapping[str, Any]) -> Mapping[str, str]:
     return {}
 
 
-class Command(NamedTuple):
-    """What stands behind a function.
+class Command(ABC):
+    """What stands behind a function: its options, what is asked for by their values, what is made of that."""
 
-    `ask` reads the values and returns what is asked for, or drawn; `built` makes a page of that. `foreign`
-    names the options that belong to other cases than the one that the values are about, and `needless` those
-    that say nothing in this one; each with its sentence. A default from elsewhere that is foreign is dropped,
-    one that is needless is left to `ask`.
-    """
-
-    ask: Callable[..., Any]
+    name: str
+    doc: str
     signature: inspect.Signature
-    parameters: Mapping[str, Parameter]
-    foreign: Refusals
-    needless: Refusals = _none
-    builder: str = ""
-
-    @classmethod
-    def of(
-        cls,
-        ask: Callable[..., Any],
-        order: str = "",
-        *about: Any,
-    ) -> Command:
-        signature = signature_of(ask, order)
-        parameters = parameters_of(signature)
-        parameters.pop(MACHINE, None)
-        return cls(ask, signature, parameters, *about)
+    parameters: Mapping[str, Option[Any]]
+    builder = ""
 
     @property
     def machine(self) -> bool:
         """Whether a machine's file may describe what it is about."""
         return MACHINE in self.signature.parameters
 
-    @property
-    def name(self) -> str:
-        """What the command is called."""
-        return self.ask.__name__.removesuffix("_table")
+    @cached_property
+    def options(self) -> Mapping[str, Option[Any]]:
+        """The options by their names on the command line, with underscores."""
+        return {one.name: one for one in self.parameters.values()}
 
-    def settled(self, values: Mapping[str, Any]) -> Mapping[str, Any]:
-        """Return the values with those that are given in another way under the name of their option, and
-        the units of the page as it takes them."""
-        if any(is_given(values.get(name)) for name in OWN_WORDS):
+    @cached_property
+    def defaults(self) -> Mapping[str, Any]:
+        return {name: one.default for name, one in self.options.items()}
+
+    @abstractmethod
+    def settle(self, values: Values) -> None:
+        """Settle the values with one another: what was typed outdoes what comes from elsewhere. Raises
+        KurbelError."""
+
+    @abstractmethod
+    def question(self, values: Values) -> Any:
+        """Return what is asked for, or drawn, by values that are settled. Raises KurbelError."""
+
+    def ask(self, values: Values) -> Any:
+        """Return what is asked for by these values, which it settles. Raises KurbelError."""
+        self.settle(values)
+        return self.question(values)
+
+    def built(self, question: Any, values: Mapping[str, Any]) -> Page:
+        """Return the table that was asked for, which these values of the options name."""
+        page = cast("Page", found_at(self.builder)(question))
+        return replace(page, variant=variant(page.key, self.parameters, values))
+
+    def _with_defaults(self, values: Values) -> None:
+        """Give the default to what may be repeated and was not given."""
+        for name, default in self.defaults.items():
+            value = values.values.get(name)
+            if isinstance(value, tuple) and not value and not values.origins.get(name):
+                values.values[name] = default
+
+    def _settle_words(self, values: Values) -> None:
+        """Give the page's own words and its units as it takes them."""
+        if values.says(*OWN_WORDS):
             from kurbel.page.wording import own_words
 
-            values = own_words(values)
-        if "units" in values:
-            values = {**values, "units": self._units(values)}
-        if not any(is_given(values.get(name)) for name in SPELLED):
-            return values
-        from kurbel.drive.size.given import in_strokes
+            values.values.update(own_words(values.values))
+        if "units" in values.values:
+            values.values["units"] = self._units(values.values["units"], values.written)
 
-        return in_strokes(values)
-
-    def _units(self, values: Mapping[str, Any]) -> Units | None:
+    def _units(self, asked: Any, values: Mapping[str, Any]) -> Units | None:
         """Return the units that are asked for, else imperial ones where all measures are given in such."""
-        asked = values["units"]
-        names = {one.name for one in self.parameters.values() if one.option.unit or one.option.kind is TEXT}
+        names = {name for name, one in self.options.items() if one.unit or one.kind is TEXT}
         read = (names | {"cylinder"}) - UNTOLD - UNMEASURED
         measured = [values[name] for name in sorted(read) if is_given(values.get(name))]
         texts = str(measured) if measured else ""
@@ -127,44 +125,174 @@ class Command(NamedTuple):
 
         return read_units(asked) if is_given(asked) else read_units(IMPERIAL)._replace(data=False)
 
-    def built(self, question: Any, values: Mapping[str, Any]) -> Page:
-        """Return the table that was asked for, which these values of the options name."""
-        page = cast("Page", found_at(self.builder)(question))
-        return replace(page, variant=variant(page.key, self.parameters, values))
 
-    def refuse(
-        self, values: Mapping[str, Any], given: Callable[[str], bool], spelled: str = "stroke"
+class PartsCommand(Command):
+    """A command that is made of parts."""
+
+    def __init__(self, asks: type[CommandOptions], name: str) -> None:
+        self.asks, self.name, self.doc, self.builder = asks, name, inspect.getdoc(asks) or "", asks.builder
+        self.signature = self._signature()
+        self.parameters = {
+            key: one.annotation for key, one in self.signature.parameters.items() if key != MACHINE
+        }
+
+    def _signature(self) -> inspect.Signature:
+        ranks = {name: rank for rank, name in enumerate(self.asks.sequence.split())}
+        first = self.asks.unnamed.split()
+
+        def place(one: tuple[str, Option[Any]]) -> tuple[bool, bool, int]:
+            return one[0] not in first, one[1].last, ranks.get(one[0], len(ranks))
+
+        return inspect.Signature(
+            [
+                inspect.Parameter(
+                    name,
+                    inspect.Parameter.POSITIONAL_OR_KEYWORD
+                    if name in first
+                    else inspect.Parameter.KEYWORD_ONLY,
+                    default=inspect.Parameter.empty if one.required else one.default,
+                    annotation=one,
+                )
+                for name, one in sorted(self.asks.options().items(), key=place)
+            ]
+        )
+
+    def settle(self, values: Values) -> None:
+        self._with_defaults(values)
+        for part in self.asks.parts():
+            values.outdo(part.rivals)
+            if "settle" in vars(part):
+                part.settle(values)
+        self._settle_words(values)
+
+    def question(self, values: Values) -> Any:
+        asked = self.asks(values)
+        question = asked.question()
+        for name, one in self.options.items():
+            if name not in values.read and values.typed(name) and values.says(name):
+                raise ProblemError(asked.refusal(one))
+        return question
+
+
+class WordsCommand(Command):
+    """A command that is a function of the values of its options.
+
+    `foreign` names the options that belong to other cases than the one that the values are about, and
+    `needless` those that say nothing in this one; each with its sentence. A default from elsewhere that is
+    foreign is dropped, one that is needless is left to the function.
+    """
+
+    def __init__(
+        self,
+        function: Callable[..., Any],
+        order: str,
+        foreign: Refusals,
+        needless: Refusals,
+        builder: str = "",
     ) -> None:
-        """Raise ProblemError for what was given in vain, which may be a stroke by another option."""
+        self.function, self.foreign, self.needless, self.builder = function, foreign, needless, builder
+        self.name, self.doc = function.__name__.removesuffix("_table"), function.__doc__ or ""
+        self.signature = signature_of(function, order)
+        self.parameters = parameters_of(self.signature)
+        self.parameters.pop(MACHINE, None)
+
+    def settle(self, values: Values) -> None:
+        from kurbel.commands.precedence import RIVALS, settle_lengths, settle_loads, settle_sizes
+
+        self._with_defaults(values)
+        values.outdo(RIVALS.get("plot" if self.name.startswith("plot_") else self.name, ()))
+        settle_loads(values)
+        if (unknown := values.values.get("unknown")) in values.values and not values.typed(unknown):
+            values.drop(unknown)
+        settle_sizes(values)
+        self._settle_words(values)
+        own = {name: values.values.get(name) for name in self.options}
         for refusals in (self.foreign, self.needless):
-            for name, sentence in refusals(values).items():
-                if given(name):
-                    raise ProblemError(sentence.replace("--stroke", f"--{spelled.replace('_', '-')}"))
+            for name, sentence in refusals(own).items():
+                if values.typed(name) and values.says(name):
+                    spelled = flag_of(values.spelled("stroke"))
+                    raise ProblemError(sentence.replace("--stroke", spelled))
+        for name in self.foreign(own):
+            if name in values.values and not values.typed(name):
+                values.drop(name)
+        settle_lengths(values)
 
-    def arguments(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Return the values as the function takes them, by its parameters' names."""
-        return {key: values[one.name] for key, one in self.parameters.items() if one.name not in SPELLED}
+    def question(self, values: Values) -> Any:
+        return self.function(
+            **{
+                key: values.values.get(one.name)
+                for key, one in self.parameters.items()
+                if one.name not in SPELLED
+            }
+        )
 
 
-class Asking(Protocol[Words, Question]):
-    """A function that makes a table."""
+class Function(Protocol):
+    """A command as a function of Python, in the words of the command line; some draw."""
 
     command: Command
+    __name__: str
 
-    def __call__(self, *args: Words.args, **kwargs: Words.kwargs) -> Table: ...
-    def question(self, *args: Words.args, **kwargs: Words.kwargs) -> Question:
+    def __call__(self, *args: Any, **options: Any) -> Any: ...
+    def question(self, *args: Any, **options: Any) -> Any:
         """Return what is asked for, checked, without making the table."""
 
-    def interactive(self, *args: Words.args, **kwargs: Words.kwargs) -> Table:
+    def interactive(self, *args: Any, **options: Any) -> Table:
         """Return the table of an interactive page, to be saved as HTML, with a slider for several values."""
 
 
-class Drawing(Protocol[Words, Drawn]):
-    """A function that draws."""
+def function(asks: type[CommandOptions], name: str, drawn: bool = False) -> Function:
+    """Return the function of a command that is made of parts."""
+    return _function(PartsCommand(asks, name), name, asks.__module__, drawn)
 
-    command: Command
 
-    def __call__(self, *args: Words.args, **kwargs: Words.kwargs) -> Drawn: ...
+def _function(command: Command, name: str, module: str, drawn: bool = False) -> Function:
+    def question(*args: Any, **options: Any) -> Any:
+        return command.ask(_values(command, args, options))
+
+    def make(*args: Any, **options: Any) -> Table:
+        values = _values(command, args, options)
+        return _table(command.built(command.ask(values), values.values))
+
+    def interactive(*args: Any, **options: Any) -> Table:
+        from kurbel.commands.steps.stepped import NOTHING, stepped
+
+        page = stepped(command, _values(command, args, options))
+        if page.steps is None:
+            raise ProblemError(NOTHING)
+        return _table(page)
+
+    found = question if drawn else make
+    found.__name__ = found.__qualname__ = name
+    found.__module__ = module
+    found.__doc__ = described(command.doc, command.signature)
+    vars(found).update(
+        command=command,
+        __signature__=plain_signature(command.signature, "Drawing" if drawn else "Table"),
+        **({} if drawn else {"question": question, "interactive": interactive}),
+    )
+    return cast("Function", found)
+
+
+def _values(command: Command, args: tuple[Any, ...], options: Mapping[str, Any]) -> Values:
+    """Return what is given by hand, and what a machine's file says."""
+    by_hand = bound(command.name, command.signature, args, options).arguments
+    machine = by_hand.pop(MACHINE, None)
+    # None says nothing, also of an option with another default.
+    given = {
+        one.name: one.taken(by_hand[key])
+        for key, one in command.parameters.items()
+        if key in by_hand and (by_hand[key] is not None or one.required)
+    }
+    found = {} if machine is None else of_machine(command, machine)
+    origins = {**dict.fromkeys(found, Origin.MACHINE), **dict.fromkeys(given, Origin.TYPED)}
+    return Values({**command.defaults, **found, **given}, origins)
+
+
+def _table(page: Page) -> Table:
+    from kurbel.commands.shown import Table
+
+    return Table.of(page)
 
 
 def makes_table(
@@ -173,124 +301,43 @@ def makes_table(
     needless: Refusals = _none,
     build: str = "kurbel.page.build:build",
     order: str = "",
-) -> Callable[[Callable[Words, Question]], Asking[Words, Question]]:
+) -> Callable[[Callable[..., Any]], Function]:
     """Make of what returns a question a function that returns its table; the order is that of its options."""
 
-    def decorate(ask: Callable[Words, Question]) -> Asking[Words, Question]:
-        command = Command.of(ask, order, foreign, needless, build)
-        question = _checked(command)
-
-        @wraps(ask)
-        def make(*args: Any, **kwargs: Any) -> Table:
-            from kurbel.commands.shown import Table
-
-            values = _given(command, args, kwargs)
-            return Table.of(command.built(command.ask(**command.arguments(values)), values))
-
-        more = {"question": question, "interactive": _interactive(command)}
-        return cast("Asking[Words, Question]", _documented(make, command, **more))
+    def decorate(ask: Callable[..., Any]) -> Function:
+        return _function(WordsCommand(ask, order, foreign, needless, build), ask.__name__, ask.__module__)
 
     return decorate
 
 
 def draws(
     *, foreign: Refusals = _none, needless: Refusals = _none
-) -> Callable[[Callable[Words, Drawn]], Drawing[Words, Drawn]]:
+) -> Callable[[Callable[..., Any]], Function]:
     """Check what a function is given that draws."""
 
-    def decorate(ask: Callable[Words, Drawn]) -> Drawing[Words, Drawn]:
-        command = Command.of(ask, "", foreign, needless)
-        return cast("Drawing[Words, Drawn]", _documented(_checked(command), command))
+    def decorate(ask: Callable[..., Any]) -> Function:
+        return _function(WordsCommand(ask, "", foreign, needless), ask.__name__, ask.__module__, drawn=True)
 
     return decorate
-
-
-def _checked(command: Command) -> Callable[..., Any]:
-    """Return the command's function with its options checked, all of which were given by hand."""
-
-    @wraps(command.ask)
-    def asked(*args: Any, **kwargs: Any) -> Any:
-        return command.ask(**command.arguments(_given(command, args, kwargs)))
-
-    return asked
-
-
-def _interactive(command: Command) -> Callable[..., Table]:
-    """Return what makes the table of the command with all its steps."""
-
-    @wraps(command.ask)
-    def make(*args: Any, **kwargs: Any) -> Table:
-        from kurbel.commands.shown import Table
-        from kurbel.commands.steps.stepped import NOTHING, stepped
-
-        values = _given(command, args, kwargs)
-        page = stepped(command, values, values)
-        if page.steps is None:
-            raise ProblemError(NOTHING)
-        return Table.of(page)
-
-    return make
-
-
-def _given(command: Command, args: tuple[Any, ...], kwargs: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Return the values of all options, settled and checked, by their names."""
-    by_hand = bound(command.name, command.signature, args, kwargs).arguments
-    machine = by_hand.pop(MACHINE, None)
-    # None says nothing, also of an option with another default.
-    given = {
-        one.name: one.taken(by_hand[key])
-        for key, one in command.parameters.items()
-        if key in by_hand and (by_hand[key] is not None or one.required)
-    }
-    defaults = {one.name: one.default for one in command.parameters.values()}
-    if machine is not None:
-        return _on_machine(command, machine, defaults, given)
-    values = {**defaults, **given}
-    settled = command.settled(values)
-    command.refuse(settled, lambda name: is_given(settled.get(name)), spelling(values))
-    return settled
 
 
 def of_machine(command: Command, file: Any) -> dict[str, Any]:
     """Return the options of the command that a machine's file gives. Raises KurbelError."""
     from kurbel.commands.machine_file import machine_defaults
 
-    options = {one.name: one for one in command.parameters.values()}
-    many = {name: one.option.many for name, one in options.items()}
+    many = {name: one.many for name, one in command.options.items()}
     named = File(fspath(FILE.taken(file, MACHINE)))
     found = machine_defaults(command.name, many, named)
-    return {name: options[name].taken(value) for name, value in found.items()}
+    return {name: command.options[name].taken(value) for name, value in found.items()}
 
 
-def _on_machine(
-    command: Command, file: Any, defaults: Mapping[str, Any], given: Mapping[str, Any]
-) -> Mapping[str, Any]:
-    """Return the values of all options where a machine's file gives what is not given by hand."""
-    from kurbel.commands.precedence import RIVALS, Origin, Values
-
-    found = of_machine(command, file)
-    values = {**defaults, **found, **given}
-    origins = {**dict.fromkeys(defaults), **dict.fromkeys(found, Origin.MACHINE)}
-    told = Values(values, {**origins, **{name: Origin.TYPED for name in given if is_given(given[name])}})
-    return told.resolved(
-        command, RIVALS.get("plot" if command.name.startswith("plot_") else command.name, ())
-    )
-
-
-def _documented(function: Callable[..., Any], command: Command, **more: Any) -> Callable[..., Any]:
-    function.__doc__ = described(command.ask.__doc__ or "", command.signature)
-    returned = "Table" if command.builder else "Drawing"
-    vars(function).update(command=command, __signature__=plain_signature(command.signature, returned), **more)
-    return function
-
-
-def variant(key: str, parameters: Mapping[str, Parameter], values: Mapping[str, Any]) -> Variant | None:
+def variant(key: str, parameters: Mapping[str, Option[Any]], values: Mapping[str, Any]) -> Variant | None:
     """Return what gives the page its name, such as "kinematics-ratio-1-4" or "kinematics-method-series"; None
     for one with its defaults, or with a label of the author's own."""
     if values.get("label"):
         return None
     told = [one for one in parameters.values() if one.name not in UNTOLD and _is_other(one, values)]
-    words = [("" if one.option.positional else f"{one.name} ") + _text(values[one.name]) for one in told]
+    words = [("" if one.positional else f"{one.name} ") + _text(values[one.name]) for one in told]
     said = " ".join(words)
     signed = re.sub(_MINUS, "minus ", said.replace(",", ".").replace("%", " percent"))
     name = re.sub(_PARTS, "-", signed).strip("-.")
@@ -306,7 +353,7 @@ def _variant_name(key: str, name: str, said: str) -> str:
     return f"{key}{name[:LONGEST].rstrip('-.')}-{sha256(said.encode()).hexdigest()[:6]}"
 
 
-def _is_other(one: Parameter, values: Mapping[str, Any]) -> bool:
+def _is_other(one: Option[Any], values: Mapping[str, Any]) -> bool:
     value = values.get(one.name)
     return is_given(value) and (not is_given(one.default) or _text(value) != _text(one.default))
 

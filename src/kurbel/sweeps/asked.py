@@ -8,8 +8,8 @@ from fractions import Fraction
 from math import prod
 from typing import Any
 
-from kurbel.commands.options import TEXT, Parameter, is_given
-from kurbel.commands.precedence import RIVALS, Values
+from kurbel.commands.options import TEXT, Option, is_given
+from kurbel.commands.part import Values
 from kurbel.commands.steps.several import PLACES, is_whole, several
 from kurbel.commands.subject import SPELLED, Command
 from kurbel.errors import KurbelError, NotationError, ProblemError
@@ -33,22 +33,22 @@ def not_outdone(command: Command, given: Values, first: Mapping[str, Any]) -> se
     """Return the names of those options, with the first value of each, that are not outdone by others."""
     trial = Values({**given.values, **first}, given.origins)
     try:
-        values = trial.resolved(command, RIVALS.get(command.name, ()))
+        command.ask(trial)
     except KurbelError:
         # What is refused everywhere is refused at the first combination, too.
         return set(first)
-    return {name for name in first if name in SPELLED or is_given(values.get(name))}
+    return {name for name in first if name in SPELLED or trial.says(name)}
 
 
-def values_of(parameter: Parameter, given: Any) -> Sequence[Any]:
+def values_of(parameter: Option[Any], given: Any) -> Sequence[Any]:
     """Return the values that an option was given, each as the command takes it. Raises NotationError."""
     if isinstance(given, bool) or not is_given(given):
         return (given,)
-    if is_whole(parameter) and parameter.option.many:
+    if is_whole(parameter) and parameter.many:
         return (parameter.taken(given),)
     found = several(parameter, given if isinstance(given, list | tuple) else [given])
-    numbers = not is_whole(parameter) and parameter.option.metavar != PLACES
-    if parameter.option.kind is TEXT and numbers and isinstance(found, tuple):
+    numbers = not is_whole(parameter) and parameter.metavar != PLACES
+    if parameter.kind is TEXT and numbers and isinstance(found, tuple):
         for one in found if len(found) > 1 else ():
             if isinstance(one, str) and not is_readable(parameter, one):
                 raise NotationError(
@@ -109,7 +109,9 @@ def planned(
     return plan
 
 
-def _designed(plan: Plan, known: Mapping[str, Parameter], options: Mapping[str, Any], design: Design) -> Plan:
+def _designed(
+    plan: Plan, known: Mapping[str, Option[Any]], options: Mapping[str, Any], design: Design
+) -> Plan:
     """Return the plan with the points of a design on those options that vary, but for the run of angles."""
     varied = {name: (known[name], one) for name, one in options.items() if is_varied(known[name], one)}
     if not varied:

@@ -92,7 +92,7 @@ def _axis(plan: Plan, axis: Axis, field: Field | None) -> Column:
         into(unit, plain(field.unit)) is None if numbers else field.method and is_whole(parameter)
     )
     if field is None or other:
-        name = parameter.option.help.partition(":")[0].partition(";")[0].rstrip(".")
+        name = parameter.help.partition(":")[0].partition(";")[0].rstrip(".")
         symbol, key = "", f"{key}{BESIDE}" if other else key
     else:
         name, symbol, unit = plain(field.name), plain(field.symbol), plain(field.unit) if numbers else ""

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, overload
 
 import kurbel
-from kurbel.commands.options import Parameter, is_given
-from kurbel.commands.precedence import Origin, Values
+from kurbel.commands.options import Option, is_given
+from kurbel.commands.part import Origin, Values
 from kurbel.commands.steps.several import is_whole
 from kurbel.commands.subject import MACHINE, Command, of_machine
 from kurbel.errors import ChoiceError, KeywordError, NotationError
@@ -170,7 +170,7 @@ def _on_machine(command: Command, file: Any, given: Mapping[str, Any]) -> dict[s
     return {name: value for name, value in said.items() if name in left}
 
 
-def _values(parameter: Parameter, value: Any) -> Any:
+def _values(parameter: Option[Any], value: Any) -> Any:
     if (dimensions := getattr(value, "ndim", 0)) > 1:
         raise NotationError(f"{parameter.name} is an array of {dimensions} dimensions; give a list of values")
     if hasattr(value, "tolist"):

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from kurbel.commands.options import TEXT, Parameter
+from kurbel.commands.options import TEXT, Option
 from kurbel.commands.steps.several import Written, parted
 from kurbel.errors import KurbelError, NotationError
 from kurbel.reading import notation, units
@@ -41,7 +41,7 @@ LARGEST = 10**300
 
 
 def measured(
-    parameter: Parameter, values: Sequence[Any], unit: str = ""
+    parameter: Option[Any], values: Sequence[Any], unit: str = ""
 ) -> tuple[Sequence[Any], Any, str] | None:
     """Return exact numbers, what they are to be multiplied by and their unit, nothing for what are no
     numbers.
@@ -76,8 +76,8 @@ def into(si: str, unit: str) -> Fraction | None:
     return next((1 / known[plain] for known in dimensions if plain in known), None)
 
 
-def _in_si(parameter: Parameter, values: Sequence[Any]) -> tuple[Sequence[Any], Any, str] | None:
-    if parameter.option.kind is not TEXT:
+def _in_si(parameter: Option[Any], values: Sequence[Any]) -> tuple[Sequence[Any], Any, str] | None:
+    if parameter.kind is not TEXT:
         return None
     if isinstance(values, Progression):
         return values, 1, _own(parameter)
@@ -93,13 +93,13 @@ def _in_si(parameter: Parameter, values: Sequence[Any]) -> tuple[Sequence[Any], 
     return [one[0] for one in found if one is not None], 1, known.pop()
 
 
-def _value(parameter: Parameter, given: Any) -> tuple[Any, str] | None:
+def _value(parameter: Option[Any], given: Any) -> tuple[Any, str] | None:
     if isinstance(given, bool):
         return None
     if not isinstance(given, str):
         return as_fraction(given), _own(parameter)
     try:
-        if parameter.option.unit == "degrees":
+        if parameter.unit == "degrees":
             return notation.angle(given), "°"
         if ":" in given or "∶" in given:
             return notation.ratio(given), ""
@@ -114,12 +114,12 @@ def _value(parameter: Parameter, given: Any) -> tuple[Any, str] | None:
         return None
 
 
-def _own(parameter: Parameter) -> str:
+def _own(parameter: Option[Any]) -> str:
     """Return the unit of a bare number."""
-    return {"degrees": "°", "turns a second": TURNS}.get(parameter.option.unit, parameter.option.unit)
+    return {"degrees": "°", "turns a second": TURNS}.get(parameter.unit, parameter.unit)
 
 
-def _factor(unit: str, parameter: Parameter) -> tuple[Any, str]:
+def _factor(unit: str, parameter: Option[Any]) -> tuple[Any, str]:
     """Return what the unit is in that of the SI, and this one; 0 for one that is not known."""
     if not unit:
         return 1, _own(parameter)
@@ -140,7 +140,7 @@ def _factor(unit: str, parameter: Parameter) -> tuple[Any, str]:
     return 0, ""
 
 
-def is_readable(parameter: Parameter, text: str) -> bool:
+def is_readable(parameter: Option[Any], text: str) -> bool:
     """Whether a text that is to be a number may be one: it begins with figures."""
     return parted(text)[0] != text or _value(parameter, text) is not None
 

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from kurbel.commands.options import is_given
-from kurbel.commands.subject import SPELLED, spelling
+from kurbel.commands.part import Origin, Values
+from kurbel.commands.subject import SPELLED
 from kurbel.exact.numerals import exact_text, ratio_text
 from kurbel.motion.page import AngleQuestion
 from kurbel.page.subject import Question
@@ -138,17 +139,9 @@ class Plan:
         Raises KurbelError where it is refused.
         """
         asking = self.asking
-        settled = dict(asking.settled({**self._everywhere, **values, "digits": digits}))
-        own = self.defaults
-
-        def typed(name: str) -> bool:
-            return name not in own and is_given(settled.get(name))
-
-        asking.refuse(settled, typed, spelling(values))
-        for name in asking.foreign(settled):
-            if name in own:
-                settled[name] = self._unsaid[name]
-        question: Question = asking.ask(**asking.arguments(settled))
+        origins = {name: Origin.TYPED for name in (*self.given, *values)}
+        told = {**self._everywhere, **values, "digits": digits}
+        question: Question = asking.ask(Values(told, origins | dict.fromkeys(self.defaults, Origin.MACHINE)))
         if self.whole_turns and isinstance(question, AngleQuestion):
             return replace(question, whole_turns=True)
         return question
@@ -165,7 +158,7 @@ class Plan:
 
     @cached_property
     def _unsaid(self) -> Mapping[str, Any]:
-        return {one.name: one.default for one in self.asking.parameters.values()}
+        return self.asking.defaults
 
     @cached_property
     def _everywhere(self) -> Mapping[str, Any]:

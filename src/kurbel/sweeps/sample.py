@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kurbel.commands.options import Parameter
+from kurbel.commands.options import Option
 from kurbel.commands.steps.several import figures, is_whole, parted, several
 from kurbel.errors import NotationError, ProblemError
 from kurbel.reading import notation
@@ -86,7 +86,7 @@ class _Range(NamedTuple):
         return max(0, STEPS - floor(log10(self.last - self.first)))
 
 
-def sampled(design: Design, options: Mapping[str, tuple[Parameter, Any]]) -> tuple[Axis, ...]:
+def sampled(design: Design, options: Mapping[str, tuple[Option[Any], Any]]) -> tuple[Axis, ...]:
     """Return linked axes with the values of a design: between the ends of ranges, and of lists any."""
     spaces = {name: _space(one, given) for name, (one, given) in options.items()}
     points = design.unit(len(spaces)).T
@@ -96,15 +96,15 @@ def sampled(design: Design, options: Mapping[str, tuple[Parameter, Any]]) -> tup
     )
 
 
-def is_varied(parameter: Parameter, given: Any) -> bool:
+def is_varied(parameter: Option[Any], given: Any) -> bool:
     """Whether an option has several values, or a range without a step."""
     texts = given if isinstance(given, list | tuple) else [given]
     if is_whole(parameter):
-        return len(texts) > 1 and not parameter.option.many
+        return len(texts) > 1 and not parameter.many
     return len(texts) > 1 or (isinstance(texts[0], str) and (";" in texts[0] or ".." in texts[0]))
 
 
-def _space(parameter: Parameter, given: Any) -> _Range | Sequence[Any]:
+def _space(parameter: Option[Any], given: Any) -> _Range | Sequence[Any]:
     texts = given if isinstance(given, list | tuple) else [given]
     one = texts[0]
     if len(texts) > 1 or not isinstance(one, str) or ";" in one or is_whole(parameter):
@@ -119,7 +119,7 @@ def _space(parameter: Parameter, given: Any) -> _Range | Sequence[Any]:
             f"--{name.replace('_', '-')} {one} has a step, and a sample takes any value between the ends;"
             f" write {one.removesuffix(step)}"
         )
-    if parameter.option.unit == "degrees":
+    if parameter.unit == "degrees":
         ends, unit = [notation.angle(first), notation.angle(last)], ""
     else:
         parts = [parted(first), parted(last)]

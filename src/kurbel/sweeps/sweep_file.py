@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar
 
 from msgspec import Struct
 
-from kurbel.commands.options import Parameter
+from kurbel.commands.options import Option
 from kurbel.errors import FailedError, KurbelError
 from kurbel.exact.numerals import MOST_DIGITS
 from kurbel.reading.given import choose
@@ -94,7 +94,7 @@ class ReadFile:
         """Return the name of a file, which counts from where this one lies."""
         return os.path.join(self.folder, name)
 
-    def values(self, known: Mapping[str, Parameter]) -> dict[str, Given]:
+    def values(self, known: Mapping[str, Option[Any]]) -> dict[str, Given]:
         """Return the options by their names, the axes first, in the order of the file.
 
         Raises FailedError for one that the command does not have, or a value that cannot be read.
@@ -105,7 +105,7 @@ class ReadFile:
                 name = key.replace("-", "_")
                 try:
                     choose(name, known, f"option of kurbel {self.said.command}")
-                    if len(given) > 1 and section == "options" and not known[name].option.many:
+                    if len(given) > 1 and section == "options" and not known[name].many:
                         raise FailedError(f"{key} has several values; put it under [axes]")
                     if not isinstance(given[0], bool):
                         values_of(known[name], given)

@@ -34,7 +34,7 @@ class SweepCommand(TopicCommand):
         super().__init__(
             name,
             params=[*own_options(command), *sweep_options(), *running_options()],
-            help=help_of(command.ask),
+            help=help_of(command),
         )
         self.place, self.asking = place, command
 

@@ -35,7 +35,7 @@ def words_of(
     flags = {
         name: (*map(bool, given),)
         for name, given in values.items()
-        if name in own and own[name].option.kind is FLAG and len(given) > 1 and name not in outdone
+        if name in own and own[name].kind is FLAG and len(given) > 1 and name not in outdone
     }
     words: list[str] = []
     for name, given in values.items():

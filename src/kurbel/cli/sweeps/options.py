@@ -9,7 +9,6 @@ import click
 
 from kurbel.cli.options import FileName, Option, Type, click_option, machine_option, output_option
 from kurbel.commands import options as kinds
-from kurbel.commands.options import Parameter
 from kurbel.commands.subject import Command
 from kurbel.exact.numerals import MOST_DIGITS
 
@@ -44,15 +43,13 @@ def own_options(command: Command) -> list[click.Parameter]:
     return params + [_swept(one) for one in command.parameters.values() if one.name not in PAGES]
 
 
-def _swept(parameter: Parameter) -> click.Parameter:
-    option = parameter.option
+def _swept(option: kinds.Option[Any]) -> click.Parameter:
     if option.kind is kinds.FLAG or option.last or option.first or isinstance(option.kind, kinds.LayoutName):
-        return click_option(parameter)
+        return click_option(option)
     kind: Any = FileName() if option.kind is kinds.FILE else Type(_Listed(option.kind))
-    flag = parameter.flag
     more: dict[str, Any] = {"is_flag": False, "flag_value": option.bare} if option.bare else {}
     return SweptOption(
-        [parameter.name, flag, *filter(None, [option.short])],
+        [option.name, option.flag, *filter(None, [option.short])],
         type=kind,
         metavar=option.metavar,
         multiple=True,

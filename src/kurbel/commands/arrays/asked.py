@@ -24,17 +24,17 @@ from kurbel.page.subject import Question
 from kurbel.reading.keywords import unknown
 
 if TYPE_CHECKING:
-    from kurbel.commands.subject import Asking
+    from kurbel.commands.subject import Function
 
 Floats = NDArray[np.float64]
 # Of pages that have a quantity the first is asked.
-PAGES: tuple[Asking[..., Question], ...] = (table, forces_table, inertia_table, turning_table)
+PAGES: tuple[Function, ...] = (table, forces_table, inertia_table, turning_table)
 
 
 def arrays(columns: Sequence[str], degrees: Floats, given: Mapping[str, Any]) -> list[Floats]:
     """Return each quantity at these angles, by the options of a page that shows it. Raises KurbelError."""
     asked = {key: _asked(key, given) for key in columns}
-    together: dict[Asking[..., Question], list[str]] = {}
+    together: dict[Function, list[str]] = {}
     for key, (page, question) in asked.items():
         if isinstance(question, AngleQuestion):
             together.setdefault(page, []).append(key)
@@ -50,7 +50,7 @@ def arrays(columns: Sequence[str], degrees: Floats, given: Mapping[str, Any]) ->
     return [np.broadcast_to(found[key], degrees.shape) for key in columns]
 
 
-def _asked(key: str, given: Mapping[str, Any]) -> tuple[Asking[..., Question], Question]:
+def _asked(key: str, given: Mapping[str, Any]) -> tuple[Function, Question]:
     """Return the first page that takes the options and has the quantity, and its question."""
     takers = [page for page in PAGES if set(given) <= set(page.command.signature.parameters)]
     if not takers:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Unpack
 from kurbel.commands import parameters as option
 from kurbel.commands.balancing.measures import as_measures
 from kurbel.commands.balancing.rotor import Paper
-from kurbel.commands.motion import sheet_of
+from kurbel.commands.old_motion import sheet_of
 from kurbel.commands.options import Count, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError

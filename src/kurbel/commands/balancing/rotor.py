@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.balancing.measures import as_angles_or_unknown, as_measures, as_measures_or_unknown
-from kurbel.commands.motion import sheet_of
+from kurbel.commands.old_motion import sheet_of
 from kurbel.commands.options import Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import NotationError, ProblemError

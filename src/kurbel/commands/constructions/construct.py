@@ -12,7 +12,7 @@ from kurbel.commands import parameters as option
 from kurbel.commands.constructions import beside
 from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.machines import lone_lengths
-from kurbel.commands.motion import described, meant, of_other_mechanisms, sheet_of
+from kurbel.commands.old_motion import described, meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Choice, Count, Option
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws, makes_table

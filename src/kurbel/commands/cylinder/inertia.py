@@ -8,7 +8,7 @@ from typing import Annotated, Any, Unpack
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder import engines
 from kurbel.commands.machines import check_whole, rod_of
-from kurbel.commands.motion import angles_of, meant, of_other_mechanisms, over_strokes, sheet_of
+from kurbel.commands.old_motion import angles_of, meant, of_other_mechanisms, over_strokes, sheet_of
 from kurbel.commands.options import Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.drive.crank import Described

@@ -10,7 +10,7 @@ from kurbel.commands.cylinder.effort import RODS, Rods
 from kurbel.commands.cylinder.needless import needless
 from kurbel.commands.loads import OWN, pressures_of
 from kurbel.commands.machines import steams_of
-from kurbel.commands.motion import sheet_of
+from kurbel.commands.old_motion import sheet_of
 from kurbel.commands.options import Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.drive.load import CARD, PUMP

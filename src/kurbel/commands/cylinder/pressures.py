@@ -10,7 +10,7 @@ from kurbel.commands.cylinder import engines
 from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.loads import FURTHER, OWN, PARTS, astray, uncounted
 from kurbel.commands.machines import STEAM, engine_of, for_masses, is_heavy, lone_lengths, weighed
-from kurbel.commands.motion import described, of_other_mechanisms, sheet_of
+from kurbel.commands.old_motion import described, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Option, is_given
 from kurbel.commands.plots import AxisUnits, DrawnSpeed, LabelLang
 from kurbel.commands.shown import Drawing, mark_of

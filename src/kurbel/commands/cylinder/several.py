@@ -110,7 +110,7 @@ def _title(number: int, own: Mapping[str, Any]) -> str:
 
 def _part(title: str, page: Layout, given: Mapping[str, Any], own: Mapping[str, Any]) -> "Engine":
     from kurbel.commands.machines import described_engines
-    from kurbel.commands.motion import meant, of_other_mechanisms
+    from kurbel.commands.old_motion import meant, of_other_mechanisms
     from kurbel.engine.engine import Engine
 
     if not named(given):

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from kurbel.commands.diagram.given import DRIVES, LOADS, areas_of, excess_of
-from kurbel.commands.motion import STEP
+from kurbel.commands.old_motion import STEP
 from kurbel.commands.options import is_given
 from kurbel.commands.parameters import Names, Sheet
 from kurbel.errors import ProblemError

@@ -7,7 +7,7 @@ from typing import Any
 
 from kurbel.commands.drives.orders import orders_of
 from kurbel.commands.machines import check_whole
-from kurbel.commands.motion import angles_of, sheet_of
+from kurbel.commands.old_motion import angles_of, sheet_of
 from kurbel.commands.options import is_given
 from kurbel.drive.crank import Described
 from kurbel.errors import ProblemError

@@ -5,7 +5,7 @@ from fractions import Fraction
 from typing import Annotated, Any, Unpack
 
 from kurbel.commands import parameters as option
-from kurbel.commands.motion import described, meant, of_other_mechanisms, sheet_of
+from kurbel.commands.old_motion import described, meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import FLAG, Columns, Option, is_given
 from kurbel.commands.parameters import Given
 from kurbel.commands.subject import makes_table

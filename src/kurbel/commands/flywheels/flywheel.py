@@ -19,7 +19,7 @@ from kurbel.commands.machines import (
     needless_of_load,
     of_load,
 )
-from kurbel.commands.motion import meant, of_other_mechanisms, sheet_of
+from kurbel.commands.old_motion import meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.errors import ProblemError

@@ -4,7 +4,7 @@ from typing import Annotated, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.balance import Banks, CylinderCranks, Engine
-from kurbel.commands.motion import sheet_of
+from kurbel.commands.old_motion import sheet_of
 from kurbel.commands.options import Count, Option
 from kurbel.commands.subject import makes_table
 from kurbel.page.layouts import layout_of

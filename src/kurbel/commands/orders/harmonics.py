@@ -10,7 +10,7 @@ from kurbel.commands.cylinder import engines
 from kurbel.commands.cylinder.effort import Rods, Rubbing
 from kurbel.commands.cylinder.slope import Lying
 from kurbel.commands.machines import engine_of, for_masses, lone_lengths, needless_of_load, unsized
-from kurbel.commands.motion import meant, of_other_mechanisms, sheet_of
+from kurbel.commands.old_motion import meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Choice, Count, Option, is_given
 from kurbel.commands.subject import SPELLED, makes_table
 from kurbel.drive.crank import Described

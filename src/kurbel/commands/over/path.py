@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from kurbel.commands.motion import sheet_of, some
+from kurbel.commands.old_motion import sheet_of, some
 from kurbel.commands.options import is_given
 from kurbel.drive.crank import Described
 from kurbel.errors import NotationError, ProblemError

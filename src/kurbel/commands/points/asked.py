@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from kurbel.commands.drives.given import PATH
-from kurbel.commands.motion import POINTS, angles_of, sheet_of
+from kurbel.commands.old_motion import POINTS, angles_of, sheet_of
 from kurbel.commands.options import is_given
 from kurbel.commands.parameters import Given, Names
 from kurbel.drive.crank import Crank, Described

@@ -8,7 +8,7 @@ from typing import Any
 
 from kurbel.commands.drawn.film import curves_of
 from kurbel.commands.drives.given import PATH
-from kurbel.commands.motion import described, some
+from kurbel.commands.old_motion import described, some
 from kurbel.commands.parameters import Given, Names
 from kurbel.commands.plots import curve_angles, page_of
 from kurbel.commands.points.asked import EXAMPLE, usual_columns

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from kurbel.commands.options import TEXT, Parameter
+from kurbel.commands.options import TEXT, Option
 from kurbel.errors import NotationError
 from kurbel.exact.numerals import finite_decimals
 from kurbel.reading import notation
@@ -44,20 +44,18 @@ class Written(Sequence[str]):
         return f"{figures(self.numbers[index])}{self.unit}"
 
 
-def is_whole(parameter: Parameter) -> bool:
+def is_whole(option: Option[Any]) -> bool:
     """Whether a single value of the option is itself a list."""
-    option = parameter.option
     return option.metavar in WHOLE and not (option.many and option.metavar in ("ANGLES", "SHARES"))
 
 
-def several(parameter: Parameter, texts: Iterable[Any]) -> Sequence[Any]:
+def several(option: Option[Any], texts: Iterable[Any]) -> Sequence[Any]:
     """Return the values that the texts list, each once, as the command takes them one at a time.
 
     A range is never written out. Raises NotationError.
     """
-    option, name = parameter.option, parameter.name
-    given = list(texts)
-    if is_whole(parameter):
+    name, given = option.name, list(texts)
+    if is_whole(option):
         return tuple(dict.fromkeys(given))
     if not all(isinstance(one, str) for one in given):
         return tuple(dict.fromkeys(given))

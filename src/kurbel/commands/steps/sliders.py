@@ -8,7 +8,7 @@ from itertools import product
 from math import prod
 from typing import Any, NamedTuple
 
-from kurbel.commands.options import Parameter, is_given
+from kurbel.commands.options import Option, is_given
 from kurbel.commands.steps.several import figures, is_measured, parted, values_of
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, ratio_text
@@ -60,15 +60,14 @@ class Choice(NamedTuple):
         return Slider(self.name, label, self.texts, self.start)
 
 
-def choices(parameters: Mapping[str, Parameter], values: Mapping[str, Any]) -> list[Choice]:
+def choices(options: Mapping[str, Option[Any]], values: Mapping[str, Any]) -> list[Choice]:
     """Return the sliders of a command's values: the options that have several. Raises KurbelError for what
     cannot be read.
 
     Expansion ratios are steps of a page over the crank angle, and the rows of others.
     """
-    known = {one.name: one for one in parameters.values()}
-    names = [name for name in WORDS if name in known and is_given(values.get(name))]
-    return [choice for name in names if (choice := _choice(name, known, values[name]))]
+    names = [name for name in WORDS if name in options and is_given(values.get(name))]
+    return [choice for name in names if (choice := _choice(name, options, values[name]))]
 
 
 def usual_ratios(own: Sequence[Fraction], turns: Callable[[Fraction], bool]) -> Choice:
@@ -118,12 +117,12 @@ def _of_ratios(ratios: Sequence[Fraction]) -> Choice:
     return Choice("ratio", tuple(ratios), tuple(f"${ratio_text(one)}$" for one in ratios))
 
 
-def _choice(name: str, known: Mapping[str, Parameter], given: Any) -> Choice | None:
+def _choice(name: str, known: Mapping[str, Option[Any]], given: Any) -> Choice | None:
     """Return a slider, nothing for one value."""
     if name == "ratio":
         ratios = as_ratios(given)
         return _of_ratios(ratios) if len(ratios) > 1 else None
-    if known[name].option.many and not (name == "eps" and "angle" in known):
+    if known[name].many and not (name == "eps" and "angle" in known):
         return None
     texts = [str(one) for one in given] if isinstance(given, list | tuple) else [str(given)]
     found = values_of(name, texts)

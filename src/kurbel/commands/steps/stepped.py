@@ -9,6 +9,7 @@ from functools import partial
 from typing import Any
 
 from kurbel.commands.options import is_given
+from kurbel.commands.part import Values
 from kurbel.commands.steps.sliders import (
     Choice,
     check_count,
@@ -35,12 +36,14 @@ NOTHING = (
 )
 
 
-def stepped(command: Command, values: Mapping[str, Any], named: Mapping[str, Any]) -> Table:
+def stepped(command: Command, values: Values) -> Table:
     """Return the page of the step that is shown first, with all steps if there is anything to choose.
 
-    `values` are those of all options by their names, `named` those that a page is called by.
+    `values` are those of all options, which are settled here; a page is called by them.
     """
-    asking = _Asking(command, values, tuple(choices(command.parameters, values)))
+    command.settle(values)
+    named = values.values
+    asking = _Asking(command, values, tuple(choices(command.options, named)))
     check_count(asking.choices)
     question = asking.first()
     found = (*asking.usual(question), *asking.choices)
@@ -72,12 +75,12 @@ class _Asking:
     """A command with the values of its options, some of which are chosen."""
 
     command: Command
-    values: Mapping[str, Any]
+    values: Values
     choices: tuple[Choice, ...]
 
     def question(self, chosen: Mapping[str, Any]) -> Question:
         """Return what is asked for by these values."""
-        question: Question = self.command.ask(**self.command.arguments({**self.values, **chosen}))
+        question: Question = self.command.question(self.values.instead(chosen))
         return question
 
     def first(self) -> Question:
@@ -86,12 +89,12 @@ class _Asking:
 
     def usual(self, question: Question) -> Iterator[Choice]:
         """Yield what can be chosen where nothing is said of it: the crank ratio, and of steam ε."""
-        said = {name for name, value in self.values.items() if is_given(value)}
+        said = {name for name, value in self.values.values.items() if is_given(value)}
         ratios = [ratio for ratio in getattr(question, "ratios", ()) if ratio]
-        if "ratio" in self.values and ratios and said.isdisjoint(("ratio", "rod")):
+        if "ratio" in self.command.options and ratios and said.isdisjoint(("ratio", "rod")):
             yield usual_ratios(ratios, self.turns)
         steams = [one.name for one in getattr(question, "steams", ())]
-        if "angle" in self.values and "eps" not in said and steams and {*steams} == {STEAM}:
+        if "angle" in self.command.options and "eps" not in said and steams and {*steams} == {STEAM}:
             yield usual_cut_offs(as_numbers(question.layout.expansions, "expansion ratio"))
 
     def turns(self, ratio: Fraction) -> bool:
@@ -105,7 +108,7 @@ class _Asking:
 
     def run(self, question: Question) -> Run | None:
         """Return what runs along the page, nothing for one of no crank drive, or without numbers along it."""
-        return run_of(question, "angle" in self.values) if "ratio" in self.values else None
+        return run_of(question, "angle" in self.command.options) if "ratio" in self.command.options else None
 
     def pages(self, first: Table, run: Run | None) -> Iterator[Step]:
         """Yield the page of every step, called as the first. Raises KurbelError, which names the step."""
@@ -128,8 +131,8 @@ class _Asking:
         """Return the same question at the angles that a page runs through, where it runs through these."""
         if not run.angles:
             return None
-        whole = {**dict.fromkeys(("from_", "to", "step")), "angle": run.angles, "columns": run.keys}
-        known = {one.name for one in self.command.parameters.values()}
+        whole = {**dict.fromkeys(("from", "to", "step")), "angle": run.angles, "columns": run.keys}
+        known = self.command.options
         return self.question({**chosen, **{name: one for name, one in whole.items() if name in known}})
 
 

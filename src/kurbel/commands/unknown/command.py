@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from kurbel.commands import parameters as option
-from kurbel.commands.motion import sheet_of
+from kurbel.commands.old_motion import sheet_of
 from kurbel.commands.options import is_given
 from kurbel.commands.unknown.ratio import OfRatio
 from kurbel.commands.unknown.sized import Sized

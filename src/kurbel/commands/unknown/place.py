@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.commands.loads import OWN
-from kurbel.commands.motion import described, some
+from kurbel.commands.old_motion import described, some
 from kurbel.commands.options import is_given
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import layout

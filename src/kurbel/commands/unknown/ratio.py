@@ -13,7 +13,7 @@ from kurbel.commands.cylinder.slope import LYING
 from kurbel.commands.loads import OWN
 from kurbel.commands.machines import MASSES as ALL_MASSES
 from kurbel.commands.machines import STEAM
-from kurbel.commands.motion import described, method_of
+from kurbel.commands.old_motion import described, method_of
 from kurbel.commands.options import is_given
 from kurbel.commands.unknown.place import MOTION, Angle
 from kurbel.errors import ProblemError

@@ -8,7 +8,7 @@ from functools import cache, cached_property
 from typing import Any
 
 from kurbel.commands.loads import OWN
-from kurbel.commands.motion import meant
+from kurbel.commands.old_motion import meant
 from kurbel.commands.options import is_given
 from kurbel.commands.unknown.place import Angle
 from kurbel.errors import ProblemError

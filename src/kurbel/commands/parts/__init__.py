@@ -1,0 +1,1 @@
+"""What commands ask for, part by part: the options of each, and what they make."""

@@ -1,0 +1,136 @@
+"""The crank drive: which one it is, its lengths, how it turns."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from typing import Any, ClassVar
+
+from kurbel.commands.options import FILE, Choice, Option, word
+from kurbel.commands.part import Part, Values
+from kurbel.commands.parts.angles import OVER_PATH
+from kurbel.drive import mechanisms as registered
+from kurbel.drive.crank import Described
+from kurbel.drive.mechanisms import MECHANISMS, MOTIONS
+from kurbel.motion.mechanism import Mechanism, mechanism, of_other_mechanisms
+from kurbel.page.layouts import layout_of
+
+# Of pages of approximations, and of pages about points of the rod.
+APPROXIMATE, POINTS = ("series errors", "successive"), "rod points"
+# Options that stand for another, the stroke.
+SPELLED = ("crank", "true_stroke", "time_ratio")
+
+
+class OnMachine(Part):
+    """What a machine's file may say."""
+
+    machine: Option[Any] = Option(
+        "Machine in a TOML file: its crank, load, masses, flywheel; what is given beside it outdoes it.",
+        "FILE", FILE, last=True,
+    )  # fmt: skip
+
+
+class Linked(OnMachine):
+    """A crank drive."""
+
+    # What stands in for a mechanism that nobody names: the layout, where it is of one alone.
+    abouts: ClassVar[Sequence[str]] = (*MOTIONS, OVER_PATH, POINTS, *APPROXIMATE)
+
+    ratio: Option[Any] = Option(
+        "Crank ratio: 1:5, 1:4,5, 0.2; lists '1:4;1:5' and ranges 1:3..6:0.5; 1:∞ is the infinite rod.",
+        "R:L", short="-r", many=True,
+    )  # fmt: skip
+    offset: Option[Any] = Option(
+        "Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R"
+    )
+    stroke: Option[Any] = Option(
+        "2R: 600mm; of an offset crank, too, whose piston goes further.", "LENGTH", unit="m"
+    )
+    crank: Option[Any] = Option("R, in place of --stroke: 300mm.", "LENGTH", unit="m")
+    true_stroke: Option[Any] = Option(
+        "Way of the piston, in place of --stroke; of an offset crank R follows from it, with --rod or"
+        " --ratio: 600mm.",
+        "LENGTH", unit="m",
+    )  # fmt: skip
+    time_ratio: Option[Any] = Option(
+        "With --true-stroke and --offset as a length: time of the outstroke over that of the return, from"
+        " which R and L follow: 1.2.",
+        "Q",
+    )  # fmt: skip
+    rod: Option[Any] = Option(
+        "Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m"
+    )
+    mechanism = word(registered.described(), kind=Choice("mechanism", MECHANISMS))
+    rocker: Option[Any] = Option(
+        "Arc crank: length of the rocker in units of R, or a length with --crank.", "B", unit="R"
+    )
+    pivot: Option[Any] = Option(
+        "Arc crank: the rocker's pivot along and across the slide, in units of R or as lengths; default:"
+        " as far as the rod is long, and B above the slide line. With 'D;0' angles count from the line of"
+        " centres, as of a four-bar.",
+        "D;H", unit="R",
+    )  # fmt: skip
+    circuit: Option[Any] = Option(
+        "Arc crank: 1 or -1, the two ways to assemble the links; default 1. Of a four-bar with its pivot at"
+        " 'D;0' the open one is -1.",
+        "WAY",
+    )  # fmt: skip
+
+    @classmethod
+    def settle(cls, values: Values) -> None:
+        from kurbel.commands.precedence import settle_lengths, settle_sizes
+
+        settle_sizes(values)
+        settle_lengths(values)
+
+    def drive(self, layout: str | None = None) -> Mechanism:
+        """Return which crank drive is described: where it is not said, by the layout, else by the offset."""
+        name = self.mechanism
+        if not name and layout is not None:
+            about = layout_of(layout, self.abouts, self.raw("layouts")).subject
+            fitting = [known for known, one in MECHANISMS.items() if one.subject == about]
+            name = fitting[0] if len(fitting) == 1 else None
+        return mechanism(name or ("offset" if self.says("offset") else "straight"))
+
+    def described(
+        self, layout: str | None = None, beside: Collection[str] = (), **more: Any
+    ) -> tuple[Mechanism, Described]:
+        """Return which crank drive is described, and how: what describes it on its pages of motion, and what
+        stands `beside` that. Raises ProblemError if that is not enough."""
+        chosen = self.drive(layout)
+        names = [name for name in Described._fields if name in (*chosen.takes, *beside) and name not in more]
+        known = {name: self.raw(name) for name in names if name in self.values.values}
+        described = Described.of(known, **more)
+        chosen.check(described)
+        return chosen, described
+
+    def unread(self, option: Option[Any]) -> str:
+        """Return the sentence that refuses an option of another crank drive."""
+        found = of_other_mechanisms(self.drive(), [option.name])
+        return found.get(option.name, "").replace("--stroke", f"--{self.values.spelled('stroke')}")
+
+
+class AnyDrive(Linked):
+    """Any crank drive, the beam engine among them."""
+
+    beam: Option[Any] = Option("Beam engine: arm of the beam in units of R, or a length.", "A", unit="R")
+
+
+class Speed(Part):
+    """How fast the crank turns."""
+
+    speed: Option[Any] = Option(
+        "Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.", "SPEED", unit="turns a second"
+    )
+
+
+class Turning(Speed):
+    """How the crank turns, and by which formulas its motion is computed."""
+
+    acceleration: Option[Any] = Option(
+        "Angular acceleration of the crank at these angles, at its --speed: 50rad/s², -20rad/s².", "ALPHA",
+        unit="rad/s²",
+    )  # fmt: skip
+    method = word(
+        "exact (default), series (first order, as Blau prints) or infinite (rod of infinite length).",
+        kind=Choice("method", "kurbel.motion.evaluation:METHODS"),
+    )

@@ -1,0 +1,133 @@
+"""How a page is printed: its layout, its columns, its language, its digits, and words of one's own."""
+
+from __future__ import annotations
+
+from os import PathLike
+from typing import TYPE_CHECKING, Any, TypedDict
+
+from kurbel.commands.options import FILE, PROSE, Choice, Columns, Count, LayoutName, Option, word
+from kurbel.commands.part import Part
+from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS
+from kurbel.page.layouts import LANGUAGES, Layout, layout, layout_of
+from kurbel.reading.given import as_names
+
+if TYPE_CHECKING:
+    from kurbel.page.table import Note
+    from kurbel.reading.amounts import Units
+
+LISTED = "; `kurbel quantities` lists them. What tells rows apart is always among them."
+
+
+def columns_option(usual: str, example: str, more: str = LISTED) -> Option[Any]:
+    """Return --columns of a command, whose columns are by default those of a layout."""
+    return Option(f"Columns and their order: {example}{more}", "NAMES", Columns(usual), many=True, default=())
+
+
+def columns_over_angle(usual: str, example: str) -> Option[Any]:
+    """Return the same of a command over the crank angle."""
+    return columns_option(usual, example, f"{LISTED} Pages keep φ at the left.")
+
+
+def layout_option(*subjects: str) -> Option[str | None]:
+    return word("Page layout; `kurbel layouts` lists them.", kind=LayoutName(subjects))
+
+
+class Printed(TypedDict, total=False):
+    """How a question has its page printed, by the fields of `kurbel.page.subject:Question`."""
+
+    digits: int | None
+    rounding: str
+    lang: str
+    label: str
+    caption: str | None
+    note: tuple[Note, ...]
+    source: str | None
+    templates: str | PathLike[str] | None
+    units: Units | None
+
+
+class Layouts(Part):
+    """Which page of those that a command has."""
+
+    layouts: Option[Any] = Option(
+        "Folder with layouts of your own: DIR/<name>/layout.toml.", "DIR", FILE,
+        environment="KURBEL_LAYOUTS", first=True,
+    )  # fmt: skip
+    layout: Option[str | None] = layout_option()
+
+    def page(self, usual: str, *subjects: str) -> Layout:
+        """Return the layout, or the usual one. Raises LayoutError for one about anything else."""
+        return layout_of(self.layout or usual, subjects, self.layouts)
+
+    @property
+    def about(self) -> str:
+        """What the layout is about, nothing where none is named."""
+        name = self.layout
+        return layout(name, self.layouts).subject if name else ""
+
+
+class Plain(Part):
+    """How a page is printed."""
+
+    columns: Option[Any] = columns_option("", "")
+    lang: Option[str] = word(
+        "Language of headings and captions: de or en.", kind=Choice("language", LANGUAGES),
+        environment="KURBEL_LANG", default="de", last=True,
+    )  # fmt: skip
+    digits: Option[int | None] = Option(
+        f"Decimals of every column, 0 to {MOST_DIGITS}.",
+        "N",
+        Count("digits", 0, MOST_DIGITS, "cannot be printed"),
+        last=True,
+    )
+    rounding = word(
+        "What becomes of a tie.", kind=Choice("rounding", ROUNDINGS), default="half-away", last=True
+    )
+    label = word(
+        "Name for cross references: \\label{tab:NAME}; default: the layout's.",
+        "NAME",
+        PROSE,
+        default="",
+        last=True,
+    )
+    caption = word(
+        "Caption of your own, formulas between dollar signs: 'Weg $x/R$'.", "TEXT", PROSE, last=True
+    )
+    note: Option[Any] = Option(
+        "A note of your own below those of the page; [^a] before it is its mark, also in captions.", "TEXT",
+        PROSE, many=True, default=(), last=True,
+    )  # fmt: skip
+    source = word(
+        "Line of your own on the source, in place of the page's; '' leaves it out.", "TEXT", PROSE, last=True
+    )
+    templates: Option[Any] = Option(
+        "Folder with templates of your own: DIR/base/latex.jinja sets all pages in LaTeX,"
+        " DIR/NAME/latex.jinja those of a layout.",
+        "DIR", FILE, environment="KURBEL_TEMPLATES", last=True,
+    )  # fmt: skip
+
+    def names(self, example: str) -> tuple[str, ...]:
+        """Return the columns that are asked for."""
+        return as_names(self.columns, example)
+
+    def printed(self) -> Printed:
+        """Return how the page is to be printed."""
+        return {
+            "digits": self.digits, "rounding": self.rounding, "lang": self.lang, "label": self.label,
+            "caption": self.caption, "note": self.note, "source": self.source, "templates": self.templates,
+        }  # fmt: skip
+
+
+class Sheet(Plain):
+    """The same of one whose columns have units."""
+
+    units: Option[Any] = Option(
+        "Units of pages and data: metric, imperial or a list, 'cm;kN'. Default: metric; pages of what is"
+        " given in imperial units alone have these.",
+        "UNITS",
+        PROSE,
+        last=True,
+    )
+
+    def printed(self) -> Printed:
+        return {**super().printed(), "units": self.units}
