@@ -151,7 +151,7 @@ class Part:
         """Return the sentence that refuses one of its options, which was typed and was not read; nothing
         where it depends on the command alone."""
         others = [name for name in self.named_by() if name != option.name]
-        if not self.title or not others or self.says(*others):
+        if not self.title or self.says(*others):
             return ""
         return f"{flag_of(self.values.spelled(option.name))} is for {self.title}; add {self.add}"
 
@@ -180,6 +180,13 @@ class CommandOptions(Part):
     def case(self) -> str:
         """Return what decides which options count, as it is typed, such as --eps; nothing where all do."""
         return ""
+
+    def refuse(self, *names: str) -> None:
+        """Raise ProblemError for the first of these options that was typed, which the question does not need:
+        where something else would be missing first."""
+        for option in self.options().values():
+            if option.name in names and self.values.typed(option.name) and self.says(option.name):
+                raise ProblemError(self.refusal(option))
 
     def refusal(self, option: Option[Any]) -> str:
         """Return the sentence that refuses an option that was typed, and that the question did not read."""

@@ -6,11 +6,12 @@ from collections.abc import Collection, Sequence
 from typing import Any, ClassVar
 
 from kurbel.commands.options import FILE, Choice, Option, word
-from kurbel.commands.part import Part, Values
+from kurbel.commands.part import Part, Values, flag_of
 from kurbel.commands.parts.angles import OVER_PATH
 from kurbel.drive import mechanisms as registered
 from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import MECHANISMS, MOTIONS
+from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism, mechanism, of_other_mechanisms
 from kurbel.page.layouts import layout_of
 
@@ -32,7 +33,9 @@ class OnMachine(Part):
 class Linked(OnMachine):
     """A crank drive."""
 
-    # What stands in for a mechanism that nobody names: the layout, where it is of one alone.
+    # What describes other drives on their pages of motion alone, and here says something of all.
+    shared: ClassVar[Collection[str]] = ()
+    # Where no mechanism is named, a layout about one of these names it if it is of one alone.
     abouts: ClassVar[Sequence[str]] = (*MOTIONS, OVER_PATH, POINTS, *APPROXIMATE)
 
     ratio: Option[Any] = Option(
@@ -92,20 +95,23 @@ class Linked(OnMachine):
         return mechanism(name or ("offset" if self.says("offset") else "straight"))
 
     def described(
-        self, layout: str | None = None, beside: Collection[str] = (), **more: Any
+        self, layout: str | None = None, beside: Collection[str] = (), leaving: Collection[str] = ()
     ) -> tuple[Mechanism, Described]:
         """Return which crank drive is described, and how: what describes it on its pages of motion, and what
-        stands `beside` that. Raises ProblemError if that is not enough."""
+        stands `beside` that, but for what is `leaving` it. Raises ProblemError if that is not enough."""
         chosen = self.drive(layout)
-        names = [name for name in Described._fields if name in (*chosen.takes, *beside) and name not in more]
-        known = {name: self.raw(name) for name in names if name in self.values.values}
-        described = Described.of(known, **more)
+        taken = {*chosen.takes, *beside}.difference(leaving)
+        names = [name for name in Described._fields if name in taken and name in self.values.values]
+        typed = [name for name in self.values.values if self.values.typed(name) and self.says(name)]
+        foreign = of_other_mechanisms(chosen, [one for one in typed if one not in taken], self.shared)
+        for name, sentence in foreign.items():
+            raise ProblemError(sentence.replace(flag_of(name), flag_of(self.values.spelled(name))))
+        described = Described.of({name: self.raw(name) for name in names})
         chosen.check(described)
         return chosen, described
 
     def unread(self, option: Option[Any]) -> str:
-        """Return the sentence that refuses an option of another crank drive."""
-        found = of_other_mechanisms(self.drive(), [option.name])
+        found = of_other_mechanisms(self.drive(), [option.name], self.shared)
         return found.get(option.name, "").replace("--stroke", f"--{self.values.spelled('stroke')}")
 
 

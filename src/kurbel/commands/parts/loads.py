@@ -1,0 +1,397 @@
+"""What acts in a cylinder: steam, an indicator card, a compressor, a pump, the cycle of a gas engine."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from os import PathLike
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+
+from kurbel.commands.options import FILE, Choice, Option, flag, measure, word
+from kurbel.commands.part import Rivals, Values, flag_of
+from kurbel.commands.parts.effort import Piston
+from kurbel.drive.load import CARD, COMPRESSOR, GAS, LOADS, PUMP, STEAM
+from kurbel.errors import ProblemError
+from kurbel.page.layouts import Layout
+from kurbel.reading.given import (
+    as_expansions,
+    as_number,
+    as_pressure,
+    as_share,
+    as_share_or_pressure,
+    as_shares,
+)
+
+if TYPE_CHECKING:
+    from kurbel.drive.load import Load as Acting
+    from kurbel.engine.engine import Load
+
+
+class Kind(NamedTuple):
+    """A kind of load, the options that describe it further, and the layout of its irregularity."""
+
+    load: str
+    options: tuple[str, ...]
+    layout: str = ""
+
+
+# By the option that names it.
+KINDS: Mapping[str, Kind] = {
+    "eps": Kind(STEAM, ("back", "exponent", "clearance", "single_acting", "pressure")),
+    "card": Kind(CARD, ("other_side", "single_acting")),
+    "pressure_ratio": Kind(
+        COMPRESSOR,
+        ("exponent", "clearance", "suction_loss", "delivery_loss", "suction_pressure", "other_side",
+         "single_acting"),
+        "compressor",
+    ),
+    "pump": Kind(PUMP, ("small_area", "suction_pressure", "delivery_pressure", "single_acting"), "pump"),
+    "compression": Kind(
+        GAS,
+        ("cycle", "peak_pressure", "cut_off", "heat", "exponent", "expansion_exponent", "exhaust_pressure",
+         "two_stroke", "suction_pressure"),
+        "gas-cycle",
+    ),
+}  # fmt: skip
+# What an ideal card is described by, and a measured one is not.
+IDEAL = ("eps", "back", "exponent", "clearance")
+FURTHER = tuple(key for key in KINDS if key not in ("eps", "card"))
+NEEDED = (
+    "what acts on the piston is not known; add the expansion ratio of its steam, --eps 4, or --card,"
+    " --pressure-ratio, --pump or --compression"
+)
+
+
+def _share(help: str) -> Option[Fraction | None]:
+    return measure(as_share, help, "SHARE")
+
+
+def _in_units_of_suction(help: str) -> Option[Any]:
+    return Option(help, "RATIO")
+
+
+class Loads(Piston):
+    """What acts on the piston, and what makes newtons of it.
+
+    `others` of the options are of loads that nobody named where one that is typed outdoes them.
+    """
+
+    title, add = "the load of an engine", "--eps or --card"
+    rivals: ClassVar[Rivals] = (
+        *((name, "card") for name in (*IDEAL, "pressure")),
+        ("card", "eps"),
+    )
+
+    eps = measure(
+        lambda value, what: as_expansions(value),
+        "Expansion ratio, cut-off after 1/ε of the stroke: 4; lists '2;3;4', ranges 2..6.", "ε", many=True,
+    )  # fmt: skip
+    back: Option[Any] = Option(
+        "Back pressure as a share of the steam pressure: 0.1, 10%, or beside --pressure as a pressure, both"
+        " above vacuum: 1.1bar; default: the best, to which the steam expands.",
+        "B",
+    )
+    exponent = measure(as_number, "n of p Vⁿ = const.; default 1, Mariotte's law, of gas engines 1.4.", "N")
+    clearance = measure(as_share, "Clearance as a share of the swept volume: 0.05, 5%.", "C")
+    card: Option[Any] = Option(
+        "Indicator card: CSV with position, p_forward [bar], p_return [bar], or angle, p [bar].",
+        "FILE",
+        FILE,
+        many=True,
+    )
+    other_side = measure(
+        as_pressure,
+        "With --single-acting and --card or --pressure-ratio: pressure on the piston's other face, 1bar.",
+        "PRESSURE", unit="Pa",
+    )  # fmt: skip
+    single_acting = flag(
+        "One end works: steam on the outstroke only, and on the return both faces have the back pressure; a"
+        " compressor sucks on the outstroke and delivers on the return."
+    )
+    pressure = measure(
+        as_pressure,
+        "Steam pressure before cut-off: 8bar; an indicator card has its own.", "PRESSURE", unit="Pa",
+    )  # fmt: skip
+    pressure_ratio = measure(
+        as_shares, "Compressor: pressure ratio p₂/p₁: 4; lists '2;3;4', ranges 2..6.", "Π", many=True
+    )
+    suction_loss = _share("Compressor: loss of the suction valves, a share of the suction pressure: 4%.")
+    delivery_loss = _share("Compressor: loss of the delivery valves, a share of the delivery pressure: 5%.")
+    pump = word(
+        "Pump: double (by itself), single or differential.",
+        "KIND",
+        Choice("pump", "kurbel.engine.loads.pump:KINDS"),
+        bare="double",
+    )
+    small_area = _share("Differential pump: its ring as a share of the piston's area; default 1/2.")
+    suction_pressure = measure(
+        as_pressure,
+        "Suction pressure of a compressor or gas engine: 1bar; of a pump above that on the other face:"
+        " -0.3bar.",
+        "PRESSURE", unit="Pa",
+    )  # fmt: skip
+    delivery_pressure = measure(
+        as_pressure,
+        "Delivery pressure of a pump, above that on the other face: 6bar.", "PRESSURE", unit="Pa",
+    )  # fmt: skip
+    compression = measure(
+        as_shares, "Gas engine: compression ratio: 6; lists '5;6;7', ranges 5..8.", "ε", many=True,
+        what="compression ratio",
+    )  # fmt: skip
+    cycle = word(
+        "Gas engine: otto (default), diesel or dual cycle.",
+        kind=Choice("cycle", "kurbel.engine.loads.gas:CYCLES"),
+    )
+    peak_pressure = _in_units_of_suction(
+        "Otto and dual cycle: greatest pressure in suction pressures, 30, or beside --suction-pressure"
+        " 34.5bar."
+    )
+    cut_off = measure(
+        as_number,
+        "Diesel and dual cycle: volume when the heat is supplied, in least volumes: 2.", "RATIO",
+    )  # fmt: skip
+    heat = measure(as_number, "Gas engine: heat supplied in R T₁, for a kilogram: 10.", "RATIO")
+    expansion_exponent = measure(
+        as_number, "Gas engine: n of the expansion; default that of --exponent, 1.4.", "N"
+    )
+    exhaust_pressure = _in_units_of_suction("Gas engine: exhaust pressure likewise; default 1.")
+    two_stroke = flag("Gas engine: in two strokes.")
+
+    @classmethod
+    def settle(cls, values: Values) -> None:
+        """Drop the loads that one which was typed outdoes, with all that describes them alone."""
+        typed = [key for key in KINDS if values.typed(key) and values.says(key)]
+        if not typed or not values.says(*FURTHER):
+            return
+        others = [key for key in KINDS if key not in typed and values.says(key)]
+        values.drop(
+            *(name for key in others for name in (key, *KINDS[key].options) if not values.typed(name))
+        )
+
+    def load_names(self) -> list[str]:
+        """Return the options that name loads, as far as they are given."""
+        return [key for key in KINDS if self.says(key)]
+
+    @property
+    def kind(self) -> str:
+        """The option that names the load, nothing where none is named. Raises ProblemError for two."""
+        found = self.load_names()
+        if "card" in found and self.says(*IDEAL):
+            name = next(one for one in IDEAL if self.says(one))
+            raise ProblemError(
+                f"{flag_of(name)} describes an ideal card, and --card gives a measured one; leave one out"
+            )
+        if len(found) > 1:
+            raise ProblemError(
+                f"{flag_of(found[0])} and {flag_of(found[1])} describe two loads; leave one out"
+            )
+        return found[0] if found else ""
+
+    def loads(self, page: Layout) -> Sequence[Acting]:
+        """Return the loads, those of all expansion or pressure ratios; steam is a layout's own if nothing is
+        named. Raises ProblemError."""
+        match self.kind:
+            case "card":
+                return self._cards()
+            case "pressure_ratio":
+                return self._compressors()
+            case "pump":
+                return [self._pump()]
+            case "compression":
+                return self._gas_cycles()
+        return self._steams(page)
+
+    def _steams(self, page: Layout) -> Sequence[Acting]:
+        from kurbel.engine.engine import Steam
+
+        back, pressure = self.back, self.raw("pressure") if self._back_is_pressure() else None
+        share = None if back is None else as_share_or_pressure(back, "back pressure", pressure)
+        exponent, clearance = self.exponent, self.clearance
+        expansions = self.eps
+        if expansions is None:
+            if not page.expansions:
+                raise ProblemError(NEEDED)
+            expansions = as_expansions(page.expansions)
+        exponent = Fraction(1) if exponent is None else exponent
+        return [Steam(one, share, exponent, clearance or Fraction(0)) for one in expansions]
+
+    def _back_is_pressure(self) -> bool:
+        """Whether the back pressure is given as a pressure, which counts in that of the steam."""
+        return _is_measure(self.values.values.get("back"))
+
+    def _cards(self) -> Sequence[Acting]:
+        """Return the indicator cards."""
+        from kurbel.engine.card.file import read_card
+        from kurbel.engine.engine import Diagram
+
+        other, single, files = self.other_side, self.single_acting, self.card
+        if other is not None and not single:
+            raise ProblemError(
+                "--other-side is for --single-acting; double-acting, the other end works as well"
+            )
+        side = None if other is None else float(other)
+        return [
+            Diagram(read_card(file), side)
+            for file in ([files] if isinstance(files, str | PathLike) else files)
+        ]
+
+    def _compressors(self) -> Sequence[Acting]:
+        from kurbel.engine.loads.compressor import Compressor
+
+        known = {
+            "exponent": self.exponent, "clearance": self.clearance, "suction_loss": self.suction_loss,
+            "delivery_loss": self.delivery_loss, "other_side": self.other_side,
+        }  # fmt: skip
+        if known["other_side"] is not None:
+            if not self.single_acting:
+                raise ProblemError(
+                    "--other-side is for --single-acting; double-acting, the other end works as well"
+                )
+            if (suction := self.suction_pressure) is None:
+                raise ProblemError(
+                    "--other-side is compared with the suction pressure; add --suction-pressure"
+                )
+            known["other_side"] /= _above_zero(suction)
+        ratios = self.pressure_ratio or ()
+        given: dict[str, Any] = {name: value for name, value in known.items() if value is not None}
+        return [Compressor(ratio, **given) for ratio in ratios]
+
+    def _pump(self) -> Acting:
+        from kurbel.engine.loads.pump import DIFFERENTIAL, DOUBLE, SINGLE, Pump
+
+        kind = self.pump or DOUBLE
+        if self.single_acting:
+            if kind == DIFFERENTIAL:
+                raise ProblemError("--single-acting and --pump differential are two pumps; leave one out")
+            kind = SINGLE
+        ring = self.small_area
+        if ring is not None and kind != DIFFERENTIAL:
+            raise ProblemError("--small-area is for --pump differential, which has a ring")
+        # Where newtons are not asked for, a double-acting pump, whose ends work alike, compares no pressures.
+        counts = self.says("bore") or (kind != DOUBLE and self.says("suction_pressure"))
+        suction, delivery = (self.suction_pressure, self.delivery_pressure) if counts else (None, None)
+        if suction and delivery is None and kind != DOUBLE:
+            raise ProblemError(
+                "--suction-pressure is compared with what the pump makes; add --delivery-pressure"
+            )
+        makes = (suction or Fraction(0)) + 1 if delivery is None else delivery
+        makes -= suction or Fraction(0)
+        if makes <= 0:
+            raise ProblemError(
+                f"the delivery pressure {self.raw('delivery_pressure')} is not above the suction pressure"
+                f" {self.raw('suction_pressure') or 0}; a pump raises the pressure"
+            )
+        own: dict[str, Any] = {} if ring is None else {"small_area": ring}
+        return Pump(kind, Fraction(0) if delivery is None else (suction or Fraction(0)) / makes, **own)
+
+    def _gas_cycles(self) -> Sequence[Acting]:
+        from kurbel.engine.loads.gas import OTTO, GasCycle
+
+        known = {
+            "exponent": self.exponent, "expansion_exponent": self.expansion_exponent, "cut_off": self.cut_off,
+            "heat": self.heat, "peak": self._in_suctions("peak_pressure"),
+            "exhaust": self._in_suctions("exhaust_pressure"),
+        }  # fmt: skip
+        given: dict[str, Any] = {name: value for name, value in known.items() if value is not None}
+        cycle, two_stroke, ratios = self.cycle or OTTO, self.two_stroke, self.compression or ()
+        return [GasCycle(ratio, cycle, two_stroke=two_stroke, **given) for ratio in ratios]
+
+    def _in_suctions(self, name: str) -> Fraction | None:
+        """Return a pressure in suction pressures, which is given so or as a measure."""
+        value, what = self.raw(name), name.replace("_", " ")
+        if value is None:
+            return None
+        if not _is_measure(value):
+            return as_number(value, what)
+        if (suction := self.suction_pressure) is None:
+            raise ProblemError(
+                f"the {what} {value[:40]} is compared with the suction pressure; add --suction-pressure"
+            )
+        return as_pressure(value, what) / _above_zero(suction)
+
+    def newtons(self) -> Load | None:
+        """Return what makes newtons of the force on the piston, None if it is not known."""
+        kind = self.kind
+        missing = [name for name in self.weighing() if not self.says(name)]
+        if kind in FURTHER:
+            if not self.says("bore"):
+                return None
+            if missing:
+                raise ProblemError(f"newtons need the bore and the pressure; add {flag_of(missing[0])}")
+        elif not self.says("bore") and (
+            kind == "card" or not self.says("pressure") or self._back_is_pressure()
+        ):
+            return None
+        elif missing:
+            raise ProblemError(f"newtons need the bore and the steam pressure; add {flag_of(missing[0])}")
+        from kurbel.engine.engine import Load
+
+        bore = self.bore
+        assert bore is not None
+        if kind == "card":
+            return Load(bore, None)
+        if kind not in FURTHER:
+            return Load(bore, self.pressure)
+        suction = self.suction_pressure or Fraction(0)
+        delivery = self.delivery_pressure if kind == "pump" else None
+        return Load(bore, suction if delivery is None else delivery - suction)
+
+    def weighing(self) -> tuple[str, ...]:
+        """Return the options that make newtons of the load, against which masses are weighed."""
+        return {
+            "card": ("bore",), "pump": ("bore", "delivery_pressure"),
+            **dict.fromkeys(("pressure_ratio", "compression"), ("bore", "suction_pressure")),
+        }.get(self.kind, ("bore", "pressure"))  # fmt: skip
+
+    def whole_cycle(self) -> Fraction:
+        """Return the degrees after which everything comes again."""
+        if self.says("compression"):
+            return Fraction(360 if self.two_stroke else 720)
+        if not self.says("card"):
+            return Fraction(360)
+        return Fraction(180 * max((getattr(one, "strokes_of_cycle", 2) for one in self._cards()), default=2))
+
+    def usual_layout(self) -> str:
+        """Return the layout of the irregularity under the load, nothing for steam and cards."""
+        return next((KINDS[key].layout for key in FURTHER if self.says(key)), "")
+
+    def unread(self, option: Option[Any]) -> str:
+        name, named = option.name, self.load_names()
+        owners = [key for key, kind in KINDS.items() if name in kind.options]
+        if name in KINDS or not owners:
+            return ""
+        if not named:
+            steam = "; steam cut off after a quarter of the stroke is --eps 4" if name == "cut_off" else ""
+            if owners in (["eps"], ["eps", "card"]):
+                return f"{flag_of(name)} is for the steam of an engine; add --eps or --card"
+            return f"{flag_of(name)} is for {_titles(owners)}; add {' or '.join(map(flag_of, owners))}{steam}"
+        if "card" in named and name == "pressure":
+            return "--pressure is that of ideal steam, and a card has its own; leave it out"
+        if not set(named) & set(owners):
+            title = LOADS[KINDS[named[0]].load].title
+            return f"{flag_of(name)} does not belong to {title}; it is for {_titles(owners)}"
+        if name.endswith("pressure") and not self.says("bore"):
+            return f"{flag_of(name)} makes newtons of the load only with --bore; add that"
+        return ""
+
+
+def _is_measure(value: Any) -> bool:
+    from kurbel.reading.units import is_measure
+
+    return isinstance(value, str) and is_measure(value)
+
+
+def _titles(keys: Sequence[str]) -> str:
+    return " or ".join(LOADS[KINDS[key].load].title for key in keys)
+
+
+def _above_zero(pressure: Fraction) -> Fraction:
+    if pressure <= 0:
+        raise ProblemError("the suction pressure must be above 0, that above vacuum")
+    return pressure
+
+
+def on_page(page: Layout) -> Layout:
+    """Return a layout without the heading of its own for expansion ratios."""
+    headings = {name: heading for name, heading in page.stub_headings.items() if name != "expansion"}
+    return Layout(**{**vars(page), "stub_headings": headings})

@@ -1,0 +1,209 @@
+"""The moving masses of a drive: piston and crosshead, connecting rod, crank, rocker, and what they weigh."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from kurbel.commands.options import FILE, Choice, Option, alone, flag, measure, word
+from kurbel.commands.part import Part, Rivals, flag_of
+from kurbel.errors import ProblemError
+from kurbel.motion.mechanism import Mechanism, of_other_mechanisms
+from kurbel.reading.given import (
+    as_angle,
+    as_duration,
+    as_gravity,
+    as_inertia,
+    as_mass,
+    as_share_or_length,
+    as_signed_mass,
+    as_speed,
+)
+
+if TYPE_CHECKING:
+    from kurbel.drive.rod import Rod
+    from kurbel.drive.slope import Slope
+
+_UNKNOWN = "that of the rod is not known; add --stroke and one --ratio, or give a share of the rod's length"
+OF_ROD = ("rod_mass", "centre", "gyration", "pendulum", "pendulum_from", "rod_file")
+
+
+class MovingRod(Part):
+    """The masses of a connecting rod."""
+
+    title, add = "a rod with a mass", "--rod-mass"
+    rivals: ClassVar[Rivals] = (
+        *((name, "rod_file") for name in ("rod_mass", "centre", "gyration", "pendulum", "pendulum_from")),
+        *(("rod_file", name) for name in ("centre", "gyration", "pendulum")),
+        *(("gyration", name) for name in ("pendulum", "pendulum_from")),
+        *((name, "gyration") for name in ("pendulum", "pendulum_from")),
+    )
+
+    rod_mass = measure(as_mass, "Mass of the connecting rod: 150kg.", "MASS", unit="kg")
+    centre: Option[Any] = Option(
+        "Centre of mass of the rod from the crosshead pin, in rod lengths: 0.6, 60%; or a length, where that"
+        " of the rod is known.",
+        "A", unit="rod lengths",
+    )  # fmt: skip
+    gyration: Option[Any] = Option(
+        "Radius of gyration about the centre of mass, in rod lengths: 0.3; or a length.", "K",
+        unit="rod lengths",
+    )  # fmt: skip
+    pendulum = measure(
+        as_duration,
+        "In place of --gyration the time of a full swing, to and fro, about the pin that --pendulum-from"
+        " names: 1.8s.",
+        "TIME", unit="s", what="time of a swing",
+    )  # fmt: skip
+    pendulum_from = word(
+        "The pin about which the rod swung: crosshead or crank.", kind=Choice("pin", "kurbel.drive.rod:PINS")
+    )
+    rod_file: Option[Any] = Option(
+        "The rod's masses from a CSV file in place of these: from, to, mass or position, mass, counted from"
+        " the crank pin.",
+        "FILE", FILE,
+    )  # fmt: skip
+
+    def moving_rod(self, length: Fraction | None) -> Rod:
+        """Return the connecting rod between pins so far apart, in metres, if that is known."""
+        from kurbel.drive.rod_file import given_rod, given_swing, swung_rod
+
+        centre = self._part_of(length, self.centre, "centre of mass")
+        if not self.says("pendulum", "pendulum_from"):
+            gyration = self._part_of(length, self.gyration, "radius of gyration")
+            return given_rod(centre, gyration, self.rod_file, self.rod_mass, length)
+        for name in ("gyration", "rod_file"):
+            if self.says(name):
+                raise ProblemError(f"{flag_of(name)} and --pendulum say the same; leave one out")
+        swing = given_swing(self.pendulum, self.pendulum_from, self.as_part(Weight).gravity)
+        return swung_rod(swing, centre, length, self.rod_mass)
+
+    def _part_of(self, length: Fraction | None, value: Any, what: str) -> Fraction | None:
+        return None if value is None else as_share_or_length(value, what, length, _UNKNOWN)
+
+
+class Weight(Part):
+    """How the cylinder stands, by which moving masses have a weight."""
+
+    title, add = "the weight of moving masses", "--reciprocating or a rod, --rod-mass"
+
+    vertical = flag("The cylinder stands above the shaft: piston, crosshead and rod have a weight.")
+    slope = measure(
+        as_angle,
+        "Angle by which the slide rises from the shaft to the cylinder: 30; 90 is --vertical, -90 below the"
+        " shaft. It counts in the sense of rotation: 180-30 with the crank pin below on the outstroke.",
+        "ANGLE", unit="degrees",
+    )  # fmt: skip
+    gravity = measure(
+        alone(as_gravity), "Acceleration of gravity, for the weight: 9.81; default 9.80665m/s².", "G",
+        unit="m/s²",
+    )  # fmt: skip
+
+    def stands(self) -> bool:
+        """Whether it is said how the cylinder stands."""
+        return self.says("vertical", "slope")
+
+    def slope_of_slide(self) -> Slope | None:
+        """Return how the slide rises, None where weight does not count; a cylinder of several leans by its
+        `bank` from that."""
+        if not self.stands():
+            return None
+        from kurbel.drive.slope import STANDARD_GRAVITY, VERTICAL, Slope
+
+        vertical, angle, gravity = self.vertical, self.slope, self.gravity
+        if vertical and angle not in (None, VERTICAL):
+            raise ProblemError(
+                f"--vertical is a slope of 90, and --slope says {self.raw('slope')}; leave one of the two out"
+            )
+        angle = VERTICAL if angle is None else angle
+        found = Slope(angle, STANDARD_GRAVITY if gravity is None else gravity)
+        lean = as_angle(self.values.values.get("bank") or 0, "bank")
+        return Slope((angle + lean + 180) % 360 - 180, found.gravity) if lean else found
+
+    def unread(self, option: Option[Any]) -> str:
+        if option.name not in ("vertical", "slope", "gravity"):
+            return ""
+        if not self.as_part(Masses).is_heavy():
+            return f"--{option.name} is for {Weight.title}; add {Weight.add}"
+        if option.name == "gravity" and not self.stands():
+            return "--gravity is for weights; add --vertical or --slope, by which the cylinder stands"
+        return ""
+
+
+class Masses(MovingRod, Weight):
+    """What moves with the drive."""
+
+    title, add = "moving masses", "--reciprocating or a rod, --rod-mass"
+
+    reciprocating = measure(
+        as_mass,
+        "Mass of piston and crosshead: 200kg. Masses need --stroke and --speed, and beside steam --bore and"
+        " --pressure.",
+        "MASS", unit="kg", what="reciprocating mass",
+    )  # fmt: skip
+    rotating = measure(
+        as_signed_mass,
+        "Mass of the crank itself at its pin, for the main bearing: 60kg; -40kg if counterweights outweigh"
+        " it.",
+        "MASS", unit="kg", what="rotating mass",
+    )  # fmt: skip
+    rocker_inertia = measure(
+        as_inertia, "Moment of inertia of the rocker about its pivot: '20kg m²'.", "INERTIA", unit="kg m²"
+    )
+
+    @classmethod
+    def masses(cls) -> Iterator[str]:
+        """Yield the names of the options of which each makes the drive heavy."""
+        yield from ("reciprocating", *OF_ROD, "rotating", "rocker_inertia")
+
+    def is_heavy(self) -> bool:
+        """Whether any mass is given, or among the entries of cylinders."""
+        entries: Iterable[Any] = self.values.values.get("cylinder") or ()
+        names = {*Masses.masses()}
+        return self.says(*names) or any(names & {*one} for one in entries)
+
+    def weighed(
+        self, chosen: Mechanism, drives: Sequence[Any], *beside: str, even: bool = False
+    ) -> list[Any]:
+        """Return the drives with their masses, and the speed that makes forces of these.
+
+        `beside` are the names of further options that every mass needs; the crank of an engine turns `even`.
+        """
+        if not self.is_heavy():
+            return list(drives)
+        foreign = of_other_mechanisms(chosen, [name for name in Masses.masses() if self.says(name)])
+        for sentence in foreign.values():
+            raise ProblemError(sentence)
+        cranks = [chosen.crank(drive) for drive in drives]
+        missing = [flag_of(name) for name in ("speed", *beside) if not self.says(name)]
+        if any(crank.radius is None for crank in cranks):
+            missing.insert(0, "--stroke")
+        if missing:
+            first = next(name for name in Masses.masses() if self.says(name))
+            raise ProblemError(f"{flag_of(first)} needs {', '.join(missing)} to become a force")
+        from kurbel.drive.rod import Moving
+
+        # One rod for all ratios has a length of its own only if there is one ratio.
+        length = cranks[0].rod_length if len(cranks) == 1 else None
+        slope = self.slope_of_slide()
+        moving = Moving(
+            self.reciprocating or Fraction(0),
+            self.moving_rod(length) if self.says(*OF_ROD) else None,
+            self.rotating or Fraction(0),
+            self.rocker_inertia or Fraction(0),
+            slope=slope,
+        )
+        if slope is not None and not chosen.crosshead:
+            raise ProblemError(
+                f"{chosen.title} with the weight of its masses is not computed, for its rocker or axles have"
+                " weights that are not given; leave --vertical and --slope out"
+            )
+        speed = as_speed(self.raw("speed"))
+        about: dict[str, Any] = {"speed": speed, "moving": moving}
+        if self.says("acceleration") and not even:
+            from kurbel.drive.spin import acceleration_of
+
+            about["acceleration"] = acceleration_of(self.raw("acceleration"), speed)
+        return [drive.of(replace(crank, **about)) for drive, crank in zip(drives, cranks, strict=True)]
