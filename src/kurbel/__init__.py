@@ -29,19 +29,20 @@ if TYPE_CHECKING:
     from kurbel.commands.balancing.rotor import rotor_table
     from kurbel.commands.books import collation_table, example_table
     from kurbel.commands.constructions.construct import construction_table, plot_construction
-    from kurbel.commands.cylinder.inertia import inertia_table
-    from kurbel.commands.cylinder.power import power_table
-    from kurbel.commands.cylinder.pressures import plot_pressures, pressures_table
+    from kurbel.commands.cylinder.pressures import plot_pressures
     from kurbel.commands.drives.dead_centres import dead_centres_table
     from kurbel.commands.engine import delta_table, turning_table
     from kurbel.commands.engine_plots import plot_engine_forces, plot_engine_polar, plot_turning
     from kurbel.commands.flywheels.flywheel import flywheel_table
     from kurbel.commands.forces import forces_table
+    from kurbel.commands.inertia import inertia_table
     from kurbel.commands.motion import table
     from kurbel.commands.numbers import certified, compute, typeset
     from kurbel.commands.orders.firing import firing_table
     from kurbel.commands.orders.harmonics import harmonics_table
     from kurbel.commands.plots import plot_forces, plot_mechanism, plot_motion, plot_polar
+    from kurbel.commands.power import power_table
+    from kurbel.commands.pressures import pressures_table
     from kurbel.commands.shown import Drawing, Table
     from kurbel.commands.solve import solve_table
     from kurbel.engine.irregularity import compute_delta
@@ -93,8 +94,9 @@ _MODULES = {
     "kurbel.commands.balancing.locomotive": ("locomotive_table",),
     "kurbel.commands.balancing.rotor": ("rotor_table",),
     "kurbel.commands.books": ("collation_table", "example_table"),
-    "kurbel.commands.cylinder.power": ("power_table",),
-    "kurbel.commands.cylinder.pressures": ("plot_pressures", "pressures_table"),
+    "kurbel.commands.power": ("power_table",),
+    "kurbel.commands.cylinder.pressures": ("plot_pressures",),
+    "kurbel.commands.pressures": ("pressures_table",),
     "kurbel.commands.orders.firing": ("firing_table",),
     "kurbel.commands.orders.harmonics": ("harmonics_table",),
     "kurbel.commands.engine": ("delta_table", "turning_table"),
@@ -102,7 +104,7 @@ _MODULES = {
     "kurbel.commands.engine_plots": ("plot_engine_forces", "plot_engine_polar", "plot_turning"),
     "kurbel.commands.forces": ("forces_table",),
     "kurbel.commands.constructions.construct": ("construction_table", "plot_construction"),
-    "kurbel.commands.cylinder.inertia": ("inertia_table",),
+    "kurbel.commands.inertia": ("inertia_table",),
     "kurbel.commands.drives.dead_centres": ("dead_centres_table",),
     "kurbel.commands.motion": ("table",),
     "kurbel.commands.numbers": ("certified", "compute", "typeset"),

@@ -23,7 +23,7 @@ COMMANDS = {
     "table": ("kurbel.commands.motion:table", "Print a table of piston path, velocity and acceleration."),
     "forces": ("kurbel.commands.forces:forces_table", "Print the forces in rod, guide and crank pin."),
     "inertia": (
-        "kurbel.commands.cylinder.inertia:inertia_table",
+        "kurbel.commands.inertia:inertia_table",
         "Print the forces of the moving connecting rod.",
     ),
     "solve": ("kurbel.commands.solve:solve_table", "Print the crank angles at which a condition holds."),
@@ -33,11 +33,11 @@ COMMANDS = {
         "Print tangential force and excess energy over the crank angle.",
     ),
     "pressures": (
-        "kurbel.commands.cylinder.pressures:pressures_table",
+        "kurbel.commands.pressures:pressures_table",
         "Print the acceleration pressure beside that on the piston.",
     ),
     "power": (
-        "kurbel.commands.cylinder.power:power_table",
+        "kurbel.commands.power:power_table",
         "Print the mean pressure, the power, or the sizes for a power.",
     ),
     "flywheel": (

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kurbel.commands.cylinder.inertia import inertia_table
 from kurbel.commands.engine import turning_table
 from kurbel.commands.forces import forces_table
+from kurbel.commands.inertia import inertia_table
 from kurbel.commands.motion import table
 from kurbel.engine.arrays import at_angles
 from kurbel.engine.diagram.page import TorquesRequest

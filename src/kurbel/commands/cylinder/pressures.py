@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Annotated, Any, Unpack
+from typing import TYPE_CHECKING, Any, Unpack
 
 from kurbel.commands import parameters as option
 from kurbel.commands.cylinder import engines
@@ -11,17 +11,16 @@ from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.loads import FURTHER, OWN, PARTS, astray, uncounted
 from kurbel.commands.machines import STEAM, engine_of, for_masses, is_heavy, lone_lengths, weighed
 from kurbel.commands.old_motion import described, of_other_mechanisms, sheet_of
-from kurbel.commands.options import Option, is_given
+from kurbel.commands.options import is_given
 from kurbel.commands.plots import AxisUnits, DrawnSpeed, LabelLang
 from kurbel.commands.shown import Drawing, mark_of
-from kurbel.commands.subject import draws, makes_table
+from kurbel.commands.subject import draws
 from kurbel.drive.load import MASSES
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import uncomputed
-from kurbel.page.layouts import Layout, layout_of
+from kurbel.page.layouts import Layout
 from kurbel.page.layouts import layout as layout_named
-from kurbel.page.subject import Question
-from kurbel.reading.given import Exact, as_angles, as_length, as_names, as_shares
+from kurbel.reading.given import as_length
 
 if TYPE_CHECKING:
     from kurbel.engine.pressures.pressed import Pressed
@@ -48,85 +47,6 @@ def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
         for name in of_steam
     }
     return {**refused, **steam, **{name: astray(name) for name in PARTS}}
-
-
-class Piston(option.AnyDrive, engines.Cylinder, engines.MovingRod, option.Sheet, total=False):
-    """A piston that masses and a load press on."""
-
-    eps: option.Eps
-    reciprocating: option.Reciprocating
-    layouts: option.Layouts
-
-
-@makes_table(
-    foreign=_foreign,
-    needless=_needless,
-    order="eps back exponent clearance card other_side single_acting bore pressure ratio mechanism"
-    " offset rocker pivot circuit beam stroke crank true_stroke"
-    " time_ratio rod speed reciprocating rod_mass centre"
-    " gyration rod_file shares angle columns",
-)
-def pressures_table(
-    ratio: option.Ratios = None,
-    *,
-    speed: Annotated[
-        Exact | None, option.SPEED._replace(help="Speed, for the masses: 120/min, 12.5rad/s.")
-    ] = None,
-    shares: Annotated[
-        option.Given | None,
-        Option("Shares of the stroke: 0.25, lists '0;0.5;1', ranges; default 0..1:0.1.", "SHARES", many=True),
-    ] = None,
-    angle: Annotated[
-        option.Given | None,
-        option.ANGLE._replace(help="Crank angles in place of these, with layout pressures-turn: 0..360:10."),
-    ] = None,
-    columns: Annotated[
-        option.Names, option.columns_option("pressures", "share,gas_pressure,inertia_pressure")
-    ] = (),
-    layout: Annotated[str | None, option.layout_option(*PRESSURES_ABOUT)] = None,
-    **given: Unpack[Piston],
-) -> Question:
-    """Print the acceleration pressure over the stroke, beside the pressure on the piston.
-
-    The masses that go to and fro take it from steam or gas, per piston area, and give it back; without
-    --eps or --card it stands alone.
-
-    \b
-    kurbel pressures --machine engine.toml
-    kurbel pressures --reciprocating 300kg --stroke 600mm --bore 300mm --speed 120/min
-    kurbel pressures --machine engine.toml --angle 0..360:15
-    \f
-    >>> import kurbel
-    >>> masses = {"reciprocating": 300, "stroke": 0.6, "bore": 0.3, "speed": 2}
-    >>> page = kurbel.pressures_table("1:5", shares="0;0.5;1", columns="share,inertia_pressure", **masses)
-    >>> print(kurbel.typeset(page, "csv"), end="")
-    stroke,share,inertia_pressure
-    1,0.0,2.413
-    1,0.5,-0.201
-    1,1.0,-1.608
-    2,0.0,1.608
-    2,0.5,0.201
-    2,1.0,-2.413
-    """
-    from kurbel.engine.pressures.page import PressuresRequest
-
-    if shares is not None and angle is not None:
-        raise ProblemError("--shares and --angle are two pages, over the stroke or the angle; leave one out")
-    page = layout_of(layout or PRESSURES[angle is not None], PRESSURES_ABOUT, given["layouts"])
-    over_angle = page.subject == PRESSURES_ABOUT[1]
-    if (shares if over_angle else angle) is not None:
-        raise ProblemError(
-            f"layout {page.key} is over the {'crank angle' if over_angle else 'stroke'}; leave"
-            f" --{'shares' if over_angle else 'angle'} out, or use --layout {PRESSURES[not over_angle]}"
-        )
-    return PressuresRequest(
-        layout=page,
-        pressed=pressed_of(page, {**given, "ratio": ratio, "speed": speed}),
-        shares=as_shares("0..1:0.1" if shares is None else shares, "share of the stroke"),
-        angles=as_angles((page.angles or "0") if angle is None else angle),
-        columns=as_names(columns, "share,inertia_pressure"),
-        **sheet_of(given),
-    )
 
 
 class DrawnPiston(engines.Cylinder, engines.MovingRod, option.AnyDrive, Sized, total=False):

@@ -37,14 +37,19 @@ PLACE = ("angle", "bank", "fires")
 
 
 class Engines(TypedDict, total=False):
-    """The engines that are asked for, by the fields of `kurbel.engine.request:EngineRequest`."""
+    """Engines that are asked for, by the fields of `kurbel.engine.request:EngineRequest`."""
 
-    layout: Layout
     steams: Sequence[Acting]
     drives: Sequence[Any]
     mechanism: Mechanism
     double: bool
     load: Load | None
+
+
+class EnginesOfPage(Engines, total=False):
+    """The same with all that a page about them is of."""
+
+    layout: Layout
     cranks: Sequence[Fraction]
     methods: tuple[str, ...]
     assembly: Assembly | None
@@ -118,9 +123,12 @@ class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
 
     def is_sized(self) -> bool:
         """Whether lengths count: for newton metres, for masses, or to compare another length with."""
+        return self.compares_lengths() or self.is_heavy() or self.says("cylinder", "bore")
+
+    def compares_lengths(self) -> bool:
+        """Whether a length of the drive is given as one, which is compared with the crank."""
         compared = (self.values.values.get(name) for name in ("offset", "rocker", "pivot", "beam"))
-        measured = any(isinstance(one, str) and any(map(str.isalpha, one)) for one in compared)
-        return measured or self.is_heavy() or self.says("cylinder", "bore")
+        return any(isinstance(one, str) and any(map(str.isalpha, one)) for one in compared)
 
     def engines(self, page: Layout) -> Engines:
         """Return the loads, drives and sizes of the engines that are described."""
@@ -135,10 +143,10 @@ class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
         if sized and not self.is_heavy() and self.turns():
             speed = as_speed(self.raw("speed"))
             drives = [drive.of(replace(chosen.crank(drive), speed=speed)) for drive in drives]
-        double = not self.single_acting if loads and not hasattr(loads[0], "double") else True
+        double = getattr(loads[0], "double", None) if loads else True
         return {
             "steams": loads, "drives": drives, "mechanism": chosen, "load": self.newtons(),
-            "double": getattr(loads[0], "double", double) if loads else True,
+            "double": not self.single_acting if double is None else double,
         }  # fmt: skip
 
     def lone_lengths(self) -> Collection[str]:
@@ -167,7 +175,7 @@ class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
         name = option.name
         if name in ("stroke", "rod") and self.lone_lengths():
             other = "rod" if name == "stroke" else "stroke"
-            if name == "stroke" and self.load_names():
+            if name == "stroke" and self.load_names() and not self.says("bore"):
                 return "--stroke makes newton metres of the load only with --bore; add that"
             return f"--{name} gives the ratio with --{other}; add that, or leave --{name} out"
         if name == "speed" and not self.is_heavy():
@@ -206,10 +214,10 @@ class Engine(Cylinder):
             return self.whole_cycle()
         return max((self._merged(own).whole_cycle() for own in self.cylinder), default=Fraction(360))
 
-    def of_page(self, page: Layout) -> Engines:
+    def of_page(self, page: Layout) -> EnginesOfPage:
         """Return the engines of a page, with their masses, under their loads. Raises KurbelError."""
         methods = self.method or ()
-        found: Engines = {
+        found: EnginesOfPage = {
             "layout": on_page(page) if self.is_several() or self.usual_layout() else page,
             "methods": tuple(dict.fromkeys((methods,) if isinstance(methods, str) else methods)),
         }

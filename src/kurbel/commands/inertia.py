@@ -1,0 +1,164 @@
+"""The forces of the moving rod alone, over the crank angle, and the masses that stand in for it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+from kurbel.commands.options import Option
+from kurbel.commands.part import CommandOptions, flag_of
+from kurbel.commands.parts.angles import Angles
+from kurbel.commands.parts.drive import AnyDrive, Turning
+from kurbel.commands.parts.masses import MovingRod, Weight
+from kurbel.commands.parts.sheet import Layouts, Sheet, columns_over_angle, layout_option
+from kurbel.commands.subject import function
+from kurbel.errors import ProblemError
+from kurbel.motion.mechanism import Mechanism
+from kurbel.page.layouts import Layout
+from kurbel.page.subject import Question
+from kurbel.reading.given import as_length, as_ratios, as_speed
+
+MASSES, ERRORS = ("rod masses", "pin masses"), "inertia errors"
+INERTIA, ROCKER_INERTIA = ("inertia", ERRORS, *MASSES), "rocker inertia"
+
+
+class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, CommandOptions):
+    """Print the forces that the moving rod calls up at guide and crank pin, and the torque.
+
+    Exact, by two masses at the pins that keep the centre of mass, and by the railway rule, 6/10 of the mass
+    rotating and 4/10 reciprocating. Layout inertia-errors has the greatest forces and errors of a turn,
+    rod-masses the masses themselves, and those that are dynamically equivalent.
+
+    \b
+    kurbel inertia --ratio 1:5 --centre 0.65 --gyration 0.35
+    kurbel inertia --rod-file rod.csv --stroke 600mm --speed 120/min
+    kurbel inertia --centre 0.65 --gyration 0.35 --layout inertia-errors
+    kurbel inertia --rod 500mm --centre 325mm --pendulum 1.3s --pendulum-from crosshead --layout rod-masses
+    kurbel inertia --centre 0.65 --gyration 0.35 --mechanism arc --rocker 6
+    \f
+    >>> import kurbel
+    >>> page = kurbel.inertia_table("1:5", centre=0.6, gyration=0.48, angle=90, columns="inertia_guide")
+    >>> print(kurbel.typeset(page, "csv"), end="")
+    inertia_guide
+    0.0067
+    """
+
+    shared = ("stroke", "speed")
+    unnamed = "ratio"
+    sequence = (
+        "angle from_ to step zero columns offset stroke crank true_stroke time_ratio rod mechanism rocker"
+        " pivot circuit beam rod_mass centre gyration rod_file speed acceleration method"
+    )
+
+    columns = columns_over_angle("inertia", "phi,inertia_guide,inertia_pin")
+    speed = Turning.speed.but(help="Speed, for columns in N and N m: 120/min, 12.5rad/s.")
+    method = Turning.method.but(
+        help="Of moving masses: exact (default), series (accelerated to first order, the rod at its true"
+        " angle) or infinite (rod of infinite length)."
+    )
+    layout = layout_option(*INERTIA, ROCKER_INERTIA)
+    gravity = Weight.gravity.but(help="Acceleration of gravity, for --pendulum: 9.81; default 9.80665m/s².")
+
+    def question(self) -> Question:
+        chosen = self.drive()
+        if not (chosen.crosshead or "rocker_inertia" in chosen.takes):
+            raise ProblemError(
+                f"{chosen.title} has no rod that swings; its inertia is computed of the straight, offset and"
+                " arc crank and of the beam engine"
+            )
+        if not chosen.crosshead:
+            return self._rocker(chosen)
+        page = self.page("inertia", *INERTIA)
+        if page.subject in MASSES:
+            return self._masses(page)
+        _, described = self.described()
+        cranks = tuple(
+            replace(crank, rod=self.moving_rod(crank.rod_length)) for crank in described.cranks(page.ratios)
+        )
+        if page.subject == ERRORS:
+            from kurbel.motion.inertia_page import ErrorsRequest
+
+            self.check_whole(page)
+            for name in ("method", "acceleration"):
+                if self.says(name):
+                    raise ProblemError(
+                        f"layout {page.key} is of a whole even turn, by the exact formulas; leave --{name}"
+                        " out, or use --layout inertia"
+                    )
+            names = self.names("greatest,error_percent")
+            return ErrorsRequest(layout=page, cranks=cranks, columns=names, **self.printed())
+        from kurbel.motion.page import Request
+
+        question = Request(
+            layout=page,
+            cranks=cranks,
+            angles=self.angles(page),
+            columns=self.names("phi,x,c,p"),
+            method=self.method,
+            zero=self.zero_angle,
+            **self.printed(),
+        )
+        return self.over_strokes(question)
+
+    def unread(self, option: Option[Any]) -> str:
+        name = option.name
+        if name == "gravity":
+            return "--gravity is for the time of a swing; add --pendulum, or leave it out"
+        if self.about not in MASSES:
+            return ""
+        why = f"layout {self.layout} is of the rod by itself"
+        if name not in ("ratio", "stroke"):
+            return f"{why}; leave --{name} out"
+        if self.says("rod"):
+            return f"{why}, whose length --rod gives; leave --{name} out"
+        stroke = flag_of(self.values.spelled("stroke"))
+        lone, other = ("--ratio", stroke) if name == "ratio" else (stroke, "--ratio")
+        return f"{why}, whose length {stroke} and --ratio give together; add {other}, or leave {lone} out"
+
+    def _masses(self, page: Layout) -> Question:
+        """Return what is asked for of the masses that stand in for the rod, at rest."""
+        from kurbel.motion.rod_masses import RodMassesRequest
+
+        self.check_whole(page)
+        length = self._length()
+        names = self.names("model,crosshead_mass")
+        return RodMassesRequest(
+            layout=page, rod=self.moving_rod(length), length=length, columns=names, **self.printed()
+        )
+
+    def _length(self) -> Fraction | None:
+        """Return the length of the rod in metres, given or by the stroke and one ratio, None if not known."""
+        if self.says("rod"):
+            return as_length(self.rod, "rod")
+        if not (self.says("stroke") and self.says("ratio")):
+            return None
+        ratios, stroke = as_ratios(self.ratio), as_length(self.stroke, "stroke")
+        return stroke / 2 / ratios[0] if len(ratios) == 1 and ratios[0] else None
+
+    def _rocker(self, chosen: Mechanism) -> Question:
+        """Return what is asked for of the rod that moves a rocker."""
+        from kurbel.linkage.arc.inertia import RockerInertiaRequest
+
+        page = self.page("inertia-rocker", ROCKER_INERTIA)
+        _, described = self.described(beside=("stroke",), leaving=("speed",))
+        speed = self.speed
+        drives = []
+        for drive in chosen.drives(described, page.ratios):
+            crank = chosen.crank(drive)
+            rod = self.moving_rod(crank.rod_length)
+            turns = None if speed is None else as_speed(speed)
+            drives.append(drive.of(replace(crank, rod=rod, speed=turns)))
+        names = self.names("phi,inertia_guide")
+        for name in names:
+            if name.startswith("inertia_mollier"):
+                raise ProblemError(
+                    f"column {name} is a force along a slide, and {chosen.title} has none; leave it out"
+                )
+        return RockerInertiaRequest(
+            layout=page, drives=tuple(drives), angles=self.angles(page), columns=names,
+            zero=self.zero_angle, **self.printed(),
+        )  # fmt: skip
+
+
+inertia_table = function(InertiaOptions, "inertia_table")

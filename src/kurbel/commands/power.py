@@ -1,0 +1,278 @@
+"""The power of a cylinder, and the sizes that a power asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from kurbel.commands.options import Option, alone, measure
+from kurbel.commands.part import CommandOptions, flag_of
+from kurbel.commands.parts.drive import Linked, OnMachine
+from kurbel.commands.parts.engine import Engine as EnginePart
+from kurbel.commands.parts.loads import KINDS, Loads
+from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
+from kurbel.commands.subject import function
+from kurbel.drive.load import CARD, PUMP
+from kurbel.errors import ProblemError
+from kurbel.page.layouts import Layout
+from kurbel.page.subject import Question
+from kurbel.reading.given import (
+    as_crank_angles,
+    as_density,
+    as_length,
+    as_number,
+    as_power,
+    as_pressure,
+    as_ratios,
+    as_share,
+    as_specific_volume,
+    as_speed,
+    as_velocity,
+)
+
+if TYPE_CHECKING:
+    from kurbel.engine.engine import Engine
+    from kurbel.engine.power.duty import Duty
+    from kurbel.engine.power.source import Acting, GivenPressure
+
+NEEDED = (
+    "the power needs what acts on the piston: --eps with --pressure, --mean-pressure with --working-strokes,"
+    " --card, --pressure-ratio, --pump or --compression"
+)
+# What makes a power of the mean pressure.
+SIZES = ("power", "brake_power", "bore", "stroke", "speed", "stroke_bore", "piston_speed")
+# What tells how much steam is taken.
+OF_STEAM = ("specific_volume", "steam_density")
+
+
+class PowerOptions(OnMachine, Loads, Layouts, Sheet, CommandOptions):
+    """Print the mean effective pressure and the power of an engine, a compressor or a pump, or the bore,
+    stroke or speed that a power asks for, and the steam taken.
+
+    \b
+    kurbel power --eps 3 --pressure 8bar --back 1.1bar --clearance 8% --diagram-factor 0.8
+    kurbel power --eps 3 --pressure 8bar --back 1.1bar --bore 300mm --stroke 450mm --speed 200/min
+    kurbel power --eps 3 --pressure 8bar --back 1.1bar --power 75kW --stroke-bore 1.5 --speed 250/min
+    kurbel power --mean-pressure 5bar --working-strokes 2 --bore 300mm --stroke 450mm --speed 200/min
+    kurbel power --compression 6 --heat 10 --suction-pressure 1bar --cylinders 4 --power 30kW \
+--stroke-bore 1 --speed 3000/min
+    \f
+    >>> import kurbel
+    >>> page = kurbel.power_table("1", pressure=5e5, back=0.2, bore=0.2, stroke=0.3, speed=2,
+    ...                           columns="mean_pressure,indicated_power")
+    >>> print(kurbel.typeset(page, "csv"), end="")
+    mean_pressure,indicated_power
+    4.0000,15.080
+    """
+
+    unnamed = "eps"
+    sequence = (
+        "mean_pressure working_strokes pressure back exponent clearance single_acting card ratio bore"
+        " piston_rod tail_rod stroke crank speed power brake_power stroke_bore piston_speed cylinders"
+        " diagram_factor efficiency specific_volume steam_density"
+    )
+
+    mean_pressure: Option[Any] = Option(
+        "The mean effective pressure itself, with --working-strokes: 5bar; '3.5bar;3.2bar' of the ends at the"
+        " cover and at the crank.",
+        "PRESSURE",
+        unit="Pa",
+    )
+    working_strokes = measure(
+        as_number,
+        "With --mean-pressure: working strokes of a cylinder in a turn: 2 of a double-acting one, 1, or 0.5"
+        " of four strokes.",
+        "NUMBER",
+    )
+    ratio = Linked.ratio.but(help="Crank ratio, for a card over the crank angle: 1:5.")
+    stroke = measure(as_length, "Stroke of the piston: 450mm.", "LENGTH", unit="m")
+    crank = Linked.crank.but()
+    cranks = EnginePart.cranks.but()
+    speed = measure(alone(as_speed), "Speed: 120/min, 12.5rad/s.", "SPEED", unit="turns a second")
+    power = measure(
+        alone(as_power), "Indicated power, to find the sizes or the speed: 75kW, 100PS.", "POWER", unit="W"
+    )
+    brake_power = measure(
+        alone(as_power), "In its place the power at the shaft, with --efficiency.", "POWER", unit="W"
+    )
+    stroke_bore = measure(
+        as_share, "Stroke over bore, where sizes are to be found: 1.5.", "RATIO", what="stroke over bore"
+    )
+    piston_speed = measure(
+        as_velocity, "Mean piston speed in place of the stroke or the speed: 3m/s.", "VELOCITY", unit="m/s"
+    )
+    cylinders: Option[Any] = Option("Number of cylinders alike; default 1.", "NUMBER")
+    diagram_factor: Option[Any] = Option(
+        "Area of the real card in that of the ideal one: 0.8, or ? to find it from a power; default 1, the"
+        " ideal card.",
+        "SHARE",
+    )
+    efficiency = measure(as_share, "Mechanical efficiency, for the power at the shaft: 85%.", "SHARE")
+    specific_volume = measure(
+        as_specific_volume, "Of the steam before cut-off, for the steam taken: '0.24 m3/kg'.", "VOLUME",
+        unit="m³/kg",
+    )  # fmt: skip
+    steam_density = measure(as_density, "In its place the density: '4.16 kg/m3'.", "DENSITY", unit="kg/m³")
+    columns = columns_option("power", "mean_pressure,indicated_power")
+    layout = layout_option("power").but(default="power")
+
+    def question(self) -> Question:
+        from kurbel.engine.power.page import PowerRequest
+
+        page = self.page("power", "power")
+        duty = self._duty()
+        return PowerRequest(
+            layout=page,
+            sources=self._sources(page, duty),
+            duty=duty,
+            columns=self.names("mean_pressure,indicated_power"),
+            **self.printed(),
+        )
+
+    def unread(self, option: Option[Any]) -> str:
+        name, flag = option.name, flag_of(option.name)
+        load, sized = any(map(self.says, KINDS)), self.says(*SIZES)
+        if name in OF_STEAM and not self.says("eps"):
+            return f"{flag} is for the steam that an ideal card takes; add --eps"
+        if name in OF_STEAM:
+            return (
+                f"{flag} is for the steam taken, and nothing tells how much; add --pressure, or bore, stroke"
+                " and speed"
+            )
+        if name in ("cylinders", "cranks") and not sized:
+            return (
+                f"{flag} is for the power, and nothing tells it; add --bore, --stroke and --speed, or --power"
+            )
+        if name == "working_strokes":
+            return f"{flag} is for --mean-pressure; other loads say it themselves"
+        if self.says("mean_pressure") and not load:
+            if name in ("single_acting", "two_stroke"):
+                return f"{flag} is counted by --working-strokes where --mean-pressure is given; leave it out"
+            return (
+                f"{flag} says what a mean pressure follows from, and --mean-pressure gives that itself; leave"
+                " it out"
+            )
+        if name == "ratio" and self.says("card"):
+            return "--ratio is for a card over the crank angle, and this one is over the stroke; leave it out"
+        if name == "ratio":
+            return (
+                "--ratio is for an indicator card over the crank angle, --card; the work of a stroke does not"
+                " depend on it"
+            )
+        if name == "pressure" and self.says("card"):
+            return "an indicator card has its own pressures; leave --pressure out"
+        if name == "back":
+            return "--back is that of steam; add --eps"
+        if name == "suction_pressure":
+            return "--suction-pressure of a pump is taken off what it delivers; add --delivery-pressure"
+        return ""
+
+    def _duty(self) -> Duty:
+        """Return what is given, with the pressure that mean pressures count in."""
+        from kurbel.engine.power.duty import Duty
+
+        factor = self.diagram_factor
+        asked = factor == "?"
+        cylinders = self._count() if self.says(*SIZES) else 1
+        given: dict[str, Any] = {
+            "bore": self.bore, "stroke": self.stroke, "speed": self.speed, "power": self.power,
+            "brake_power": self.brake_power, "stroke_bore": self.stroke_bore,
+            "piston_speed": self.piston_speed, "cylinders": cylinders, "piston_rod": self.piston_rod,
+            "tail_rod": self.tail_rod, "factor_asked": asked, "efficiency": self.efficiency,
+            "diagram_factor": Fraction(1) if factor is None or asked else as_share(factor, "diagram factor"),
+            "specific_volume": self._volume() if self.says("eps") else None,
+        }  # fmt: skip
+        if self.says("mean_pressure"):
+            ends = self.mean_pressure
+            parts = ends.split(";") if isinstance(ends, str) else [ends]
+            if len(parts) > 2:
+                raise ProblemError(f"{len(parts)} mean pressures were given; a piston has two ends")
+            return Duty(ends=tuple(_above_zero(one, "mean pressure") for one in parts), **given)
+        names = [name for name in self.weighing() if name != "bore"]
+        name = names[0] if names else "pressure"
+        pressure = as_pressure(self.raw(name), name.replace("_", " ")) if names and self.says(name) else None
+        if name == "delivery_pressure" and pressure is not None and self.says("suction_pressure"):
+            pressure -= self.suction_pressure or 0
+        if pressure is not None and pressure <= 0:
+            raise ProblemError(f"{flag_of(name)} is {self.raw(name)}; it must be above 0")
+        return Duty(pressure=pressure, pressure_option=flag_of(name), **given)
+
+    def _count(self) -> int:
+        """Return how many cylinders there are, one for each crank where these are given."""
+        of_cranks = len(as_crank_angles(self.cranks)) if self.says("cranks") else None
+        cylinders = self.cylinders
+        if cylinders is None:
+            return of_cranks or 1
+        number = as_number(cylinders, "cylinders")
+        if number.denominator != 1:
+            raise ProblemError(f"the number of cylinders is {cylinders}; it must be a whole number")
+        if of_cranks not in (None, number):
+            raise ProblemError(
+                f"--cylinders is {number}, and --cranks has {of_cranks} of them; leave one out"
+            )
+        return int(number)
+
+    def _volume(self) -> Fraction | None:
+        """Return the specific volume of the steam, if there is anything that tells how much is taken."""
+        if not self.says("pressure", *SIZES):
+            return None
+        volume, density = self.specific_volume, self.steam_density
+        if volume is not None and density is not None:
+            raise ProblemError("--specific-volume and --steam-density say the same; leave one out")
+        for value in (volume, density):
+            if value is not None and value <= 0:
+                raise ProblemError("the specific volume and the density of steam must be above 0")
+        return volume if density is None else 1 / density
+
+    def _sources(self, page: Layout, duty: Duty) -> Sequence[Acting | GivenPressure]:
+        """Return where the mean pressures come from."""
+        from kurbel.engine.power.source import Acting, GivenPressure
+
+        named = self.load_names()
+        if self.says("mean_pressure"):
+            if named:
+                raise ProblemError(
+                    f"{flag_of(named[0])} and --mean-pressure are two mean pressures; leave one out"
+                )
+            strokes = self.working_strokes
+            if strokes is None:
+                raise ProblemError(
+                    "--mean-pressure needs the working strokes of a turn; add --working-strokes: 2 of a"
+                    " double-acting cylinder, 1 of a single-acting one, 0.5 of one in four strokes"
+                )
+            return [GivenPressure(strokes)]
+        if not named:
+            raise ProblemError(NEEDED)
+        loads = self.loads(page)
+        double = getattr(loads[0], "double", None)
+        double = not self.single_acting if double is None else double
+        return [Acting(self._engine(load, double, duty)) for load in loads]
+
+    def _engine(self, load: Any, double: bool, duty: Duty) -> Engine:
+        """Return an engine on which the load acts; of work alone the crank ratio says nothing."""
+        from kurbel.drive.crank import Crank
+        from kurbel.engine.engine import Engine, Load
+
+        over_angle = load.name == CARD and hasattr(load.card, "angles")
+        if over_angle and not self.says("ratio"):
+            raise ProblemError("a card over the crank angle needs the crank ratio; add --ratio, such as 1:5")
+        ratios = as_ratios(self.ratio) if over_angle else (Fraction(0),)
+        if len(ratios) != 1:
+            raise ProblemError(
+                f"{len(ratios)} crank ratios were given; a card was taken from an engine of one"
+            )
+        size = None
+        if load.name == PUMP and duty.bore is not None and duty.pressure is not None:
+            size = Load(duty.bore, duty.pressure)
+        return Engine(Crank(ratios[0]), load, double, load=size)
+
+
+def _above_zero(pressure: Any, what: str) -> Fraction:
+    found = as_pressure(pressure, what)
+    if found <= 0:
+        raise ProblemError(f"the {what} is {str(pressure)[:40]}; it must be above 0")
+    return found
+
+
+power_table = function(PowerOptions, "power_table")
