@@ -9,7 +9,7 @@ from kurbel.commands.options import Choice, LayoutName, Option, word
 from kurbel.commands.part import CommandOptions, flag_of
 from kurbel.commands.parts.angles import ENDS, FORCES_OVER_PATH, FULL_TURN, OVER_PATH, PATH
 from kurbel.commands.parts.drive import Turning
-from kurbel.commands.parts.effort import PINNED, PRESSING, Effort
+from kurbel.commands.parts.effort import PINNED, PRESSING, Effort, PinFriction
 from kurbel.commands.parts.engine import Engine, FromOne
 from kurbel.commands.parts.loads import FURTHER, KINDS
 from kurbel.commands.parts.masses import Masses
@@ -26,7 +26,7 @@ OF_DRIVES = ("motion", "effort", "mass forces")
 OF_ENGINES = ("crank forces", "machine", ROD_LOAD)
 
 
-class ForcesOptions(OverPath, Engine, FromOne, Effort, Turning, CommandOptions):
+class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, CommandOptions):
     """Print the forces of the crank drive: rod, guide, tangential and radial force, torque.
 
     Per unit piston force, under a force of so many newtons and with moving masses, or over the turn of a

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -44,7 +45,6 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
     0.0067
     """
 
-    shared = ("stroke", "speed")
     unnamed = "ratio"
     sequence = (
         "angle from_ to step zero columns offset stroke crank true_stroke time_ratio rod mechanism rocker"
@@ -100,6 +100,9 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
             **self.printed(),
         )
         return self.over_strokes(question)
+
+    def shared(self) -> Collection[str]:
+        return ("stroke", "speed")
 
     def unread(self, option: Option[Any]) -> str:
         name = option.name

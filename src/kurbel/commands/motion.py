@@ -5,37 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
-from kurbel.commands.options import Option, measure
+from kurbel.commands.options import Option
 from kurbel.commands.part import CommandOptions, Rivals
 from kurbel.commands.parts.angles import FORCES_OVER_PATH, OVER_PATH, PATH, Over
-from kurbel.commands.parts.drive import APPROXIMATE, POINTS, AnyDrive, Turning
+from kurbel.commands.parts.drive import APPROXIMATE, POINTS, AnyDrive, Series, Turning
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_over_angle, layout_option
 from kurbel.commands.subject import function
 from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import MOTIONS
 from kurbel.errors import ProblemError
-from kurbel.motion.evaluation import REACH
 from kurbel.motion.mechanism import Mechanism
-from kurbel.motion.series.methods import series_of
 from kurbel.page.layouts import Layout
 from kurbel.page.subject import Question
-from kurbel.reading.given import as_numbers
-from kurbel.reading.notation import plain
 
-HIGHEST = max(REACH.values())
 ERRORS = "series errors"
-
-
-def as_orders(given: Any, what: str) -> tuple[int, ...]:
-    """Return the orders of series that are asked for. Raises KurbelError."""
-    found = as_numbers(given, what)
-    for one in found:
-        if one not in range(1, HIGHEST + 1):
-            raise ProblemError(
-                f"order {plain(one)} is not the highest power of λ of a series; write a whole number from 1"
-                f" to {HIGHEST}"
-            )
-    return tuple(map(int, found))
 
 
 class OverPath(Over, AnyDrive, Layouts, Sheet):
@@ -76,7 +59,7 @@ class OverPath(Over, AnyDrive, Layouts, Sheet):
         )
 
 
-class MotionOptions(OverPath, Turning, CommandOptions):
+class MotionOptions(OverPath, Turning, Series, CommandOptions):
     """Print a table of piston path, velocity and acceleration.
 
     \b
@@ -121,12 +104,6 @@ class MotionOptions(OverPath, Turning, CommandOptions):
         " beside its axis 0.5,0.1 in rod lengths; with --rod 150mm; lists '0;0.5;1', ranges 0..1:0.25.",
         "POINTS", many=True,
     )  # fmt: skip
-    order = measure(
-        as_orders,
-        "With --method series the highest power of λ in x/R, 1 (default, the books') to 9; even powers add"
-        " nothing, and c and p are its slopes.",
-        "N", many=True,
-    )  # fmt: skip
 
     def question(self) -> Question:
         chosen, described = self.described(self.layout)
@@ -155,22 +132,6 @@ class MotionOptions(OverPath, Turning, CommandOptions):
             **self.printed(),
         )
         return self.over_strokes(question)
-
-    def series(self) -> str | None:
-        """Return the method, of a series by its order. Raises ProblemError for several, or for none."""
-        method, orders = self.method, self.order
-        if orders is None:
-            return method
-        if method != "series":
-            raise ProblemError(
-                "--order is the highest power of λ of a series; add --method series, or leave --order out"
-            )
-        if len(orders) != 1:
-            raise ProblemError(
-                f"a page is of one order, and {len(orders)} were given; choose one, or see the greatest"
-                " errors of several by --layout series-errors"
-            )
-        return series_of(orders[0])
 
     def _points(self, chosen: Mechanism, described: Described) -> Question:
         """Return what is asked for of points of the rod at crank angles."""

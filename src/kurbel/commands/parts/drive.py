@@ -5,18 +5,24 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from typing import Any, ClassVar
 
-from kurbel.commands.options import FILE, Choice, Option, word
+from kurbel.commands.options import FILE, Choice, Option, measure, word
 from kurbel.commands.part import Part, Values, flag_of
 from kurbel.commands.parts.angles import OVER_PATH
 from kurbel.drive import mechanisms as registered
 from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import MECHANISMS, MOTIONS
 from kurbel.errors import ProblemError
+from kurbel.motion.evaluation import REACH
 from kurbel.motion.mechanism import Mechanism, mechanism, of_other_mechanisms
+from kurbel.motion.series.methods import series_of
 from kurbel.page.layouts import layout_of
+from kurbel.reading.given import as_numbers
+from kurbel.reading.notation import plain
 
 # Of pages of approximations, and of pages about points of the rod.
 APPROXIMATE, POINTS = ("series errors", "successive"), "rod points"
+# The highest order of a series.
+HIGHEST = max(REACH.values())
 # Options that stand for another, the stroke.
 SPELLED = ("crank", "true_stroke", "time_ratio")
 
@@ -33,8 +39,6 @@ class OnMachine(Part):
 class Linked(OnMachine):
     """A crank drive."""
 
-    # What describes other drives on their pages of motion alone, and here says something of all.
-    shared: ClassVar[Collection[str]] = ()
     # Where no mechanism is named, a layout about one of these names it if it is of one alone.
     abouts: ClassVar[Sequence[str]] = (*MOTIONS, OVER_PATH, POINTS, *APPROXIMATE)
 
@@ -85,6 +89,10 @@ class Linked(OnMachine):
         settle_sizes(values)
         settle_lengths(values)
 
+    def shared(self) -> Collection[str]:
+        """Return what describes other drives on their pages of motion alone, and here says something of all."""
+        return ()
+
     def drive(self, layout: str | None = None) -> Mechanism:
         """Return which crank drive is described: where it is not said, by the layout, else by the offset."""
         name = self.mechanism
@@ -103,7 +111,7 @@ class Linked(OnMachine):
         taken = {*chosen.takes, *beside}.difference(leaving)
         names = [name for name in Described._fields if name in taken and name in self.values.values]
         typed = [name for name in self.values.values if self.values.typed(name) and self.says(name)]
-        foreign = of_other_mechanisms(chosen, [one for one in typed if one not in taken], self.shared)
+        foreign = of_other_mechanisms(chosen, [one for one in typed if one not in taken], self.shared())
         for name, sentence in foreign.items():
             raise ProblemError(sentence.replace(flag_of(name), flag_of(self.values.spelled(name))))
         described = Described.of({name: self.raw(name) for name in names})
@@ -111,7 +119,7 @@ class Linked(OnMachine):
         return chosen, described
 
     def unread(self, option: Option[Any]) -> str:
-        found = of_other_mechanisms(self.drive(), [option.name], self.shared)
+        found = of_other_mechanisms(self.drive(), [option.name], self.shared())
         return found.get(option.name, "").replace("--stroke", f"--{self.values.spelled('stroke')}")
 
 
@@ -129,14 +137,58 @@ class Speed(Part):
     )
 
 
-class Turning(Speed):
+class Method(Part):
+    """By which formulas the motion is computed."""
+
+    method = word(
+        "exact (default), series (first order, as Blau prints) or infinite (rod of infinite length).",
+        kind=Choice("method", "kurbel.motion.evaluation:METHODS"),
+    )
+
+
+class Turning(Speed, Method):
     """How the crank turns, and by which formulas its motion is computed."""
 
     acceleration: Option[Any] = Option(
         "Angular acceleration of the crank at these angles, at its --speed: 50rad/s², -20rad/s².", "ALPHA",
         unit="rad/s²",
     )  # fmt: skip
-    method = word(
-        "exact (default), series (first order, as Blau prints) or infinite (rod of infinite length).",
-        kind=Choice("method", "kurbel.motion.evaluation:METHODS"),
-    )
+
+
+class Series(Method):
+    """The same, of a series with its order."""
+
+    order = measure(
+        lambda value, what: _orders(value),
+        "With --method series the highest power of λ in x/R, 1 (default, the books') to 9; even powers add"
+        " nothing, and c and p are its slopes.",
+        "N", many=True,
+    )  # fmt: skip
+
+    def series(self) -> str | None:
+        """Return the method, of a series by its order. Raises ProblemError for several, or for none."""
+        method, orders = self.method, self.order
+        if orders is None:
+            return method
+        if method != "series":
+            raise ProblemError(
+                "--order is the highest power of λ of a series; add --method series, or leave --order out"
+            )
+        if len(orders) != 1:
+            raise ProblemError(
+                f"a page is of one order, and {len(orders)} were given; choose one, or see the greatest"
+                " errors of several by --layout series-errors"
+            )
+        return series_of(orders[0])
+
+
+def _orders(given: Any) -> tuple[int, ...]:
+    """Return the orders of series that are asked for. Raises KurbelError."""
+    found = as_numbers(given, "order")
+    for one in found:
+        if one not in range(1, HIGHEST + 1):
+            raise ProblemError(
+                f"order {plain(one)} is not the highest power of λ of a series; write a whole number from 1"
+                f" to {HIGHEST}"
+            )
+    return tuple(map(int, found))

@@ -115,7 +115,7 @@ class PinFriction(Part):
         )
 
 
-class Effort(Piston, Friction, Pressing, PinFriction, Masses):
+class Effort(Piston, Friction, Pressing, Masses):
     """All that acts on piston and crosshead where no engine does: a force, pressures, friction, masses."""
 
     force: Option[Any] = Option(
@@ -156,7 +156,7 @@ class Effort(Piston, Friction, Pressing, PinFriction, Masses):
 
     def effort(self) -> efforts.Effort | None:
         """Return the pressures, the friction and the pins that are given, None without any."""
-        pressures, pins, friction = self.pressures(), self.pins(), self.friction
+        pressures, pins, friction = self.pressures(), self.as_part(PinFriction).pins(), self.friction
         if pressures is None and pins is None and friction is None:
             return None
         from kurbel.drive.effort import Effort as Efforts

@@ -119,7 +119,8 @@ def _checked(entries: dict[str, Any]) -> Mapping[str, Any]:
 class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
     """One cylinder: its drive, its load, its masses."""
 
-    shared = ("stroke", "speed", "method", "acceleration")
+    def shared(self) -> Collection[str]:
+        return ("stroke", "speed", "method", "acceleration")
 
     def is_sized(self) -> bool:
         """Whether lengths count: for newton metres, for masses, or to compare another length with."""

@@ -1,0 +1,341 @@
+"""A number other than the crank angle for which a condition holds: speed, force, pressure, mass, ratio."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from fractions import Fraction
+from functools import cache, cached_property
+from typing import Any
+
+from kurbel.commands.motion import some
+from kurbel.commands.solve import SolveOptions
+from kurbel.errors import ProblemError
+from kurbel.page.layouts import layout
+from kurbel.reading.given import as_angles
+from kurbel.reading.where import MAX, VALUE, Condition
+
+GREATEST_RATIO = Fraction(999, 1000)
+MASSES = ("reciprocating", "rod_mass", "rotating", "rod_file")
+# Of conditions on the motion: x = 200 mm.
+_WITH_UNIT = re.compile(r"=\s*[-+−]?[\d.,/]+\s*[a-z]")
+# Of these conditions the square of the formula is a polynomial.
+MAGNITUDES = ("crosshead_pin_force", "crank_pin_force", "bearing_force")
+FORCES = (
+    *("rod_force", "guide_force", "tangential_force", "radial_force", "bearing_along", "bearing_across"),
+    *("crosshead_load", "piston_force", "inertia_force"),
+)
+CHECKED_BITS = 400
+
+
+class Angle:
+    """The crank angle: one in degrees, or where a quantity of the motion is greatest on the outstroke."""
+
+    def __init__(self, degrees: Fraction | None, text: str, half_turns: Callable[[], Any] | None) -> None:
+        self.degrees, self.text, self.half_turns = degrees, text, half_turns
+
+    @classmethod
+    def read(cls, angle: Any, unknown: str, asked: SolveOptions) -> Angle:
+        if angle is None:
+            raise ProblemError(
+                "--unknown asks for a number with which a condition holds at a crank angle; add that as"
+                " --angle 30, or --angle c=max"
+            )
+        if not isinstance(angle, str) or "=" not in angle:
+            angles = as_angles(angle)
+            if len(angles) != 1:
+                raise ProblemError(f"{len(angles)} crank angles were given; --unknown takes one --angle")
+            return cls(angles[0], "", None)
+        if unknown == "ratio":
+            raise ProblemError(f"--angle {angle} depends on the ratio that is asked for; give it in degrees")
+        if asked.is_engine():
+            raise ProblemError(f"--angle {angle} is of the motion alone; under a load give it in degrees")
+        return cls._greatest(angle, asked)
+
+    @classmethod
+    def _greatest(cls, text: str, asked: SolveOptions) -> Angle:
+        from kurbel.solve.solve import read_on, solve
+
+        chosen, described = asked.described(beside=("force",), leaving=("speed", "method"))
+        ratios = layout(chosen.layout, asked.raw("layouts")).ratios
+        drive = chosen.solved(some(chosen.drives(described, ratios)), "exact")[0]
+        condition = read_on(drive, text)
+        if condition.kind != MAX:
+            raise ProblemError(
+                f"--angle {text} must be an angle such as 30, or as c=max where one is greatest"
+            )
+        place = next(root.place for root in solve(drive, condition) if root.stroke == 1)
+        return cls(place.degrees, text, place.half_turns)
+
+    def circle(self, kind: Any) -> Any:
+        from kurbel.exact.certify import half_turn_circle
+
+        if self.degrees is not None or self.half_turns is None:
+            return kind.circle(self.degrees)
+        return half_turn_circle(self.half_turns())
+
+    def label(self, lang: str) -> str:
+        from kurbel.page.axes import angle_text
+        from kurbel.page.quantity import words
+
+        if self.degrees is not None:
+            return f"$φ = {angle_text(self.degrees)}$"
+        quantity = self.text.partition("=")[0].strip()
+        return words(f"dem größten ${quantity}$|the greatest ${quantity}$")[lang]
+
+
+class OfRatio:
+    """The crank ratio of the straight or offset crank, its crosshead's motion known by formulas."""
+
+    def __init__(self, unknown: str, angle: Any, text: str, asked: SolveOptions) -> None:
+        from kurbel.motion.evaluation import NEEDS
+        from kurbel.solve.solve import MEASURES, read_on
+
+        self.asked, self.place = (unknown, angle, text, asked), Angle.read(angle, unknown, asked)
+        if asked.is_engine() or asked.says("force", "rod", *MASSES):
+            raise ProblemError(
+                "--unknown ratio is of the motion of the piston, without rod length, forces and masses; leave"
+                " these out"
+            )
+        # A stroke counts where a length is compared with it.
+        lone = () if _WITH_UNIT.search(text) or asked.says("offset") else ("stroke",)
+        any_ratio = SolveOptions(asked.values.instead({"ratio": "1:4"}, own=True))
+        chosen, described = any_ratio.described(leaving=lone)
+        if not chosen.crosshead:
+            raise ProblemError("--unknown ratio is of the straight and the offset crank")
+        if described.method == "infinite":
+            raise ProblemError("--method infinite is of a rod without a ratio; leave it out")
+        self.drive = chosen.solved(chosen.drives(described, ()), asked.series())[0]
+        self.condition = read_on(self.drive, text)
+        if (
+            self.condition.unit
+            and (column := MEASURES[self.condition.quantity].column) not in self.drive.columns
+        ):
+            needs = " and ".join(NEEDS[self.drive.entries[column].needs])
+            raise ProblemError(f'condition "{self.condition}" is in {self.condition.unit} and needs {needs}')
+        if self.condition.kind not in (VALUE, MAX) or (
+            self.condition.kind == MAX and self.condition.quantity != "c"
+        ):
+            raise ProblemError("--unknown ratio takes a value, such as x=1.1 or psi=15, or c=max")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), self.asked
+
+    @property
+    def greatest(self) -> Fraction:
+        return GREATEST_RATIO / (1 + abs(self.drive.crank.offset))
+
+    @cached_property
+    def found(self) -> list[Any]:
+        from dataclasses import replace
+
+        from kurbel.exact.course import Target
+        from kurbel.exact.kind import balls
+        from kurbel.motion.evaluation import At, kernel_of
+        from kurbel.solve.solve import target_of
+        from kurbel.solve.unknown import of_ratio
+
+        drive, condition = self.drive, self.condition
+        if condition.kind == MAX:
+            # The acceleration is zero once on the outstroke, where the velocity is greatest.
+            if drive.crank.offset:
+                raise ProblemError("c=max with --unknown ratio is of the straight crank; leave --offset out")
+            if not 0 < (self.place.degrees or 0) < 180:
+                raise ProblemError("the velocity is greatest within the outstroke; give an angle in 0..180")
+            condition, target = replace(condition, quantity="p"), Target.rational(Fraction(0))
+        else:
+            target = target_of(drive, condition, 1)
+        kernel = kernel_of(drive.asked(condition.quantity, 1), drive.method, drive.crank)
+        scale = drive.asked(condition.quantity, 1).scale
+
+        def formula(ratio: Any) -> Any:
+            kind = balls()
+            offset = kind.of(drive.crank.offset) if drive.crank.offset else None
+            found = kernel(At(self.place.circle(kind), ratio, offset, drive.crank, kind))
+            return found * scale(drive.crank, kind) if scale else found
+
+        return of_ratio(formula, target.ball, self.greatest)
+
+    def label(self, lang: str) -> str:
+        from kurbel.solve.captions import condition_label
+
+        return condition_label(self.condition, self.drive, lang)
+
+    def lines(self, lang: str) -> list[str]:
+        from kurbel.drive.load import figure
+        from kurbel.solve.unknown_page import WORDS
+
+        return [WORDS["ratio"][lang].format(greatest=f"${figure(self.greatest)}$")]
+
+
+class Sized:
+    """A speed, a force, a pressure, a mass or a length that a force or the motion is a polynomial of."""
+
+    def __init__(self, unknown: str, angle: Any, text: str, asked: SolveOptions) -> None:
+        from kurbel.solve.unknown import UNKNOWNS
+
+        self.asked = (unknown, angle, text, asked)
+        self.place = Angle.read(angle, unknown, asked)
+        self.unknown, self.values, self.about = unknown, asked.values, UNKNOWNS[unknown]
+        self.loaded = asked.is_engine()
+        if asked.says("card"):
+            raise ProblemError(
+                "--unknown under an indicator card is not solved: between its points nothing is proved; give"
+                " ideal steam, such as --eps 4"
+            )
+        if not self.loaded and not asked.drive().crosshead:
+            raise ProblemError(
+                "--unknown is of the straight and the offset crank, and of others under the load of an engine"
+            )
+        if unknown == "stroke" and asked.says("rod"):
+            raise ProblemError("--unknown stroke is at a crank ratio; give --ratio in place of --rod")
+        if self.loaded and self.place.degrees is None:
+            raise ProblemError("under a load the angle is one in degrees; write it as --angle 30")
+        if self.loaded and asked.method not in (None, "exact"):
+            raise ProblemError("--unknown under a load is solved by the exact formulas; leave --method out")
+        self.condition, self.column = self._read(text)
+        self.question = cache(self._question)
+        if (count := len(self.question(self.about.probe))) != 1:
+            raise ProblemError(f"--unknown is of one drive under one load, and {count} were given; give one")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), self.asked
+
+    def _read(self, text: str) -> tuple[Condition, str]:
+        """Return the condition and the column that shows what it is about, in N, N m or a unit of motion."""
+        from kurbel.reading.where import read_condition
+        from kurbel.solve.loaded import ASKED, MEASURED, NAMES
+
+        if self.loaded:
+            found = read_condition(text, NAMES, MEASURED, "torque and the forces of the crank drive")
+            return self._valued(found, ASKED[found.quantity].measured)
+        from kurbel.solve.solve import MEASURES, TORQUE
+
+        names = {name: name for name in (*MEASURES, *FORCES, *MAGNITUDES, TORQUE)}
+        found = read_condition(text, names, names, "motion and forces")
+        if found.quantity in MEASURES:
+            return self._valued(found, MEASURES[found.quantity].column)
+        return self._valued(
+            found, f"{found.quantity}_nm" if found.quantity == TORQUE else f"{found.quantity}_n"
+        )
+
+    def _valued(self, condition: Condition, column: str) -> tuple[Condition, str]:
+        if condition.kind != VALUE:
+            raise ProblemError(f'condition "{condition}" has no value; --unknown needs one, such as torque=0')
+        if not column:
+            raise ProblemError(f"{condition.quantity} has no unit of force; ask for torque or a force")
+        if condition.value and not condition.unit:
+            raise ProblemError(
+                f'condition "{condition}" needs a unit, for what is asked for has one; write it in N,'
+                " N m, mm, m/s or m/s²"
+            )
+        return condition, column
+
+    def _question(self, value: Fraction) -> Any:
+        """Return the question of the drive with a value of the unknown, at the angle."""
+        from kurbel.commands.forces import ForcesOptions
+        from kurbel.commands.motion import MotionOptions
+
+        moved = not self.loaded and self.column.endswith(("_mm", "_mps", "_mps2"))
+        angle = Fraction(0) if self.place.degrees is None else self.place.degrees
+        own = {"angle": [angle], "columns": [self.column], "layout": None, "units": None}
+        values = self.values.instead({**own, self.unknown: value})
+        return (MotionOptions if moved else ForcesOptions)(values).question()
+
+    def value(self, number: Fraction) -> Any:
+        """Return the force or motion at a value of the unknown, in balls."""
+        question = self.question(number)
+        column = question.page_columns[0]
+        if self.loaded:
+            from kurbel.engine.quantities import value
+
+            turn = question.turn(0, 0, "exact")
+            place = {name: 0 for name in question.axes}
+            return value(column.quantity, turn, question.where(place))
+        from kurbel.exact.kind import balls
+        from kurbel.motion.evaluation import value as at
+
+        kind = balls()
+        return at(column.quantity, column.method, question.cranks[0], self.place.circle(kind), kind)
+
+    @cached_property
+    def found(self) -> list[Any]:
+        from kurbel.exact.certify import ball
+        from kurbel.solve.unknown import Polynomial
+
+        square = self.condition.quantity in MAGNITUDES
+        if square and self.condition.value < 0:
+            raise ProblemError(f'condition "{self.condition}" is of a magnitude, which is not below 0')
+        polynomial = Polynomial(
+            self.value, lambda: ball(self._target()), self.about.probe, self._power(), self._degree(), square
+        )
+        found = polynomial.roots()
+        for root in found:
+            self._check(root)
+        return found
+
+    def _check(self, root: Callable[[], Any]) -> None:
+        """Raise ProblemError for a value that no drive has, or one with which the formula is another."""
+        import flint
+
+        from kurbel.exact.certify import ball
+        from kurbel.exact.place import fraction
+
+        with flint.ctx.workprec(CHECKED_BITS):
+            near = fraction(root().mid())
+            apart = self.value(near) - ball(self._target())
+            scale = abs(self.value(near)) + abs(self.value(self.about.probe))
+            if not abs(apart) < scale * flint.arb(2) ** (-CHECKED_BITS // 4):
+                name = self.unknown.replace("_", " ")
+                raise ProblemError(
+                    f"{self.condition} depends on the {name} in more than one way, as by friction; this is"
+                    " not solved"
+                )
+
+    def _target(self) -> Fraction:
+        from kurbel.solve.loaded import measured
+        from kurbel.solve.solve import MEASURES, TORQUE
+
+        if not self.condition.unit:
+            return Fraction(0)
+        if self.condition.quantity in MEASURES:
+            one = MEASURES[self.condition.quantity]
+            return one.parts * one.metres(self.condition)
+        if self.loaded or self.condition.quantity != TORQUE:
+            return measured(self.condition)
+        from kurbel.exact.numerals import exact_text
+        from kurbel.reading import units
+
+        return units.signed_torque(f"{exact_text(self.condition.value)} {self.condition.unit}", TORQUE)
+
+    def _power(self) -> int:
+        return 1 if self.column.endswith("_mps") else self.about.power
+
+    def _degree(self) -> int:
+        return 2 if self.unknown == "stroke" and self.condition.quantity == "torque" else 1
+
+    def label(self, lang: str) -> str:
+        from kurbel.exact.numerals import exact_text
+
+        symbol = self.question(self.about.probe).page_columns[0].quantity.symbol.strip("$")
+        unit = f' "{self.condition.unit}"' if self.condition.unit else ""
+        unit = unit.replace('²"', '"^2').replace('m^2"', 'm"^2')
+        return f"${symbol} = {exact_text(self.condition.value)}{unit}$"
+
+    def lines(self, lang: str) -> list[str]:
+        """Return what the page of the force or the motion says, with the first value that was found."""
+        import flint
+
+        from kurbel.exact.numerals import figures, nearest
+        from kurbel.exact.place import fraction
+        from kurbel.solve.unknown_page import WORDS
+
+        with flint.ctx.workprec(CHECKED_BITS):
+            near = fraction(self.found[0]().mid()) / self.about.size
+        shown = nearest(near, figures(float(near)))
+        value = Fraction(shown.scaled, 10**shown.decimals) * self.about.size
+        question = self.question(value)
+        return [
+            WORDS["all"][lang],
+            *(one for one in question.subject.notes(question) if isinstance(one, str)),
+        ]
