@@ -4,7 +4,6 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
-from kurbel.balance.arrangement import usual
 from kurbel.balance.harmonics import MOST_ORDERS
 from kurbel.commands import parameters as option
 from kurbel.commands.balancing.masses import (
@@ -17,9 +16,10 @@ from kurbel.commands.balancing.masses import (
     unlike,
 )
 from kurbel.commands.cylinder import engines
+from kurbel.commands.firing import Arranged
 from kurbel.commands.machines import MASSES, is_heavy, weighed
 from kurbel.commands.old_motion import ratios_of, sheet_of
-from kurbel.commands.options import Choice, Count, Option, is_given
+from kurbel.commands.options import Count, Option, is_given
 from kurbel.commands.subject import makes_table
 from kurbel.drive.crank import Described
 from kurbel.errors import ProblemError
@@ -48,26 +48,9 @@ Method = Annotated[
     option.METHOD._replace(help="exact, series (first order in λ) or infinite (rod of infinite length)."),
 ]
 
-Engine = Annotated[
-    str | None,
-    Option(
-        "inline-1, inline-2-180, inline-2-360, inline-3 to inline-6, v2-90, v6-90, v8-90, v12-60,"
-        " boxer-2, boxer-4; default: inline-4, with masses inline-1.",
-        kind=Choice("engine", usual),
-    ),
-]
-CylinderCranks = Annotated[
-    option.Given | None,
-    Option("Another engine: the crank of every cylinder, '0;180;180;0'.", "ANGLES", unit="degrees"),
-]
-Banks = Annotated[
-    option.Given | None,
-    Option(
-        "Directions of its cylinders, counted as the cranks: '-45;45'; default 0.", "ANGLES", unit="degrees"
-    ),
-]
-
-
+Engine = Annotated[str | None, Arranged.engine]
+CylinderCranks = Annotated[option.Given | None, Arranged.cranks.but(read=None)]
+Banks = Annotated[option.Given | None, Arranged.banks.but(read=None)]
 NEWTONS = ("stroke", "speed")
 AT_ANGLES = "balance at angles"
 EXTREMES = "balance extremes"

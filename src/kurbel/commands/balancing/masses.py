@@ -5,11 +5,11 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, TypedDict
 
 from kurbel.commands import parameters as option
-from kurbel.commands.balancing.measures import as_measures
 from kurbel.commands.options import Option, is_given
 from kurbel.drive.crank import known
 from kurbel.errors import ProblemError
 from kurbel.reading.given import Exact, as_length, as_number, as_places, as_share
+from kurbel.reading.measures import as_measures
 
 if TYPE_CHECKING:
     from kurbel.drive.crank import Crank
