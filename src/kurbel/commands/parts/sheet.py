@@ -65,7 +65,7 @@ class Layouts(Part):
         return layout_of(self.layout or usual, subjects, self.layouts)
 
     @property
-    def about(self) -> str:
+    def layout_subject(self) -> str:
         """What the layout is about, nothing where none is named."""
         name = self.layout
         return layout(name, self.layouts).subject if name else ""
@@ -129,7 +129,7 @@ class Plain(Worded):
 
     def printed(self) -> Printed:
         """Return how the page is to be printed."""
-        return {**self.worded(), "digits": self.digits, "rounding": self.rounding}
+        return {**self.worded(), "digits": self.digits, "rounding": self.rounding, "units": None}
 
 
 class Sheet(Plain):
@@ -144,6 +144,4 @@ class Sheet(Plain):
     )
 
     def printed(self) -> Printed:
-        printed = super().printed()
-        printed["units"] = self.units
-        return printed
+        return {**super().printed(), "units": self.units}
