@@ -66,8 +66,9 @@ class DeadCentresOptions(Linked, Speed, Layouts, Sheet, CommandOptions):
         from kurbel.linkage.dead_centres import DeadCentresRequest, drives_of
 
         page = self.page("dead-centres", DRIVE)
-        more: dict[str, Any] = {"beam": self._arm()} if "beam" in self.drive().takes else {}
-        chosen, described = self.described(beside=("stroke", "speed"), **more)
+        arm = self._arm() if "beam" in self.drive().takes else None
+        drive = Linked(self.values.instead({"beam": arm}))
+        chosen, described = drive.described(beside=("stroke", "speed"))
         return DeadCentresRequest(
             layout=page,
             mechanism=chosen.name,

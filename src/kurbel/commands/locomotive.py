@@ -14,15 +14,10 @@ from kurbel.commands.subject import function
 from kurbel.errors import ProblemError
 from kurbel.page.subject import Question
 from kurbel.reading.given import as_crank_angles, as_force, as_length, as_shares, as_speed, as_velocity
-from kurbel.reading.measures import as_measures
+from kurbel.reading.measures import as_masses, as_measures
 
 if TYPE_CHECKING:
     from kurbel.balance.locomotives.locomotive import Crank
-
-
-def as_masses(given: Any, what: str) -> tuple[Fraction, ...]:
-    """Return masses in kg. Raises KurbelError."""
-    return as_measures(given, "mass", what)
 
 
 class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
