@@ -25,24 +25,24 @@ from kurbel.errors import KurbelError
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from kurbel.commands.balance import balance_table
-    from kurbel.commands.balancing.locomotive import locomotive_table
-    from kurbel.commands.balancing.rotor import rotor_table
     from kurbel.commands.books import collation_table, example_table
     from kurbel.commands.constructions.construct import construction_table, plot_construction
     from kurbel.commands.cylinder.pressures import plot_pressures
-    from kurbel.commands.drives.dead_centres import dead_centres_table
+    from kurbel.commands.dead_centres import dead_centres_table
     from kurbel.commands.engine import delta_table, turning_table
     from kurbel.commands.engine_plots import plot_engine_forces, plot_engine_polar, plot_turning
+    from kurbel.commands.firing import firing_table
     from kurbel.commands.flywheels.flywheel import flywheel_table
     from kurbel.commands.forces import forces_table
     from kurbel.commands.inertia import inertia_table
+    from kurbel.commands.locomotive import locomotive_table
     from kurbel.commands.motion import table
     from kurbel.commands.numbers import certified, compute, typeset
-    from kurbel.commands.orders.firing import firing_table
     from kurbel.commands.orders.harmonics import harmonics_table
     from kurbel.commands.plots import plot_forces, plot_mechanism, plot_motion, plot_polar
     from kurbel.commands.power import power_table
     from kurbel.commands.pressures import pressures_table
+    from kurbel.commands.rotor import rotor_table
     from kurbel.commands.shown import Drawing, Table
     from kurbel.commands.solve import solve_table
     from kurbel.engine.irregularity import compute_delta
@@ -91,13 +91,13 @@ __all__ = [
 ]
 _MODULES = {
     "kurbel.commands.balance": ("balance_table",),
-    "kurbel.commands.balancing.locomotive": ("locomotive_table",),
-    "kurbel.commands.balancing.rotor": ("rotor_table",),
+    "kurbel.commands.locomotive": ("locomotive_table",),
+    "kurbel.commands.rotor": ("rotor_table",),
     "kurbel.commands.books": ("collation_table", "example_table"),
     "kurbel.commands.power": ("power_table",),
     "kurbel.commands.cylinder.pressures": ("plot_pressures",),
     "kurbel.commands.pressures": ("pressures_table",),
-    "kurbel.commands.orders.firing": ("firing_table",),
+    "kurbel.commands.firing": ("firing_table",),
     "kurbel.commands.orders.harmonics": ("harmonics_table",),
     "kurbel.commands.engine": ("delta_table", "turning_table"),
     "kurbel.commands.flywheels.flywheel": ("flywheel_table",),
@@ -105,7 +105,7 @@ _MODULES = {
     "kurbel.commands.forces": ("forces_table",),
     "kurbel.commands.constructions.construct": ("construction_table", "plot_construction"),
     "kurbel.commands.inertia": ("inertia_table",),
-    "kurbel.commands.drives.dead_centres": ("dead_centres_table",),
+    "kurbel.commands.dead_centres": ("dead_centres_table",),
     "kurbel.commands.motion": ("table",),
     "kurbel.commands.numbers": ("certified", "compute", "typeset"),
     "kurbel.commands.plots": ("plot_forces", "plot_mechanism", "plot_motion", "plot_polar"),

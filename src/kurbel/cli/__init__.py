@@ -45,7 +45,7 @@ COMMANDS = {
         "Print the flywheel that keeps an engine or a machine even.",
     ),
     "deadcentres": (
-        "kurbel.commands.drives.dead_centres:dead_centres_table",
+        "kurbel.commands.dead_centres:dead_centres_table",
         "Print the dead centres of a beam engine or a crank drive.",
     ),
     "harmonics": (
@@ -54,15 +54,15 @@ COMMANDS = {
     ),
     "balance": ("kurbel.commands.balance:balance_table", "Print the free forces and moments of an engine."),
     "rotor": (
-        "kurbel.commands.balancing.rotor:rotor_table",
+        "kurbel.commands.rotor:rotor_table",
         "Print the unbalance of rotating masses, and what balances it.",
     ),
     "locomotive": (
-        "kurbel.commands.balancing.locomotive:locomotive_table",
+        "kurbel.commands.locomotive:locomotive_table",
         "Print hammer blow, swaying couple and balance of a locomotive.",
     ),
     "firing": (
-        "kurbel.commands.orders.firing:firing_table",
+        "kurbel.commands.firing:firing_table",
         "Print firing orders, or the cranks that one needs.",
     ),
     "sweep": ("kurbel.cli.sweeps.group", "Compute a table at every combination, into a file of columns."),

@@ -1,72 +1,30 @@
 """What engines leave unbalanced."""
 
-from collections.abc import Mapping
-from fractions import Fraction
-from typing import TYPE_CHECKING, Annotated, Any, Unpack
+from __future__ import annotations
 
-from kurbel.balance.arrangement import usual
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, ClassVar
+
 from kurbel.balance.harmonics import MOST_ORDERS
-from kurbel.commands import parameters as option
-from kurbel.commands.balancing.masses import (
-    Revolving,
-    check_known,
-    needless_of_revolving,
-    position_of,
-    positions_of,
-    reciprocating_of,
-    unlike,
-)
-from kurbel.commands.cylinder import engines
-from kurbel.commands.machines import MASSES, is_heavy, weighed
-from kurbel.commands.old_motion import ratios_of, sheet_of
-from kurbel.commands.options import Choice, Count, Option, is_given
-from kurbel.commands.subject import makes_table
-from kurbel.drive.crank import Described
+from kurbel.commands.firing import Arranged
+from kurbel.commands.options import Choice, Count, Option, measure, word
+from kurbel.commands.part import CommandOptions, Part, Rivals, Values, flag_of
+from kurbel.commands.parts.angles import Angles
+from kurbel.commands.parts.drive import Linked, OnMachine, Speed
+from kurbel.commands.parts.masses import Masses, MovingRod
+from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
+from kurbel.commands.subject import function
+from kurbel.drive.crank import Crank, Described, known
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import mechanism
-from kurbel.page.layouts import Layout, layout_of
+from kurbel.page.layouts import Layout
 from kurbel.page.subject import Question
-from kurbel.reading.given import Exact, as_angles, as_crank_angles, as_length, as_names, as_share
+from kurbel.reading.given import Exact, as_angles, as_length, as_number, as_places, as_share
+from kurbel.reading.measures import as_masses, as_measures
 
 if TYPE_CHECKING:
     from kurbel.balance.newtons import Weighed
-
-Ratios = Annotated[
-    option.Given | None,
-    option.RATIO._replace(help="Crank ratio: 1:5; lists '1:4;1:5' and ranges 1:3..6:0.5."),
-]
-Orders = Annotated[
-    int,
-    Option(
-        f"Orders up to N, 1 to {MOST_ORDERS}; odd ones above 1 are 0 and left out.",
-        "N",
-        Count("orders", 1, MOST_ORDERS, "does not say up to which one"),
-    ),
-]
-Method = Annotated[
-    str,
-    option.METHOD._replace(help="exact, series (first order in λ) or infinite (rod of infinite length)."),
-]
-
-Engine = Annotated[
-    str | None,
-    Option(
-        "inline-1, inline-2-180, inline-2-360, inline-3 to inline-6, v2-90, v6-90, v8-90, v12-60,"
-        " boxer-2, boxer-4; default: inline-4, with masses inline-1.",
-        kind=Choice("engine", usual),
-    ),
-]
-CylinderCranks = Annotated[
-    option.Given | None,
-    Option("Another engine: the crank of every cylinder, '0;180;180;0'.", "ANGLES", unit="degrees"),
-]
-Banks = Annotated[
-    option.Given | None,
-    Option(
-        "Directions of its cylinders, counted as the cranks: '-45;45'; default 0.", "ANGLES", unit="degrees"
-    ),
-]
-
 
 NEWTONS = ("stroke", "speed")
 AT_ANGLES = "balance at angles"
@@ -74,120 +32,23 @@ EXTREMES = "balance extremes"
 SUBJECTS = ("balance", AT_ANGLES, EXTREMES)
 
 
-class Heavy(option.OnMachine, engines.MovingRod, Revolving, option.Sheet, total=False):
-    """The masses of each cylinder, with what makes forces of them."""
+class Revolving(Part):
+    """Masses that turn with the cranks, and their counterweights."""
 
-    reciprocating: Annotated[
-        option.Given | None,
-        Option(
-            "Mass of piston and crosshead of a cylinder: 2kg; or of each: '2;2.5kg'. Masses need --stroke and"
-            " --speed.", "MASSES", unit="kg",
-        ),
-    ]  # fmt: skip
-    stroke: option.Stroke
-    crank: option.Crank
-    rod: option.Rod
-    speed: Annotated[Exact | None, option.SPEED._replace(help="Speed, for the masses: 120/min, 12.5rad/s.")]
-    spacing: Annotated[
-        Exact | None,
-        Option("Unit of the positions, for moments in N m: 100mm.", "LENGTH", unit="m"),
-    ]
-    layouts: option.Layouts
+    revolving = measure(
+        as_masses,
+        "Mass that turns with each crank at its radius: 1.5kg, or '1.5;2kg'; default: balanced apart.",
+        "MASSES", unit="kg", what="revolving mass",
+    )  # fmt: skip
+    revolving_share = measure(
+        as_share, "Share of it that counterweights balance: 1, 50%; default 0.", "SHARE"
+    )
+    balance_radius = measure(
+        as_length, "Radius of the counterweights, for their masses: 300mm.", "LENGTH", unit="m"
+    )
 
 
-def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
-    found = {"about": "--about is a position; give these, --positions"}
-    if is_given(values["positions"]):
-        found = {}
-    return {**found, **_weightless(values), **needless_of_revolving(values)}
-
-
-def _weightless(values: Mapping[str, Any]) -> Mapping[str, str]:
-    if not is_heavy(values):
-        why = "is for moving masses; add --reciprocating or a rod, --rod-mass"
-        # With the rod the stroke gives the ratio.
-        sized = ("speed", "spacing") if is_given(values["rod"]) else (*NEWTONS, "spacing")
-        return {**{name: f"--{name} {why}" for name in sized}, **_strokeless(values)}
-    if missing := [f"--{name}" for name in NEWTONS if not is_given(values[name])]:
-        why = f"needs {' and '.join(missing)} to become a force"
-        return {name: f"--{name.replace('_', '-')} {why}" for name in MASSES if name in values}
-    return {}
-
-
-def _strokeless(values: Mapping[str, Any]) -> Mapping[str, str]:
-    known = is_given(values["stroke"])
-    return {} if known else {"rod": "--rod gives the ratio with the length of the crank; add --stroke"}
-
-
-def _ratios(page: Layout, given: Mapping[str, Any]) -> tuple[Fraction, ...]:
-    """Return the crank ratios, as given or of stroke and rod, or the layout's own."""
-    if given["rod"] is None:
-        return ratios_of(page, given["ratio"])
-    return tuple(one.ratio for one in _described(given).cranks(page.ratios))
-
-
-def _described(given: Mapping[str, Any]) -> Described:
-    return Described(given["ratio"], given["stroke"], given["rod"])
-
-
-def _weighed(page: Layout, given: Mapping[str, Any], in_metres: bool) -> "Weighed | None":
-    """Return what makes newtons, None where a machine or the environment does not say enough."""
-    from kurbel.balance.newtons import Weighed
-
-    if not is_heavy(given) or not all(is_given(given[name]) for name in NEWTONS):
-        return None
-    cranks = _described(given).cranks(page.ratios)
-    masses = reciprocating_of(given)
-    first = masses[0] if masses else None
-    crank, *_ = weighed(mechanism("straight"), cranks, {**given, "reciprocating": first})
-    spacing = given["spacing"]
-    if in_metres and spacing is not None:
-        raise ProblemError("the positions are lengths, and --spacing gives their unit; leave one out")
-    unit = Fraction(1) if in_metres else None if spacing is None else as_length(spacing, "spacing")
-    return Weighed(crank, unit, **unlike(crank, masses, given))
-
-
-@makes_table(
-    needless=_needless,
-    order="cranks positions about banks share angle ratio orders method reciprocating rod_mass centre"
-    " gyration rod_file revolving revolving_share balance_radius stroke crank rod speed spacing columns",
-)
-def balance_table(
-    engine: Engine = None,
-    *,
-    cranks: CylinderCranks = None,
-    positions: Annotated[
-        option.Given | None,
-        Option(
-            "Where its cylinders lie along the shaft: '0;1;2;3', which is the default, or '0;400;800mm'.",
-            "NUMBERS",
-            unit="a unit of your own",
-        ),
-    ] = None,
-    about: Annotated[
-        Exact | None,
-        Option(
-            "Position about which moments are taken: 1, 400mm; default: the middle.",
-            "NUMBER",
-            unit="that of the positions",
-        ),
-    ] = None,
-    banks: Banks = None,
-    share: Annotated[
-        Exact,
-        Option("Share of each reciprocating mass that counterweights balance: 0.5, 50%.", "SHARE"),
-    ] = "0",
-    ratio: Ratios = None,
-    orders: Orders = 2,
-    method: Method = "exact",
-    angle: Annotated[
-        option.Given | None,
-        option.ANGLE._replace(help="Angles of the shaft at which forces are printed: 30, '0;30', 0..180:10."),
-    ] = None,
-    columns: Annotated[option.Names, option.columns_option("balance", "order,along,forward")] = (),
-    layout: Annotated[str | None, option.layout_option(*SUBJECTS)] = None,
-    **given: Unpack[Heavy],
-) -> Question:
+class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, Sheet, CommandOptions):
     """Print the free forces and moments of an engine by orders.
 
     In units of m R ω²; with masses, --stroke and --speed in newtons, moments with --spacing or positions in
@@ -212,52 +73,207 @@ def balance_table(
     moment,1,0,0
     moment,2,0,0
     """
-    from kurbel.balance.page import arranged
 
-    page = layout_of(layout or ("balance" if angle is None else "balance-angle"), SUBJECTS, given["layouts"])
-    if angle is not None and page.subject != AT_ANGLES:
-        raise ProblemError(f"layout {page.key} is of the whole turn; leave --angle out")
-    check_known({**given, "cranks": cranks, "positions": positions})
-    places, in_metres = positions_of(positions)
-    drive = {**given, "ratio": ratio}
-    weights = _weighed(page, drive, in_metres)
-    centre = None if about is None else position_of(about, in_metres)
-    # Masses are those of one cylinder, and a machine that says no more has one.
-    alone = weights is not None and engine is None and cranks is None
-    name, arrangement = arranged(
-        "inline-1" if alone else engine,
-        () if cranks is None else as_crank_angles(cranks),
-        places,
-        () if banks is None else as_crank_angles(banks),
-        as_share(share),
-        centre,
+    unnamed = "engine"
+    sequence = (
+        "cranks positions about banks share angle ratio orders method reciprocating rod_mass centre gyration"
+        " rod_file revolving revolving_share balance_radius stroke crank rod speed spacing columns"
     )
-    asked: dict[str, Any] = {}
-    request: type[Any]
-    if page.subject == AT_ANGLES:
-        from kurbel.balance.angles.page import AngleRequest
+    rivals: ClassVar[Rivals] = (
+        ("engine", "cranks"),
+        *((name, "engine") for name in ("cranks", "positions", "banks")),
+    )
 
-        request = AngleRequest
-        asked["angles"] = as_angles(page.angles if angle is None else angle)
-    elif page.subject == EXTREMES:
-        from kurbel.balance.angles.extremes import ExtremesRequest
+    positions: Option[Any] = Option(
+        "Where its cylinders lie along the shaft: '0;1;2;3', which is the default, or '0;400;800mm'.",
+        "NUMBERS", unit="a unit of your own",
+    )  # fmt: skip
+    about: Option[Any] = Option(
+        "Position about which moments are taken: 1, 400mm; default: the middle.", "NUMBER",
+        unit="that of the positions",
+    )  # fmt: skip
+    share: Option[Fraction] = Option(
+        "Share of each reciprocating mass that counterweights balance: 0.5, 50%.", "SHARE", default="0",
+        read=as_share,
+    )  # fmt: skip
+    ratio = Linked.ratio.but(help="Crank ratio: 1:5; lists '1:4;1:5' and ranges 1:3..6:0.5.")
+    orders: Option[int] = Option(
+        f"Orders up to N, 1 to {MOST_ORDERS}; odd ones above 1 are 0 and left out.", "N",
+        Count("orders", 1, MOST_ORDERS, "does not say up to which one"), default=2,
+    )  # fmt: skip
+    method = word(
+        "exact, series (first order in λ) or infinite (rod of infinite length).",
+        kind=Choice("method", "kurbel.motion.evaluation:METHODS"), default="exact",
+    )  # fmt: skip
+    angle = Angles.angle.but(help="Angles of the shaft at which forces are printed: 30, '0;30', 0..180:10.")
+    reciprocating = measure(
+        as_masses,
+        "Mass of piston and crosshead of a cylinder: 2kg; or of each: '2;2.5kg'. Masses need --stroke and"
+        " --speed.",
+        "MASSES", unit="kg", what="reciprocating mass",
+    )  # fmt: skip
+    stroke, crank, rod = Linked.stroke, Linked.crank, Linked.rod
+    speed = Speed.speed.but(help="Speed, for the masses: 120/min, 12.5rad/s.")
+    spacing = measure(as_length, "Unit of the positions, for moments in N m: 100mm.", "LENGTH", unit="m")
+    columns = columns_option("balance", "order,along,forward")
+    layout = layout_option(*SUBJECTS)
 
-        request = ExtremesRequest
+    @classmethod
+    def settle(cls, values: Values) -> None:
+        Linked.settle(values)
+
+    def question(self) -> Question:
+        from kurbel.balance.page import arranged
+
+        angles = self.angle
+        page = self.page("balance" if angles is None else "balance-angle", *SUBJECTS)
+        if angles is not None and page.subject != AT_ANGLES:
+            raise ProblemError(f"layout {page.key} is of the whole turn; leave --angle out")
+        self._check_known()
+        places, in_metres = positions_of(self.positions)
+        weights = self._weighed(page, in_metres)
+        about = self.about if self.says("positions") else None
+        centre = None if about is None else position_of(about, in_metres)
+        # Masses are those of one cylinder, and a machine that says no more has one.
+        alone = weights is not None and not self.says("engine", "cranks")
+        name, arrangement = arranged(
+            "inline-1" if alone else self.engine,
+            self.cranks or (),
+            places,
+            self.banks or (),
+            self.share,
+            centre,
+        )
+        asked: dict[str, Any] = {}
+        request: type[Any]
+        if page.subject == AT_ANGLES:
+            from kurbel.balance.angles.page import AngleRequest
+
+            request = AngleRequest
+            asked["angles"] = as_angles(page.angles) if angles is None else angles
+        elif page.subject == EXTREMES:
+            from kurbel.balance.angles.extremes import ExtremesRequest
+
+            request = ExtremesRequest
+        else:
+            from kurbel.balance.page import BalanceRequest
+
+            request = BalanceRequest
+        found: Question = request(
+            layout=page,
+            **asked,
+            about=centre,
+            metres=in_metres,
+            arrangement=arrangement if weights is None else weights.on(arrangement),
+            ratios=tuple(one.ratio for one in self._straight(page)),
+            engine=name,
+            last_order=self.orders,
+            method=self.method,
+            columns=self.names("order,along"),
+            weighed=weights,
+            **self.printed(),
+        )
+        return found
+
+    def _check_known(self) -> None:
+        """Raise ProblemError for what is asked for by a ?, with the command that finds it."""
+        for name in ("cranks", "positions", "reciprocating"):
+            value = self.values.values[name]
+            if isinstance(value, str | Sequence) and any("?" in str(one) for one in value):
+                raise ProblemError(
+                    f"--{name} has a ?, which kurbel rotor finds: in the first order masses that go to and"
+                    " fro balance like masses at their cranks; give them there as --masses, --radii, --angles"
+                    " and --planes, then here what was found"
+                )
+
+    def _straight(self, page: Layout) -> tuple[Crank, ...]:
+        """Return the cranks by their ratios, as given or of stroke and rod, or by the layout's own."""
+        lengths: Iterable[Any] = (self.stroke, self.rod) if self.says("rod") and self.says("stroke") else ()
+        return tuple(Described(self.ratio, *lengths).cranks(page.ratios))
+
+    def _is_heavy(self) -> bool:
+        return self.as_part(Masses).is_heavy()
+
+    def _weighed(self, page: Layout, in_metres: bool) -> Weighed | None:
+        """Return what makes newtons, None where what is given does not say enough."""
+        if not self._is_heavy() or not all(map(self.says, NEWTONS)):
+            return None
+        from kurbel.balance.newtons import Weighed
+
+        cranks = Described(self.ratio, self.stroke, self.rod).cranks(page.ratios)
+        masses = self.reciprocating or ()
+        first = Masses(self.values.instead({"reciprocating": masses[0] if masses else None}))
+        crank, *_ = first.weighed(mechanism("straight"), cranks)
+        if in_metres and self.says("spacing"):
+            raise ProblemError("the positions are lengths, and --spacing gives their unit; leave one out")
+        unit = Fraction(1) if in_metres else self.spacing
+        return Weighed(crank, unit, **self._unlike(crank, masses))
+
+    def _unlike(self, crank: Crank, masses: tuple[Fraction, ...]) -> dict[str, Any]:
+        """Return what sets cylinders apart from the one whose crank this is, as `Weighed` takes it."""
+        joined = known(crank.moving).joined
+        found: dict[str, Any] = {}
+        if len(masses) > 1:
+            share = joined.crosshead - masses[0]
+            found["each"] = tuple(mass + share for mass in masses)
+        if not self.says("reciprocating", "rod_mass"):
+            return found
+        if (turning := self.revolving) is not None:
+            found["revolving"] = tuple(mass + joined.pin for mass in turning)
+            if (balanced := self.revolving_share) is not None:
+                found["revolving_share"] = balanced
+        if (self.share or self.says("revolving_share")) and (radius := self.balance_radius) is not None:
+            found["balance_radius"] = radius
+        return found
+
+    def unread(self, option: Option[Any]) -> str:
+        name, heavy = option.name, self._is_heavy()
+        flag = flag_of(self.values.spelled(name))
+        if name == "about":
+            return "--about is a position; give these, --positions"
+        if name in Revolving.options():
+            if not self.says("reciprocating", "rod_mass"):
+                return (
+                    f"{flag} is for moving masses; add --reciprocating, or take kurbel rotor for masses that"
+                    " only turn"
+                )
+            if name == "revolving_share" and not self.says("revolving"):
+                return "--revolving-share is of --revolving; add that"
+        if not heavy:
+            if name == "rod":
+                return "--rod gives the ratio with the length of the crank; add --stroke"
+            return f"{flag} is for moving masses; add --reciprocating or a rod, --rod-mass"
+        if missing := [flag_of(one) for one in NEWTONS if not self.says(one)]:
+            return f"{flag} needs {' and '.join(missing)} to become a force"
+        return (
+            f"{flag} is that of counterweights, which balance a share of the masses; add --share 0.5 or"
+            " --revolving-share 1"
+        )
+
+
+balance_table = function(BalanceOptions, "balance_table")
+
+
+def positions_of(positions: Any) -> tuple[tuple[Fraction, ...], bool]:
+    """Return the positions, and whether they were given as lengths and are in metres."""
+    from kurbel.reading.units import is_measure
+
+    if positions is None:
+        return (), False
+    if isinstance(positions, str):
+        parts: list[Any] = positions.split(";")
     else:
-        from kurbel.balance.page import BalanceRequest
+        parts = [*positions] if isinstance(positions, Iterable) else [positions]
+    if any(isinstance(part, str) and is_measure(part) for part in parts):
+        return as_measures(positions, "displacement", "position"), True
+    return tuple(as_places(positions, "position")), False
 
-        request = BalanceRequest
-    return request(
-        layout=page,
-        **asked,
-        about=centre,
-        metres=in_metres,
-        arrangement=arrangement if weights is None else weights.on(arrangement),
-        ratios=_ratios(page, drive),
-        engine=name,
-        last_order=orders,
-        method=method,
-        columns=as_names(columns, "order,along"),
-        weighed=weights,
-        **sheet_of(given),
-    )
+
+def position_of(about: Exact, in_metres: bool) -> Fraction:
+    """Return one position in the unit of the others."""
+    if in_metres:
+        (position,) = as_measures(about, "displacement", "about")
+        return position
+    if positions_of(about)[1]:
+        raise ProblemError(f"--about {about} is a length, and the positions are numbers; give both alike")
+    return as_number(about, "about")

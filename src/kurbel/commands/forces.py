@@ -93,7 +93,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         chosen = self.drive(self._layout_of_drive())
         if self.is_tangent() and chosen.crosshead:
             return self._tangent(chosen)
-        if chosen.name == "parallel" and (self.says("axles") or self.about == COUPLED):
+        if chosen.name == "parallel" and (self.says("axles") or self.layout_subject == COUPLED):
             return self._coupled()
         if self.of_engine():
             return self._engine()
@@ -119,17 +119,17 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         return self.over_strokes(question)
 
     def drive(self, layout: str | None = None) -> Mechanism:
-        if self.about == COUPLED and not self.mechanism:
+        if self.layout_subject == COUPLED and not self.mechanism:
             return mechanism("parallel")
         return super().drive(layout)
 
     def is_tangent(self) -> bool:
         """Whether the position is meant in which the rod touches the crank circle."""
-        return self.at is not None or self.about == TANGENT
+        return self.at is not None or self.layout_subject == TANGENT
 
     def of_engine(self) -> bool:
         """Whether the load of an engine is meant."""
-        return self.is_engine() and self.about not in OF_DRIVES
+        return self.is_engine() and self.layout_subject not in OF_DRIVES
 
     def case(self) -> str:
         if self.is_tangent():
@@ -184,7 +184,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         return self.described(self._layout_of_drive(), ("stroke", "force", *beside), leaving)
 
     def _layout_of_drive(self) -> str | None:
-        return self.layout if self.about in SUBJECTS else None
+        return self.layout if self.layout_subject in SUBJECTS else None
 
     def _tangent(self, chosen: Mechanism) -> Question:
         from kurbel.motion.tangent_page import TangentRequest

@@ -108,7 +108,7 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
         name = option.name
         if name == "gravity":
             return "--gravity is for the time of a swing; add --pendulum, or leave it out"
-        if self.about not in MASSES:
+        if self.layout_subject not in MASSES:
             return ""
         why = f"layout {self.layout} is of the rod by itself"
         if name not in ("ratio", "stroke"):

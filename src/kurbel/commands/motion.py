@@ -28,7 +28,7 @@ class OverPath(Over, AnyDrive, Layouts, Sheet):
         """Whether a page over the piston's path is asked for, by --over or by its layout. Raises ProblemError
         where the two contradict each other."""
         name, path = self.layout, self.over == PATH
-        over = self.about in (OVER_PATH, FORCES_OVER_PATH)
+        over = self.layout_subject in (OVER_PATH, FORCES_OVER_PATH)
         if name and path and not over:
             raise ProblemError(
                 f"layout {name} is not over the path; leave --over out, or --layout, for a page of its own"
@@ -109,7 +109,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
         chosen, described = self.described(self.layout)
         if self.says("point"):
             return self._points(chosen, described)
-        if self.about == POINTS:
+        if self.layout_subject == POINTS:
             raise ProblemError(
                 f"layout {self.layout} is about points of the rod, and none was given; add --point, for"
                 " example --point 0.5"
@@ -118,7 +118,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
             page = self.page("over-path", OVER_PATH)
             return self.over_path(chosen, described, page, self.series())
         # A linkage has none of these pages: they are refused by themselves, and not offered for others.
-        apart = chosen.crosshead or self.about in APPROXIMATE
+        apart = chosen.crosshead or self.layout_subject in APPROXIMATE
         page = self.page(chosen.layout, chosen.subject, *(APPROXIMATE if apart else ()))
         if page.subject in APPROXIMATE:
             return self._approximations(chosen, described, page)

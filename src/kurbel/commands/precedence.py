@@ -41,7 +41,6 @@ RIVALS: Mapping[str, Rivals] = {
     **dict.fromkeys(("delta", "turning", "plot"), (*_STEAM, *_ROD, *_WHEEL)),
     "flywheel": (*_STEAM, *_ROD, *_SIZES),
     "power": _STEAM,
-    "balance": (("engine", "cranks"), *((name, "engine") for name in ("cranks", "positions", "banks"))),
 }
 _LENGTHS = ("ratio", "stroke", "rod")
 

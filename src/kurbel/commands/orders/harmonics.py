@@ -5,7 +5,7 @@ from typing import Annotated, Any, Unpack
 
 from kurbel.balance.harmonics import HARMONICS, MOST_ORDERS
 from kurbel.commands import parameters as option
-from kurbel.commands.balance import Method, Ratios
+from kurbel.commands.balance import BalanceOptions
 from kurbel.commands.cylinder import engines
 from kurbel.commands.cylinder.effort import Rods, Rubbing
 from kurbel.commands.cylinder.slope import Lying
@@ -77,7 +77,7 @@ def _needless(values: Mapping[str, Any]) -> Mapping[str, str]:
 
 @makes_table(foreign=_foreign, needless=_needless, order="quantity orders method")
 def harmonics_table(
-    ratio: Ratios = None,
+    ratio: Annotated[option.Given | None, BalanceOptions.ratio] = None,
     *,
     quantity: Annotated[
         str | None,
@@ -94,7 +94,7 @@ def harmonics_table(
             Count("orders", 1, MOST_ORDERS, "does not say up to which one"),
         ),
     ] = 6,
-    method: Method = "exact",
+    method: Annotated[str, BalanceOptions.method] = "exact",
     columns: Annotated[option.Names, option.columns_option("torque-harmonics", "order,amplitude,phase")] = (),
     layout: Annotated[str | None, option.layout_option("harmonics", *OF_TORQUE)] = None,
     **given: Unpack[Driven],

@@ -32,17 +32,22 @@ def layout_option(*subjects: str) -> Option[str | None]:
     return word("Page layout; `kurbel layouts` lists them.", kind=LayoutName(subjects))
 
 
-class Printed(TypedDict, total=False):
-    """How a question has its page printed, by the fields of `kurbel.page.subject:Question`."""
+class Words(TypedDict, total=False):
+    """The words of a page, by the fields of `kurbel.page.subject:Question`."""
 
-    digits: int | None
-    rounding: str
     lang: str
     label: str
     caption: str | None
     note: tuple[Note, ...]
     source: str | None
     templates: str | PathLike[str] | None
+
+
+class Printed(Words, total=False):
+    """How a question has its page printed, by the fields of `kurbel.page.subject:Question`."""
+
+    digits: int | None
+    rounding: str
     units: Units | None
 
 
@@ -60,29 +65,19 @@ class Layouts(Part):
         return layout_of(self.layout or usual, subjects, self.layouts)
 
     @property
-    def about(self) -> str:
+    def layout_subject(self) -> str:
         """What the layout is about, nothing where none is named."""
         name = self.layout
         return layout(name, self.layouts).subject if name else ""
 
 
-class Plain(Part):
-    """How a page is printed."""
+class Worded(Part):
+    """The words of a page, and its look."""
 
-    columns: Option[Any] = columns_option("", "")
     lang: Option[str] = word(
         "Language of headings and captions: de or en.", kind=Choice("language", LANGUAGES),
         environment="KURBEL_LANG", default="de", last=True,
     )  # fmt: skip
-    digits: Option[int | None] = Option(
-        f"Decimals of every column, 0 to {MOST_DIGITS}.",
-        "N",
-        Count("digits", 0, MOST_DIGITS, "cannot be printed"),
-        last=True,
-    )
-    rounding = word(
-        "What becomes of a tie.", kind=Choice("rounding", ROUNDINGS), default="half-away", last=True
-    )
     label = word(
         "Name for cross references: \\label{tab:NAME}; default: the layout's.",
         "NAME",
@@ -106,16 +101,35 @@ class Plain(Part):
         "DIR", FILE, environment="KURBEL_TEMPLATES", last=True,
     )  # fmt: skip
 
+    def worded(self) -> Words:
+        """Return the words of the page, and its templates."""
+        return {
+            "lang": self.lang, "label": self.label, "caption": self.caption, "note": self.note,
+            "source": self.source, "templates": self.templates,
+        }  # fmt: skip
+
+
+class Plain(Worded):
+    """How a page is printed."""
+
+    columns: Option[Any] = columns_option("", "")
+    digits: Option[int | None] = Option(
+        f"Decimals of every column, 0 to {MOST_DIGITS}.",
+        "N",
+        Count("digits", 0, MOST_DIGITS, "cannot be printed"),
+        last=True,
+    )
+    rounding = word(
+        "What becomes of a tie.", kind=Choice("rounding", ROUNDINGS), default="half-away", last=True
+    )
+
     def names(self, example: str) -> tuple[str, ...]:
         """Return the columns that are asked for."""
         return as_names(self.columns, example)
 
     def printed(self) -> Printed:
         """Return how the page is to be printed."""
-        return {
-            "digits": self.digits, "rounding": self.rounding, "lang": self.lang, "label": self.label,
-            "caption": self.caption, "note": self.note, "source": self.source, "templates": self.templates,
-        }  # fmt: skip
+        return {**self.worded(), "digits": self.digits, "rounding": self.rounding, "units": None}
 
 
 class Sheet(Plain):

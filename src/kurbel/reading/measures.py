@@ -25,6 +25,11 @@ def as_measures(given: Exact | Iterable[Exact], measure: str, what: str) -> tupl
     return tuple(_known(value, what) for value in found)
 
 
+def as_masses(given: Exact | Iterable[Exact], what: str) -> tuple[Fraction, ...]:
+    """Return masses in kg. Raises NotationError."""
+    return as_measures(given, "mass", what)
+
+
 def _known(value: Fraction | None, what: str) -> Fraction:
     if value is None:
         raise NotationError(f"{what} has a ?, but it is not found from the others; give it")
