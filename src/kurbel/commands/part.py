@@ -190,6 +190,9 @@ class CommandOptions(Part):
 
     def refusal(self, option: Option[Any]) -> str:
         """Return the sentence that refuses an option that was typed, and that the question did not read."""
+        return self._sentence(option).replace("--stroke", flag_of(self.values.spelled("stroke")))
+
+    def _sentence(self, option: Option[Any]) -> str:
         knowing = [part for part in type(self).__mro__ if issubclass(part, Part) and "unread" in vars(part)]
         for part in knowing[:-1]:
             if sentence := part.unread(self, option):

@@ -113,8 +113,9 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
             return self._unknown(self.unknown)
         if self.of_engine():
             return self._of_engine()
+        self.refuse(*PRESSING)
         page = self.page("solve", "roots")
-        chosen, described = self.described(beside=("force",), leaving=("method",))
+        chosen, described = self.described(beside=("force",))
         drives = some(chosen.drives(described, page.ratios))
         if self.of_forces():
             drives = self._moving(chosen, drives)

@@ -90,7 +90,7 @@ class Linked(OnMachine):
         settle_lengths(values)
 
     def shared(self) -> Collection[str]:
-        """Return what describes other drives on their pages of motion alone, and here says something of all."""
+        """Return what is of other drives on their pages of motion, and here says something of all."""
         return ()
 
     def drive(self, layout: str | None = None) -> Mechanism:
@@ -120,7 +120,7 @@ class Linked(OnMachine):
 
     def unread(self, option: Option[Any]) -> str:
         found = of_other_mechanisms(self.drive(), [option.name], self.shared())
-        return found.get(option.name, "").replace("--stroke", f"--{self.values.spelled('stroke')}")
+        return found.get(option.name, "")
 
 
 class AnyDrive(Linked):
