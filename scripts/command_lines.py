@@ -1,4 +1,5 @@
-"""The command lines of scripts/corpus: those written there, and some put together at random.
+"""The command lines of scripts/corpus: those written there, some put together at random, and every option
+of a command beside each of its cases.
 
 A line in a *.txt is a command line without `kurbel`, as typed into a shell, perhaps behind variables of the
 environment; ` && ` joins several. {a|b} stands for one line each, {name} for the alternatives of a line
@@ -41,7 +42,23 @@ def command_lines() -> list[str]:
     lines = [line for path in sorted(CORPUS.glob("*.txt")) for line in lines_of(path)]
     with (CORPUS / "random.toml").open("rb") as file:
         lines += [line for name, one in tomllib.load(file).items() for line in random_lines(name, one)]
+    with (CORPUS / "pairs.toml").open("rb") as file:
+        lines += paired_lines(**tomllib.load(file))
     return list(dict.fromkeys(lines))
+
+
+def paired_lines(cases: Mapping[str, Sequence[str]], values: Mapping[str, str]) -> Iterator[str]:
+    """Yield each case of a command with each of the command's options that it has not, one at a time."""
+    from kurbel.cli.app import command_of
+
+    for name, beginnings in cases.items():
+        options = [one for one in command_of(name).params if one.opts[-1].startswith("--")]
+        for beginning in beginnings:
+            for one in options:
+                flag, key = one.opts[-1], one.opts[-1][2:].replace("-", "_")
+                value = "" if getattr(one, "is_flag", False) else values.get(key)
+                if value is not None and f"{flag} " not in f"{beginning} ":
+                    yield f"{name} {beginning} {flag}{f'={shlex.quote(value)}' if value else ''}"
 
 
 def lines_of(path: Path) -> Iterator[str]:

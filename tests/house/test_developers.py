@@ -27,7 +27,7 @@ from mpmath import mp
 from places import ROOT, SUPPORT
 
 DOCS = ROOT / "docs" / "developers"
-PAGES = ("quantity", "source", "format", "layout", "mechanism", "load")
+PAGES = ("quantity", "source", "format", "layout", "mechanism", "load", "option")
 BLOCK = re.compile(r"^( *)```(\w+)(?: ([^\n]*))?\n(.*?)^ *```$", re.DOTALL | re.MULTILINE)
 COMMAND = re.compile(r"^\$ (.+)\n", re.MULTILINE)
 # What is new stands in a handbook of these parts.
@@ -135,7 +135,7 @@ def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
 
 
 def typed(house: House, page: Path, indent: str, block: str) -> None:
-    shown = "".join(f"$ {command}\n{house.kurbel(command)}" for command in COMMAND.findall(block))
+    shown = "".join(f"$ {command}\n{house.ran(command)[1]}" for command in COMMAND.findall(block))
     if os.environ.get("KURBEL_PROMOTE") == "1":
         old, new = (textwrap.indent(text, indent) for text in (block, shown))
         page.write_text(page.read_text(encoding="utf-8").replace(old, new), encoding="utf-8")
@@ -153,6 +153,16 @@ def test_the_jerk_is_the_slope_of_the_acceleration(house: House) -> None:
         for angle, *row in (map(mp.mpf, row) for row in rows):
             for sign, turned, value in zip((1, -1), (angle, angle + 180), row, strict=True):
                 assert abs(value - sign * mp.diff(path, mp.radians(turned), 3)) <= mp.mpf("0.00005")
+
+
+def test_a_new_option_counts_on_the_shaft(house: House) -> None:
+    """Friction beside friction: both are taken from the force on the piston."""
+    words = "--ratio 1:4 --stroke 600mm --force 10kN --angle 70 --columns phi,torque_nm --digits 6"
+    bare, rubbed = (
+        float(house.records(f"kurbel forces {words} {more}")[0][1])
+        for more in ("", "--friction 300N --stuffing-box 200N")
+    )
+    assert rubbed / bare == pytest.approx(9_500 / 10_000, rel=1e-6)
 
 
 def test_what_is_new_is_in_reference_handbook_drawings_lists_and_help(house: House) -> None:

@@ -29,7 +29,8 @@ class Row(NamedTuple):
 
 @cache
 def page() -> kurbel.Table:
-    return kurbel.table(RATIOS)
+    found: kurbel.Table = kurbel.table(RATIOS)
+    return found
 
 
 @cache

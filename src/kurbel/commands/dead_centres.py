@@ -121,8 +121,8 @@ class DeadCentresOptions(Linked, Speed, Layouts, Sheet, CommandOptions):
                 f"--{name} does not belong to the beam engine; leave --beam and --exact out for a crank drive"
             )
         return (
-            f"--{self.values.spelled(name)} gives the ratio of the beam engine only where both are known,"
-            " --stroke and --rod; add the other"
+            f"--{name} gives the ratio of the beam engine only where both are known, --stroke and --rod;"
+            " add the other"
         )
 
 

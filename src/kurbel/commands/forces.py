@@ -125,7 +125,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
 
     def is_tangent(self) -> bool:
         """Whether the position is meant in which the rod touches the crank circle."""
-        return self.at is not None or self.layout_subject == TANGENT
+        return self.says("at") or self.layout_subject == TANGENT
 
     def of_engine(self) -> bool:
         """Whether the load of an engine is meant."""
@@ -142,6 +142,9 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
 
     def unread(self, option: Option[Any]) -> str:
         name, flag = option.name, flag_of(option.name)
+        if name == "at":
+            chosen = self.drive(self._layout_of_drive())
+            return f"--at does not belong to {chosen.title}; it is for --mechanism straight"
         if name == "driven":
             return "--driven is for coupled axles; add --axles 3"
         if name == "axles":
@@ -191,6 +194,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
 
         if self.over == PATH:
             raise ProblemError("--at tangent is one position, with a path of its own; leave --over path out")
+        assert self.at in (None, TANGENT)
         page = self.page("forces-tangent", TANGENT)
         _, described = self.described(None, ("stroke", "force"), ("speed", "acceleration", "method"))
         names = self.names("phi,rod_force")

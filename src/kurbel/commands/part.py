@@ -7,7 +7,7 @@ Whether an option is given, which only decides what is asked, is looked up by `s
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from enum import Enum
 from typing import Any, ClassVar, TypeAlias, TypeVar
 
@@ -99,11 +99,16 @@ class Values:
 class Part:
     """Options that stand together. `title` is what they describe, and `add` what one types to have it.
 
+    In the help its options stand in a `topic`, if no topic names them. It is made `without` some options of
+    its parts.
+
     `rivals` are options of which one that is typed outdoes the other where that comes from elsewhere.
     """
 
     title: ClassVar[str] = ""
     add: ClassVar[str] = ""
+    topic: ClassVar[str] = ""
+    without: ClassVar[Collection[str]] = ()
     rivals: ClassVar[Rivals] = ()
 
     def __init__(self, values: Values) -> None:
@@ -118,7 +123,8 @@ class Part:
             if issubclass(base, Part)
             for name, one in base.options().items()
         }
-        return found | {name: one for name, one in vars(cls).items() if isinstance(one, Option)}
+        found |= {name: one for name, one in vars(cls).items() if isinstance(one, Option)}
+        return {name: one for name, one in found.items() if name not in cls.without}
 
     @classmethod
     def parts(cls) -> Iterator[type[Part]]:

@@ -49,6 +49,11 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
     2,1.0,-2.413
     """
 
+    # What the acceleration pressure has nothing of.
+    without = (
+        *("friction", "piston_rod", "tail_rod", "rotating", "rocker_inertia"),
+        *("vertical", "slope", "gravity"),
+    )
     unnamed = "ratio"
     sequence = (
         "eps back exponent clearance card other_side single_acting bore pressure ratio mechanism offset"

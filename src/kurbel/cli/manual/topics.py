@@ -248,12 +248,22 @@ def _is_option(one: click.Parameter) -> TypeGuard[click.Option]:
 
 def _names(topic: Topic, command: click.Command) -> Iterator[str]:
     """Yield the names of the options that the command has in the topic."""
+    from kurbel.cli.tables import TableCommand
+
     owners = {command.name, "sweep" if is_sweep(command) else command.name}
     listed = {one for other in TOPICS if other is not topic for one in other.options.split()}
     for name in topic.options.split():
         owner, _, own = name.rpartition(".")
         if owner in owners or (not owner and not any(f"{one}.{name}" in listed for one in owners)):
             yield own
+    # What is named nowhere stands in the topic of its part.
+    declared = command.made_by.options.values() if isinstance(command, TableCommand) else ()
+    named = {name.rpartition(".")[2] for one in TOPICS for name in one.options.split()}
+    yield from (
+        one.name
+        for one in declared
+        if one.name not in named and one.home is not None and one.home.topic == topic.name
+    )
 
 
 def is_sweep(command: click.Command) -> bool:

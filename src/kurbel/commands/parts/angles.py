@@ -32,6 +32,8 @@ SHARE, SHARES = "share of the stroke", Fraction(1, 10)
 class Angles(Part):
     """The crank angles of a page."""
 
+    topic = "angles"
+
     rivals: ClassVar[Rivals] = (
         *((ANGLE, end) for end in ENDS),
         *((end, ANGLE) for end in ENDS),

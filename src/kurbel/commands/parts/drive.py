@@ -39,6 +39,8 @@ class OnMachine(Part):
 class Linked(OnMachine):
     """A crank drive."""
 
+    topic = "crank"
+
     # Where no mechanism is named, a layout about one of these names it if it is of one alone.
     abouts: ClassVar[Sequence[str]] = (*MOTIONS, OVER_PATH, POINTS, *APPROXIMATE)
 
@@ -109,7 +111,9 @@ class Linked(OnMachine):
         stands `beside` that, but for what is `leaving` it. Raises ProblemError if that is not enough."""
         chosen = self.drive(layout)
         taken = {*chosen.takes, *beside}.difference(leaving)
-        names = [name for name in Described._fields if name in taken and name in self.values.values]
+        # The inertia of a rocker is one of the masses.
+        known = self.values.values.keys() & taken - {"rocker_inertia"}
+        names = [name for name in Described._fields if name in known]
         typed = [name for name in self.values.values if self.values.typed(name) and self.says(name)]
         foreign = of_other_mechanisms(chosen, [one for one in typed if one not in taken], self.shared())
         for name, sentence in foreign.items():
@@ -132,6 +136,8 @@ class AnyDrive(Linked):
 class Speed(Part):
     """How fast the crank turns."""
 
+    topic = "crank"
+
     speed: Option[Any] = Option(
         "Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.", "SPEED", unit="turns a second"
     )
@@ -139,6 +145,8 @@ class Speed(Part):
 
 class Method(Part):
     """By which formulas the motion is computed."""
+
+    topic = "crank"
 
     method = word(
         "exact (default), series (first order, as Blau prints) or infinite (rod of infinite length).",

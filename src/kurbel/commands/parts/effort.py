@@ -28,6 +28,7 @@ class Piston(Part):
     """The piston on which a pressure acts, and its rods, which lessen its areas."""
 
     title, add = "a piston on which a pressure acts", "--head-pressure or --crank-pressure"
+    topic = "piston"
 
     bore = measure(as_length, "Bore of the cylinder: 300mm.", "LENGTH", unit="m")
     piston_rod = measure(
@@ -51,7 +52,8 @@ class Piston(Part):
 class Friction(Part):
     """What acts against the motion of piston and crosshead."""
 
-    title, add = "lessening a force", "--force, --head-pressure or masses"
+    title, add = "a piston that a force acts on", "--force, --head-pressure or masses"
+    topic = "friction"
 
     friction = measure(
         as_force, "Friction of piston and crosshead, against their motion: 500N.", "FORCE", unit="N"
@@ -62,6 +64,7 @@ class Pressing(Part):
     """The pressures on both sides of the piston."""
 
     title, add = "pressures on both sides of the piston", "--head-pressure 0.3bar"
+    topic = "piston"
 
     head_pressure = measure(
         as_pressure,
@@ -86,6 +89,7 @@ class PinFriction(Part):
     """The friction of the pins, by their circles of friction."""
 
     title, add = "the friction of the pins", "--pin-friction, for example --pin-friction 0.06"
+    topic = "friction"
 
     pin_friction = measure(
         as_share,

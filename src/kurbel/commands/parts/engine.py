@@ -187,6 +187,8 @@ class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
 class Engine(Cylinder):
     """An engine of so many cylinders alike, or of unlike ones."""
 
+    topic = "cylinders"
+
     cranks: Option[Any] = Option(
         "Angles by which the cranks follow the first, with cylinders alike: '0;90' or '0;120;240'.", "ANGLES",
         unit="degrees",
@@ -329,6 +331,8 @@ class OfSeveral(Cylinder):
 
 class FromOne(Part):
     """From which of several cylinders an engine is seen."""
+
+    topic = "cylinders"
 
     title, add = "one of several cylinders", "each as --cylinder"
 

@@ -77,6 +77,7 @@ class Loads(Piston):
     """
 
     title, add = "the load of an engine", "--eps or --card"
+    topic = "steam"
     rivals: ClassVar[Rivals] = (
         *((name, "card") for name in (*IDEAL, "pressure")),
         ("card", "eps"),

@@ -34,6 +34,7 @@ class MovingRod(Part):
     """The masses of a connecting rod."""
 
     title, add = "a rod with a mass", "--rod-mass"
+    topic = "masses"
     rivals: ClassVar[Rivals] = (
         *((name, "rod_file") for name in ("rod_mass", "centre", "gyration", "pendulum", "pendulum_from")),
         *(("rod_file", name) for name in ("centre", "gyration", "pendulum")),
@@ -88,6 +89,7 @@ class Weight(Part):
     """How the cylinder stands, by which moving masses have a weight."""
 
     title, add = "the weight of moving masses", "--reciprocating or a rod, --rod-mass"
+    topic = "masses"
 
     vertical = flag("The cylinder stands above the shaft: piston, crosshead and rod have a weight.")
     slope = measure(
@@ -136,6 +138,7 @@ class Masses(MovingRod, Weight):
     """What moves with the drive."""
 
     title, add = "moving masses", "--reciprocating or a rod, --rod-mass"
+    topic = "masses"
 
     reciprocating = measure(
         as_mass,

@@ -54,6 +54,8 @@ class Printed(Words, total=False):
 class Layouts(Part):
     """Which page of those that a command has."""
 
+    topic = "page"
+
     layouts: Option[Any] = Option(
         "Folder with layouts of your own: DIR/<name>/layout.toml.", "DIR", FILE,
         environment="KURBEL_LAYOUTS", first=True,
@@ -73,6 +75,8 @@ class Layouts(Part):
 
 class Worded(Part):
     """The words of a page, and its look."""
+
+    topic = "page"
 
     lang: Option[str] = word(
         "Language of headings and captions: de or en.", kind=Choice("language", LANGUAGES),
@@ -112,6 +116,8 @@ class Worded(Part):
 class Plain(Worded):
     """How a page is printed."""
 
+    topic = "page"
+
     columns: Option[Any] = columns_option("", "")
     digits: Option[int | None] = Option(
         f"Decimals of every column, 0 to {MOST_DIGITS}.",
@@ -134,6 +140,8 @@ class Plain(Worded):
 
 class Sheet(Plain):
     """The same of one whose columns have units."""
+
+    topic = "page"
 
     units: Option[Any] = Option(
         "Units of pages and data: metric, imperial or a list, 'cm;kN'. Default: metric; pages of what is"
