@@ -13,13 +13,32 @@ from kurbel.exact.kind import Kind, floats
 from kurbel.page.quantity import words
 from kurbel.plot.chart.model import Curve, Panel, power_of_curves
 from kurbel.plot.diagrams.swing import diagram_swing
+from kurbel.plot.engine import across_path, over_path
+from kurbel.plot.over.axes import over_axes
 from kurbel.plot.panels import axis_name, check_drawn, degrees
+from kurbel.plot.picture import Picture, Wish, asked_of, refuse, smooth
 from kurbel.plot.ticks import amount
 
 # What is drawn; the speed of a flywheel where that and its mean are known.
 DRAWN, SPEED = ("torque", "load_torque", "excess_energy"), "rpm"
 MEAN, ENERGY = "$T_m$", "excess_energy"
 TORQUES = words("Drehmomente|Torques")
+
+
+def torques(request: TorquesRequest, wish: Wish) -> Picture:
+    """Return what is drawn of a turning-moment diagram: unless columns are named the torques, hatched, the
+    excess energy and, of a flywheel, its speed."""
+    refuse(wish, infinite="--infinite is for the motion of a crank drive; leave it out")
+    columns = request.columns or (DRAWN if request.steady is None else (*DRAWN, SPEED))
+    asked = asked_of(request, columns=columns, angles=smooth(request.angles))
+    if request.columns:
+        found = over_axes(asked, wish._replace(over_path=False))
+    else:
+        found = Picture(asked, diagram_panels(asked))
+    if not wish.over_path:
+        return found
+    beside = found.around._replace(across=across_path(request.lang))
+    return found._replace(panels=over_path(found.panels), around=beside)
 
 
 def diagram_panels(request: TorquesRequest) -> list[Panel]:
