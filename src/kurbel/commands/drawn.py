@@ -16,7 +16,6 @@ from kurbel.reading.given import found_at
 from kurbel.reading.keywords import unknown
 
 if TYPE_CHECKING:
-    from kurbel.motion.page import AngleQuestion
     from kurbel.page.quantity import Column
     from kurbel.page.steps import Scene
     from kurbel.page.table import Value
@@ -91,7 +90,7 @@ def carrying(question: Any, show: Staged, *angles: Sequence[float]) -> Scene | N
     return found
 
 
-def spoken(question: AngleQuestion, columns: Sequence[Column] = ()) -> tuple[Spoken, ...]:
+def spoken(question: Any, columns: Sequence[Column] = ()) -> tuple[Spoken, ...]:
     """Return the printed numbers of a question at whole degrees of its run; none of several drives. Their
     names and units may be those of other columns, one for each of its own."""
     from kurbel.page.build import shown_at

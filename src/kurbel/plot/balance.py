@@ -7,7 +7,8 @@ from fractions import Fraction
 
 from kurbel.balance.angles.page import AngleRequest
 from kurbel.balance.newtons import IN_NEWTONS
-from kurbel.balance.page import RESIDUALS, UNITS, WORDS, BalanceRequest
+from kurbel.balance.page import RESIDUALS, BalanceRequest
+from kurbel.balance.words import UNITS, WORDS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Number
 from kurbel.page.axes import Place

@@ -66,8 +66,7 @@ def over_angle(question: AngleQuestion, wish: Wish) -> Picture:
 def unfolded(question: AngleQuestion) -> AngleQuestion:
     """Return the question over smooth angles; where both strokes stand side by side, over the whole turn."""
     columns = columns_of(question)
-    usual = ends(question.angles) == (0, 180)
-    both = usual and (question.has_return or _is_of_layout(question))
+    both = _is_stroke(question.angles) and (question.has_return or _is_of_layout(question))
     keys = [one.key.replace("_return", "") if both else one.key for one in columns]
     angles = (Fraction(0), Fraction(360)) if both else question.angles
     return asked_of(
@@ -78,6 +77,10 @@ def unfolded(question: AngleQuestion) -> AngleQuestion:
     )
 
 
+def _is_stroke(angles: Sequence[Fraction]) -> bool:
+    return [*ends(angles)] == [0, 180]
+
+
 def _is_of_layout(question: AngleQuestion) -> bool:
     return [*question.angles] == [*as_angles(question.layout.angles or "0")]
 
@@ -85,7 +88,7 @@ def _is_of_layout(question: AngleQuestion) -> bool:
 def infinite(question: AngleQuestion) -> AngleQuestion:
     """Return the same of the rod of infinite length. Raises ProblemError for other drives."""
     first = question.moving[1] if question.moving else None
-    if not hasattr(question, "method") or getattr(getattr(first, "crank", first), "offset", 0):
+    if not hasattr(question, "method") or getattr(getattr(first, "crank", first), "offset", None):
         raise ProblemError(
             "--infinite is for the straight crank alone; leave it out, or the offset or mechanism"
         )
@@ -108,7 +111,7 @@ def _polar(question: AngleQuestion) -> Picture:
 
 def _whole(angles: Sequence[Fraction]) -> Sequence[Fraction]:
     """Return the turn where the angles are those of a stroke."""
-    return (Fraction(0), Fraction(360)) if ends(angles) == (0, 180) else angles
+    return (Fraction(0), Fraction(360)) if _is_stroke(angles) else angles
 
 
 def motion_panels(

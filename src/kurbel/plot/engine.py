@@ -75,7 +75,7 @@ def effort(request: EngineRequest, wish: Wish) -> Picture:
     refuse(wish, infinite=INFINITE)
     if request.columns and "angle" in request.axes:
         found = forces(request, wish._replace(over_path=False))
-        panels, beside = found.panels, around(found.question)
+        panels, beside = found.panels, around(request)
     else:
         whole = Fraction(0), Fraction(180 * request.turn(0, 0, "exact").cycle)
         turn = request.angles if "angle" in request.axes else whole

@@ -7,7 +7,6 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
-from kurbel.drive.crank import ends
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.page.layouts import Layout, layout
@@ -118,9 +117,10 @@ def asked_of(question: Asked, **changes: Any) -> Asked:
 
 
 def smooth(angles: Sequence[Fraction], steps: int = STEPS) -> Sequence[Fraction]:
-    """Return angles from the first to the last, close enough for smooth curves."""
-    first, last = min(ends(angles)), max(ends(angles))
-    return notation.progression(first, last, min((last - first) / steps or WIDEST, WIDEST))
+    """Return the angles with others between the first and the last, close enough for smooth curves."""
+    first, last = min(angles), max(angles)
+    step = min((last - first) / steps or WIDEST, WIDEST)
+    return sorted({*notation.progression(first, last, step), *angles})
 
 
 def columns_of(question: Question) -> tuple[Column, ...]:

@@ -43,7 +43,8 @@ def over_axes(question: Question, wish: Wish) -> Picture:
     keys = tuple(one.key for one in columns_of(question) if one.key not in DOUBLED)
     # What is of one column has no names for it.
     keys = keys if "column" in question.axes else ()
-    angles = {"angles": smooth(question.angles, ANGLE_STEPS)} if "angle" in question.axes else {}
+    own: Any = question
+    angles = {"angles": smooth(own.angles, ANGLE_STEPS)} if "angle" in question.axes else {}
     return _drawn(asked_of(question, columns=keys, **angles), wish)
 
 
@@ -87,7 +88,7 @@ def _across(asked: Question) -> _Across:
     return _Across(name, known[name], Across(label, _whole_ticks if name in APART else plain_ticks))
 
 
-def _numbers(asked: Question, name: str, axis: PageAxis) -> list[float]:
+def _numbers(asked: Any, name: str, axis: PageAxis) -> list[float]:
     """Return the numbers of an axis, none if its places are none."""
     if name == "ratio":
         return [float(ratio) for ratio in asked.ratios]
@@ -121,7 +122,7 @@ def _traces(asked: Question, across: _Across, keys: Sequence[str]) -> Iterator[T
             ]
             ranked = sorted(zip(across.places, values, strict=True))
             drawn = [(where, value) for where, value in ranked if isfinite(where)]
-            yield Trace(quantity, telling, *map(list, zip(*drawn, strict=True)))
+            yield Trace(quantity, telling, [where for where, _ in drawn], [value for _, value in drawn])
 
 
 def _of_axis(axis: Axis) -> Quantity:

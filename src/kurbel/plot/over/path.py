@@ -66,7 +66,7 @@ def of_turn(question: AngleQuestion, wish: Wish) -> Picture:
     chosen, asked = mechanism(question.moving[0] if question.moving else "straight"), unfolded(question)
     if not (chosen.conditions() and asked.solved()):
         raise ProblemError(f"{asked.subject.key} are drawn over the crank angle; leave --over-path out")
-    drives = getattr(asked, "drives", None) or getattr(asked, "cranks", ())
+    drives: Any = getattr(asked, "drives", None) or getattr(asked, "cranks", ())
     keys = names_over(chosen, drives, asked.page_columns, bool(question.columns))
     return _picture(replace(asked, columns=keys), wish)
 
