@@ -130,8 +130,9 @@ def test_a_value_that_is_no_number_is_a_gap() -> None:
     # At dead centres the crosshead stands, and its velocity has no direction; that of another point turns.
     paper = plotted("table", "--point=0;0.3", "--columns=velocity_direction")
     angles, directions = paper.values("curve-1-1")
-    np.testing.assert_allclose(angles, [*range(30, 180, 30), *range(210, 360, 30)], rtol=0, atol=1e-4)
-    np.testing.assert_allclose(directions, 5 * [180] + 5 * [0], rtol=0, atol=1e-3)
+    inner = np.arange(0.5, 180, 0.5)
+    np.testing.assert_allclose(angles, [*inner, *(180 + inner)], rtol=0, atol=1e-4)
+    np.testing.assert_allclose(directions, 359 * [180] + 359 * [0], rtol=0, atol=1e-3)
     assert [paper.line(f"curve-1-{number}").path.count("M") for number in (1, 2)] == [2, 1]
     # A gap takes no room from the labels beside the curves.
     assert not paper.names("legend.*")

@@ -38,7 +38,7 @@ def axis_name(quantity: Quantity, lang: str) -> tuple[str, Label, Label]:
     is part of it: $F/Q$ of $F$ in $Q$.
     """
     name, heading, unit = quantity.name[lang], quantity.heading[lang], quantity.unit[lang]
-    if "(" in unit and heading == f"{quantity.symbol} in {unit}":
+    if "/(" in unit and heading == f"{quantity.symbol} in {unit}":
         return name, quantity.symbol, unit
     if unit.startswith("$") and heading == f"{quantity.symbol} in {unit}":
         letter, letters = (f"({one})" if " " in one else one for one in (quantity.symbol[1:-1], unit[1:-1]))
