@@ -68,8 +68,6 @@ class AnyFormat(FormatName):
 class ConstructCommand(TableCommand):
     """The command, whose options are those of the table and of the drawing."""
 
-    draws = False
-
     def __init__(self) -> None:
         super().__init__("construct", pages.construction_table.command)
         own = {one.name: click_option(one) for one in pages.plot_construction.command.parameters.values()}

@@ -16,6 +16,8 @@ from kurbel.formats.registry import DRAWINGS, DRAWN
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
 
+# What is not drawn, or in a way of its own.
+UNDRAWN = ("example", "firing", "rotor", "construct")
 # What is a page by itself, and a drawing by -f drawing; the second where it moves, too.
 ALSO_PAGES = ("pdf", "html")
 # What says how a page is written, and nothing on a drawing.
@@ -36,8 +38,7 @@ def drawing_format(given: Given) -> str:
     Raises UsageError for what says nothing on the one or the other.
     """
     named, output, moves = given.values["format"], given.values["output"] or "-", given.values["animate"]
-    suffix = os.path.splitext(output)[1].lower()[1:]
-    suffix = "html" if suffix == "htm" else suffix
+    suffix = _suffix(given)
     by_name = given.typed("format") or output == "-" or given.in_document
     name = (named if by_name else suffix) or ""
     if name == DRAWN:
@@ -52,6 +53,18 @@ def drawing_format(given: Given) -> str:
     if not given.in_document:
         check_terminal(output, name)
     return str(name)
+
+
+def _suffix(given: Given) -> str:
+    suffix = os.path.splitext(given.values["output"] or "")[1].lower()[1:]
+    return "html" if suffix == "htm" else suffix
+
+
+def check_undrawn(given: Given) -> None:
+    """Raise UsageError for a drawing of a page that has none."""
+    name = given.values["format"] if given.typed("format") else _suffix(given)
+    if name in (*DRAWINGS, DRAWN):
+        raise click.UsageError(f"{name} is a drawing, and this page is not drawn; take text, latex or others")
 
 
 def check_moving(name: str, moves: bool) -> None:

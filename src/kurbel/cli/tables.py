@@ -17,7 +17,7 @@ from click.core import augment_usage_errors
 
 from kurbel.cli import say
 from kurbel.cli.app import show
-from kurbel.cli.drawings import drawing_format, drawing_options, drawn, write
+from kurbel.cli.drawings import UNDRAWN, check_undrawn, drawing_format, drawing_options, drawn, write
 from kurbel.cli.manual.command import TopicCommand
 from kurbel.cli.options import (
     Given,
@@ -73,15 +73,13 @@ class MakingCommand(TopicCommand, ABC):
 class TableCommand(MakingCommand):
     """The command of a function; `more` options, by what they stand before, are of the command line alone.
 
-    A drawing is one of its formats, unless it draws in a way of its own.
+    A drawing is one of its formats, unless its pages are none of numbers or it draws in a way of its own.
     """
-
-    draws = True
 
     def __init__(
         self, name: str, command: Command, more: Mapping[str, Sequence[click.Parameter]] | None = None
     ) -> None:
-        params = _params(name, command, more or {})
+        params, self.draws = _params(name, command, more or {}), name not in UNDRAWN
         super().__init__(
             name, params=[*params, *drawing_options()] if self.draws else params, help=help_of(command)
         )
@@ -240,6 +238,7 @@ def _format(given: Given) -> Format:
     named, output = given.values["format"], given.values["output"]
     if not output:
         raise click.UsageError("--output names no file; - is standard output.")
+    check_undrawn(given)
     chosen = FORMATS[named or DEFAULT] if output == "-" or given.typed("format") else for_suffix(output)
     of_bytes = isinstance(chosen, BytesFormat)
     if of_bytes and output == "-" and sys.stdout.isatty():

@@ -36,8 +36,8 @@ TURN = (Fraction(0), Fraction(360))
 # What is read beside points that move, and what stands for it where its unit is known.
 OF_POINTS = (("velocity", "velocity_mps"), ("acceleration", "acceleration_mps2"))
 PAGES = (
-    "kurbel plot draws mechanisms to scale; add --positions 30, --point 0.5 or --animate. Curves are drawn by"
-    " the command that prints them: kurbel table --ratio 1:5 -o motion.svg"
+    "kurbel plot draws mechanisms to scale; add --positions 30, --point 0.5 or --animate, or have the curves"
+    " of a page drawn by what prints it: kurbel table --ratio 1:5 -o motion.svg"
 )
 
 

@@ -33,11 +33,11 @@ class Table(Page):
     its columns over their axis.
     """
 
-    question: Any = None
+    asked: Any = None
 
     @classmethod
-    def of(cls, page: Page, question: Any = None) -> Table:
-        return cls(**{field.name: getattr(page, field.name) for field in fields(page)}, question=question)
+    def of(cls, page: Page, asked: Any = None) -> Table:
+        return cls(**{field.name: getattr(page, field.name) for field in fields(page)}, asked=asked)
 
     def plot(self, *, decimal: str | None = None, **options: Any) -> Drawing:
         """Return the page as a drawing: a panel a unit, both strokes as one turn.
@@ -47,9 +47,9 @@ class Table(Page):
         """
         from kurbel.commands.drawn import plotted
 
-        if self.question is None:
+        if self.asked is None:
             raise ProblemError("this page was not made by a command of kurbel, so it has nothing to draw")
-        return plotted(self.question, options, decimal)
+        return plotted(self.asked, options, decimal)
 
     def __str__(self) -> str:
         return self.typeset()

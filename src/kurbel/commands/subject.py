@@ -290,10 +290,10 @@ def _values(command: Command, args: tuple[Any, ...], options: Mapping[str, Any])
     return Values({**command.defaults, **found, **given}, origins)
 
 
-def _table(page: Page, question: Any = None) -> Table:
+def _table(page: Page, asked: Any = None) -> Table:
     from kurbel.commands.shown import Table
 
-    return Table.of(page, question)
+    return Table.of(page, asked)
 
 
 def makes_table(
