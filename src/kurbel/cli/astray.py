@@ -30,7 +30,8 @@ SIDE_BY_SIDE = {
 ELSEWHERE = {
     ("", "--order"): "series of higher order are those of kurbel table and solve, and elsewhere"
     " --method series is of first order",
-    ("turning", "--over"): "--layout turning-path has the tangential force over the developed crank circle",
+    ("turning", "--over"): "--layout turning-path has the tangential force over the developed crank circle,"
+    " and --over-path draws it so",
     ("pressures", "--over"): "pressures stand over the stroke by themselves, at --shares of it",
     ("inertia", "--over"): "forces over the path, those of masses too, are of kurbel forces",
     ("solve", "--over"): 'kurbel table has --over path, and here --where "s = 25%" is a share of the stroke',
@@ -101,7 +102,7 @@ def _no_option(error: click.NoSuchOption, words: Sequence[str]) -> str:
     if command is not None and command.name == "plot" and name in DRAWN:
         return f"{begun}, for drawings of pages are a format of them; write kurbel {DRAWN[name]}"
     hint = did_you_mean(name, [f"--{one}" for one in options])
-    return begun + (hint or elsewhere(getattr(error.ctx, "command_path", ""), name) or _owners(name, value))
+    return begun + (elsewhere(getattr(error.ctx, "command_path", ""), name) or hint or _owners(name, value))
 
 
 def _flags(command: click.Command | None) -> Mapping[str, click.Option]:

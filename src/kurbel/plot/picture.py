@@ -118,6 +118,8 @@ def asked_of(question: Asked, **changes: Any) -> Asked:
 
 def smooth(angles: Sequence[Fraction], steps: int = STEPS) -> Sequence[Fraction]:
     """Return the angles with others between the first and the last, close enough for smooth curves."""
+    if len(angles) > steps:
+        return angles
     first, last = min(angles), max(angles)
     step = min((last - first) / steps or WIDEST, WIDEST)
     return sorted({*notation.progression(first, last, step), *angles})
