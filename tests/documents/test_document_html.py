@@ -38,7 +38,8 @@ def page(sample: Path) -> str:
 def short(tmp_path_factory: pytest.TempPathFactory) -> str:
     """A page with every kind of item and few rows, over which axe is quick."""
     runs = {"weg": "table --angle 0..180:60", "delta": "delta --eps 2..3", "blau": "example blau 33"}
-    parts = [manifests.run(name, run) for name, run in (runs | {"kurven": "table --ratio 1:5 -f drawing"}).items()]
+    runs |= {"kurven": "table --ratio 1:5 -f drawing"}
+    parts = [manifests.run(name, run) for name, run in runs.items()]
     chapters = manifests.chapter("Wege, $x$", manifests.text("# Kopf\n\nSiehe [](#delta), $x/R$.\n"), *parts)
     return page_of(tmp_path_factory.mktemp("short"), 'matter = ["symbols", "index"]\n', chapters)
 

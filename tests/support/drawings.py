@@ -15,6 +15,8 @@ import numpy as np
 from cli import printed
 from numpy.typing import NDArray
 
+import kurbel
+
 SVG = "{http://www.w3.org/2000/svg}"
 # Units of a file, 1/72 inch, in a millimetre.
 MM = 72 / 25.4
@@ -106,10 +108,11 @@ def plotted(*words: str, **environment: str) -> Paper:
     return Paper(printed(*words, "-f", "svg", "--text", **environment).out)
 
 
-def drawn(command: Callable[..., Any], *args: Any, **given: Any) -> Any:
+def drawn(command: Callable[..., Any], *args: Any, **given: Any) -> kurbel.Drawing:
     """Return the drawing of a page in Python; what its drawing is asked for stands among the options."""
     own = {name: given.pop(name) for name in [*given] if name in OF_DRAWINGS}
-    return command(*args, **given).plot(**own)
+    page: kurbel.Table = command(*args, **given)
+    return page.plot(**own)
 
 
 class Film(Paper):
