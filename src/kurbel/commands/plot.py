@@ -24,7 +24,6 @@ from kurbel.motion.mechanism import Mechanism
 from kurbel.motion.points.page import SUBJECT, PointsRequest
 from kurbel.motion.points.point import Point, points_of
 from kurbel.motion.points.quantities import points_registry
-from kurbel.plot.picture import drawing_layout
 from kurbel.reading.given import as_angles, found_at
 
 if TYPE_CHECKING:
@@ -78,6 +77,8 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
     def question(self) -> Drawing:
         if not (self.says("positions", "point") or self.animate):
             raise ProblemError(PAGES)
+        from kurbel.plot.picture import drawing_layout
+
         chosen, described = self.described()
         drives = some(chosen.drives(described, drawing_layout(chosen.layout).ratios))
         if not self.says("positions", "point"):
@@ -125,6 +126,7 @@ plot_mechanism = function(PlotOptions, "plot_mechanism", drawn=True)
 def _motion(chosen: Mechanism, drives: Sequence[Any], lang: str) -> AngleQuestion:
     """Return what is read beside a mechanism: the motion of the driven end."""
     from kurbel.plot.curves import motion_keys
+    from kurbel.plot.picture import drawing_layout
 
     return chosen.question(
         drives, None, layout=drawing_layout(chosen.layout), angles=TURN, lang=lang,
@@ -134,6 +136,8 @@ def _motion(chosen: Mechanism, drives: Sequence[Any], lang: str) -> AngleQuestio
 
 def _of_points(chosen: Mechanism, drive: Any, points: tuple[Point, ...], lang: str) -> AngleQuestion:
     """Return what is read beside points of the rod: how they move."""
+    from kurbel.plot.picture import drawing_layout
+
     known, crank = points_registry(), chosen.crank(drive)
     keys = tuple(unit if is_known(known[unit], crank) else share for share, unit in OF_POINTS)
     return PointsRequest(

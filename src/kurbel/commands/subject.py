@@ -200,7 +200,7 @@ class WordsCommand(Command):
         from kurbel.commands.precedence import RIVALS, settle_lengths, settle_loads, settle_sizes
 
         self._with_defaults(values)
-        values.outdo(RIVALS.get("plot" if self.name.startswith("plot_") else self.name, ()))
+        values.outdo(RIVALS.get(self.name, ()))
         settle_loads(values)
         if (unknown := values.values.get("unknown")) in values.values and not values.typed(unknown):
             values.drop(unknown)
