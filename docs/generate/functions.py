@@ -49,8 +49,8 @@ def _units() -> list[tuple[str, str]]:
     for name in functions():
         command = _command(name)
         for key, one in command.parameters.items() if command else ():
-            if one.option.unit:
-                units.setdefault(one.option.unit, set()).add(key)
+            if one.unit:
+                units.setdefault(one.unit, set()).add(key)
     return [(", ".join(f"`{key}`" for key in sorted(keys)), plain(unit)) for unit, keys in units.items()]
 
 
@@ -71,7 +71,7 @@ def _function(name: str) -> Iterator[str]:
             "py:function", f"{name}{_signature(function)}", "\n\n".join(described(_doc(function)))
         )
         return
-    about, _, behind = _doc(command.ask).partition("\f")
+    about, _, behind = inspect.cleandoc(command.doc).partition("\f")
     parts = [*described(about)]
     parts.append("Values are text as on the command line, or numbers, lists of them, and arrays.")
     if behind.strip():
@@ -87,7 +87,7 @@ def _doc(found: Any) -> str:
     return inspect.cleandoc(found.__doc__ or "")
 
 
-def _field(name: str, option: Option) -> str:
+def _field(name: str, option: Option[Any]) -> str:
     unit = f" A bare number is in {option.unit}." if option.unit else ""
     return f":param {name}: {plain(option.help + unit)}"
 
