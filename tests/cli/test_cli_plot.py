@@ -43,6 +43,7 @@ NAMED = [
     " --columns=crank_pin_force,tangential_excess,energy,torque_nm,piston_force_n",
     "turning --eps=2;4 --ratio=1:4;1:5 --lang=en",
     "turning --eps=3 --flywheel=50 --speed=120/min --lang=en",
+    "flywheel --torque=5000+1500sin(3φ) --speed=120/min --delta=1:100 --lang=en",
     "delta --eps=2..6 --ratio=1:4;1:5",
     "harmonics --ratio=1:4;1:5 --lang=en",
     "inertia --centre=0.65 --gyration=0.35",
