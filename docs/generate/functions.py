@@ -71,7 +71,7 @@ def _function(name: str) -> Iterator[str]:
             "py:function", f"{name}{_signature(function)}", "\n\n".join(described(_doc(function)))
         )
         return
-    about, _, behind = _doc(command.ask).partition("\f")
+    about, _, behind = inspect.cleandoc(command.doc).partition("\f")
     parts = [*described(about)]
     parts.append("Values are text as on the command line, or numbers, lists of them, and arrays.")
     if behind.strip():

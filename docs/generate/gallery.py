@@ -44,9 +44,19 @@ GROUPS: Mapping[str, Group] = {
     "drawings": Group("Drawings", "subjects/drawings", ("plot",)),
     "constructions": Group("Constructions", "subjects/constructions", ("construct",)),
 }
-# Beside the examples in the help of `kurbel plot`.
+# Pages as drawings, and mechanisms beside the examples in the help of `kurbel plot`.
 DRAWINGS = (
-    "plot --polar --ratio 1:5 --force 10kN -o crank-pin-force",
+    "table --ratio 1:5 --infinite -f svg -o motion",
+    "table --ratio 1:5 --over path --infinite -f svg -o velocity-ellipse",
+    "forces --machine engine.toml -f svg -o forces",
+    "forces --polar --ratio 1:5 --force 10kN -f svg -o crank-pin-force",
+    "forces --polar --eps 4 --bore 300mm --pressure 8bar -f svg -o pin-of-an-engine",
+    "turning --eps 4 --flywheel 50 --speed 120/min -f svg -o turning-effort",
+    "turning --torque '5000 + 1500 sin(3φ)' --load-torque '5000 + 600 sin φ' -f svg -o torques",
+    "pressures --machine engine.toml -f svg -o pressures",
+    "delta --eps 1.5..10:0.5 --ratio '1:4;1:5' -f svg -o irregularity",
+    "harmonics --ratio '1:4;1:5' -f svg -o spectrum",
+    "balance --engine inline-4 -f svg -o free-force",
     "plot --positions '30;150' --ratio 1:4 --offset 0.5 -o offset-crank",
 )
 # What describes the drive of a construction that does not hold for the straight crank.
@@ -68,6 +78,8 @@ class Shown(NamedTuple):
     @property
     def group(self) -> str:
         """Layouts of forces are printed by `kurbel table`, too, for a force that is given."""
+        if self.name.startswith("drawing-") and self.words[0] != "construct":
+            return "drawings"
         if self.words[0] == "table" and "forces" in self.name:
             return "forces"
         return next(name for name, group in GROUPS.items() if self.words[0] in group.commands)
@@ -91,7 +103,8 @@ def shown() -> Iterator[Shown]:
         stem = Path(file).stem
         names[stem] = names.get(stem, 0) + 1
         name = f"drawing-{stem}-{names[stem]}" if names[stem] > 1 else f"drawing-{stem}"
-        own = (*typed, "--lang", "en", "-o", f"{stem}.svg")
+        plain = [one for one in typed if one not in ("-f", "svg")]
+        own = (*plain, "--lang", "en", "-o", f"{stem}.svg")
         yield Shown(name, without_formulas(drawing.title), own, picture_of(drawing))
 
 

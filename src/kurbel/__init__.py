@@ -27,10 +27,8 @@ if TYPE_CHECKING:
     from kurbel.commands.balance import balance_table
     from kurbel.commands.books import collation_table, example_table
     from kurbel.commands.constructions.construct import construction_table, plot_construction
-    from kurbel.commands.cylinder.pressures import plot_pressures
     from kurbel.commands.dead_centres import dead_centres_table
     from kurbel.commands.engine import delta_table, turning_table
-    from kurbel.commands.engine_plots import plot_engine_forces, plot_engine_polar, plot_turning
     from kurbel.commands.firing import firing_table
     from kurbel.commands.flywheels.flywheel import flywheel_table
     from kurbel.commands.forces import forces_table
@@ -39,7 +37,7 @@ if TYPE_CHECKING:
     from kurbel.commands.motion import table
     from kurbel.commands.numbers import certified, compute, typeset
     from kurbel.commands.orders.harmonics import harmonics_table
-    from kurbel.commands.plots import plot_forces, plot_mechanism, plot_motion, plot_polar
+    from kurbel.commands.plot import plot_mechanism
     from kurbel.commands.power import power_table
     from kurbel.commands.pressures import pressures_table
     from kurbel.commands.rotor import rotor_table
@@ -71,14 +69,7 @@ __all__ = [
     "inertia_table",
     "locomotive_table",
     "plot_construction",
-    "plot_engine_forces",
-    "plot_engine_polar",
-    "plot_forces",
     "plot_mechanism",
-    "plot_motion",
-    "plot_polar",
-    "plot_pressures",
-    "plot_turning",
     "power_table",
     "pressures_table",
     "rotor_table",
@@ -95,20 +86,18 @@ _MODULES = {
     "kurbel.commands.rotor": ("rotor_table",),
     "kurbel.commands.books": ("collation_table", "example_table"),
     "kurbel.commands.power": ("power_table",),
-    "kurbel.commands.cylinder.pressures": ("plot_pressures",),
     "kurbel.commands.pressures": ("pressures_table",),
     "kurbel.commands.firing": ("firing_table",),
     "kurbel.commands.orders.harmonics": ("harmonics_table",),
     "kurbel.commands.engine": ("delta_table", "turning_table"),
     "kurbel.commands.flywheels.flywheel": ("flywheel_table",),
-    "kurbel.commands.engine_plots": ("plot_engine_forces", "plot_engine_polar", "plot_turning"),
     "kurbel.commands.forces": ("forces_table",),
     "kurbel.commands.constructions.construct": ("construction_table", "plot_construction"),
     "kurbel.commands.inertia": ("inertia_table",),
     "kurbel.commands.dead_centres": ("dead_centres_table",),
     "kurbel.commands.motion": ("table",),
     "kurbel.commands.numbers": ("certified", "compute", "typeset"),
-    "kurbel.commands.plots": ("plot_forces", "plot_mechanism", "plot_motion", "plot_polar"),
+    "kurbel.commands.plot": ("plot_mechanism",),
     "kurbel.commands.shown": ("Drawing", "Table"),
     "kurbel.commands.solve": ("solve_table",),
     "kurbel.engine.irregularity": ("compute_delta",),
@@ -118,6 +107,17 @@ _MODULES = {
 # Commands of which functions had names of their own, with _table behind them.
 _COMMANDS = {"collation": "collate", "construction": "construct", "dead_centres": "deadcentres"}
 
+# Functions that there were once, and what draws the same.
+_DRAWN = {
+    "plot_motion": 'table("1:5").plot()',
+    "plot_forces": 'forces_table("1:5").plot()',
+    "plot_polar": 'forces_table("1:5").plot(polar=True)',
+    "plot_pressures": 'pressures_table(machine="engine.toml").plot()',
+    "plot_engine_forces": "forces_table(eps=4).plot()",
+    "plot_engine_polar": "forces_table(eps=4).plot(polar=True)",
+    "plot_turning": "turning_table(4).plot()",
+}
+
 
 def __getattr__(name: str) -> object:
     for module, names in _MODULES.items():
@@ -125,6 +125,8 @@ def __getattr__(name: str) -> object:
             from importlib import import_module
 
             return getattr(import_module(module), name)
+    if name in _DRAWN:
+        raise AttributeError(f"kurbel.{name} is the drawing of a page now: kurbel.{_DRAWN[name]}")
     stem = name.removesuffix("_table")
     new = _COMMANDS.get(stem, stem)
     if new != name and new in __all__:

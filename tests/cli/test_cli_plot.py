@@ -1,4 +1,4 @@
-"""`kurbel plot`: drawings in files that open, from what is typed, the environment and the machine."""
+"""Drawings of pages and mechanisms: files that open, what is drawn of which page, what is refused."""
 
 from __future__ import annotations
 
@@ -32,20 +32,28 @@ LOADED = "--eps=3 --bore=300mm --pressure=8bar --stroke=600mm --speed=120/min"
 MASSES = f"{LOADED} --reciprocating=300kg --rod-mass=150kg --centre=0.4 --gyration=0.3"
 # Of these all that is written stands in tests/golden/drawings.txt.
 NAMED = [
-    "--ratio=1:4,5 --step=30",
-    "--ratio=1:4;1:5 --columns=x,rod_force --decimal=point --step=30",
-    "--ratio=1:4,5 --method=series --columns=c,c_return,psi --lang=en --step=30",
-    "--stroke=600mm --rod=1500mm --speed=120/min --force=10kN --lang=en --step=30",
-    "--mechanism=arc --rocker=5.5 --columns=path,rocker --step=30",
-    "--mechanism=parallel --columns=coupler_path,coupler_rise --lang=en --step=30",
-    "--polar --eps=4 --step=30",
-    f"--forces {LOADED} --reciprocating=9kg --step=30"
+    "table --ratio=1:4,5",
+    "table --ratio=1:4;1:5 --columns=x,rod_force --decimal=point",
+    "table --ratio=1:4,5 --method=series --columns=c,psi --lang=en",
+    "forces --stroke=600mm --rod=1500mm --force=10kN --lang=en",
+    "table --mechanism=arc --rocker=5.5 --columns=path,rocker",
+    "table --mechanism=parallel --columns=coupler_path,coupler_rise --lang=en",
+    "forces --polar --eps=4",
+    f"forces {LOADED} --reciprocating=9kg"
     " --columns=crank_pin_force,tangential_excess,energy,torque_nm,piston_force_n",
-    "--turning --eps=2;4 --ratio=1:4;1:5 --lang=en --step=30",
-    "--turning --eps=3 --flywheel=50 --speed=120/min --lang=en --step=30",
-    "--positions=62.5;120 --ratio=1:4.5 --offset=0.5 --lang=en",
-    "--positions=30 --mechanism=arc --rocker=5.5",
-    "--positions=30 --mechanism=parallel --lang=en",
+    "turning --eps=2;4 --ratio=1:4;1:5 --lang=en",
+    "turning --eps=3 --flywheel=50 --speed=120/min --lang=en",
+    "flywheel --torque=5000+1500sin(3φ) --speed=120/min --delta=1:100 --lang=en",
+    "delta --eps=2..6 --ratio=1:4;1:5",
+    "harmonics --ratio=1:4;1:5 --lang=en",
+    "inertia --centre=0.65 --gyration=0.35",
+    "balance --engine=inline-3 --lang=en",
+    "power --eps=2..6 --pressure=8bar",
+    "solve --where=c=max --ratio=1:3..6",
+    "collate roetscher-112",
+    "plot --positions=62.5;120 --ratio=1:4.5 --offset=0.5 --lang=en",
+    "plot --positions=30 --mechanism=arc --rocker=5.5",
+    "plot --positions=30 --mechanism=parallel --lang=en",
 ]
 
 
@@ -55,7 +63,7 @@ def test_drawings_name_what_they_show() -> None:
     for words in NAMED:
         paper = plotted(*words.split())
         written = [one for one in paper.words if not re.fullmatch("[−0-9.,]+°?", one)]
-        text += f"$ kurbel plot {words}\n{paper.title}\n{'; '.join(written)}\n\n"
+        text += f"$ kurbel {words}\n{paper.title}\n{'; '.join(written)}\n\n"
         # Numbers have the mark of the language and a true minus.
         other = "." if "lang=en" not in words and "point" not in words else ","
         assert not [one for one in paper.words if re.search(rf"-\d|\d[{other}]\d", one)]
@@ -74,7 +82,7 @@ def test_drawings_name_what_they_show() -> None:
 )
 def test_each_format_opens(name: str, start: bytes, end: bytes, tmp_path: Path) -> None:
     file = tmp_path / f"drawing.{name.upper()}"
-    printed("plot", "--step", "10", "-o", str(file))
+    printed("table", "-f", "drawing", "-o", str(file))
     content = file.read_bytes()
     assert content.startswith(start)
     assert content.endswith(end)
@@ -85,11 +93,11 @@ def test_the_format_option_is_stronger_than_the_suffix_and_the_suffix_than_the_e
     tmp_path: Path,
 ) -> None:
     file = tmp_path / "drawing.svg"
-    printed("plot", "--step", "10", "-f", "pdf", "-o", str(file))
-    assert file.read_bytes().startswith(b"%PDF")
-    printed("plot", "--step", "10", "-o", str(file), KURBEL_PLOT_FORMAT="png", KURBEL_FORMAT="csv")
+    printed("table", "-f", "png", "-o", str(file))
+    assert file.read_bytes().startswith(b"\x89PNG")
+    printed("table", "-o", str(file), KURBEL_TABLE_FORMAT="png", KURBEL_FORMAT="csv")
     assert file.read_bytes().startswith(b"<?xml")
-    assert printed("plot", "--step", "10", KURBEL_PLOT_FORMAT="svg").out.startswith("<?xml")
+    assert printed("table", KURBEL_TABLE_FORMAT="svg").out.startswith("<?xml")
 
 
 @drawn
@@ -98,17 +106,6 @@ def test_png_goes_through_a_pipe() -> None:
     done = subprocess.run(words, capture_output=True, check=True)
     assert done.stdout.startswith(b"\x89PNG")
     assert done.stderr == b""
-
-
-@drawn
-def test_the_environment_gives_defaults_that_other_kinds_ignore() -> None:
-    environment = {"KURBEL_PLOT_COLUMNS": "x", "KURBEL_PLOT_BORE": "300mm", "KURBEL_PLOT_SPEED": "nonsense"}
-    words = ("plot", "--polar", "--step", "10", "-f", "svg")
-    assert printed(*words, **environment).out == printed(*words).out
-    only = ("plot", "--step", "10", "-f", "svg")
-    assert printed(*only, KURBEL_PLOT_COLUMNS="x").out == printed(*only, "--columns", "x").out
-    assert printed(*only, KURBEL_PLOT_EPS="nonsense").out == printed(*only).out
-    assert printed(*words, KURBEL_PLOT_EPS="3").out == printed(*words, "--eps", "3").out
 
 
 ENGINE_FILE = """
@@ -145,61 +142,110 @@ def machine(tmp_path: Path) -> str:
 @pytest.mark.parametrize(
     ("kind", "typed"),
     [
-        (("--step=30",), (*CRANK, "--speed=120/min")),
-        (("--positions=30",), CRANK),
-        (("--forces", "--step=30"), OF_FILE),
-        (("--polar", "--step=30"), OF_FILE),
-        (("--turning", "--step=30"), (*OF_FILE, "--cranks=0;90")),
-        (("--polar", "--step=30", "--force=10kN"), CRANK),
-        (("--step=30", "--force=10kN"), (*CRANK, "--speed=120/min")),
+        (("table",), (*CRANK, "--speed=120/min")),
+        (("plot", "--positions=30"), CRANK),
+        (("forces",), (*OF_FILE, "--cranks=0;90")),
+        (("forces", "--polar"), (*OF_FILE, "--cranks=0;90")),
+        (("turning",), (*OF_FILE, "--cranks=0;90")),
     ],
 )
 def test_a_drawing_takes_from_the_machine_what_is_its_own(
     kind: tuple[str, ...], typed: tuple[str, ...], machine: str
 ) -> None:
-    words = ("plot", *kind, "-f", "svg")
+    words = (*kind, "-f", "svg")
     drawing = printed(*words, "--machine", machine).out
     assert drawing == printed(*words, *typed).out
-    steam = ("--eps", "4") if "--turning" in kind else ()
-    assert drawing != printed(*words, *steam).out
+    assert drawing != printed(*words, *(("--eps=4",) if kind[0] == "turning" else ())).out
 
 
 @drawn
 def test_a_mechanism_in_the_environment_hinders_no_drawing_without_it() -> None:
-    for words, name in (
-        (("--polar",), "straight"),
-        (("--positions=50", "--offset=0.3"), "offset"),
-        (("--polar",), "arc"),
-    ):
-        drawing = printed("plot", *words, "-f", "svg").out
-        environment = {"KURBEL_PLOT_MECHANISM": name} | ({"KURBEL_PLOT_ROCKER": "6"} if name == "arc" else {})
-        assert printed("plot", *words, "-f", "svg", **environment).out == drawing
-        if name != "arc":
-            assert printed("plot", *words, "--mechanism", name, "-f", "svg").out == drawing
+    words = ("plot", "--positions=50", "--offset=0.3", "-f", "svg")
+    drawing = printed(*words).out
+    assert printed(*words, KURBEL_PLOT_MECHANISM="offset").out == drawing
+    assert printed(*words, "--mechanism", "offset").out == drawing
 
 
 @drawn
-def test_what_is_typed_outdoes_the_machine(machine: str) -> None:
-    words = ("plot", "--polar", "--step", "10", "-f", "svg")
-    other = printed(*words, "--machine", machine, "--eps=5", "--ratio=1:6").out
-    assert (
-        other == printed(*words, *MASSES.replace("eps=3", "eps=5").split(), "--back=0.1", "--ratio=1:6").out
-    )
-    assert other != printed(*words, "--machine", machine).out
+def test_a_page_in_pdf_is_a_page_and_a_drawing_where_that_is_asked_for(tmp_path: Path) -> None:
+    page, drawing = tmp_path / "page.pdf", tmp_path / "drawing.pdf"
+    printed("table", "-o", str(page))
+    printed("table", "-f", "drawing", "--width=80", "--height=90", "-o", str(drawing))
+    boxes = [
+        [
+            round(float(side) / 72 * 25.4)
+            for side in re.findall(rb"/MediaBox ?\[ ?0 0 ([\d.]+) ([\d.]+)", one)[0]
+        ]
+        for one in (page.read_bytes(), drawing.read_bytes())
+    ]
+    assert boxes[1] == [80, 90] != boxes[0]
 
 
 @drawn
-def test_the_crank_of_the_machine_is_that_of_its_engine(tmp_path: Path) -> None:
-    file = tmp_path / "engine.toml"
-    for crank, typed in (
-        ('stroke = "600mm"\nrod = "1350mm"', "--ratio=1:4,5"),
-        ("offset = 0.2", "--offset=0.2"),
-    ):
-        file.write_text(f"[crank]\n{crank}\n[steam]\neps = 3\n", encoding="utf-8")
-        for kind in ("--polar", "--turning"):
-            words = ("plot", kind, "--step", "30", "-f", "svg")
-            drawing = printed(*words, "--machine", str(file)).out
-            assert drawing == printed(*words, "--eps=3", typed).out != printed(*words, "--eps=3").out
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        ("table --width=85 -f csv", "--width is for drawings, and csv is a page"),
+        ("table --polar", "--polar is for drawings, and text is a page"),
+        ("table --digits=3 -f svg", "--digits is for pages, and svg is a drawing; leave it out"),
+        ("table --layout=arc --rocker=6 --mechanism=arc --infinite -f svg", "--infinite is for the straight"),
+        ("delta --eps=2..6 --polar -f svg", "--polar is for the force on the crank pin"),
+        ("delta --eps=4 -f svg", "a drawing needs an axis with several places"),
+        (
+            "table --columns=x,c,p,psi,rod_force -f svg",
+            "5 panels are too many for a drawing, which has at most 4",
+        ),
+        (
+            "forces --polar --ratio=1:4;1:5 -f svg",
+            "--polar draws one crank drive, and 2 crank ratios were given",
+        ),
+        ("balance --engine=v12-60 --cranks=0;180 -f svg", "--engine has its cranks"),
+        ("plot --ratio=1:5 -f svg", "kurbel table --ratio 1:5 -o motion.svg"),
+        ("plot --forces -f svg", "write kurbel forces --eps 4 -o forces.svg"),
+        ("plot --turning -f svg", "write kurbel turning --eps 4 -o turning.svg"),
+    ],
+)
+def test_what_cannot_be_drawn_says_what_to_type(words: str, sentence: str) -> None:
+    assert sentence in refusal(*words.split())
+
+
+@drawn
+def test_a_stroke_that_stands_beside_the_other_is_drawn_as_one_turn() -> None:
+    for words in ("table --ratio=1:4", "table --ratio=1:4 --to=180", "inertia --centre=0.6 --gyration=0.3"):
+        paper = plotted(*words.split())
+        assert paper.values("curve-1-1")[0][[0, -1]] == pytest.approx([0, 360], abs=1e-3)
+    part = plotted("table", "--ratio=1:4", "--to=90", "--columns=c,c_return")
+    assert {"Hingang", "Rückgang"} <= set(part.words)
+
+
+@drawn
+def test_over_expansion_ratios_the_curve_goes_through_the_numbers_of_the_page() -> None:
+    paper = plotted("delta", "--eps=2..6", "--ratio=1:4;1:∞")
+    rows = printed("delta", "--eps=2..6", "--ratio=1:4;1:∞", "-f", "csv").records()
+    for number, ratio in enumerate(("1:4", "1:∞"), 1):
+        across, values = paper.values(f"curve-1-{number}")
+        own = [row for row in rows if row["ratio"] == ratio]
+        assert across == pytest.approx([float(row["epsilon"]) for row in own], abs=1e-4)
+        assert values == pytest.approx([float(row["delta"]) for row in own], abs=1e-4)
+
+
+@drawn
+def test_a_spectrum_has_a_line_as_long_as_each_harmonic() -> None:
+    # B₁ of the infinite rod is 1, and it has no other.
+    paper = plotted("harmonics", "--ratio=1:∞", "--orders=4")
+    orders, heights = paper.values("curve-1-1")
+    tips = {round(float(order)): height for order, height in zip(orders[1::2], heights[1::2], strict=True)}
+    assert tips == pytest.approx({1: 1, 2: 0, 4: 0}, abs=1e-4)
+
+
+@drawn
+def test_the_free_force_of_four_in_line_is_of_twice_the_speed() -> None:
+    # 4 m r ω² λ cos 2φ and what follows of λ³, along the cylinders.
+    paper = plotted("balance", "--engine=inline-4", "--ratio=1:5")
+    (name,) = paper.names("curve.*")
+    across, along = paper.values(name)
+    assert across == pytest.approx(0, abs=1e-6)
+    assert (along.max(), along.min()) == pytest.approx((0.8, -0.8 - 8 * 0.2**3 / 4), abs=0.02)
 
 
 @pytest.mark.parametrize("words", [(), ("-f", "svg", "-o", "-")])
@@ -215,31 +261,24 @@ def test_a_terminal_gets_a_sentence_instead_of_a_drawing(words: tuple[str, ...])
 
 @pytest.mark.parametrize(
     "words",
-    [
-        "",
-        "--polar",
-        "--positions=30",
-        "--turning --eps=4",
-        "--polar --eps=4",
-        "--mechanism=parallel --positions=30",
-    ],
+    ["table", "forces --polar", "turning --eps=4", "delta --eps=2..6", "plot --positions=30"],
 )
 def test_without_matplotlib_the_extra_is_named(
     words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     sentence = f"drawings need matplotlib; install it with: {how_to_install('plot')}"
-    assert refusal("plot", *words.split(), "-o", str(tmp_path / "drawing.svg"), code=1) == sentence
+    assert refusal(*words.split(), "-o", str(tmp_path / "drawing.svg"), code=1) == sentence
     assert list(tmp_path.iterdir()) == []
 
 
 @drawn
 def test_a_drawing_that_cannot_be_written_leaves_the_old_one(tmp_path: Path) -> None:
-    sentence = refusal("plot", "--step", "10", "-o", str(tmp_path / "none" / "drawing.svg"), code=1)
+    sentence = refusal("plot", "--positions=30", "-o", str(tmp_path / "none" / "drawing.svg"), code=1)
     assert sentence.endswith(f"the directory {tmp_path / 'none'} does not exist")
     old = tmp_path / "drawing.svg"
     old.write_text("as it was")
-    refusal("plot", "--columns", "x_mm", "-o", str(old))
+    refusal("table", "--columns", "x_mm", "-o", str(old))
     assert old.read_text() == "as it was"
 
 
@@ -250,6 +289,6 @@ def test_a_home_that_cannot_be_written_is_no_word_beside_a_drawing(
     nowhere = dict.fromkeys(("HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"), str(tmp_path / "file/none"))
     (tmp_path / "file").write_text("")
     environment = {name: text for name, text in os.environ.items() if name != "MPLCONFIGDIR"} | nowhere
-    run = programs.kurbel("plot", "-o", str(tmp_path / "drive.svg"), env=environment)
+    run = programs.kurbel("table", "-o", str(tmp_path / "drive.svg"), env=environment)
     assert run.communicate()[1] == b""
     assert (tmp_path / "drive.svg").exists()

@@ -26,14 +26,10 @@ NAMES = {"table": "table", "deadcentres": "dead_centres_table", "collate": "coll
 TABLES: dict[str, Callable[..., Any]] = {
     name: getattr(kurbel, NAMES.get(name, f"{name}_table")) for name in (*PRINTING, "collate", "example")
 }
-PLOTS: dict[str, Callable[..., Any]] = {
-    name: getattr(kurbel, name)
-    for name in kurbel.__all__
-    if name.startswith("plot_") and name != "plot_construction"
-}
 ONLY_TYPED = {
     *("format", "output", "decimal", "standalone", "longtable", "siunitx", "excel", "strict"),
-    *("interactive", "help", "text"),
+    *("interactive", "help", "text", "width", "height", "polar", "over_path", "infinite", "animate"),
+    "seconds",
 }
 
 
@@ -57,11 +53,10 @@ def test_a_function_has_the_options_of_its_command() -> None:
         arguments = {"collate": {"table"}, "example": {"book", "number"}}.get(name, set())
         counted = {"digits", "rounding"} if name == "collate" else set()
         assert taken(function) - arguments == typed(name) - counted, name
-    flags = {"forces", "polar", "pressures", "turning"}
-    assert set().union(*map(taken, PLOTS.values())) - ONLY_TYPED == typed("plot") - flags
+    assert taken(kurbel.plot_mechanism) - ONLY_TYPED == typed("plot")
 
 
-@pytest.mark.parametrize("function", [*TABLES.values(), *PLOTS.values()], ids=lambda one: one.__name__)
+@pytest.mark.parametrize("function", [*TABLES.values(), kurbel.plot_mechanism], ids=lambda one: one.__name__)
 def test_the_help_of_python_describes_every_parameter(function: Any) -> None:
     text = pydoc.plain(pydoc.render_doc(function))
     for name, parameter in inspect.signature(function).parameters.items():
@@ -101,7 +96,7 @@ def test_types_are_plain_and_every_number_may_be_a_float() -> None:
         ("table", ("1:5", "1:4"), {}, r"is given 2 values without a name; ratio can stand without"),
         ("table", ("1:5",), {"ratio": "1:4"}, r"is given ratio twice, by its place and by its name"),
         ("certified", ("x",), {"angle": 60}, r"^kurbel.certified needs ratio; help\(kurbel.certified\) says"),
-        ("plot_motion", (), {"ofset": 1}, r"\(did you mean offset\?\)"),
+        ("plot_mechanism", (), {"ofset": 1}, r"\(did you mean offset\?\)"),
         ("compute", ([1], "1:5"), {"ofset": 1}, r"\(did you mean offset\?\)"),
         ("compute", ([1], "1:5", "torque_nm"), {"forse": 1}, r"\(did you mean force\?\)"),
         ("compute_delta", (2, 0.2), {"clearence": 0.1}, r"\(did you mean clearance\?\)"),
@@ -284,10 +279,12 @@ def test_other_values_give_other_names_for_references() -> None:
         (lambda: kurbel.flywheel_table(speed=2, delta=0.1), "flywheel --speed=2Hz --delta=0.1"),
         (lambda: kurbel.delta_table(card="x", eps=4), "delta --card=x --eps=4"),
         (lambda: kurbel.balance_table("v2-90", cranks=[0, 180]), "balance --engine=v2-90 --cranks=0;180"),
-        (lambda: kurbel.plot_turning(4, method="infinite"), "plot --turning --eps=4 --method=infinite -fsvg"),
-        (lambda: kurbel.plot_polar(mechanism="arc"), "plot --polar --mechanism=arc -fsvg"),
-        (lambda: kurbel.plot_motion(mechanism="parallel", force=1),
-         "plot --mechanism=parallel --force=1N -fsvg"),
+        (lambda: kurbel.plot_mechanism(ratio="1:5"), "plot --ratio=1:5 -fsvg"),
+        (lambda: kurbel.table(mechanism="arc", rocker=6).plot(polar=True),
+         "table --mechanism=arc --rocker=6 --polar -fsvg"),
+        (lambda: kurbel.delta_table(4).plot(), "delta --eps=4 -fsvg"),
+        (lambda: kurbel.table().plot(seconds=3), "table --seconds=3 -fsvg"),
+        (lambda: kurbel.table().plot(width=5000), "table --width=5000 -fsvg"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_is_refused_in_the_words_of_the_command_line(call: Any, words: str) -> None:

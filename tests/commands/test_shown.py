@@ -11,6 +11,7 @@ import polars
 import polars.testing
 import pyarrow
 import pytest
+from drawings import drawn
 
 import kurbel
 from kurbel.exact.numerals import Number, number_text
@@ -138,7 +139,7 @@ def test_a_missing_library_is_one_sentence(
 
 
 def test_a_drawing_shows_itself_and_is_saved(tmp_path: Path) -> None:
-    drawing = kurbel.plot_motion("1:5", columns="x", step=10, lang="en")
+    drawing = drawn(kurbel.table, "1:5", columns="x", step=10, lang="en")
     assert repr(drawing) == "<kurbel.Drawing: Piston path for R:L = 1:5; exact formulas>"
     assert drawing._repr_svg_().startswith("<?xml")
     drawing.save(tmp_path / "path.svg")

@@ -38,7 +38,8 @@ def page(sample: Path) -> str:
 def short(tmp_path_factory: pytest.TempPathFactory) -> str:
     """A page with every kind of item and few rows, over which axe is quick."""
     runs = {"weg": "table --angle 0..180:60", "delta": "delta --eps 2..3", "blau": "example blau 33"}
-    parts = [manifests.run(name, run) for name, run in (runs | {"kurven": "plot --ratio 1:5"}).items()]
+    runs |= {"kurven": "table --ratio 1:5 -f drawing"}
+    parts = [manifests.run(name, run) for name, run in runs.items()]
     chapters = manifests.chapter("Wege, $x$", manifests.text("# Kopf\n\nSiehe [](#delta), $x/R$.\n"), *parts)
     return page_of(tmp_path_factory.mktemp("short"), 'matter = ["symbols", "index"]\n', chapters)
 
@@ -226,7 +227,7 @@ HOSTILE = (
 
 def test_no_line_begins_with_the_sign_behind_a_formula(viewer: Viewer, tmp_path: Path) -> None:
     words = "Weg $x$, Zeit $t$; Kraft $F$: Druck ($p$), " * 12
-    drawing = manifests.run("kurven", "plot --ratio 1:5", caption=words.strip())
+    drawing = manifests.run("kurven", "table --ratio 1:5 -f drawing", caption=words.strip())
     opened = viewer.open(page_of(tmp_path, manifests.chapter("Zeichen", manifests.text(words), drawing)))
     for width in range(320, 420, 10):
         opened.set_viewport_size({"width": width, "height": 800})
@@ -236,7 +237,7 @@ def test_no_line_begins_with_the_sign_behind_a_formula(viewer: Viewer, tmp_path:
 
 
 def test_what_a_manifest_says_is_text(viewer: Viewer, tmp_path: Path) -> None:
-    runs = {"weg": "table --angle 0;90", "kurven": "plot --ratio 1:5"}
+    runs = {"weg": "table --angle 0;90", "kurven": "table --ratio 1:5 -f drawing"}
     parts = [manifests.run(name, run, caption=HOSTILE) for name, run in runs.items()]
     chapter = manifests.chapter(HOSTILE, manifests.text(HOSTILE), *parts)
     page = page_of(tmp_path, chapter, title=HOSTILE, subtitle=HOSTILE, author=HOSTILE)

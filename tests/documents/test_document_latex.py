@@ -93,7 +93,7 @@ def test_the_article_has_every_digit_and_every_reference(sample: Path, tmp_path:
 
 def test_what_the_manifest_says_is_printed_and_not_obeyed(tmp_path: Path) -> None:
     require("pdflatex")
-    figure = run("kurven", "plot --ratio 1:5", caption=NASTY[0] + NASTY[2])
+    figure = run("kurven", "table --ratio 1:5 -f drawing", caption=NASTY[0] + NASTY[2])
     first = chapter(NASTY[0], text("# Kopf -- ,, <<"), figure, run("lang", "delta", caption="Lang"))
     top = keys_of(title=NASTY[3], subtitle=NASTY[2], author=NASTY[1])
     manifest = f'{top}formats = ["latex"]\n{first}{"".join(map(chapter, NASTY[1:]))}'

@@ -130,7 +130,7 @@ NASTY = (
 
 def test_what_the_manifest_says_is_printed_and_not_obeyed(tmp_path: Path) -> None:
     chapters = [
-        chapter(words, run(f"f{place}", "plot", caption=NASTY[2]), name=f"c{place}")
+        chapter(words, run(f"f{place}", "table -f drawing", caption=NASTY[2]), name=f"c{place}")
         for place, words in enumerate(NASTY, 1)
     ]
     top = keys_of(title=NASTY[1], subtitle=NASTY[3], author=NASTY[0])

@@ -147,7 +147,8 @@ def test_the_file_tells_title_author_keywords_language_and_standards(sample: Pat
 
 
 def test_nasty_words_are_printed_as_they_are(tmp_path: Path) -> None:
-    parts = (run("nasty", "table --angle 0..90:30", caption=NASTY), run("f", "plot", caption=NASTY))
+    runs = {"nasty": "table --angle 0..90:30", "f": "table -f drawing"}
+    parts = (run(name, asked, caption=NASTY) for name, asked in runs.items())
     top = keys_of(title=NASTY, subtitle=NASTY, author=NASTY) + 'formats = ["pdf"]\n'
     words = re.sub(r"([!-/:-@\[-`{-~])", r"\\\1", NASTY.replace(r"\$", "$"))
     pdf = pdf_of(tmp_path, chapter(NASTY, text(words), *parts), top=top)

@@ -190,7 +190,7 @@ def test_a_table_of_latex_that_is_longer_than_a_page_is_pointed_out(tmp_path: Pa
 
 def test_drawings_of_html_share_no_ids_and_no_style(tmp_path: Path) -> None:
     require_library("matplotlib")
-    text = place(".html", "plot --ratio 1:5 --columns p") * 2
+    text = place(".html", "table --ratio 1:5 --columns p -f svg") * 2
     html = refreshed(written(tmp_path, text, "notes.html")).decode()
     ids = re.findall(r'\bid="([^"]+)"', html)
     assert len(ids) == len(set(ids)) > 10

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from cli import printed
+from drawings import drawn
 from machines import machine
 from places import ROOT
 
@@ -116,14 +117,21 @@ def test_a_pressure_that_lies_half_way_is_rounded_away() -> None:
 
 
 def test_the_drawing_lays_the_masses_under_the_diagram_of_each_stroke(tmp_path: object) -> None:
-    drawn = api.plot_pressures(
-        4, ratio="1:5", stroke=0.6, bore=0.3, pressure=800_000, speed=2, reciprocating=300
+    drawing = drawn(
+        api.pressures_table,
+        eps=4,
+        ratio="1:5",
+        stroke=0.6,
+        bore=0.3,
+        pressure=800_000,
+        speed=2,
+        reciprocating=300,
     )
-    names = [axes.get_title(loc="left") for axes in drawn.figure.axes]
+    names = [axes.get_title(loc="left") for axes in drawing.figure.axes]
     assert [name.partition(":")[0] for name in names] == ["Hingang", "Rückgang"]
     out, back = (
         [line.get_xydata() for line in axes.lines if line.get_gid() and "curve" in line.get_gid()]
-        for axes in drawn.figure.axes
+        for axes in drawing.figure.axes
     )
     for steam, masses, left in (out, back):
         np.testing.assert_allclose(steam[:, 1] - masses[:, 1], left[:, 1], rtol=0, atol=1e-9)
@@ -170,7 +178,7 @@ def test_a_tangential_pressure_that_lies_half_way_is_rounded_away() -> None:
 
 def test_the_turning_effort_is_drawn_over_the_path_of_the_pin() -> None:
     by_angle, by_path = (
-        api.plot_turning(4, ratio="1:5", over=axis).figure.axes for axis in ("angle", "path")
+        drawn(api.turning_table, 4, ratio="1:5", over_path=path).figure.axes for path in (False, True)
     )
     assert [one.get_xlim() for one in by_path] == [(0, pytest.approx(2 * np.pi))] * 2
     assert by_path[-1].get_xlabel() == "Weg des Kurbelzapfens $s/R$"

@@ -35,17 +35,9 @@ def runs(lang: str, *commands: str) -> list[list[str]]:
 def test_every_example_worked_and_every_drawing_drawn(lang: str) -> None:
     books = {tuple(line.split()[:2]) for line in printed("example").out.splitlines()}
     assert {tuple(one[1:3]) for one in runs(lang, "example")} == books
-    drawn = " ".join(" ".join(one) for one in runs(lang, "plot"))
-    for option in (
-        "--positions",
-        "--forces",
-        "--polar",
-        "--pressures",
-        "--turning",
-        "--columns",
-        "--mechanism",
-    ):
-        assert option in drawn
+    drawn = " ".join(" ".join(one) for one in runs(lang) if one[0] == "plot" or "drawing" in one)
+    for word in ("--positions", "forces", "--polar", "pressures", "turning", "--columns", "--mechanism"):
+        assert word in drawn
 
 
 def test_every_source_is_collated_and_every_layout_is_there(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -58,7 +50,7 @@ def test_every_source_is_collated_and_every_layout_is_there(monkeypatch: pytest.
     asked = {
         " ".join([words[0], *(one for one in words if one.startswith("--"))]): words
         for words in runs("de")
-        if words[0] != "plot" and "--layout" not in words
+        if words[0] != "plot" and not {"--layout", "drawing"} & {*words}
     }
     found = {json.loads(kurbel(*words, "-f", "json").out or "{}").get("table") for words in asked.values()}
     # The records of these have the names of what they are of.

@@ -280,7 +280,7 @@ def test_two_builds_are_the_same_bytes(tmp_path: Path, epoch: str) -> None:
     # The date is that of the PDF and of workbooks alone.
     every = '"pdf", "xlsx", "ods"' if epoch else ", ".join(f'"{name}"' for name in FORMATS)
     text = MANIFEST.replace('"text", "latex", "markdown", "html", "csv", "json"', every)
-    text += '\n[[chapter.part]]\nrun = "plot --ratio 1:5 --columns p"\nname = "bild"\n'
+    text += '\n[[chapter.part]]\nrun = "table --ratio 1:5 --columns p -f drawing"\nname = "bild"\n'
     made: list[dict[str, bytes]] = []
     for place, setting in zip(("one", "two/three four"), SETTINGS, strict=True):
         folder = book(tmp_path / place, text)

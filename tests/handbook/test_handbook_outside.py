@@ -25,7 +25,7 @@ RUNS = {
     "by-a-machine": "turning --machine engine.toml",
     "by-a-cylinder": "turning --machine cylinders.toml",
     "by-a-cylinder-in-words": "forces --cylinder card=../secret.csv",
-    "by-a-cylinder-of-a-drawing": "plot --turning --cylinder card=way/secret.csv",
+    "by-a-cylinder-of-a-drawing": "turning --cylinder card=way/secret.csv -f drawing",
     "by-a-rod-of-a-cylinder": "delta --cylinder 'eps=4 rod-file=link.csv'",
     "by-a-rod": "inertia --rod-file ../secret.csv --stroke 1m --rod 2m --speed 1/s",
     "by-a-book": "collate --sources books",

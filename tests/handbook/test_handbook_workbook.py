@@ -111,7 +111,7 @@ def test_a_build_makes_only_what_changed_and_a_check_finds_what_is_stale(tmp_pat
 @pytest.mark.slow
 def test_a_drawing_is_a_sheet_with_its_words(tmp_path: Path) -> None:
     require_library("matplotlib")
-    drawing = '[[chapter.part]]\nrun = "plot --ratio 1:5"\nname = "bild"\n'
+    drawing = '[[chapter.part]]\nrun = "table --ratio 1:5 -f drawing"\nname = "bild"\n'
     (tmp_path / "handbook.toml").write_text(f"{MANIFEST}\n{drawing}", encoding="utf-8")
     assert build(tmp_path).code == 0
     for suffix, words in (("xlsx", "xl/drawings/drawing1.xml"), ("ods", "content.xml")):

@@ -219,7 +219,7 @@ def test_what_is_new_is_in_reference_handbook_drawings_lists_and_help(house: Hou
          'method "series" has no formula for jerk; use exact'),
         ("table --mechanism yoke --ratio 1:5", "--ratio does not belong to the Scotch yoke"),
         ("forces --mechanism yoke --eps 4", "the Scotch yoke under steam is not computed"),
-        ("plot --polar --mechanism yoke -o polar.svg", "the polar diagram of the Scotch yoke is not drawn"),
+        ("forces --polar --mechanism yoke -o polar.svg", "the polar diagram of the Scotch yoke is not drawn"),
         ("forces --mechanism arc --rocker 6 --force 10kN..4kN",
          "the arc crank under a linear force is not computed"),
     ],

@@ -143,23 +143,23 @@ METRIC = re.compile(
 
 
 DRAWN = (
-    ("--stroke 24in --rod 5ft --columns x_mm", "in mm: 609.60 at 180°", "in inches: 24.000 at 180°"),
-    ("--stroke 24in --rod 5ft --speed 120/min --columns c_mps --over path", "c in m/s: ", "c in ft/s: "),
-    ("--force 1000lbf --stroke 24in --columns torque_nm", "in N m: 1382.7 at", "in lbf ft: 1019.8 at"),
-    (f"--polar {ACTED} --stroke 24in", "in kN", "in 10³ lbf"),
-    (f"--pressures {ACTED} {ENGINE}", "in bar", "in psi"),
+    ("table --stroke 24in --rod 5ft --columns x_mm", "in mm: 609.60 at 180°", "in inches: 24.000 at 180°"),
+    ("table --stroke 24in --rod 5ft --speed 2/s --columns c_mps --over path", "c in m/s: ", "c in ft/s: "),
+    ("forces --force 1000lbf --stroke 24in --columns torque_nm", "in N m: 1382.7 at", "in lbf ft: 1019.8 at"),
+    (f"forces --polar {ACTED} --stroke 24in", "in kN", "in 10³ lbf"),
+    (f"pressures {ACTED} {ENGINE}", "in bar", "in psi"),
     (
-        "--turning --torque '(50000 + 15000 sin(3φ)) lbf ft'",
+        "turning --torque '(50000 + 15000 sin(3φ)) lbf ft'",
         "in kN m: T, T_L = 67.791 kN m; Excess energy W in kJ: ΔW = 13.558 kJ",
         "in 10³ lbf ft: T, T_L = 50.000 · 10³ lbf ft; Excess energy W in 10³ ft lbf: ΔW = 10.000 · 10³ ft",
     ),
-    ("--point 0.5 --columns path_along_mm --stroke 24in", "ξ in mm", "ξ in inches"),
+    ("table --point 0.5 --columns path_along_mm --stroke 24in", "ξ in mm", "ξ in inches"),
 )
 
 
 @pytest.mark.parametrize(("words", "metric", "imperial"), DRAWN)
 def test_a_drawing_has_the_units_that_are_given(words: str, metric: str, imperial: str) -> None:
-    given = ("plot", *shlex.split(words), "--lang", "en", "-f", "svg", "--width", "150mm")
+    given = (*shlex.split(words), "--lang", "en", "-f", "svg", "--width", "150mm")
     for units, said in (((), imperial), (("--units", "metric"), metric)):
         drawn = kurbel_in(*given, *units)
         assert drawn.err == ""

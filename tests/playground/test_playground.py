@@ -282,7 +282,7 @@ def test_files_go_in_and_out_and_outlive_a_stop(page: Page) -> None:
 @pytest.mark.slow
 def test_what_needs_other_libraries_says_so(page: Page) -> None:
     assert "drawings and indicator cards need NumPy" in typed(
-        page, "kurbel plot --ratio 1:5 -o motion.svg", "Failed, exit code 1"
+        page, "kurbel table --ratio 1:5 -o motion.svg", "Failed, exit code 1"
     )
     # Interactive pages draw what moves without them.
     typed(page, "kurbel turning --eps 2..4 --interactive -o turning.html")

@@ -20,33 +20,33 @@ MASSES = "--reciprocating=200kg --rod-mass=150kg --centre=0.4 --gyration=0.3"
 ALL_FORCES = "--columns=piston_force,rod_force,guide_force,tangential_force,radial_force"
 RUN = "tangential,mean_force,energy,rpm"
 PIN_FORCES = "--columns=crank_pin_force_n,guide_force_n,torque_nm"
-# What is drawn, whose table it is, and words of both; columns stand where they are not those of the words.
+# The command, and words of drawing and table; columns stand where they are not those of the words.
 CURVES = {
-    "motion": ("", "table", "--ratio=1:4,5 --columns=x,c,p,psi,x_percent", ""),
-    "series": ("", "table", "--ratio=1:4 --method=series --order=3 --columns=x,c,p", ""),
-    "strokes": ("", "table", "--ratio=1:4 --columns=x,x_return,c,c_return", ""),
-    "offset": ("", "table", "--ratio=1:4 --offset=0.3 --columns=x,c,p", ""),
-    "ratios": ("", "table", "--ratio=1:4;1:5;1:∞ --columns=x,rod_force,guide_force", ""),
-    "machine": ("", "table", "--stroke=600mm --rod=1500mm --speed=120/min", "x_mm,c_mps,p_mps2"),
-    "forces": ("--forces", "forces", "--force=10kN --stroke=600mm --columns=rod_force_n,torque_nm", ""),
-    "arc": ("", "table", "--mechanism=arc --rocker=3 --ratio=1:5;1:4", "path,velocity,acceleration"),
-    "beam": ("", "table", "--mechanism=beam --beam=3", "path,velocity,acceleration"),
+    "motion": ("table", "--ratio=1:4,5 --columns=x,c,p,psi", ""),
+    "series": ("table", "--ratio=1:4 --method=series --order=3 --columns=x,c,p", ""),
+    "strokes": ("table", "--ratio=1:4 --to=90 --columns=x,x_return,c,c_return", ""),
+    "offset": ("table", "--ratio=1:4 --offset=0.3 --columns=x,c,p", ""),
+    "ratios": ("table", "--ratio=1:4;1:5;1:∞ --columns=x,rod_force,guide_force", ""),
+    "machine": ("table", "--stroke=600mm --rod=1500mm --speed=120/min", "x_mm,c_mps,p_mps2"),
+    "forces": ("forces", "--force=10kN --stroke=600mm --columns=rod_force_n,torque_nm", ""),
+    "arc": ("table", "--mechanism=arc --rocker=3 --ratio=1:5;1:4 --columns=path,velocity,rod", ""),
+    "beam": ("table", "--mechanism=beam --beam=3", "path,velocity,acceleration,rocker,rod"),
     "parallel": (
-        "", "table", "--mechanism=parallel",
+        "table", "--mechanism=parallel",
         "coupler_path,coupler_rise,coupler_velocity,coupler_rise_velocity,"
         "coupler_acceleration,coupler_rise_acceleration",
     ),
-    "points": ("", "table", "--ratio=1:4 --point=0.5;0.3,0.2 --columns=path_along,path_across,velocity", ""),
-    "steam": ("--forces", "forces", f"{STEAM} {ALL_FORCES}", ""),
-    "single": ("--forces", "forces", f"{STEAM} --single-acting {ALL_FORCES}", ""),
-    "engines": ("--forces", "forces", "--eps=3;2 --columns=piston_force,tangential_force", ""),
-    "newtons": ("--forces", "forces", f"{LOAD} {MASSES} {PIN_FORCES}", ""),
-    "on an arc": ("--forces", "forces", f"--eps=4 --mechanism=arc --rocker=6 {ALL_FORCES}", ""),
-    "turning": ("--turning", "turning", "--eps=4 --back=0.1", "tangential,mean_force,energy"),
-    "masses": ("--turning", "turning", f"{LOAD} {MASSES} --cranks=0;90", "tangential,mean_force,energy"),
-    "efforts": ("--turning", "turning", "--eps=2;4 --ratio=1:4;1:5", "tangential,energy"),
-    "card": ("--turning", "turning", f"--card={CARDS / 'ideal-2.csv'}", "tangential,mean_force,energy"),
-    "flywheel": ("--turning", "turning", f"--eps=3 --flywheel=50 --speed=120/min --columns={RUN}", RUN),
+    "points": ("table", "--ratio=1:4 --point=0.5;0.3,0.2 --columns=path_along,path_across,velocity", ""),
+    "steam": ("forces", f"{STEAM} {ALL_FORCES}", ""),
+    "single": ("forces", f"{STEAM} --single-acting {ALL_FORCES}", ""),
+    "engines": ("forces", "--eps=3;2 --columns=piston_force,tangential_force", ""),
+    "newtons": ("forces", f"{LOAD} {MASSES} {PIN_FORCES}", ""),
+    "on an arc": ("forces", f"--eps=4 --mechanism=arc --rocker=6 {ALL_FORCES}", ""),
+    "turning": ("turning", "--eps=4 --back=0.1", "tangential,mean_force,energy"),
+    "masses": ("turning", f"{LOAD} {MASSES} --cranks=0;90", "tangential,mean_force,energy"),
+    "efforts": ("turning", "--eps=2;4 --ratio=1:4;1:5", "tangential,energy"),
+    "card": ("turning", f"--card={CARDS / 'ideal-2.csv'}", "tangential,mean_force,energy"),
+    "flywheel": ("turning", f"--eps=3 --flywheel=50 --speed=120/min --columns={RUN}", RUN),
 }  # fmt: skip
 
 
@@ -65,11 +65,11 @@ def drives(rows: list[dict[str, str]]) -> list[list[dict[str, str]]]:
 
 @pytest.mark.parametrize("name", CURVES)
 def test_curves_are_the_columns_of_their_table(name: str) -> None:
-    kind, command, words, keys = CURVES[name]
+    command, words, keys = CURVES[name]
     columns = (keys or words.rpartition("--columns=")[2]).split(",")
     asked = [one for one in words.split() if not (keys and one.startswith("--columns"))]
-    span = ("--to=180", "--step=15") if "return" in words else TURN
-    paper = plotted(*kind.split(), *asked, *span)
+    span = ("--step=15",) if "return" in words else TURN
+    paper = plotted(command, *asked, *(span if command != "turning" else ()))
     apart = drives(
         records(command, *words.split(), *(span if command != "turning" else span[2:]), "--digits=9")
     )
@@ -83,7 +83,7 @@ def test_curves_are_the_columns_of_their_table(name: str) -> None:
         # Of an axis in kN.
         power = round(math.log10(max(abs(meant)) / max(abs(values))) / 3) * 3 if meant.any() else 0
         for row, true in zip(rows, meant, strict=True):
-            if kind == "--forces" and "eps" in words and row["phi"] == "360":
+            if command == "forces" and "eps" in words and row["phi"] == "360":
                 # Where the next turn begins, the steam has changed sides.
                 continue
             there = np.abs(angles - float(row["phi"])) < 1e-4
@@ -98,7 +98,7 @@ def curve(paper: Paper, name: str) -> list[tuple[float, float]]:
 
 def test_where_the_steam_changes_sides_a_force_has_both_its_values_and_a_thin_line_joins_them() -> None:
     keys = ("piston_force", "tangential_force", "radial_force")
-    paper = plotted("--forces", *STEAM.split(), f"--columns={','.join(keys)}", "--step=7", "--to=357")
+    paper = plotted("forces", *STEAM.split(), f"--columns={','.join(keys)}", "--step=7", "--to=357")
     end = 1 / 3 - 0.1
     for number, sign in ((1, 1), (3, -1)):
         points = curve(paper, f"curve-1-{number}")
@@ -127,11 +127,9 @@ def test_where_the_steam_changes_sides_a_force_has_both_its_values_and_a_thin_li
 
 def test_a_cut_off_at_an_angle_of_the_curve_is_no_jump() -> None:
     # After a quarter of the stroke the crank of an infinite rod is at 60°, and at 240°.
-    paper = plotted("--forces", "--eps=4", "--ratio=1:∞", "--columns=piston_force", "--step=15")
+    paper = plotted("forces", "--eps=4", "--ratio=1:∞", "--columns=piston_force", "--step=15")
     angles = paper.values("curve-1-1")[0].round(3).tolist()
     assert [one for one, after in pairwise(angles) if one == after] == [180]
-    # And the jump from the last value to the first.
-    assert len(angles) == 26
 
 
 def in_crank(paper: Paper) -> Floats:
@@ -151,7 +149,7 @@ def in_crank(paper: Paper) -> Floats:
 def test_the_polar_diagram_is_the_force_on_the_pin_at_every_angle_in_one_scale(
     words: str, table: str
 ) -> None:
-    paper = plotted("--polar", *words.split(), *TURN)
+    paper = plotted("forces", "--polar", *words.split(), *TURN)
     unit = "_n" if "N" in table or "bore" in table else ""
     rows = records(*table.split(), *TURN, "--digits=9")
     meant = np.asarray(
@@ -167,7 +165,7 @@ def test_the_polar_diagram_is_the_force_on_the_pin_at_every_angle_in_one_scale(
 
 
 def test_a_polar_diagram_leaps_along_the_crank_at_dead_centres_of_a_whole_turn() -> None:
-    paper = plotted("--polar", *STEAM.split(), "--step=10")
+    paper = plotted("forces", "--polar", *STEAM.split(), "--step=10")
     before, after = (curve(paper, f"curve-{number}") for number in (1, 2))
     end = 1 / 3 - 0.1
     assert [before[0], before[-1]] == [pytest.approx(one, abs=1e-6) for one in ((0, 0.9), (0, -end))]
@@ -182,12 +180,12 @@ def test_a_polar_diagram_leaps_along_the_crank_at_dead_centres_of_a_whole_turn()
     assert "0,2 " in paper.words
     # A part of a turn does not return, and a force that never leaps has nothing to join.
     for words in (f"{STEAM} --to=170", "--ratio=1:3"):
-        assert not plotted("--polar", *words.split(), "--step=10").names("chord.*")
+        assert not plotted("forces", "--polar", *words.split(), "--step=10").names("chord.*")
 
 
 def test_the_mean_of_the_speed_lies_between_its_extremes() -> None:
     for words, letter in ((("--speed=120/min",), "n/min−1"), ((), "v/v1")):
-        paper = plotted("--turning", "--eps=3", "--flywheel=50", *words, "--step=2")
+        paper = plotted("turning", "--eps=3", "--flywheel=50", *words, "--step=2")
         assert letter in paper.words
         speed, mean = (paper.values(f"curve-3-{number}")[1] for number in (1, 2))
         # The extremes lie between the angles that are drawn.
@@ -207,7 +205,7 @@ def test_the_mean_of_the_speed_lies_between_its_extremes() -> None:
 def test_over_the_path_curves_are_the_columns_of_the_table_to_one_scale(
     words: tuple[str, ...], more: tuple[str, ...], stroke: float
 ) -> None:
-    paper = plotted("--over=path", *words, *more)
+    paper = plotted("table", "--over=path", *words, *more)
     rows = records("table", "--columns=x,c,p", *words, "--from=0", "--to=360", "--step=7.5", "--digits=9")
     x, *courses = (np.asarray([float(row[key]) for row in rows]) for key in ("x", "c", "p"))
     for number, true in enumerate(courses, 1):
@@ -224,8 +222,8 @@ def test_forces_of_an_engine_with_masses_are_those_of_its_bodies() -> None:
     options = dict(word.removeprefix("--").split("=") for word in f"{LOAD} {MASSES}".split())
     engine = machine(**{key.replace("-", "_"): value for key, value in options.items()})
     full = 8e5 * math.pi / 4 * 0.3**2 / 1000
-    paper = plotted("--forces", *LOAD.split(), *MASSES.split(), PIN_FORCES, "--step=7", "--to=357")
-    polar = plotted("--polar", *LOAD.split(), *MASSES.split(), "--step=7", "--to=357")
+    paper = plotted("forces", *LOAD.split(), *MASSES.split(), PIN_FORCES, "--step=7", "--to=357")
+    polar = plotted("forces", "--polar", *LOAD.split(), *MASSES.split(), "--step=7", "--to=357")
     places = np.concatenate([np.stack(polar.values(one), axis=1) for one in polar.names(r"curve-\d")])
     for angle in (7, 56, 126, 203, 301):
         true = {key: float(value) * full for key, value in engine.rod(angle).items()}
@@ -239,7 +237,7 @@ def test_forces_of_an_engine_with_masses_are_those_of_its_bodies() -> None:
 
 def test_pressures_on_the_piston_are_those_of_the_indicator_and_of_the_masses() -> None:
     words = "--eps=4 --back=0.1 --pressure=9bar --bore=300mm --ratio=1:∞ --stroke=600mm --speed=120/min"
-    paper = plotted("--pressures", *words.split(), "--reciprocating=300kg")
+    paper = plotted("pressures", *words.split(), "--reciprocating=300kg")
     # An infinite rod moves the piston by 300 (1 - cos φ) mm; m R ω² on the area of the bore, in bar.
     greatest = 300 * 0.3 * (4 * math.pi) ** 2 / (math.pi / 4 * 0.3**2) / 1e5
     for panel, sign in ((1, 1), (2, -1)):
@@ -252,7 +250,7 @@ def test_pressures_on_the_piston_are_those_of_the_indicator_and_of_the_masses() 
 
 
 def test_forces_over_the_path_are_full_up_to_the_cut_off_and_fall_by_mariotte() -> None:
-    paper = plotted("--forces", "--eps=4", "--back=10%", "--over=path", "--columns=piston_force")
+    paper = plotted("forces", "--eps=4", "--back=10%", "--over-path", "--columns=piston_force")
     share, force = paper.values("curve-1-1")
     out = slice(0, np.flatnonzero(share >= 1 - 1e-6)[0] + 1)
     meant = np.minimum(1, 0.25 / np.maximum(share[out], 0.1)) - 0.1
@@ -263,7 +261,7 @@ def test_forces_over_the_path_are_full_up_to_the_cut_off_and_fall_by_mariotte() 
 def test_what_is_named_over_the_path_is_what_conditions_find() -> None:
     solved = printed("solve", "--where=p=0", "--where=c=max", "--columns=phi_turn,c", "--lang=en").out
     assert all(one in solved for one in ("79°6′", "280°54′", "1.0198"))
-    said = " ".join(plotted("--over=path", "--ratio=1:5", "--lang=en").words)
+    said = " ".join(plotted("table", "--over=path", "--ratio=1:5", "--lang=en").words)
     for text in (
         "79°6′",
         "280°54′",

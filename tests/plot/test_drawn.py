@@ -15,14 +15,14 @@ from tools import require_library
 
 # Of these all that is drawn stands in tests/golden/drawn, but grid and ticks.
 DRAWN = {
-    "motion": "plot --ratio=1:4 --step=15",
-    "drives": "plot --ratio=1:4;1:5 --columns=x,c --step=15 --lang=en",
-    "over-path": "plot --over=path --ratio=1:5 --columns=x,psi,c --stroke=600mm --step=15",
-    "angle-over-path": "plot --over=path --ratio=1:5 --columns=x,psi --stroke=600mm --step=15",
-    "forces": "plot --forces --eps=4 --ratio=1:∞ --columns=piston_force,tangential_force --step=15",
-    "polar": "plot --polar --eps=4 --step=15",
-    "compressor": "plot --polar --pressure-ratio=3 --clearance=5% --step=15",
-    "turning": "plot --turning --eps=3 --ratio=1:4 --step=15",
+    "motion": "table --ratio=1:4",
+    "drives": "table --ratio=1:4;1:5 --columns=x,c --lang=en",
+    "over-path": "table --over=path --ratio=1:5 --columns=x,psi,c --stroke=600mm",
+    "angle-over-path": "table --over=path --ratio=1:5 --columns=x,psi --stroke=600mm",
+    "forces": "forces --eps=4 --ratio=1:∞ --columns=piston_force,tangential_force",
+    "polar": "forces --polar --eps=4",
+    "compressor": "forces --polar --pressure-ratio=3 --clearance=5%",
+    "turning": "turning --eps=3 --ratio=1:4",
     "offset": "plot --positions=40;200 --ratio=1:4 --offset=0.5 --point=0.5;0.3",
     "arc": "plot --positions=30;150 --mechanism=arc --rocker=5.5",
     "arc-below": "plot --positions=30 --mechanism=arc --ratio=1:5 --rocker=4 --pivot=4;-3.5",
@@ -69,7 +69,7 @@ def test_each_line_and_text_is_drawn_where_it_stands_in_the_golden_file(name: st
     """Of what is drawn alike in a row the first and the last stand there."""
     require_library("matplotlib")
     command, *options = DRAWN[name].split()
-    found = [told(*one) for one in elements(plotted(*options, command=command).root)]
+    found = [told(*one) for one in elements(plotted(command, *options).root)]
     text = f"$ kurbel {DRAWN[name]}\n"
     for _, rows in groupby(found, lambda row: re.sub(r"[\d.-]+ [\d.-]+", "", row)):
         row = [*rows]

@@ -30,7 +30,8 @@ def library() -> None:
 
 
 def film_of(*words: str) -> Film:
-    return Film(printed("plot", "--animate", *words, "-f", "svg").out)
+    command, *options = words
+    return Film(printed(command, "--animate", *options, "-f", "svg").out)
 
 
 def still(film: Film, key: str) -> list[complex]:
@@ -43,7 +44,7 @@ def still(film: Film, key: str) -> list[complex]:
 def test_rod_and_crosshead_are_where_the_crank_leads_them_at_any_time(rod: float, offset: float) -> None:
     chance = random.Random(rod)
     words = [f"--ratio={1 / Fraction(str(rod))}", *([f"--offset={offset}"] if offset else [])]
-    film = film_of(*words, f"--positions={chance.randrange(360)}")
+    film = film_of("plot", *words, f"--positions={chance.randrange(360)}")
     shaft, pin = still(film, "crank")
     radius, drawn = abs(pin - shaft), still(film, "rod")
     assert abs(drawn[1] - drawn[0]) == pytest.approx(rod * radius, abs=EXACT)
@@ -71,7 +72,7 @@ def test_rod_and_crosshead_are_where_the_crank_leads_them_at_any_time(rod: float
     ],
 )
 def test_links_of_a_rocker_meet_and_keep_their_length(words: tuple[str, ...]) -> None:
-    film, chance = film_of(*words, "--positions=40"), random.Random(7)
+    film, chance = film_of("plot", *words, "--positions=40"), random.Random(7)
     shaft, pin = still(film, "crank")
     rod, rocker = (still(film, one) for one in ("rod", "rocker"))
     lengths = abs(rod[1] - rod[0]), abs(rocker[1] - rocker[0])
@@ -89,7 +90,7 @@ def test_links_of_a_rocker_meet_and_keep_their_length(words: tuple[str, ...]) ->
 
 @pytest.mark.parametrize(("point", "joined"), [("0.5,0.2", 2), ("1.3", 1), ("0.4", 0), ("0", 0), ("1", 0)])
 def test_a_point_that_is_not_on_the_rod_hangs_on_its_ends(point: str, joined: int) -> None:
-    film, chance = film_of("--ratio=1:3", f"--point={point}", "--positions=40"), random.Random(point)
+    film, chance = film_of("plot", "--ratio=1:3", f"--point={point}", "--positions=40"), random.Random(point)
     arms = [f"point-1-arm-{number + 1}" for number in range(joined)]
     assert sum("-arm-" in name for name in film.frames) == joined
     share, beside = (float(one) for one in f"{point},0".split(",")[:2])
@@ -103,7 +104,7 @@ def test_a_point_that_is_not_on_the_rod_hangs_on_its_ends(point: str, joined: in
 
 
 def test_dots_run_on_their_curves() -> None:
-    film, chance = film_of("--ratio=1:3"), random.Random(3)
+    film, chance = film_of("table", "--ratio=1:3"), random.Random(3)
     for number in (1, 2, 3):
         line = film.points(f"curve-{number}-1")
         for angle in (0, 360, *(chance.uniform(0, 360) for _ in range(40))):
@@ -115,11 +116,11 @@ def test_dots_run_on_their_curves() -> None:
 
 
 def test_where_steam_changes_sides_dots_jump_and_in_a_polar_diagram_one_runs() -> None:
-    film = film_of("--forces", "--eps=4", "--ratio=1:4", "--columns=piston_force")
+    film = film_of("forces", "--eps=4", "--ratio=1:4", "--columns=piston_force")
     (before, after) = (film.at("dot-1-1", 180 + step)[0] for step in (-0.01, 0.01))
     # From Q of expanded steam behind the piston to Q of fresh steam before it.
     assert before.imag - after.imag > 20
-    polar = film_of("--polar", "--ratio=1:4")
+    polar = film_of("forces", "--polar", "--ratio=1:4")
     places = {angle: polar.at("dot", angle)[0] for angle in (0, 90, 180, 77.3)}
     # At both dead centres the force is radial; at right angles its radial part is that of the slanted rod.
     unit = (places[180] - places[0]) / 2

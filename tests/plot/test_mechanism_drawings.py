@@ -124,7 +124,7 @@ def test_links_are_drawn_true_to_scale_where_the_table_has_them(
     words: str, rod: float, rocker: float, pivot: complex
 ) -> None:
     for angle in (37, 201.5):
-        paper = plotted(f"--positions={angle}", *words.split())
+        paper = plotted("plot", f"--positions={angle}", *words.split())
         shaft, pin = paper.points("crank")
         radius = abs(pin - shaft)
         pin, start, head = ((one - shaft) / radius for one in (pin, *paper.points("rod")))
@@ -151,7 +151,7 @@ def test_links_are_drawn_true_to_scale_where_the_table_has_them(
 
 @pytest.mark.parametrize("angle", [37, 201.5])
 def test_a_beam_is_drawn_true_to_scale_with_its_pivot_in_its_middle(angle: float) -> None:
-    paper = plotted(f"--positions={angle}", "--mechanism=beam", "--ratio=1:5", "--beam=3")
+    paper = plotted("plot", f"--positions={angle}", "--mechanism=beam", "--ratio=1:5", "--beam=3")
     shaft, pin = paper.points("crank")
     pin, start, head, joint, other = (
         (one - shaft) / abs(pin - shaft) for one in (pin, *paper.points("rod"), *paper.points("rocker"))
@@ -167,7 +167,7 @@ def test_a_beam_is_drawn_true_to_scale_with_its_pivot_in_its_middle(angle: float
 
 
 def test_the_two_cranks_of_a_parallel_crank_turn_angle_for_angle() -> None:
-    paper = plotted("--positions=201.5;20", "--mechanism=parallel")
+    paper = plotted("plot", "--positions=201.5;20", "--mechanism=parallel")
     (shaft, pin), (other, second) = (paper.points(one) for one in ("crank", "second-crank"))
     assert (pin - shaft) / abs(pin - shaft) == pytest.approx(cmath.rect(1, math.radians(201.5)), abs=1e-5)
     assert second - other == pytest.approx(pin - shaft, abs=1e-5)
@@ -188,7 +188,7 @@ def test_the_two_cranks_of_a_parallel_crank_turn_angle_for_angle() -> None:
     ],
 )
 def test_a_path_goes_through_the_places_of_its_point(words: str, points: tuple[str, ...]) -> None:
-    paper = plotted("--positions=40", *words.split(), f"--point={';'.join(points)}")
+    paper = plotted("plot", "--positions=40", *words.split(), f"--point={';'.join(points)}")
     shaft, pin = paper.points("crank")
     end, head = paper.points("rod")
     for number, point in enumerate(points, 1):
@@ -277,7 +277,7 @@ def test_of_many_drawings_few_have_a_text_that_covers_a_line() -> None:
 
 def test_a_name_for_which_the_page_is_too_small_is_left_out() -> None:
     points = ("0.123456789012345678901234567890123456789", "0.11")
-    words = plotted("--positions=30;60;90;120", f"--point={';'.join(points)}", "--width=56").words
+    words = plotted("plot", "--positions=30;60;90;120", f"--point={';'.join(points)}", "--width=56").words
     assert "s = 0,11" in words
     assert not [one for one in words if "0,1234" in one]
 

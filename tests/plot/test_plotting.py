@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
-from drawings import plotted
+from drawings import drawn, plotted
 from places import SUPPORT
 from tools import require_library
 
@@ -35,12 +35,12 @@ def library() -> None:
 
 
 DRAWINGS: dict[str, Callable[[], kurbel.Drawing]] = {
-    "curves": lambda: kurbel.plot_motion("1:5", step=10, columns="x,c"),
-    "polar": lambda: kurbel.plot_polar("1:5", step=10),
+    "curves": lambda: drawn(kurbel.table, "1:5", step=10, columns="x,c"),
+    "polar": lambda: drawn(kurbel.forces_table, "1:5", step=10, polar=True),
     "mechanism": lambda: kurbel.plot_mechanism([75, 150, 300], ratio="1:4", offset=0.3),
     "arc": lambda: kurbel.plot_mechanism([75, 150, 300], ratio="1:5", mechanism="arc", rocker=6),
     "parallel": lambda: kurbel.plot_mechanism([75, 150, 300], mechanism="parallel"),
-    "steam": lambda: kurbel.plot_turning(4, ratio="1:5", step=10),
+    "steam": lambda: drawn(kurbel.turning_table, 4, ratio="1:5", step=10),
 }
 FORMATS = {"svg": b"<?xml", "png": b"\x89PNG", "pdf": b"%PDF", "pgf": b"% "}
 
@@ -128,10 +128,11 @@ def test_type_is_embedded_in_pdf_and_outlined_in_svg_and_comes_with_matplotlib()
 
 def test_a_value_that_is_no_number_is_a_gap() -> None:
     # At dead centres the crosshead stands, and its velocity has no direction; that of another point turns.
-    paper = plotted("--point=0;0.3", "--columns=velocity_direction", "--step=30")
+    paper = plotted("table", "--point=0;0.3", "--columns=velocity_direction")
     angles, directions = paper.values("curve-1-1")
-    np.testing.assert_allclose(angles, [*range(30, 180, 30), *range(210, 360, 30)], rtol=0, atol=1e-4)
-    np.testing.assert_allclose(directions, 5 * [180] + 5 * [0], rtol=0, atol=1e-3)
+    inner = np.arange(0.5, 180, 0.5)
+    np.testing.assert_allclose(angles, [*inner, *(180 + inner)], rtol=0, atol=1e-4)
+    np.testing.assert_allclose(directions, 359 * [180] + 359 * [0], rtol=0, atol=1e-3)
     assert [paper.line(f"curve-1-{number}").path.count("M") for number in (1, 2)] == [2, 1]
     # A gap takes no room from the labels beside the curves.
     assert not paper.names("legend.*")
@@ -139,7 +140,7 @@ def test_a_value_that_is_no_number_is_a_gap() -> None:
 
 
 def test_lines_are_told_apart_without_colour_and_seen_on_white_and_on_dark_paper() -> None:
-    paper = plotted("--ratio=1:2..13", "--columns=x", "--step=30")
+    paper = plotted("table", "--ratio=1:2..13", "--columns=x")
     looks = [paper.line(name).look for name in paper.names(r"curve-1-\d+")]
     assert len({(one.get("stroke-dasharray"), one["stroke-width"]) for one in looks}) == len(looks) == 12
     assert len({one.get("stroke-dasharray") for one in looks[:6]}) == 6
@@ -157,7 +158,7 @@ def luminance(colour: str) -> float:
 
 
 def test_the_angle_axis_is_shared_and_named_once() -> None:
-    drawing = kurbel.plot_motion("1:5", step=30)
+    drawing = drawn(kurbel.table, "1:5", step=30)
     assert [one.get_text() for one in texts(drawing.figure)].count("Kurbelwinkel $\\varphi$") == 1
     first, *_, last = drawing.figure.axes
     assert list(first.get_xticks()) == list(last.get_xticks()) == list(range(0, 361, 30))
@@ -168,12 +169,17 @@ def test_the_angle_axis_is_shared_and_named_once() -> None:
 
 # Many curves, or few that lie near one another, are named in the legend of the first panel.
 CROWDS = {
-    "ratios": lambda: kurbel.plot_motion("1:3..10", columns="x,c", step=15),
-    "narrow": lambda: kurbel.plot_motion("1:3..10", columns="rod_force", width=60, step=15),
-    "forces": lambda: kurbel.plot_engine_forces(
-        [6, 7, 8, 9], ratio="1:5", columns="piston_force,crank_pin_force", width=85, step=15
+    "ratios": lambda: drawn(kurbel.table, "1:3..10", columns="x,c", step=15),
+    "narrow": lambda: drawn(kurbel.table, "1:3..10", columns="rod_force", width=60, step=15),
+    "forces": lambda: drawn(
+        kurbel.forces_table,
+        eps=[6, 7, 8, 9],
+        ratio="1:5",
+        columns="piston_force,crank_pin_force",
+        width=85,
+        step=15,
     ),
-    "heading": lambda: kurbel.plot_forces("1:5", force="10kN", stroke="600mm", width=60, step=15),
+    "heading": lambda: drawn(kurbel.forces_table, "1:5", force="10kN", stroke="600mm", width=60, step=15),
 }
 
 
@@ -211,7 +217,9 @@ def test_legends_and_headings_cover_nothing_and_are_read_along_their_rows(name: 
     [(0, 180, 15), (0, 720, 60), (-90, 270, 30), (0, 90, 10), (0, 7200, 720), (-30, 30, 5)],
 )
 def test_angle_ticks_divide_the_turn(low: int, high: int, step: float) -> None:
-    words = plotted("--columns=x", f"--from={low}", f"--to={high}", f"--step={(high - low) / 16:g}").words
+    words = plotted(
+        "table", "--columns=x", f"--from={low}", f"--to={high}", f"--step={(high - low) / 16:g}"
+    ).words
     found = [one.removesuffix("°") for one in words if re.fullmatch(r"[−\d,]+°", one)]
     ticks = [f"{one:g}".replace(".", ",").replace("-", "−") for one in np.arange(low, high + step / 2, step)]
     assert found[: len(ticks)] == ticks
@@ -221,7 +229,7 @@ def test_angle_ticks_divide_the_turn(low: int, high: int, step: float) -> None:
 def test_ticks_of_values_are_multiples_of_the_least_round_number_that_leaves_them_room(
     stroke: int, step: int
 ) -> None:
-    paper = plotted(f"--stroke={stroke}mm", "--columns=x_mm", "--step=90")
+    paper = plotted("table", f"--stroke={stroke}mm", "--columns=x_mm")
     said = ["".join(paper.groups[one].itertext()).strip() for one in paper.names(r"ytick_\d+")]
     assert said == [str(one) for one in range(0, int(said[-1]) + 1, step)]
     # A number needs 7.5 mm; the next smaller round number leaves less.
@@ -233,26 +241,26 @@ def test_ticks_of_values_are_multiples_of_the_least_round_number_that_leaves_the
 @pytest.mark.parametrize(
     ("words", "heading"),
     [
-        ("--stroke=0.004mm --columns=x_mm", "Kolbenweg x in µm"),
+        ("table --stroke=0.004mm --columns=x_mm", "Kolbenweg x in µm"),
         (
-            "--forces --eps=3 --pressure=800bar --bore=3m --columns=tangential_kpa",
+            "forces --eps=3 --pressure=800bar --bore=3m --columns=tangential_kpa",
             "Tangentialdruck T/A in MPa",
         ),
-        ("--forces --eps=3 --pressure=8bar --bore=3m --columns=tangential_kpa", "Tangentialdruck T/A in kPa"),
-        ("--pressures --eps=4 --pressure=90000bar --bore=3m", "Hingang: Kolbendruck in 103 bar"),
-        ("--turning --eps=3 --flywheel=50 --speed=300/min", "Drehzahl n/min−1, Mittel nm"),
-        ("--turning --torque 3-900*sin(φ)^2", "Drehmomente in N m"),
-        ("--turning --torque 12000+5000*sin(φ)", "Drehmomente in kN m"),
-        ("--turning --torque 2500000+5000*sin(φ)", "Drehmomente in MN m"),
-        ("--turning --torque 2500000000+5000*sin(φ)", "Drehmomente in GN m"),
-        ("--stroke=60m --columns=x_mm", "Kolbenweg x in m"),
-        ("--stroke=600mm --speed=6000/min --columns=p_mps2", "Kolbenbeschleunigung p in 103 m/s2"),
-        ("--columns=x", "Kolbenweg x/R"),
-        ("--columns=psi", "Schubstangenwinkel ψ in °"),
+        ("forces --eps=3 --pressure=8bar --bore=3m --columns=tangential_kpa", "Tangentialdruck T/A in kPa"),
+        ("pressures --eps=4 --pressure=90000bar --bore=3m", "Hingang: Kolbendruck in 103 bar"),
+        ("turning --eps=3 --flywheel=50 --speed=300/min", "Drehzahl n/min−1, Mittel nm"),
+        ("turning --torque 3-900*sin(φ)^2", "Drehmomente in N m"),
+        ("turning --torque 12000+5000*sin(φ)", "Drehmomente in kN m"),
+        ("turning --torque 2500000+5000*sin(φ)", "Drehmomente in MN m"),
+        ("turning --torque 2500000000+5000*sin(φ)", "Drehmomente in GN m"),
+        ("table --stroke=60m --columns=x_mm", "Kolbenweg x in m"),
+        ("table --stroke=600mm --speed=6000/min --columns=p_mps2", "Kolbenbeschleunigung p in 103 m/s2"),
+        ("table --columns=x", "Kolbenweg x/R"),
+        ("table --columns=psi", "Schubstangenwinkel ψ in °"),
     ],
 )
 def test_a_power_of_ten_goes_to_the_unit_where_it_takes_a_prefix(words: str, heading: str) -> None:
-    said = plotted(*words.split(), *(() if "--pressures" in words else ("--step=30",))).words
+    said = plotted(*words.split()).words
     assert heading in said, said
 
 
@@ -295,7 +303,7 @@ def test_every_formula_that_labels_may_have_can_be_set() -> None:
 def test_every_thirty_degrees_there_is_a_mark_on_the_polar_curve() -> None:
     from matplotlib.lines import Line2D
 
-    figure = kurbel.plot_polar("1:4", step=10, lang="en").figure
+    figure = drawn(kurbel.forces_table, "1:4", polar=True, step=10, lang="en").figure
     marks = [one for one in figure.findobj(Line2D) if isinstance(one, Line2D) and one.get_marker() == "o"]
     shown = [(float(np.asarray(one.get_xdata())[0]), float(np.asarray(one.get_ydata())[0])) for one in marks]
     force = kurbel.compute(range(0, 331, 30), "1:4", ["tangential_force", "radial_force"])
@@ -307,7 +315,7 @@ def test_every_thirty_degrees_there_is_a_mark_on_the_polar_curve() -> None:
 
 
 def test_a_force_that_rests_has_no_marks() -> None:
-    words = plotted("--polar", "--eps=3", "--back=0.1", "--single-acting", "--step=30").words
+    words = plotted("forces", "--polar", "--eps=3", "--back=0.1", "--single-acting").words
     assert {"0°", "90°", "180°"} <= set(words)
     assert not {"210°", "270°", "360°"} & set(words)
     assert words.count("180°") == 1
@@ -317,8 +325,7 @@ def test_a_force_that_rests_has_no_marks() -> None:
     "given", [{"ratio": "1:5"}, {"ratio": "1:12", "lang": "en"}, {"eps": 4, "back": 0.1}]
 )
 def test_the_scale_of_forces_leaves_the_name_of_the_axis_free(given: dict[str, Any]) -> None:
-    draw = kurbel.plot_engine_polar if "eps" in given else kurbel.plot_polar
-    figure = draw(**given, step=10).figure
+    figure = drawn(kurbel.forces_table, **given, polar=True).figure
     figure.canvas.draw()
     (heading,) = (one for one in texts(figure) if "Z" in one.get_text())
     scale, *_ = (one for one in texts(figure) if re.fullmatch(r"\$?0[.,{}\d]+\$? ", one.get_text()))

@@ -6,7 +6,7 @@ import json
 import math
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -15,12 +15,15 @@ import numpy as np
 from cli import printed
 from numpy.typing import NDArray
 
+import kurbel
+
 SVG = "{http://www.w3.org/2000/svg}"
 # Units of a file, 1/72 inch, in a millimetre.
 MM = 72 / 25.4
 Floats = NDArray[np.float64]
 Points = NDArray[np.complex128]
 Point = tuple[float, float]
+OF_DRAWINGS = ("width", "height", "polar", "over_path", "infinite", "animate", "seconds")
 _POINT = re.compile(r"[ML] (\S+) (\S+)")
 _FRAMES = re.compile(r"@keyframes ([\w-]+)\{((?:[\d.]+%\{[^}]*\})+)\}")
 _FRAME = re.compile(r"([\d.]+)%\{([^}]*)\}")
@@ -100,9 +103,16 @@ def _scale(panel: ET.Element, axis: str) -> Floats | None:
     return np.asarray((slope, values[0] - slope * places[0]))
 
 
-def plotted(*words: str, command: str = "plot", **environment: str) -> Paper:
-    """Return what a line of the command draws."""
-    return Paper(printed(command, *words, "-f", "svg", "--text", **environment).out)
+def plotted(*words: str, **environment: str) -> Paper:
+    """Return what a line draws, of which the first word is the command."""
+    return Paper(printed(*words, "-f", "svg", "--text", **environment).out)
+
+
+def drawn(command: Callable[..., Any], *args: Any, **given: Any) -> kurbel.Drawing:
+    """Return the drawing of a page in Python; what its drawing is asked for stands among the options."""
+    own = {name: given.pop(name) for name in [*given] if name in OF_DRAWINGS}
+    page: kurbel.Table = command(*args, **given)
+    return page.plot(**own)
 
 
 class Film(Paper):

@@ -25,7 +25,7 @@ TABLES = {
     "motor": "balance --layout balance",
     "scheiben": "rotor --masses '12;9kg' --radii 50mm --angles '0;70' --planes '0;300mm'",
 }
-FIGURES = {"kurven": "plot --ratio 1:5", "stellung": "plot --positions 30 --ratio 1:5"}
+FIGURES = {"kurven": "table --ratio 1:5 -f drawing", "stellung": "plot --positions 30 --ratio 1:5"}
 ENGLISH = ("path", "dead-centres", "stellung")
 CHAPTERS = ("bewegung", "gleichgang", "beispiele")
 _FIRST = """

@@ -69,7 +69,7 @@ COMMANDS = {
     "collate": ("kurbel.cli.books", "Compare printed values, a book's or yours, with recomputed ones."),
     "sources": ("kurbel.cli.books", "List the books that can be collated."),
     "example": ("kurbel.cli.books", "Print a worked example of a book, as printed and recomputed."),
-    "plot": ("kurbel.cli.plot", "Draw the motion, the mechanism, the forces or the turning effort."),
+    "plot": ("kurbel.cli.plot", "Draw a mechanism to scale, paths of points, and how it moves."),
     "construct": ("kurbel.cli.construct", "Draw a construction of the books, and print its lengths."),
     "handbook": ("kurbel.cli.handbook", "Build, check or watch a whole appendix from its manifest."),
     "inject": ("kurbel.cli.inject", "Refresh the tables at marked places of your own documents."),

@@ -18,7 +18,7 @@ from kurbel.cli.app import command_of
 from kurbel.cli.options import MACHINE, Document, FileName, Given, Type, defaults_by_machine
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
-from kurbel.formats.registry import FORMATS, WorkbookFormat
+from kurbel.formats.registry import DRAWINGS, DRAWN, FORMATS, WorkbookFormat
 from kurbel.handbook.pool import About, Made, Task
 from kurbel.page.table import Note, Table
 from kurbel.reading.given import File, meant
@@ -101,7 +101,8 @@ def asked(
     try:
         context = command.make_context(name, [*words[1:]], obj=document, default_map=given)
         for one in SET_ELSEWHERE if format is None else ONLY_PRINTING:
-            if context.get_parameter_source(one) is ParameterSource.COMMANDLINE:
+            drawn = one == "format" and context.params[one] in (*DRAWINGS, DRAWN)
+            if context.get_parameter_source(one) is ParameterSource.COMMANDLINE and not drawn:
                 raise ProblemError(f"--{one} is for single tables; a document sets it by itself")
         with augment_usage_errors(context):
             made, code = command.made(Given(context))

@@ -25,16 +25,26 @@ SIDE_BY_SIDE = {
     "table": "--layout verfahren prints exact and series side by side, and --ratio '1:5;1:∞' the infinite rod"
     " beside another",
     "forces": "--layout forces-verfahren prints exact and series side by side",
-    "plot": "--infinite draws the infinite rod beside the other",
 }
 # What options say of themselves to commands that have them not: to one, or to all others.
 ELSEWHERE = {
-    ("", "--order"): "series of higher order are those of kurbel table, plot and solve, and elsewhere"
+    ("", "--order"): "series of higher order are those of kurbel table and solve, and elsewhere"
     " --method series is of first order",
-    ("turning", "--over"): "--layout turning-path has the tangential force over the developed crank circle",
+    ("turning", "--over"): "--layout turning-path has the tangential force over the developed crank circle,"
+    " and --over-path draws it so",
     ("pressures", "--over"): "pressures stand over the stroke by themselves, at --shares of it",
     ("inertia", "--over"): "forces over the path, those of masses too, are of kurbel forces",
     ("solve", "--over"): 'kurbel table has --over path, and here --where "s = 25%" is a share of the stroke',
+}
+# What pages draw themselves, by the flag that once drew it.
+DRAWN = {
+    "--forces": "forces --eps 4 -o forces.svg",
+    "--polar": "forces --eps 4 --polar -o pin.svg",
+    "--pressures": "pressures --machine engine.toml -o pressures.svg",
+    "--turning": "turning --eps 4 -o turning.svg",
+    "--columns": "table --columns x,c -o motion.svg",
+    "--infinite": "table --ratio 1:5 --infinite -o motion.svg",
+    "--over": "table --ratio 1:5 --over path -o ellipse.svg",
 }
 # Whose values have words with spaces between them.
 SENTENCES = ("where", "only", "torque", "load_torque", "caption", "note", "source")
@@ -89,8 +99,10 @@ def _no_option(error: click.NoSuchOption, words: Sequence[str]) -> str:
     single = next((word for word in words if word.startswith(name) and word.lstrip("-") in options), "")
     if len(name) == 2 and single:
         return f"there is no option {notation.quoted(single)}; write -{single}"
+    if command is not None and command.name == "plot" and name in DRAWN:
+        return f"{begun}, for drawings of pages are a format of them; write kurbel {DRAWN[name]}"
     hint = did_you_mean(name, [f"--{one}" for one in options])
-    return begun + (hint or elsewhere(getattr(error.ctx, "command_path", ""), name) or _owners(name, value))
+    return begun + (elsewhere(getattr(error.ctx, "command_path", ""), name) or hint or _owners(name, value))
 
 
 def _flags(command: click.Command | None) -> Mapping[str, click.Option]:

@@ -15,7 +15,7 @@ from kurbel.commands.parameters import LANG
 from kurbel.commands.part import Origin, Values
 from kurbel.errors import NotationError
 from kurbel.exact.numerals import DECIMALS
-from kurbel.formats.registry import FORMATS
+from kurbel.formats.registry import FORMATS, format_names
 from kurbel.reading.given import File
 
 if TYPE_CHECKING:
@@ -160,9 +160,10 @@ OF_PAGES = ("digits", "rounding", "label", "caption", "note", "source", "templat
 def printing_options(command: str, own: Mapping[str, click.Parameter]) -> list[click.Parameter]:
     """Return the options of a command that prints tables in their order, its function's own among them."""
     return [
-        Option(["format", "-f", "--format"], type=Type(FormatName("format", FORMATS)),
+        Option(["format", "-f", "--format"], type=Type(FormatName("format", format_names)),
                envvar=[f"KURBEL_{command.upper()}_FORMAT", "KURBEL_FORMAT"],
-               help="Output format; default: by the suffix of -o, else text."),
+               help="Output format; default: by the suffix of -o, else text. svg, png and pgf are drawings,"
+               " and pdf with -f drawing."),
         output_option("File to write, whole or not at all; - is standard output.", default="-"),
         own["lang"],
         Option(["--decimal"], type=Type(kinds.Choice("decimal mark", DECIMALS)), envvar="KURBEL_DECIMAL",

@@ -17,6 +17,7 @@ from click.core import augment_usage_errors
 
 from kurbel.cli import say
 from kurbel.cli.app import show
+from kurbel.cli.drawings import UNDRAWN, check_undrawn, drawing_format, drawing_options, drawn, write
 from kurbel.cli.manual.command import TopicCommand
 from kurbel.cli.options import (
     Given,
@@ -70,12 +71,18 @@ class MakingCommand(TopicCommand, ABC):
 
 
 class TableCommand(MakingCommand):
-    """The command of a function; `more` options, by what they stand before, are of the command line alone."""
+    """The command of a function; `more` options, by what they stand before, are of the command line alone.
+
+    A drawing is one of its formats, unless its pages are none of numbers or it draws in a way of its own.
+    """
 
     def __init__(
         self, name: str, command: Command, more: Mapping[str, Sequence[click.Parameter]] | None = None
     ) -> None:
-        super().__init__(name, params=_params(name, command, more or {}), help=help_of(command))
+        params, self.draws = _params(name, command, more or {}), name not in UNDRAWN
+        super().__init__(
+            name, params=[*params, *drawing_options()] if self.draws else params, help=help_of(command)
+        )
         self.made_by = command
 
     def question(self, given: Given) -> Any:
@@ -87,7 +94,9 @@ class TableCommand(MakingCommand):
         return 0
 
     def made(self, given: Given) -> tuple[Table | Drawing, int]:
-        """Return the table and the exit code, for a document."""
+        """Return the table, or the drawing, and the exit code, for a document."""
+        if self.draws and drawing_format(given):
+            return drawn(self.question(given), given), 0
         # What cannot be printed so is refused, too.
         Printing.chosen(given)
         if Printing.interactive(given):
@@ -105,6 +114,9 @@ class TableCommand(MakingCommand):
         return page
 
     def run(self, given: Given) -> int:
+        if self.draws and (name := drawing_format(given)):
+            write(drawn(self.question(given), given), name, given)
+            return 0
         printing = Printing.chosen(given)
         if Printing.interactive(given):
             page = self.stepped(given)
@@ -226,6 +238,7 @@ def _format(given: Given) -> Format:
     named, output = given.values["format"], given.values["output"]
     if not output:
         raise click.UsageError("--output names no file; - is standard output.")
+    check_undrawn(given)
     chosen = FORMATS[named or DEFAULT] if output == "-" or given.typed("format") else for_suffix(output)
     of_bytes = isinstance(chosen, BytesFormat)
     if of_bytes and output == "-" and sys.stdout.isatty():

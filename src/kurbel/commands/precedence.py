@@ -38,7 +38,7 @@ RIVALS: Mapping[str, Rivals] = {
     # A force that is typed outdoes the steam of a machine.
     "forces": (*_ANGLES, *_STEAM, *_ROD, *((key, "force") for key in OWN)),
     "inertia": (*_ANGLES, *_ROD),
-    **dict.fromkeys(("delta", "turning", "plot"), (*_STEAM, *_ROD, *_WHEEL)),
+    **dict.fromkeys(("delta", "turning"), (*_STEAM, *_ROD, *_WHEEL)),
     "flywheel": (*_STEAM, *_ROD, *_SIZES),
     "power": _STEAM,
 }

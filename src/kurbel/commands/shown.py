@@ -8,10 +8,12 @@ from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any
 
 from kurbel.commands import frames
+from kurbel.errors import ChoiceError, ProblemError
 from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
-from kurbel.formats.registry import DEFAULT, BytesFormat, for_suffix
+from kurbel.formats.registry import DEFAULT, DRAWINGS, BytesFormat, for_suffix
 from kurbel.page.labels import plain
 from kurbel.page.table import Table as Page
+from kurbel.reading.given import choose
 
 if TYPE_CHECKING:
     import numpy as np
@@ -27,12 +29,27 @@ class Table(Page):
 
     `print` shows it as text and a notebook as HTML; `save` writes it in any format. It has as many rows as
     records, named tuples of floats and text, and `page["x"]` is the array of a column; pandas and polars make
-    a DataFrame of it. With `exact` their numbers are Decimal, as printed. Crank ratios are text.
+    a DataFrame of it. With `exact` their numbers are Decimal, as printed. Crank ratios are text. `plot` draws
+    its columns over their axis.
     """
 
+    asked: Any = None
+
     @classmethod
-    def of(cls, page: Page) -> Table:
-        return cls(**{field.name: getattr(page, field.name) for field in fields(page)})
+    def of(cls, page: Page, asked: Any = None) -> Table:
+        return cls(**{field.name: getattr(page, field.name) for field in fields(page)}, asked=asked)
+
+    def plot(self, *, decimal: str | None = None, **options: Any) -> Drawing:
+        """Return the page as a drawing: a panel a unit, both strokes as one turn.
+
+        Options are width and height in mm, polar, over_path, infinite, animate and seconds, as the command
+        line has them. Raises KurbelError for what cannot be drawn.
+        """
+        from kurbel.commands.drawn import plotted
+
+        if self.asked is None:
+            raise ProblemError("this page was not made by a command of kurbel, so it has nothing to draw")
+        return plotted(self.asked, options, decimal)
 
     def __str__(self) -> str:
         return self.typeset()
@@ -75,10 +92,13 @@ class Table(Page):
     ) -> None:
         """Write the page into a file, whole or not at all, in the format of its suffix.
 
-        An interactive one is a whole document. Raises KurbelError.
+        An interactive one is a whole document; .svg, .png and .pgf are its drawing. Raises KurbelError.
         """
         from kurbel.formats.render import whole_file
 
+        if os.path.splitext(os.fspath(path))[1].lower()[1:] in DRAWINGS:
+            self.plot(decimal=decimal).save(path)
+            return
         standalone = standalone or self.steps is not None
         form = for_suffix(os.fspath(path))
         if isinstance(form, BytesFormat):
@@ -177,9 +197,30 @@ class Drawing:
             from kurbel.plot.style import image
 
             return image(self.figure, format, self.plain_title, about, text)
-        from kurbel.commands.drawn.files import file_of
+        return self._moving_image(format, about, text)
 
-        return file_of(self, format, about, text)
+    def _moving_image(self, name: str, about: str, text: bool) -> bytes:
+        """Return a drawing that moves as a file; in PNG, PDF and PGF it stands still."""
+        from kurbel.plot.film.model import as_it_stands
+        from kurbel.plot.film.svg import moving
+        from kurbel.plot.style import FORMATS, MOVING, image, style
+
+        assert self.film is not None
+        choose(name, dict.fromkeys((*MOVING, *FORMATS)), "drawing format")
+        if name == "gif":
+            if text:
+                raise ChoiceError(
+                    "--text is for SVG, whose letters are outlines without it; leave it out for gif"
+                )
+            from kurbel.plot.film.frames import gif
+
+            with style():
+                return gif(self.figure, self.film)
+        if name != "svg":
+            with as_it_stands(self.film):
+                return image(self.figure, name, self.plain_title, about, text)
+        still = image(self.figure, "svg", self.plain_title, about, text).decode()
+        return moving(still, self.film, self.figure).encode()
 
     def save(self, path: str | os.PathLike[str], *, text: bool = False) -> None:
         """Write the drawing into a file, whole or not at all, in the format of its suffix.

@@ -200,7 +200,7 @@ class WordsCommand(Command):
         from kurbel.commands.precedence import RIVALS, settle_lengths, settle_loads, settle_sizes
 
         self._with_defaults(values)
-        values.outdo(RIVALS.get("plot" if self.name.startswith("plot_") else self.name, ()))
+        values.outdo(RIVALS.get(self.name, ()))
         settle_loads(values)
         if (unknown := values.values.get("unknown")) in values.values and not values.typed(unknown):
             values.drop(unknown)
@@ -252,7 +252,8 @@ def _function(command: Command, name: str, module: str, drawn: bool = False) -> 
 
     def make(*args: Any, **options: Any) -> Table:
         values = _values(command, args, options)
-        return _table(command.built(command.ask(values), values.values))
+        asked = command.ask(values)
+        return _table(command.built(asked, values.values), asked)
 
     def interactive(*args: Any, **options: Any) -> Table:
         from kurbel.commands.steps.stepped import NOTHING, stepped
@@ -289,10 +290,10 @@ def _values(command: Command, args: tuple[Any, ...], options: Mapping[str, Any])
     return Values({**command.defaults, **found, **given}, origins)
 
 
-def _table(page: Page) -> Table:
+def _table(page: Page, asked: Any = None) -> Table:
     from kurbel.commands.shown import Table
 
-    return Table.of(page)
+    return Table.of(page, asked)
 
 
 def makes_table(

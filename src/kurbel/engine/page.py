@@ -14,7 +14,7 @@ from kurbel.engine.request import EngineRequest
 from kurbel.exact.numerals import Number
 from kurbel.page.axes import AngleAxis, Axis, ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Quantity
-from kurbel.page.subject import Subject
+from kurbel.page.subject import OVER_AXES, Subject
 from kurbel.page.table import Records
 
 # What the key of a value of a card has in addition for its error.
@@ -71,7 +71,12 @@ def _records(request: EngineRequest) -> Records:
 
 
 def _subject(
-    key: str, layout: str, command: str, of: tuple[str, ...], **inner: Callable[[Any], Axis]
+    key: str,
+    layout: str,
+    command: str,
+    of: tuple[str, ...],
+    drawn: str = OVER_AXES,
+    **inner: Callable[[Any], Axis],
 ) -> Subject:
     """Return pages of quantities that are `of` one of these, with an inner axis or none."""
     return Subject(
@@ -91,9 +96,11 @@ def _subject(
         rows=_records if "angle" in inner else None,
         letters=True,
         limits={"expansion": Steam},
+        drawn=drawn,
     )
 
 
+_EFFORT, _FORCES = "kurbel.plot.engine:effort", "kurbel.plot.engine:forces"
 _OF_TURNS, _OF_CRANKS = ("turn", *EXTREMES), ("crank", "angle")
 _OF_STROKES = (*_OF_TURNS, "stroke")
 IRREGULARITY = _subject("irregularity", "weisbach-150", "delta", _OF_TURNS)
@@ -101,8 +108,8 @@ STROKES = _subject("strokes", "delta-detail", "delta --detail", _OF_STROKES, str
 COMPRESSOR = _subject("compressor", "compressor", "delta", _OF_TURNS)
 PUMP = _subject("pump", "pump", "delta", _OF_STROKES, stroke=stroke_axis)
 GAS_CYCLE = _subject("gas cycle", "gas-cycle", "delta", _OF_TURNS)
-TURNING = _subject("turning", "turning", "turning", ("angle", "turn"), angle=AngleAxis)
-CRANK_FORCES = _subject("crank forces", "engine-forces", "forces", _OF_CRANKS, angle=AngleAxis)
-MACHINE = _subject("machine", "machine-forces", "forces", _OF_CRANKS, angle=AngleAxis)
-FLYWHEEL = _subject("flywheel", "flywheel", "flywheel", ("flywheel",), target=target_axis)
+TURNING = _subject("turning", "turning", "turning", ("angle", "turn"), _EFFORT, angle=AngleAxis)
+CRANK_FORCES = _subject("crank forces", "engine-forces", "forces", _OF_CRANKS, _FORCES, angle=AngleAxis)
+MACHINE = _subject("machine", "machine-forces", "forces", _OF_CRANKS, _FORCES, angle=AngleAxis)
+FLYWHEEL = _subject("flywheel", "flywheel", "flywheel", ("flywheel",), _EFFORT, target=target_axis)
 PAGES = (IRREGULARITY, STROKES, TURNING, CRANK_FORCES, MACHINE, FLYWHEEL)

@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 
 # What is printed where nobody asks for a format.
 DEFAULT = "text"
+# What a page is drawn as: each is its own suffix. DRAWN leaves it to the suffix, of what is a page, too.
+DRAWINGS = ("svg", "png", "pgf", "gif")
+DRAWN = "drawing"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -248,6 +251,11 @@ def _in_order(*path: str) -> tuple[str, ...]:
 FORMATS: Mapping[str, Format] = _Formats()
 
 
+def format_names() -> tuple[str, ...]:
+    """Return the names of all formats, those of drawings last."""
+    return (*FORMATS, *DRAWINGS, DRAWN)
+
+
 def by_name(name: str) -> Format:
     """Return the format of that name, by any word for it; raise ChoiceError if there is none."""
     if isinstance(name, str) and name not in FORMATS:
@@ -270,7 +278,8 @@ def for_suffix(path: str) -> Format:
     for entry in FORMATS.values():
         if suffix in entry.suffixes:
             return entry
-    known = ", ".join(suffix for entry in FORMATS.values() for suffix in entry.suffixes)
+    drawings = (f".{name}" for name in DRAWINGS)
+    known = ", ".join((*(one for entry in FORMATS.values() for one in entry.suffixes), *drawings))
     word = (
         "; Word takes -f html through pandoc, see docs/howto/word.md" if suffix in (".doc", ".docx") else ""
     )

@@ -176,7 +176,7 @@ class PartKeys(Struct, frozen=True, forbid_unknown_fields=True):
 
     run: Annotated[
         str | None,
-        about('a command that prints a table or draws: "table --ratio 1:5", "plot --ratio 1:5"'),
+        about('a command that prints a table or draws: "table --ratio 1:5", "table --ratio 1:5 -f drawing"'),
     ] = None
     text: Annotated[str | None, about("a text in Markdown")] = None
     file: Annotated[Inside | None, about("a file with a text in Markdown")] = None

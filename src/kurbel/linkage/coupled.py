@@ -24,6 +24,7 @@ from kurbel.linkage.question import LinkageRequest, force_lines, formula_line, l
 from kurbel.motion.quantities import Force, force_entries
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, filled, words
+from kurbel.page.subject import OVER_AXES
 from kurbel.page.table import Field
 from kurbel.reading.given import Exact, as_number, as_places
 from kurbel.reading.notation import about, plain
@@ -192,4 +193,5 @@ SUBJECT = linkage_subject(
     axes={"angle": AngleAxis, "axle": _axle_axis, "column": ColumnAxis},
     axis_keys=("phi", "axle"),
     number=_number,
+    drawn=OVER_AXES,
 )

@@ -19,13 +19,14 @@ from kurbel.linkage.linkage import certified, value
 from kurbel.linkage.quantities import FORCE
 from kurbel.motion.captions import direction_notes, drive_notes, force_notes, moving_notes, turns_label
 from kurbel.motion.evaluation import NEEDS, PAGE_CELLS, needed
-from kurbel.motion.page import AngleQuestion, check_pairs
+from kurbel.motion.page import CURVES, AngleQuestion, check_pairs
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Formula, Quantity, Words, enumerated, filled, for_ratio
 from kurbel.page.subject import Subject
 from kurbel.page.table import Records
 
 if TYPE_CHECKING:
+    from kurbel.motion.drives import Drive
     from kurbel.motion.long.columns import LongColumns
 
 
@@ -65,6 +66,13 @@ class LinkageRequest(AngleQuestion):
 
         return worthwhile(self, "kurbel.linkage.long:LinkageColumns")
 
+    def solved(self) -> tuple[Drive, ...]:
+        from kurbel.motion.mechanism import mechanism
+
+        chosen = mechanism(self.moving[0])
+        of_motion = self.subject.key == chosen.subject and chosen.conditions()
+        return chosen.solved(self.drives, None) if of_motion else ()
+
     def curves(self, degrees: Any) -> list[list[Any]]:
         at, kind = circle(degrees), floats()
         return [
@@ -101,6 +109,7 @@ def linkage_subject(
         listed=listed,
         rows=_records,
         options=NEEDS,
+        drawn=CURVES,
     )
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.crank import Crank, check_angles, ends
 from kurbel.errors import ProblemError
@@ -42,6 +42,9 @@ from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Records, Value
 from kurbel.reading.notation import ratio_text
+
+if TYPE_CHECKING:
+    from kurbel.motion.drives import Drive
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -91,6 +94,10 @@ class AngleQuestion(Question, ABC):
     @abstractmethod
     def curves(self, degrees: Any) -> list[list[Any]]:
         """Return the values of every column for every drive at an array of angles, in arrays of floats."""
+
+    def solved(self) -> tuple[Drive, ...]:
+        """Return the drives as conditions see them, none where these know nothing of the page."""
+        return ()
 
     @property
     def has_return(self) -> bool:
@@ -244,6 +251,12 @@ class Request(CrankQuestion, AngleQuestion):
 
         return columns_in_floats(self.page_columns, crank, angles, self.rounding)
 
+    def solved(self) -> tuple[Drive, ...]:
+        from kurbel.motion.slide import slide_drives
+
+        even = not any(crank.acceleration for crank in self.cranks)
+        return slide_drives(self.cranks, self.method or "exact") if even else ()
+
     def curves(self, degrees: Any) -> list[list[Any]]:
         from kurbel.exact.bulk import evaluate
         from kurbel.motion.bulk import on_floats
@@ -256,6 +269,8 @@ class Request(CrankQuestion, AngleQuestion):
 
 
 CHUNK = 1 << 15
+# What draws whatever has curves over the crank angle.
+CURVES = "kurbel.plot.curves:over_angle"
 
 
 def motion_records(question: Request) -> Records:
@@ -339,6 +354,7 @@ MOTION = Subject(
     rows=motion_records,
     options=NEEDS,
     listed=lambda: [("table", one) for key, one in registry().items() if key not in effort_keys()],
+    drawn=CURVES,
 )
 # The same with the parts of what acts on the piston.
 EFFORT = MOTION._replace(

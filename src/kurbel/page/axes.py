@@ -96,6 +96,10 @@ class ListAxis(Axis):
         self.key, self.heading = field.key, field.name if heading is None else heading
         self._things, self._field, self._value, self._head = things, field, value, head
 
+    @property
+    def things(self) -> Sequence[Any]:
+        return self._things
+
     def field(self) -> Field:
         return self._field
 

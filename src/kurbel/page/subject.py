@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from kurbel.reading.amounts import Units
 
 Limit: TypeAlias = Callable[[Fraction], object]
+# What draws a page over one of its axes.
+OVER_AXES = "kurbel.plot.over.axes:over_axes"
 # What a question finds once and depends on its units and columns; all else that was found stays.
 OF_COLUMNS = ("page_columns", "axes", "full", "for_data", "values", "long", "known")
 
@@ -48,7 +50,7 @@ class Subject(NamedTuple):
     Lists of quantities name those that are `listed`, each with the command that prints it, by default all
     that any of its layouts can show; with `letters` the symbol stands beside the name. `options` tell what
     quantities need, by their `needs`. `limits` raise KurbelError for a value of an axis that is beyond
-    them, whatever else is given.
+    them, whatever else is given. `drawn` is the place of what makes the picture of a question.
     """
 
     key: str
@@ -73,6 +75,7 @@ class Subject(NamedTuple):
     letters: bool = False
     options: Mapping[str, tuple[str, ...]] = MappingProxyType({})
     limits: Mapping[str, Limit] = MappingProxyType({})
+    drawn: str = OVER_AXES
 
     @property
     def whole(self) -> bool:

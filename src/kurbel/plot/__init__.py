@@ -1,1 +1,1 @@
-"""Drawings of the motion, the mechanisms, the forces and the turning effort."""
+"""Drawings of pages, each made by what its subject names, and of mechanisms."""

@@ -3,22 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
+from typing import Any
 
 import numpy as np
 
-from kurbel.drive.crank import Crank
+from kurbel.drive.crank import Crank, ends
+from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import STROKES, is_known
-from kurbel.motion.mechanism import Mechanism
+from kurbel.motion.mechanism import STRAIGHT, Mechanism, mechanism
 from kurbel.motion.page import AngleQuestion
 from kurbel.page.subject import subject
 from kurbel.plot.chart.extremes import spots, strokes_of
 from kurbel.plot.chart.model import Around, Panel, Spot
 from kurbel.plot.chart.vector import PinForce
 from kurbel.plot.panels import Trace, check_drawn, degrees, panels_of, vector
+from kurbel.plot.picture import Picture, Wish, asked_of, check_one, columns_of, smooth
+from kurbel.reading.given import as_angles
 from kurbel.reading.notation import plain, ratio_text
 
 # Across and up in the polar diagram.
@@ -30,11 +35,6 @@ def motion_keys(chosen: Mechanism, crank: Crank) -> tuple[str, ...]:
     return _known_keys(chosen, chosen.forces if crank.force else chosen.motion, crank)
 
 
-def force_keys(chosen: Mechanism, crank: Crank) -> tuple[str, ...]:
-    """Return the forces in the drive; the torque is one of its own only in newton metres."""
-    return _known_keys(chosen, chosen.forces if crank.force else chosen.forces[:-1], crank)
-
-
 def pin_force_keys(chosen: Mechanism, crank: Crank) -> tuple[str, ...]:
     """Return the components of the force on the crank pin, in newtons where the piston force is known."""
     return _known_keys(chosen, [one for one in chosen.forces if one[0] in PIN_FORCE], crank)
@@ -44,6 +44,74 @@ def _known_keys(chosen: Mechanism, pairs: Sequence[tuple[str, str]], crank: Cran
     """Return of each pair the one in a known unit, as far as the drive has these quantities."""
     own = subject(chosen.subject).quantities()
     return tuple(known if is_known(own[known], crank) else share for share, known in pairs if share in own)
+
+
+def over_angle(question: AngleQuestion, wish: Wish) -> Picture:
+    """Return what is drawn of drives over the crank angle: the columns of the page, both strokes as one turn.
+
+    Beside the infinite rod its curves are dotted. Raises ProblemError.
+    """
+    if wish.polar:
+        return _polar(question)
+    if wish.over_path:
+        from kurbel.plot.over.path import of_turn
+
+        return of_turn(question, wish)
+    asked = unfolded(question)
+    beside = infinite(asked) if wish.infinite else None
+    drives = asked.solved()
+    return Picture(asked, motion_panels(asked, beside, drives), around(asked, drives, beside))
+
+
+def unfolded(question: AngleQuestion) -> AngleQuestion:
+    """Return the question over smooth angles; where both strokes stand side by side, over the whole turn."""
+    columns = columns_of(question)
+    both = _is_stroke(question.angles) and (question.has_return or _is_of_layout(question))
+    keys = [one.key.replace("_return", "") if both else one.key for one in columns]
+    angles = (Fraction(0), Fraction(360)) if both else question.angles
+    return asked_of(
+        question,
+        columns=tuple(dict.fromkeys(keys)),
+        angles=smooth(angles),
+        whole_turns=both or question.whole_turns,
+    )
+
+
+def _is_stroke(angles: Sequence[Fraction]) -> bool:
+    return [*ends(angles)] == [0, 180]
+
+
+def _is_of_layout(question: AngleQuestion) -> bool:
+    return [*question.angles] == [*as_angles(question.layout.angles or "0")]
+
+
+def infinite(question: AngleQuestion) -> AngleQuestion:
+    """Return the same of the rod of infinite length. Raises ProblemError for other drives."""
+    first = question.moving[1] if question.moving else None
+    if not hasattr(question, "method") or getattr(getattr(first, "crank", first), "offset", None):
+        raise ProblemError(
+            "--infinite is for the straight crank alone; leave it out, or the offset or mechanism"
+        )
+    changes: dict[str, Any] = {"method": "infinite"}
+    return replace(question, **changes)
+
+
+def _polar(question: AngleQuestion) -> Picture:
+    """Return the force on the crank pin in the crank's frame, of one drive."""
+    page = asked_of(question, columns=(), whole_turns=True)
+    chosen = mechanism(question.moving[0]) if question.moving else STRAIGHT
+    drives = page.solved()
+    if not drives or not set(PIN_FORCE) <= set(page.subject.quantities()) or not chosen.crosshead:
+        raise ProblemError(f"the polar diagram of {chosen.title} is not drawn; leave --polar out")
+    check_one(len(drives), "crank ratios")
+    keys = pin_force_keys(chosen, drives[0].crank)
+    asked = asked_of(page, columns=keys, angles=smooth(_whole(question.angles)))
+    return Picture(asked, force=pin_force(asked, drives[0]))
+
+
+def _whole(angles: Sequence[Fraction]) -> Sequence[Fraction]:
+    """Return the turn where the angles are those of a stroke."""
+    return (Fraction(0), Fraction(360)) if _is_stroke(angles) else angles
 
 
 def motion_panels(
@@ -65,13 +133,15 @@ def motion_panels(
 
 def _traces(question: AngleQuestion, drive: Drive | None = None, dotted: bool = False) -> Iterator[Trace]:
     lang, angles, told = question.lang, degrees(question.angles), question.told
-    drawn = question.curves(np.asarray(angles))
+    drawn, keys = question.curves(np.asarray(angles)), [one.quantity.key for one in question.page_columns]
     for place, (column, of_drives) in enumerate(zip(question.page_columns, drawn, strict=True)):
         one = column.quantity
-        named = None if drive is None else partial(_spots, question, place, drive)
+        alike = drive is not None and column.methods == (drive.method,)
+        named = partial(_spots, question, place, drive) if drive is not None and alike else None
         for telling, values in zip(told, of_drives, strict=True):
             stroke = STROKES[one.stroke][lang] if one.stroke in STROKES else ""
-            yield Trace(one, (*telling, stroke) if telling else (), angles, values.tolist(), dotted, named)
+            again = column.heading[-1] if keys.count(one.key) > 1 else ""
+            yield Trace(one, (*telling, stroke, again), angles, values.tolist(), dotted, named)
 
 
 def around(question: AngleQuestion, drives: Sequence[Drive], beside: AngleQuestion | None = None) -> Around:

@@ -96,7 +96,7 @@ def polar_drawing(
     """Return the polar diagram of the force on the crank pin, of which names and unit are given; with a shot
     a dot runs along it."""
     across, up = (axis_label(name, force.unit, force.power) for name in force.names)
-    figure = polar(force, mark, POLAR_WAYS[question.lang], size)
+    figure = polar(force, mark, force.ways or POLAR_WAYS[question.lang], size)
     about = "; ".join((across, up, *(force.strokes.names if force.strokes else ())))
     title = f"{POLAR_TITLE[question.lang]}: {_title(question)}"
     if shot is None:

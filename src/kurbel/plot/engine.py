@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 from math import ceil, floor, radians
@@ -21,6 +22,7 @@ from kurbel.plot.chart.model import Around, Curve, Panel, Strokes
 from kurbel.plot.chart.vector import PinForce
 from kurbel.plot.diagrams.swing import engine_swing
 from kurbel.plot.panels import Trace, check_drawn, degrees, panels_of, vector
+from kurbel.plot.picture import Picture, Wish, asked_of, check_one, columns_of, drawing_layout, refuse, smooth
 from kurbel.plot.sketch import DEAD_CENTRES
 from kurbel.plot.ticks import Across, plain_ticks
 from kurbel.reading.notation import ratio_text
@@ -28,9 +30,7 @@ from kurbel.reading.notation import ratio_text
 if TYPE_CHECKING:
     from kurbel.engine.cylinder import AnyTurn
 
-# What is drawn unless columns are named: as many as have their letters beside them, and without the rod's
-# force, which is nearly the piston's.
-FORCES = ("piston_force", "guide_force", "tangential_force", "radial_force")
+INFINITE = "--infinite is for the motion alone; of engines write --ratio 1:∞"
 # Across and up in the polar diagram.
 PIN_FORCE = ("tangential_force", "radial_force")
 # The columns of a request for the turning effort.
@@ -50,9 +50,47 @@ class Course(NamedTuple):
     values: list[list[float]]
 
 
-def known_forces(keys: Sequence[str], newtons: bool) -> tuple[str, ...]:
-    """Return the keys of forces, in newtons where they are known."""
-    return tuple(f"{key}_n" if newtons else key for key in keys)
+def forces(request: EngineRequest, wish: Wish) -> Picture:
+    """Return what is drawn of the forces of an engine, those of the first crank: the columns of the page."""
+    refuse(wish, infinite=INFINITE)
+    if wish.polar:
+        check_one(len(request.steams), request.words.several)
+        check_one(len(request.drives), "crank ratios")
+        newtons = "_n" if request.knows("piston_force_n") else ""
+        keys = tuple(f"{key}{newtons}" for key in PIN_FORCE)
+        asked = asked_of(request, columns=keys, angles=smooth(request.angles))
+        return Picture(asked, force=engine_pin_force(asked))
+    keys = tuple(one.key for one in columns_of(request))
+    asked = asked_of(request, columns=keys, angles=smooth(request.angles))
+    if wish.over_path:
+        from kurbel.plot.over.engine import around_path, force_panels_over_path
+
+        return Picture(asked, force_panels_over_path(asked), around_path(asked))
+    return Picture(asked, force_panels(asked), around(asked, strokes=True), columns=lettered(asked))
+
+
+def effort(request: EngineRequest, wish: Wish) -> Picture:
+    """Return what is drawn of the turning effort: unless columns are named its mean and the excess energy,
+    hatched, and with a flywheel the speed."""
+    refuse(wish, infinite=INFINITE)
+    if request.columns and "angle" in request.axes:
+        found = forces(request, wish._replace(over_path=False))
+        panels, beside = found.panels, around(request)
+    else:
+        whole = Fraction(0), Fraction(180 * request.turn(0, 0, "exact").cycle)
+        turn = request.angles if "angle" in request.axes else whole
+        asked = asked_of(request, layout=drawing_layout("turning"), columns=TURNING, angles=smooth(turn))
+        panels, beside = turning_panels(asked), around(asked)
+        found = Picture(asked, columns=lettered(asked))
+        if asked.wheel is not None:
+            from kurbel.plot.speed import speed_panel
+
+            known = "speed" if asked.wheel.speed is None else "rpm"
+            asked = replace(asked, layout=drawing_layout("speed"), columns=(*TURNING, known))
+            panels, found = [*panels, speed_panel(asked)], Picture(asked, columns=lettered(asked))
+    if wish.over_path:
+        panels, beside = over_path(panels), beside._replace(across=across_path(request.lang))
+    return found._replace(panels=panels, around=beside)
 
 
 def lettered(request: EngineRequest) -> list[Column]:

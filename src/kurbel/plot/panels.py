@@ -38,6 +38,8 @@ def axis_name(quantity: Quantity, lang: str) -> tuple[str, Label, Label]:
     is part of it: $F/Q$ of $F$ in $Q$.
     """
     name, heading, unit = quantity.name[lang], quantity.heading[lang], quantity.unit[lang]
+    if "/(" in unit and heading == f"{quantity.symbol} in {unit}":
+        return name, quantity.symbol, unit
     if unit.startswith("$") and heading == f"{quantity.symbol} in {unit}":
         letter, letters = (f"({one})" if " " in one else one for one in (quantity.symbol[1:-1], unit[1:-1]))
         return name, f"${letter}/{letters}$", ""
@@ -45,6 +47,11 @@ def axis_name(quantity: Quantity, lang: str) -> tuple[str, Label, Label]:
     unit = UNITS[unit].said(lang) if unit in UNITS else unit
     heading = heading.removesuffix(f" in {unit}")
     return name, heading, unit if heading == quantity.symbol else ""
+
+
+def titled(name: str, heading: Label) -> Label:
+    """Return what an axis is called; some headings begin with the name."""
+    return heading if heading.startswith(name) else f"{name} {heading}"
 
 
 def vector(
@@ -72,11 +79,14 @@ def panels_of(traces: Iterable[Trace], lang: str, apart: bool) -> list[Panel]:
 def _panel(traces: Sequence[Trace], lang: str) -> Panel:
     names, headings, units = zip(*(axis_name(one.quantity, lang) for one in traces), strict=True)
     alike = len({*zip(names, headings, strict=True)}) == 1
-    label = f"{names[0]} {headings[0]}" if alike else enumerated(names, lang)
+    label = titled(names[0], headings[0]) if alike else enumerated(names, lang)
     parts = [(heading, *one.telling) for heading, one in zip(headings, traces, strict=True)]
     # Only what is not the same of all tells one from the others.
     differing = [len(set(column)) > 1 for column in zip(*parts, strict=True)]
-    labels = (", ".join(part for part, tells in zip(one, differing, strict=True) if tells) for one in parts)
+    labels = [", ".join(part for part, tells in zip(one, differing, strict=True) if tells) for one in parts]
+    if len({*labels}) < len({(label, one.quantity.key) for label, one in zip(labels, traces, strict=True)}):
+        # What is called alike in pages has its spanner above it.
+        labels = [f"{one.quantity.symbol} {label}" for label, one in zip(labels, traces, strict=True)]
     curves = [
         Curve(text, one.angles, one.values, one.dotted) for text, one in zip(labels, traces, strict=True)
     ]

@@ -272,7 +272,7 @@ def _arrow(axes: Axes, plan: _Plan, pieces: Sequence[Piece]) -> None:
         for piece in pieces
         for middle in np.arange(piece.angles[0] + half, piece.angles[-1], MARK_STEP)
     ]
-    stretches = [one for one in stretches if np.isfinite(one).all()]
+    stretches = [one for one in stretches if np.isfinite(one).all() and not _same(one[1], one[2])]
     if stretches:
         _, tip, beyond = max(stretches, key=lambda one: float(np.hypot(*(one[1] - one[0]))))
         arrowhead(axes, tip, beyond - tip, 1 / plan.scale, size=2.6, slim=0.28)

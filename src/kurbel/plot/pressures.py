@@ -9,12 +9,25 @@ from math import cos, pi
 from kurbel.engine.captions import inner
 from kurbel.engine.pressures.page import WORDS, PressuresRequest, stroke_names
 from kurbel.engine.pressures.pressed import Pressed, Where, is_carded
+from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats
-from kurbel.plot.chart.model import Curve, Panel
+from kurbel.plot.chart.model import Around, Curve, Panel
+from kurbel.plot.picture import Picture, Wish, asked_of, refuse
 from kurbel.plot.ticks import Across, plain_ticks
 
 # So many steps of a stroke make its curves smooth; they are closer near the dead centres.
 STEPS = 120
+
+
+def over_stroke(request: PressuresRequest, wish: Wish) -> Picture:
+    """Return what is drawn of the pressures: those of the page, over each stroke."""
+    sentence = "pressures are drawn over the strokes; leave {} out"
+    refuse(wish, infinite=sentence.format("--infinite"), over_path=sentence.format("--over-path"))
+    keys = tuple(one.key for one in request.page_columns if one.quantity.plain_unit("en") != "°")
+    if not keys:
+        raise ProblemError("there is no pressure to draw; name one, such as --columns gas_pressure")
+    asked = asked_of(request, columns=keys)
+    return Picture(asked, pressure_panels(asked), Around(across=across_stroke(request.lang)))
 
 
 def pressure_panels(request: PressuresRequest) -> list[Panel]:

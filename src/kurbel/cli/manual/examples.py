@@ -108,9 +108,8 @@ SHORT: Mapping[str, Sequence[tuple[str, str]]] = {
         ("blau 33 --ratio 1:4,5", "your own number"),
     ),
     "plot": (
-        ("--ratio 1:5 -o motion.svg", "the motion"),
         ("--positions 30 --ratio 1:5 -o drive.svg", "to scale"),
-        ("--turning --eps 4 --ratio 1:5 -o turning.pdf", "turning effort"),
+        ("--point 0.5 --ratio 1:5 -o coupler.svg", "the path of a point"),
         ("--animate --ratio 1:4 -o turn.html", "what moves"),
     ),
     "construct": (
@@ -154,7 +153,7 @@ TOPICAL: Mapping[str, str] = {
     "wheel": "--flywheel 50",
     "diagram": "--torque '5000 + 1500 sin(3φ)'",
     "page": "--lang en --digits 3",
-    "drawing": "--width 85",
+    "drawing": "--width 85 -o drawing.svg",
     "output": "-o page.html",
 }
 LOADS = ("steam", "compressor", "pump", "gas")
@@ -162,7 +161,6 @@ LOADED: Mapping[str, str] = {
     "solve": "--where torque=max",
     "flywheel": "--power 50kW --speed 120/min --delta 1:100",
     "harmonics": "--quantity torque",
-    "plot": "--turning -o effort.svg",
 }
 NEEDED: Mapping[str, str] = {
     "inertia": "--centre 0.6 --gyration 0.3",
@@ -175,7 +173,7 @@ NEEDED: Mapping[str, str] = {
     "rotor": "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120'",
     "locomotive": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg",
     "example": "blau 33",
-    "plot": "-o drawing.svg",
+    "plot": "--positions 30 -o drive.svg",
     "construct": "blau-9",
 }
 # Whole, where a command shows a topic in its own way.
@@ -189,6 +187,7 @@ OWN: Mapping[str, Mapping[str, str]] = {
     },
     "inertia": {"masses": "--centre 0.6 --gyration 0.3"},
     "solve": {
+        "drawing": "--ratio 1:3..8 --where c=max --width 85 -o greatest.svg",
         "question": "--ratio 1:5 --where 's = 25%'",
         "angles": "--unknown stroke --angle 60 --where x=200mm",
         "piston": "--eps 4 --single-acting --where torque=max",
@@ -196,7 +195,7 @@ OWN: Mapping[str, Mapping[str, str]] = {
         "masses": "--machine engine.toml --reciprocating 300kg --where torque=max",
         "friction": "--machine engine.toml --friction 500N --where torque=max",
     },
-    "delta": {"question": "--eps 4 --detail"},
+    "delta": {"question": "--eps 4 --detail", "drawing": "--eps 2..6 --width 85 -o delta.svg"},
     "turning": {"diagram": "--torque '5000 + 1500 sin(3φ)'"},
     "pressures": {
         "steam": "--eps 4 --pressure 8bar --bore 300mm",
@@ -205,6 +204,7 @@ OWN: Mapping[str, Mapping[str, str]] = {
         "gas": "--compression 6 --peak-pressure 30 --suction-pressure 1bar --bore 200mm",
     },
     "power": {
+        "drawing": "--eps 2..6 --pressure 8bar --width 85 -o power.svg",
         "work": "--power 50kW --mean-pressure 3bar --working-strokes 2 --stroke 600mm --speed 120/min",
         "crank": "--machine engine.toml --speed 150/min",
         "steam": "--eps 4 --pressure 8bar --bore 300mm --stroke 600mm --speed 120/min",
@@ -226,7 +226,10 @@ OWN: Mapping[str, Mapping[str, str]] = {
         "masses": "--delta 1:100 --machine engine.toml --reciprocating 300kg",
         "friction": "--delta 1:100 --machine engine.toml --friction 500N",
     },
-    "deadcentres": {"question": "--beam 3 --exact"},
+    "deadcentres": {
+        "question": "--beam 3 --exact",
+        "drawing": "--ratio 1:3..8 --offset 0.3 --width 85 -o dead.svg",
+    },
     "harmonics": {
         "question": "--ratio 1:5 --quantity x --orders 8",
         "linkage": "--quantity torque --eps 4 --mechanism arc --ratio 1:5 --rocker 6",
@@ -254,6 +257,7 @@ OWN: Mapping[str, Mapping[str, str]] = {
     },
     "firing": {"question": "--engine inline-6 --order 1-5-3-6-2-4", "cylinders": "--engine v8-90"},
     "collate": {
+        "drawing": "roetscher-112 --width 85 -o deviations.svg",
         "question": "weisbach-150 --only deviations",
         "crank": "--csv scan.csv --quantity p --ratio 1:4 --method series",
         "page": "roetscher-112 --lang en",
@@ -268,17 +272,11 @@ OWN: Mapping[str, Mapping[str, str]] = {
         "page": "blau 33 --lang en",
     },
     "plot": {
-        "question": "--positions 30 --ratio 1:5 -o drive.svg",
-        "angles": "--step 5 --over path -o curve.svg",
-        "piston": "--forces --force 10kN --stroke 600mm -o forces.svg",
-        "cylinders": "--turning --eps 4 --cranks '0;90' -o effort.svg",
-        "masses": "--forces --machine engine.toml --reciprocating 300kg -o forces.svg",
-        "friction": "--forces --machine engine.toml --friction 500N -o forces.svg",
-        "work": "--turning --eps 4 --power 50kW --inertia 1200kgm2 --speed 120/min -o speeds.svg",
-        "wheel": "--turning --eps 4 --flywheel 50 --speed 120/min -o speeds.svg",
-        "diagram": "--turning --torque '5000 + 1500 sin(3φ)' -o effort.svg",
-        "page": "--ratio 1:5 --lang en -o motion.svg",
-        "output": "--ratio 1:5 -o motion.pdf",
+        "crank": "--positions 30 --stroke 600mm --rod 1500mm -o drive.svg",
+        "linkage": "--positions 30 --mechanism arc --ratio 1:5 --rocker 6 -o drive.svg",
+        "page": "--positions 30 --lang en -o drive.svg",
+        "drawing": "--positions 30 --width 85 -o drive.svg",
+        "output": "--positions 30 -o drive.pdf",
     },
     "construct": {
         "question": "blau-9 --ratio 1:4 --angle 50 --table",

@@ -29,13 +29,13 @@ TOPICS = (
     Topic(
         "question",
         "What is asked",
-        "forces turning polar pressures plot.positions point where unknown quantity orders order intervals"
-        " at of detail exact csv only strict sources infinite table steps",
+        "plot.positions point where unknown quantity orders order intervals"
+        " at of detail exact csv only strict sources table steps",
     ),
     Topic(
         "crank",
         "The crank",
-        "ratio stroke rod speed machine method table.order plot.order solve.order offset crank true_stroke"
+        "ratio stroke rod speed machine method table.order solve.order offset crank true_stroke"
         " time_ratio acceleration",
         "mechanism",
     ),
@@ -138,7 +138,7 @@ TOPICS = (
         "The page",
         "lang layout columns units decimal digits rounding caption note source label layouts templates",
     ),
-    Topic("drawing", "The drawing", "width height text animate seconds"),
+    Topic("drawing", "The drawing", "width height polar over_path infinite text animate seconds", "output"),
     Topic(
         "output", "The output", "output format interactive standalone longtable siunitx excel dry_run help"
     ),
@@ -168,8 +168,7 @@ FIRST: Mapping[str, str] = {
     "firing": "engine cranks strokes order intervals columns",
     "collate": "quantity csv ratio method only strict sources columns",
     "example": "ratio angle force eps back",
-    "plot": "positions point forces turning polar pressures ratio stroke machine force eps bore pressure"
-    " width",
+    "plot": "positions point animate ratio stroke rod offset mechanism rocker machine seconds width",
     "construct": "table point ratio angle offset machine steps width",
 }
 # Of every command behind its own, of sweeps their own before.
@@ -189,13 +188,12 @@ SHORTER: Mapping[str, str] = {
     "engine": "inline-4, v8-90, boxer-4 and others",
     "revolving": "Mass that turns with each crank at its radius",
     "columns": "Columns and their order; kurbel quantities has all",
-    "format": "text, html, latex, csv, xlsx, pdf and others",
+    "format": "text, html, latex, csv, xlsx, pdf; svg, png drawn",
     "sweep.format": "parquet, arrow, csv, netcdf or zarr",
     "sweep.output": "File to write: sweep.parquet",
     "locomotive.share": "Shares of them that are balanced",
     "firing.intervals": "With --order: firing intervals",
     "plot.point": "Paths of points of the rod: 0.5",
-    "plot.pressures": "Draw the acceleration pressure over the stroke",
     "plot.format": "svg, png, pdf or pgf; html or gif of what moves",
     "construct.point": "A point of the rod: 0.5",
     "construct.format": "svg, png, pdf, html drawn; text, csv and others",

@@ -244,7 +244,8 @@ WANTS = (
         "drawing",
         "I want a drawing",
         (
-            ("plot --ratio 1:5 -o motion.svg", "curves"),
+            ("table --ratio 1:5 -o motion.svg", "curves"),
+            ("forces --eps 4 --polar -o pin.svg", "a polar diagram"),
             ("plot --positions 30 --ratio 1:5 -o drive.svg", "the mechanism"),
             ("plot --animate --ratio 1:4 -o turn.html", "what moves"),
             ("construct blau-9 --ratio 1:4 --angle 50 -o fig9.svg", "a construction of a book"),

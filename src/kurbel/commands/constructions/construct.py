@@ -10,10 +10,11 @@ from kurbel.books.constructions.page import ConstructionRequest
 from kurbel.books.constructions.registry import CONSTRUCTIONS, construction, unfound
 from kurbel.commands import parameters as option
 from kurbel.commands.constructions import beside
-from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.machines import lone_lengths
 from kurbel.commands.old_motion import described, meant, of_other_mechanisms, sheet_of
 from kurbel.commands.options import Choice, Count, Option
+from kurbel.commands.part import Values
+from kurbel.commands.parts.drawing import Sized
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws, makes_table
 from kurbel.errors import ChoiceError, ProblemError
@@ -144,9 +145,11 @@ def construction_table(
     return _asked(name, given, layout=page, columns=as_names(columns, "drawn,true"), **sheet_of(given))
 
 
-class Drawn(Given, Sized, total=False):
+class Drawn(Given, total=False):
     """The same as a drawing."""
 
+    width: Annotated[Exact | None, Sized.width]
+    height: Annotated[Exact | None, Sized.height]
     steps: Annotated[
         int | None,
         Option(
@@ -180,7 +183,7 @@ def plot_construction(name: Name, **given: Unpack[Drawn]) -> Drawing:
     last, count = given["steps"], len(asked.construction.steps)
     if last is not None and last > count:
         raise ProblemError(f"construction {name} has {count} steps, and step {last} was asked for")
-    drawn = construction_drawing(asked, mark, page_size(given), last)
+    drawn = construction_drawing(asked, mark, Sized(Values(given, {})).size, last)
     decimal = given["decimal"]
 
     def page(svg: str) -> str:

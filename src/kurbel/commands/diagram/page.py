@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from kurbel.commands.diagram.given import DRIVES, LOADS, areas_of, excess_of
 from kurbel.commands.old_motion import STEP
@@ -15,9 +15,6 @@ from kurbel.page.layouts import layout_of
 from kurbel.page.subject import Question
 from kurbel.reading import notation
 from kurbel.reading.given import as_angle, as_angles, as_crank_angles, as_inertia, as_names, as_speed
-
-if TYPE_CHECKING:
-    from kurbel.engine.diagram.page import TorquesRequest
 
 PAGES = ("torques", "areas")
 EXAMPLE = "phi,excess_energy"
@@ -42,31 +39,6 @@ def diagram_asked(given: Mapping[str, Any], columns: Names) -> Question:
         return AreasRequest(areas=areas_of(given), **about)
     excess = excess_of(given)
     return TorquesRequest(excess=excess, angles=angles_of(given, excess.cycle), **_of_torques(given), **about)
-
-
-def diagram_drawn(given: Mapping[str, Any]) -> TorquesRequest:
-    """Return what is drawn of the diagram that options describe. Raises KurbelError."""
-    from kurbel.commands.plots import curve_angles, page_of
-    from kurbel.engine.diagram.page import TorquesRequest
-    from kurbel.plot.diagrams.torques import DRAWN, SPEED
-
-    if is_given(given["areas"]):
-        raise ProblemError(
-            "areas alone have no curve; kurbel turning prints their energies, and --torque draws a diagram by"
-            " its points"
-        )
-    excess, wheel = excess_of(given), _wheel(given)
-    run = given if given["to"] is not None else {**given, "to": excess.cycle}
-    return TorquesRequest(
-        layout=page_of(PAGES[0]),
-        excess=excess,
-        angles=curve_angles(run),
-        columns=DRAWN if None in wheel.values() else (*DRAWN, SPEED),
-        lang=given["lang"],
-        units=given["units"],
-        **_of_torques(given),
-        **wheel,
-    )
 
 
 def _of_torques(given: Mapping[str, Any]) -> dict[str, Any]:

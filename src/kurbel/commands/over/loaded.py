@@ -22,7 +22,7 @@ def check_piston(about: str, values: Mapping[str, Any]) -> None:
     if about != PISTON:
         raise ProblemError(
             "forces of an engine are not set over the path; kurbel pressures sets its pressures over the"
-            " stroke, and kurbel plot --forces --over path draws the forces"
+            " stroke, and --over-path -o forces.svg draws the forces over it"
         )
     if values["axles"] is not None:
         raise ProblemError("coupled axles have no piston; leave --axles or --over path out")

@@ -229,6 +229,7 @@ OF_TORQUES = Subject(
     notes=_torque_notes,
     letters=True,
     options=NEEDS,
+    drawn="kurbel.plot.diagrams.torques:torques",
 )
 OF_AREAS = Subject(
     key=AREAS,

@@ -19,7 +19,7 @@ from kurbel.motion.captions import digits_text, moving_notes
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decimals
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, filled, for_ratio, words
-from kurbel.page.subject import Question, Subject
+from kurbel.page.subject import OVER_AXES, Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
 from kurbel.reading.notation import about
@@ -232,6 +232,7 @@ PRESSURES = Subject(
     caption=_caption,
     notes=_notes,
     letters=True,
+    drawn="kurbel.plot.pressures:over_stroke",
 )
 PRESSURES_OVER_ANGLE = PRESSURES._replace(
     key=OVER_ANGLE,
@@ -240,4 +241,5 @@ PRESSURES_OVER_ANGLE = PRESSURES._replace(
     axes={"angle": AngleAxis, "column": ColumnAxis},
     axis_keys=("phi",),
     listed=tuple,
+    drawn=OVER_AXES,
 )

@@ -14,7 +14,7 @@ from kurbel.exact.kind import Kind, floats
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import circle
 from kurbel.motion.evaluation import NEEDS, PAGE_CELLS, needed
-from kurbel.motion.page import AngleQuestion, check_pairs
+from kurbel.motion.page import CURVES, AngleQuestion, check_pairs
 from kurbel.motion.points import captions
 from kurbel.motion.points.digits import Ends, Moved
 from kurbel.motion.points.direction import continued
@@ -196,6 +196,7 @@ SUBJECT = Subject(
     notes=captions.notes,
     rows=_records,
     options=NEEDS,
+    drawn=CURVES,
 )
 RODLESS = SUBJECT._replace(
     axes={"point": PointAxis, "angle": AngleAxis, "column": ColumnAxis}, axis_keys=("point", "phi")

@@ -28,12 +28,14 @@ class Vector(NamedTuple):
 
 
 class PinForce(NamedTuple):
-    """The force on a pin: the names of its components, across and up, their unit, and the strokes."""
+    """The force on a pin: the names of its components, across and up, their unit, and the strokes; `ways` are
+    the directions of its axes, by themselves those of the crank."""
 
     vector: Vector
     names: tuple[Label, Label]
     unit: Label
     strokes: Strokes | None = None
+    ways: tuple[Label, Label] | None = None
 
     @property
     def power(self) -> int:

@@ -7,19 +7,60 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.engine.diagram.captions import shown
+from kurbel.engine.diagram.excess import Excess
 from kurbel.engine.diagram.page import TorquesRequest
 from kurbel.engine.diagram.torque import Torque
+from kurbel.engine.diagram.wheel.page import WheelRequest
 from kurbel.exact.kind import Kind, floats
 from kurbel.page.quantity import words
 from kurbel.plot.chart.model import Curve, Panel, power_of_curves
 from kurbel.plot.diagrams.swing import diagram_swing
+from kurbel.plot.engine import across_path, over_path
+from kurbel.plot.over.axes import over_axes
 from kurbel.plot.panels import axis_name, check_drawn, degrees
+from kurbel.plot.picture import Picture, Wish, asked_of, drawing_layout, refuse, smooth
 from kurbel.plot.ticks import amount
 
 # What is drawn; the speed of a flywheel where that and its mean are known.
 DRAWN, SPEED = ("torque", "load_torque", "excess_energy"), "rpm"
 MEAN, ENERGY = "$T_m$", "excess_energy"
 TORQUES = words("Drehmomente|Torques")
+
+
+def torques(request: TorquesRequest, wish: Wish) -> Picture:
+    """Return what is drawn of a turning-moment diagram: unless columns are named the torques, hatched, the
+    excess energy and, of a flywheel, its speed."""
+    refuse(wish, infinite="--infinite is for the motion of a crank drive; leave it out")
+    columns = request.columns or (DRAWN if request.steady is None else (*DRAWN, SPEED))
+    asked = asked_of(request, columns=columns, angles=smooth(request.angles))
+    if request.columns:
+        found = over_axes(asked, wish._replace(over_path=False))
+    else:
+        found = Picture(asked, diagram_panels(asked))
+    if not wish.over_path:
+        return found
+    beside = found.around._replace(across=across_path(request.lang))
+    return found._replace(panels=over_path(found.panels), around=beside)
+
+
+def sizing(request: WheelRequest, wish: Wish) -> Picture:
+    """Return what is drawn of a flywheel without an engine: the diagram that it evens out, else what is
+    printed over the irregularities to keep."""
+    excess = request.fluctuation
+    if not isinstance(excess, Excess) or request.columns:
+        return over_axes(request, wish)
+    even = {name: not (one.waves.orders or one.jumps or any(line.slope for line in one.lines))
+            for name, one in (("load", excess.load), ("drive", excess.drive))}  # fmt: skip
+    asked = TorquesRequest(
+        layout=drawing_layout("torques"),
+        excess=excess,
+        angles=(Fraction(0), excess.cycle),
+        constant=next((name for name, flat in even.items() if flat), ""),
+        lang=request.lang,
+        units=request.units,
+        caption=request.caption,
+    )
+    return torques(asked, wish)
 
 
 def diagram_panels(request: TorquesRequest) -> list[Panel]:

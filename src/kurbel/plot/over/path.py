@@ -4,25 +4,32 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
 from functools import partial
 from math import nan
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Label
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import OUT, STROKES, method_named
+from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.page import AngleQuestion
 from kurbel.page.quantity import Column, Quantity, enumerated, filled, for_ratio, words
 from kurbel.plot.chart.extremes import spots, zeros
 from kurbel.plot.chart.model import Around, Panel, Spot, Strokes
-from kurbel.plot.curves import said_drive, said_ratio
-from kurbel.plot.panels import Trace, axis_name, check_drawn, degrees, panels_of
+from kurbel.plot.curves import infinite, said_drive, said_ratio, unfolded
+from kurbel.plot.panels import Trace, axis_name, check_drawn, degrees, panels_of, titled
+from kurbel.plot.picture import Picture, Wish, columns_of, drawing_layout, refuse, smooth
 from kurbel.plot.sketch import DEAD_CENTRES
 from kurbel.plot.ticks import Across, Ticks, plain_ticks
 from kurbel.solve.over.captions import WORDS
+from kurbel.solve.over.page import ANGLES, PathRequest
 
 # What is drawn to scale, R, v and v²/R of one length, by the beginning of its key.
 VELOCITY, ACCELERATION = ("c", "velocity"), ("p", "acceleration")
@@ -33,6 +40,62 @@ MARKS, ARROWS = range(0, 360, 30), {45: OUT, 225: -OUT}
 NEAR_BY, NOTHING = 1e-4, 1e-6
 STROKE = words("Hub|Stroke")
 EQUAL = words("$R$, $v$ und $v^2/R$ gleich lang|$R$, $v$ and $v^2/R$ of one length")
+
+
+def over_path(question: PathRequest, wish: Wish) -> Picture:
+    """Return what is drawn of drives over the path of the piston: the columns of the page, each as one curve
+    of both strokes."""
+    refuse(wish, polar="a polar diagram is over the turn; leave --polar or --over path out")
+    chosen = mechanism(question.mechanism)
+    forces = question.subject.key == "forces over path"
+    drives = tuple(getattr(one, "drive", one.crank) for one in question.drives)
+    asked = chosen.question(
+        drives,
+        question.method,
+        layout=drawing_layout(chosen.forces_layout if forces else chosen.layout),
+        angles=smooth((Fraction(0), Fraction(360))),
+        lang=question.lang,
+        units=question.units,
+        columns=names_over(chosen, drives, columns_of(question), bool(question.columns)),
+    )
+    return _picture(asked, wish)
+
+
+def of_turn(question: AngleQuestion, wish: Wish) -> Picture:
+    """Return the same of drives over the crank angle, with the columns of their page."""
+    chosen, asked = mechanism(question.moving[0] if question.moving else "straight"), unfolded(question)
+    if not (chosen.conditions() and asked.solved()):
+        raise ProblemError(f"{asked.subject.key} are drawn over the crank angle; leave --over-path out")
+    drives: Any = getattr(asked, "drives", None) or getattr(asked, "cranks", ())
+    keys = names_over(chosen, drives, asked.page_columns, bool(question.columns))
+    return _picture(replace(asked, columns=keys), wish)
+
+
+def _picture(asked: AngleQuestion, wish: Wish) -> Picture:
+    drawing = PathDrawing(asked, asked.solved(), infinite(asked) if wish.infinite else None)
+    return Picture(asked, drawing.panels(), drawing.around(), title=drawing.title)
+
+
+def names_over(
+    chosen: Mechanism, drives: Sequence[Any], columns: Sequence[Column], named: bool
+) -> tuple[str, ...]:
+    """Return the path, in mm where lengths are known, and what is drawn over it: the columns but for angles
+    and, unless it was named, the path."""
+    path, in_mm = chosen.motion[0]
+    own = path if chosen.crank(drives[0]).radius is None else in_mm
+    back = next((one.key for one in columns if named and "_return" in one.key), "")
+    if back:
+        raise ProblemError(
+            f"column {back} is of the return stroke, and over the path both strokes are one curve; write"
+            f" {back.replace('_return', '')}"
+        )
+    keys = dict.fromkeys(one.key for one in columns if one.key not in ANGLES and "_return" not in one.key)
+    drawn = [one for one in keys if one != own and (named or one not in (path, in_mm))]
+    if not drawn:
+        raise ProblemError(
+            "a path over itself is a straight line; name another column, such as --columns c,p"
+        )
+    return (own, *drawn)
 
 
 class PathDrawing:
@@ -174,7 +237,7 @@ class PathDrawing:
 
 def _label(quantity: Quantity, lang: str) -> Label:
     name, heading, _ = axis_name(quantity, lang)
-    return f"{name} {heading}"
+    return titled(name, heading)
 
 
 def _ticks(ends: tuple[float, float], low: float, high: float, mark: str, most: int) -> Ticks:

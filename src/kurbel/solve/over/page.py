@@ -212,6 +212,7 @@ MOTION = Subject(
     notes=captions.notes,
     options=NEEDS,
     listed=_listed,
+    drawn="kurbel.plot.over.path:over_path",
 )
 # The same of forces.
 FORCES = MOTION._replace(

@@ -90,4 +90,5 @@ SUBJECT = Subject(
     notes=notes,
     letters=True,
     options=NEEDS,
+    drawn="kurbel.plot.diagrams.torques:sizing",
 )

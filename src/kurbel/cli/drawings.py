@@ -1,0 +1,114 @@
+"""A page as a drawing: which format of it is asked for, and its options on the command line."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from kurbel.cli.options import Given, click_option
+from kurbel.commands.parts.drawing import Pictured
+from kurbel.formats.registry import DRAWINGS, DRAWN
+
+if TYPE_CHECKING:
+    from kurbel.commands.shown import Drawing
+
+# What is not drawn, or in a way of its own.
+UNDRAWN = ("example", "firing", "rotor", "construct")
+# What is a page by itself, and a drawing by -f drawing; the second where it moves, too.
+ALSO_PAGES = ("pdf", "html")
+# What says how a page is written, and nothing on a drawing.
+OF_PAGES = (
+    "standalone", "interactive", "longtable", "siunitx", "excel", "digits", "rounding", "note", "source",
+    "templates",
+)  # fmt: skip
+
+
+def drawing_options() -> Iterator[click.Parameter]:
+    """Yield the options of drawings."""
+    return map(click_option, Pictured.options().values())
+
+
+def drawing_format(given: Given) -> str:
+    """Return the format of the drawing that is asked for by -f or by the file's suffix, nothing for a page.
+
+    Raises UsageError for what says nothing on the one or the other.
+    """
+    named, output, moves = given.values["format"], given.values["output"] or "-", given.values["animate"]
+    suffix = _suffix(given)
+    by_name = given.typed("format") or output == "-" or given.in_document
+    name = (named if by_name else suffix) or ""
+    if name == DRAWN:
+        name = suffix if suffix in (*DRAWINGS, *ALSO_PAGES) else "svg"
+    elif name not in DRAWINGS and not (moves and name == "html"):
+        _check_page(given, name)
+        return ""
+    check_moving(name, moves)
+    for option in OF_PAGES:
+        if given.typed(option):
+            raise click.UsageError(f"--{option} is for pages, and {name} is a drawing; leave it out")
+    if not given.in_document:
+        check_terminal(output, name)
+    return str(name)
+
+
+def _suffix(given: Given) -> str:
+    suffix = os.path.splitext(given.values["output"] or "")[1].lower()[1:]
+    return "html" if suffix == "htm" else suffix
+
+
+def check_undrawn(given: Given) -> None:
+    """Raise UsageError for a drawing of a page that has none."""
+    name = given.values["format"] if given.typed("format") else _suffix(given)
+    if name in (*DRAWINGS, DRAWN):
+        raise click.UsageError(f"{name} is a drawing, and this page is not drawn; take text, latex or others")
+
+
+def check_moving(name: str, moves: bool) -> None:
+    """Raise UsageError for a format that cannot move, or that is only for what moves."""
+    from kurbel.plot.style import FORMATS, MOVING
+
+    if moves and name not in MOVING:
+        raise click.UsageError(
+            f"{name} stands still, and --animate writes html, svg or gif, such as -o turn.html; leave it"
+            f" out for {name}"
+        )
+    if not moves and name not in FORMATS:
+        raise click.UsageError(f"{name} is for drawings that move; add --animate, or take -f svg, png or pdf")
+
+
+def check_terminal(output: str, name: str) -> None:
+    """Raise UsageError for a drawing on a terminal."""
+    if output == "-" and sys.stdout.isatty():
+        raise click.UsageError(f"a terminal shows no drawings; name a file, such as -o kurbel.{name}")
+
+
+def _check_page(given: Given, name: str) -> None:
+    """Raise UsageError for options of drawings that were typed beside a page."""
+    typed = next((one.flag for one in Pictured.options().values() if given.typed(one.name)), "")
+    if typed == "--animate":
+        check_moving(name or "text", True)
+    if typed:
+        raise click.UsageError(
+            f"{typed} is for drawings, and {name or 'text'} is a page; name a file for one, such as"
+            " -o kurbel.svg, or add -f drawing"
+        )
+
+
+def drawn(question: Any, given: Given) -> Drawing:
+    """Return what is asked for as a drawing. Raises KurbelError."""
+    from kurbel.commands.drawn import drawing_of
+
+    return drawing_of(question, Pictured(given), given.values["decimal"])
+
+
+def write(drawing: Drawing, name: str, given: Given) -> None:
+    """Write a drawing to the file, whole or not at all."""
+    from kurbel.formats.render import whole_file
+
+    content = drawing.image(name, text=bool(given.values["text"]))
+    with whole_file(given.values["output"]) as stream:
+        stream.write(content)

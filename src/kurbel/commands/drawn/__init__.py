@@ -1,1 +1,0 @@
-"""What all commands that draw have in common."""

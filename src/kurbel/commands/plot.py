@@ -1,0 +1,146 @@
+"""Drawings of what has no page: crank drives to scale, the paths of points of their rods, how they move."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from kurbel.commands.drawn import carrying, drawing_of, paged, spoken, staged
+from kurbel.commands.motion import some
+from kurbel.commands.options import Choice, Option, alone, measure, word
+from kurbel.commands.part import CommandOptions
+from kurbel.commands.parts.drawing import Filmed, Pictured, Sized
+from kurbel.commands.parts.drive import AnyDrive
+from kurbel.commands.parts.sheet import Plain, Sheet
+from kurbel.commands.shown import Drawing, mark_of
+from kurbel.commands.subject import function
+from kurbel.errors import ProblemError
+from kurbel.exact.numerals import DECIMALS
+from kurbel.motion.evaluation import is_known
+from kurbel.motion.mechanism import Mechanism
+from kurbel.motion.points.page import SUBJECT, PointsRequest
+from kurbel.motion.points.point import Point, points_of
+from kurbel.motion.points.quantities import points_registry
+from kurbel.reading.given import as_angles, found_at
+
+if TYPE_CHECKING:
+    from kurbel.motion.page import AngleQuestion
+
+# Where the crank stands beside the path of a point, unless that is asked for.
+POSITION = "60"
+TURN = (Fraction(0), Fraction(360))
+# What is read beside points that move, and what stands for it where its unit is known.
+OF_POINTS = (("velocity", "velocity_mps"), ("acceleration", "acceleration_mps2"))
+PAGES = (
+    "kurbel plot draws mechanisms to scale; add --positions 30, --point 0.5 or --animate, or have the curves"
+    " of a page drawn by what prints it: kurbel table --ratio 1:5 -o motion.svg"
+)
+
+
+class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
+    """Draw a mechanism to scale, the paths of points of its rod, and how it moves.
+
+    Curves of pages are a format of these: kurbel table --ratio 1:5 -o motion.svg, kurbel forces --eps 4 -o
+    forces.svg. Drawings need the extra `plot`.
+
+    \b
+    kurbel plot --positions 30 --ratio 1:5 -o kurbeltrieb.svg
+    kurbel plot --positions '30;90;150' --mechanism arc --rocker 6 -o bogenschubkurbel.pdf
+    kurbel plot --point 0.5 --ratio 1:5 -o koppelkurve.svg
+    kurbel plot --animate --ratio 1:4 -o drehung.html
+    """
+
+    unnamed = "positions"
+
+    positions = measure(
+        alone(as_angles),
+        "Draw the mechanism to scale at these crank angles: 30, or '30;90;150'.", "ANGLES", unit="degrees",
+        many=True,
+    )  # fmt: skip
+    point: Option[Any] = Option(
+        "Draw the paths of points of the rod beside the mechanism: 0.5, 0.5,0.1, '0;0.5;1'.", "POINTS",
+        many=True,
+    )  # fmt: skip
+    lang: Option[str] = Plain.lang.but(help="Language of the labels: de or en.")
+    units: Option[Any] = Sheet.units.but(
+        help="Units of the numbers beside what moves: metric, imperial or a list, 'cm;kN'. Default: metric;"
+        " of what is given in imperial units alone these."
+    )
+    decimal = word(
+        "comma or point; default: by the language.", kind=Choice("decimal mark", DECIMALS),
+        environment="KURBEL_DECIMAL", last=True,
+    )  # fmt: skip
+
+    def question(self) -> Drawing:
+        if not (self.says("positions", "point") or self.animate):
+            raise ProblemError(PAGES)
+        from kurbel.plot.picture import drawing_layout
+
+        chosen, described = self.described()
+        drives = some(chosen.drives(described, drawing_layout(chosen.layout).ratios))
+        if not self.says("positions", "point"):
+            question = replace(_motion(chosen, drives, self.lang), units=self.units)
+            return drawing_of(question, self.as_part(Pictured), self.decimal)
+        if len(drives) > 1:
+            flag = "positions" if self.says("positions") else "point"
+            raise ProblemError(
+                f"--{flag} draws one crank drive, and {len(drives)} ratios were given; choose one"
+            )
+        angles = as_angles(POSITION) if self.positions is None else self.positions
+        return self._mechanism(chosen, drives[0], angles)
+
+    def _mechanism(self, chosen: Mechanism, drive: Any, angles: Sequence[Fraction]) -> Drawing:
+        """Return the mechanism to scale at crank angles, the first one strong."""
+        from kurbel.plot.coupler.paths import coupled
+        from kurbel.plot.film.mechanism import mechanism_film
+
+        lang, mark, turn = self.lang, mark_of(self.lang, self.decimal), self.turn
+        points: tuple[Point, ...] = ()
+        if self.says("point"):
+            chosen.rod_ends()
+            points = points_of(self.point, [chosen.crank(drive)])
+        paths = coupled(points, found_at(chosen.moving)(drive)) if points else ()
+        drawn = found_at(chosen.drawing)(drive, angles, lang, mark, self.size, paths)
+        if turn is None:
+            return Drawing.of(drawn, lang, mark)
+        beside = _of_points(chosen, drive, points, lang) if points else _motion(chosen, [drive], lang)
+        question = replace(beside, units=self.units)
+        show = partial(carrying, question, staged(chosen.name, drive))
+        made = mechanism_film(show, angles, mark, turn, self.size)
+        # A drive that was drawn has a scene.
+        assert made is not None
+        found = drawn._replace(figure=made[0], film=made[1])
+        return Drawing.of(found, lang, mark, paged(found, lang, mark, spoken(question)))
+
+    def unread(self, option: Option[Any]) -> str:
+        """Return the sentence that refuses what is read beside a drawing that moves."""
+        return "--units are of the numbers beside what moves; leave it out" if option.name == "units" else ""
+
+
+plot_mechanism = function(PlotOptions, "plot_mechanism", drawn=True)
+
+
+def _motion(chosen: Mechanism, drives: Sequence[Any], lang: str) -> AngleQuestion:
+    """Return what is read beside a mechanism: the motion of the driven end."""
+    from kurbel.plot.curves import motion_keys
+    from kurbel.plot.picture import drawing_layout
+
+    return chosen.question(
+        drives, None, layout=drawing_layout(chosen.layout), angles=TURN, lang=lang,
+        columns=motion_keys(chosen, chosen.crank(drives[0])),
+    )  # fmt: skip
+
+
+def _of_points(chosen: Mechanism, drive: Any, points: tuple[Point, ...], lang: str) -> AngleQuestion:
+    """Return what is read beside points of the rod: how they move."""
+    from kurbel.plot.picture import drawing_layout
+
+    known, crank = points_registry(), chosen.crank(drive)
+    keys = tuple(unit if is_known(known[unit], crank) else share for share, unit in OF_POINTS)
+    return PointsRequest(
+        mechanism=chosen, drives=(drive,), points=points, layout=drawing_layout(SUBJECT.layout), angles=TURN,
+        lang=lang, columns=keys,
+    )  # fmt: skip

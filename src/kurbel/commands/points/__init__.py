@@ -1,1 +1,0 @@
-"""Points of the rod: what options ask for of them."""

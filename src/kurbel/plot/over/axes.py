@@ -1,0 +1,168 @@
+"""What is drawn of a page over one of its axes: ε, shares, crank ratios; orders are a spectrum."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from math import ceil, isfinite, nan
+from typing import Any, NamedTuple
+
+from kurbel.errors import ProblemError
+from kurbel.exact.numerals import Label, Number
+from kurbel.page.axes import RATIO, Axis, ListAxis, PageAxis, Place, places
+from kurbel.page.quantity import Quantity, entry
+from kurbel.page.subject import Question
+from kurbel.plot.chart.model import Around
+from kurbel.plot.panels import Trace, panels_of
+from kurbel.plot.picture import Picture, Wish, asked_of, columns_of, refuse, smooth
+from kurbel.plot.ticks import Across, Ticks, axis_label, over_angle, plain_ticks, value_ticks
+
+# What a page is drawn over where it has several places of it, in this order; then what has most places.
+FIRST = ("angle", "share", "order", "expansion")
+# What has no place between two of its own, and is drawn as lines from 0.
+APART = ("order", "place")
+# What pages have beside the same in other words.
+DOUBLED = ("phi_turn", "x_stroke")
+# The steps of a turn, whose values are certified one by one.
+ANGLE_STEPS = 360
+# So far apart are lines at one place.
+BESIDE = 0.12
+
+
+class _Across(NamedTuple):
+    """The axis that a page is drawn over: its name, where its places are, and how it is written."""
+
+    name: str
+    places: Sequence[float]
+    axis: Across | None
+
+
+def over_axes(question: Question, wish: Wish) -> Picture:
+    """Return what is drawn of a page over the axis that has several places. Raises ProblemError for a page
+    without one."""
+    keys = tuple(one.key for one in columns_of(question) if one.key not in DOUBLED)
+    # What is of one column has no names for it.
+    keys = keys if "column" in question.axes else ()
+    own: Any = question
+    angles = {"angles": smooth(own.angles, ANGLE_STEPS)} if "angle" in question.axes else {}
+    return _drawn(asked_of(question, columns=keys, **angles), wish)
+
+
+def deviations(question: Question, wish: Wish) -> Picture:
+    """Return what is drawn of a collation: the differences of the printed values, place by place."""
+    return _drawn(question, wish, ("difference",))
+
+
+def _drawn(asked: Question, wish: Wish, keys: Sequence[str] = ()) -> Picture:
+    sentence = "this page is drawn over an axis of its own; leave {} out"
+    refuse(wish, infinite=sentence.format("--infinite"), over_path=sentence.format("--over-path"))
+    across = _across(asked)
+    traces = [one for one in _traces(asked, across, keys) if any(map(isfinite, one.values))]
+    if not traces:
+        raise ProblemError("the page has no number that could be drawn; name another column by --columns")
+    if across.name in APART:
+        traces = [*_stems(traces)]
+    several = len({one.telling for one in traces}) > 1
+    return Picture(asked, panels_of(traces, asked.lang, apart=several), Around(across=across.axis))
+
+
+def _across(asked: Question) -> _Across:
+    axes = {name: axis for name, axis in asked.axes.items() if name != "column" and axis.size > 1}
+    known = {name: found for name, axis in axes.items() if (found := _numbers(asked, name, axis))}
+    if not known:
+        several = next(iter(asked.axes)) if asked.axes else ""
+        raise ProblemError(
+            "a drawing needs an axis with several places, and this page has one of each; give several values"
+            f" {'of what stands at its left, ' if several else ''}such as --ratio '1:4;1:5' or --eps 2..6"
+        )
+    name = next((one for one in FIRST if one in known), max(known, key=lambda one: len(known[one])))
+    lang = asked.lang
+    if name == "angle":
+        return _Across(name, known[name], over_angle(lang))
+    axis: Any = axes[name]
+    if name == "ratio":
+        label = f"{RATIO[lang].removesuffix(' R:L')} $R/L$"
+    else:
+        field = axis.field() if isinstance(axis, Axis) else None
+        label = axis_label(f"{field.name} {field.symbol}", field.unit) if field else axis.stub_heading()
+    return _Across(name, known[name], Across(label, _whole_ticks if name in APART else plain_ticks))
+
+
+def _numbers(asked: Any, name: str, axis: PageAxis) -> list[float]:
+    """Return the numbers of an axis, none if its places are none."""
+    if name == "ratio":
+        return [float(ratio) for ratio in asked.ratios]
+    if name == "place":
+        return [float(place + 1) for place in range(axis.size)]
+    if name == "angle":
+        return [float(angle) for angle in asked.angles]
+    if not isinstance(axis, Axis) or axis.found:
+        return []
+    if isinstance(axis, ListAxis) and all(isinstance(one, Fraction) for one in axis.things):
+        return [*map(float, axis.things)]
+    numbers = [_float(axis.value({name: place})) for place in range(axis.size)]
+    # What is of all orders has no number.
+    return numbers if any(map(isfinite, numbers)) and name != "stroke" else []
+
+
+def _traces(asked: Question, across: _Across, keys: Sequence[str]) -> Iterator[Trace]:
+    axes = {name: axis for name, axis in asked.axes.items() if name != "column"}
+    others = {name: axis.size for name, axis in axes.items() if name != across.name}
+    columns = [(place, one) for place, one in enumerate(asked.page_columns) if not keys or one.key in keys]
+    found = [axis for axis in axes.values() if isinstance(axis, Axis) and axis.found and axis.field().symbol]
+    quantities: list[tuple[Quantity, Any]] = [
+        *((_of_axis(axis), axis) for axis in found),
+        *((one.quantity, (place, one)) for place, one in columns),
+    ]
+    for quantity, what in quantities:
+        for place in places(others, lambda place: True):
+            telling = tuple(_telling(axes[name], place) for name, size in others.items() if size > 1)
+            values = [
+                _at(asked, what, {**place, across.name: number}) for number in range(len(across.places))
+            ]
+            ranked = sorted(zip(across.places, values, strict=True))
+            drawn = [(where, value) for where, value in ranked if isfinite(where)]
+            yield Trace(quantity, telling, [where for where, _ in drawn], [value for _, value in drawn])
+
+
+def _of_axis(axis: Axis) -> Quantity:
+    """Return what is found on an axis as a quantity."""
+    field = axis.field()
+    return entry(field.key, field.name, field.symbol, field.unit, field.decimals, {})
+
+
+def _at(asked: Question, what: Any, place: Mapping[str, int]) -> float:
+    if not asked.subject.exists(asked, place):
+        return nan
+    if isinstance(what, Axis):
+        return _float(what.value(place))
+    number, column = what
+    found = asked.number(column, {**place, "column": number})
+    return 0.0 if found is None and column.key == "difference" else _float(found)
+
+
+def _telling(axis: PageAxis, place: Place) -> Label:
+    return axis.over_group(place)
+
+
+def _float(value: object) -> float:
+    return value.scaled / 10**value.decimals if isinstance(value, Number) else nan
+
+
+def _stems(traces: Sequence[Trace]) -> Iterator[Trace]:
+    """Yield the traces as lines from 0 at their places, those of one unit beside one another."""
+    units = [one.quantity.unit["en"] for one in traces]
+    for number, one in enumerate(traces):
+        beside, count = units[:number].count(units[number]), units.count(units[number])
+        shift = BESIDE * (beside - (count - 1) / 2) if count > 1 else 0.0
+        angles, values = [min(one.angles) - 0.5], [nan]
+        for place, value in zip(one.angles, one.values, strict=True):
+            angles += [place + shift, place + shift + 1e-6, place + shift + 2e-6]
+            values += [0.0, value, nan]
+        yield one._replace(angles=[*angles, max(one.angles) + 0.5], values=[*values, nan])
+
+
+def _whole_ticks(low: float, high: float, mark: str, most: int) -> Ticks:
+    """Return ticks at whole numbers, in so many steps at most."""
+    step = Fraction(max(1, ceil((high - low) / most)))
+    return value_ticks(max(low, 1), high, step, 0, mark)
