@@ -18,7 +18,7 @@ from kurbel.cli.app import command_of
 from kurbel.cli.options import MACHINE, Document, FileName, Given, Type, defaults_by_machine
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
-from kurbel.formats.registry import FORMATS, WorkbookFormat
+from kurbel.formats.registry import FORMATS, BytesFormat, DocumentFormat, WorkbookFormat
 from kurbel.handbook.pool import About, Made, Task
 from kurbel.page.table import Note, Table
 from kurbel.reading.given import File, meant
@@ -196,9 +196,9 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
                 data if FORMATS[name].kind == "records" else named, name, answer.decimal, task.templates
             )
             for name in task.formats
-            if not isinstance(FORMATS[name], WorkbookFormat)
+            if not isinstance(FORMATS[name], BytesFormat)
         }
-        files |= _sheet(task, named, answer.decimal)
+        files |= _waiting(task, named, answer.decimal)
     from kurbel.page.labels import plain
 
     about = About("table", named.caption, named.lang, named.letters(), plain(named.source), answer.rounding)
@@ -215,17 +215,22 @@ def _steps(task: Task, table: Table) -> Steps | None:
     return table.steps and table.steps.named(called)
 
 
-def _sheet(task: Task, table: Table, decimal: str | None) -> dict[str, bytes]:
-    """Return the sheet that the workbooks of the handbook have of a table."""
-    forms = [form for name in task.formats if isinstance(form := FORMATS[name], WorkbookFormat)]
-    if not forms:
-        return {}
-    from kurbel.formats.sheet_page import page_sheet
-    from kurbel.handbook.binder import kept
-    from kurbel.handbook.pages import SHEET
+def _waiting(task: Task, table: Table, decimal: str | None) -> dict[str, bytes]:
+    """Return what the workbooks of the handbook, and its document of Word, are made of."""
+    from kurbel.handbook.pages import PAGE, SHEET
 
-    sheet = page_sheet(table, forms[0].decimal_mark(table.lang, decimal), "")
-    return {SHEET.format(task.part.name): kept(sheet)}
+    files = {}
+    for form in (FORMATS[name] for name in task.formats):
+        if isinstance(form, DocumentFormat):
+            content = form.writer.kept(table, decimal, task.templates).encode()
+            files[PAGE.format(task.part.name)] = content
+        elif isinstance(form, WorkbookFormat) and not any(name.endswith(".json") for name in files):
+            from kurbel.formats.sheet_page import page_sheet
+            from kurbel.handbook.binder import kept
+
+            sheet = page_sheet(table, form.decimal_mark(table.lang, decimal), "")
+            files[SHEET.format(task.part.name)] = kept(sheet)
+    return files
 
 
 def _caption(task: Task, own: Label, lang: str) -> Label:

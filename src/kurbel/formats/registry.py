@@ -20,7 +20,7 @@ from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
 
 if TYPE_CHECKING:
     from kurbel.documents.inject import Kind
-    from kurbel.formats.writer import CompiledWriter, PageWriter, RecordsWriter, WorkbookWriter
+    from kurbel.formats.writer import CompiledWriter, DocumentWriter, PageWriter, RecordsWriter, WorkbookWriter
     from kurbel.page.table import Table
 
 # What is printed where nobody asks for a format.
@@ -38,7 +38,7 @@ class Format:
     `RecordsFormat` and `CompiledFormat`.
     """
 
-    kind: ClassVar[Literal["page", "records", "compiled", "workbook"]]
+    kind: ClassVar[Literal["page", "records", "compiled", "workbook", "document"]]
     name: str
     rank: int
     suffixes: tuple[str, ...]
@@ -176,6 +176,23 @@ class WorkbookFormat(BytesFormat):
         yield from remarks(table)
 
 
+class DocumentFormat(BytesFormat):
+    """A format of an office's documents: pages, and whole handbooks of them."""
+
+    kind = "document"
+    no_text = (
+        "a {name} is bytes and no text; write it with the method save of a table: save('table.{name}')"
+    )
+
+    @property
+    def writer(self) -> DocumentWriter:
+        writer: DocumentWriter = self.module("writer").Writer()
+        return writer
+
+    def content(self, table: Table, decimal: str | None) -> bytes:
+        return self.writer.written(table, decimal)
+
+
 class PageFormat(Format):
     """A format of pages.
 
@@ -271,9 +288,7 @@ def for_suffix(path: str) -> Format:
         if suffix in entry.suffixes:
             return entry
     known = ", ".join(suffix for entry in FORMATS.values() for suffix in entry.suffixes)
-    word = (
-        "; Word takes -f html through pandoc, see docs/howto/word.md" if suffix in (".doc", ".docx") else ""
-    )
+    word = "; Word opens .docx" if suffix == ".doc" else ""
     raise ChoiceError(f"the file name {str(path)!r} names no format; its suffix must be one of {known}{word}")
 
 

@@ -17,6 +17,7 @@ from kurbel.page.labels import formula_plain, mark_text
 from kurbel.page.table import HeadCell, Table
 
 if TYPE_CHECKING:
+    from kurbel.documents.document import Document
     from kurbel.formats.columns import Field
     from kurbel.formats.page import Page, PagePanel
     from kurbel.formats.sheet import Workbook
@@ -61,6 +62,22 @@ class WorkbookWriter(ABC):
     @abstractmethod
     def written(self, book: Workbook) -> bytes:
         """Return the workbook as a file."""
+
+
+class DocumentWriter(ABC):
+    """Writes documents of an office."""
+
+    @abstractmethod
+    def written(self, table: Table, decimal: str | None) -> bytes:
+        """Return the page as a document."""
+
+    @abstractmethod
+    def kept(self, table: Table, decimal: str | None, templates: str | None = None) -> str:
+        """Return the page as it waits for a handbook."""
+
+    @abstractmethod
+    def whole(self, document: Document, fragments: Mapping[str, bytes], templates: str | None) -> bytes:
+        """Return a handbook, of the pages that waited and of drawings."""
 
 
 class Wishes(NamedTuple):

@@ -13,7 +13,7 @@ from kurbel.documents import prose
 from kurbel.documents.document import PLACE, Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats.apart import deadline
-from kurbel.formats.registry import FORMATS, WorkbookFormat
+from kurbel.formats.registry import FORMATS, DocumentFormat, WorkbookFormat
 from kurbel.handbook.folder import LARGEST, SHEETS
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
 from kurbel.handbook.model import COMPILED, ENGINES
@@ -23,8 +23,8 @@ from kurbel.reading.given import File, did_you_mean
 from kurbel.reading.inside import HANDBOOK
 
 WORDS = {"de": "Fehlt", "en": "Missing"}
-# Where the sheet of a table waits for its workbook.
-SHEET = f"{SHEETS}/{{}}.json"
+# Where the sheet of a table waits for its workbook, and its page for a document of Word.
+SHEET, PAGE = f"{SHEETS}/{{}}.json", f"{SHEETS}/{{}}.html"
 
 
 class Failure(NamedTuple):
@@ -138,7 +138,8 @@ def _printable(text: str) -> str:
 def fragment_paths(document: Document, name: str) -> dict[str, str]:
     """Return, by the names of tables and figures, the files that the document in a format is made of."""
     form = FORMATS[name]
-    table = SHEET if isinstance(form, WorkbookFormat) else f"tables/{{}}{form.suffixes[0]}"
+    waiting = {"workbook": SHEET, "document": PAGE}
+    table = waiting.get(form.kind, f"tables/{{}}{form.suffixes[0]}")
     ways = {"table": table, "figure": f"figures/{{}}.{form.figures}"}
     return {item.name: ways[item.kind].format(item.name) for item in document.items(*ways)}
 
@@ -156,6 +157,10 @@ def make_document(
         )
     from kurbel.formats.documents import document_files
     from kurbel.formats.render import as_one_page
+
+    if isinstance(form, DocumentFormat):
+        with as_one_page(templates):
+            return Made({f"handbook{form.suffixes[0]}": form.writer.whole(document, fragments, templates)})
 
     # Drawings in PDF are files beside the document and no text.
     texts = {name: content.decode("utf-8", "replace") for name, content in fragments.items()}
