@@ -68,12 +68,16 @@ def laid_out(document: bytes, keeps_paper: bool) -> bytes:
         sides = dict.fromkeys(("top", "right", "bottom", "left"), MARGIN)
         _put(section, "pgMar", **sides, header=709, footer=709, gutter=0)
     children = [child for child in body if child is not section]
-    body[:] = [*_in_sections(_pieces(children, _Paper(section)))] or [section]
+    body[:] = [*_in_sections(_pieces(children, _Paper(section)))]
     return tostring(root, "utf-8", xml_declaration=True)
 
 
 def _mend_equations(root: Element) -> None:
-    """Give degrees no empty base to be raised above, and ratios no space around their colon."""
+    """Give degrees no empty base to be raised above, ratios no space around their colon, and distances a bar."""
+    for accent in root.iter(f"{M}acc"):
+        accent.tag = f"{M}bar"
+        accent[0].tag = f"{M}barPr"
+        accent[0][:] = [Element(f"{M}pos", {f"{M}val": "top"})]
     for parent in root.iter():
         for place, child in enumerate(parent):
             letters = "".join(one.text or "" for one in child.iter(f"{M}t"))
@@ -140,18 +144,16 @@ def _pieces(children: Sequence[Element], upright: _Paper) -> Iterator[_Piece]:
 
 def _in_sections(pieces: Iterator[_Piece]) -> Iterator[Element]:
     """Yield the content of all pieces, with the ends of sections where the paper is turned."""
-    before: _Paper | None = None
-    # What is no text, such as the end of a place that links lead to, needs no page of its own.
-    filled = [piece for piece in pieces if piece.content]
-    for piece in filled:
-        if before is not None and before is not piece.paper and any(map(_is_text, piece.content)):
-            yield _with_section(before)
-            before = piece.paper
-        elif before is None:
-            before = piece.paper
+    paper: _Paper | None = None
+    for piece in pieces:
+        # What is no text, such as the beginning of a place that links lead to, needs no page of its own.
+        if any(map(_is_text, piece.content)):
+            if paper is not None and paper is not piece.paper:
+                yield _with_section(paper)
+            paper = piece.paper
         yield from piece.content
-    if before is not None:
-        yield before.section
+    if paper is not None:
+        yield paper.section
 
 
 def _is_text(element: Element) -> bool:
@@ -484,7 +486,8 @@ def _set_size(element: Element, size: float) -> None:
         if properties is None:
             properties = _made("rPr")
             run.insert(0, properties)
-        _put(properties, "sz", val=round(2 * size))
+        before = [one for one in properties if one.tag in (f"{W}rStyle", f"{W}b", f"{W}i")]
+        properties.insert(len(before), _made("sz", val=round(2 * size)))
     for run in [*element.iter(f"{M}r")]:
         properties = _made("rPr")
         _put(properties, "rFonts", ascii="Cambria Math", hAnsi="Cambria Math")
