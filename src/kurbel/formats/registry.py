@@ -20,7 +20,13 @@ from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
 
 if TYPE_CHECKING:
     from kurbel.documents.inject import Kind
-    from kurbel.formats.writer import CompiledWriter, DocumentWriter, PageWriter, RecordsWriter, WorkbookWriter
+    from kurbel.formats.writer import (
+        CompiledWriter,
+        DocumentWriter,
+        PageWriter,
+        RecordsWriter,
+        WorkbookWriter,
+    )
     from kurbel.page.table import Table
 
 # What is printed where nobody asks for a format.
@@ -180,9 +186,7 @@ class DocumentFormat(BytesFormat):
     """A format of an office's documents: pages, and whole handbooks of them."""
 
     kind = "document"
-    no_text = (
-        "a {name} is bytes and no text; write it with the method save of a table: save('table.{name}')"
-    )
+    no_text = "a {name} is bytes and no text; write it with the method save of a table: save('table.{name}')"
 
     @property
     def writer(self) -> DocumentWriter:

@@ -1,4 +1,4 @@
-"""Tables of a document of Word: as wide as what is in them, on turned pages where they are wide, with their rules.
+"""Tables of a document of Word: as wide as what is in them, with their rules, on turned pages where wide.
 
 Lengths are in points; the file has twips, of which a point has 20. Widths of letters are those of the widest
 face that may stand in for the document's, so that no number breaks.
@@ -42,8 +42,8 @@ HEAVY, THIN = "12", "4"
 APART, PAUSE = 4.0, 4.0
 # In equations there is space around signs, and some programs do not set them in the size of their table.
 EQUATION = 1.25
-# Letters of a mark of a note are so much smaller than figures.
-RAISED = 0.7
+# How wide a mark of a note is to what it is reckoned: it is raised, and hangs in the document's own face.
+RAISED = 0.45
 _GAP = re.compile(r"--g([0-9]+): ([0-9.]+)")
 _HYPHEN, _KEPT, _EMPTY = "\u00ad", "\u00a0", "\u200b"
 _BREAKS = (" ", "\n", _HYPHEN)
@@ -69,11 +69,12 @@ def laid_out(document: bytes, keeps_paper: bool) -> bytes:
         _put(section, "pgMar", **sides, header=709, footer=709, gutter=0)
     children = [child for child in body if child is not section]
     body[:] = [*_in_sections(_pieces(children, _Paper(section)))]
-    return tostring(root, "utf-8", xml_declaration=True)
+    made: bytes = tostring(root, "utf-8", xml_declaration=True)
+    return made
 
 
 def _mend_equations(root: Element) -> None:
-    """Give degrees no empty base to be raised above, ratios no space around their colon, and distances a bar."""
+    """Give degrees no empty base to be raised above, ratios no space at their colon, and distances a bar."""
     for accent in root.iter(f"{M}acc"):
         accent.tag = f"{M}bar"
         accent[0].tag = f"{M}barPr"
@@ -189,8 +190,8 @@ def _set_page(content: list[Element], upright: _Paper, turned: _Paper) -> _Paper
     )
     if not size:
         raise LayoutError(
-            f"a table needs {least * TURNED[-1] / 72 * 2.54:.0f} cm at {TURNED[-1]:g} pt, which no turned page"
-            " of Word has; print fewer of its columns (--columns), or take -f xlsx"
+            f"a table needs {least * TURNED[-1] / 72 * 2.54:.0f} cm at {TURNED[-1]:g} pt, more than a turned"
+            " page of Word has; print fewer of its columns (--columns), or take -f xlsx"
         )
     widest = max((table.set(size, paper.room) for table in tables), default=paper.room)
     for element in content:
@@ -251,7 +252,9 @@ class _Grid:
                     widest[cell.column] = max(widest[cell.column], width(cell.element))
         return widest
 
-    def _columns(self, width: Callable[[Element], float], of_words: Callable[[Element], float]) -> list[float]:
+    def _columns(
+        self, width: Callable[[Element], float], of_words: Callable[[Element], float]
+    ) -> list[float]:
         """Return the widths of columns, with their shares of the spanners above them."""
         words = self._widest(self.body, of_words)
         heads = self._widest(self.head, width)
@@ -286,7 +289,9 @@ class _Grid:
     def wanted(self) -> float:
         """The width with heads on their lines, and words on as many as need be."""
         columns = zip(self.of_words, self.narrow, self.wide, strict=True)
-        return added(least if words else wide for words, least, wide in columns) + LEAST_GAP * added(self.gaps)
+        return added(least if words else wide for words, least, wide in columns) + LEAST_GAP * added(
+            self.gaps
+        )
 
     def set(self, size: float, room: float) -> float:
         """Lay the table out in type of that size; return its width."""
@@ -334,7 +339,16 @@ class _Grid:
             borders,
             _made("tblLayout", type="fixed"),
             margins,
-            _made("tblLook", val="0000", firstRow=0, lastRow=0, firstColumn=0, lastColumn=0, noHBand=1, noVBand=1),
+            _made(
+                "tblLook",
+                val="0000",
+                firstRow=0,
+                lastRow=0,
+                firstColumn=0,
+                lastColumn=0,
+                noHBand=1,
+                noVBand=1,
+            ),
             *kept[1:],
         ]
         grid = self.element.find(f"{W}tblGrid")
@@ -391,7 +405,10 @@ def _letters(element: Element, size: float = 1.0) -> Iterator[tuple[str, float]]
     for child in element:
         if child.tag in (f"{W}t", f"{M}t"):
             for letter in child.text or "":
-                yield _KEPT if letter == " " and child.tag == f"{M}t" else letter, size * WIDTHS.get(letter, OTHERS)
+                yield (
+                    _KEPT if letter == " " and child.tag == f"{M}t" else letter,
+                    size * WIDTHS.get(letter, OTHERS),
+                )
         elif child.tag == f"{W}br":
             yield "\n", 0.0
         elif child.tag == f"{W}softHyphen":

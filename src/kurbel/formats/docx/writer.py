@@ -39,7 +39,9 @@ _FRAME = re.compile("<(?=/?iframe)", re.IGNORECASE)
 class Writer(DocumentWriter):
     def written(self, table: Table, decimal: str | None) -> bytes:
         html = self.kept(table, decimal)
-        return document_of(html, plain(table.caption, FORMAT.decimal_mark(table.lang, decimal)), table.lang, table.templates)
+        return document_of(
+            html, plain(table.caption, FORMAT.decimal_mark(table.lang, decimal)), table.lang, table.templates
+        )
 
     def kept(self, table: Table, decimal: str | None, templates: str | None = None) -> str:
         return render(replace(table, steps=None), "html", decimal=decimal, templates=templates)
@@ -60,7 +62,9 @@ def document_of(html: str, title: str, lang: str, folders: Sequence[str | None],
 
     Raises KurbelError where there is no pandoc, or one that cannot.
     """
-    reference = next((path for one in folders_of(*folders) if os.path.exists(path := f"{one}/{REFERENCE}")), "")
+    reference = next(
+        (path for one in folders_of(*folders) if os.path.exists(path := f"{one}/{REFERENCE}")), ""
+    )
     own = [f"--reference-doc={os.path.abspath(reference)}"] if reference else []
     made = _by_pandoc(_without_figures(html), *own, *words)
     with ZipFile(BytesIO(made)) as old:
@@ -92,7 +96,13 @@ def _by_pandoc(html: str, *words: str) -> bytes:
     with TemporaryDirectory(prefix="kurbel-") as place:
         try:
             done = subprocess.run(
-                line, input=html.encode(), capture_output=True, check=False, cwd=place, env=environment, timeout=SECONDS
+                line,
+                input=html.encode(),
+                capture_output=True,
+                check=False,
+                cwd=place,
+                env=environment,
+                timeout=SECONDS,
             )
         except subprocess.TimeoutExpired:
             raise OutputError(f"pandoc did not finish the document within {SECONDS:g} seconds") from None
@@ -108,7 +118,8 @@ def _joined(first: bytes, second: bytes) -> bytes:
     known = {style.get(f"{W}styleId") for style in styles.iter(f"{W}style")}
     more = ElementTree.fromstring(second)
     styles.extend(style for style in more.iter(f"{W}style") if style.get(f"{W}styleId") not in known)
-    return ElementTree.tostring(styles, "utf-8", xml_declaration=True)
+    made: bytes = ElementTree.tostring(styles, "utf-8", xml_declaration=True)
+    return made
 
 
 def _titled(core: bytes, title: str) -> bytes:
