@@ -29,8 +29,8 @@ from kurbel.page.table import Cell, Group, HeadCell, Panel, Row, Table
 # In points: a line of the text, of notes and of the caption, and the space before rows that are set apart.
 LINE, SMALL_LINE, CAPTION_LINE = 15.0, 12.5, 17.0
 PAUSE, APART, BELOW_HEAD = 5.0, 8.0, 3.0
-# In figures: the space between columns; the column that ends a spanner's rule before another begins; the widest
-# column of words; what notes have at the least.
+# In figures: the space between columns; the column that ends a spanner's rule before another begins; the
+# widest column of words; what notes have at the least.
 BETWEEN, APART_RULES, WIDEST_WORDS, LEAST_PROSE = 2.2, 0.8, 60.0, 68.0
 # Words are wider in some faces than they are reckoned here.
 WORDS = 1.06
