@@ -31,7 +31,6 @@ if TYPE_CHECKING:
 GLANCE = 0.4
 # GitHub shows no more annotations of a step.
 MOST_PLACES = 10
-WAITING = "another build of this handbook is under way; waiting for its end"
 
 
 class _Group(Group):
@@ -98,9 +97,8 @@ def _build(options: dict[str, Any]) -> int:
     from kurbel.handbook.build import build as built
 
     handbooks, wrong = _opened_all(options)
-    waiting = partial(_tell, options, WAITING)
     jobs, by = options["jobs"] or cores(), by_whom(options["scheduler"])
-    builds = built(handbooks, make_part, jobs, _bar_of(options), waiting, by)
+    builds = built(handbooks, make_part, jobs, _bar_of(options), partial(_tell, options), by)
     for one in builds:
         failed = _report(one)
         if not one.ended:

@@ -196,9 +196,10 @@ class Printing(NamedTuple):
     def _rendered(self, table: Table) -> Iterator[bytes]:
         form, output, decimal, standalone, longtable, siunitx, excel = self
         if isinstance(form, BytesFormat):
-            yield form.content(table, decimal)
+            # How much it takes is of use before it begins.
             for remark in form.remarks(table, True):
                 say(remark)
+            yield form.content(table, decimal)
             return
         from kurbel.formats.render import render
 

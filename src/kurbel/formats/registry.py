@@ -157,6 +157,10 @@ class CompiledFormat(BytesFormat):
     def content(self, table: Table, decimal: str | None) -> bytes:
         return self.writer.compiled(table, decimal)
 
+    def remarks(self, table: Table, breaks: bool) -> Iterator[str]:
+        rows = (row for panel in table.panels for row in panel.rows())
+        yield from self.writer.remarks(sum(len(row.stub) + len(row.cells) for row in rows))
+
 
 class WorkbookFormat(BytesFormat):
     """A format of spreadsheets: a workbook of sheets."""

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import cast
 
 from kurbel.formats.pdf import FORMAT, Standard
-from kurbel.formats.pdf.by_typst import compile_typst, typeset_pdf
+from kurbel.formats.pdf.by_typst import compile_typst, remarks, typeset_pdf
 from kurbel.formats.writer import CompiledWriter
 from kurbel.page.table import Table
 from kurbel.reading.dates import source_date_epoch
@@ -15,6 +15,9 @@ from kurbel.reading.dates import source_date_epoch
 class Writer(CompiledWriter):
     def compiled(self, table: Table, decimal: str | None) -> bytes:
         return typeset_pdf(table, decimal=decimal)
+
+    def remarks(self, cells: int) -> Iterator[str]:
+        return remarks(cells)
 
     def whole(self, folder: str, engine: str, standards: Sequence[str], read: Callable[[str], str]) -> bytes:
         if FORMAT.engines[engine].grows:
