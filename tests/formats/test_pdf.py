@@ -15,6 +15,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from cli import kurbel as ran
 from cli import printed, refusal
 from everything import everything, tall
 from programs import into_the_next_second
@@ -315,7 +316,7 @@ def test_what_takes_much_memory_says_so_before_it_begins_and_what_takes_too_much
     target = tmp_path / "page.pdf"
     words = ("table", "--ratio=1:5", "--step=10", "--to=180", "-o", str(target))
     monkeypatch.setattr(by_typst, "MUCH", 1 << 20)
-    assert "kurbel: a PDF of 133 cells takes Typst about 0.1 GB of memory\n" in printed(*words).err
+    assert "kurbel: a PDF of 133 cells takes Typst about 0.1 GB of memory\n" in ran(*words).err
     monkeypatch.setattr(by_typst, "free_memory", lambda: 1 << 20)
     assert re.fullmatch(
         r"a PDF of about \d+ cells takes Typst 0\.1 GB of memory, and 0\.0 GB are free; make several of it,"

@@ -98,6 +98,12 @@ def test_no_prose_is_obeyed(texts: list[str]) -> None:
     assert in_typst([escape_typst(one) for one in prose]) == prose
 
 
+def test_an_apostrophe_within_a_word_is_that_of_print_and_a_prime_is_not() -> None:
+    made = printed("delta", "--ratio=1:5", "--lang=en", "-f", "typst").out
+    assert "Mariotte’s law" in made
+    assert escape("r' and 5'") == r"r\' and 5\'"
+
+
 @settings(max_examples=30, deadline=None)
 @given(st.lists(_PROSE, min_size=1, max_size=20))
 def test_no_prose_is_obeyed_beside_marks_and_formulas(texts: list[str]) -> None:

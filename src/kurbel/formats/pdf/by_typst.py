@@ -67,8 +67,9 @@ def _check_memory(source: str, root: str | None) -> None:
     needed = OWN + A_CELL * cells
     if needed > _most():
         raise LayoutError(
-            f"a PDF of about {cells} cells takes Typst {_gigabytes(needed)} of memory, and {_gigabytes(_most())}"
-            " are free; make several of it, print fewer rows, or have a TeX set its LaTeX"
+            f"a PDF of about {cells} cells takes Typst {_gigabytes(needed)} of memory, and"
+            f" {_gigabytes(_most())} are free; make several of it, print fewer rows, or have a TeX set its"
+            " LaTeX"
         )
 
 
