@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from cli import printed
 from everything import everything, tall, wide
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
@@ -101,7 +102,7 @@ def test_no_prose_is_obeyed(texts: list[str]) -> None:
 def test_an_apostrophe_within_a_word_is_that_of_print_and_a_prime_is_not() -> None:
     made = printed("delta", "--ratio=1:5", "--lang=en", "-f", "typst").out
     assert "Mariotte’s law" in made
-    assert escape("r' and 5'") == r"r\' and 5\'"
+    assert escape_typst("r' and 5'") == r"r\' and 5\'"
 
 
 @settings(max_examples=30, deadline=None)

@@ -81,6 +81,8 @@ def _mend_equations(root: Element) -> None:
         accent[0][:] = [Element(f"{M}pos", {f"{M}val": "top"})]
     for parent in root.iter():
         for place, child in enumerate(parent):
+            if child.tag not in (f"{M}r", f"{M}sSup"):
+                continue
             letters = "".join(one.text or "" for one in child.iter(f"{M}t"))
             raised = child.tag == f"{M}sSup" and letters[:1] == _EMPTY
             if raised or (child.tag == f"{M}r" and letters == ":"):
