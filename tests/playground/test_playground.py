@@ -20,7 +20,7 @@ import pytest
 from browser import DESKTOP, TELEPHONE, Viewer
 from cli import kurbel, printed
 from places import ROOT
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Dialog, Page, expect
 from programs import PATIENCE
 from tools import missing, require
 from typeset import words_of_pdf
@@ -148,14 +148,20 @@ def test_nothing_is_lost_unasked_and_what_a_build_keeps_for_itself_is_not_shown(
     viewer.page.context.set_offline(False)
     with Server(tmp_path) as server:
         opened(viewer, server)
-        tab, asked = viewer.page, []
+        tab = viewer.page
+        asked: list[str] = []
+
+        def refused(dialog: Dialog) -> None:
+            asked.append(dialog.message)
+            dialog.dismiss()
+
         assert tab.evaluate(LEAVING) is False
         typed(tab, "kurbel handbook build book")
         assert tab.locator("#own li > span").all_text_contents() == ["book/pages/handbook.html"]
         assert tab.text_content("#viewed") == "book/pages/handbook.html"
         assert tab.evaluate(LEAVING) is True
         # Who says no keeps the file.
-        tab.once("dialog", lambda dialog: (asked.append(dialog.message), dialog.dismiss()))
+        tab.once("dialog", refused)
         tab.get_by_role("button", name="Delete book").click()
         expect(tab.locator("#own li")).to_have_count(1)
         assert asked == ["book/pages/handbook.html was not downloaded. Delete it?"]
