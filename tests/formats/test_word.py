@@ -123,6 +123,13 @@ def test_a_table_that_no_page_has_room_for_is_a_sentence() -> None:
         content(wide(30))
 
 
+def test_a_document_that_is_too_long_is_refused_before_it_is_made(tmp_path: Path) -> None:
+    words = ("table", "--ratio=1:5", "--step=0.02", "--to=180", "-o", str(tmp_path / "long.docx"))
+    assert refusal(*words, code=1) == (
+        "a document of Word of 54006 cells is too long; at most 50000 are set, use -f xlsx"
+    )
+
+
 def test_the_same_page_is_the_same_file(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("SOURCE_DATE_EPOCH", raising=False)
     assert content(everything()) == content(everything())

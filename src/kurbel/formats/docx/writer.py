@@ -19,7 +19,7 @@ from xml.sax.saxutils import escape
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from kurbel.documents.document import Document
-from kurbel.errors import MissingExtraError, OutputError
+from kurbel.errors import LayoutError, MissingExtraError, OutputError
 from kurbel.formats.docx import FORMAT
 from kurbel.formats.docx.tables import W, laid_out
 from kurbel.formats.render import folders_of, render
@@ -32,6 +32,8 @@ FILTER = os.path.join(os.path.dirname(__file__), "word.lua")
 STYLES = os.path.join(os.path.dirname(__file__), "styles.xml")
 REFERENCE = "base/reference.docx"
 SECONDS = 300.0
+# Of so many cells pandoc makes a document in 1.6 GB of memory.
+MOST_CELLS = 50_000
 # Pandoc would fetch what stands in a frame.
 _FRAME = re.compile("<(?=/?iframe)", re.IGNORECASE)
 
@@ -62,6 +64,10 @@ def document_of(html: str, title: str, lang: str, folders: Sequence[str | None],
 
     Raises KurbelError where there is no pandoc, or one that cannot.
     """
+    if (cells := html.count("<td")) > MOST_CELLS:
+        raise LayoutError(
+            f"a document of Word of {cells} cells is too long; at most {MOST_CELLS} are set, use -f xlsx"
+        )
     reference = next(
         (path for one in folders_of(*folders) if os.path.exists(path := f"{one}/{REFERENCE}")), ""
     )
