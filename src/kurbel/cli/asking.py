@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 NO_TABLES = frozenset(("sources", "layouts", "quantities", "handbook", "inject", "help", "sweep"))
 # A document decides these for all of its tables; those of a single format, for which files it has.
 ONLY_PRINTING = ("output", "format", "standalone", "excel")
-SET_ELSEWHERE = (*ONLY_PRINTING, "longtable", "siunitx", "label", "layouts", "templates")
+SET_ELSEWHERE = (*ONLY_PRINTING, "longtable", "siunitx", "plain", "label", "layouts", "templates")
 # Keys of a handbook. The numbers of a book's page are the book's: its commands take no others by default.
 OF_THE_PAGE = frozenset(("lang", "decimal", "layouts"))
 
@@ -42,8 +42,8 @@ class Asked(NamedTuple):
     """What the words ask for: a table or a drawing, its language and decimal mark, the files read for it.
 
     `longtable` tells that LaTeX may break the table over pages; `code` is 1 where the command, such as
-    collate --strict, would end with it. With `siunitx` LaTeX leaves the numbers to that package; `rounding`
-    is that of the table's.
+    collate --strict, would end with it. With `siunitx` LaTeX leaves the numbers to that package, and `plain`
+    is what an author would type; `rounding` is that of the table's.
     """
 
     made: Table | Drawing
@@ -53,6 +53,7 @@ class Asked(NamedTuple):
     code: int
     longtable: bool = False
     siunitx: bool = False
+    plain: bool = False
     rounding: str = ""
 
 
@@ -112,8 +113,8 @@ def asked(
     if isinstance(made, Table):
         made = _unprompted(made)
     values = context.params
-    wishes = (values.get("longtable", False), values.get("siunitx", False), values.get("rounding", ""))
-    return Asked(made, values["lang"], values["decimal"], _files(context, own), code, *wishes)
+    wishes = {one: values[one] for one in ("longtable", "siunitx", "plain", "rounding") if one in values}
+    return Asked(made, values["lang"], values["decimal"], _files(context, own), code, **wishes)
 
 
 def _unprompted(table: Table) -> Table:

@@ -48,6 +48,7 @@ class Table(Page):
         standalone: bool = False,
         longtable: bool = False,
         siunitx: bool = False,
+        plain: bool = False,
         excel: bool = False,
     ) -> str:
         """Return the page in a format, as `kurbel.typeset`."""
@@ -60,6 +61,7 @@ class Table(Page):
             standalone=standalone,
             longtable=longtable,
             siunitx=siunitx,
+            plain=plain,
             excel=excel,
         )
 
@@ -71,6 +73,7 @@ class Table(Page):
         standalone: bool = False,
         longtable: bool = False,
         siunitx: bool = False,
+        plain: bool = False,
         excel: bool = False,
     ) -> None:
         """Write the page into a file, whole or not at all, in the format of its suffix.
@@ -90,6 +93,7 @@ class Table(Page):
                 standalone=standalone,
                 longtable=longtable,
                 siunitx=siunitx,
+                plain=plain,
                 excel=excel,
             ).encode()
         with whole_file(os.fspath(path)) as stream:

@@ -55,6 +55,7 @@ class Format:
     standalone: bool = False
     breaks: bool = False
     siunitx: bool = False
+    plain: bool = False
     excel: bool = False
     figures: str = ""
     folder: str = ""
@@ -205,10 +206,10 @@ class PageFormat(Format):
     """A format of pages.
 
     `standalone` tells that a whole page differs from a fragment, `breaks` that a table longer than a page can
-    be told to break, `siunitx` that its numbers can be left to that package. A format of whole documents has
-    their `figures` as files of that suffix, and a `folder` if a document is many files. An author's own
-    documents can be `marked` with places for tables, and have drawings there if the format `draws`. An
-    `interactive` one shows the steps of a page.
+    be told to break, `siunitx` that its numbers can be left to that package, `plain` that it has a form for
+    authors to go on with. A format of whole documents has their `figures` as files of that suffix, and a
+    `folder` if a document is many files. An author's own documents can be `marked` with places for tables,
+    and have drawings there if the format `draws`. An `interactive` one shows the steps of a page.
     """
 
     kind = "page"
@@ -223,7 +224,7 @@ class PageFormat(Format):
 
     def remarks(self, table: Table, breaks: bool) -> Iterator[str]:
         if not breaks and self.is_tall(table):
-            yield "the table is longer than a page; --longtable lets it break"
+            yield "the table is longer than a page; it is set in parts, with --longtable where it stands"
         if self.breaks:
             yield from self.writer.remarks(table)
 

@@ -86,11 +86,12 @@ class DocumentWriter(ABC):
 
 class Wishes(NamedTuple):
     """How a page is to be written beside its decimal mark: whether it may break over pages, has numbers as
-    they are typed, for siunitx, and stands `alone` in its document; on a terminal no wider than `width`
-    characters, and in `colours`."""
+    they are typed, for siunitx, is `plain` as an author writes it, and stands `alone` in its document; on a
+    terminal no wider than `width` characters, and in `colours`."""
 
     longtable: bool = False
     siunitx: bool = False
+    plain: bool = False
     alone: bool = False
     width: int | None = None
     colours: bool = False
