@@ -32,7 +32,7 @@ PLOTS: dict[str, Callable[..., Any]] = {
     if name.startswith("plot_") and name != "plot_construction"
 }
 ONLY_TYPED = {
-    *("format", "output", "decimal", "standalone", "longtable", "siunitx", "excel", "strict"),
+    *("format", "output", "decimal", "standalone", "longtable", "siunitx", "plain", "excel", "strict"),
     *("interactive", "help", "text"),
 }
 
