@@ -7,6 +7,7 @@ import subprocess
 from collections import Counter
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -59,7 +60,7 @@ def document(name: str, options: str, inputs: list[Table]) -> str:
 """
 
 
-def set_in(name: str, options: str, engine: str, pages: list[Table], folder: Path, **wishes: bool) -> str:
+def set_in(name: str, options: str, engine: str, pages: list[Table], folder: Path, **wishes: Any) -> str:
     """Set the pages in a class, each beginning a page; return the log."""
     for page in pages:
         (folder / f"{page.key}.tex").write_text(render(page, "latex", **wishes), encoding="utf-8")
@@ -143,10 +144,13 @@ def test_each_layout_is_set_whole(
     assert_pages_are_fit(pages, tmp_path, log)
 
 
-@pytest.mark.parametrize("longtable", [False, True], ids=["table", "longtable"])
-def test_a_group_that_goes_on_is_named_at_the_head_of_the_page(longtable: bool, tmp_path: Path) -> None:
-    # Groups of seven rows, so that pages end within groups and between them.
-    page = kurbel.table(ratio="1:3..7:0.1", angle="0..180:30", columns="x,c", lang="en", label="groups")
+# Groups of such lengths that pages end within them and between them.
+@pytest.mark.parametrize(("longtable", "step"), [(False, 30), (True, 45)], ids=["table", "longtable"])
+def test_a_group_that_goes_on_is_named_at_the_head_of_the_page(
+    longtable: bool, step: int, tmp_path: Path
+) -> None:
+    angles = f"0..180:{step}"
+    page = kurbel.table(ratio="1:3..7:0.1", angle=angles, columns="x,c", lang="en", label="groups")
     log = set_in("article", "letterpaper,10pt", "pdflatex", [page], tmp_path, longtable=longtable)
     assert complaints(log) == []
     sheets = text_of_pdf(tmp_path).rstrip("\f").split("\f")

@@ -9,10 +9,10 @@ from __future__ import annotations
 import os
 from abc import abstractmethod
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cache
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import kurbel.formats
 from kurbel.errors import ChoiceError, FormatError
@@ -62,7 +62,9 @@ class Format:
     marked: bool = False
     draws: bool = False
     interactive: bool = False
-    engines: Mapping[str, Engine] = field(default_factory=dict)
+    source: str = ""
+    sources: tuple[str, ...] = ()
+    standards: tuple[str, ...] = ()
     variant: str = "Writer"
 
     def decimal_name(self, lang: str, decimal: str | None = None) -> str:
@@ -116,20 +118,6 @@ class RecordsFormat(Format):
         return replace(self, variant="ForExcel", decimal="language") if self.excel else self
 
 
-class Engine(NamedTuple):
-    """What sets a whole document as bytes: of that in which format, and from files with these suffixes.
-
-    `standards` are those that it can keep. One that `grows` takes the memory of whoever calls it, where
-    others are processes of their own. One that `obeys` runs what a template may have written.
-    """
-
-    source: str
-    suffixes: tuple[str, ...]
-    standards: tuple[str, ...] = ()
-    grows: bool = False
-    obeys: bool = False
-
-
 class BytesFormat(Format):
     """A format that is bytes and no text: a file, always a whole document."""
 
@@ -142,10 +130,8 @@ class BytesFormat(Format):
 
 
 class CompiledFormat(BytesFormat):
-    """A format of bytes, made of the document in another format.
-
-    `engines` are, by their names, what can set whole documents; the first does unless another one is named.
-    """
+    """A format of bytes, made of the document in another format, the `source`, and of files with the suffixes
+    `sources`; it can keep the `standards`."""
 
     kind = "compiled"
     no_text = "a {name} is bytes and no text; make it with kurbel.typeset_{name}"

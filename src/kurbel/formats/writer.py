@@ -56,7 +56,7 @@ class CompiledWriter(ABC):
         """Yield what is to be known, before it is made, of a document of so many cells."""
 
     @abstractmethod
-    def whole(self, folder: str, engine: str, standards: Sequence[str], read: Callable[[str], str]) -> bytes:
+    def whole(self, folder: str, standards: Sequence[str], read: Callable[[str], str]) -> bytes:
         """Return the handbook whose documents lie in the folder; `read` returns one of them as text."""
 
 

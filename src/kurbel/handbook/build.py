@@ -14,8 +14,8 @@ from kurbel.formats.registry import FORMATS, BytesFormat
 from kurbel.handbook.folder import Done, Folder, digest, is_own, key_of
 from kurbel.handbook.inputs import UNKNOWN, digest_of, fingerprint, glance
 from kurbel.handbook.manifest import Manifest, Part
-from kurbel.handbook.model import COMPILED, ENGINES
-from kurbel.handbook.pages import Failure, document_of, fragment_paths, make_document, make_pdf, program_of
+from kurbel.handbook.model import COMPILED
+from kurbel.handbook.pages import Failure, document_of, fragment_paths, make_document, make_pdf
 from kurbel.handbook.pool import KILLED, PDF_STOPPED, Made, Piece, Task, Worked, worked
 
 PDF = COMPILED.name
@@ -62,13 +62,8 @@ def build(
         _work(builds, lambda one: one.parts(make), jobs, bar, by)
         for one in builds:
             _work([one], Build.documents)
-        # Typst takes much memory to set many pages, in a process of its own. A TeX is one by itself, and is
-        # ended by whoever started it: the end of this build must reach it.
-        grown = [one for one in builds if ENGINES[one.manifest.pdf.engine].grows]
-        _work(grown, lambda one: one.pdf(tell), jobs)
-        for one in builds:
-            if one not in grown:
-                _work([one], lambda one: one.pdf(tell))
+        # Typst takes much memory to set many pages, in a process of its own.
+        _work(builds, lambda one: one.pdf(tell), jobs)
         for one in builds:
             if not one.ended:
                 with one.ending():
@@ -114,7 +109,7 @@ class Build:
         # Beside a layout there may be templates of its own.
         self.apart = manifest.templates is not None or manifest.layouts is not None
         # A PDF brings along what it is set from.
-        source = {ENGINES[manifest.pdf.engine].source} if PDF in manifest.formats else set()
+        source = {COMPILED.source} if PDF in manifest.formats else set()
         self.formats = tuple(name for name in FORMATS if name in {*manifest.formats, *source} - {PDF})
         # What documents are made of beside their own format.
         figures = tuple(sorted({FORMATS[name].figures for name in self.formats} - {""}))
@@ -281,25 +276,22 @@ class Build:
         """Return the PDF if anything that it is made of changed."""
         if PDF not in self.manifest.formats or self.only is not None:
             return []
-        engine, standards = self.manifest.pdf.engine, self.manifest.pdf.standards
-        source, name = _named(ENGINES[engine].source), _named(PDF)
+        standards = self.manifest.pdf.standards
+        source, name = _named(COMPILED.source), _named(PDF)
         if source not in self.new or any(failure.name == source for failure in self.failures):
             self.keep(name)
             return []
         hashes = _hashes(self.new)
         # In order: they were made in any.
-        used = {path: hashes[path] for path in sorted(hashes) if path.endswith(ENGINES[engine].suffixes)}
-        key = key_of(
-            self.print, engine, standards, os.environ.get("SOURCE_DATE_EPOCH"), program_of(engine), used
-        )
+        used = {path: hashes[path] for path in sorted(hashes) if path.endswith(COMPILED.sources)}
+        key = key_of(self.print, standards, os.environ.get("SOURCE_DATE_EPOCH"), used)
         if self.is_made(name, key) or (read := self.read(name, used)) is None:
             return []
-        if ENGINES[engine].grows:
-            for remark in COMPILED.writer.remarks(sum(content.count(b"[") for content in read.values())):
-                tell(f"{self.folder.path}: {remark}")
-        work = partial(make_pdf, self.folder.path, engine, standards, self.apart)
+        for remark in COMPILED.writer.remarks(sum(content.count(b"[") for content in read.values())):
+            tell(f"{self.folder.path}: {remark}")
+        work = partial(make_pdf, self.folder.path, standards, self.apart)
         killed = PDF_STOPPED if self.apart else KILLED
-        return [Piece(name, key, work, self, 0, ENGINES[engine].grows, killed)]
+        return [Piece(name, key, work, self, 0, True, killed)]
 
 
 def _hashes(state: Mapping[str, Done]) -> dict[str, str]:

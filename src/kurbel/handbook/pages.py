@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from contextlib import nullcontext
 from functools import partial
 from itertools import count, repeat
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.documents import prose
 from kurbel.documents.document import PLACE, Chapter, Document, Item
@@ -16,7 +16,7 @@ from kurbel.formats.apart import deadline
 from kurbel.formats.registry import FORMATS, DocumentFormat, WorkbookFormat
 from kurbel.handbook.folder import LARGEST, SHEETS
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
-from kurbel.handbook.model import COMPILED, ENGINES
+from kurbel.handbook.model import COMPILED
 from kurbel.handbook.pool import PDF_PATIENCE, About, Made
 from kurbel.page.labels import primed
 from kurbel.reading.given import File, did_you_mean
@@ -169,24 +169,15 @@ def make_document(
     return Made({path: text.encode() for path, text in files.items()})
 
 
-def make_pdf(folder: str, engine: str, standards: tuple[str, ...], limited: bool) -> Made:
+def make_pdf(folder: str, standards: tuple[str, ...], limited: bool) -> Made:
     """Return the PDF of the documents in a folder.
 
-    It is `limited` where templates may have written its source, which is then not trusted. A TeX is a process
-    of its own, with a time of its own: it would outlive this one.
+    It is `limited` where templates may have written its source, which is then not trusted.
     """
     read = partial(_document_in, folder)
-    with deadline(PDF_PATIENCE, None) if limited and ENGINES[engine].grows else nullcontext():
-        return Made({f"handbook.{COMPILED.name}": COMPILED.writer.whole(folder, engine, standards, read)})
+    with deadline(PDF_PATIENCE, None) if limited else nullcontext():
+        return Made({f"handbook.{COMPILED.name}": COMPILED.writer.whole(folder, standards, read)})
 
 
 def _document_in(folder: str, name: str) -> str:
     return _text_of(os.path.join(folder, name), LARGEST)
-
-
-def program_of(engine: str) -> list[Any]:
-    """Return what tells a TeX from another: its program, not its packages. The fingerprint tells a Typst."""
-    import shutil
-
-    path = shutil.which(engine)
-    return [] if path is None else [path, os.stat(path).st_mtime_ns]
