@@ -53,6 +53,7 @@ def document(name: str, options: str, inputs: list[Table]) -> str:
 \usepackage{{lmodern}}
 \usepackage[english,ngerman]{{babel}}
 \usepackage{{amsmath,array,booktabs,graphicx,longtable,lscape,siunitx}}
+\sisetup{{group-digits=none}}
 \pagestyle{{empty}}
 \begin{{document}}
 \typeout{{lengths {lengths}}}

@@ -217,7 +217,7 @@ class TexLayout(NamedTuple):
     @property
     def gaps(self) -> int:
         """The hundreds of \\tabcolsep in all gaps."""
-        return max(1, round(100 * added(self.widths.gaps) / WHOLE))
+        return max(100, round(100 * added(self.widths.gaps) / WHOLE))
 
     @property
     def _least(self) -> float:
