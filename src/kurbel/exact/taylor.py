@@ -20,12 +20,14 @@ from kurbel.exact.certify import ball
 from kurbel.exact.continued import Continued
 from kurbel.exact.roots import interval
 
+Formula = Callable[[Continued], Continued]
+
 # Bits of a bound, and beyond those of the precision in force to which a series is taken.
 BOUND_BITS, GUARD_BITS = 64, 8
 # So often a rectangle about a disk is halved until a function is bounded on it.
 HALVINGS = 5
 # On so much of the radius a root or a quotient is bounded.
-SHRUNK = Fraction(5, 8)
+SHRUNK = Fraction(13, 16)
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,32 +111,34 @@ class Taylor:
         return Taylor(self.middle, radius, arb_poly(terms.coeffs()), self.length, bound)
 
 
-def expanded(
-    function: Callable[[Continued], Continued], low: Fraction, high: Fraction, radii: int, most: float
-) -> Taylor | None:
-    """Return the series about the middle of low..high of a function, on a disk of so many half widths.
+def bounded(function: Formula, low: Fraction, high: Fraction, radii: int, most: float) -> arb | None:
+    """Return a bound of a function on a disk of so many half widths about the middle of low..high.
 
-    None where the function is not bounded there by `most`.
+    None where none is found that is below `most` times what the function is in the middle, or 1 if that is
+    more.
     """
-    middle, half = (low + high) / 2, (high - low) / 2
-    reference, radius = float(middle), half * radii
+    middle, radius = (low + high) / 2, (high - low) / 2 * radii
+    reference = float(middle)
     with flint.ctx.workprec(BOUND_BITS):
+        most *= max(1.0, abs(function(Continued(ball(middle), reference)).at))
         # Of a real function the other half of the disk is a mirror image.
-        around = _bound(function, reference, (middle - radius, middle + radius), (Fraction(0), radius), most)
-    if around is None:
-        return None
-    bound = around
+        return _bound(function, reference, (middle - radius, middle + radius), (Fraction(0), radius), most)
+
+
+def expanded(function: Formula, low: Fraction, high: Fraction, radii: int, bound: arb) -> Taylor:
+    """Return the series of a function about the middle of low..high, of which such a bound is known."""
+    middle = (low + high) / 2
     # What a term gains after a quotient and a root, and a little beyond both ends.
     gain = log2(radii * SHRUNK**2 * Fraction(8, 9))
     count = ceil((flint.ctx.prec + GUARD_BITS + log2(float(bound) + 1)) / gain)
     with terms_kept(count):
-        found = function(Continued(arb_series([ball(middle), 1]), reference)).ball
+        found = function(Continued(arb_series([ball(middle), 1]), float(middle))).ball
     terms = arb_poly(found.coeffs()) if isinstance(found, arb_series) else arb_poly([found])
-    return Taylor(middle, radius, terms, count, bound)
+    return Taylor(middle, (high - low) / 2 * radii, terms, count, bound)
 
 
 def _bound(
-    function: Callable[[Continued], Continued],
+    function: Formula,
     reference: float,
     along: tuple[Fraction, Fraction],
     across: tuple[Fraction, Fraction],

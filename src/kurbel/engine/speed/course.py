@@ -23,16 +23,20 @@ from kurbel.exact.certify import ball
 from kurbel.exact.continued import Continued, continued, half_turn_circle
 from kurbel.exact.place import fraction
 from kurbel.exact.roots import interval
-from kurbel.exact.taylor import Taylor, expanded
+from kurbel.exact.taylor import Formula, Taylor, bounded, expanded
 from kurbel.kernel.circle import Number
 
-# Bits beyond those of the precision in force to which a corner is known.
-NARROWER = 32
-# The half widths that the disk about a section has, a bound of energies on it in Q R, and a section so narrow
-# that no formula is analytic there.
-RADII, MOST, NARROWEST = 8, 1e6, Fraction(1, 2**24)
+# Bits to which a corner is known, or so many beyond the precision in force if that is more: up to there all
+# precisions have the same sections.
+CORNER_BITS, NARROWER = 288, 32
+# The half widths that the disk about a section has, how many times a function may be there what it is in the
+# middle, and a section so narrow that no formula is analytic there.
+RADII, MOST, NARROWEST = 4, 1e5, Fraction(1, 2**24)
 # Sections are halved until a power of a function is known on a disk about each.
 MOST_HALVINGS = 12
+
+# Of sections by their ends the bounds of the two formulas, None where they have none.
+Bounds = dict[tuple[Fraction, Fraction], tuple[arb | None, ...]]
 
 
 class Span(NamedTuple):
@@ -135,9 +139,12 @@ def _powers(one: Section, exponent: Fraction, halvings: int) -> Iterator[Section
         yield from _powers(half, exponent, halvings - 1)
 
 
-def energies(turn: Turn) -> tuple[Course, Course]:
+def energies(turn: Turn, bounds: Bounds) -> tuple[Course, Course]:
     """Return the work of the pressure above its mean since the dead centre, and the energy of the masses at
-    the mean speed, as far as it changes, in Q R."""
+    the mean speed, as far as it changes, in Q R.
+
+    `bounds` keeps what was bounded for another precision.
+    """
     cylinders = turn.cylinders_on(continued(), half_turn_circle)
     still = [one.still for one in cylinders]
     begun = sum(turn.cylinders[part].still.energy(*one) for part, *one in turn.begun())
@@ -155,24 +162,28 @@ def energies(turn: Turn) -> tuple[Course, Course]:
     edges = [interval(end, start) for end, start in zip(ends, starts, strict=True)]
     for span, (start, end) in zip(smooth, pairwise(edges), strict=True):
         formulas = [partial(one, span.pieces[0]) for one in (work, energy)]
-        found += _sections(formulas, span.start, span.end, start, end)
+        found += _sections(formulas, bounds, span.start, span.end, start, end)
     works, moved = zip(*found, strict=True)
     return Course(works, turn.cycle), Course(moved, turn.cycle)
 
 
 def _sections(
-    formulas: Sequence[Callable[[Continued], Continued]], low: Fraction, high: Fraction, start: arb, end: arb
+    formulas: Sequence[Formula], bounds: Bounds, low: Fraction, high: Fraction, start: arb, end: arb
 ) -> Iterator[tuple[Section, Section]]:
     """Yield the sections of two formulas within an interval, so short that both have a series there."""
-    work, energy = (expanded(one, low, high, RADII, MOST) for one in formulas)
-    if work is not None and energy is not None:
+    if (low, high) not in bounds:
+        bounds[low, high] = tuple(bounded(one, low, high, RADII, MOST) for one in formulas)
+    known = [one for one in bounds[low, high] if one is not None]
+    if len(known) == len(formulas):
+        pairs = zip(formulas, known, strict=True)
+        work, energy = (expanded(one, low, high, RADII, bound) for one, bound in pairs)
         yield Section(low, high, start, end, work), Section(low, high, start, end, energy)
         return
     if high - low < NARROWEST:
         raise ProblemError("the speed is not settled beside a dead centre; give slightly other numbers")
     middle = (low + high) / 2
-    yield from _sections(formulas, low, middle, start, ball(middle))
-    yield from _sections(formulas, middle, high, ball(middle), end)
+    yield from _sections(formulas, bounds, low, middle, start, ball(middle))
+    yield from _sections(formulas, bounds, middle, high, ball(middle), end)
 
 
 def _sum(piece: Piece, place: Continued, formulas: Sequence[Callable[[int, Any], Any]]) -> Any:
@@ -200,14 +211,14 @@ def spans(turn: Turn) -> Iterator[Span]:
 
 def _corners(turn: Turn, piece: Piece) -> list[tuple[Fraction, Fraction]]:
     """Return where the corners of the force lie within a piece, each between two places."""
-    with flint.ctx.workprec(flint.ctx.prec + NARROWER):
+    with flint.ctx.workprec(max(CORNER_BITS, flint.ctx.prec + NARROWER)):
         found = [
             turn.angle_of(part, stroke, corner) + ball(begun)
             for part, stroke, begun in piece.strokes
             for corner in turn.cylinders[part].strokes[stroke].corners
             if corner > 0 and corner < 1
         ]
-    ends = sorted((fraction(one.lower()), fraction(one.upper())) for one in found)
+        ends = sorted((fraction(one.lower()), fraction(one.upper())) for one in found)
     joined: list[tuple[Fraction, Fraction]] = []
     for low, high in ends:
         if high <= piece.start or low >= piece.end:

@@ -33,7 +33,7 @@ SEARCHED = 360
 NARROWED = 1e-7
 CHECKED_BITS = 128
 # To multiples of so many bits series are computed; columns of few decimals more or less have one precision.
-STEP = 128
+STEP = 64
 KEPT = 512
 
 
@@ -169,7 +169,7 @@ class Run(AnyRun):
         assert isinstance(self.turn, Turn)
         first = self.method == "weisbach"
         share = (1 if first else 2) / (self.number * abs(self.turn.mean_force()))
-        relative: Course = energies(self.turn)[0] * share + 1
+        relative: Course = energies(self.turn, {})[0] * share + 1
         return relative.power(Fraction(-1) if first else Fraction(-1, 2))
 
     def extreme_place(self, greatest: bool) -> Number:

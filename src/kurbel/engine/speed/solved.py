@@ -28,7 +28,7 @@ import flint
 from flint import arb
 
 from kurbel.drive.wheel import Wheel
-from kurbel.engine.speed.course import Course, Section, energies
+from kurbel.engine.speed.course import Bounds, Course, Section, energies
 from kurbel.engine.speed.run import STEP, AnyRun
 from kurbel.engine.speed.samples import first_lag, first_start
 from kurbel.engine.turn import Turn
@@ -60,7 +60,8 @@ class SolvedRun(AnyRun):
 
     def __init__(self, turn: Turn, wheel: Wheel) -> None:
         super().__init__(turn, wheel)
-        self.energies = kept(lambda: energies(turn), STEP)
+        bounds: Bounds = {}
+        self.energies = kept(lambda: energies(turn, bounds), STEP)
         self._squares = kept(self._solved, STEP)
         self._low, self._high = self._isolated()
 
