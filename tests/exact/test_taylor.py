@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -73,12 +74,23 @@ def test_power_integral_and_wave_are_enclosed_closely(exponent: Fraction) -> Non
 
 
 def test_what_is_left_out_is_not_small_where_few_terms_are_kept() -> None:
-    found = series(lambda place: 1 / (place + Fraction(1, 2)), 64)
-    short = Taylor(found.middle, found.radius, found.terms.truncate(3), 3, found.bound)
+    whole = series(lambda place: 1 / (place + Fraction(1, 2)), 64)
+    short = replace(whole, terms=whole.terms.truncate(12), length=12)
     with flint.ctx.workprec(64):
-        at = short.at(ball(HIGH))
-        assert at.contains(ball(1 / (HIGH + Fraction(1, 2))))
-        assert not arb(at.mid()).overlaps(ball(1 / (HIGH + Fraction(1, 2))))
+        true, middle = 1 / (ball(HIGH) + 0.5), ball(whole.middle)
+        power = short.power(Fraction(-1, 2))
+        assert power is not None
+        for found, at in (
+            (short, true),
+            (short.about(Fraction(37, 100)), true),
+            (short + short, 2 * true),
+            (short * short, true * true),
+            (short * exponential(short, ball(5)), true * (5 * (ball(HIGH) - middle)).exp()),
+            (short.sum(), (1 / true / (middle + 0.5)).log()),
+            (power, 1 / true.sqrt()),
+        ):
+            assert found.at(ball(HIGH)).contains(at)
+            assert not arb(found.at(ball(HIGH)).mid()).overlaps(at)
 
 
 def test_no_series_about_a_pole_and_no_root_of_what_may_vanish() -> None:
