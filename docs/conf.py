@@ -6,6 +6,8 @@ colours, and the axe tests that it runs on itself; it brings its icons along. fu
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from docutils import nodes
 from sphinx.application import Sphinx
 
@@ -35,6 +37,7 @@ html_use_index = html_domain_indices = False
 templates_path = ["_templates"]
 html_static_path = ["_static"]
 html_css_files = ["kurbel.css"]
+html_search_scorer = str(Path(__file__).parent / "_static" / "search.js")
 html_copy_source = False
 html_show_sourcelink = False
 html_last_updated_fmt = None

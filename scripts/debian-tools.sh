@@ -3,7 +3,7 @@
 # patch, man, mandoc, npm, Java.
 set -eu
 
-packages="texlive-latex-base texlive-latex-recommended texlive-luatex texlive-latex-extra texlive-science texlive-lang-german latexmk lmodern chromium poppler-utils libreoffice-calc-nogui pandoc procps fish patch man-db groff mandoc libjaxb-java"
+packages="texlive-latex-base texlive-latex-recommended texlive-luatex texlive-latex-extra texlive-science texlive-lang-german lmodern chromium poppler-utils libreoffice-calc-nogui libreoffice-writer-nogui libreoffice-math-nogui fonts-liberation pandoc procps fish patch man-db groff mandoc libjaxb-java"
 # A Node.js that is not from Debian brings its own npm, and Debian's would replace it.
 command -v npm >/dev/null || packages="$packages nodejs npm"
 command -v java >/dev/null || packages="$packages default-jdk-headless"

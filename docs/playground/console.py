@@ -28,8 +28,8 @@ OF_A_SHELL = frozenset(("|", "||", "&", "&&", "<", "<<", ">>", "2>", "&>", "2>&1
 # The libraries that no browser has.
 ABSENT = frozenset(("numpy", "scipy"))
 NOT_HERE = (
-    "drawings and indicator cards need NumPy and SciPy, which do not run in this page;"
-    " kurbel on a computer of your own has them"
+    "this needs NumPy and SciPy, as sweeps, drawings and indicator cards do, and these do not run in this"
+    " page; kurbel on a computer of your own has them"
 )
 # Loaded when it is asked for.
 LATER = "typst"
@@ -175,7 +175,7 @@ def _ls(words: Sequence[str]) -> int:
 def _listed(path: Path) -> list[str]:
     if path.is_file():
         return [str(path)]
-    return sorted(one.name + "/" * one.is_dir() for one in path.iterdir())
+    return sorted(one.name + "/" * one.is_dir() for one in path.iterdir() if not one.name.startswith("."))
 
 
 def _cat(words: Sequence[str]) -> int:

@@ -90,10 +90,6 @@ class HandbookError(FailedError):
     """A manifest, or a folder that a handbook cannot be built into."""
 
 
-class TexError(FailedError):
-    """A PDF that TeX cannot make."""
-
-
 class ProseError(FailedError):
     """A text that cannot be set; `line` counts the lines of the text from 1."""
 

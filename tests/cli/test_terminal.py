@@ -128,7 +128,8 @@ def test_ctrl_c_is_the_pagers_and_what_is_said_meanwhile_stays_seen(
     text, code = shown(programs, *words, lines=LINES, meanwhile=interrupt, PAGER=pager, LANG="de_DE")
     assert code == 0
     assert text.endswith(
-        "the pager ends\nkurbel: the table is longer than a page; --longtable lets it break\n"
+        "the pager ends\nkurbel: the table is longer than a page;"
+        " it is set in parts, with --longtable where it stands\n"
     )
     assert page.read_text(encoding="utf-8") == kurbel(*words).out
 

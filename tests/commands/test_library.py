@@ -27,7 +27,7 @@ TABLES: dict[str, Callable[..., Any]] = {
     name: getattr(kurbel, NAMES.get(name, f"{name}_table")) for name in (*PRINTING, "collate", "example")
 }
 ONLY_TYPED = {
-    *("format", "output", "decimal", "standalone", "longtable", "siunitx", "excel", "strict"),
+    *("format", "output", "decimal", "standalone", "longtable", "siunitx", "plain", "excel", "strict"),
     *("interactive", "help", "text", "width", "height", "polar", "over_path", "infinite", "animate"),
     "seconds",
 }

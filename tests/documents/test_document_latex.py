@@ -13,20 +13,14 @@ from manifests import (
     TABLES,
     built,
     chapter,
-    handbook,
     keys_of,
-    made,
     pages_of,
     run,
     text,
-    told,
-    write,
 )
 from tex import compiled, complaints
 from tools import require
 
-import kurbel
-from kurbel.formats.pdf.by_tex import compile_tex
 from kurbel.page.labels import plain
 
 NASTY = (
@@ -161,74 +155,3 @@ def test_thirty_tables_in_a_row_are_not_too_many(tmp_path: Path) -> None:
     text = " ".join(pages_of(pages / "page.pdf"))
     places = [text.index(f"Table {number}: Viel") for number in range(1, 31)]
     assert places == sorted(places)
-
-
-# By kurbel's own hand ---------------------------------------------------------------------------------------
-
-
-def by(engine: str, manifest: str = SMALL) -> str:
-    return f'{manifest.replace("latex", "pdf")}[pdf]\nengine = "{engine}"\n'
-
-
-@pytest.mark.parametrize("engine", ["latexmk", pytest.param("lualatex", marks=pytest.mark.slow)])
-def test_the_pdf_says_what_it_is_and_is_the_same_file_everywhere(
-    engine: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    require(engine)
-    nasty = by(
-        engine, keys_of(author=NASTY[0]) + SMALL.replace("Kleine Tafeln", NASTY[3].replace("\\", r"\\"))
-    )
-    files = []
-    for zone, name in {"Asia/Tokyo": "a", "America/New_York": "b, ö{%"}.items():
-        monkeypatch.setenv("TZ", zone)
-        built(tmp_path / name, nasty)
-        files.append(made(tmp_path / name))
-    assert files[0] == files[1]
-    # TeX leaves nothing of its own.
-    assert {Path(name).suffix for name in files[0]} == {".pdf", ".json", ".tex"}
-    pdf = tmp_path / "a/pages/handbook.pdf"
-    fields = dict(line.split(":", 1) for line in told("pdfinfo", pdf, "-enc", "UTF-8").splitlines())
-    assert fields["Title"].strip() == plain(NASTY[3])
-    assert fields["Author"].strip() == plain(NASTY[0])
-    inside = unpacked(pdf.read_bytes())
-    assert engine == "lualatex" or re.search(rb"/Lang ?\(de\)", inside)
-    assert not re.search(rb"/CreationDate|PTEX\.|/tmp/|D:20", inside)
-
-
-def tried(folder: Path, line: str) -> tuple[int, str]:
-    """Build a handbook with a table of which a template makes a line of one's own."""
-    own = {"mine/base/latex.jinja": f"{line} x\n"}
-    done = handbook("build", write(folder / "book", f'templates = "mine"\n{by("latexmk")}', own))
-    return done.code, done.err
-
-
-@pytest.mark.parametrize(
-    ("line", "sentence"),
-    [
-        (r"\nothing", "Undefined control sequence."),
-        (r"\input{/etc/hostname}", "LaTeX Error: File `/etc/hostname.tex' not found."),
-        (r"\input{../secret}", "LaTeX Error: File `../secret.tex' not found."),
-        (r"\newwrite\w\immediate\openout\w=../out.txt", "I can't write on file `../out.txt'."),
-    ],
-)
-def test_a_failure_is_a_sentence_with_the_first_error(line: str, sentence: str, tmp_path: Path) -> None:
-    require("latexmk")
-    (tmp_path / "secret.tex").write_text("secret", encoding="utf-8")
-    code, said = tried(tmp_path, line)
-    assert (code, f"latexmk cannot set handbook.tex: {sentence}" in said) == (1, True), said
-
-
-def test_tex_runs_no_program_and_none_without_end(tmp_path: Path) -> None:
-    require("latexmk")
-    assert tried(tmp_path, rf"\immediate\write18{{touch {tmp_path}/ran}}")[0] == 0
-    assert not (tmp_path / "ran").exists()
-    endless = "\\documentclass{article}\\begin{document}\\loop\\iftrue\\repeat\n"
-    (tmp_path / "trial.tex").write_text(endless, encoding="utf-8")
-    with pytest.raises(kurbel.KurbelError, match=r"^latexmk did not finish trial.tex within 0.5 seconds$"):
-        compile_tex(str(tmp_path), "trial", "latexmk", seconds=0.5)
-
-
-def test_a_missing_engine_is_named(tmp_path: Path) -> None:
-    write(tmp_path, by("lualatex"))
-    said = handbook("build", tmp_path, PATH=str(tmp_path)).err
-    assert "--pdf-engine lualatex needs TeX: there is no lualatex on this machine" in said

@@ -183,7 +183,8 @@ def test_a_table_of_latex_that_is_longer_than_a_page_is_pointed_out(tmp_path: Pa
     path = written(tmp_path, f"\n{place('.tex', 'table --step 2')}", "notes.tex")
     result = kurbel("inject", str(path))
     assert result.err.splitlines()[0] == (
-        f"kurbel: {path}:2: the table is longer than a page; --longtable lets it break"
+        f"kurbel: {path}:2: the table is longer than a page;"
+        " it is set in parts, with --longtable where it stands"
     )
     assert result.code == 0
 

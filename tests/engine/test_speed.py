@@ -24,6 +24,7 @@ HEAVY = {
     "rod_mass": "150kg", "centre": "0.6", "gyration": "0.3",
 }  # fmt: skip
 STEAM = {"eps": "4", "back": "1/7"}
+SQUARE = {"resistance": "square"}
 ANGLES = (61, 103, 203, 341)
 
 
@@ -49,8 +50,20 @@ def numbers(command: str) -> list[dict[str, float]]:
         ({**STEAM, **HEAVY, "ratio": "2:7", "offset": "0.2", "cranks": "0;100"}, {"inertia": "60kgm2"}),
         ({**STEAM, **HEAVY, "ratio": "1:4"}, {"flywheel": "5"}),
         ({**STEAM, **HEAVY, "slope": "35"}, {"inertia": "150kgm2"}),
-        pytest.param({**STEAM}, {"flywheel": "8", "resistance": "square"}, marks=pytest.mark.slow),
-        ({"eps": "3", "ratio": "1:4", "offset": "0.2"}, {"flywheel": "10", "resistance": "square"}),
+        ({**STEAM}, {"flywheel": "8", **SQUARE}),
+        ({"eps": "3", "ratio": "1:4", "offset": "0.2"}, {"flywheel": "10", **SQUARE}),
+        # So light that the greatest speed is more than twice the least.
+        ({**STEAM}, {"flywheel": "0.7", **SQUARE}),
+        pytest.param(
+            {"eps": "3", "mechanism": "arc", "rocker": "6", "cranks": "0;70"},
+            {"flywheel": "9", **SQUARE},
+            marks=pytest.mark.slow,
+        ),
+        pytest.param(
+            {"compression": "8", "peak_pressure": "30", "cranks": "0;360"},
+            {"flywheel": "30", **SQUARE},
+            marks=pytest.mark.slow,
+        ),
     ],
 )  # fmt: skip
 def test_speed_and_time_are_those_of_the_equation_of_motion(

@@ -1,15 +1,12 @@
-"""Products of powers of rational numbers, π and enclosed numbers; integrals in balls."""
+"""Products of powers of rational numbers, π and enclosed numbers."""
 
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any
 
 import pytest
-from flint import acb, arb
 from mpmath import mp, mpf
 
-from kurbel.exact.continued import integrated
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Number, number_text
 from kurbel.exact.product import Product
@@ -78,20 +75,3 @@ def test_an_algebraic_number_is_rational_where_that_is_proved() -> None:
     assert near.rational is None
     with mp.workdps(60):
         digits(near, 45, mpf(13) / 3 + mpf(10) ** -40)
-
-
-@pytest.mark.parametrize("end", [KeyboardInterrupt(), SystemExit(143)], ids=["Ctrl-C", "SIGTERM"])
-def test_what_ends_the_command_passes_through_an_integral(end: BaseException) -> None:
-    def ended(place: Any, analytic: bool) -> Any:
-        raise end
-
-    with pytest.raises(type(end)) as raised:
-        integrated(ended, arb(0), arb(1))
-    assert raised.value is end
-
-
-def test_the_integral_of_a_power_is_enclosed() -> None:
-    found = integrated(lambda place, analytic: place * place, arb(0), arb(3))
-    assert found.real.contains(9)
-    assert found.real.rad() < 1e-10
-    assert isinstance(found, acb)

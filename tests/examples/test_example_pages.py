@@ -85,20 +85,12 @@ def pages() -> list[Table]:
 def test_examples_compile_in_one_document(engine: str, longtable: bool, tmp_path: Path) -> None:
     inputs = ""
     for page in pages():
-        # Of both parts with their fractions a float is taller than a page.
-        is_long = longtable or page.key.startswith("blau-33")
-        text = render(page, "latex", longtable=is_long)
+        text = render(page, "latex", longtable=longtable)
         (tmp_path / f"{page.key}.tex").write_text(text, encoding="utf-8")
         babel = {"de": "ngerman", "en": "english"}[page.lang]
         inputs += f"\\selectlanguage{{{babel}}}\n\\input{{{page.key}}}\n\\clearpage\n"
     log = compiled(engine, f"{PREAMBLE}{inputs}\\end{{document}}\n", tmp_path, runs=4)
     assert complaints(log) == []
-
-
-def test_a_page_that_is_too_tall_for_a_float_breaks() -> None:
-    alone = printed("example", "blau", "33", "-f", "latex", "--standalone").out
-    assert r"\begin{longtable}" in alone
-    assert r"\begin{longtable}" not in printed("example", "blau", "35", "-f", "latex", "--standalone").out
 
 
 def test_html_is_well_formed_and_has_a_row_for_each_step() -> None:

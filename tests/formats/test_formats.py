@@ -68,7 +68,7 @@ def test_a_folder_elsewhere_is_a_format(tmp_path: Path) -> None:
     target = tmp_path / "table.tab"
     printed("table", "--ratio=1:5", "--step=180", "--columns=phi,x", "-o", str(target))
     assert target.read_text() == "0\t0,0000\n180\t2,0000\n360\t0,0000\n"
-    assert ".txt, .tab, .md" in refusal("table", "-o", "page.docx")
+    assert ".txt, .tab, .md" in refusal("table", "-o", "page.odt")
 
 
 @pytest.mark.usefixtures("elsewhere")

@@ -125,6 +125,8 @@ def assert_caption_stands_free(text: NDArray[np.bool_], page: NDArray[np.bool_])
     widths = [columns[-1] - columns[0] for columns in extents]
     assert max(widths[:-1]) <= widths[-1]
     assert min(widths[:-1]) >= 0.75 * max(widths[:-1])
+    middles = [(columns[0] + columns[-1]) / 2 for columns in extents[:-1]]
+    assert max(middles) - min(middles) <= 3 / PIXEL
 
 
 def assert_it_is_turned(page: NDArray[np.bool_]) -> None:

@@ -200,7 +200,10 @@ def test_a_pipe_is_written_directly(folder: Path) -> None:
 
 def test_a_page_longer_than_a_page_is_pointed_out(tmp_path: Path) -> None:
     words = ("table", "--step", "2", "-o", str(tmp_path / "long.tex"))
-    assert kurbel(*words).err == "kurbel: the table is longer than a page; --longtable lets it break\n"
+    assert (
+        kurbel(*words).err
+        == "kurbel: the table is longer than a page; it is set in parts, with --longtable where it stands\n"
+    )
     assert printed(*words, "--longtable").out == ""
 
 

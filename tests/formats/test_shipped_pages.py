@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import re
-import subprocess
 from pathlib import Path
 
 import pytest
@@ -13,7 +12,8 @@ from pages import all_pages, default_page
 from readers import fragment
 from rows import assert_rows_stand_in, lines_of_pdf, text_of_pdf
 from tex import PREAMBLE, compiled, complaints, each_engine, each_kind_of_table
-from tools import require, require_library
+from tools import require_library
+from typeset import narrowest_figure
 
 from kurbel import table, typeset_pdf
 from kurbel.formats.registry import FORMATS
@@ -23,23 +23,6 @@ from kurbel.page.table import Table
 
 # The pages that kurbel says to be longer than one of paper.
 TALL = ("formulas-de", "formulas-en")
-
-
-# In \scriptsize of the article class (\fontcharwd\font`0), in points of 1/72 inch.
-FIGURE_OF_7_POINTS = 3.985 * 72 / 72.27
-
-
-def narrowest_figure(folder: Path) -> float:
-    """Return the width of the smallest figures of any number on the pages that has four of them."""
-    subprocess.run([require("pdftotext"), "-bbox", "page.pdf"], cwd=folder, check=True)
-    words = re.findall(
-        r'xMin="([\d.]+)" \S+ xMax="([\d.]+)" \S+>(\d+[.,]\d+)<',
-        (folder / "page.html").read_text(encoding="utf-8"),
-    )
-    numbers = [(float(right) - float(left), len(text) - 1) for left, right, text in words if len(text) > 4]
-    assert len(numbers) > 1000
-    # The mark is 5/9 as wide as a figure.
-    return min(width / (figures + 5 / 9) for width, figures in numbers)
 
 
 @pytest.mark.slow
@@ -58,7 +41,7 @@ def test_all_shipped_layouts_compile_in_one_document(engine: str, longtable: boo
     log = compiled(engine, f"{PREAMBLE}{inputs}\\end{{document}}\n", tmp_path, runs=3 if longtable else 2)
     assert complaints(log) == []
     assert f"Output written on page.pdf ({len(pages)} pages" in log
-    assert narrowest_figure(tmp_path) > 0.98 * FIGURE_OF_7_POINTS
+    assert narrowest_figure(tmp_path) > 0.98
     for page, lines in zip(pages, lines_of_pdf(tmp_path), strict=True):
         # The prime of an angle is a zero in the text of a PDF.
         assert_rows_stand_in(lines, page, angles=False)

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from cli import printed
 from everything import everything, tall, wide
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
@@ -84,6 +85,7 @@ def in_typst(pieces: list[str]) -> list[str]:
         "a-?",
         "a...b",
         "'a'",
+        "a'a",
         '"a"',
         "a~b",
         "\\",
@@ -95,7 +97,18 @@ def in_typst(pieces: list[str]) -> list[str]:
 @given(st.lists(_PROSE, min_size=1, max_size=20))
 def test_no_prose_is_obeyed(texts: list[str]) -> None:
     prose = [re.sub(r"[ \u2028\u2029]+", " ", text).strip(" ") for text in texts]
-    assert in_typst([escape_typst(one) for one in prose]) == prose
+    assert in_typst([escape_typst(one) for one in prose]) == list(map(in_print, prose))
+
+
+def in_print(prose: str) -> str:
+    """Return prose whose apostrophes between letters are those of print."""
+    return re.sub(r"(?<=[^\W\d_])'(?=[^\W\d_])", "’", prose)
+
+
+def test_an_apostrophe_within_a_word_is_that_of_print_and_a_prime_is_not() -> None:
+    made = printed("delta", "--ratio=1:5", "--lang=en", "-f", "typst").out
+    assert "Mariotte’s law" in made
+    assert escape_typst("r' and 5'") == r"r\' and 5\'"
 
 
 @settings(max_examples=30, deadline=None)
@@ -108,7 +121,7 @@ def test_no_prose_is_obeyed_beside_marks_and_formulas(texts: list[str]) -> None:
     for one, content in zip(prose, contents, strict=True):
         first, *middle, last = content["children"]
         assert (first["func"], last["func"]) == ("super", "equation")
-        assert "".join(word for child in middle for word in words_of(child)) == one
+        assert "".join(word for child in middle for word in words_of(child)) == in_print(one)
 
 
 @given(st.text(st.characters(codec="utf-8", exclude_categories=["C"])))

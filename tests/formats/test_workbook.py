@@ -15,6 +15,7 @@ from cli import printed, refusal
 from everything import everything
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pages import default_page
 from pytest import MonkeyPatch
 from tools import require_library
 from workbooks import sheets_of, xlsx_sheets
@@ -41,10 +42,10 @@ def undated(monkeypatch: MonkeyPatch) -> None:
 def test_every_part_of_a_table_has_its_cell(form: WorkbookFormat) -> None:
     page, values = sheets_of(form.content(everything(), None)).values()
     # Spanners over their columns, headings beside them over several rows.
-    assert (page.values[2, 2], page.spans[2, 2]) == ("Genaue Werteᵃ⁾", (1, 4))
-    assert (page.values[3, 2], page.spans[3, 2]) == ("Kolbenweg", (1, 2))
+    assert (page.values[2, 3], page.spans[2, 3]) == ("Genaue Werteᵃ⁾", (1, 5))
+    assert (page.values[3, 3], page.spans[3, 3]) == ("Kolbenweg", (1, 2))
     assert (page.values[2, 0], page.spans[2, 0]) == ("R:L", (3, 1))
-    assert page.values[4, 3] == "Rückgang\nx/R"
+    assert page.values[4, 4] == "Rückgang\nx/R"
     # Two groups under their labels; a continued cell, and no value, are empty or have their mark.
     assert page.row(5) == ["Erste Gruppe, λ\u00a0=\u00a01/5 & 100 %"]
     assert page.row(6) == ["1:5", 0, 0, 0, 0, "0°0′", "1\u00a0−\u00a0cos\u00a0φ"]
@@ -74,17 +75,35 @@ def test_numbers_have_the_printed_decimals_and_hang_their_marks_behind() -> None
     assert isinstance(form, WorkbookFormat)
     content = form.content(everything(), None)
     page, values = sheets_of(content).values()
-    assert page.formats[7, 2] == "0.000"
+    assert page.formats[7, 3] == "0.000"
     # A mark of a note is no text of the cell; whoever has none leaves room for it.
-    assert page.formats[7, 4] == '0.000"ᵇ⁾"'
-    assert page.formats[6, 4] == "0.000_ᵇ_⁾"
+    assert page.formats[7, 6] == '0.000"ᵇ⁾"'
+    assert page.formats[6, 6] == "0.000_ᵇ_⁾"
     # An integer among fractions stands where their integers do.
-    assert page.formats[8, 2] == "0_,_0_0_0"
+    assert page.formats[8, 3] == "0_,_0_0_0"
     # A ratio that somebody types over remains text.
     assert page.formats[6, 0] == values.formats[1, 0] == "@"
     # Nothing but letters of formulas is italic.
     with ZipFile(io.BytesIO(content)) as file:
         assert b"<i/>" not in file.read("xl/styles.xml")
+
+
+@each_book
+def test_letters_below_the_line_are_lowered_and_rules_of_spanners_do_not_touch(form: WorkbookFormat) -> None:
+    content = form.content(default_page("machine-forces"), None)
+    page, _ = sheets_of(content).values()
+    texts = [text for text in page.values.values() if isinstance(text, str)]
+    assert [text for text in texts if "_" in text] == []
+    assert {"Hx in kN", "Hy in kN"} <= {text.replace("\u00a0", " ").split("\n")[-1] for text in texts}
+    lowered = {"xlsx": b'<vertAlign val="subscript"/>', "ods": b'style:text-position="sub 65%"'}
+    part = {"xlsx": "xl/sharedStrings.xml", "ods": "content.xml"}
+    with ZipFile(io.BytesIO(content)) as file:
+        assert lowered[form.name] in file.read(part[form.name])
+    spanners = [place for place, (_, across) in page.spans.items() if across > 1 and place[0] == 2]
+    assert len(spanners) == 2
+    for row, column in spanners:
+        assert (row, column - 1) not in page.values
+        assert not any(column - other - page.spans[row, other][1] == 0 for _, other in spanners)
 
 
 @each_book

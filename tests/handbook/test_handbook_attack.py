@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,11 +13,9 @@ from typing import Any
 import pytest
 from cli import Result, kurbel
 from manifests import handbook, write
-from programs import Programs, is_running, wait_until
 
 import kurbel as library
 from kurbel.cli import asking
-from kurbel.formats.pdf import by_tex as pdf_tex
 from kurbel.handbook import build as handbook_build
 from kurbel.handbook.pages import make_pdf
 
@@ -229,21 +226,9 @@ def test_what_cannot_work_is_refused_with_its_line(tmp_path: Path, line: str, sa
     assert not (tmp_path / "pages").exists()
 
 
-def test_a_tex_that_nobody_waits_for_is_ended_by_the_system() -> None:
-    resource = pytest.importorskip("resource")
-    process = subprocess.Popen(["sleep", "60"])
-    try:
-        pdf_tex.limit_time(process.pid, 6.5)
-        assert resource.prlimit(process.pid, resource.RLIMIT_CPU) == (7, 7)
-    finally:
-        process.kill()
-        process.wait()
-
-
-def test_a_tex_of_ones_own_templates_is_ended_by_its_own_clock(
+def test_a_pdf_of_ones_own_templates_has_a_time_of_its_own(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The clock of the templates ends this process at once, and what it has started would run on."""
     counted: list[bool] = []
 
     @contextmanager
@@ -252,31 +237,9 @@ def test_a_tex_of_ones_own_templates_is_ended_by_its_own_clock(
         yield
 
     monkeypatch.setattr("kurbel.handbook.pages.deadline", deadline)
-    monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(library.KurbelError, match="there is no lualatex"):
-        make_pdf(str(tmp_path), "lualatex", (), limited=True)
-    assert not counted
     with pytest.raises(library.KurbelError, match=r"handbook\.typ"):
-        make_pdf(str(tmp_path), "typst", (), limited=True)
+        make_pdf(str(tmp_path), (), limited=True)
     assert counted == [True]
-
-
-def test_a_build_that_is_ended_ends_its_tex(programs: Programs, tmp_path: Path) -> None:
-    """In place of TeX a program that says its number and sleeps."""
-    manifest = MANIFEST.replace('"markdown", "csv"', '"pdf"')
-    folder = book(tmp_path / "book", f'templates = "mine"\n{manifest}\n[pdf]\nengine = "latexmk"\n')
-    (folder / "mine").mkdir()
-    program, number = tmp_path / "latexmk", tmp_path / "number"
-    # The number appears at once and whole.
-    program.write_text(f"#!/bin/sh\necho $$ > {number}.part\nmv {number}.part {number}\nexec sleep 3600\n")
-    program.chmod(0o755)
-    path = f"{tmp_path}{os.pathsep}{os.environ['PATH']}"
-    process = programs.kurbel("handbook", "build", str(folder), env={**os.environ, "PATH": path})
-    wait_until(lambda: number.exists() or process.poll() is not None)
-    process.terminate()
-    process.communicate()
-    assert process.returncode == 143
-    wait_until(lambda: not is_running(int(number.read_text())))
 
 
 def test_a_file_that_no_system_opens_fails_its_table_alone(tmp_path: Path) -> None:

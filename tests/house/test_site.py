@@ -40,14 +40,16 @@ def read(site: Path) -> list[Path]:
 
 @pytest.fixture(scope="module")
 def sample(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A site of one page and what it looks like, which takes a second."""
+    """A site of one page and what it looks like, and of two that are to be found; it takes a second."""
     source = tmp_path_factory.mktemp("a sample")
     for name in ("_static", "_templates"):
         shutil.copytree(ROOT / "docs" / name, source / name)
     shutil.copy(ROOT / "docs" / "conf.py", source)
     page = (ROOT / "docs" / "howto" / "latex.md").read_text(encoding="utf-8")
     (source / "latex.md").write_text(re.sub(r"\]\([^)]*\)", "](index.md)", page), encoding="utf-8")
-    (source / "index.md").write_text("# kurbel\n\n```{toctree}\nlatex\n```\n", encoding="utf-8")
+    (source / "a.md").write_text("# A file\n\n## The longtable\n\nIts longtable.\n", encoding="utf-8")
+    (source / "b.md").write_text("# Longtables of many rows\n\nThey break.\n", encoding="utf-8")
+    (source / "index.md").write_text("# kurbel\n\n```{toctree}\nlatex\na\nb\n```\n", encoding="utf-8")
     words = ("-W", "-n", "-q", "-b", "html", str(source), str(source / "site"))
     done = subprocess.run(
         [sys.executable, "-m", "sphinx", *words], capture_output=True, text=True, check=False
@@ -161,6 +163,20 @@ def test_a_page_looks_as_all_do_is_found_and_has_lines_to_be_copied(viewer: View
     )
 
 
+def test_the_page_that_is_called_so_is_found_first(viewer: Viewer, sample: Path) -> None:
+    assert searched(viewer, sample, "longtable")[0].partition("?")[0].endswith("b.html")
+
+
+def test_the_name_keeps_clear_of_the_search_on_a_telephone(viewer: Viewer, sample: Path) -> None:
+    tab = viewer.open(sample / "latex.html", TELEPHONE)
+    name, button = (
+        tab.locator(one).bounding_box() for one in (".navbar-brand", ".search-button-field:visible")
+    )
+    assert name
+    assert button
+    assert name["x"] + name["width"] + 16 <= button["x"]
+
+
 @pytest.mark.slow
 def test_everybody_can_read_every_page(viewer: Viewer, site: Path) -> None:
     assert unreadable(viewer, site) == []
@@ -192,6 +208,11 @@ def searched(viewer: Viewer, site: Path, asked: str) -> list[str]:
 @pytest.mark.parametrize(("asked", "page"), [("hammer blow", "locomotive"), ("--true-stroke", "given")])
 def test_the_search_finds_a_page(viewer: Viewer, site: Path, asked: str, page: str) -> None:
     assert any(page in link for link in searched(viewer, site, asked))
+
+
+@pytest.mark.slow
+def test_the_search_for_flywheels_finds_their_page_first(viewer: Viewer, site: Path) -> None:
+    assert "subjects/flywheels.html" in searched(viewer, site, "flywheel")[0]
 
 
 @pytest.mark.slow

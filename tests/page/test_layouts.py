@@ -97,6 +97,16 @@ def test_pages_are_parted_into_as_few_blocks_as_needed() -> None:
         assert [len(panel.columns) for panel in panels] == sizes
 
 
+def test_what_is_exactly_zero_is_printed_as_in_the_book_and_what_is_nearly_zero_is_not() -> None:
+    # Rötscher, Zusammenstellung 112: 0 at 0°, 0,206 at 10°.
+    page = kurbel.table("1:5", layout="roetscher-112", angle="0;0.001;10;180", lang="en")
+    velocity = [*page.panels[0].rows()][1].cells
+    assert [shown(cell.value) for cell in velocity] == ["0", "0.000", "0.208", "0"]
+    # Programs have the decimals of the column.
+    words = ("table", "--layout=roetscher-112", "--ratio=1:5", "--angle=0;10")
+    assert [record["c"] for record in records(*words)] == ["0.000", "0.208"]
+
+
 def test_a_page_has_at_most_500_columns() -> None:
     words = ("table", "--layout=kolbenwege", "--angle=30", "-f", "html")
     assert printed(*words, "--ratio=1:3..252").out.count("<td") == 500

@@ -39,6 +39,8 @@ def test_a_file_has_what_a_pipe_would_have_on_the_machine(console: ModuleType) -
     assert ran == (0, b"", "", "")
     assert Path("a.csv").read_text() == kurbel(*words).out
     assert console.run("cat a.csv", 80).out == Path("a.csv").read_bytes()
+    # As in a shell, what begins with a dot is not listed.
+    Path(".kurbel").mkdir()
     assert console.run("ls", 80).out == b"a.csv\n"
 
 
@@ -69,6 +71,13 @@ def test_a_variable_before_the_command_holds_for_it_alone(console: ModuleType) -
 def test_what_only_a_shell_does_is_refused(console: ModuleType, line: str, sentence: str) -> None:
     ran = console.run(line, 80)
     assert (ran.code, ran.out, ran.err) == (2, b"", sentence)
+
+
+def test_what_lacks_a_library_of_the_machine_is_called_neither_a_drawing_nor_a_sweep(
+    console: ModuleType,
+) -> None:
+    with pytest.raises(console.AbsentError, match=r"^this needs NumPy and SciPy, as sweeps, drawings and"):
+        console.watch.find_spec("numpy")
 
 
 def test_words_are_completed_as_in_a_shell(console: ModuleType) -> None:

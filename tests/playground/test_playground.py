@@ -20,7 +20,7 @@ import pytest
 from browser import DESKTOP, TELEPHONE, Viewer
 from cli import kurbel, printed
 from places import ROOT
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Dialog, Page, expect
 from programs import PATIENCE
 from tools import missing, require
 from typeset import words_of_pdf
@@ -117,6 +117,63 @@ def test_a_line_is_typed_completed_and_answered(viewer: Viewer, tmp_path: Path) 
         viewer.page.goto("about:blank")
     viewer.page.context.set_offline(True)
     python.communicate()
+
+
+# A build of a handbook, and what is left of it when a file is deleted.
+BUILDER = """let files = ["book/.kurbel/state.json", "book/pages/handbook.html"];
+onmessage = ({ data: { number, action, words } }) => {
+    const isBuilt = action === "run" && words[0].includes("build"), nothing = new Uint8Array();
+    const gone = action === "remove" ? words : [];
+    files = files.filter(path => !gone.includes(path));
+    const written = isBuilt ? files.map(path => [path, nothing]) : [];
+    const listed = isBuilt || gone.length ? files : [];
+    postMessage({ kind: "answer", number,
+        answer: { code: 0, out: nothing, err: "", written, gone, files: listed } });
+};
+postMessage({ kind: "ready" });
+"""
+LEAVING = """() => {
+    const event = new Event("beforeunload", { cancelable: true });
+    dispatchEvent(event);
+    return event.defaultPrevented;
+}"""
+
+
+def test_nothing_is_lost_unasked_and_what_a_build_keeps_for_itself_is_not_shown(
+    viewer: Viewer, tmp_path: Path
+) -> None:
+    folder = shutil.copytree(BUILD.with_name("page"), tmp_path / "docs" / "playground")
+    (folder / "worker.js").write_text(BUILDER, encoding="utf-8")
+    (folder / "service.js").write_text("", encoding="utf-8")
+    viewer.page.context.set_offline(False)
+    with Server(tmp_path) as server:
+        opened(viewer, server)
+        tab = viewer.page
+        asked: list[str] = []
+
+        def refused(dialog: Dialog) -> None:
+            asked.append(dialog.message)
+            dialog.dismiss()
+
+        assert tab.evaluate(LEAVING) is False
+        typed(tab, "kurbel handbook build book")
+        assert tab.locator("#own li > span").all_text_contents() == ["book/pages/handbook.html"]
+        assert tab.text_content("#viewed") == "book/pages/handbook.html"
+        assert tab.evaluate(LEAVING) is True
+        # Who says no keeps the file.
+        tab.once("dialog", refused)
+        tab.get_by_role("button", name="Delete book").click()
+        expect(tab.locator("#own li")).to_have_count(1)
+        assert asked == ["book/pages/handbook.html was not downloaded. Delete it?"]
+        with tab.expect_download():
+            tab.get_by_role("button", name="Download book").click()
+        assert tab.evaluate(LEAVING) is False
+        # What was downloaded may go.
+        tab.get_by_role("button", name="Delete book").click()
+        expect(tab.locator("#own li")).to_have_count(0)
+        assert len(asked) == 1
+        tab.goto("about:blank")
+    viewer.page.context.set_offline(True)
 
 
 @pytest.fixture(scope="module")
@@ -281,7 +338,7 @@ def test_files_go_in_and_out_and_outlive_a_stop(page: Page) -> None:
 
 @pytest.mark.slow
 def test_what_needs_other_libraries_says_so(page: Page) -> None:
-    assert "drawings and indicator cards need NumPy" in typed(
+    assert "as sweeps, drawings and indicator cards do" in typed(
         page, "kurbel table --ratio 1:5 -o motion.svg", "Failed, exit code 1"
     )
     # Interactive pages draw what moves without them.

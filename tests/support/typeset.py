@@ -94,3 +94,21 @@ def page_width(path: Path) -> float:
     found = re.search(r"Page size: +([\d.]+) x", made.stdout)
     assert found
     return float(found[1]) / 72 * 25.4
+
+
+# A figure of Latin Modern in 7 pt, its own design, which is wider than larger type made smaller.
+_FIGURE_OF_7_POINTS = 3.985 * 72 / 72.27
+
+
+def narrowest_figure(folder: Path) -> float:
+    """Return the width of the smallest figures of any number of page.pdf, as a share of those of 7 pt.
+
+    Words may be turned.
+    """
+    numbers = [
+        word for word in words_of_pdf(folder / "page.pdf") if re.fullmatch(r"\d+[.,]\d{2,}", word.text)
+    ]
+    assert numbers
+    widths = ((max(word.right - word.left, word.bottom - word.top), len(word.text) - 1) for word in numbers)
+    # The mark is 5/9 as wide as a figure.
+    return min(width / (figures + 5 / 9) for width, figures in widths if figures > 3) / _FIGURE_OF_7_POINTS

@@ -89,7 +89,7 @@ at("upload").addEventListener("change", async event => {
         [...event.target.files].map(async one => [one.name, new Uint8Array(await one.arrayBuffer())]),
     );
     await kurbel.ready;
-    files.changed(await kurbel.ask("put", opened));
+    files.opened(await kurbel.ask("put", opened));
     say(`${opened.map(([name]) => name).join(", ")}: opened`);
 });
 at("examples").append(...EXAMPLES.map(([text, about]) => {
@@ -111,6 +111,10 @@ function linked() {
         return "";
     }
 }
+// The browser asks its reader whether to leave what was not downloaded.
+addEventListener("beforeunload", event => {
+    if (files.unsaved.size) event.preventDefault();
+});
 addEventListener("hashchange", () => {
     line.value = linked() || line.value;
     line.focus();

@@ -18,7 +18,7 @@ from kurbel.cli.app import command_of
 from kurbel.cli.options import MACHINE, Document, FileName, Given, Type, defaults_by_machine
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
-from kurbel.formats.registry import DRAWINGS, DRAWN, FORMATS, WorkbookFormat
+from kurbel.formats.registry import DRAWINGS, DRAWN, FORMATS, BytesFormat, DocumentFormat, WorkbookFormat
 from kurbel.handbook.pool import About, Made, Task
 from kurbel.page.table import Note, Table
 from kurbel.reading.given import File, meant
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 NO_TABLES = frozenset(("sources", "layouts", "quantities", "handbook", "inject", "help", "sweep"))
 # A document decides these for all of its tables; those of a single format, for which files it has.
 ONLY_PRINTING = ("output", "format", "standalone", "excel")
-SET_ELSEWHERE = (*ONLY_PRINTING, "longtable", "siunitx", "label", "layouts", "templates")
+SET_ELSEWHERE = (*ONLY_PRINTING, "longtable", "siunitx", "plain", "label", "layouts", "templates")
 # Keys of a handbook. The numbers of a book's page are the book's: its commands take no others by default.
 OF_THE_PAGE = frozenset(("lang", "decimal", "layouts"))
 
@@ -42,8 +42,8 @@ class Asked(NamedTuple):
     """What the words ask for: a table or a drawing, its language and decimal mark, the files read for it.
 
     `longtable` tells that LaTeX may break the table over pages; `code` is 1 where the command, such as
-    collate --strict, would end with it. With `siunitx` LaTeX leaves the numbers to that package; `rounding`
-    is that of the table's.
+    collate --strict, would end with it. With `siunitx` LaTeX leaves the numbers to that package, and `plain`
+    is what an author would type; `rounding` is that of the table's.
     """
 
     made: Table | Drawing
@@ -53,6 +53,7 @@ class Asked(NamedTuple):
     code: int
     longtable: bool = False
     siunitx: bool = False
+    plain: bool = False
     rounding: str = ""
 
 
@@ -113,8 +114,8 @@ def asked(
     if isinstance(made, Table):
         made = _unprompted(made)
     values = context.params
-    wishes = (values.get("longtable", False), values.get("siunitx", False), values.get("rounding", ""))
-    return Asked(made, values["lang"], values["decimal"], _files(context, own), code, *wishes)
+    wishes = {one: values[one] for one in ("longtable", "siunitx", "plain", "rounding") if one in values}
+    return Asked(made, values["lang"], values["decimal"], _files(context, own), code, **wishes)
 
 
 def _unprompted(table: Table) -> Table:
@@ -197,9 +198,9 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
                 data if FORMATS[name].kind == "records" else named, name, answer.decimal, task.templates
             )
             for name in task.formats
-            if not isinstance(FORMATS[name], WorkbookFormat)
+            if not isinstance(FORMATS[name], BytesFormat)
         }
-        files |= _sheet(task, named, answer.decimal)
+        files |= _waiting(task, named, answer.decimal)
     from kurbel.page.labels import plain
 
     about = About("table", named.caption, named.lang, named.letters(), plain(named.source), answer.rounding)
@@ -216,17 +217,22 @@ def _steps(task: Task, table: Table) -> Steps | None:
     return table.steps and table.steps.named(called)
 
 
-def _sheet(task: Task, table: Table, decimal: str | None) -> dict[str, bytes]:
-    """Return the sheet that the workbooks of the handbook have of a table."""
-    forms = [form for name in task.formats if isinstance(form := FORMATS[name], WorkbookFormat)]
-    if not forms:
-        return {}
-    from kurbel.formats.sheet_page import page_sheet
-    from kurbel.handbook.binder import kept
-    from kurbel.handbook.pages import SHEET
+def _waiting(task: Task, table: Table, decimal: str | None) -> dict[str, bytes]:
+    """Return what the workbooks of the handbook, and its document of Word, are made of."""
+    from kurbel.handbook.pages import PAGE, SHEET
 
-    sheet = page_sheet(table, forms[0].decimal_mark(table.lang, decimal), "")
-    return {SHEET.format(task.part.name): kept(sheet)}
+    files = {}
+    for form in (FORMATS[name] for name in task.formats):
+        if isinstance(form, DocumentFormat):
+            content = form.writer.kept(table, decimal, task.templates).encode()
+            files[PAGE.format(task.part.name)] = content
+        elif isinstance(form, WorkbookFormat) and not any(name.endswith(".json") for name in files):
+            from kurbel.formats.sheet_page import page_sheet
+            from kurbel.handbook.binder import kept
+
+            sheet = page_sheet(table, form.decimal_mark(table.lang, decimal), "")
+            files[SHEET.format(task.part.name)] = kept(sheet)
+    return files
 
 
 def _caption(task: Task, own: Label, lang: str) -> Label:

@@ -41,7 +41,7 @@ DRAWN = "kurbel.plot.style:FORMATS"
 # What is for the table alone.
 OF_TABLES = (
     "columns", "layout", "layouts", "digits", "rounding", "label", "units", "caption", "note", "source",
-    "templates", "interactive", "standalone", "longtable", "siunitx", "excel",
+    "templates", "interactive", "standalone", "longtable", "siunitx", "plain", "excel",
 )  # fmt: skip
 OF_DRAWINGS = ("steps", "width", "height", "text")
 HEADS: Mapping[str, Sequence[str]] = {

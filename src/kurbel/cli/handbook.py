@@ -16,8 +16,7 @@ from kurbel.cli import say
 from kurbel.cli.app import Group
 from kurbel.cli.listing import show_lines
 from kurbel.cli.options import Option, Type, lang_option
-from kurbel.commands.options import Choice, Count
-from kurbel.formats.registry import compiled_format
+from kurbel.commands.options import Count
 from kurbel.handbook.pool import by_whom
 from kurbel.sweeps.work.hands import MOST_JOBS, cores
 
@@ -31,7 +30,6 @@ if TYPE_CHECKING:
 GLANCE = 0.4
 # GitHub shows no more annotations of a step.
 MOST_PLACES = 10
-WAITING = "another build of this handbook is under way; waiting for its end"
 
 
 class _Group(Group):
@@ -61,14 +59,11 @@ JOBS = click.option("-j", "--jobs", cls=Option, type=Type(Count("jobs", 1, MOST_
                     help="Processes at once; default: one for each core.")  # fmt: skip
 CLUSTER = click.option("--scheduler", metavar="ADDRESS",
                        help="Dask cluster that makes the parts: tcp://HOST:8786.")  # fmt: skip
-ENGINES = Choice("PDF engine", compiled_format().engines)
-ENGINE = click.option("--pdf-engine", cls=Option, type=Type(ENGINES), metavar="ENGINE",
-                      help="typst (default), lualatex or latexmk; outdoes the manifest.")  # fmt: skip
 
 
 def building(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add what the commands have that build."""
-    return FOLDERS(ONLY(JOBS(CLUSTER(ENGINE(OUTSIDE(QUIET(command)))))))
+    return FOLDERS(ONLY(JOBS(CLUSTER(OUTSIDE(QUIET(command))))))
 
 
 @handbook.command(
@@ -98,9 +93,8 @@ def _build(options: dict[str, Any]) -> int:
     from kurbel.handbook.build import build as built
 
     handbooks, wrong = _opened_all(options)
-    waiting = partial(_tell, options, WAITING)
     jobs, by = options["jobs"] or cores(), by_whom(options["scheduler"])
-    builds = built(handbooks, make_part, jobs, _bar_of(options), waiting, by)
+    builds = built(handbooks, make_part, jobs, _bar_of(options), partial(_tell, options), by)
     for one in builds:
         failed = _report(one)
         if not one.ended:
@@ -162,7 +156,7 @@ def _checked(one: Checked, options: dict[str, Any]) -> bool:
         say(sentence)
     if one.stale:
         manifest, names = one.handbook.manifest, one.handbook.names
-        mend = _build_words(one.handbook.given, options["pdf_engine"], names, manifest.outside)
+        mend = _build_words(one.handbook.given, names, manifest.outside)
         first = "mend what failed, and then" if failed else "this mends it:"
         count = "1 file is" if len(one.stale) == 1 else f"{len(one.stale)} files are"
         say(f"{folder.path}: {count} stale{failed}; {first} {mend}")
@@ -232,7 +226,7 @@ def _opened_all(options: dict[str, Any]) -> tuple[list[Handbook], bool]:
         names.setdefault(os.path.realpath(manifest_path(given)), given)
     for given in names.values():
         try:
-            one = Handbook(given, *_opened(given, options["allow_outside"], options["pdf_engine"]))
+            one = Handbook(given, *_opened(given, options["allow_outside"]))
             if opened:
                 from kurbel.handbook.several import part_from
 
@@ -249,28 +243,23 @@ def _opened_all(options: dict[str, Any]) -> tuple[list[Handbook], bool]:
     return opened, wrong
 
 
-def _opened(given: str, outside: bool, engine: str | None = None) -> tuple[Manifest, Folder]:
+def _opened(given: str, outside: bool) -> tuple[Manifest, Folder]:
     """Return the manifest and the output folder."""
     from kurbel.handbook.folder import Folder
     from kurbel.handbook.manifest import manifest_path, read_manifest
 
     manifest = read_manifest(manifest_path(given), outside)
-    if engine:
-        manifest = manifest.set_by(engine)
     return manifest, Folder(manifest.folder, manifest.output)
 
 
-def _build_words(
-    folder: str, engine: str | None = None, only: Iterable[str] = (), outside: bool = False
-) -> str:
+def _build_words(folder: str, only: Iterable[str] = (), outside: bool = False) -> str:
     """Return what one would type to build the handbook in a folder."""
     from shlex import join
 
     where = [] if folder == "." else [folder]
     names = [word for name in only for word in ("--only", name)]
-    by = ["--pdf-engine", engine] if engine else []
     further = ["--allow-outside"] if outside else []
-    return join(["kurbel", "handbook", "build", *where, *names, *by, *further])
+    return join(["kurbel", "handbook", "build", *where, *names, *further])
 
 
 def _report(done: Build) -> str:

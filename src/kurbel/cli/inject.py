@@ -178,7 +178,9 @@ def _text(one: Asked, form: PageFormat, kind: Kind, number: int, place: Place, n
 
         for remark in form.remarks(one.made, one.longtable):
             say(f"{where}: {remark}")
-        wishes = partial(render, decimal=one.decimal, longtable=one.longtable, siunitx=one.siunitx)
+        wishes = partial(
+            render, decimal=one.decimal, longtable=one.longtable, siunitx=one.siunitx, plain=one.plain
+        )
         try:
             return wishes(one.made, form.name)
         except LayoutError as error:

@@ -177,6 +177,8 @@ def printing_options(command: str, own: Mapping[str, click.Parameter]) -> list[c
                " mechanism that moves, and certified digits at every step."),
         Option(["--longtable"], is_flag=True, help="LaTeX: a longtable, which breaks across pages."),
         Option(["--siunitx"], is_flag=True, help="LaTeX: S columns, whose numbers the package siunitx sets."),
+        Option(["--plain"], is_flag=True,
+               help="LaTeX: what one would type by hand, to go on with; it fits no line by itself."),
         Option(["--excel"], is_flag=True,
                help="CSV that Excel opens by a double click: with a byte order mark, the decimal mark of the"
                " language, and ratios that are no times."),

@@ -182,12 +182,13 @@ class Printing(NamedTuple):
     standalone: bool
     longtable: bool
     siunitx: bool
+    plain: bool
     excel: bool
 
     @classmethod
     def chosen(cls, given: Given) -> Printing:
         """Return what the options say, checked."""
-        names = ("output", "decimal", "standalone", "longtable", "siunitx", "excel")
+        names = ("output", "decimal", "standalone", "longtable", "siunitx", "plain", "excel")
         return cls(_format(given), *(given.values[name] for name in names))
 
     @staticmethod
@@ -204,11 +205,12 @@ class Printing(NamedTuple):
         _write(self._rendered(table), self.output, 0)
 
     def _rendered(self, table: Table) -> Iterator[bytes]:
-        form, output, decimal, standalone, longtable, siunitx, excel = self
+        form, output, decimal, standalone, longtable, siunitx, plain, excel = self
         if isinstance(form, BytesFormat):
-            yield form.content(table, decimal)
+            # How much it takes is of use before it begins.
             for remark in form.remarks(table, True):
                 say(remark)
+            yield form.content(table, decimal)
             return
         from kurbel.formats.render import render
 
@@ -224,6 +226,7 @@ class Printing(NamedTuple):
             standalone=standalone,
             longtable=longtable,
             siunitx=siunitx,
+            plain=plain,
             excel=excel,
             width=width,
             colours=colours,
@@ -255,7 +258,7 @@ def _format(given: Given) -> Format:
             f"--standalone is for {', '.join(documents)} and {last}; {chosen.name} has no documents."
         )
     _check_able(given, chosen, "longtable", "breaks")
-    for option in ("siunitx", "excel"):
+    for option in ("siunitx", "plain", "excel"):
         _check_able(given, chosen, option, option)
     _check_interactive(given, chosen)
     return chosen

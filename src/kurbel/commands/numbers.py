@@ -160,13 +160,15 @@ def typeset(
     standalone: bool = False,
     longtable: bool = False,
     siunitx: bool = False,
+    plain: bool = False,
     excel: bool = False,
 ) -> str:
     """Return the page in a format: text, markdown, latex, html, typst, csv, dat or json; no PDF or workbook.
 
     `decimal` is "comma" or "point", by default the mark of the page's language (point in CSV and JSON);
     `standalone` gives a whole document (LaTeX, HTML, Typst), `longtable` a LaTeX longtable, `siunitx` leaves
-    the numbers to that package, in LaTeX, and `excel` gives CSV as Excel opens it. Raises KurbelError.
+    the numbers to that package and `plain` is what an author would type, in LaTeX, and `excel` gives CSV as
+    Excel opens it. Raises KurbelError.
 
     >>> from kurbel import table
     >>> print(typeset(table("1:4", layout="blau-kolbenwege", angle=90), "markdown").splitlines()[-3])
@@ -183,6 +185,7 @@ def typeset(
         standalone=standalone,
         longtable=longtable,
         siunitx=siunitx,
+        plain=plain,
         excel=excel,
     )
 

@@ -65,6 +65,7 @@ class Table(Page):
         standalone: bool = False,
         longtable: bool = False,
         siunitx: bool = False,
+        plain: bool = False,
         excel: bool = False,
     ) -> str:
         """Return the page in a format, as `kurbel.typeset`."""
@@ -77,6 +78,7 @@ class Table(Page):
             standalone=standalone,
             longtable=longtable,
             siunitx=siunitx,
+            plain=plain,
             excel=excel,
         )
 
@@ -88,6 +90,7 @@ class Table(Page):
         standalone: bool = False,
         longtable: bool = False,
         siunitx: bool = False,
+        plain: bool = False,
         excel: bool = False,
     ) -> None:
         """Write the page into a file, whole or not at all, in the format of its suffix.
@@ -110,6 +113,7 @@ class Table(Page):
                 standalone=standalone,
                 longtable=longtable,
                 siunitx=siunitx,
+                plain=plain,
                 excel=excel,
             ).encode()
         with whole_file(os.fspath(path)) as stream:

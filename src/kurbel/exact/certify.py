@@ -12,7 +12,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from functools import lru_cache
 from math import inf
-from typing import TYPE_CHECKING, Any
+from typing import Any, TypeVar
 
 import flint
 from flint import arb
@@ -22,8 +22,7 @@ from kurbel.exact.numerals import MOST_FIGURES
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinematics import rod_sine
 
-if TYPE_CHECKING:
-    pass
+Kept = TypeVar("Kept")
 
 # A page has up to 50 decimals, and no product of formulas here loses more than a few bits.
 GUARD_BITS = 40
@@ -158,14 +157,18 @@ def _signed(magnitude: int, scaled: arb) -> int:
     return -magnitude if scaled < 0 else magnitude
 
 
-def kept(value: Callable[[], arb]) -> Callable[[], arb]:
-    """Return what gives the same ball at the precision in force, computed once for each precision."""
-    balls: dict[int, arb] = {}
+def kept(value: Callable[[], Kept], step: int = 1) -> Callable[[], Kept]:
+    """Return what gives the same balls at the precision in force, computed once for each precision.
 
-    def at() -> arb:
-        precision = flint.ctx.prec
+    `step` rounds the precision up to its multiples.
+    """
+    balls: dict[int, Kept] = {}
+
+    def at() -> Kept:
+        precision = -(-flint.ctx.prec // step) * step
         if precision not in balls:
-            balls[precision] = value()
+            with flint.ctx.workprec(precision):
+                balls[precision] = value()
         return balls[precision]
 
     return at

@@ -1,15 +1,14 @@
-"""Formulas continued into the complex plane, and their integrals in balls, each enclosed with a proof.
+"""Formulas continued from between two corners: into the complex plane, or as a power series.
 
-Flint encloses an integral from what the integrand is on complex balls around the path, where it must be
-analytic. A formula of the house may be of another shape on both sides of a corner, as the force of steam is
-at cut-off. Between two corners only one of these shapes holds, and that one is continued: a number carries
-what it is at a point of the path between the same corners, and comparisons are of these.
+A formula of the house may be of another shape on both sides of a corner, as the force of steam is at cut-off.
+Between two corners only one of these shapes holds, and that one is continued, to complex balls on which an
+integrand or a series is bounded: a number carries what it is at a point between the same corners, and
+comparisons are of these.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
@@ -25,11 +24,12 @@ NEAREST = 1e-13
 
 
 class Continued:
-    """A complex ball, and the float that the same formula has at the point that stands for its piece."""
+    """A complex ball, a power series or, of a constant, a real ball, and the float that the same formula has
+    at the point that stands for its piece."""
 
     __slots__ = ("at", "ball")
 
-    def __init__(self, ball: acb, at: float) -> None:
+    def __init__(self, ball: Any, at: float) -> None:
         self.ball = ball
         self.at = at
 
@@ -40,8 +40,8 @@ class Continued:
             return number
         # Whole numbers first: of what is none, an abstract class such as Fraction is asked slowly.
         if not isinstance(number, int) and isinstance(number, Fraction):
-            return cls(acb(ball(number)), float(number))
-        return cls(acb(number), float(number))
+            return cls(ball(number), float(number))
+        return cls(arb(number), float(number))
 
     def __neg__(self) -> Continued:
         return Continued(-self.ball, -self.at)
@@ -78,15 +78,18 @@ class Continued:
         if isinstance(exponent, int):
             return Continued(self.ball**exponent, self.at**exponent)
         if exponent == 0.5:
-            return Continued(self.ball.sqrt(analytic=True), self.at**0.5)
+            return Continued(self.ball.sqrt(**self._cuts), self.at**0.5)
         other = Continued.of(exponent)
-        return Continued(self.ball.pow(other.ball, analytic=True), self.at**other.at)
+        raised = self.ball.pow(other.ball, analytic=True) if self._cuts else self.ball**other.ball
+        return Continued(raised, self.at**other.at)
+
+    @property
+    def _cuts(self) -> dict[str, bool]:
+        """What makes a complex function no number on its cut."""
+        return {"analytic": True} if isinstance(self.ball, acb) else {}
 
     def log(self) -> Continued:
-        return Continued(self.ball.log(analytic=True), math.log(self.at))
-
-    def exp(self) -> Continued:
-        return Continued(self.ball.exp(), math.exp(self.at))
+        return Continued(self.ball.log(**self._cuts), math.log(self.at))
 
     def __eq__(self, other: object) -> bool:
         return bool(self.ball == Continued.of(other).ball)
@@ -133,9 +136,11 @@ def continued() -> Kind:
 def _degrees(sine: Any) -> Continued:
     """Return the angle within -90°..90° that has this sine; on the cuts beyond -1 and 1 it is no number."""
     place = Continued.of(sine)
-    cut = (1 - place.ball * place.ball).sqrt(analytic=True)
-    angle = place.ball.asin() if cut.is_finite() else cut
-    return Continued(angle * 180 / acb.pi(), math.degrees(math.asin(place.at)))
+    angle = place.ball.asin()
+    if isinstance(place.ball, acb):
+        cut = (1 - place.ball * place.ball).sqrt(analytic=True)
+        angle = angle if cut.is_finite() else cut
+    return Continued(angle * 180 / arb.pi(), math.degrees(math.asin(place.at)))
 
 
 def half_turn_circle(half_turns: Any) -> Circle[Continued]:
@@ -148,14 +153,3 @@ def half_turn_circle(half_turns: Any) -> Circle[Continued]:
         Continued(cosine, math.cos(angle)),
         Continued(2 * half * half, 2 * math.sin(angle / 2) ** 2),
     )
-
-
-def integrated(function: Callable[[Any, bool], Any], start: arb, end: arb) -> Any:
-    """Return the integral of a function of complex balls over an interval, enclosed."""
-    try:
-        return acb.integral(function, start, end)
-    except SystemError as error:
-        # So flint answers a signal that ends the command.
-        if error.__cause__ is None:
-            raise
-        raise error.__cause__ from None

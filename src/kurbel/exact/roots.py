@@ -112,6 +112,31 @@ def _half(function: Function, rising: bool, found: arb) -> arb:
     return found.lower().union(middle) if above else middle.union(found.upper())
 
 
+def crossing(function: Function, low: Fraction, high: Fraction) -> arb:
+    """Return a ball that holds the one zero of a function that rises, as narrow as the precision allows.
+
+    The function is below zero at `low` and above at `high`. Secants: their error is the square of the width,
+    where the function is nearly straight; where it is not, halves are found by the sign.
+    """
+    left, right = ball(low).mid(), ball(high).mid()
+    below, above = function(left), function(right)
+    while True:
+        width, slope = right - left, (above - below) / (right - left)
+        guess, rest = left - below / slope, 4 * max(below.rad(), above.rad()) / slope
+        margin = width * width / (abs(left) + abs(right)) + rest
+        narrow = margin < width / 8
+        for place in (guess - margin, guess + margin) if narrow else [(left + right) / 2]:
+            at = place.mid()
+            if at > left and at < right:
+                value = function(at)
+                if value > 0:
+                    right, above = at, value
+                elif value < 0:
+                    left, below = at, value
+        if rest > margin / 2 or not right - left < width:
+            return left.union(right)
+
+
 def interval(low: Fraction, high: Fraction) -> arb:
     """Return the ball around everything from low to high."""
     return ball(low).union(ball(high))

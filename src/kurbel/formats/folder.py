@@ -63,7 +63,7 @@ def _of_layouts(folder: str) -> list[tuple[str, str]]:
 
 def is_set_by_template(form: Format) -> bool:
     """Tell whether pages in a format are set by a template, its own or that of the format it is made of."""
-    return form.kind == "compiled" or f"{form.name}{SUFFIX}" in _names(BASE)
+    return form.kind in ("compiled", "document") or f"{form.name}{SUFFIX}" in _names(BASE)
 
 
 def page_templates() -> list[str]:

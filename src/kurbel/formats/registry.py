@@ -9,10 +9,10 @@ from __future__ import annotations
 import os
 from abc import abstractmethod
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cache
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import kurbel.formats
 from kurbel.errors import ChoiceError, FormatError
@@ -20,7 +20,13 @@ from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
 
 if TYPE_CHECKING:
     from kurbel.documents.inject import Kind
-    from kurbel.formats.writer import CompiledWriter, PageWriter, RecordsWriter, WorkbookWriter
+    from kurbel.formats.writer import (
+        CompiledWriter,
+        DocumentWriter,
+        PageWriter,
+        RecordsWriter,
+        WorkbookWriter,
+    )
     from kurbel.page.table import Table
 
 # What is printed where nobody asks for a format.
@@ -41,7 +47,7 @@ class Format:
     `RecordsFormat` and `CompiledFormat`.
     """
 
-    kind: ClassVar[Literal["page", "records", "compiled", "workbook"]]
+    kind: ClassVar[Literal["page", "records", "compiled", "workbook", "document"]]
     name: str
     rank: int
     suffixes: tuple[str, ...]
@@ -52,13 +58,16 @@ class Format:
     standalone: bool = False
     breaks: bool = False
     siunitx: bool = False
+    plain: bool = False
     excel: bool = False
     figures: str = ""
     folder: str = ""
     marked: bool = False
     draws: bool = False
     interactive: bool = False
-    engines: Mapping[str, Engine] = field(default_factory=dict)
+    source: str = ""
+    sources: tuple[str, ...] = ()
+    standards: tuple[str, ...] = ()
     variant: str = "Writer"
 
     def decimal_name(self, lang: str, decimal: str | None = None) -> str:
@@ -112,20 +121,6 @@ class RecordsFormat(Format):
         return replace(self, variant="ForExcel", decimal="language") if self.excel else self
 
 
-class Engine(NamedTuple):
-    """What sets a whole document as bytes: of that in which format, and from files with these suffixes.
-
-    `standards` are those that it can keep. One that `grows` takes the memory of whoever calls it, where
-    others are processes of their own. One that `obeys` runs what a template may have written.
-    """
-
-    source: str
-    suffixes: tuple[str, ...]
-    standards: tuple[str, ...] = ()
-    grows: bool = False
-    obeys: bool = False
-
-
 class BytesFormat(Format):
     """A format that is bytes and no text: a file, always a whole document."""
 
@@ -138,10 +133,8 @@ class BytesFormat(Format):
 
 
 class CompiledFormat(BytesFormat):
-    """A format of bytes, made of the document in another format.
-
-    `engines` are, by their names, what can set whole documents; the first does unless another one is named.
-    """
+    """A format of bytes, made of the document in another format, the `source`, and of files with the suffixes
+    `sources`; it can keep the `standards`."""
 
     kind = "compiled"
     no_text = "a {name} is bytes and no text; make it with kurbel.typeset_{name}"
@@ -153,6 +146,10 @@ class CompiledFormat(BytesFormat):
 
     def content(self, table: Table, decimal: str | None) -> bytes:
         return self.writer.compiled(table, decimal)
+
+    def remarks(self, table: Table, breaks: bool) -> Iterator[str]:
+        rows = (row for panel in table.panels for row in panel.rows())
+        yield from self.writer.remarks(sum(len(row.stub) + len(row.cells) for row in rows))
 
 
 class WorkbookFormat(BytesFormat):
@@ -179,14 +176,29 @@ class WorkbookFormat(BytesFormat):
         yield from remarks(table)
 
 
+class DocumentFormat(BytesFormat):
+    """A format of an office's documents: pages, and whole handbooks of them."""
+
+    kind = "document"
+    no_text = "a {name} is bytes and no text; write it with the method save of a table: save('table.{name}')"
+
+    @property
+    def writer(self) -> DocumentWriter:
+        writer: DocumentWriter = self.module("writer").Writer()
+        return writer
+
+    def content(self, table: Table, decimal: str | None) -> bytes:
+        return self.writer.written(table, decimal)
+
+
 class PageFormat(Format):
     """A format of pages.
 
     `standalone` tells that a whole page differs from a fragment, `breaks` that a table longer than a page can
-    be told to break, `siunitx` that its numbers can be left to that package. A format of whole documents has
-    their `figures` as files of that suffix, and a `folder` if a document is many files. An author's own
-    documents can be `marked` with places for tables, and have drawings there if the format `draws`. An
-    `interactive` one shows the steps of a page.
+    be told to break, `siunitx` that its numbers can be left to that package, `plain` that it has a form for
+    authors to go on with. A format of whole documents has their `figures` as files of that suffix, and a
+    `folder` if a document is many files. An author's own documents can be `marked` with places for tables,
+    and have drawings there if the format `draws`. An `interactive` one shows the steps of a page.
     """
 
     kind = "page"
@@ -201,7 +213,7 @@ class PageFormat(Format):
 
     def remarks(self, table: Table, breaks: bool) -> Iterator[str]:
         if not breaks and self.is_tall(table):
-            yield "the table is longer than a page; --longtable lets it break"
+            yield "the table is longer than a page; it is set in parts, with --longtable where it stands"
         if self.breaks:
             yield from self.writer.remarks(table)
 
@@ -280,9 +292,7 @@ def for_suffix(path: str) -> Format:
             return entry
     drawings = (f".{name}" for name in DRAWINGS)
     known = ", ".join((*(one for entry in FORMATS.values() for one in entry.suffixes), *drawings))
-    word = (
-        "; Word takes -f html through pandoc, see docs/howto/word.md" if suffix in (".doc", ".docx") else ""
-    )
+    word = "; Word opens .docx" if suffix == ".doc" else ""
     raise ChoiceError(f"the file name {str(path)!r} names no format; its suffix must be one of {known}{word}")
 
 

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, BinaryIO, TypeAlias
 
 from kurbel.errors import ChoiceError, OutputError
 from kurbel.formats.registry import BytesFormat, PageFormat, RecordsFormat, by_name
-from kurbel.page.labels import plain
+from kurbel.page import labels
 from kurbel.page.layouts import template_folder
 from kurbel.page.table import Table
 
@@ -44,6 +44,7 @@ def render(
     standalone: bool = False,
     longtable: bool = False,
     siunitx: bool = False,
+    plain: bool = False,
     excel: bool = False,
     width: int | None = None,
     templates: str | None = None,
@@ -54,9 +55,10 @@ def render(
     `decimal` is "comma" or "point"; by default it follows the language of the table, and is a point in CSV
     and JSON. `standalone` makes a document of what is otherwise a fragment, in the formats that have
     documents; `longtable` lets a table break over pages, in the formats where it would not, and `siunitx`
-    leaves its numbers to that package, in LaTeX. With `excel` CSV is as Excel opens it: with a byte order
-    mark, the decimal mark of the language, and no ratio that would be a time. JSON has only points. Plain
-    text is fitted into `width` characters; with `colours` it has verdicts in the colours of terminals.
+    leaves its numbers to that package, and `plain` is what an author would type, in LaTeX. With `excel` CSV
+    is as Excel opens it: with a byte order mark, the decimal mark of the language, and no ratio that would be
+    a time. JSON has only points. Plain text is fitted into `width` characters; with `colours` it has verdicts
+    in the colours of terminals.
 
     `templates` is a folder whose templates outdo ours of the same names; by default it is the one that the
     table's layout lies in, if that is the user's. They run in a sandbox; one that cannot be used is a
@@ -74,7 +76,7 @@ def render(
 
     mark, writer = form.decimal_mark(table.lang, decimal), form.writer
     ready = page(table, writer, mark)
-    wishes = Wishes(longtable, siunitx, standalone, width, colours)
+    wishes = Wishes(longtable, siunitx, plain, standalone, width, colours)
     values = {"page": ready, **writer.values(table, ready, mark, wishes)}
 
     def filled(name: str, more: dict[str, str]) -> str:
@@ -87,7 +89,7 @@ def render(
             around = writer.stepped(table, fragment, set_page, mark)
             fragment = filled(f"{form.name}.steps", around)
     if standalone and form.standalone:
-        title = writer.escape(plain(table.caption, mark))
+        title = writer.escape(labels.plain(table.caption, mark))
         return filled(f"{form.name}.document", {"fragment": fragment, "title": title})
     return fragment
 

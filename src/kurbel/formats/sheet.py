@@ -106,28 +106,32 @@ class Workbook(NamedTuple):
 
 
 class Run(NamedTuple):
-    """A piece of a text; letters of formulas are italic."""
+    """A piece of a text; letters of formulas are italic, and indices are `low`."""
 
     text: str
     italic: bool = False
+    low: bool = False
 
 
-# Around letters of formulas, until a cell is written; no text that is typed may have them.
-_ON, _OFF = "\ue000", "\ue001"
-_RUN = re.compile(f"{_ON}([^{_OFF}]*){_OFF}")
+# Around letters of formulas and around indices, until a cell is written; no text that is typed may have them.
+_ON, _OFF, _LOW, _LEVEL = _MARKS = "\ue000\ue001\ue002\ue003"
+_MARK = re.compile(f"([{_MARKS}])")
 # What XML cannot have.
-_CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ue000\ue001\ufffe\uffff]")
+_CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]")
 
 
 class SheetWriter(PageWriter):
-    """Sets labels as plain text, in which letters of formulas are marked as italic."""
+    """Sets labels as plain text, in which letters of formulas are marked as italic, and indices as low."""
 
     def escape(self, prose: str) -> str:
-        return prose.replace(_ON, "\ufffd").replace(_OFF, "\ufffd")
+        return _MARK.sub("\ufffd", prose)
 
     def formula(self, formula: tree.Formula, mark: str, display: bool = False) -> str:
-        slanted = formula._replace(content=_slanted(formula.content))
-        return formula_plain(slanted, mark).replace(" ", "\u00a0")
+        return _plain(_slanted(formula.content), mark).replace(" ", "\u00a0")
+
+
+def _plain(nodes: tree.Nodes, mark: str = ".") -> str:
+    return formula_plain(tree.Formula(nodes), mark)
 
 
 def _slanted(nodes: tree.Nodes) -> tree.Nodes:
@@ -147,22 +151,36 @@ def _slanted_node(node: tree.Node) -> tree.Node:
         case tree.Fraction(top, bottom):
             return tree.Fraction(_slanted(top), _slanted(bottom))
         case tree.Script(base, index, power):
-            # Small letters are characters of their own.
-            return tree.Script(_slanted_node(base), index, power)
+            if all(isinstance(node, tree.Numeral) for node in index):
+                # Small figures are characters of their own; not all letters have small ones.
+                return tree.Script(_slanted_node(base), index, power)
+            raised = _plain((tree.Script(tree.Upright(""), (), power),)) if power else ""
+            # One node, as it was, for what stands beside several is set in parentheses.
+            return tree.Upright(
+                f"{_plain((_slanted_node(base),))}{_LOW}{_plain(_slanted(index))}{_LEVEL}{raised}"
+            )
     return node
 
 
 def runs(text: str) -> tuple[Run, ...]:
     """Return the pieces of a text that was set."""
-    pieces = _RUN.split(text.replace(f"{_OFF}{_ON}", ""))
-    return tuple(
-        Run(_CONTROL.sub("\ufffd", piece), place % 2 == 1) for place, piece in enumerate(pieces) if piece
-    )
+    found: list[Run] = []
+    italic = low = False
+    for piece in _MARK.split(text):
+        if piece in _MARKS and piece:
+            italic = piece == _ON if piece in (_ON, _OFF) else italic
+            low = piece == _LOW if piece in (_LOW, _LEVEL) else low
+        elif piece:
+            run = Run(_CONTROL.sub("\ufffd", piece), italic, low)
+            if found and found[-1][1:] == run[1:]:
+                run = run._replace(text=found.pop().text + run.text)
+            found.append(run)
+    return tuple(found)
 
 
 def bare(text: str) -> str:
     """Return a text that was set without its marks."""
-    return _RUN.sub(r"\1", text)
+    return _MARK.sub("", text)
 
 
 def figures_wide(text: str) -> float:

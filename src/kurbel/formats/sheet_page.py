@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 from dataclasses import replace
 from itertools import chain, zip_longest
 from math import ceil
@@ -29,8 +29,9 @@ from kurbel.page.table import Cell, Group, HeadCell, Panel, Row, Table
 # In points: a line of the text, of notes and of the caption, and the space before rows that are set apart.
 LINE, SMALL_LINE, CAPTION_LINE = 15.0, 12.5, 17.0
 PAUSE, APART, BELOW_HEAD = 5.0, 8.0, 3.0
-# In figures: the space between columns; the widest column of words; what notes have at the least.
-BETWEEN, WIDEST_WORDS, LEAST_PROSE = 2.2, 60.0, 68.0
+# In figures: the space between columns; the column that ends a spanner's rule before another begins; the
+# widest column of words; what notes have at the least.
+BETWEEN, APART_RULES, WIDEST_WORDS, LEAST_PROSE = 2.2, 0.8, 60.0, 68.0
 # Words are wider in some faces than they are reckoned here.
 WORDS = 1.06
 # What keeps words clear of figures on their left.
@@ -98,7 +99,15 @@ class _Draft:
         self.looks: dict[Look, Look] = {}
         self.heights: dict[int, float] = {}
         self.row = 0
-        self.widths = [max(column) for column in zip_longest(*map(_widths, ready.panels), fillvalue=0.0)]
+        widths = [max(column) for column in zip_longest(*map(_widths, ready.panels), fillvalue=0.0)]
+        spanners = chain.from_iterable(chain.from_iterable(panel.spanners for panel in ready.panels))
+        parted = {cell.first for cell in spanners if cell.first}
+        # Where the columns of the page stand in the sheet.
+        self.places = [place + sum(one <= place for one in parted) for place in range(len(widths))]
+        self.gaps = [self.places[place] - 1 for place in sorted(parted)]
+        self.widths = [APART_RULES] * (len(widths) + len(parted))
+        for place, width in zip(self.places, widths, strict=True):
+            self.widths[place] = width
         self.prose = self._columns_of_prose()
 
     def sheet(self, name: str) -> Sheet:
@@ -116,7 +125,8 @@ class _Draft:
             self.body(panel, model)
         self.below()
         whole = len(ready.panels) == 1
-        stubs = ready.panels[0].stubs if sum(self.widths[: ready.panels[0].stubs]) < WIDEST_WORDS else 0
+        stubs = self.places[ready.panels[0].stubs] if ready.panels[0].stubs < len(self.places) else 0
+        stubs = stubs if sum(self.widths[:stubs]) < WIDEST_WORDS else 0
         return Sheet(
             name,
             tuple(self.cells),
@@ -151,17 +161,23 @@ class _Draft:
             alone = [len(cell.lines) for cell in row if cell.down == 1]
             # What reaches down has its lines in the last row at the latest.
             tall = [len(cell.lines) - (cell.down - 1) for cell in chain(*panel.head) if cell.down > 1]
-            last = level == deepest - 1
-            self.heights[self.row] = max(alone + (tall if last else []) + [1]) * LINE + 3
+            last_row = level == deepest - 1
+            self.heights[self.row] = max(alone + (tall if last_row else []) + [1]) * LINE + 3
+            covered = set()
             for cell in row:
-                self.put(
-                    cell.first,
-                    "\n".join(cell.lines),
-                    self.head_look(panel, cell, level),
-                    cell.across,
-                    cell.down,
-                )
+                first, last = self.places[cell.first], self.places[cell.last]
+                look = self.head_look(panel, cell, level)
+                self.put(first, "\n".join(cell.lines), look, last - first + 1, cell.down)
+                covered |= {*range(first, last + 1)}
+            rule = Look("head", above="" if level else "heavy", below="thin" if last_row else "")
+            self.between(rule, covered)
             self.row += 1
+
+    def between(self, look: Look, covered: Container[int] = ()) -> None:
+        """Have rules go on through the columns that part spanners."""
+        for gap in self.gaps if look.above or look.below else ():
+            if gap not in covered:
+                self.put(gap, None, look)
 
     def head_look(self, panel: PagePanel, cell: HeadCell, level: int) -> Look:
         above: Rule = "" if level else "heavy"
@@ -174,7 +190,7 @@ class _Draft:
         for place, (group, own) in enumerate(zip(panel.groups, model.groups, strict=True)):
             if group.label:
                 self.heights[self.row] = LINE + APART
-                self.put(0, group.label, Look("group"), len(panel.columns))
+                self.put(0, group.label, Look("group"), self.places[len(panel.columns) - 1] + 1)
                 self.row += 1
             is_last = place == len(panel.groups) - 1
             for number, (row, cells) in enumerate(zip(group.rows, own.rows, strict=True)):
@@ -195,12 +211,17 @@ class _Draft:
             look = Look("body", column.align, "", below, wraps=lines > 1)
             if not cell.down:
                 # What stands for several rows is not merged: rows can be sorted, and stand on one line.
-                self.put(place, None, look)
+                self.put(self.places[place], None, look)
             elif isinstance(own.value, Number) and column.kept:
-                self.put(place, own.value, column.of_number(look, cell, own.value))
+                self.put(self.places[place], own.value, column.of_number(look, cell, own.value))
             else:
                 centred = cell.kind == "missing" and column.align == "right"
-                self.put(place, cell.text + cell.marks, look._replace(align="center") if centred else look)
+                self.put(
+                    self.places[place],
+                    cell.text + cell.marks,
+                    look._replace(align="center") if centred else look,
+                )
+        self.between(Look("body", below=below))
         if space or lines > 1:
             self.heights[self.row] = lines * LINE + space
         self.row += 1
@@ -209,7 +230,7 @@ class _Draft:
         """Return how many lines a cell of the body needs."""
         if cell.kind != "label" or not cell.down:
             return 1
-        return max(1, ceil(figures_wide(cell.text + cell.marks) / (self.widths[place] - 0.5)))
+        return max(1, ceil(figures_wide(cell.text + cell.marks) / (self.widths[self.places[place]] - 0.5)))
 
     def below(self) -> None:
         """Put the notes and the source below the panels."""

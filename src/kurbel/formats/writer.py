@@ -17,6 +17,7 @@ from kurbel.page.labels import formula_plain, mark_text
 from kurbel.page.table import HeadCell, Table
 
 if TYPE_CHECKING:
+    from kurbel.documents.document import Document
     from kurbel.formats.columns import Field
     from kurbel.formats.page import Page, PagePanel
     from kurbel.formats.sheet import Workbook
@@ -51,7 +52,11 @@ class CompiledWriter(ABC):
         """Return the page as a document."""
 
     @abstractmethod
-    def whole(self, folder: str, engine: str, standards: Sequence[str], read: Callable[[str], str]) -> bytes:
+    def remarks(self, cells: int) -> Iterator[str]:
+        """Yield what is to be known, before it is made, of a document of so many cells."""
+
+    @abstractmethod
+    def whole(self, folder: str, standards: Sequence[str], read: Callable[[str], str]) -> bytes:
         """Return the handbook whose documents lie in the folder; `read` returns one of them as text."""
 
 
@@ -63,13 +68,30 @@ class WorkbookWriter(ABC):
         """Return the workbook as a file."""
 
 
+class DocumentWriter(ABC):
+    """Writes documents of an office."""
+
+    @abstractmethod
+    def written(self, table: Table, decimal: str | None) -> bytes:
+        """Return the page as a document."""
+
+    @abstractmethod
+    def kept(self, table: Table, decimal: str | None, templates: str | None = None) -> str:
+        """Return the page as it waits for a handbook."""
+
+    @abstractmethod
+    def whole(self, document: Document, fragments: Mapping[str, bytes], templates: str | None) -> bytes:
+        """Return a handbook, of the pages that waited and of drawings."""
+
+
 class Wishes(NamedTuple):
     """How a page is to be written beside its decimal mark: whether it may break over pages, has numbers as
-    they are typed, for siunitx, and stands `alone` in its document; on a terminal no wider than `width`
-    characters, and in `colours`."""
+    they are typed, for siunitx, is `plain` as an author writes it, and stands `alone` in its document; on a
+    terminal no wider than `width` characters, and in `colours`."""
 
     longtable: bool = False
     siunitx: bool = False
+    plain: bool = False
     alone: bool = False
     width: int | None = None
     colours: bool = False

@@ -14,11 +14,12 @@ from kurbel.formats.registry import FORMATS, BytesFormat
 from kurbel.handbook.folder import Done, Folder, digest, is_own, key_of
 from kurbel.handbook.inputs import UNKNOWN, digest_of, fingerprint, glance
 from kurbel.handbook.manifest import Manifest, Part
-from kurbel.handbook.model import COMPILED, ENGINES
-from kurbel.handbook.pages import Failure, document_of, fragment_paths, make_document, make_pdf, program_of
+from kurbel.handbook.model import COMPILED
+from kurbel.handbook.pages import Failure, document_of, fragment_paths, make_document, make_pdf
 from kurbel.handbook.pool import KILLED, PDF_STOPPED, Made, Piece, Task, Worked, worked
 
 PDF = COMPILED.name
+WAITING = "another build of this handbook is under way; waiting for its end"
 # Makes a part; raises KurbelError if it cannot be made.
 Maker = Callable[[Task], Made]
 # Is given what comes of the steps and how many there are, and passes it on.
@@ -43,31 +44,26 @@ def build(
     make: Maker,
     jobs: int,
     bar: Bar,
-    waiting: Callable[[], None] = lambda: None,
+    tell: Callable[[str], None] = lambda _: None,
     by: Worked = worked,
 ) -> list[Build]:
     """Build what changed and return the builds, which know what was done.
 
     `make` makes a part, perhaps in another process, `by` whom it is worked; `bar` sees the parts pass as they
-    are made; `waiting` is called if another build of the same folder is under way. Parts that fail are in the
-    report of their build, and the others are built; a folder that cannot be used ends its own build alone.
+    are made; `tell` is told what is worth a word before it begins. Parts that fail are in the report of their
+    build, and the others are built; a folder that cannot be used ends its own build alone.
     """
     builds = [Build(one.manifest, one.folder, one.only) for one in handbooks]
     with ExitStack() as held:
         # In the same order always, or two builds would wait for one another.
         for one in sorted(builds, key=lambda one: os.path.realpath(one.folder.path)):
             with one.ending():
-                held.enter_context(one.folder.locked(waiting))
+                held.enter_context(one.folder.locked(partial(tell, WAITING)))
         _work(builds, lambda one: one.parts(make), jobs, bar, by)
         for one in builds:
             _work([one], Build.documents)
-        # Typst takes much memory to set many pages, in a process of its own. A TeX is one by itself, and is
-        # ended by whoever started it: the end of this build must reach it.
-        grown = [one for one in builds if ENGINES[one.manifest.pdf.engine].grows]
-        _work(grown, Build.pdf, jobs)
-        for one in builds:
-            if one not in grown:
-                _work([one], Build.pdf)
+        # Typst takes much memory to set many pages, in a process of its own.
+        _work(builds, lambda one: one.pdf(tell), jobs)
         for one in builds:
             if not one.ended:
                 with one.ending():
@@ -113,7 +109,7 @@ class Build:
         # Beside a layout there may be templates of its own.
         self.apart = manifest.templates is not None or manifest.layouts is not None
         # A PDF brings along what it is set from.
-        source = {ENGINES[manifest.pdf.engine].source} if PDF in manifest.formats else set()
+        source = {COMPILED.source} if PDF in manifest.formats else set()
         self.formats = tuple(name for name in FORMATS if name in {*manifest.formats, *source} - {PDF})
         # What documents are made of beside their own format.
         figures = tuple(sorted({FORMATS[name].figures for name in self.formats} - {""}))
@@ -276,26 +272,26 @@ class Build:
             return None
         return read
 
-    def pdf(self) -> list[Piece]:
+    def pdf(self, tell: Callable[[str], None]) -> list[Piece]:
         """Return the PDF if anything that it is made of changed."""
         if PDF not in self.manifest.formats or self.only is not None:
             return []
-        engine, standards = self.manifest.pdf.engine, self.manifest.pdf.standards
-        source, name = _named(ENGINES[engine].source), _named(PDF)
+        standards = self.manifest.pdf.standards
+        source, name = _named(COMPILED.source), _named(PDF)
         if source not in self.new or any(failure.name == source for failure in self.failures):
             self.keep(name)
             return []
         hashes = _hashes(self.new)
         # In order: they were made in any.
-        used = {path: hashes[path] for path in sorted(hashes) if path.endswith(ENGINES[engine].suffixes)}
-        key = key_of(
-            self.print, engine, standards, os.environ.get("SOURCE_DATE_EPOCH"), program_of(engine), used
-        )
-        if self.is_made(name, key) or self.read(name, used) is None:
+        used = {path: hashes[path] for path in sorted(hashes) if path.endswith(COMPILED.sources)}
+        key = key_of(self.print, standards, os.environ.get("SOURCE_DATE_EPOCH"), used)
+        if self.is_made(name, key) or (read := self.read(name, used)) is None:
             return []
-        work = partial(make_pdf, self.folder.path, engine, standards, self.apart)
+        for remark in COMPILED.writer.remarks(sum(content.count(b"[") for content in read.values())):
+            tell(f"{self.folder.path}: {remark}")
+        work = partial(make_pdf, self.folder.path, standards, self.apart)
         killed = PDF_STOPPED if self.apart else KILLED
-        return [Piece(name, key, work, self, 0, ENGINES[engine].grows, killed)]
+        return [Piece(name, key, work, self, 0, True, killed)]
 
 
 def _hashes(state: Mapping[str, Done]) -> dict[str, str]:

@@ -27,16 +27,14 @@ import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from msgspec.structs import asdict, replace
+from msgspec.structs import asdict
 
 from kurbel.errors import HandbookError, OutsideError
 from kurbel.handbook.model import (
     LONGEST_NAME,
     ChapterKeys,
-    EngineName,
     HandbookKeys,
     PartKeys,
-    check_engine,
     default_options,
     is_file_name,
     slug,
@@ -105,11 +103,6 @@ class Manifest(HandbookKeys, frozen=True, kw_only=True):
     def parts(self) -> Iterator[Part]:
         for chapter in self.chapters:
             yield from chapter.parts
-
-    def set_by(self, engine: str) -> Manifest:
-        """Return the manifest with its PDF set by an engine; raise HandbookError for one that cannot."""
-        check_engine(engine, self.pdf.standards, self.templates or self.layouts)
-        return replace(self, pdf=replace(self.pdf, engine=EngineName(engine)))
 
 
 def manifest_path(given: str) -> str:
@@ -188,12 +181,7 @@ class _Reader:
         if sum(len(chapter.parts) for chapter in chapters) > MOST_PARTS:
             self.wrong((), f"the handbook has more than {MOST_PARTS} parts; make two of it")
         once = {"formats": tuple(dict.fromkeys(given.formats)), "outside": self.outside}
-        manifest = Manifest(path=os.fspath(self.file.path), chapters=chapters, **asdict(given) | once)
-        try:
-            return manifest.set_by(given.pdf.engine)
-        except HandbookError as error:
-            self.wrong(("pdf", "engine"), error)
-            return manifest
+        return Manifest(path=os.fspath(self.file.path), chapters=chapters, **asdict(given) | once)
 
     def check_apart(self, key: str, own: str | None, output: str) -> None:
         """Note a folder that lies in that of the output, or that in it."""

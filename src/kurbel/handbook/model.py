@@ -6,7 +6,7 @@ import hashlib
 import json
 import os
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from datetime import date, datetime
 from functools import cache
 from typing import Annotated, Any, ClassVar, Self
@@ -23,9 +23,7 @@ from kurbel.reading.toml_file import A_TEXT, Choice, Fault, about, within
 
 SCHEMA = "handbook.schema.json"
 COMPILED = compiled_format()
-ENGINES = COMPILED.engines
 LONGEST_NAME = 60
-STANDARDS = tuple(dict.fromkeys(one for engine in ENGINES.values() for one in engine.standards))
 
 
 @cache
@@ -37,19 +35,6 @@ def default_options() -> tuple[str, ...]:
     with open(os.path.join(os.path.dirname(__file__), SCHEMA), encoding="utf-8") as file:
         published: dict[str, Any] = json.load(file)
     return tuple(published["properties"]["defaults"]["properties"])
-
-
-def check_engine(engine: str, standards: Sequence[str], templates: str | None) -> None:
-    """Raise HandbookError if the engine cannot keep the standards, or would obey templates too well."""
-    if standards and not ENGINES[engine].standards:
-        keeping = " or ".join(name for name, one in ENGINES.items() if one.standards)
-        raise HandbookError(f"{engine} keeps no standards such as {standards[0]}; they are for {keeping}")
-    if templates and ENGINES[engine].obeys:
-        others = " or ".join(name for name, one in ENGINES.items() if not one.obeys)
-        raise HandbookError(
-            f"{engine} runs whatever programs in Lua templates of one's own write, also into other folders;"
-            f" set their PDF with {others}"
-        )
 
 
 FORMATS_OF_A_HANDBOOK = sorted(
@@ -64,10 +49,6 @@ class Lang(Choice, what="language", allowed=LANGUAGES):
 
 class Decimal(Choice, what="decimal mark", allowed=DECIMALS):
     """A decimal mark."""
-
-
-class EngineName(Choice, what="engine", allowed=ENGINES):
-    """What sets the PDF."""
 
 
 class Choices(tuple[str, ...]):
@@ -92,7 +73,7 @@ class Formats(Choices, what="format", allowed=FORMATS):
     """What is built."""
 
 
-class Standards(Choices, what="standard", allowed=STANDARDS):
+class Standards(Choices, what="standard", allowed=COMPILED.standards):
     """What a PDF keeps."""
 
 
@@ -212,12 +193,10 @@ class ChapterKeys(Struct, frozen=True, forbid_unknown_fields=True):
 
 class PdfKeys(Struct, frozen=True, forbid_unknown_fields=True):
     NOUN: ClassVar = "key of [pdf]"
+    GONE: ClassVar = {"engine": "Typst sets the PDF; for that of a TeX, let it compile handbook.tex"}
     SHAPE: ClassVar = "a section"
 
-    engine: Annotated[EngineName, about("what sets the PDF: typst, or lualatex or latexmk of a TeX")] = (
-        EngineName(next(iter(ENGINES)))
-    )
-    standards: Annotated[Standards, about("standards that the PDF keeps; for typst")] = Standards()
+    standards: Annotated[Standards, about("standards that the PDF keeps")] = Standards()
 
 
 class HandbookKeys(Struct, frozen=True, forbid_unknown_fields=True):

@@ -7,24 +7,24 @@ from collections.abc import Mapping
 from contextlib import nullcontext
 from functools import partial
 from itertools import count, repeat
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.documents import prose
 from kurbel.documents.document import PLACE, Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats.apart import deadline
-from kurbel.formats.registry import FORMATS, WorkbookFormat
+from kurbel.formats.registry import FORMATS, DocumentFormat, WorkbookFormat
 from kurbel.handbook.folder import LARGEST, SHEETS
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
-from kurbel.handbook.model import COMPILED, ENGINES
+from kurbel.handbook.model import COMPILED
 from kurbel.handbook.pool import PDF_PATIENCE, About, Made
 from kurbel.page.labels import primed
 from kurbel.reading.given import File, did_you_mean
 from kurbel.reading.inside import HANDBOOK
 
 WORDS = {"de": "Fehlt", "en": "Missing"}
-# Where the sheet of a table waits for its workbook.
-SHEET = f"{SHEETS}/{{}}.json"
+# Where the sheet of a table waits for its workbook, and its page for a document of Word.
+SHEET, PAGE = f"{SHEETS}/{{}}.json", f"{SHEETS}/{{}}.html"
 
 
 class Failure(NamedTuple):
@@ -138,7 +138,8 @@ def _printable(text: str) -> str:
 def fragment_paths(document: Document, name: str) -> dict[str, str]:
     """Return, by the names of tables and figures, the files that the document in a format is made of."""
     form = FORMATS[name]
-    table = SHEET if isinstance(form, WorkbookFormat) else f"tables/{{}}{form.suffixes[0]}"
+    waiting = {"workbook": SHEET, "document": PAGE}
+    table = waiting.get(form.kind, f"tables/{{}}{form.suffixes[0]}")
     ways = {"table": table, "figure": f"figures/{{}}.{form.figures}"}
     return {item.name: ways[item.kind].format(item.name) for item in document.items(*ways)}
 
@@ -157,6 +158,10 @@ def make_document(
     from kurbel.formats.documents import document_files
     from kurbel.formats.render import as_one_page
 
+    if isinstance(form, DocumentFormat):
+        with as_one_page(templates):
+            return Made({f"handbook{form.suffixes[0]}": form.writer.whole(document, fragments, templates)})
+
     # Drawings in PDF are files beside the document and no text.
     texts = {name: content.decode("utf-8", "replace") for name, content in fragments.items()}
     with as_one_page(templates):
@@ -164,24 +169,15 @@ def make_document(
     return Made({path: text.encode() for path, text in files.items()})
 
 
-def make_pdf(folder: str, engine: str, standards: tuple[str, ...], limited: bool) -> Made:
+def make_pdf(folder: str, standards: tuple[str, ...], limited: bool) -> Made:
     """Return the PDF of the documents in a folder.
 
-    It is `limited` where templates may have written its source, which is then not trusted. A TeX is a process
-    of its own, with a time of its own: it would outlive this one.
+    It is `limited` where templates may have written its source, which is then not trusted.
     """
     read = partial(_document_in, folder)
-    with deadline(PDF_PATIENCE, None) if limited and ENGINES[engine].grows else nullcontext():
-        return Made({f"handbook.{COMPILED.name}": COMPILED.writer.whole(folder, engine, standards, read)})
+    with deadline(PDF_PATIENCE, None) if limited else nullcontext():
+        return Made({f"handbook.{COMPILED.name}": COMPILED.writer.whole(folder, standards, read)})
 
 
 def _document_in(folder: str, name: str) -> str:
     return _text_of(os.path.join(folder, name), LARGEST)
-
-
-def program_of(engine: str) -> list[Any]:
-    """Return what tells a TeX from another: its program, not its packages. The fingerprint tells a Typst."""
-    import shutil
-
-    path = shutil.which(engine)
-    return [] if path is None else [path, os.stat(path).st_mtime_ns]

@@ -146,13 +146,23 @@ def own_grid(question: Question) -> tuple[Layout, Grid]:
 def shown_at(question: Question, column: Column, place: Place) -> Value:
     """Return the number, or degrees and minutes; of what has no minutes, whole degrees."""
     if not column.quantity.minutes:
-        return question.number(column, place)
+        number = question.number(column, place)
+        if question.layout.bare_zeros and number == Number(0, column.places) and _is_zero(question, place):
+            return Number(0, 0)
+        return number
     whole = column._replace(decimals=0)
     minutes = question.number(whole, place, 60)
     if isinstance(minutes, Number):
         return f"${degrees_text(Fraction(minutes.scaled, 60))}$"
     degrees = question.number(whole, place)
     return f"${degrees.scaled}°$" if isinstance(degrees, Number) else None
+
+
+def _is_zero(question: Question, place: Place) -> bool:
+    """Tell whether a number is zero to all digits that can be printed, not only to those of its column."""
+    finest = question.finest
+    number = finest.number(finest.page_columns[place.get("column", 0)], place)
+    return isinstance(number, Number) and not number.scaled
 
 
 def records_of(question: Question) -> Records:

@@ -162,6 +162,9 @@ class LayoutFile:
         Annotated[int, within(0, LARGEST_BLOCK)], about("most columns of one panel; 0: no limit")
     ] = 0
     pairs: Annotated[bool, about("whether an angle stands over its mirror image")] = False
+    bare_zeros: Annotated[bool, about("whether what is exactly zero is printed as 0, without decimals")] = (
+        False
+    )
     formulas: Annotated[bool, about("whether formulas stand below the table")] = True
     pause: Annotated[
         Annotated[int, within(0, LARGEST_BLOCK)] | None,

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from copy import copy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, cached_property
 from math import prod
@@ -348,6 +348,11 @@ class Question(Worded, Given):
             column.decimals,
             " - ".join(column.methods),
         )
+
+    @cached_property
+    def finest(self) -> "Question":
+        """The same to as many decimals as can be asked for."""
+        return replace(self, digits=MOST_DIGITS)
 
     def number(self, column: Column, place: Place, times: int = 1) -> Value:
         """Return what stands at a place, times a factor; None where the column says nothing of it."""

@@ -13,7 +13,7 @@ from kurbel.reading.given import did_you_mean
 Words = ParamSpec("Words")
 Answer = TypeVar("Answer")
 # What says how a page is written, and not what stands on it.
-WRITING = frozenset(("format", "decimal", "output", "standalone", "longtable", "siunitx", "excel"))
+WRITING = frozenset(("format", "decimal", "output", "standalone", "longtable", "siunitx", "plain", "excel"))
 
 
 def checks_keywords(function: Callable[Words, Answer]) -> Callable[Words, Answer]:

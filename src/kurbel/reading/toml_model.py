@@ -2,7 +2,7 @@
 
 A model is a msgspec Struct, or a dataclass, whose fields have a `Meta` that describes them for editors. A
 field may also be of a class with `read`, which makes it of what the file says, and with the SCHEMA of that. A
-model may say what its keys are called in NOUN, and what it is in SHAPE.
+model may say what its keys are called in NOUN, what it is in SHAPE, and what replaces a key of old in GONE.
 """
 
 from __future__ import annotations
@@ -99,6 +99,9 @@ def _faults_in(given: Any, shape: inspect.Type, place: Place) -> Iterator[tuple[
 def _of_keys(given: Mapping[str, Any], shape: KEYED, place: Place) -> Iterator[tuple[Place, str]]:
     fields = {field.encode_name: field for field in shape.fields}
     for key, value in given.items():
+        if gone := getattr(shape.cls, "GONE", {}).get(key):
+            yield (*place, key), gone
+            continue
         try:
             choose(key, fields, getattr(shape.cls, "NOUN", f"entry of [{_dotted(place)}],"))
         except KurbelError as error:

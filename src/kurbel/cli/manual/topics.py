@@ -140,7 +140,9 @@ TOPICS = (
     ),
     Topic("drawing", "The drawing", "width height polar over_path infinite text animate seconds", "output"),
     Topic(
-        "output", "The output", "output format interactive standalone longtable siunitx excel dry_run help"
+        "output",
+        "The output",
+        "output format interactive standalone longtable siunitx plain excel dry_run help",
     ),
 )
 # Of each command the ten or fifteen options that one needs first; the topic of the first one leads its help.

@@ -20,7 +20,7 @@ import flint
 
 from kurbel.balance.harmonics import MOST_ORDERS
 from kurbel.engine.harmonics.quadrature import Sample, Samples, sampled
-from kurbel.engine.speed.integral import Span, spans
+from kurbel.engine.speed.course import Span, spans
 from kurbel.engine.turn import Turn
 from kurbel.exact.certify import ball
 from kurbel.exact.continued import Continued, continued, half_turn_circle

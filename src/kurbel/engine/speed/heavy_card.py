@@ -1,4 +1,4 @@
-"""The speed over the turn with moving masses by an indicator card: what heavy.py does in balls, in floats."""
+"""The speed over the turn with moving masses by an indicator card: in floats what solved.py does in balls."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from kurbel.drive.wheel import Wheel
 from kurbel.engine.card.turn import CardTurn
 from kurbel.engine.cylinder import Cylinder
 from kurbel.engine.speed.card import CardRun, Floats
-from kurbel.engine.speed.moving import course_at, kinetic_energy
 from kurbel.engine.speed.run import AnyRun
 from kurbel.engine.speed.samples import SAMPLES, Sampled, top
 from kurbel.kernel.circle import Number
@@ -23,8 +22,8 @@ class HeavyCardRun(CardRun):
     def __init__(self, turn: CardTurn, wheel: Wheel) -> None:
         # Without masses, whether it comes to rest is known by the excess alone.
         AnyRun.__init__(self, turn, wheel)
-        self._begun = course_at(turn, turn.begun())
-        mean, first = abs(float(turn.mean_force())), float(self._begun.energy)
+        self._begun = sum(turn.cylinders[part].still.energy(*one) for part, *one in turn.begun())
+        mean, first = abs(float(turn.mean_force())), float(turn.kinetic_energy_begun())
         half = float(self.at_mean if wheel.number is None else wheel.number) * mean / 2
         self._degrees = 180 * float(turn.cylinder.drive.dead_centre(0))
         places = self._degrees / 180 + 2 * np.arange(turn.cycle // 2 * SAMPLES) / SAMPLES
@@ -77,4 +76,4 @@ class HeavyCardRun(CardRun):
             return found
 
         total = self.turn.total
-        return total(work, places, -float(self._begun.work)), total(kinetic_energy, places, 0.0)
+        return total(work, places, -float(self._begun)), total(Cylinder.kinetic_energy, places, 0.0)

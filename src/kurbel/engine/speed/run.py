@@ -8,30 +8,32 @@ Weisbach's method, `first_order_speed` gives it of the work.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from math import ceil, floor, log10
 from typing import TYPE_CHECKING, NoReturn
 
 import flint
 
 from kurbel.drive.wheel import SQUARE, Wheel
-from kurbel.engine.cylinder import AnyTurn, Cylinder
-from kurbel.engine.turn import Piece, Turn
+from kurbel.engine.cylinder import AnyTurn
+from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import ball
+from kurbel.exact.certify import kept
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Number
 from kurbel.reading.notation import plain
 
 if TYPE_CHECKING:
-    from kurbel.engine.speed.clock import Clock
+    from kurbel.engine.speed.course import Course
 
 # Steps of a search for where the crank comes to rest, a degree each, and how far it is narrowed, in degrees.
 SEARCHED = 360
 NARROWED = 1e-7
 CHECKED_BITS = 128
+# To multiples of so many bits series are computed; columns of few decimals more or less have one precision.
+STEP = 64
 KEPT = 512
 
 
@@ -41,6 +43,7 @@ class AnyRun(ABC):
     def __init__(self, turn: AnyTurn, wheel: Wheel) -> None:
         self.turn = turn
         self.wheel = wheel
+        self.times = kept(lambda: self.slowness().sum(), STEP)
 
     @property
     def method(self) -> str:
@@ -56,8 +59,8 @@ class AnyRun(ABC):
         """Return v/v₁ at an angle."""
 
     @abstractmethod
-    def speed_on(self, cylinders: Sequence[Cylinder], piece: Piece, place: Number) -> Number:
-        """Return v/v₁ at a place of a piece, on the kind of number of the cylinders."""
+    def slowness(self) -> Course:
+        """Return v₁/v over a cycle."""
 
     @abstractmethod
     def extreme_place(self, greatest: bool) -> Number:
@@ -104,17 +107,9 @@ class AnyRun(ABC):
         """Return (v_max - v_min)/v₁, as Weisbach defines it."""
         return self.extreme_speed(greatest=True) - self.extreme_speed(greatest=False)
 
-    @cached_property
-    def clock(self) -> Clock:
-        """What knows the time."""
-        from kurbel.engine.speed.clock import Clock
-
-        assert isinstance(self.turn, Turn)
-        return Clock(self, self.turn)
-
     def turned(self, half_turns: Fraction) -> Number:
-        """Return the time at an angle, in half turns at v₁."""
-        return self.clock.time(half_turns)
+        """Return the time at an angle, in half turns at v₁, ∫ v₁/v dφ since the dead centre."""
+        return self.times().at(half_turns)
 
     def time(self, half_turns: Fraction) -> Number:
         """Return the seconds since the inner dead centre."""
@@ -168,8 +163,14 @@ class Run(AnyRun):
     def speed(self, half_turns: Fraction) -> Number:
         return self.speed_of(self.turn.energy_at(half_turns))
 
-    def speed_on(self, cylinders: Sequence[Cylinder], piece: Piece, place: Number) -> Number:
-        return self.speed_of(energy_on(cylinders, piece, place) - energy_before(self.turn))
+    def slowness(self) -> Course:
+        from kurbel.engine.speed.course import energies
+
+        assert isinstance(self.turn, Turn)
+        first = self.method == "weisbach"
+        share = (1 if first else 2) / (self.number * abs(self.turn.mean_force()))
+        relative: Course = energies(self.turn, {})[0] * share + 1
+        return relative.power(Fraction(-1) if first else Fraction(-1, 2))
 
     def extreme_place(self, greatest: bool) -> Number:
         return self.turn.peaks(greatest)[0].place
@@ -221,7 +222,7 @@ def run_of(turn: AnyTurn, wheel: Wheel) -> AnyRun:
     if wheel.resistance == SQUARE:
         return _against_square(turn, wheel)
     if any(part.crank.moving is not None for part in turn.engine.parts):
-        from kurbel.engine.speed.heavy import HeavyRun
+        from kurbel.engine.speed.solved import HeavyRun
 
         if isinstance(turn, Turn):
             return HeavyRun(turn, wheel)
@@ -245,19 +246,9 @@ def above(bound: Number) -> str:
     return plain(Fraction(ceil(Fraction(value) * scale)) / scale)
 
 
-def energy_on(cylinders: Sequence[Cylinder], piece: Piece, place: Number) -> Number:
-    """Return the excess energies of all cylinders at a place of a piece, but for what they begin with."""
-    return sum(cylinders[part].energy(stroke, place - ball(begun)) for part, stroke, begun in piece.strokes)
-
-
-def energy_before(turn: AnyTurn) -> Number:
-    """Return these energies at the dead centre from which excess work counts."""
-    return sum(turn.cylinders[part].energy(*begun) for part, *begun in turn.begun())
-
-
 def _against_square(turn: AnyTurn, wheel: Wheel) -> AnyRun:
     """Return the run against the square of the speed. Raises ProblemError where that is not computed."""
-    from kurbel.engine.speed.square import SquareRun
+    from kurbel.engine.speed.solved import SquareRun
 
     moving = any(part.crank.moving is not None for part in turn.engine.parts)
     for unknown, instead in (

@@ -10,15 +10,14 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import flint
 
-from kurbel.engine.speed.moving import course_at
 from kurbel.engine.speed.run import above
 from kurbel.errors import ProblemError
 from kurbel.exact.roots import ISOLATING_BITS
 
 if TYPE_CHECKING:
-    from kurbel.engine.speed.heavy import HeavyRun
+    from kurbel.engine.speed.course import Course
     from kurbel.engine.speed.run import AnyRun
-    from kurbel.engine.speed.square import SquareRun
+    from kurbel.engine.speed.solved import HeavyRun, SquareRun
 
 # In a turn; a multiple of all that cranks are usually apart.
 SAMPLES = 720
@@ -33,20 +32,17 @@ NEAR = 1e-6
 
 def first_start(run: HeavyRun) -> Fraction:
     """Return u nearly. Raises ProblemError for a flywheel that comes to rest."""
-    turns = run.turn.cycle // 2
     with flint.ctx.workprec(ISOLATING_BITS):
-        before = run.begun
-        courses = [
-            course_at(run.turn, run.turn.positions(Fraction(2 * step, SAMPLES)))
-            for step in range(turns * SAMPLES)
-        ]
-        works = [float(one.work - before.work) for one in courses]
-        energies = [float(one.energy) for one in courses]
-        level = run.level(flint.arb(1))
-        half, first = float(level.half), float(before.energy)
-
-    wheel = Sampled(works, energies, half, first, run.wheel.number is not None)
+        works, moved = (_sampled(one, Fraction(0)) for one in run.energies())
+        half, _ = map(float, run.level(flint.arb(1)))
+        first = float(run.turn.kinetic_energy_begun())
+    wheel = Sampled(works, moved, half, first, run.wheel.number is not None)
     return Fraction(wheel.start(run, 0.0))
+
+
+def _sampled(course: Course, start: Fraction) -> list[float]:
+    steps = range(course.cycle // 2 * SAMPLES)
+    return [float(course.at(start + Fraction(2 * step, SAMPLES))) for step in steps]
 
 
 class Sampled(NamedTuple):
@@ -77,15 +73,12 @@ class Sampled(NamedTuple):
         return start
 
 
-def first_decay(run: SquareRun) -> Fraction:
-    """Return a nearly. Raises ProblemError for a flywheel that comes to rest."""
-    turns = run.turn.cycle // 2
+def first_lag(run: SquareRun) -> Fraction:
+    """Return 1/a nearly. Raises ProblemError for a flywheel that comes to rest."""
     with flint.ctx.workprec(ISOLATING_BITS):
-        mean, first = run.turn.mean_force(), run.turn.pieces[0].start
-        works = [
-            float(run.turn.energy_at(first + Fraction(2 * step, SAMPLES)) / mean)
-            for step in range(turns * SAMPLES)
-        ]
+        excess = run.excess()
+        first = excess.lows[0]
+        works = _sampled(excess, first)
         weight = float(run.at_mean) if run.wheel.number is None else float(run.wheel.number)
 
     def weight_of(level: Sequence[float]) -> float | None:
@@ -119,7 +112,7 @@ def first_decay(run: SquareRun) -> Fraction:
         level = _level(works, solved(factor) or MOST_LAG)
         place = 360 * level.index(min(level)) / SAMPLES + 180 * float(first)
         run.refuse(place, float(given) * factor)
-    return Fraction(1 / lag)
+    return Fraction(lag)
 
 
 def _level(works: Sequence[float], lag: float) -> list[float]:

@@ -11,6 +11,7 @@ FORMAT = PageFormat(
     standalone=True,
     breaks=True,
     siunitx=True,
+    plain=True,
     figures="pdf",
     usual=True,
     marked=True,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from kurbel.formats.latex.writer import TexLayout, Writer
+from kurbel.formats.latex.writer import PlainWriter, TexLayout, Writer
 from kurbel.formats.page import Page, PageCell, page
 from kurbel.page.table import Table
 
@@ -14,9 +14,13 @@ class RawWriter(Writer):
     minus = "-"
 
 
-def left_to_siunitx(table: Table, mark: str, tex: TexLayout) -> dict[str, Any]:
+class RawPlainWriter(PlainWriter):
+    minus = "-"
+
+
+def left_to_siunitx(table: Table, mark: str, tex: TexLayout, writer: Writer) -> dict[str, Any]:
     """Return the page with raw numbers, and the layout with S columns for those of numbers alone."""
-    ready = page(table, RawWriter(), mark)
+    ready = page(table, RawPlainWriter() if isinstance(writer, PlainWriter) else RawWriter(), mark)
     columns = [_column(tex.columns[place], cells, mark) for place, cells in enumerate(_by_column(ready))]
     return {"page": ready, "tex": tex._replace(columns=tuple(columns)), "marker": f"{{{mark}}}"}
 

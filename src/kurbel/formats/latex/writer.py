@@ -7,10 +7,11 @@ and keeps the cells of the source clean.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import groupby
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 from kurbel.formats.formula import TEX_OBEYED, TexMath, has_bar
 from kurbel.formats.page import Page, PageCell, page
@@ -22,6 +23,7 @@ from kurbel.formats.writer import (
     Widths,
     Wishes,
     added,
+    em,
     whole_pairs,
     widths,
 )
@@ -56,25 +58,39 @@ class Writer(PageWriter):
         return {"spanner_lines": spanner_lines}
 
     def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, Any]:
-        tex = tex_layout(page(table, PLAIN, mark), ready)
-        # A float longer than a page would run out of a document that has nothing else on it.
-        longtable = wishes.longtable or (wishes.alone and tex.tall)
-        values = {"tex": tex, "longtable": longtable, "marker": ""}
+        writer = PlainWriter() if wishes.plain else self
+        if wishes.plain:
+            ready = page(table, writer, mark)
+        plain = page(table, PLAIN, mark)
+        tex = (PlainLayout if wishes.plain else TexLayout).of(plain, ready)
+        values = {
+            "page": ready,
+            "tex": tex,
+            "plain": wishes.plain,
+            "longtable": wishes.longtable or tex.endless or (wishes.alone and tex.tall),
+            "marker": "",
+        }
         if not wishes.siunitx:
             return values
         from kurbel.formats.latex.siunitx import left_to_siunitx
 
-        return values | left_to_siunitx(table, mark, tex)
+        return values | left_to_siunitx(table, mark, tex, writer)
 
     def is_tall(self, table: Table) -> bool:
-        return tex_layout(page(table, PLAIN, "."), page(table, self, ".")).tall
+        return TexLayout.of(page(table, PLAIN, "."), page(table, self, ".")).tall
 
     def remarks(self, table: Table) -> Iterator[str]:
-        if tex_layout(plain := page(table, PLAIN, "."), plain).wide:
-            yield (
-                "the table is wider than a line of 16 cm in type of 7 pt; LaTeX turns it, and sets smaller"
-                " type where it is higher than a page then"
-            )
+        if TexLayout.of(plain := page(table, PLAIN, "."), plain).wide:
+            yield "the table is wider than a line of 16 cm in type of 7 pt; LaTeX turns it"
+
+
+class PlainWriter(Writer):
+    """For pages as a careful author types them."""
+
+    def formula(self, formula: Formula, mark: str, display: bool = False) -> str:
+        """Return a formula whose fractions make room for themselves."""
+        content = TexMath(mark, escape).set(formula.content)
+        return f"$\\displaystyle {content}$" if display and has_bar(formula.content) else f"${content}$"
 
 
 # \textdegree calls for a font that has bitmaps only where cm-super is not installed.
@@ -126,14 +142,14 @@ def string(text: str) -> str:
     return text.translate(_STRING)
 
 
-TYPE_WIDTH, TYPE_HEIGHT = 455.0, 600.0
-"""A page of 16 cm by 24 cm, less its caption and notes, in points."""
-# The least room in which no table needs help, as a column of two has it.
-NARROW_LINE = 240.0
+TYPE_WIDTH, TYPE_HEIGHT = 455.0, 683.0
+"""A page of 16 cm by 24 cm, in points."""
 # The shortest line for which a table that does not stand turned on it in type of 7 points is made.
 SHORT_LINE = 330.0
-# The width of an em of small and of the smallest type, and the leading of small type, in points.
-SMALL, SMALLEST, LEADING = 9.25, 8.0, 11.0
+# The width of an em of small and of the smallest type, and the leading of the latter, in points.
+SMALL, SMALLEST, LEADING = 9.25, 8.0, 8.0
+# TeX counts no higher than some thirty pages, and keeps fewer floats that wait.
+MOST_FLOATS = 10
 # Half the gap in a pair of columns, which TeX calls \tabcolsep: whole, and where smaller type is better.
 WHOLE, LEAST = WITHIN / 2, 0.3
 
@@ -142,13 +158,56 @@ class TexLayout(NamedTuple):
     """How a table is set.
 
     `columns` are the columns that all panels share, without the gaps; `stacked` tells that the symbols of
-    spanners have a line of their own, `tall` that the table is longer than a page.
+    spanners have a line of their own, `pages` how many of them the table is high in type of 7 points.
     """
 
     widths: Widths
     columns: tuple[str, ...]
     stacked: bool
-    tall: bool
+    pages: float
+
+    @classmethod
+    def of(cls, plain: Page, ready: Page) -> Self:
+        """Return the layout for a page set as plain text, whose characters are what is measured.
+
+        `ready` is the same page for LaTeX: a line with a high fraction takes the height of two. A spanner has
+        its symbol beside it where the page is wide enough.
+        """
+        room = widths(plain, False)
+        stacked = room.natural * SMALL > TYPE_WIDTH
+        if stacked:
+            room = widths(plain, True)
+        words = {
+            place
+            for panel in plain.panels
+            for place, column in enumerate(panel.columns)
+            if column.align == "left"
+        }
+        return cls(
+            widths=whole_pairs(plain, room),
+            columns=tuple(
+                "l" if place in words else cls.figures(whole - own)
+                for place, (whole, own) in enumerate(zip(room.columns, room.cells, strict=True))
+            ),
+            stacked=stacked,
+            pages=(_lines(ready) + _lines_around(plain)) * LEADING / TYPE_HEIGHT,
+        )
+
+    @staticmethod
+    def figures(spare: float) -> str:
+        """Return a column whose figures stand in the middle of spare em of room."""
+        half = f"{spare / 2:.2f}"
+        return "r" if spare < 0.1 else f">{{\\hspace{{{half}em}}}}r<{{\\hspace{{{half}em}}}}"
+
+    @property
+    def tall(self) -> bool:
+        """Whether it is longer than a page."""
+        return self.pages > 1
+
+    @property
+    def endless(self) -> bool:
+        """Whether it is longer than floats can be."""
+        return self.pages > MOST_FLOATS
 
     @property
     def all(self) -> str:
@@ -158,21 +217,12 @@ class TexLayout(NamedTuple):
     @property
     def gaps(self) -> int:
         """The hundreds of \\tabcolsep in all gaps."""
-        return max(1, round(100 * added(self.widths.gaps) / WHOLE))
-
-    @property
-    def least(self) -> str:
-        """The width in em below which gaps and type are too small."""
-        return f"{self._least:.2f}"
+        return max(100, round(100 * added(self.widths.gaps) / WHOLE))
 
     @property
     def _least(self) -> float:
+        """The width in em below which gaps and type are too small."""
         return self.widths.all + added(self.widths.gaps) * LEAST / WHOLE
-
-    @property
-    def fits(self) -> bool:
-        """Whether it fits every line."""
-        return self.widths.natural * SMALL <= NARROW_LINE
 
     @property
     def turns(self) -> bool:
@@ -230,28 +280,24 @@ class TexLayout(NamedTuple):
         return round(self.widths.gaps[place + 1] / WHOLE - 2, 2)
 
 
-def tex_layout(page: Page, ready: Page) -> TexLayout:
-    """Return the layout for a page set as plain text, whose characters are what is measured.
+class PlainLayout(TexLayout):
+    """How a table is set by an author who measures nothing."""
 
-    `ready` is the same page for LaTeX: a line with a high fraction takes the height of two. A spanner has its
-    symbol beside it where the page is wide enough.
-    """
-    room = widths(page, False)
-    stacked = room.natural * SMALL > TYPE_WIDTH
-    if stacked:
-        room = widths(page, True)
-    words = {
-        place for panel in page.panels for place, column in enumerate(panel.columns) if column.align == "left"
-    }
-    return TexLayout(
-        widths=whole_pairs(page, room),
-        columns=tuple(
-            "l" if place in words else _figures(whole - own)
-            for place, (whole, own) in enumerate(zip(room.columns, room.cells, strict=True))
-        ),
-        stacked=stacked,
-        tall=_lines(ready) * LEADING > TYPE_HEIGHT,
-    )
+    @staticmethod
+    def figures(spare: float) -> str:
+        return "r"
+
+    def spec(self, count: int) -> str:
+        return "".join(self.columns[:count])
+
+    def head(self, cell: HeadCell, align: str, count: int) -> str:
+        return align
+
+    def trims(self, cell: HeadCell, count: int) -> str:
+        return "lr"
+
+    def spanner(self, cell: HeadCell) -> str:
+        return cell.text
 
 
 def _lines(page: Page) -> float:
@@ -261,6 +307,12 @@ def _lines(page: Page) -> float:
         sum(map(_row_lines, group.rows)) + (2 if group.label else 1) + 0.4 * len(group.pauses)
         for group in groups
     )
+
+
+def _lines_around(page: Page) -> float:
+    """Return about how many lines of figures the caption and the notes take."""
+    texts = [*(note.text for note in page.notes), page.source]
+    return 4 + sum(math.ceil(em(text) * SMALLEST / TYPE_WIDTH) for text in texts) * 1.2
 
 
 def _row_lines(row: Sequence[PageCell]) -> int:
@@ -280,12 +332,6 @@ def _space(times: float, em: float) -> str:
     if em < 0.005:
         return f"\\hspace{{{gap}}}" if times else ""
     return f"\\hspace{{\\dimexpr{gap}+{fixed}\\relax}}" if times else f"\\hspace{{{fixed}}}"
-
-
-def _figures(spare: float) -> str:
-    """Return a column whose figures stand in the middle of spare em of room."""
-    half = f"{spare / 2:.2f}"
-    return "r" if spare < 0.1 else f">{{\\hspace{{{half}em}}}}r<{{\\hspace{{{half}em}}}}"
 
 
 def spanner_lines(spanners: Sequence[HeadCell], columns: int, stacked: bool) -> Iterator[list[HeadCell]]:

@@ -7,7 +7,7 @@ from html import escape
 from kurbel.exact.numerals import Number
 from kurbel.formats.ods.xml import element
 from kurbel.formats.page import blank
-from kurbel.formats.sheet import Look, Sheet
+from kurbel.formats.sheet import Look, Run, Sheet, runs
 
 RULES = {"thin": "0.5pt solid #1c1b19", "heavy": "1.5pt solid #1c1b19"}
 SIZES = {"caption": "11.5pt", "note": "8.5pt", "source": "8.5pt"}
@@ -35,7 +35,6 @@ class Looks:
         self.names: dict[tuple[object, ...], str] = {}
         self.cells: dict[tuple[Look, str], str] = {}
         self.styles: list[str] = []
-        self.italic = self.style("tx", "text", element("style:text-properties", fo__font_style="italic"))
         self.text = self.named("nt", "number:text-style", element("number:text-content"))
 
     def meet(self, sheet: Sheet) -> None:
@@ -47,6 +46,8 @@ class Looks:
             self.row(height)
         for cell in sheet.cells:
             self.cell(cell.look, sheet.mark if isinstance(cell.value, Number) else "")
+            for run in runs(cell.value) if isinstance(cell.value, str) else ():
+                self.run(run)
 
     def named(self, prefix: str, tag: str, content: str, **attributes: object) -> str:
         """Return the name of a style, which is there once."""
@@ -72,6 +73,17 @@ class Looks:
             style__use_optimal_row_height="true" if height is None else "false",
         )
         return self.style("ro", "table-row", own)
+
+    def run(self, run: Run) -> str:
+        """Return the name of the style of a piece of text, nothing where it is as its cell."""
+        if not run.italic and not run.low:
+            return ""
+        own = element(
+            "style:text-properties",
+            fo__font_style="italic" if run.italic else None,
+            style__text_position="sub 65%" if run.low else None,
+        )
+        return self.style("tx", "text", own)
 
     def sheet(self, sheet: Sheet) -> str:
         master = "Landscape" if sheet.landscape else "Portrait"

@@ -145,8 +145,8 @@ class _Table:
 
     def line(self, text: str, link: str) -> str:
         pieces = "".join(
-            element("text:span", escape(one.text), text__style_name=self.looks.italic)
-            if one.italic
+            element("text:span", escape(one.text), text__style_name=style)
+            if (style := self.looks.run(one))
             else escape(one.text)
             for one in runs(text)
         )

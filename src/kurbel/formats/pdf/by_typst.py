@@ -10,7 +10,8 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager, nullcontext, suppress
+from pathlib import Path
 from threading import Lock
 
 import kurbel.formats.typst
@@ -41,6 +42,56 @@ _PLACE = re.compile(r"┌─ (.+):([0-9]+):[0-9]+$", re.MULTILINE)
 _MAIN = "__typst_py_bytes__.typ"
 
 
+# The memory of Typst in bytes: its own, and that of a cell, which is a block of content in the source. Of
+# tables of 1,000 to 10,000 rows it took 37 to 59 KiB a cell, of a handbook of 200 tables 33.
+OWN, A_CELL = 60 << 20, 40 << 10
+# What is not worth a word.
+MUCH = 1 << 30
+_INCLUDED = re.compile(r'include "(tables/[^"/\\]+\.typ)"')
+
+
+def remarks(cells: int) -> Iterator[str]:
+    """Yield what is to be known, before it begins, of a document of so many cells; one that is too large is
+    refused."""
+    needed = OWN + A_CELL * cells
+    if MUCH < needed <= _most():
+        yield f"a PDF of {cells} cells takes Typst about {_gigabytes(needed)} of memory"
+
+
+def _check_memory(source: str, root: str | None) -> None:
+    """Raise LayoutError for a document for which the free memory of this machine is not enough."""
+    cells = source.count("[")
+    for name in _INCLUDED.findall(source):
+        with suppress(OSError, ValueError):
+            cells += Path(root or "", name).read_text(encoding="utf-8").count("[")
+    needed = OWN + A_CELL * cells
+    if needed > _most():
+        raise LayoutError(
+            f"a PDF of about {cells} cells takes Typst {_gigabytes(needed)} of memory, and"
+            f" {_gigabytes(_most())} are free; make several of it, print fewer rows, or have a TeX set its"
+            " LaTeX"
+        )
+
+
+def _most() -> float:
+    """Return the memory of the largest document that is tried."""
+    free = free_memory()
+    return float("inf") if free is None else max(free, MUCH)
+
+
+def free_memory() -> int | None:
+    """Return how many bytes of memory are free, None where the system does not say."""
+    with suppress(OSError):
+        found = re.search(r"MemAvailable:\s+([0-9]+) kB", Path("/proc/meminfo").read_text(encoding="ascii"))
+        if found:
+            return int(found[1]) << 10
+    return None
+
+
+def _gigabytes(count: float) -> str:
+    return f"{count / 10**9:.1f} GB"
+
+
 @checks_keywords
 def typeset_pdf(page: Table, *, decimal: str | None = None, standards: Sequence[Standard] = ()) -> bytes:
     """Return the page as a PDF document; needs the extra `pdf`.
@@ -68,6 +119,7 @@ def compile_typst(source: str, *, root: str | None = None, standards: Sequence[S
     from tempfile import TemporaryDirectory
 
     _check(standards)
+    _check_memory(source, root)
     epoch = source_date_epoch()
     undated = epoch is None and not any(name.startswith("a-") for name in standards)
     if root is not None and not os.path.isdir(root):

@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import cast
 
-from kurbel.formats.pdf import FORMAT, Standard
-from kurbel.formats.pdf.by_typst import compile_typst, typeset_pdf
+from kurbel.formats.pdf import Standard
+from kurbel.formats.pdf.by_typst import compile_typst, remarks, typeset_pdf
 from kurbel.formats.writer import CompiledWriter
 from kurbel.page.table import Table
-from kurbel.reading.dates import source_date_epoch
 
 
 class Writer(CompiledWriter):
     def compiled(self, table: Table, decimal: str | None) -> bytes:
         return typeset_pdf(table, decimal=decimal)
 
-    def whole(self, folder: str, engine: str, standards: Sequence[str], read: Callable[[str], str]) -> bytes:
-        if FORMAT.engines[engine].grows:
-            kept = cast("Sequence[Standard]", standards)
-            return compile_typst(read("handbook.typ"), root=folder, standards=kept)
-        from kurbel.formats.pdf.by_tex import compile_tex
+    def remarks(self, cells: int) -> Iterator[str]:
+        return remarks(cells)
 
-        return compile_tex(folder, "handbook", engine, source_date_epoch() or 0)
+    def whole(self, folder: str, standards: Sequence[str], read: Callable[[str], str]) -> bytes:
+        kept = cast("Sequence[Standard]", standards)
+        return compile_typst(read("handbook.typ"), root=folder, standards=kept)

@@ -49,6 +49,7 @@ _ANYWHERE = re.compile(r"[\\#$*_@<`~\[\]\"']")
 # A hyphen stays before a letter only: with another one, ?, a digit or a space it makes a dash, a break, a
 # minus sign or a list. Points make an ellipsis, strokes a comment or, after a colon, a link.
 _PAIRS = re.compile(r"-(?=(.?))|\.(?=\.)|(?<=\.)\.|/(?=[/*])|(?<=/)/", re.DOTALL)
+_APOSTROPHE = re.compile(r"(?<=[^\W\d_])'(?=[^\W\d_])")
 # At the start of a line these make a heading, a list or a term.
 _START = re.compile(r"^( *)([=+/])|^( *[0-9]+)(\.)")
 
@@ -60,8 +61,11 @@ def _paired(sign: re.Match[str]) -> str:
 
 
 def escape(prose: str) -> str:
-    """Return prose of which every character is printed and none obeyed."""
-    escaped = _PAIRS.sub(_paired, _ANYWHERE.sub(r"\\\g<0>", prose))
+    """Return prose of which every character is printed and none obeyed.
+
+    An apostrophe between letters is that of print, as a TeX sets it.
+    """
+    escaped = _PAIRS.sub(_paired, _ANYWHERE.sub(r"\\\g<0>", _APOSTROPHE.sub("’", prose)))
     return _START.sub(r"\1\3\\\2\4", escaped)
 
 

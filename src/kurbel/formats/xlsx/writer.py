@@ -25,6 +25,7 @@ PAPER = 9
 # The widest column and the highest row that Excel has.
 BROADEST, TALLEST = 255, 409
 LINES = {"thin": 1, "heavy": 2}
+SUBSCRIPT = 2
 PARTS: dict[str, dict[str, Any]] = {
     "caption": {"bold": True, "font_size": 12.5, "text_wrap": True, "valign": "top"},
     "head": {"text_wrap": True, "valign": "bottom"},
@@ -55,7 +56,7 @@ class _Written:
         stream = BytesIO()
         never = dict.fromkeys(("strings_to_formulas", "strings_to_urls", "strings_to_numbers"), False)
         self.file: File = xlsxwriter.Workbook(stream, {"in_memory": True, **never})
-        self.formats: dict[tuple[Look, bool, bool], Format] = {}
+        self.formats: dict[tuple[Look, bool, bool, bool], Format] = {}
         day = datetime.fromtimestamp(book.epoch, UTC).replace(tzinfo=None)
         self.file.set_properties({"title": bare(book.title), "author": bare(book.author), "created": day})
         for sheet in book.sheets:
@@ -98,18 +99,19 @@ class _Written:
 
     def text(self, to: Worksheet, row: int, column: int, text: str, look: Look) -> None:
         pieces = runs(text)
-        forms = [self.form(look, True, one.italic) for one in pieces]
+        forms = [self.form(look, True, one.italic, one.low) for one in pieces]
         if len(pieces) > 1:
             parts = [part for form, one in zip(forms, pieces, strict=True) for part in (form, one.text)]
             to.write_rich_string(row, column, *parts, self.form(look, True))
         else:
             to.write_string(row, column, pieces[0].text, forms[0])
 
-    def form(self, look: Look, is_text: bool, italic: bool = False) -> Format:
+    def form(self, look: Look, is_text: bool, italic: bool = False, low: bool = False) -> Format:
         """Return the format of the file for a look; each is there once."""
-        key = look, is_text, italic
+        key = look, is_text, italic, low
         if key not in self.formats:
             own = _properties(look, is_text) | ({"italic": True} if italic else {})
+            own |= {"font_script": SUBSCRIPT} if low else {}
             self.formats[key] = self.file.add_format(own)
         return self.formats[key]
 

@@ -1,0 +1,229 @@
+"""Functions over a cycle of the engine, as power series on sections between dead centres and corners.
+
+A dead centre or a corner that no rational number of half turns says lies in a gap between two near ones.
+There a section ends and the next one begins, and the series of both reach over the gap.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from functools import partial
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import flint
+from flint import arb
+
+from kurbel.engine.turn import Piece, Turn
+from kurbel.errors import ProblemError
+from kurbel.exact.certify import ball
+from kurbel.exact.continued import Continued, continued, half_turn_circle
+from kurbel.exact.place import fraction
+from kurbel.exact.roots import interval
+from kurbel.exact.taylor import Formula, Taylor, bounded, expanded
+from kurbel.kernel.circle import Number
+
+# Bits to which a corner is known, or so many beyond the precision in force if that is more: up to there all
+# precisions have the same sections.
+CORNER_BITS, NARROWER = 288, 32
+# The half widths that the disk about a section has, how many times a function may be there what it is in the
+# middle, and a section so narrow that no formula is analytic there.
+RADII, MOST, NARROWEST = 4, 1e5, Fraction(1, 2**24)
+# Sections are halved until a power of a function is known on a disk about each.
+MOST_HALVINGS = 12
+
+# Of sections by their ends the bounds of the two formulas, None where they have none.
+Bounds = dict[tuple[Fraction, Fraction], tuple[arb | None, ...]]
+
+
+class Span(NamedTuple):
+    """A part of the cycle, in half turns, and the pieces that it lies in; what is not smooth is a gap."""
+
+    start: Fraction
+    end: Fraction
+    pieces: tuple[Piece, ...]
+    smooth: bool = False
+
+
+class Section(NamedTuple):
+    """A function where one series has it: for certain from `low` to `high`, and from a ball to another."""
+
+    low: Fraction
+    high: Fraction
+    start: arb
+    end: arb
+    function: Taylor
+
+    def halves(self) -> Iterator[Section]:
+        """Yield both halves, on disks half as wide."""
+        middle = (self.low + self.high) / 2
+        for half in (
+            self._replace(high=middle, end=ball(middle)),
+            self._replace(low=middle, start=ball(middle)),
+        ):
+            about = self.function.about((half.low + half.high) / 2)
+            yield half._replace(function=replace(about, radius=self.function.radius / 2))
+
+
+class Course:
+    """A function over a cycle of so many half turns, section by section, and by how much it grows in one."""
+
+    def __init__(self, sections: Iterable[Section], cycle: int, gain: Number = 0) -> None:
+        self.sections, self.cycle, self.gain = tuple(sections), cycle, gain
+        self.lows = [one.low for one in self.sections]
+
+    def at(self, half_turns: Fraction) -> arb:
+        """Return the function at a place of any cycle."""
+        cycles, rest = divmod(half_turns - self.lows[0], self.cycle)
+        place, index = self.lows[0] + rest, self._index(self.lows[0] + rest)
+        own, following = self.sections[index], self.sections[(index + 1) % len(self.sections)]
+        value = own.function.at(ball(place))
+        if place > own.high:
+            # In a gap either series may hold.
+            turns = int(own is self.sections[-1])
+            value = value.union(following.function.at(ball(place - turns * self.cycle)) + turns * self.gain)
+        found: arb = value + cycles * self.gain
+        return found
+
+    def around(self, place: Fraction) -> Section:
+        """Return the section of a place within the first cycle, or that before its gap."""
+        return self.sections[self._index(place)]
+
+    def _index(self, place: Fraction) -> int:
+        return bisect_right(self.lows, place) - 1
+
+    def __mul__(self, other: Course | Number) -> Course:
+        """Return the product with a number, or with a course of sections as short or longer."""
+        return self._with(other, Taylor.__mul__)
+
+    def __add__(self, other: Course | Number) -> Course:
+        return self._with(other, Taylor.__add__)
+
+    def _with(self, other: Course | Number, combined: Callable[[Taylor, Any], Taylor]) -> Course:
+        if not isinstance(other, Course):
+            return self.mapped(lambda one: combined(one, other))
+        return self.mapped(lambda one: combined(one, other.around(one.middle).function.about(one.middle)))
+
+    def mapped(self, function: Callable[[Taylor], Taylor]) -> Course:
+        """Return a function of the function, section by section."""
+        return Course((one._replace(function=function(one.function)) for one in self.sections), self.cycle)
+
+    def power(self, exponent: Fraction) -> Course:
+        """Return a power below 0 of what is above 0."""
+        return Course(
+            (part for one in self.sections for part in _powers(one, exponent, MOST_HALVINGS)), self.cycle
+        )
+
+    def sum(self) -> Course:
+        """Return the integral from where the first section begins."""
+        total, found = arb(0), []
+        for one in self.sections:
+            own = one.function.sum()
+            own = own + (total - own.at(one.start))
+            total = own.at(one.end)
+            found.append(one._replace(function=own))
+        return Course(found, self.cycle, total)
+
+
+def _powers(one: Section, exponent: Fraction, halvings: int) -> Iterator[Section]:
+    found = one.function.power(exponent)
+    if found is not None:
+        yield one._replace(function=found)
+        return
+    if not halvings:
+        raise ProblemError("the time is not settled, for the speed nearly vanishes; give a heavier flywheel")
+    for half in one.halves():
+        yield from _powers(half, exponent, halvings - 1)
+
+
+def energies(turn: Turn, bounds: Bounds) -> tuple[Course, Course]:
+    """Return the work of the pressure above its mean since the dead centre, and the energy of the masses at
+    the mean speed, as far as it changes, in Q R.
+
+    `bounds` keeps what was bounded for another precision.
+    """
+    cylinders = turn.cylinders_on(continued(), half_turn_circle)
+    still = [one.still for one in cylinders]
+    begun = sum(turn.cylinders[part].still.energy(*one) for part, *one in turn.begun())
+
+    def work(piece: Piece, place: Continued) -> Continued:
+        return Continued.of(_sum(piece, place, [one.energy for one in still]) - begun)
+
+    def energy(piece: Piece, place: Continued) -> Continued:
+        return Continued.of(_sum(piece, place, [one.kinetic_energy for one in cylinders]))
+
+    found: list[tuple[Section, Section]] = []
+    smooth = [one for one in spans(turn) if one.smooth]
+    ends = (smooth[-1].end - turn.cycle, *(one.end for one in smooth))
+    starts = (*(one.start for one in smooth), smooth[0].start + turn.cycle)
+    edges = [interval(end, start) for end, start in zip(ends, starts, strict=True)]
+    for span, (start, end) in zip(smooth, pairwise(edges), strict=True):
+        formulas = [partial(one, span.pieces[0]) for one in (work, energy)]
+        found += _sections(formulas, bounds, span.start, span.end, start, end)
+    works, moved = zip(*found, strict=True)
+    return Course(works, turn.cycle), Course(moved, turn.cycle)
+
+
+def _sections(
+    formulas: Sequence[Formula], bounds: Bounds, low: Fraction, high: Fraction, start: arb, end: arb
+) -> Iterator[tuple[Section, Section]]:
+    """Yield the sections of two formulas within an interval, so short that both have a series there."""
+    if (low, high) not in bounds:
+        bounds[low, high] = tuple(bounded(one, low, high, RADII, MOST) for one in formulas)
+    known = [one for one in bounds[low, high] if one is not None]
+    if len(known) == len(formulas):
+        pairs = zip(formulas, known, strict=True)
+        work, energy = (expanded(one, low, high, RADII, bound) for one, bound in pairs)
+        yield Section(low, high, start, end, work), Section(low, high, start, end, energy)
+        return
+    if high - low < NARROWEST:
+        raise ProblemError("the speed is not settled beside a dead centre; give slightly other numbers")
+    middle = (low + high) / 2
+    yield from _sections(formulas, bounds, low, middle, start, ball(middle))
+    yield from _sections(formulas, bounds, middle, high, ball(middle), end)
+
+
+def _sum(piece: Piece, place: Continued, formulas: Sequence[Callable[[int, Any], Any]]) -> Any:
+    return sum(
+        count * formulas[part](stroke, place - ball(begun)) for count, part, stroke, begun in piece.unlike
+    )
+
+
+def spans(turn: Turn) -> Iterator[Span]:
+    """Yield what lies between dead centres and corners, and the gaps that hold these, over a cycle."""
+    first = turn.pieces[0]
+    last = first._replace(start=first.start + turn.cycle)
+    for piece, following in pairwise((*turn.pieces, last)):
+        start = piece.start
+        for low, high in _corners(turn, piece):
+            if start < low:
+                yield Span(start, low, (piece,), smooth=True)
+            yield Span(max(start, low), high, (piece,))
+            start = high
+        if start < piece.end:
+            yield Span(start, piece.end, (piece,), smooth=True)
+        if piece.end < following.start:
+            yield Span(piece.end, following.start, (piece, first if following is last else following))
+
+
+def _corners(turn: Turn, piece: Piece) -> list[tuple[Fraction, Fraction]]:
+    """Return where the corners of the force lie within a piece, each between two places."""
+    with flint.ctx.workprec(max(CORNER_BITS, flint.ctx.prec + NARROWER)):
+        found = [
+            turn.angle_of(part, stroke, corner) + ball(begun)
+            for part, stroke, begun in piece.strokes
+            for corner in turn.cylinders[part].strokes[stroke].corners
+            if corner > 0 and corner < 1
+        ]
+        ends = sorted((fraction(one.lower()), fraction(one.upper())) for one in found)
+    joined: list[tuple[Fraction, Fraction]] = []
+    for low, high in ends:
+        if high <= piece.start or low >= piece.end:
+            continue
+        if joined and low <= joined[-1][1]:
+            low, high = joined[-1][0], max(high, joined.pop()[1])
+        joined.append((max(low, piece.start), min(high, piece.end)))
+    return joined

@@ -1,0 +1,218 @@
+"""Speeds over the turn but for one number: with moving masses, or against the square of the speed.
+
+That number is such that the squares of the speeds, in a fixed unit, rise with it at every angle. So does the
+mean speed ½ (v_max + v_min), by which it is known; it is enclosed between two numbers at which the mean is
+proved to be too low and too high.
+
+With ω = s ω_m, where ω_m is the mean speed, the energy of flywheel and masses is (½ I + k) s²: I is J ω_m²
+and k that part of the masses' energy at ω_m which changes with the angle, in Q R. So (½ I + k) s² = E + W,
+where W is the work of the steam alone above its mean and E = (½ I + k₀) u the energy at the dead centre,
+u = s₁², the number.
+
+Against the square of the speed the mass of a flywheel alone is h = ½ J ω²/(P r), and with τ = T/P the
+equation of motion h' = τ - a h is linear in h; P is the mean torque, for over a turn a h has the mean 1. With
+the excess work w, whose slope is τ - 1, its one periodic solution is h = 1/a + w + y, where y' = -a (w + y).
+The number is 1/a. Re-derived.
+"""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import partial, reduce
+from itertools import pairwise
+from typing import NamedTuple
+
+import flint
+from flint import arb
+
+from kurbel.drive.wheel import Wheel
+from kurbel.engine.speed.course import Bounds, Course, Section, energies
+from kurbel.engine.speed.run import STEP, AnyRun
+from kurbel.engine.speed.samples import first_lag, first_start
+from kurbel.engine.turn import Turn
+from kurbel.errors import ProblemError
+from kurbel.exact.certify import ball, kept
+from kurbel.exact.roots import ISOLATING_BITS, Function, Root, crossing, interval, isolate, refined
+from kurbel.exact.taylor import Taylor, exponential
+from kurbel.kernel.circle import Number, root
+from kurbel.kernel.steam import larger, smaller
+
+# How far around its first value the number is looked for, as a share of it, and so many times sixteen times
+# as far.
+NEAR, FARTHER = Fraction(1, 2**20), 4
+# By so much of its width a section is searched beyond its ends, where a zero of a slope may lie by a hair.
+BEYOND = Fraction(1, 18)
+
+
+class Stationary(NamedTuple):
+    """Where the speed is least or greatest: within the section about a place."""
+
+    middle: Fraction
+    root: Root
+
+
+class SolvedRun(AnyRun):
+    """A turn in balls whose squares of the speed are known but for one number."""
+
+    turn: Turn
+
+    def __init__(self, turn: Turn, wheel: Wheel) -> None:
+        super().__init__(turn, wheel)
+        bounds: Bounds = {}
+        self.energies = kept(lambda: energies(turn, bounds), STEP)
+        self._squares = kept(self._solved, STEP)
+        self._low, self._high = self._isolated()
+
+    @abstractmethod
+    def first_guess(self) -> Fraction:
+        """Return the number nearly. Raises ProblemError for a flywheel that comes to rest."""
+
+    @abstractmethod
+    def squares(self, number: Number) -> Course:
+        """Return the squares of the speed that a number makes."""
+
+    def beyond(self, squares: Course) -> Number:
+        """What is zero at the true number and rises with it: the mean speed above 1."""
+        return sum(root(self._extreme(squares, greatest)) for greatest in (True, False)) / 2 - 1
+
+    @property
+    def number(self) -> Number:
+        if self.wheel.number is not None:
+            return self.turn.of(self.wheel.number)
+        share = self.first_omega / self.mean_omega
+        return self.at_mean * share * share
+
+    def speed(self, half_turns: Fraction) -> Number:
+        squares = self._squares()
+        return root(squares.at(half_turns) / _first(squares))
+
+    def slowness(self) -> Course:
+        squares = self._squares()
+        relative: Course = squares * (1 / _first(squares))
+        return relative.power(Fraction(-1, 2))
+
+    def extreme_place(self, greatest: bool) -> Number:
+        return self._extremes(self._squares(), greatest)[0][0]
+
+    def extreme_speed(self, greatest: bool) -> Number:
+        squares = self._squares()
+        return root(self._extreme(squares, greatest) / _first(squares))
+
+    def _solved(self) -> Course:
+        return self.squares(crossing(lambda number: self.beyond(self.squares(number)), self._low, self._high))
+
+    def _isolated(self) -> tuple[Fraction, Fraction]:
+        """Return two numbers between which the true one lies, and know the extremes between them."""
+        guess = self.first_guess()
+        width = guess * NEAR
+        for _ in range(FARTHER):
+            ends = guess - width, guess + width
+            with flint.ctx.workprec(ISOLATING_BITS):
+                self._found = tuple(_stationary(self.squares(interval(*ends))))
+                below, above = (self.beyond(self.squares(ball(end))) for end in ends)
+            if below < 0 and above > 0:
+                return ends
+            width *= 16
+        raise ProblemError("the speed at the dead centre is not settled; give slightly other numbers")
+
+    def _extremes(self, squares: Course, greatest: bool) -> list[tuple[Number, Number]]:
+        """Return the places where the speed may be greatest or least, and its squares there."""
+        sign, found = 1 if greatest else -1, []
+        for one in self._found:
+            if one.root.rising is not greatest:
+                section = squares.around(one.middle)
+                at = refined(*_slopes(section), one.root)
+                if not (at < section.start or at > section.end):
+                    found.append((at, section.function.at(at)))
+        return [one for one in found if not any(sign * one[1] < sign * other for _, other in found)]
+
+    def _extreme(self, squares: Course, greatest: bool) -> Number:
+        return reduce(larger if greatest else smaller, (one for _, one in self._extremes(squares, greatest)))
+
+
+def _first(squares: Course) -> Number:
+    """The square at the dead centre, where the first section begins."""
+    return squares.sections[0].function.at(squares.sections[0].start)
+
+
+def _slopes(section: Section) -> tuple[Function, Function]:
+    """Return the slope of the squares over a section, and its own slope."""
+    return partial(section.function.at, order=1), partial(section.function.at, order=2)
+
+
+def _stationary(squares: Course) -> Iterator[Stationary]:
+    """Yield where the speed is least or greatest, for all squares that the balls hold."""
+    for before, one in pairwise((squares.sections[-1], *squares.sections)):
+        if before.function.at(before.end, 1) * one.function.at(one.start, 1) < 0:
+            raise ProblemError("the speed turns in a dead centre; its extremes cannot be told apart")
+        more = (one.high - one.low) * BEYOND
+        for zero in isolate(*_slopes(one), one.low - more, one.high + more):
+            yield Stationary(one.function.middle, zero)
+
+
+class HeavyRun(SolvedRun):
+    """A turn with moving masses against a constant torque."""
+
+    def first_guess(self) -> Fraction:
+        return first_start(self)
+
+    def squares(self, number: Number) -> Course:
+        half, energy = self.level(number)
+        works, moved = self.energies()
+        inertia: Course = moved + half
+        found: Course = inertia.power(Fraction(-1)) * (works + energy)
+        return found
+
+    def level(self, number: Number) -> tuple[Number, Number]:
+        """Return ½ I and E of a number."""
+        before, mean = self.turn.kinetic_energy_begun(), abs(self.turn.mean_force())
+        if self.wheel.number is None:
+            half = self.at_mean * mean / 2
+            return half, (half + before) * number
+        first = self.turn.of(self.wheel.number) * mean / 2
+        return first / number, first + before * number
+
+
+class SquareRun(SolvedRun):
+    """A turn against the square of the speed, without moving masses."""
+
+    def first_guess(self) -> Fraction:
+        return first_lag(self)
+
+    def excess(self) -> Course:
+        """Return w over the cycle."""
+        found: Course = self.energies()[0] * (1 / self.turn.mean_force())
+        return found
+
+    def squares(self, number: Number) -> Course:
+        unit = self.at_mean if self.wheel.number is None else self.turn.of(self.wheel.number)
+        excess = self.excess()
+        found: Course = (excess + self._lagging(excess, arb.pi() / number) + number) * (2 / unit)
+        return found
+
+    def beyond(self, squares: Course) -> Number:
+        """The same or, of a flywheel known by its number, the square at the dead centre above 1."""
+        return super().beyond(squares) if self.wheel.number is None else _first(squares) - 1
+
+    def _lagging(self, excess: Course, rate: Number) -> Course:
+        """Return y, of which a π is the rate: on each section it is (c - a π ∫ w e^(aθ)) e^(-aθ)."""
+        growing = excess.mapped(lambda one: exponential(one, rate))
+        parts = (excess * growing).mapped(Taylor.sum) * -rate
+        decaying = excess.mapped(lambda one: exponential(one, -rate))
+        begun, found = arb(0), []
+        for part, decay in zip(parts.sections, decaying.sections, strict=True):
+            begun = _ended(part, decay, begun, rate)[1]
+        begun /= 1 - (-rate * self.turn.cycle).exp()
+        for part, decay in zip(parts.sections, decaying.sections, strict=True):
+            constant, begun = _ended(part, decay, begun, rate)
+            found.append(part._replace(function=(part.function + constant) * decay.function))
+        return Course(found, self.turn.cycle)
+
+
+def _ended(part: Section, decay: Section, begun: Number, rate: Number) -> tuple[Number, Number]:
+    """Return c of a section at whose start y is such, and y at its end."""
+    away = part.start - ball(part.function.middle)
+    constant = begun * (rate * away).exp() - part.function.at(part.start)
+    return constant, (part.function.at(part.end) + constant) * decay.function.at(part.end)

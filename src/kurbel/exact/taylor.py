@@ -1,0 +1,185 @@
+"""Power series of analytic functions about a place, in balls, with a bound of what they leave out.
+
+A function that is analytic and at most B on the disk of radius r about the place has terms of at most B/r^k
+(Cauchy), of which a geometric series bounds those that are not kept, and their slopes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import ceil, log2, perm
+from typing import Any
+
+import flint
+from flint import acb, arb, arb_poly, arb_series
+
+from kurbel.exact.certify import ball
+from kurbel.exact.continued import Continued
+from kurbel.exact.roots import interval
+
+Formula = Callable[[Continued], Continued]
+
+# Bits of a bound, and beyond those of the precision in force to which a series is taken.
+BOUND_BITS, GUARD_BITS = 64, 8
+# So often a rectangle about a disk is halved until a function is bounded on it.
+HALVINGS = 5
+# On so much of the radius a root or a quotient is bounded.
+SHRUNK = Fraction(13, 16)
+
+
+@dataclass(frozen=True, eq=False)
+class Taylor:
+    """A function about a place: its first terms, so many, and its bound on the disk of a radius."""
+
+    middle: Fraction
+    radius: Fraction
+    terms: arb_poly
+    length: int
+    bound: arb
+
+    def at(self, place: arb, order: int = 0) -> arb:
+        """Return the function, or its slope of an order, at a place within the disk, a ball."""
+        away, terms = place - ball(self.middle), self.terms
+        for _ in range(order):
+            terms = terms.derivative()
+        value: arb = terms(away)
+        return value + arb(0, self._left_out(away, order))
+
+    def _left_out(self, away: arb, order: int) -> arb:
+        with flint.ctx.workprec(BOUND_BITS):
+            share = abs(away).upper() / ball(self.radius)
+            if not share < 1:
+                return arb("inf")
+            # The terms' slopes grow with k, (m + j)!/(m + j - d)! at most as m!/(m - d)! (j + d)!/(j! d!).
+            tail = share ** (self.length - order) / (1 - share) ** (order + 1)
+            tail *= self.bound * perm(self.length, order) / ball(self.radius) ** order
+            return tail.upper()
+
+    def about(self, middle: Fraction) -> Taylor:
+        """Return the same function about another place within the disk."""
+        away = middle - self.middle
+        if not away:
+            return self
+        moved = self.terms(arb_poly([ball(away), 1])).coeffs()
+        factorial, terms = arb(1), []
+        for order in range(self.length):
+            factorial *= max(order, 1)
+            known = moved[order] if order < len(moved) else arb(0)
+            terms.append(known + arb(0, (self._left_out(ball(away), order) / factorial).upper()))
+        return replace(self, middle=middle, radius=self.radius - abs(away), terms=arb_poly(terms))
+
+    def sum(self) -> Taylor:
+        """Return the integral from the middle on."""
+        bound = self.bound * ball(self.radius)
+        return replace(self, terms=self.terms.integral(), length=self.length + 1, bound=bound)
+
+    def __add__(self, other: Any) -> Taylor:
+        """Return the sum with a function about the same place, or with a number."""
+        if not isinstance(other, Taylor):
+            return replace(self, terms=self.terms + other, bound=(self.bound + abs(other)).upper())
+        count, radius = min(self.length, other.length), min(self.radius, other.radius)
+        terms = (self.terms + other.terms).truncate(count)
+        return Taylor(self.middle, radius, terms, count, (self.bound + other.bound).upper())
+
+    def __mul__(self, other: Any) -> Taylor:
+        if not isinstance(other, Taylor):
+            return replace(self, terms=self.terms * other, bound=(self.bound * abs(other)).upper())
+        count, radius = min(self.length, other.length), min(self.radius, other.radius)
+        with terms_kept(count):
+            terms = arb_series(self.terms.coeffs()) * arb_series(other.terms.coeffs())
+        return Taylor(
+            self.middle, radius, arb_poly(terms.coeffs()), count, (self.bound * other.bound).upper()
+        )
+
+    def power(self, exponent: Fraction) -> Taylor | None:
+        """Return a power below 0, None where the function is not proved to be above 0 on a smaller disk."""
+        radius, first = self.radius * SHRUNK, self.at(ball(self.middle))
+        with flint.ctx.workprec(BOUND_BITS):
+            reach, swing = ball(radius), arb(0)
+            for term in reversed(self.terms.coeffs()[1:]):
+                swing = (swing + abs(term).upper()) * reach
+            least = (first - swing - self._left_out(reach, 0)).lower()
+            if not least > 0:
+                return None
+            bound = (least ** ball(exponent)).upper()
+        with terms_kept(self.length):
+            series = arb_series(self.terms.coeffs())
+            terms = series.rsqrt() if exponent == Fraction(-1, 2) else series ** ball(exponent)
+        return Taylor(self.middle, radius, arb_poly(terms.coeffs()), self.length, bound)
+
+
+def bounded(function: Formula, low: Fraction, high: Fraction, radii: int, most: float) -> arb | None:
+    """Return a bound of a function on a disk of so many half widths about the middle of low..high.
+
+    None where none is found that is below `most` times what the function is in the middle, or 1 if that is
+    more.
+    """
+    middle, radius = (low + high) / 2, (high - low) / 2 * radii
+    reference = float(middle)
+    with flint.ctx.workprec(BOUND_BITS):
+        most *= max(1.0, abs(function(Continued(ball(middle), reference)).at))
+        # Of a real function the other half of the disk is a mirror image.
+        return _bound(function, reference, (middle - radius, middle + radius), (Fraction(0), radius), most)
+
+
+def expanded(function: Formula, low: Fraction, high: Fraction, radii: int, bound: arb) -> Taylor:
+    """Return the series of a function about the middle of low..high, of which such a bound is known."""
+    middle = (low + high) / 2
+    # What a term gains after a quotient and a root, and a little beyond both ends.
+    gain = log2(radii * SHRUNK**2 * Fraction(8, 9))
+    count = ceil((flint.ctx.prec + GUARD_BITS + log2(float(bound) + 1)) / gain)
+    with terms_kept(count):
+        found = function(Continued(arb_series([ball(middle), 1]), float(middle))).ball
+    terms = arb_poly(found.coeffs()) if isinstance(found, arb_series) else arb_poly([found])
+    return Taylor(middle, (high - low) / 2 * radii, terms, count, bound)
+
+
+def _bound(
+    function: Formula,
+    reference: float,
+    along: tuple[Fraction, Fraction],
+    across: tuple[Fraction, Fraction],
+    most: float,
+    halvings: int = HALVINGS,
+) -> arb | None:
+    """Return a bound of a function on a rectangle of the complex plane, None if that is not below `most`."""
+    place = acb(interval(*along), interval(*across))
+    found = abs(function(Continued(place, reference)).ball).upper()
+    if found < most or not halvings:
+        return found if found < most else None
+    if along[1] - along[0] > across[1] - across[0]:
+        halves = [(half, across) for half in _halves(*along)]
+    else:
+        halves = [(along, half) for half in _halves(*across)]
+    greatest = arb(0)
+    for half in halves:
+        found = _bound(function, reference, *half, most, halvings - 1)
+        if found is None:
+            return None
+        greatest = greatest.max(found)
+    return greatest
+
+
+def _halves(low: Fraction, high: Fraction) -> list[tuple[Fraction, Fraction]]:
+    return [(low, (low + high) / 2), ((low + high) / 2, high)]
+
+
+def exponential(beside: Taylor, rate: arb) -> Taylor:
+    """Return e^(rate x), x from the middle of a function on, as far as that is known."""
+    with terms_kept(beside.length):
+        terms = arb_poly(arb_series([0, rate]).exp().coeffs())
+    return replace(beside, terms=terms, bound=(abs(rate) * ball(beside.radius)).exp().upper())
+
+
+@contextmanager
+def terms_kept(count: int) -> Iterator[None]:
+    """Keep so many terms of series within."""
+    before = flint.ctx.cap
+    flint.ctx.cap = count
+    try:
+        yield
+    finally:
+        flint.ctx.cap = before

@@ -1,0 +1,143 @@
+"""Documents of Word: HTML as pandoc translates it, its tables laid out anew.
+
+A folder of one's own templates may have the styles of a publisher's: `base/reference.docx`.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from io import BytesIO
+from tempfile import TemporaryDirectory
+from time import gmtime
+from xml.etree import ElementTree
+from xml.sax.saxutils import escape
+from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
+
+from kurbel.documents.document import Document
+from kurbel.errors import LayoutError, MissingExtraError, OutputError
+from kurbel.formats.docx import FORMAT
+from kurbel.formats.docx.tables import W, laid_out
+from kurbel.formats.render import folders_of, render
+from kurbel.formats.workbook import epoch
+from kurbel.formats.writer import DocumentWriter
+from kurbel.page.labels import plain
+from kurbel.page.table import Table
+
+FILTER = os.path.join(os.path.dirname(__file__), "word.lua")
+STYLES = os.path.join(os.path.dirname(__file__), "styles.xml")
+REFERENCE = "base/reference.docx"
+SECONDS = 300.0
+# Of so many cells pandoc makes a document in 1.6 GB of memory.
+MOST_CELLS = 50_000
+# Pandoc would fetch what stands in a frame.
+_FRAME = re.compile("<(?=/?iframe)", re.IGNORECASE)
+
+
+class Writer(DocumentWriter):
+    def written(self, table: Table, decimal: str | None) -> bytes:
+        html = self.kept(table, decimal)
+        return document_of(
+            html, plain(table.caption, FORMAT.decimal_mark(table.lang, decimal)), table.lang, table.templates
+        )
+
+    def kept(self, table: Table, decimal: str | None, templates: str | None = None) -> str:
+        return render(replace(table, steps=None), "html", decimal=decimal, templates=templates)
+
+    def whole(self, document: Document, fragments: Mapping[str, bytes], templates: str | None) -> bytes:
+        from kurbel.formats.docx.document import page_of
+
+        mark = document.mark()
+        titles = {"title": document.title, "subtitle": document.subtitle, "author": document.author}
+        words = [f"--metadata={name}:{plain(label, mark)}" for name, label in titles.items() if label]
+        words += ["--toc", "--toc-depth=1", f"--metadata=toc-title:{document.words['contents']}"]
+        html = page_of(document, fragments, templates)
+        return document_of(html, plain(document.title, mark), document.lang, (templates,), *words)
+
+
+def document_of(html: str, title: str, lang: str, folders: Sequence[str | None], *words: str) -> bytes:
+    """Return a document of Word that says what the HTML does; `words` are more of pandoc's options.
+
+    Raises KurbelError where there is no pandoc, or one that cannot.
+    """
+    if (cells := html.count("<td")) > MOST_CELLS:
+        raise LayoutError(
+            f"a document of Word of {cells} cells is too long; at most {MOST_CELLS} are set, use -f xlsx"
+        )
+    reference = next(
+        (path for one in folders_of(*folders) if os.path.exists(path := f"{one}/{REFERENCE}")), ""
+    )
+    own = [f"--reference-doc={os.path.abspath(reference)}"] if reference else []
+    made = _by_pandoc(_without_figures(html), *own, *words)
+    with ZipFile(BytesIO(made)) as old:
+        files = {name: old.read(name) for name in old.namelist()}
+    files["word/document.xml"] = laid_out(files["word/document.xml"], bool(reference))
+    with open(STYLES, "rb") as file:
+        ours = file.read().replace(b'"en-GB"', b'"%s"' % {"de": b"de-DE"}.get(lang, b"en-GB"))
+    theirs = files["word/styles.xml"]
+    files["word/styles.xml"] = _joined(theirs, ours) if reference else _joined(ours, theirs)
+    files["docProps/core.xml"] = _titled(files["docProps/core.xml"], title)
+    return _zipped(files)
+
+
+def _without_figures(html: str) -> str:
+    """Return HTML that every pandoc reads alike, for figures are what some read as pictures."""
+    plain_text = re.sub(r"<(/?)figure\b", r"<\1div", html)
+    return _FRAME.sub("&lt;", re.sub(r'<p class="source">(.*?)</p>', r"<div>\1</div>", plain_text))
+
+
+def _by_pandoc(html: str, *words: str) -> bytes:
+    command = shutil.which("pandoc")
+    if command is None:
+        raise MissingExtraError(
+            "Word needs pandoc, and there is none on this machine; install it from https://pandoc.org/installing"
+            ".html, or take -f html"
+        )
+    line = [command, "-f", "html", "-t", "docx", "-L", FILTER, *words, "-o", "-"]
+    environment = os.environ | {"SOURCE_DATE_EPOCH": str(epoch())}
+    with TemporaryDirectory(prefix="kurbel-") as place:
+        try:
+            done = subprocess.run(
+                line,
+                input=html.encode(),
+                capture_output=True,
+                check=False,
+                cwd=place,
+                env=environment,
+                timeout=SECONDS,
+            )
+        except subprocess.TimeoutExpired:
+            raise OutputError(f"pandoc did not finish the document within {SECONDS:g} seconds") from None
+    if done.returncode:
+        sentence = " ".join(done.stderr.decode("utf-8", "replace").split())[:300]
+        raise OutputError(f"pandoc (2.17 or newer) cannot make the document: {sentence}")
+    return done.stdout
+
+
+def _joined(first: bytes, second: bytes) -> bytes:
+    """Return styles with those of others that are not among them."""
+    styles = ElementTree.fromstring(first)
+    known = {style.get(f"{W}styleId") for style in styles.iter(f"{W}style")}
+    more = ElementTree.fromstring(second)
+    styles.extend(style for style in more.iter(f"{W}style") if style.get(f"{W}styleId") not in known)
+    made: bytes = ElementTree.tostring(styles, "utf-8", xml_declaration=True)
+    return made
+
+
+def _titled(core: bytes, title: str) -> bytes:
+    return core.replace(b"<dc:title></dc:title>", b"<dc:title>%s</dc:title>" % escape(title).encode())
+
+
+def _zipped(files: dict[str, bytes]) -> bytes:
+    stream = BytesIO()
+    day = gmtime(epoch())[:6]
+    with ZipFile(stream, "w", ZIP_DEFLATED) as file:
+        for name, content in files.items():
+            entry = ZipInfo(name, day)
+            entry.compress_type = ZIP_DEFLATED
+            file.writestr(entry, content)
+    return stream.getvalue()
