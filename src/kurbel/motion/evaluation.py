@@ -313,29 +313,11 @@ def certified(
 
 def certified_at(quantity: Quantity, method: str, places: Places, decimals: int, rounding: str) -> int:
     """Return the same at places that quantities share."""
-    crank, angle = places.crank, places.angle
 
     def at(kind: Kind) -> Any:
         return _value_at(quantity, method, places.at(quantity.stroke, method, kind))
 
-    def is_algebraic() -> bool:
-        if crank.acceleration and known(crank.speed).turns:
-            from kurbel.motion.notes.accelerated import is_mixed
-
-            pressed = crank.effort is not None and _has_pi(quantity, method, crank, angle)
-            return not (quantity.is_arc or pressed or is_mixed(quantity, method, crank, angle))
-        # Turns a second bring the factor π² to what the masses add to an algebraic number.
-        return not (is_transcendental(quantity, crank) or _has_pi(quantity, method, crank, angle))
-
-    return settled(at, decimals, rounding, is_algebraic)
-
-
-def _has_pi(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
-    if LOADED not in quantity.formulas or not crank.loaded:
-        return False
-    from kurbel.motion.pushed import has_power_of_pi
-
-    return has_power_of_pi(quantity, method, crank, angle)
+    return settled(at, decimals, rounding)
 
 
 def columns_in_balls(

@@ -16,7 +16,6 @@ from kurbel.motion.captions import drive_notes, force_notes
 from kurbel.motion.evaluation import (
     OUT,
     TANGENT,
-    is_transcendental,
     value,
 )
 from kurbel.motion.page import CrankQuestion
@@ -81,7 +80,7 @@ def _number(question: TangentRequest, column: Column, place: Place, times: int) 
         # tan ψ is rational, so that ψ is no rational number of degrees but 0 (and 45, for λ = 1; Niven).
         return times * quantity.formulas[TANGENT].kernel(ball(crank.ratio).atan() * 180 / kind.pi)
 
-    scaled = settled(at, column.places, question.rounding, not is_transcendental(quantity, crank))
+    scaled = settled(at, column.places, question.rounding)
     return Number(scaled, column.places)
 
 

@@ -15,8 +15,7 @@ from kurbel.page.subject import Question
 from kurbel.reading.given import Exact, as_names, as_speed
 
 if TYPE_CHECKING:
-    from kurbel.balance.rotors.lines import Places
-    from kurbel.balance.rotors.rotor import Mass
+    from kurbel.balance.rotors.rotor import Mass, Places
 
 Lengths = Annotated[option.Given | None, Option("", "LENGTHS", unit="m")]
 MOST_PLANES = 2
@@ -165,7 +164,7 @@ def _for_all(values: Sequence[Fraction], count: int) -> tuple[Fraction, ...]:
 
 
 def _places(balance_planes: Any, balance_radii: Any, bearings: Any) -> "Places":
-    from kurbel.balance.rotors.lines import Places
+    from kurbel.balance.rotors.rotor import Places
 
     planes = _planes(balance_planes, "balancing masses")
     radii: tuple[Fraction | None, ...] = (None,) * len(planes)

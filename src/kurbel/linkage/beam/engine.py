@@ -203,5 +203,5 @@ def certified(
     hold both cos μ and cos ν, hence sin(ν - μ).
     """
 
-    scaled = settled(lambda _: times * value(quantity, engine, method), decimals, rounding, algebraic=False)
+    scaled = settled(lambda _: times * value(quantity, engine, method), decimals, rounding)
     return Number(scaled, decimals)
