@@ -320,7 +320,8 @@ def vanishes(value: Callable[[Kind], Any]) -> bool:
 
 def tie_bits(value: Callable[[Kind], Any], boundary: Fraction) -> float:
     """Return how near a number on any kind can come to a rounding boundary, as `certify.rounded` asks."""
-    left = terms(lambda kind: value(kind) - kind.of(boundary))
+    # The boundary is that of the magnitude.
+    left = terms(lambda kind: abs(Terms.of(value(kind))) - boundary)
     if left is None or any(unit != ONE for unit in left):
         return float("inf")
     return left[ONE].bound.bits() if left else 0.0
