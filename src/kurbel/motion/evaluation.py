@@ -188,23 +188,20 @@ def unknown(quantity: Quantity) -> str:
 
 
 def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
-    """Whether no value can lie on a rounding boundary, for it is an arc or has the factor π, as v = S π n/60.
+    """Whether it is an arc or has the factor π, as v = S π n/60, so that algebra knows nothing of its course.
 
-    An arc: sin ψ = λ(sin φ - e/R) relates at most two sines of rational angles and a rational number.
-    Such relations exist only for ψ = 0 and ±30°, which are whole degrees, and as cos 36° - cos 72° = 1/2,
-    which would need λ = 1 (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7).
+    No arc is a tie: sin ψ = λ(sin φ - e/R) relates at most two sines of rational angles and a rational
+    number. Such relations exist only for ψ = 0 and ±30°, which are whole degrees, and as
+    cos 36° - cos 72° = 1/2, which would need λ = 1 (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7).
     """
     if quantity.needs == "time":
         from kurbel.drive.spin import begun
 
         return not known(crank.speed).turns or begun(crank, quantity.stroke) is None
-    if (
-        quantity.is_arc
-        or crank.speed is None
-        or quantity.needs not in ("speed", "mean speed", "inertia", "couple", "thrust inertia")
-    ):
-        return quantity.is_arc
-    return crank.speed.turns is not (quantity.needs == "mean speed")
+    if quantity.in_degrees or quantity.scale is Crank.pin_to_mean:
+        return True
+    timed = quantity.needs in ("speed", "mean speed", "inertia", "couple", "thrust inertia")
+    return timed and known(crank.speed).turns is not (quantity.needs == "mean speed")
 
 
 def value(

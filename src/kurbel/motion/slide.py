@@ -26,7 +26,7 @@ from kurbel.motion.captions import Formulated, drive_notes, formula_lines
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import LOADED, OUT, certified, typed, value
 from kurbel.motion.quantities import registry
-from kurbel.page.quantity import Column, Formula, Quantity, multiplied
+from kurbel.page.quantity import Column, Formula, Quantity, multiplied, words
 from kurbel.reading.where import SHARE
 
 
@@ -126,7 +126,7 @@ class SlideDrive(Drive):
         if quantity != "psi":
             return found
         sine = Formula(lambda at: kinematics.rod_sine(at.circle, at.ratio, at.offset or 0))
-        return found._replace(formulas=dict.fromkeys(found.formulas, sine))
+        return found._replace(formulas=dict.fromkeys(found.formulas, sine), unit=words(""))
 
     def unclosed(self, quantity: Quantity, course: Course) -> Course:
         # A stroke √a - √b with an irrational root is irrational.

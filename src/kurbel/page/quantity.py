@@ -40,11 +40,11 @@ class Quantity(NamedTuple):
     stroke, a direction, a model. `decimals` None prints five figures; with `minutes` pages print degrees and
     minutes and records degrees to so many decimals.
 
-    `formulas` are by method; `is_arc` tells that they take an arc of what is algebraic. `scale` makes the
-    quantity's unit of the kernel's. `bound` is how far a float can lie from the true value, in units of the
-    subject's own bound. `needs` names what must be known of the drive or the load, `of` what it is a number
-    of: a turn, a stroke, an angle. `names` are those under which conditions know it; `rises` tells that
-    between the dead centres it only rises or only falls. `direction` says in which direction it counts.
+    `formulas` are by method. `scale` makes the quantity's unit of the kernel's. `bound` is how far a float
+    can lie from the true value, in units of the subject's own bound. `needs` names what must be known of the
+    drive or the load, `of` what it is a number of: a turn, a stroke, an angle. `names` are those under which
+    conditions know it; `rises` tells that between the dead centres it only rises or only falls. `direction`
+    says in which direction it counts.
     """
 
     key: str
@@ -57,7 +57,6 @@ class Quantity(NamedTuple):
     spanners: tuple[Words, ...] = ()
     part: Words | None = None
     minutes: bool = False
-    is_arc: bool = False
     stroke: int = 1
     scale: Callable[..., Any] | None = None
     bound: float = 1.0
@@ -66,6 +65,10 @@ class Quantity(NamedTuple):
     names: tuple[str, ...] = ()
     rises: bool = False
     direction: Words | None = None
+
+    @property
+    def in_degrees(self) -> bool:
+        return self.unit["en"] == "°"
 
     def plain_unit(self, lang: str) -> str:
         """Return the unit as text."""

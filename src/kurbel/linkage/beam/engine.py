@@ -175,7 +175,7 @@ def _entry(
     return entry(
         key, name, symbol, "°" if decimals is None else "$r$",
         DEGREE_DECIMALS if decimals is None else decimals, formulas, heading,
-        minutes=decimals is None, is_arc=True, stroke=side,
+        minutes=decimals is None, stroke=side,
     )  # fmt: skip
 
 
