@@ -70,8 +70,12 @@ class Vector:
         if not self.rest:
             turned = self.star.turned(-degrees)
             return (turned - turned.mirrored()).vanishes()
-        circle = Real(lambda kind: kind.circle(degrees).cosine), Real(lambda kind: kind.circle(degrees).sine)
-        return (self.parts[1] * circle[0] - self.parts[0] * circle[1]).vanishes()
+
+        def across(kind: Kind) -> Any:
+            (x, y), circle = self.point(kind), kind.circle(degrees)
+            return y * circle.cosine - x * circle.sine
+
+        return Real(across).vanishes()
 
     def square(self) -> Real:
         """Return the square of the length."""

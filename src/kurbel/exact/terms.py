@@ -11,7 +11,6 @@ such a number is proved to be nothing.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache, reduce
 from math import lcm
@@ -38,23 +37,37 @@ class DoubtfulError(Exception):
     """At the precision in force it is not known whether a number is 0."""
 
 
-@dataclass(eq=False, slots=True)
 class Algebraic:
     """A real algebraic number: its ball, its separation bound, and what it is where it was made of rational
-    numbers."""
+    numbers, whose balls and bounds are made where they are asked for."""
 
-    ball: arb
-    bound: Separation
-    exact: Fraction | None = None
+    __slots__ = ("_ball", "_bound", "exact")
+
+    def __init__(self, ball: arb | None, bound: Separation | None, exact: Fraction | None = None) -> None:
+        self._ball, self._bound, self.exact = ball, bound, exact
 
     @classmethod
     def of(cls, value: Fraction) -> Algebraic:
-        return cls(certify.ball(value), Separation.rational(value), value)
+        return cls(None, None, value)
+
+    @property
+    def ball(self) -> arb:
+        if self._ball is None:
+            self._ball = certify.ball(self.exact or Fraction(0))
+        return self._ball
+
+    @property
+    def bound(self) -> Separation:
+        if self._bound is None:
+            self._bound = Separation.rational(self.exact or 0)
+        return self._bound
 
     def __add__(self, other: Algebraic) -> Algebraic:
         if self.exact is not None and other.exact is not None:
             return Algebraic.of(self.exact + other.exact)
-        return Algebraic(self.ball + other.ball, self.bound + other.bound)
+        if self.exact == 0:
+            return other
+        return self if other.exact == 0 else Algebraic(self.ball + other.ball, self.bound + other.bound)
 
     def __mul__(self, other: Algebraic) -> Algebraic:
         if self.exact is not None and other.exact is not None:
@@ -62,6 +75,11 @@ class Algebraic:
         if 0 in (self.exact, other.exact):
             return Algebraic.of(Fraction(0))
         return Algebraic(self.ball * other.ball, self.bound * other.bound)
+
+    def __neg__(self) -> Algebraic:
+        if self.exact is not None:
+            return Algebraic.of(-self.exact)
+        return Algebraic(-self.ball, self.bound)
 
     def __pow__(self, power: Fraction) -> Algebraic:
         exact = None if self.exact is None else _rational_power(self.exact, power)
@@ -125,15 +143,16 @@ class Terms:
         return Terms(parts)
 
     def __mul__(self, other: Any) -> Terms:
-        total = Terms({})
+        total: Terms | None = None
         for unit, one in Terms.of(other).parts.items():
-            total += Terms({_product(own, unit): number * one for own, number in self.parts.items()})
-        return total
+            found = Terms({_product(own, unit): number * one for own, number in self.parts.items()})
+            total = found if total is None else total + found
+        return Terms({}) if total is None else total
 
     __radd__, __rmul__ = __add__, __mul__
 
     def __neg__(self) -> Terms:
-        return self * -1
+        return Terms({unit: -one for unit, one in self.parts.items()})
 
     def __sub__(self, other: Any) -> Terms:
         return self + -Terms.of(other)
@@ -213,6 +232,8 @@ class Terms:
 
 
 def _product(one: Unit, other: Unit) -> Unit:
+    if one is ONE:
+        return other
     if one.log is not None and other.log is not None:
         raise UndecidedError
     return Unit(one.pi + other.pi, other.log if one.log is None else one.log)
@@ -263,6 +284,11 @@ def _primes(value: Fraction) -> dict[int | Algebraic, int] | None:
 def _circle(degrees: Fraction) -> Circle[Terms]:
     if not isinstance(degrees, (int, Fraction)):
         raise UndecidedError
+    return _circle_at(Fraction(degrees), flint.ctx.prec)
+
+
+@lru_cache(maxsize=256)
+def _circle_at(degrees: Fraction, precision: int) -> Circle[Terms]:
     pairs = zip(certify.ball_circle(degrees)[:3], circle_separation(degrees)[:3], strict=True)
     return Circle(*(Terms({ONE: _exactly(*pair)}) for pair in pairs))
 
