@@ -27,6 +27,8 @@ from kurbel.kernel.circle import Circle
 FIRST_BITS = 128
 # The logarithm of a longer fraction is one of its own, for its primes may take years to find.
 MOST_FACTORED_BITS = 128
+# Numbers in higher powers than this take too long to be told from 1.
+MOST_POWER = 10**5
 
 
 class UndecidedError(Exception):
@@ -242,14 +244,17 @@ def _product(one: Unit, other: Unit) -> Unit:
 def _cancel(logs: Parts) -> bool:
     """Whether logarithms with these factors are 0 together: where all are rational the product of what they
     are of, in powers that are made whole, is 1."""
-    factors = {unit.log: one.exact for unit, one in logs.items()}
-    if None in factors.values():
+    factors = {unit.log: one.exact for unit, one in logs.items() if one.exact is not None}
+    near = sum((unit.ball * one.ball for unit, one in logs.items()), flint.arb(0))
+    if len(factors) < len(logs) or not near.contains(0):
         return False
-    whole = lcm(*(one.denominator for one in factors.values() if one is not None))
+    whole = lcm(*(one.denominator for one in factors.values()))
+    if max(abs(one) * whole for one in factors.values()) > MOST_POWER:
+        return False
     total = Algebraic.of(Fraction(1))
     for log, factor in factors.items():
         number = log if isinstance(log, Algebraic) else Algebraic.of(Fraction(log or 1))
-        total *= number ** ((factor or 0) * Fraction(whole))
+        total *= number ** (factor * whole)
     return (total + Algebraic.of(Fraction(-1))).vanishes()
 
 
