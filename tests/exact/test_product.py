@@ -36,8 +36,8 @@ def test_what_is_rational_is_known_to_be_so() -> None:
     assert (Product.of(2) ** F(1, 2)).rational is None
     assert Product.of(2, 1).rational is None
     # √1.51880976 is 1.2324, and √1.51880977 no such number.
-    assert Product.algebraic(lambda kind: kind.of(F(151880976, 10**8)) ** 0.5).rational == F(12324, 10**4)
-    assert Product.algebraic(lambda kind: kind.of(F(151880977, 10**8)) ** 0.5).rational is None
+    assert Product.reduced(lambda kind: kind.of(F(151880976, 10**8)) ** 0.5).rational == F(12324, 10**4)
+    assert Product.reduced(lambda kind: kind.of(F(151880977, 10**8)) ** 0.5).rational is None
     # 3π - π is a multiple of π, and π² over it one of π.
     twice = Product.of(3, 1).plus(Product.of(1, 1), -1)
     assert (Product.of(1, 2) / twice).equals(Product.of(F(1, 2), 1))
@@ -49,7 +49,7 @@ def test_what_is_rational_is_known_to_be_so() -> None:
 def test_ties_are_known_and_rounded_as_asked(rounding: str, last: int) -> None:
     # √1.5625 = 1.25, also of a number that is enclosed, and √1.5625 π/π.
     exact = Product.of(F(25, 16)) ** F(1, 2)
-    enclosed = Product.about(lambda kind: kind.of(F(25, 16)), algebraic=True) ** F(1, 2)
+    enclosed = Product.about(lambda kind: kind.of(F(25, 16))) ** F(1, 2)
     for one in (exact, enclosed, exact * Product.of(1, 1) / Product.of(1, 1)):
         assert one.number(1, rounding) == Number(last, 1)
 
@@ -70,8 +70,8 @@ def test_an_algebraic_number_is_rational_where_that_is_proved() -> None:
             F(1, 3)
         )
 
-    assert Product.algebraic(of).rational == F(13, 3)
-    near = Product.algebraic(lambda kind: kind.of(F(13, 3) + F(1, 10**40)))
+    assert Product.reduced(of).rational == F(13, 3)
+    near = Product.reduced(lambda kind: kind.of(F(13, 3) + F(1, 10**40)))
     assert near.rational is None
     with mp.workdps(60):
         digits(near, 45, mpf(13) / 3 + mpf(10) ** -40)

@@ -10,12 +10,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from typing import Any, NamedTuple, TypeAlias
+from typing import NamedTuple
 
 from kurbel.balance import harmonics
 from kurbel.drive.crank import LARGEST_ANGLE, Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import Kind
+from kurbel.exact.real import Real
 from kurbel.kernel import balance
 from kurbel.kernel.balance import Star
 from kurbel.reading.notation import about
@@ -191,15 +191,13 @@ def check_order(order: int) -> None:
         )
 
 
-Factor: TypeAlias = Fraction | Callable[[Kind], Any]
-"""|B_k|: exact, or a transcendental number on balls."""
-
-
-def factor(order: int, crank: Crank, method: str = "exact") -> Factor:
+def factor(order: int, crank: Crank, method: str = "exact") -> Real:
     """Return |B_k|, by which residuals are multiplied to be in units of m R ω²."""
     check_order(order)
     harmonics.check_straight(crank)
     harmonic = harmonics.HARMONICS["p"]
     # 1, λ or 0.
     exact = harmonics.rational(harmonic, order, crank, method)
-    return (lambda kind: abs(harmonic.value(order, kind.of(crank.ratio)))) if exact is None else exact
+    if exact is not None:
+        return Real.of(exact)
+    return Real.transcendental(lambda kind: abs(harmonic.value(order, kind.of(crank.ratio))))

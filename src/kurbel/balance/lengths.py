@@ -9,10 +9,12 @@ from typing import Any, NamedTuple
 
 import flint
 
-from kurbel.balance.arrangement import Factor, Residual
+from kurbel.balance.arrangement import Residual
+from kurbel.drive.crank import known
 from kurbel.exact.certify import NEVER_TIES, rounded
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Number
+from kurbel.exact.real import Known, Real
 from kurbel.kernel.balance import Star
 
 
@@ -87,28 +89,20 @@ two turning vectors; the half axes of the ellipse that they describe."""
 
 
 def certified_length(
-    length: Length,
-    residual: Residual,
-    decimals: int,
-    factor: Factor = Fraction(1),
-    rounding: str = "half-away",
+    length: Length, residual: Residual, decimals: int, factor: Known = 1, rounding: str = "half-away"
 ) -> Number:
     """Return a magnitude times the factor, correctly rounded; 0 where it is proved to be 0.
 
     Magnitudes are algebraic, and whether one is a rational number is decided by exact arithmetic. |B_k|
     is transcendental where it is not rational (`harmonics.certified`), and so is its product with one.
     """
-    if factor == 0 or length.vanishes(residual):
+    scale = Real.of(factor)
+    if scale.rational == 0 or length.vanishes(residual):
         return Number(0, decimals)
-
-    def value() -> Any:
-        kind = balls()
-        scale = kind.of(factor) if isinstance(factor, Fraction) else factor(kind)
-        return scale * length.value(residual, kind)
+    whole, share = Real(lambda kind: length.value(residual, kind)) * scale, scale.rational
 
     def tie_bits(boundary: Fraction) -> float:
-        assert isinstance(factor, Fraction)
-        return 0.0 if length.equals(residual, boundary / factor) else inf
+        return 0.0 if length.equals(residual, boundary / known(share)) else inf
 
-    ties = tie_bits if isinstance(factor, Fraction) else NEVER_TIES
-    return Number(rounded(value, decimals, rounding, ties), decimals)
+    ties = NEVER_TIES if share is None else tie_bits
+    return Number(rounded(lambda: whole.on(balls()), decimals, rounding, ties), decimals)

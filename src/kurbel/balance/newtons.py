@@ -9,14 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any
 
-from kurbel.balance.arrangement import Arrangement, Factor
-from kurbel.balance.vector import Scale
+from kurbel.balance.arrangement import Arrangement
+from kurbel.balance.vector import pin_acceleration
 from kurbel.drive.crank import Crank, known
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, figure
+from kurbel.exact.real import Real
 from kurbel.motion.captions import moving_notes, turns_label
 from kurbel.page.quantity import Words, words
 from kurbel.reading.amounts import Units, amount, digits, unit_of_page
@@ -79,21 +78,9 @@ class Weighed:
         """Whether the unit of this residual is known."""
         return residual == "force" or self.spacing is not None
 
-    def times(self, factor: Factor, residual: str) -> Factor:
-        """Return a factor in units of m R ω² in newtons, for a moment in newton metres, or their unit."""
-        exact = self.mass * self._arm(residual)
-        if isinstance(factor, Fraction) and not known(self.crank.speed).turns:
-            return factor * exact * known(self.crank.radius) * known(self.crank.speed).value ** 2
-
-        def on_balls(kind: Kind) -> Any:
-            own = kind.of(factor) if isinstance(factor, Fraction) else factor(kind)
-            return own * kind.of(exact) * self.crank.pin_acceleration(kind)
-
-        return on_balls
-
-    def scale(self, residual: str) -> Scale:
+    def scale(self, residual: str) -> Real:
         """Return the unit m R ω² of a residual in newtons, of a moment in newton metres."""
-        return Scale.pin_acceleration(self.crank).times(self.mass * self._arm(residual))
+        return pin_acceleration(self.crank) * (self.mass * self._arm(residual))
 
     def _arm(self, residual: str) -> Fraction:
         """Return by what a force in newtons becomes one in the unit of the page, or a moment."""

@@ -200,12 +200,12 @@ def _number(question: BalanceRequest, column: Column, place: Place, times: int) 
         return harmonic_number(HARMONICS["p"], order, crank, column.places, method, question.rounding)
     length, residual = LENGTHS[column.key.removesuffix(IN_NEWTONS)], question.residuals[key, order]
     scale = factor(order, crank, method)
-    if scale == 0 or length.vanishes(residual):
+    if scale.rational == 0 or length.vanishes(residual):
         return EXACT_ZERO
     if column.quantity.needs and question.weighed is not None:
         if not question.weighed.knows(key):
             return None
-        scale = question.in_newtons.times(scale, key)
+        scale *= question.in_newtons.scale(key)
     return certified_length(length, residual, column.places, scale, question.rounding)
 
 

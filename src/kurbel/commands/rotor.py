@@ -17,8 +17,7 @@ from kurbel.reading.given import as_speed
 from kurbel.reading.measures import as_angles_or_unknown, as_measures, as_measures_or_unknown
 
 if TYPE_CHECKING:
-    from kurbel.balance.rotors.lines import Places
-    from kurbel.balance.rotors.rotor import Mass
+    from kurbel.balance.rotors.rotor import Mass, Places
 
 # One of each mass, None for what is asked for.
 Sought: TypeAlias = Sequence[Fraction | None]
@@ -141,7 +140,7 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
 
     def _places(self) -> Places:
         """Return where what balances and what holds the shaft lies; in one plane nothing does."""
-        from kurbel.balance.rotors.lines import Places
+        from kurbel.balance.rotors.rotor import Places
 
         if not self.says("planes"):
             return Places((), (), ())

@@ -111,12 +111,11 @@ class Crank:
         )
 
     def pin_velocity(self, numbers: Kind) -> Any:
-        """Return v = R ω of the crank pin in m/s; bounds, which know no π, leave it out."""
+        """Return v = R ω of the crank pin in m/s."""
         speed, radius = known(self.speed), known(self.radius)
         if not speed.turns:
             return numbers.of(radius * speed.value)
-        rational = numbers.of(2 * radius * speed.value)
-        return rational if numbers.pi is None else rational * numbers.pi
+        return numbers.of(2 * radius * speed.value) * numbers.pi
 
     def mean_velocity(self, numbers: Kind) -> Any:
         """Return c_m of the piston in m/s. Of turns it is S n/30, without the π of the crank-pin velocity.

@@ -69,9 +69,8 @@ class Pressures:
         return area * (self.head * self.areas.head - self.crank * self.areas.crank)
 
     def force(self, kind: Kind) -> Any:
-        """Return that force; separation bounds, which know no π, leave it out."""
-        found = kind.of(self.rational)
-        return found if kind.pi is None else found * kind.pi
+        """Return that force."""
+        return kind.of(self.rational) * kind.pi
 
 
 @dataclass(frozen=True, slots=True)

@@ -37,12 +37,10 @@ class Drive(Protocol):
 class Moved(ABC):
     """A drive on one kind of number: lengths in R, slopes over the crank angle in radians.
 
-    `regular` where the dead centres lie at 0° and 180°, `algebraic` where the paths at rational angles are
-    algebraic numbers, and no arcs. `length` is that of the stroke.
+    `regular` where the dead centres lie at 0° and 180°. `length` is that of the stroke.
     """
 
     regular = False
-    algebraic = True
     length: Number
 
     def dead_centre(self, stroke: int) -> Number:

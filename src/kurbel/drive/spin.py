@@ -21,10 +21,10 @@ _RATIONAL = {Fraction(0): Fraction(0), Fraction(1, 2): Fraction(30), Fraction(-1
 
 
 def angular_velocity(crank: Crank, numbers: Kind) -> Any:
-    """Return ω in rad/s; bounds, which know no π, leave it out."""
+    """Return ω in rad/s."""
     speed = known(crank.speed)
     omega = numbers.of(2 * speed.value if speed.turns else speed.value)
-    return omega if not speed.turns or numbers.pi is None else omega * numbers.pi
+    return omega * numbers.pi if speed.turns else omega
 
 
 def angular_square(crank: Crank, numbers: Kind) -> Any:
@@ -53,10 +53,10 @@ def turned(crank: Crank, stroke: int, degrees: Any, numbers: Kind) -> Any:
 
 
 def turn_time(crank: Crank, numbers: Kind) -> Any:
-    """Return the time of an even turn in seconds; bounds, which know no π, leave it out."""
+    """Return the time of an even turn in seconds."""
     speed = known(crank.speed)
     time = numbers.of((1 if speed.turns else 2) / speed.value)
-    return time if speed.turns or numbers.pi is None else time * numbers.pi
+    return time if speed.turns else time * numbers.pi
 
 
 def acceleration_of(given: Exact, speed: Speed | None) -> Fraction:

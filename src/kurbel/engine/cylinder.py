@@ -273,6 +273,11 @@ class AnyTurn(ABC):
         assert self.engine.crank.radius is not None
         return self.force_unit() * self.of(self.engine.crank.radius)
 
+    def back(self) -> Number:
+        """The back pressure R_b/Q."""
+        kind = self.cylinder.kind
+        return self.part.ideal.numbers(kind.of, kind.exponent).back
+
     def mean_force(self) -> Number:
         """P/Q, the mean tangential force of all cranks together; negative where the shaft drives them."""
         parts = zip(self.engine.parts, self.cylinders, strict=True)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
-from math import ceil, floor, inf, log10
+from math import ceil, floor, log10
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import flint
@@ -12,7 +12,7 @@ import flint
 from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.engine.quantities import AT_ANGLE, EXTREMES, Where, engine_registry, value
 from kurbel.errors import CardError
-from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
+from kurbel.exact.certify import rounded
 from kurbel.exact.numerals import Number, figures, given, nearest
 from kurbel.page.quantity import Column, Quantity, bare
 
@@ -57,21 +57,14 @@ def settled(asked: Asked, rounding: str) -> Number:
             return given(near, decimals, rounding)
         decimals = figures(float(near)) if decimals is None else decimals
     assert decimals is not None
-    ties: TieBits | None = NEVER_TIES
-    if quantity.ties is not None and len(asked.turns) == 1:
-        assert asked.unit == 1
-        ties = _of_boundary(quantity.ties, asked)
+
+    def ties(boundary: Fraction) -> float:
+        # Few values touch a boundary.
+        from kurbel.engine.ties import turn_ties
+
+        return turn_ties(lambda *turns: asked._replace(turns=turns).value(), asked.turns)(boundary)
+
     return Number(rounded(asked.value, decimals, rounding, ties), decimals)
-
-
-def _of_boundary(rule: Callable[..., TieBits | None], asked: Asked) -> TieBits:
-    """Return the rule of a value's ties, which is made for one that touches a boundary alone."""
-
-    def bits(boundary: Fraction) -> float:
-        known = rule(asked.turns[0], asked.where.half_turns)
-        return inf if known is None else known(boundary)
-
-    return bits
 
 
 class Estimate(NamedTuple):

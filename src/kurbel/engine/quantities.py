@@ -11,12 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from functools import cache, partial
+from functools import cache
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.drive.flywheel import Flywheel
-from kurbel.engine import flywheel, newton_ties, ties
+from kurbel.engine import flywheel
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.loads import work
 from kurbel.exact.numerals import Label
@@ -137,7 +137,7 @@ def _turn_entries() -> Iterator[Quantity]:
     yield _entry("mean_force", "mittlere Umfangskraft|Mean tangential force", "$P$", "$Q$", "turn", 5,
                  lambda turn, where: turn.mean_force())  # fmt: skip
     yield _entry("back", "Gegendruck|Back pressure", "$R_b$", "$Q$", "turn", 4,
-                 lambda turn, where: turn.back(), needs="steam", ties=ties.back_ties)  # fmt: skip
+                 lambda turn, where: turn.back(), needs="steam")  # fmt: skip
     yield _entry("exponent", "Exponent der Expansion|Exponent of the expansion", "$n$", "", "turn", None,
                  lambda turn, where: turn.engine.steam.exponent, needs="curve")  # fmt: skip
     yield _entry("clearance", "schädlicher Raum|Clearance", "$κ$", "", "turn", None,
@@ -148,14 +148,13 @@ def _turn_entries() -> Iterator[Quantity]:
     yield from _extreme("kleinste Geschwindigkeit|Least speed", "least", "min")
     yield from _extreme("größte Geschwindigkeit|Greatest speed", "greatest", "max")
     yield _entry("tangential", "Tangentialkraft|Tangential force", "$T$", "$Q$", "angle", 4,
-                 lambda turn, where: turn.tangential_force(where.half_turns),
-                 ties=ties.force_ties)  # fmt: skip
+                 lambda turn, where: turn.tangential_force(where.half_turns))  # fmt: skip
     yield _entry("tangential_excess", "Überschuss über die mittlere|Excess over the mean", "$T - P$", "$Q$",
                  "angle", 4,
                  lambda turn, where: turn.tangential_force(where.half_turns) - turn.mean_force(),
                  )  # fmt: skip
     yield _entry("energy", "Überschussarbeit|Excess energy", "$W$", "$Q r$", "angle", 4,
-                 lambda turn, where: turn.energy_at(where.half_turns), ties=ties.energy_ties,
+                 lambda turn, where: turn.energy_at(where.half_turns),
                  direction=words("$W$ Arbeit des Überschusses seit dem inneren Totpunkt der ersten Kurbel"
                                  "|$W$ work of the excess since the inner dead centre of the first crank"),
                  )  # fmt: skip
@@ -172,8 +171,7 @@ def _path_entries() -> Iterator[Quantity]:
         yield _entry(key, path, "$s$", unit, "angle", decimals, along, scale=scale, needs=needs)
     yield _entry("tangential_kpa", "Tangentialdruck|Tangential pressure", "$T/A$", "kPa", "angle", 1,
                  lambda turn, where: turn.tangential_force(where.half_turns), needs="load",
-                 scale=lambda turn: turn.of(_kilopascals(turn)),
-                 ties=partial(ties.scaled_ties, _kilopascals))  # fmt: skip
+                 scale=lambda turn: turn.of(_kilopascals(turn)))  # fmt: skip
 
 
 def _kilopascals(turn: AnyTurn) -> Fraction:
@@ -261,17 +259,16 @@ def _force_entries() -> Iterator[Quantity]:
         in_steam = _entry(
             key, one.name, f"${one.letter}$", "$Q$", "crank", 4,
             lambda turn, where, force=acting: turn.crank_force(force, where.half_turns),
-            direction=one.direction, ties=partial(ties.crank_force_ties, acting),
+            direction=one.direction,
         )  # fmt: skip
         yield in_steam
         yield in_steam._replace(
             key=f"{key}_n", unit=words("N"), decimals=1, heading=words(f"{in_steam.symbol} in N"),
             scale=AnyTurn.force_unit, needs="load",
-            ties=partial(newton_ties.newton_ties, acting),
         )  # fmt: skip
     yield _entry(
         "torque_nm", "Drehmoment|Torque", "$M_d$", "N m", "angle", 1,
         lambda turn, where: turn.tangential_force(where.half_turns),
-        scale=AnyTurn.torque_unit, needs="torque", ties=newton_ties.torque_ties,
+        scale=AnyTurn.torque_unit, needs="torque",
         direction=words("$M_d$ an der Welle|$M_d$ on the shaft"),
     )  # fmt: skip

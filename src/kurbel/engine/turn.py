@@ -174,10 +174,6 @@ class Turn(AnyTurn):
             return flint.arb(1) * (end - begin)
         return self.angle_of(0, stroke, ball(1 / expansion)) - begin
 
-    def back(self) -> Number:
-        """The back pressure R_b/Q."""
-        return self.part.ideal.numbers(ball).back
-
     def excess(self, piece: Piece, place: Angle) -> Number:
         cylinders = self.cylinders
         total = sum(

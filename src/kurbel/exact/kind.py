@@ -23,7 +23,8 @@ _ROUNDED_BITS = 192
 class Kind(NamedTuple):
     """A kind of number: how it is made of a rational number, the circle of an angle in degrees, the arcsine
     in degrees, π, the rod angle in degrees of circle, λ and e/R or None, what an exponent is to it, and how
-    it is made of a number that is known by its balls alone.
+    it is made of a number that is known by its balls alone. `bounded` numbers carry separation bounds, for
+    which formulas with few roots are best.
 
     Separation bounds have neither arcs nor π; functions of the crank angle come with their own circle.
     """
@@ -35,6 +36,7 @@ class Kind(NamedTuple):
     rod_angle: Any = None
     exponent: Any = None
     enclosed: Any = None
+    bounded: bool = False
 
 
 def balls() -> Kind:
@@ -59,29 +61,20 @@ def bounds() -> Kind:
     """Return separation bounds."""
     from kurbel.exact.separation import Separation, circle_separation
 
-    return Kind(Separation.rational, circle_separation, exponent=Fraction)
+    return Kind(Separation.rational, circle_separation, exponent=Fraction, bounded=True)
 
 
-def settled(
-    value: Callable[[Kind], Any],
-    decimals: int,
-    rounding: str = "half-away",
-    algebraic: bool | Callable[[], bool] = True,
-) -> int:
-    """Return what `rounded` does of a value on any kind of number; one that is not `algebraic` never ties.
-
-    Where that itself takes a proof it is asked for only of a value that touches a boundary.
-    """
+def settled(value: Callable[[Kind], Any], decimals: int, rounding: str = "half-away") -> int:
+    """Return what `rounded` does of a value on any kind of number; of what it is made its ties follow."""
     from kurbel.exact import certify
 
     def tie_bits(boundary: Fraction) -> float:
-        if callable(algebraic) and not algebraic():
-            return math.inf
-        kind = bounds()
-        return float((value(kind) - kind.of(boundary)).bits())
+        # Few values touch a boundary.
+        from kurbel.exact import terms
 
-    free = tie_bits if algebraic else certify.NEVER_TIES
-    return certify.rounded(lambda: value(balls()), decimals, rounding, free)
+        return terms.tie_bits(value, boundary)
+
+    return certify.rounded(lambda: value(balls()), decimals, rounding, tie_bits)
 
 
 def floats() -> Kind:

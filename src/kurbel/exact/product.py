@@ -1,7 +1,7 @@
 """Products of powers: what multiplying, dividing and powers make of rational numbers, π and enclosed ones.
 
-Each is r^(1/n) π^p Π X^u with a rational r > 0; an X is known by its balls alone. Without one it is settled
-what it equals: π being transcendental, it is rational only where p = 0 and r has an exact root.
+Each is r^(1/n) π^p Π X^u with a rational r > 0; an X is a formula on any kind of number. Without one it is
+settled what it equals: π being transcendental, it is rational only where p = 0 and r has an exact root.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from fractions import Fraction
 from functools import reduce
 from math import lcm
 from operator import mul
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import flint
 
-from kurbel.exact.certify import vanishes
-from kurbel.exact.kind import Kind, balls, bounds, settled
+from kurbel.exact.kind import Kind, balls, settled
 from kurbel.exact.numerals import Number, figures, given
+from kurbel.exact.terms import terms, vanishes
 
 if TYPE_CHECKING:
     from flint import arb
@@ -28,12 +28,8 @@ _SURE_BITS = 1000
 _SHORT = 10**6
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Enclosed:
-    """A positive number on any kind; one that is not `algebraic` lies on no rounding boundary."""
-
-    value: Callable[[Kind], Any]
-    algebraic: bool = False
+# A positive number on any kind.
+Enclosed: TypeAlias = Callable[[Kind], Any]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -52,22 +48,21 @@ class Product:
         return cls(Fraction(value), pi=Fraction(pi))
 
     @classmethod
-    def about(cls, value: Callable[[Kind], Any], algebraic: bool = False) -> Product:
-        """Return a number above 0 that is known by its balls."""
-        return cls(Fraction(1), enclosed=((Enclosed(value, algebraic), Fraction(1)),))
+    def about(cls, value: Enclosed) -> Product:
+        """Return a number above 0 by its formula."""
+        return cls(Fraction(1), enclosed=((value, Fraction(1)),))
 
     @classmethod
-    def algebraic(cls, value: Callable[[Kind], Any]) -> Product:
-        """Return an algebraic number above 0: a rational one where it is proved to be short and rational."""
-        with flint.ctx.workprec(_NEAR_BITS):
-            near = value(balls())
-            short = Fraction(float(near.mid())).limit_denominator(_SHORT)
-            plausible = (near - balls().of(short)).contains(0)
-        if plausible:
-            bits = (value(bounds()) - bounds().of(short)).bits()
-            if vanishes(lambda: value(balls()) - balls().of(short), bits):
-                return cls.of(short)
-        return cls.about(value, algebraic=True)
+    def reduced(cls, value: Enclosed) -> Product:
+        """Return the same where it is not proved to be a short rational number, or one times a power of π."""
+        left = terms(value) or {}
+        if len(left) == 1:
+            [(unit, number)] = left.items()
+            short = Fraction(float(number.ball.mid())).limit_denominator(_SHORT)
+            found = cls(abs(short), pi=unit.pi)
+            if unit.log is None and short > 0 and vanishes(lambda kind: value(kind) - found.on(kind)):
+                return found
+        return cls.about(value)
 
     def __mul__(self, other: Product | int) -> Product:
         other = Product.of(other) if isinstance(other, int) else other
@@ -104,11 +99,11 @@ class Product:
         return self.base if self.root == 1 and not self.pi and not self.enclosed else None
 
     def on(self, kind: Kind) -> Any:
-        """Return the number on a kind of numbers; on separation bounds only without a power of π."""
+        """Return the number on a kind of numbers."""
         factors = [_power(kind.of(self.base), Fraction(1, self.root), kind)]
         if self.pi:
             factors.append(_power(kind.pi, self.pi, kind))
-        factors += (_power(one.value(kind), power, kind) for one, power in self.enclosed)
+        factors += (_power(one(kind), power, kind) for one, power in self.enclosed)
         return reduce(mul, factors)
 
     def ball(self, bits: int = _NEAR_BITS) -> arb:
@@ -138,8 +133,7 @@ class Product:
             return given(scaled.rational, decimals, rounding)
         if decimals is None:
             decimals = figures(float(scaled))
-        algebraic = bool(self.enclosed) and not self.pi and all(one.algebraic for one, _ in self.enclosed)
-        return Number(settled(scaled.on, decimals, rounding, algebraic), decimals)
+        return Number(settled(scaled.on, decimals, rounding), decimals)
 
 
 def _power(value: Any, power: Fraction, kind: Kind) -> Any:

@@ -3,7 +3,7 @@
 Pressures are in any one unit, work in that unit times the whole stroke. The share counts from the dead centre
 at which the stroke begins, 0 to 1, whichever end it is: the volume of the end that the piston leaves grows as
 clearance + share, that of the other shrinks as clearance + 1 - share. Numbers are floats, arrays, balls or
-separation bounds; a ball that lies over a corner gives one that holds both sides, a bound that of all pieces.
+what compares as they do; a ball that lies over a corner gives one that holds both sides.
 """
 
 from __future__ import annotations
@@ -109,9 +109,6 @@ class Law(NamedTuple):
         if hasattr(share, "piecewise"):
             every = [value(index, self._within(index, share)) for index in range(len(self.pieces))]
             return share.piecewise(self.corners, every)
-        if hasattr(share, "union") and not hasattr(share, "rad"):
-            # Of bounds nothing tells on which piece they lie, and none need be kept within one.
-            return _either([value(index, share) for index in range(len(self.pieces))])
         return _either([value(index, self._within(index, share)) for index in self.around(share)])
 
     def _of_array(self, share: Number, value: Callable[[int, Number], Number]) -> Number:

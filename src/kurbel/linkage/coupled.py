@@ -154,14 +154,14 @@ def _share(share: Fraction) -> str:
 
 
 def _number(question: CoupledRequest, column: Column, place: Place, times: int) -> Number | None:
-    """The printed number; shares are rational and the rest is algebraic."""
+    """The printed number."""
     (drive,), angle, quantity = question.drives, question.angles[place["angle"]], column.quantity
     share = question.axles.factor(quantity.key, place["axle"])
     if share is None:
         return None
 
     def at(kind: Kind) -> Any:
-        found = value(quantity, drive, kind.circle(angle), kind, direct=kind.arc is None)
+        found = value(quantity, drive, kind.circle(angle), kind, direct=kind.bounded)
         return found * kind.of(known(share) * times)
 
     return Number(settled(at, column.places, question.rounding), column.places)

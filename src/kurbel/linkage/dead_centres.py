@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple
 
-from kurbel.drive.crank import Crank, Described, known
+from kurbel.drive.crank import Crank, Described
 from kurbel.drive.load import figure
 from kurbel.drive.spin import turn_time
 from kurbel.errors import ProblemError
@@ -113,7 +113,6 @@ class Ends(NamedTuple):
     def _time(self, sign: int) -> Any:
         crank = crank_of(self.drive)
         even = isinstance(self.drive, Crank) and not crank.offset
-        # Bounds know no arcs.
         lead = self.kind.of(Fraction(0)) if even else self.lead()
         return (180 + sign * lead) / 360 * turn_time(crank, self.kind)
 
@@ -220,18 +219,6 @@ class DeadCentresRequest(Question):
         return "" if all(is_known(quantity, crank) for crank in cranks) else unknown(quantity)
 
 
-def _is_algebraic(quantity: Quantity, drive: Crank | RockerCrank) -> bool:
-    """Whether a value is no arc and has no factor π, so that it can lie on a rounding boundary."""
-    crank = crank_of(drive)
-    if quantity.key == "v_mps":
-        return not known(crank.speed).turns
-    if not isinstance(drive, Crank):
-        return False
-    if quantity.needs == "time":
-        return known(crank.speed).turns and not crank.offset
-    return quantity.key in ("stroke", "stroke_mm") or (quantity.key == "c_m_mps" and known(crank.speed).turns)
-
-
 def _number(question: DeadCentresRequest, column: Column, place: Place, times: int) -> Number:
     """The printed number; for the boundaries see linkage/arc/captions.py, and for fewer decimals the error
     of one that is not settled."""
@@ -241,9 +228,7 @@ def _number(question: DeadCentresRequest, column: Column, place: Place, times: i
     def value(kind: Kind) -> Any:
         return times * kernel(Ends(drive, kind))
 
-    return Number(
-        settled(value, column.places, question.rounding, _is_algebraic(quantity, drive)), column.places
-    )
+    return Number(settled(value, column.places, question.rounding), column.places)
 
 
 def _caption(question: DeadCentresRequest) -> Label:

@@ -6,10 +6,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank
-from kurbel.exact.kind import Kind, balls, bounds, settled
+from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
@@ -65,9 +65,6 @@ class Linkage(ABC):
     __slots__ = ()
 
     crank: Any
-    # Whether its lengths are rational numbers in units of R, so that at rational angles all but arcs is
-    # algebraic of a known degree. Of others a value on a rounding boundary stays unsettled.
-    is_rational: ClassVar[bool] = True
 
     def of(self, crank: Crank) -> Linkage:
         """Return the drive with what else is known of its crank."""
@@ -117,35 +114,9 @@ def certified(
     p + q cos φ + r sin φ with rational p, q, r and q² + r² < 1; where ψ is a rational number of degrees that
     is one of 0, ±30°, ±45° and ±60° (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7). Rocker and rod
     angles on a boundary are not excluded; `certify.rounded` then raises ProblemError.
-
-    What a speed in turns makes has the factor π. What the masses add is algebraic, times π² where the speed
-    counts turns. With a part of theirs that is not
-    zero a force is then transcendental; so are those of the rod alone, but for zeros.
     """
 
     def at(kind: Kind) -> Any:
-        return _value_at(quantity, drive, angle, kind)
+        return value(quantity, drive, kind.circle(angle), kind, direct=kind.bounded)
 
-    def is_algebraic() -> bool:
-        speed = drive.crank.speed
-        by_turns = quantity.needs in ("inertia", "couple", "speed") and speed is not None and speed.turns
-        return drive.is_rational and not (quantity.is_arc or by_turns or _weighs(quantity, drive, angle))
-
-    return settled(at, decimals, rounding, is_algebraic)
-
-
-def _value_at(quantity: Quantity, drive: Linkage, angle: Fraction, kind: Kind) -> Any:
-    # Bounds have no arcs, and are to be small.
-    return value(quantity, drive, kind.circle(angle), kind, direct=kind.arc is None)
-
-
-def _weighs(quantity: Quantity, drive: Linkage, angle: Fraction) -> bool:
-    """Whether the masses may have a part in the force that has the factor π²."""
-    crank = drive.crank
-    if crank.moving is None or LOADED not in quantity.formulas or not (crank.speed and crank.speed.turns):
-        return False
-    from kurbel.exact.certify import vanishes
-
-    alone = drive.of(replace(crank, force=None))
-    bits = float(_value_at(quantity, alone, angle, bounds()).bits())
-    return not vanishes(lambda: _value_at(quantity, alone, angle, balls()), bits)
+    return settled(at, decimals, rounding)

@@ -54,7 +54,7 @@ def suits_floats(column: Column, crank: Crank, reach: float) -> bool:
 def suits_doubles(column: Column, crank: Crank, angles: Sequence[Fraction]) -> bool:
     """Whether the formula is arithmetic, which sums of two floats do as well, and its digits fit 64 bits."""
     quantity = column.quantity
-    plain = quantity.needs in ARITHMETIC and not quantity.is_arc and not crank.acceleration
+    plain = quantity.needs in ARITHMETIC and not quantity.in_degrees and not crank.acceleration
     if not plain or (crank.loaded and LOADED in quantity.formulas) or not isinstance(angles, Progression):
         return False
     denominator = lcm(angles.start.denominator, angles.step.denominator)

@@ -310,13 +310,13 @@ def _machine(crank: Crank, lang: str) -> Label:
 
 def _speed(crank: Crank, lang: str) -> str:
     speed = known(crank.speed)
-    quotient = digits_text(crank.pin_to_mean, 4, algebraic=False)
+    quotient = digits_text(crank.pin_to_mean, 4)
     times, unit = unit_of_page("m/s")
     return WORDS["speed"][lang].format(
         unit=unit,
         turns=f"{turns_label(speed)}, ",
-        pin=digits_text(_times(crank.pin_velocity, times), 3, algebraic=not speed.turns),
-        mean=digits_text(_times(crank.mean_velocity, times), 3, algebraic=speed.turns),
+        pin=digits_text(_times(crank.pin_velocity, times), 3),
+        mean=digits_text(_times(crank.mean_velocity, times), 3),
         quotient=quotient if crank.offset else "π:2",
     )
 
@@ -338,12 +338,12 @@ def _offset(crank: Crank, lang: str) -> Label:
     return WORDS["offset"][lang].format(
         offset=figure(crank.offset),
         ratio=ratio_text(crank.ratio),
-        inner=digits_text(partial(crank.dead_angle, OUT), 3, algebraic=False),
-        outer=digits_text(outer, 3, algebraic=False),
-        stroke=digits_text(crank.stroke, 4, algebraic=True),
+        inner=digits_text(partial(crank.dead_angle, OUT), 3),
+        outer=digits_text(outer, 3),
+        stroke=digits_text(crank.stroke, 4),
     )
 
 
-def digits_text(value: Callable[[Kind], Any], decimals: int, algebraic: bool) -> str:
-    """Return the digits of a value that is either algebraic or an arc or a multiple or fraction of π."""
-    return number_text(Number(settled(value, decimals, algebraic=algebraic), decimals))
+def digits_text(value: Callable[[Kind], Any], decimals: int) -> str:
+    """Return the digits of a value."""
+    return number_text(Number(settled(value, decimals), decimals))

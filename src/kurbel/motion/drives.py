@@ -33,7 +33,7 @@ from kurbel.exact.surd import Field, SecondRootError, Surd
 from kurbel.kernel.circle import Circle
 from kurbel.motion.captions import Formulated
 from kurbel.motion.evaluation import LOADED, is_known, is_transcendental
-from kurbel.page.quantity import Column, Quantity, multiplied, of_multiple
+from kurbel.page.quantity import Column, Quantity, multiplied
 from kurbel.reading.notation import ratio_text
 
 ONE = Fraction(1)
@@ -137,7 +137,7 @@ class Drive(ABC):
         quantity = multiplied(self.entries[column]._replace(stroke=stroke), times)
         if place.degrees is not None:
             return self.certified(quantity, place.degrees, decimals, rounding)
-        ties = of_multiple(ties_at(place, self._surd(column, stroke)), times)
+        ties = ties_at(place, self._surd(column, stroke), times)
 
         def at() -> Any:
             return self.value(quantity, half_turn_circle(place.half_turns()), balls())
@@ -225,13 +225,14 @@ class Drive(ABC):
         return Course(at, slope, begin, end, jet.value, jet.slope)
 
 
-def ties_at(place: Place, surd: Surd | None) -> TieBits | None:
-    """Return what proves that a value at the place lies on a rounding boundary, or NEVER_TIES."""
+def ties_at(place: Place, surd: Surd | None, times: Fraction = ONE) -> TieBits | None:
+    """Return what proves that a value at the place, times a factor, lies on a boundary, or NEVER_TIES."""
     if surd is None or place.polynomial is None:
         return NEVER_TIES
 
     def tie_bits(boundary: Fraction) -> float:
         # The boundary is that of the magnitude.
-        return 0.0 if place.vanishes(surd - boundary) or place.vanishes(surd + boundary) else inf
+        own = boundary / times
+        return 0.0 if place.vanishes(surd - own) or place.vanishes(surd + own) else inf
 
     return tie_bits

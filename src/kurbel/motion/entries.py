@@ -221,7 +221,7 @@ def _of_stroke(times: int, crank: Crank, numbers: Any) -> Any:
 def _rod_entries() -> Iterator[Quantity]:
     yield spanned(
         "psi", "Schubstangenwinkel|Rod angle", "$ψ$", "$ψ$ in °", "°", 3, ROD_ANGLE,
-        is_arc=True, bound=60.0, names=("psi", "ψ"),
+        bound=60.0, names=("psi", "ψ"),
     )  # fmt: skip
     for key, name, letter, unit, formulas, scale in (
         (
@@ -281,7 +281,7 @@ def speed_entries() -> Iterator[Quantity]:
         }
         yield spanned(
             key, name, f"${head}$", f"${head}$" + (unit and f" in {unit}"), unit, 3 if unit else 4, formulas,
-            stroke=TURN, is_arc=not unit, scale=scale, needs=needs,
+            stroke=TURN, scale=scale, needs=needs,
         )  # fmt: skip
 
 

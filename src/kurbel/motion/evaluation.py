@@ -188,23 +188,20 @@ def unknown(quantity: Quantity) -> str:
 
 
 def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
-    """Whether no value can lie on a rounding boundary, for it is an arc or has the factor π, as v = S π n/60.
+    """Whether it is an arc or has the factor π, as v = S π n/60, so that algebra knows nothing of its course.
 
-    An arc: sin ψ = λ(sin φ - e/R) relates at most two sines of rational angles and a rational number.
-    Such relations exist only for ψ = 0 and ±30°, which are whole degrees, and as cos 36° - cos 72° = 1/2,
-    which would need λ = 1 (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7).
+    No arc is a tie: sin ψ = λ(sin φ - e/R) relates at most two sines of rational angles and a rational
+    number. Such relations exist only for ψ = 0 and ±30°, which are whole degrees, and as
+    cos 36° - cos 72° = 1/2, which would need λ = 1 (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7).
     """
     if quantity.needs == "time":
         from kurbel.drive.spin import begun
 
         return not known(crank.speed).turns or begun(crank, quantity.stroke) is None
-    if (
-        quantity.is_arc
-        or crank.speed is None
-        or quantity.needs not in ("speed", "mean speed", "inertia", "couple", "thrust inertia")
-    ):
-        return quantity.is_arc
-    return crank.speed.turns is not (quantity.needs == "mean speed")
+    if quantity.in_degrees or quantity.scale is Crank.pin_to_mean:
+        return True
+    timed = quantity.needs in ("speed", "mean speed", "inertia", "couple", "thrust inertia")
+    return timed and known(crank.speed).turns is not (quantity.needs == "mean speed")
 
 
 def value(
@@ -313,29 +310,11 @@ def certified(
 
 def certified_at(quantity: Quantity, method: str, places: Places, decimals: int, rounding: str) -> int:
     """Return the same at places that quantities share."""
-    crank, angle = places.crank, places.angle
 
     def at(kind: Kind) -> Any:
         return _value_at(quantity, method, places.at(quantity.stroke, method, kind))
 
-    def is_algebraic() -> bool:
-        if crank.acceleration and known(crank.speed).turns:
-            from kurbel.motion.notes.accelerated import is_mixed
-
-            pressed = crank.effort is not None and _has_pi(quantity, method, crank, angle)
-            return not (quantity.is_arc or pressed or is_mixed(quantity, method, crank, angle))
-        # Turns a second bring the factor π² to what the masses add to an algebraic number.
-        return not (is_transcendental(quantity, crank) or _has_pi(quantity, method, crank, angle))
-
-    return settled(at, decimals, rounding, is_algebraic)
-
-
-def _has_pi(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
-    if LOADED not in quantity.formulas or not crank.loaded:
-        return False
-    from kurbel.motion.pushed import has_power_of_pi
-
-    return has_power_of_pi(quantity, method, crank, angle)
+    return settled(at, decimals, rounding)
 
 
 def columns_in_balls(

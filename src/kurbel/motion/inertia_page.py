@@ -191,22 +191,17 @@ def _number(question: ErrorsRequest, column: Column, place: Place, times: int) -
     peak, whole = question.peak(*where, model, quantity.of == ERROR), question.peak(*where, EXACT, False)
     if quantity.minutes:
         return _angle(peak, times, decimals, rounding)
-    concerned: tuple[Peak, ...] = (peak,)
     if quantity.unit["en"] == PERCENT:
         if whole.vanishes:
             return None
         share = peak.share_of(whole)
         if share is not None:
             return nearest(100 * share, decimals, rounding)
-        concerned = (peak, whole)
-    # No algebraic number makes up for the factor π² of turns a second.
-    by_turns = quantity.needs == "inertia" and known(peak.crank.speed).turns
-    exact = not by_turns and all(one.separation() is not None for one in concerned)
     kernel, unit = quantity.formulas[EXACT].kernel, Fraction(1)
     if quantity.needs == "inertia":
         unit = question.of_page("N m" if peak.force.is_torque or peak.force.is_couple else "N")
     return Number(
-        settled(lambda kind: kind.of(unit) * kernel(peak, whole, kind), decimals, rounding, exact), decimals
+        settled(lambda kind: kind.of(unit) * kernel(peak, whole, kind), decimals, rounding), decimals
     )
 
 
@@ -216,7 +211,7 @@ def _angle(peak: Peak, share: int, decimals: int, rounding: str) -> Number | Non
         return None
     if peak.exact_degrees is not None:
         return nearest(share * peak.exact_degrees, decimals, rounding)
-    return Number(settled(lambda _: share * peak.degrees(), decimals, rounding, algebraic=False), decimals)
+    return Number(settled(lambda _: share * peak.degrees(), decimals, rounding), decimals)
 
 
 SUBJECT = Subject(

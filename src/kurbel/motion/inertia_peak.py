@@ -23,6 +23,7 @@ from kurbel.exact.jet import Jet, ball_jets, jets
 from kurbel.exact.kind import Kind
 from kurbel.exact.roots import ISOLATING_BITS, Root, interval, isolate, refined
 from kurbel.exact.separation import Separation, circle_separation
+from kurbel.exact.terms import algebraic
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.rod import Loaded, Masses
 from kurbel.motion.inertia import RodForce
@@ -86,8 +87,8 @@ class Peak:
         return first
 
     def on(self, numbers: Kind) -> Any:
-        """Return the magnitude on balls, on bounds, which know no π, its separation."""
-        return self.separation() if numbers.pi is None else self.value()
+        """Return the magnitude on balls or on Terms."""
+        return algebraic(numbers, self.value, self.separation)
 
     @property
     def exact_degrees(self) -> Fraction | None:

@@ -5,13 +5,12 @@ Friction has the direction of the stroke that the piston is in; at a dead centre
 
 from __future__ import annotations
 
-from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import Crank, known
 from kurbel.drive.moved import framed
-from kurbel.exact.kind import Kind, balls, bounds
+from kurbel.exact.kind import Kind, balls
 from kurbel.kernel import forces, kinematics
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.effort.pins import net_torque as pin_torque
@@ -20,7 +19,6 @@ from kurbel.kernel.rod import Loaded, Masses
 if TYPE_CHECKING:
     from kurbel.kernel.effort.weight import Weight
     from kurbel.motion.evaluation import At
-    from kurbel.page.quantity import Quantity
 
 FIRST_BITS = 64
 RETURN = -1
@@ -86,7 +84,7 @@ def way_at(crank: Crank, stroke: int, angle: Fraction) -> int:
         return 1 if angle % 360 < 180 else -1
     import flint
 
-    from kurbel.exact.certify import vanishes
+    from kurbel.exact.terms import vanishes
 
     def velocity(kind: Kind) -> Any:
         return kinematics.offset_velocity(kind.circle(angle), *_numbers(crank, stroke, kind))
@@ -94,7 +92,7 @@ def way_at(crank: Crank, stroke: int, angle: Fraction) -> int:
     def acceleration(kind: Kind) -> Any:
         return kinematics.offset_acceleration(kind.circle(angle), *_numbers(crank, stroke, kind))
 
-    rests = vanishes(lambda: velocity(balls()), float(velocity(bounds()).bits()))
+    rests = vanishes(velocity)
     bits = FIRST_BITS
     while True:
         with flint.ctx.workprec(bits):
@@ -106,31 +104,3 @@ def way_at(crank: Crank, stroke: int, angle: Fraction) -> int:
 
 def _numbers(crank: Crank, stroke: int, kind: Kind) -> tuple[Any, Any]:
     return kind.of(stroke * crank.ratio), kind.of(stroke * crank.offset)
-
-
-def has_power_of_pi(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
-    """Whether masses or pressures may have a part in a force that has a power of π for a factor."""
-    return any(_counts(quantity, method, alone, angle) for alone in _with_powers_of_pi(crank))
-
-
-def _counts(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
-    """Whether the quantity may be another than zero."""
-    from kurbel.exact.certify import vanishes
-    from kurbel.motion.evaluation import value
-
-    def part(kind: Kind) -> Any:
-        return value(quantity, method, crank, kind.circle(angle), kind) + kind.of(Fraction(0))
-
-    return not vanishes(lambda: part(balls()), float(part(bounds()).bits()))
-
-
-def _with_powers_of_pi(crank: Crank) -> list[Crank]:
-    """Return the drive with that alone which makes forces with a power of π: with its inertia where the speed
-    counts turns, with the pressures."""
-    alone, moving, effort = replace(crank, force=None, effort=None), crank.moving, crank.effort
-    found = []
-    if moving is not None and crank.speed and crank.speed.turns:
-        found.append(replace(alone, moving=replace(moving, slope=None)))
-    if effort is not None and effort.pressures:
-        found.append(replace(alone, moving=None, effort=replace(effort, friction=Fraction(0))))
-    return found

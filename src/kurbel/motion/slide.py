@@ -12,20 +12,21 @@ from flint import arb
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import NEVER_TIES, half_turn_circle, pi, rounded, vanishes
+from kurbel.exact.certify import NEVER_TIES, half_turn_circle, pi, rounded
 from kurbel.exact.course import Course
 from kurbel.exact.jet import Jet, ball_jets
-from kurbel.exact.kind import Kind, balls, bounds
+from kurbel.exact.kind import Kind, balls
 from kurbel.exact.level import level_places
 from kurbel.exact.numerals import Label
 from kurbel.exact.place import Place
+from kurbel.exact.terms import vanishes
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle
 from kurbel.motion.captions import Formulated, drive_notes, formula_lines
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import LOADED, OUT, certified, typed, value
 from kurbel.motion.quantities import registry
-from kurbel.page.quantity import Column, Formula, Quantity, multiplied
+from kurbel.page.quantity import Column, Formula, Quantity, multiplied, words
 from kurbel.reading.where import SHARE
 
 
@@ -125,7 +126,7 @@ class SlideDrive(Drive):
         if quantity != "psi":
             return found
         sine = Formula(lambda at: kinematics.rod_sine(at.circle, at.ratio, at.offset or 0))
-        return found._replace(formulas=dict.fromkeys(found.formulas, sine), is_arc=False)
+        return found._replace(formulas=dict.fromkeys(found.formulas, sine), unit=words(""))
 
     def unclosed(self, quantity: Quantity, course: Course) -> Course:
         # A stroke √a - √b with an irrational root is irrational.
@@ -135,7 +136,7 @@ class SlideDrive(Drive):
             def apart(kind: Kind) -> Any:
                 return self.value(quantity, kind.circle(180 * half_turns), kind) - kind.of(wanted)
 
-            return vanishes(lambda: apart(balls()), float(apart(bounds()).bits()))
+            return vanishes(apart)
 
         return replace(course, ends=ends, is_exactly=is_exactly)
 

@@ -16,7 +16,6 @@ from kurbel.motion.captions import drive_notes, force_notes
 from kurbel.motion.evaluation import (
     OUT,
     TANGENT,
-    is_transcendental,
     value,
 )
 from kurbel.motion.page import CrankQuestion
@@ -46,8 +45,8 @@ def _headed(quantity: Quantity) -> Quantity:
         heading={lang: f"{name} ${letter}{form}$" for lang, name in quantity.name.items()},
         spanners=(),
         part=None,
-        minutes=quantity.is_arc,
-        decimals=DEGREE_DECIMALS if quantity.is_arc else quantity.decimals,
+        minutes=quantity.in_degrees,
+        decimals=DEGREE_DECIMALS if quantity.in_degrees else quantity.decimals,
     )
 
 
@@ -76,12 +75,12 @@ def _number(question: TangentRequest, column: Column, place: Place, times: int) 
     quantity, crank = column.quantity, question.cranks[place["ratio"]]
 
     def at(kind: Kind) -> Any:
-        if not quantity.is_arc:
+        if not quantity.in_degrees:
             return value(quantity, "exact", crank, square_position(kind.of(crank.ratio)), kind)
         # tan ψ is rational, so that ψ is no rational number of degrees but 0 (and 45, for λ = 1; Niven).
         return times * quantity.formulas[TANGENT].kernel(ball(crank.ratio).atan() * 180 / kind.pi)
 
-    scaled = settled(at, column.places, question.rounding, not is_transcendental(quantity, crank))
+    scaled = settled(at, column.places, question.rounding)
     return Number(scaled, column.places)
 
 

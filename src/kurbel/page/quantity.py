@@ -40,12 +40,11 @@ class Quantity(NamedTuple):
     stroke, a direction, a model. `decimals` None prints five figures; with `minutes` pages print degrees and
     minutes and records degrees to so many decimals.
 
-    `formulas` are by method; `is_arc` tells that they take an arc of what is algebraic. `scale` makes the
-    quantity's unit of the kernel's. `ties` is how near it can come to a rounding boundary where that is not
-    the rule of its subject, and `bound` how far a float can lie from the true value, in units of the
-    subject's own bound. `needs` names what must be known of the drive or the load, `of` what it is a number
-    of: a turn, a stroke, an angle. `names` are those under which conditions know it; `rises` tells that
-    between the dead centres it only rises or only falls. `direction` says in which direction it counts.
+    `formulas` are by method. `scale` makes the quantity's unit of the kernel's. `bound` is how far a float
+    can lie from the true value, in units of the subject's own bound. `needs` names what must be known of the
+    drive or the load, `of` what it is a number of: a turn, a stroke, an angle. `names` are those under which
+    conditions know it; `rises` tells that between the dead centres it only rises or only falls. `direction`
+    says in which direction it counts.
     """
 
     key: str
@@ -58,16 +57,18 @@ class Quantity(NamedTuple):
     spanners: tuple[Words, ...] = ()
     part: Words | None = None
     minutes: bool = False
-    is_arc: bool = False
     stroke: int = 1
     scale: Callable[..., Any] | None = None
-    ties: Callable[..., Any] | None = None
     bound: float = 1.0
     needs: str = ""
     of: str = ""
     names: tuple[str, ...] = ()
     rises: bool = False
     direction: Words | None = None
+
+    @property
+    def in_degrees(self) -> bool:
+        return self.unit["en"] == "°"
 
     def plain_unit(self, lang: str) -> str:
         """Return the unit as text."""
@@ -125,7 +126,7 @@ def multiplied(quantity: Quantity, times: Fraction) -> Quantity:
     """Return a quantity whose numbers are so many times those of another."""
     if times == 1:
         return quantity
-    above, below, ties = times.numerator, times.denominator, quantity.ties
+    above, below = times.numerator, times.denominator
 
     def scaled(function: Callable[..., Any]) -> Callable[..., Any]:
         def call(*at: Any) -> Any:
@@ -136,24 +137,10 @@ def multiplied(quantity: Quantity, times: Fraction) -> Quantity:
 
     # Two more roundings of floats.
     changed = quantity._replace(bound=2 * quantity.bound)
-    if ties is not None:
-        changed = changed._replace(ties=lambda *about: of_multiple(ties(*about), times))
     if quantity.scale is not None:
         return changed._replace(scale=scaled(quantity.scale))
     formulas = {key: one._replace(kernel=scaled(one.kernel)) for key, one in quantity.formulas.items()}
     return changed._replace(formulas=formulas)
-
-
-# How near a number comes to a boundary, as exact/certify.py asks.
-Ties = Callable[[Fraction], float] | None
-
-
-def of_multiple(ties: Ties, times: Fraction) -> Ties:
-    """Return how near so many times a number can come to a boundary, of what is known of that number."""
-    if ties is None or times == 1:
-        return ties
-    slack = times.numerator.bit_length() + times.denominator.bit_length()
-    return lambda boundary: ties(boundary / times) + slack
 
 
 class Column(NamedTuple):

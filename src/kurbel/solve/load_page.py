@@ -14,7 +14,7 @@ from kurbel.engine.axes import LoadAxis
 from kurbel.engine.course.search import At
 from kurbel.engine.quantities import engine_registry
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.ties import limit_ties
+from kurbel.engine.ties import turn_ties
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
@@ -198,9 +198,12 @@ def _number(question: LoadedRequest, column: Column, place: Place, times: int) -
         return times * at.value(loaded.quantity(key)) * scale(turn)
 
     ties: TieBits | None = NEVER_TIES
-    if key == column.key in CRANK_FORCES and at.place.exact is not None:
-        _, stroke, angle = at.segment.standing[0]
-        ties = limit_ties(CRANK_FORCES[key], stroke, turn, at.place.exact - at.segment.middle + angle)
+    if key in CRANK_FORCES and at.place.exact is not None:
+        _, stroke, standing = at.segment.standing[0]
+        angle = at.place.exact - at.segment.middle + standing
+        ties = turn_ties(
+            lambda on: times * on.cylinder.force(CRANK_FORCES[key], stroke, angle) * scale(on), [turn]
+        )
     return Number(rounded(found, decimals, rounding, ties), decimals)
 
 

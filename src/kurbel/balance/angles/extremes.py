@@ -17,11 +17,12 @@ from kurbel.balance.arrangement import Residual, factor
 from kurbel.balance.lengths import LENGTHS, certified_length
 from kurbel.balance.newtons import IN_NEWTONS
 from kurbel.balance.page import NEEDS, RESIDUALS, SUBJECT, BalanceRequest, balance_notes, balance_registry
-from kurbel.balance.vector import EXACT_ZERO, ONE, Scale, Vector, direction, is_zero
-from kurbel.drive.crank import Crank
+from kurbel.balance.vector import Vector
+from kurbel.drive.crank import Crank, known
 from kurbel.exact.certify import NEVER_TIES, rounded
 from kurbel.exact.kind import balls
 from kurbel.exact.numerals import Label, Number
+from kurbel.exact.real import EXACT_ZERO, Real
 from kurbel.page.axes import Place
 from kurbel.page.quantity import Column, Formula, Quantity, entry
 from kurbel.reading.amounts import BOTH
@@ -82,7 +83,7 @@ class ExtremesRequest(BalanceRequest):
             [
                 (one, self.residuals[key, one], partial(_on_balls, scale))
                 for one, scale in scales.items()
-                if scale != 0
+                if scale.rational != 0
             ]
         )
         return Curve(waves, slides_of(self.placed, key) if exact else (), crank.ratio)
@@ -92,14 +93,13 @@ class ExtremesRequest(BalanceRequest):
         return cache(lambda key, ratio: greatest(self.curve(key, ratio)))
 
 
-def _on_balls(scale: Any) -> Any:
-    kind = balls()
-    return kind.of(scale) if isinstance(scale, Fraction) else scale(kind)
+def _on_balls(scale: Real) -> Any:
+    return scale.on(balls())
 
 
 def _number(question: ExtremesRequest, column: Column, place: Place, times: int) -> Number | None:
     key, order, ratio = RESIDUALS[place["residual"]], question.lines[place["order"]], place["ratio"]
-    scale = ONE
+    scale = Real.of(1)
     if column.quantity.needs and question.weighed is not None:
         if not question.weighed.knows(key):
             return None
@@ -122,16 +122,15 @@ def _of_order(
     if column.quantity.key == PLACE:
         # The two vectors meet where k φ + arg f = arg b - k φ.
         meeting = Vector(residual.backward * residual.forward.mirrored())
-        return None if scale == 0 else direction(meeting, column.places, question.rounding, 2 * order)
-    length = LENGTHS[GREATEST]
-    if scale == 0 or length.vanishes(residual):
+        return None if scale.rational == 0 else meeting.number(column.places, question.rounding, 2 * order)
+    if scale.rational == 0 or LENGTHS[GREATEST].vanishes(residual):
         return EXACT_ZERO
     if column.quantity.needs and question.weighed is not None:
-        scale = question.in_newtons.times(scale, key)
-    return certified_length(length, residual, column.places, scale, question.rounding)
+        scale *= question.in_newtons.scale(key)
+    return certified_length(LENGTHS[GREATEST], residual, column.places, scale, question.rounding)
 
 
-def _of_all(question: ExtremesRequest, column: Column, key: str, ratio: int, scale: Scale) -> Number:
+def _of_all(question: ExtremesRequest, column: Column, key: str, ratio: int, scale: Real) -> Number:
     found: Greatest = question.greatest(key, ratio)
     if column.quantity.key == PLACE:
         return Number(
@@ -139,9 +138,9 @@ def _of_all(question: ExtremesRequest, column: Column, key: str, ratio: int, sca
         )
 
     def tie_bits(boundary: Fraction) -> float:
-        return 0.0 if _is_reached(question, (key, ratio), found, boundary / scale.value) else inf
+        return 0.0 if _is_reached(question, (key, ratio), found, boundary / known(scale.rational)) else inf
 
-    ties = tie_bits if scale.algebraic else NEVER_TIES
+    ties = NEVER_TIES if scale.rational is None else tie_bits
     value = rounded(lambda: scale.on(balls()) * found.length(), column.places, question.rounding, ties)
     return Number(value, column.places)
 
@@ -164,11 +163,9 @@ def _is_reached(question: ExtremesRequest, where: tuple[str, int], found: Greate
     else:
         vector = Vector()
         for order in question.orders:
-            share = factor(order, crank, question.method)
-            assert isinstance(share, Fraction)
+            share = known(factor(order, crank, question.method).rational)
             vector += of_order(question.residuals[key, order], order, angle) * share
-    square = vector.square()
-    return is_zero(lambda kind: square(kind) - kind.of(length**2))
+    return (vector.square() - length**2).vanishes()
 
 
 def _notes(question: ExtremesRequest) -> Iterator[Label]:

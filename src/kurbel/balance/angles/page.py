@@ -21,10 +21,11 @@ from kurbel.balance.page import (
     BalanceRequest,
     balance_notes,
 )
-from kurbel.balance.vector import EXACT_ZERO, ONE, Scale, Vector, component, direction, length
-from kurbel.drive.crank import Crank
+from kurbel.balance.vector import Vector
+from kurbel.drive.crank import Crank, known
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
+from kurbel.exact.real import EXACT_ZERO, Real
 from kurbel.page.axes import AngleAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
 from kurbel.page.table import Field
@@ -42,12 +43,11 @@ WORDS: Mapping[str, Words] = {
     ),
 }
 # By the key of a column: what it prints of a vector, times a scale.
-Print = Callable[[Vector, int, str, Scale], Number | None]
-PRINTED: Mapping[str, Print] = {
-    "along": lambda vector, places, rounding, scale: component(vector, 0, places, rounding, scale),
-    "across": lambda vector, places, rounding, scale: component(vector, 1, places, rounding, scale),
-    "magnitude": lambda vector, places, rounding, scale: length(vector, places, rounding, scale),
-    "direction": lambda vector, places, rounding, scale: direction(vector, places, rounding),
+PRINTED: Mapping[str, Callable[[Vector, Real], Real | Vector]] = {
+    "along": lambda vector, scale: vector.component(0) * scale,
+    "across": lambda vector, scale: vector.component(1) * scale,
+    "magnitude": lambda vector, scale: vector.length() * scale,
+    "direction": lambda vector, scale: vector,
 }
 
 
@@ -101,26 +101,23 @@ class AngleRequest(BalanceRequest):
         return (*self.orders, None)
 
     @cached_property
-    def vector(self) -> Callable[[str, int | None, int, int], tuple[Vector, Scale]]:
+    def vector(self) -> Callable[[str, int | None, int, int], tuple[Vector, Real]]:
         """Return the vector of a residual, of an order or all, at a ratio and an angle, each found once."""
         return cache(self._vector)
 
-    def _vector(self, key: str, order: int | None, ratio: int, at: int) -> tuple[Vector, Scale]:
+    def _vector(self, key: str, order: int | None, ratio: int, at: int) -> tuple[Vector, Real]:
         """Return the vector with what makes units of m R ω² of it; of no order, of all."""
         crank, angle = Crank(self.ratios[ratio]), self.angles[at]
         if order is not None:
-            return of_order(self.residuals[key, order], order, angle), ONE.times(
-                factor(order, crank, self.method)
-            )
+            return of_order(self.residuals[key, order], order, angle), factor(order, crank, self.method)
         if self.method == "exact":
             first = self.residuals[key, 1]
-            return of_all(self.placed, key, first, crank, angle), ONE
+            return of_all(self.placed, key, first, crank, angle), Real.of(1)
         total = Vector()
         for one in self.orders:
-            scale = factor(one, crank, self.method)
-            assert isinstance(scale, Fraction)
+            scale = known(factor(one, crank, self.method).rational)
             total += of_order(self.residuals[key, one], one, angle) * scale
-        return total, ONE
+        return total, Real.of(1)
 
 
 class LineAxis(OrderAxis):
@@ -151,14 +148,14 @@ class LineAxis(OrderAxis):
 def _number(question: AngleRequest, column: Column, place: Place, times: int) -> Number | None:
     key, order = RESIDUALS[place["residual"]], question.lines[place["order"]]
     vector, scale = question.vector(key, order, place["ratio"], place["angle"])
-    if not scale.value:
+    if scale.rational == 0:
         return None if column.key == "direction" else EXACT_ZERO
     if column.quantity.needs and question.weighed is not None:
         if not question.weighed.knows(key):
             return None if not vector.vanishes() else EXACT_ZERO
-        scale = question.in_newtons.scale(key).times(scale.value)._replace(factor=scale.factor)
-    printing = PRINTED[column.key.removesuffix(IN_NEWTONS)]
-    return printing(vector, column.places, question.rounding, scale)
+        scale *= question.in_newtons.scale(key)
+    printed = PRINTED[column.key.removesuffix(IN_NEWTONS)]
+    return printed(vector, scale).number(column.places, question.rounding)
 
 
 def _notes(question: AngleRequest) -> Iterator[Label]:

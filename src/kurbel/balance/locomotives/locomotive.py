@@ -9,20 +9,21 @@ Forces of the first order, of an infinite rod. Standard theory, re-derived.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
-from kurbel.balance.rotors.rotor import Mass, Placed, balancing, force, moment, shares
-from kurbel.balance.vector import Scale, Value, Vector, estimate
+from kurbel.balance.rotors.rotor import Mass, Placed, force, moment, shares
+from kurbel.balance.vector import Vector, omega
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import Kind
+from kurbel.exact.real import Real
 from kurbel.reading.notation import about
 from kurbel.reading.units import Speed
 
 MOST_CYLINDERS = 8
 LARGEST = 10**9
+_UNKNOWN = Mass(None, None, None, None)
 
 
 class Crank(NamedTuple):
@@ -61,44 +62,38 @@ class Locomotive:
     def planes(self) -> tuple[Fraction, Fraction]:
         return -self.gauge / 2, self.gauge / 2
 
-    def _placed(self, masses: Sequence[Fraction]) -> list[Placed]:
+    def _placed(self, masses: Iterable[Fraction]) -> list[Placed]:
         return [
-            Placed(
-                Vector.ray(one.angle, mass * self.radius),
-                one.place,
-                Mass(mass, self.radius, one.angle, one.place),
-            )
+            Placed(Vector.ray(one.angle, mass * self.radius), Real.of(one.place), _UNKNOWN)
             for one, mass in zip(self.cranks, masses, strict=True)
         ]
 
     def balance(self, share: Fraction) -> tuple[Vector, ...]:
         """Return the unbalances in kg m of the masses in the left and the right wheel."""
-        return balancing(
-            self._placed([one.revolving + share / self.axles * one.reciprocating for one in self.cranks]),
-            self.planes,
-        )
+        masses = (one.revolving + share / self.axles * one.reciprocating for one in self.cranks)
+        return tuple(one * Fraction(-1) for one in shares(self._placed(masses), self.planes))
 
     def blows(self, share: Fraction) -> tuple[Vector, ...]:
         """Return those of them that are for what goes to and fro; times ω² they are the hammer blows."""
-        return shares(
-            self._placed([share / self.axles * one.reciprocating for one in self.cranks]), self.planes
-        )
+        masses = (share / self.axles * one.reciprocating for one in self.cranks)
+        return shares(self._placed(masses), self.planes)
 
     def blow(self, share: Fraction) -> Vector:
         """Return the greater one."""
         left, right = self.blows(share)
-        return right if estimate(right.square()) > estimate(left.square()) else left
+        return right if float(right.square()) > float(left.square()) else left
+
+    def left(self, share: Fraction) -> list[Placed]:
+        """Return what pulls along the slides at φ = 0; it turns with the axle."""
+        return self._placed((1 - share) * one.reciprocating for one in self.cranks)
 
     def pull(self, share: Fraction) -> Vector:
-        """Return what pulls along the slides, in kg m at φ = 0; it turns with the axle."""
-        return force(self._placed(self._left(share)))
+        """Return the sum of that, in kg m."""
+        return force(self.left(share))
 
     def sway(self, share: Fraction) -> Vector:
-        """Return the moment of that about the middle of the axle, in kg m²."""
-        return moment(self._placed(self._left(share)), Fraction(0))
-
-    def _left(self, share: Fraction) -> list[Fraction]:
-        return [(1 - share) * one.reciprocating for one in self.cranks]
+        """Return its moment about the middle of the axle, in kg m²."""
+        return moment(self.left(share), Fraction(0))
 
 
 class Run(NamedTuple):
@@ -113,20 +108,11 @@ class Run(NamedTuple):
     limit: Fraction | None = None
     radius: Fraction | None = None
 
-    def omega(self, power: int = 1) -> Scale | None:
-        """Return a power of ω, None where it is not known."""
+    @property
+    def omega(self) -> Real | None:
+        """ω in 1/s, None where it is not known."""
         if self.speed is not None:
-            return Scale.speed(self.speed, power)
+            return omega(self.speed)
         if self.velocity is None or self.wheel is None:
             return None
-        return Scale((2 * self.velocity / self.wheel) ** power)
-
-
-def lifting(blow: Vector, load: Fraction) -> Value:
-    """Return ω in 1/s at which the hammer blow is the load of the wheel."""
-    length = blow.length()
-
-    def value(kind: Kind) -> object:
-        return (kind.of(load) / length(kind)) ** kind.exponent(Fraction(1, 2))
-
-    return value
+        return Real.of(2 * self.velocity / self.wheel)

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kurbel.balance.locomotives.locomotive import Locomotive, Run
-from kurbel.balance.locomotives.quantities import NEEDS, At, Found, quantities
-from kurbel.balance.rotors.page import known_number
-from kurbel.balance.vector import Vector, direction
+from kurbel.balance.locomotives.quantities import NEEDS, At, quantities
+from kurbel.balance.rotors.page import number_of
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, figure
 from kurbel.motion.captions import turns_label
@@ -75,7 +74,7 @@ class LocomotiveRequest(Question):
     def missing(self, quantity: Quantity) -> str:
         run = self.run
         unknown = {
-            "--speed": run.omega() is None,
+            "--speed": run.omega is None,
             "--wheel": run.wheel is None,
             "--balance-radius": run.radius is None,
             "--wheel-load": run.load is None,
@@ -86,15 +85,7 @@ class LocomotiveRequest(Question):
 
 
 def _number(question: LocomotiveRequest, column: Column, place: Place, times: int) -> Number | None:
-    own = quantities()[column.quantity.key]
-    at = At(question.engine, question.run, question.shares[place["share"]])
-    found: Found = own.formulas["exact"].kernel(at)
-    if found is None:
-        return None
-    if isinstance(found, Vector):
-        return direction(found, column.places, question.rounding)
-    scale = found.scale.times(question.of_page(own.unit["en"]))
-    return known_number(found.value, scale, column.decimals, question.rounding)
+    return number_of(question, column, At(question.engine, question.run, question.shares[place["share"]]))
 
 
 def _share_axis(question: LocomotiveRequest) -> ListAxis:

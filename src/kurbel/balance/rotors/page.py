@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
-from kurbel.balance.rotors.lines import Line, Places, lines, on
-from kurbel.balance.rotors.rotor import Rotor
-from kurbel.balance.rotors.unknown import Solution, solved
-from kurbel.balance.vector import EXACT_ZERO, ONE, Scale, Vector, direction, is_zero, printed
-from kurbel.exact.kind import Kind
+from kurbel.balance.rotors.rotor import Line, Placed, Places, Rotor, lines
+from kurbel.balance.rotors.unknown import solved
+from kurbel.balance.vector import Vector, omega
+from kurbel.drive.crank import known
 from kurbel.exact.numerals import Label, Number, given
+from kurbel.exact.real import Real
 from kurbel.motion.captions import turns_label
 from kurbel.page.axes import ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
@@ -22,10 +22,7 @@ from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
 from kurbel.reading.units import Speed
 
-ANGLE = "angle"
 ANGLE_DECIMALS = 2
-# Units of pages over those of the SI.
-_SCALES = {"radius_mm": Fraction(1000), "plane_mm": Fraction(1000)}
 # What planes and a speed tell.
 _OF_PLANES, _OF_SPEED = "planes", "speed"
 NEEDS: Mapping[str, tuple[str, ...]] = {_OF_PLANES: ("--planes",), _OF_SPEED: ("--speed",)}
@@ -60,32 +57,49 @@ WORDS: Mapping[str, Words] = {
 }
 
 
+class At(NamedTuple):
+    """A line of the page, and the speed of the shaft."""
+
+    line: Line
+    speed: Speed | None
+
+
+def _field(name: str, times: int = 1, power: int = 0) -> Callable[[At], Real | None]:
+    """Return what a line has, times a power of ω."""
+
+    def kernel(at: At) -> Real | None:
+        found: Real | None = getattr(at.line, name)
+        for _ in range(power if found else 0):
+            found = known(found) * omega(known(at.speed))
+        return found and found * times
+
+    return kernel
+
+
 @cache
 def quantities() -> Mapping[str, Quantity]:
     """Return the columns by their keys."""
     rows = (
-        ("mass_kg", "Masse|Mass", "$m$", "kg", None, ""),
-        ("radius_mm", "Halbmesser des Schwerpunkts|Radius of the centre of mass", "$r$", "mm", None, ""),
-        (ANGLE, "Winkel|Angle", "$α$", "°", ANGLE_DECIMALS, ""),
-        ("plane_mm", "Lage der Ebene|Position of the plane", "$z$", "mm", None, _OF_PLANES),
-        ("unbalance_kgm", "Unwucht|Unbalance", "$m r$", "kg m", None, ""),
-        ("moment_kgm2", "Moment der Unwucht|Moment of the unbalance", "$m r l$", "kg m²", None, _OF_PLANES),
-        ("unbalance_n", "Fliehkraft|Centrifugal force", "$m r ω^2$", "N", None, _OF_SPEED),
-        (
-            "moment_nm", "Moment der Fliehkraft|Moment of the centrifugal force", "$m r l ω^2$", "N m", None,
-            _OF_SPEED,
-        ),
+        ("mass_kg", "Masse|Mass", "$m$", "kg", _field("mass"), ""),
+        ("radius_mm", "Halbmesser des Schwerpunkts|Radius of the centre of mass", "$r$", "mm",
+         _field("radius", 1000), ""),
+        ("angle", "Winkel|Angle", "$α$", "°", lambda at: at.line.angle, ""),
+        ("plane_mm", "Lage der Ebene|Position of the plane", "$z$", "mm", _field("plane", 1000), _OF_PLANES),
+        ("unbalance_kgm", "Unwucht|Unbalance", "$m r$", "kg m", _field("unbalance"), ""),
+        ("moment_kgm2", "Moment der Unwucht|Moment of the unbalance", "$m r l$", "kg m²", _field("moment"),
+         _OF_PLANES),
+        ("unbalance_n", "Fliehkraft|Centrifugal force", "$m r ω^2$", "N", _field("unbalance", power=2),
+         _OF_SPEED),
+        ("moment_nm", "Moment der Fliehkraft|Moment of the centrifugal force", "$m r l ω^2$", "N m",
+         _field("moment", power=2), _OF_SPEED),
     )  # fmt: skip
-    found = {}
-    for key, name, symbol, unit, decimals, needs in rows:
-        field = key.partition("_")[0]
-        formulas = {"exact": Formula(_field(field))}
-        found[key] = entry(key, name, symbol, unit, decimals, formulas, needs=needs)
-    return found
-
-
-def _field(name: str) -> Any:
-    return lambda line: getattr(line, name)
+    return {
+        key: entry(
+            key, name, symbol, unit, ANGLE_DECIMALS if unit == "°" else None, {"exact": Formula(kernel)},
+            needs=needs,
+        )
+        for key, name, symbol, unit, kernel, needs in rows
+    }  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -103,20 +117,15 @@ class RotorRequest(Question):
         _ = self.lines
 
     @cached_property
-    def solutions(self) -> tuple[Solution, ...]:
+    def solutions(self) -> tuple[tuple[Placed, ...], ...]:
         return solved(self.rotor.masses)
 
     @cached_property
     def lines(self) -> tuple[tuple[Line, ...], ...]:
         """The lines of every solution."""
-        return tuple(
-            tuple(
-                one
-                for one in lines(self.rotor, solution, self.places)
-                if not (self.planar and one.key in _COUPLES)
-            )
-            for solution in self.solutions
-        )
+        hidden = _COUPLES if self.planar else ()
+        every = (lines(self.rotor, solution, self.places) for solution in self.solutions)
+        return tuple(tuple(one for one in found if one.key not in hidden) for found in every)
 
     def missing(self, quantity: Quantity) -> str:
         lacks = [_OF_PLANES] * (self.planar and quantity.key in ("plane_mm", "moment_kgm2", "moment_nm"))
@@ -126,47 +135,23 @@ class RotorRequest(Question):
         return f"column {quantity.key} needs {' and '.join(one for lack in lacks for one in NEEDS[lack])}"
 
 
-def _number(question: RotorRequest, column: Column, place: Place, times: int) -> Number | None:
-    line = question.lines[place["solution"]][place["line"]]
-    key = column.quantity.key
-    own = quantities()[key]
-    value = own.formulas["exact"].kernel(line)
-    if value is None:
+def number_of(question: Question, column: Column, at: Any) -> Number | None:
+    """Return a value, a direction, or an angle as it was given where it has no more decimals than others."""
+    own = question.subject.quantities()[column.quantity.key]
+    found, rounding = own.formulas["exact"].kernel(at), question.rounding
+    if isinstance(found, Fraction):
+        exact = given(found, None, rounding)
+        return exact if exact.decimals <= column.places else given(found, column.decimals, rounding)
+    if isinstance(found, Vector):
+        return found.number(column.places, rounding)
+    if found is None:
         return None
-    if key == ANGLE:
-        return _angle(value, column.places, question.rounding)
-    scale = ONE
-    if own.needs == _OF_SPEED:
-        assert question.speed is not None
-        scale = Scale.speed(question.speed, 2)
-    unit = _SCALES.get(key, Fraction(1)) * question.of_page(own.unit["en"])
-    return known_number(value, scale.times(unit), column.decimals, question.rounding)
+    value: Real = found * question.of_page(own.unit["en"])
+    return value.number(column.decimals, rounding)
 
 
-def _angle(value: Fraction | Vector, decimals: int, rounding: str) -> Number | None:
-    if isinstance(value, Vector):
-        return direction(value, decimals, rounding)
-    exact = given(value, None, rounding)
-    return exact if exact.decimals <= decimals else given(value, decimals, rounding)
-
-
-def known_number(value: Any, scale: Scale, decimals: int | None, rounding: str) -> Number:
-    """Return a value that is known, times a scale, correctly rounded; 0 where it is proved to be 0.
-
-    With a transcendental factor in its scale it is not 0.
-    """
-    if isinstance(value, Fraction):
-        if not value:
-            return EXACT_ZERO
-        if not scale.turns:
-            return given(value * scale.value, decimals, rounding)
-    elif scale.factor is None and is_zero(value):
-        return EXACT_ZERO
-
-    def scaled(kind: Kind) -> Any:
-        return scale.on(kind) * on(value, kind)
-
-    return printed(scaled, decimals, rounding, not scale.turns)
+def _number(question: RotorRequest, column: Column, place: Place, times: int) -> Number | None:
+    return number_of(question, column, At(question.lines[place["solution"]][place["line"]], question.speed))
 
 
 def _solution_axis(question: RotorRequest) -> ListAxis:
@@ -201,10 +186,8 @@ def _caption(question: RotorRequest) -> Label:
 
 def _is_complete(question: RotorRequest) -> bool:
     """Whether neither a force nor a couple is left."""
-    (*_, couple) = (
-        (line for line in question.lines[0] if line.key == "couple") if not question.planar else (None,)
-    )
-    return couple is not None and couple.moment == 0
+    couples = [line.moment for line in question.lines[0] if line.key == "couple"]
+    return bool(couples) and known(couples[-1]).rational == 0
 
 
 def _notes(question: RotorRequest) -> Iterator[Label]:

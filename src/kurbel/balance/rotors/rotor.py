@@ -11,9 +11,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
-from kurbel.balance.vector import Value, Vector
-from kurbel.drive.crank import LARGEST_ANGLE
+from kurbel.balance.vector import Vector
+from kurbel.drive.crank import LARGEST_ANGLE, known
 from kurbel.errors import ProblemError
+from kurbel.exact.real import Real
 from kurbel.reading.notation import about
 
 MOST_MASSES = 100
@@ -36,20 +37,18 @@ class Mass(NamedTuple):
     @property
     def vector(self) -> Vector:
         """The unbalance in kg m of a mass that is known."""
-        assert self.angle is not None
-        return Vector.ray(self.angle, self.unbalance)
+        return Vector.ray(known(self.angle), self.unbalance)
 
     @property
     def unbalance(self) -> Fraction:
-        assert self.mass is not None and self.radius is not None
-        return self.mass * self.radius
+        return known(self.mass) * known(self.radius)
 
 
 class Placed(NamedTuple):
     """A mass as it is known or found: its unbalance in kg m, its plane in m; as it was given, if it was."""
 
     vector: Vector
-    plane: Fraction | Value
+    plane: Real
     given: Mass
 
 
@@ -92,31 +91,19 @@ def moment(masses: Sequence[Placed], about: Fraction) -> Vector:
 
     Without an unbalance of all together it is the same about any point.
     """
-    planes = [one.plane for one in masses]
-    if not all(isinstance(plane, Fraction) for plane in planes):
+    planes = [one.plane.rational for one in masses]
+    if None in planes:
         # Planes are found from two linear equations, so that masses balanced in their forces have no couple.
         return Vector()
-    return sum((one.vector * (plane - about) for one, plane in _in_planes(masses)), Vector())
-
-
-def _in_planes(masses: Sequence[Placed]) -> Iterator[tuple[Placed, Fraction]]:
-    for one in masses:
-        assert isinstance(one.plane, Fraction)
-        yield one, one.plane
-
-
-def balancing(masses: Sequence[Placed], planes: Sequence[Fraction]) -> tuple[Vector, ...]:
-    """Return the unbalances in kg m that balance the masses in these planes.
-
-    In two planes they leave nothing; in one they balance the forces and leave a couple.
-    """
-    return tuple(shared * Fraction(-1) for shared in shares(masses, planes))
+    arms = zip(masses, planes, strict=True)
+    return sum((one.vector * (known(plane) - about) for one, plane in arms), Vector())
 
 
 def shares(masses: Sequence[Placed], planes: Sequence[Fraction]) -> tuple[Vector, ...]:
     """Return the unbalances in one or two planes that have the force and the moment of the masses.
 
-    Times ω² they are the forces on bearings there.
+    Times ω² they are the forces on bearings there; the opposite ones balance the masses. In one plane they
+    leave a couple.
     """
     if len(planes) == 1:
         return (force(masses),)
@@ -125,3 +112,61 @@ def shares(masses: Sequence[Placed], planes: Sequence[Fraction]) -> tuple[Vector
         raise ProblemError(f"both planes lie at {about(near)} m; only two different ones take up a couple")
     there = moment(masses, near) * (1 / (far - near))
     return force(masses) - there, there
+
+
+class Places(NamedTuple):
+    """The planes of balancing masses with the radii of these, and those of bearings, in m."""
+
+    balance: tuple[Fraction, ...] = ()
+    radii: tuple[Fraction | None, ...] = ()
+    bearings: tuple[Fraction, ...] = ()
+
+
+class Line(NamedTuple):
+    """A line of a page by its key: of a mass, balancing mass or bearing by its number, or of all masses
+    together. What it says nothing of is None."""
+
+    key: str
+    number: int = 0
+    mass: Real | None = None
+    radius: Real | None = None
+    plane: Real | None = None
+    unbalance: Real | None = None
+    moment: Real | None = None
+    angle: Fraction | Vector | None = None
+
+
+def lines(rotor: Rotor, standing: Sequence[Placed], places: Places) -> Iterator[Line]:
+    """Yield the lines of a way in which the masses stand: these, what they leave, what balances them."""
+    yield from _masses("mass", standing, rotor.about)
+    yield from _sums("", standing, rotor.about)
+    if places.balance:
+        found = zip(shares(standing, places.balance), places.balance, places.radii, strict=True)
+        added = [
+            Placed(one * Fraction(-1), Real.of(plane), Mass(None, radius, None, plane))
+            for one, plane, radius in found
+        ]
+        yield from _masses("balance", added, rotor.about)
+        standing = (*standing, *added)
+        yield from _sums("left_", standing, rotor.about)
+    if places.bearings:
+        pulls = zip(shares(standing, places.bearings), places.bearings, strict=True)
+        for number, (one, plane) in enumerate(pulls, 1):
+            yield Line("bearing", number, plane=Real.of(plane), unbalance=one.length(), angle=one)
+
+
+def _masses(key: str, masses: Sequence[Placed], about: Fraction) -> Iterator[Line]:
+    for number, (vector, plane, given) in enumerate(masses, 1):
+        mass, radius, angle, _ = given
+        of_radius = None if radius is None else Real.of(radius)
+        unbalance = vector.length() if mass is None else Real.of(given.unbalance)
+        own = Real.of(mass) if mass is not None else unbalance / of_radius if of_radius else None
+        direction = vector if mass is None or angle is None else angle
+        yield Line(key, number, own, of_radius, plane, unbalance, unbalance * (plane - about), direction)
+
+
+def _sums(before: str, masses: Sequence[Placed], about: Fraction) -> Iterator[Line]:
+    """Yield what masses leave together: an unbalance and a couple."""
+    rest, couple = force(masses), moment(masses, about)
+    yield Line(f"{before}unbalance", unbalance=rest.length(), angle=rest)
+    yield Line(f"{before}couple", moment=couple.length(), angle=couple)

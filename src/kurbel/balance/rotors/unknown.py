@@ -14,12 +14,15 @@ from typing import Any
 import flint
 
 from kurbel.balance.rotors.rotor import Mass, Placed, force, moment
-from kurbel.balance.vector import Value, Vector, is_zero
+from kurbel.balance.vector import Vector
+from kurbel.drive.crank import known
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls
+from kurbel.exact.real import Real
 from kurbel.kernel.balance import Star
 
 Solution = tuple[Placed, ...]
+Unknown = tuple[list[int], list[int], list[int]]
 SOLVABLE = (
     "for static balance a mass with its angle or two angles can be asked for; for complete balance two masses"
     " with their angles, a mass with its angle and two other angles, or one of the first with two planes"
@@ -37,34 +40,24 @@ def solved(masses: Sequence[Mass]) -> tuple[Solution, ...]:
     if any(one.mass is None and one.angle is not None for one in masses):
         raise ProblemError(f"a mass was asked for without its angle; {SOLVABLE}")
     if not (free or angles or planes):
-        return (tuple(map(_placed, masses)),)
+        return (_with(masses, {}),)
     find = _WAYS.get((len(free), len(angles), len(planes)))
     if find is None:
         raise ProblemError(
             f"{2 * len(free) + len(angles) + len(planes)} values are asked for with a ?, and these cannot be"
             f" found; {SOLVABLE}"
         )
-    return find(masses, free, angles, planes)
+    return tuple(find(masses, (free, angles, planes)))
 
 
-def _placed(one: Mass, vector: Vector | None = None) -> Placed:
-    here = one.plane
+def _with(masses: Sequence[Mass], found: Mapping[int, Vector], left: Sequence[int] = ()) -> Solution:
+    """Return the masses with the vectors that were found, but for those that are left out."""
     # Where the forces alone are balanced the plane does not matter.
-    return Placed(one.vector if vector is None else vector, Fraction(0) if here is None else here, one)
-
-
-def _replaced(masses: Sequence[Mass], vectors: dict[int, Vector]) -> Solution:
-    return tuple(_placed(one, vectors.get(place)) for place, one in enumerate(masses))
-
-
-def _rest(masses: Sequence[Mass], unknown: Sequence[int]) -> list[Placed]:
-    return [_placed(one) for place, one in enumerate(masses) if place not in unknown]
-
-
-def _one_mass(masses: Sequence[Mass], free: list[int], *_: list[int]) -> tuple[Solution, ...]:
-    """Forces: one mass lies opposite all others."""
-    own = force(_rest(masses, free)) * Fraction(-1)
-    return (_replaced(masses, {free[0]: _needed(own, free[0])}),)
+    return tuple(
+        Placed(found[place] if place in found else one.vector, Real.of(one.plane or 0), one)  # noqa: SIM401
+        for place, one in enumerate(masses)
+        if place not in left
+    )
 
 
 def _needed(vector: Vector, place: int) -> Vector:
@@ -73,59 +66,56 @@ def _needed(vector: Vector, place: int) -> Vector:
     return vector
 
 
-def _two_angles(
-    masses: Sequence[Mass], free: list[int], angles: list[int], planes: list[int]
-) -> tuple[Solution, ...]:
+def _one_mass(masses: Sequence[Mass], unknown: Unknown) -> list[Solution]:
+    """Forces: one mass lies opposite all others."""
+    [place] = unknown[0]
+    own = force(_with(masses, {}, [place])) * Fraction(-1)
+    return [_with(masses, {place: _needed(own, place)})]
+
+
+def _two_angles(masses: Sequence[Mass], unknown: Unknown) -> list[Solution]:
     """Forces: two masses close a triangle with all others."""
-    one, other = angles
-    pairs = _triangles(force(_rest(masses, angles)), masses[one].unbalance, masses[other].unbalance, "forces")
-    return tuple(_replaced(masses, {one: first, other: second}) for first, second in pairs)
+    lengths = [masses[place].unbalance for place in unknown[1]]
+    pairs = _triangles("forces", force(_with(masses, {}, unknown[1])), *lengths)
+    return [_with(masses, dict(zip(unknown[1], pair, strict=True))) for pair in pairs]
 
 
-def _two_masses(masses: Sequence[Mass], free: list[int], *_: list[int]) -> tuple[Solution, ...]:
+def _two_masses(masses: Sequence[Mass], unknown: Unknown) -> list[Solution]:
     """Forces and couples: two masses in their planes."""
-    one, other = free
-    near, far = masses[one].plane, masses[other].plane
-    assert near is not None and far is not None
+    one, other = unknown[0]
+    near, far = known(masses[one].plane), known(masses[other].plane)
     if near == far:
         raise ProblemError(
             f"masses {one + 1} and {other + 1} are asked for in one plane; they need different planes"
         )
-    known = _rest(masses, free)
-    there = moment(known, near) * (1 / (near - far))
-    here = (force(known) + there) * Fraction(-1)
-    return (_replaced(masses, {one: _needed(here, one), other: _needed(there, other)}),)
+    rest = _with(masses, {}, unknown[0])
+    there = moment(rest, near) * (1 / (near - far))
+    here = (force(rest) + there) * Fraction(-1)
+    return [_with(masses, {one: _needed(here, one), other: _needed(there, other)})]
 
 
-def _mass_and_angles(
-    masses: Sequence[Mass], free: list[int], angles: list[int], planes: list[int]
-) -> tuple[Solution, ...]:
+def _mass_and_angles(masses: Sequence[Mass], unknown: Unknown) -> list[Solution]:
     """Couples about the plane of the mass, a triangle; then forces."""
-    own, (one, other) = free[0], angles
-    here = masses[own].plane
-    assert here is not None
-    arms = []
-    for place in angles:
-        plane = masses[place].plane
-        assert plane is not None
-        if plane == here:
+    [own], angles, _ = unknown
+    here = known(masses[own].plane)
+    arms = [known(masses[place].plane) - here for place in angles]
+    for place, arm in zip(angles, arms, strict=True):
+        if not arm:
             raise ProblemError(
                 f"mass {place + 1}, whose angle is asked for, lies in the plane of mass {own + 1} and has no"
                 " moment about it; ask for others"
             )
-        arms.append(plane - here)
-    known = _rest(masses, [own, *angles])
+    rest = _with(masses, {}, [own, *angles])
     lengths = [masses[place].unbalance * arm for place, arm in zip(angles, arms, strict=True)]
     found = []
-    for first, second in _triangles(moment(known, here), lengths[0], lengths[1], "couples"):
-        vectors = {one: first * (1 / arms[0]), other: second * (1 / arms[1])}
-        total = sum(vectors.values(), force(known))
-        vectors[own] = _needed(total * Fraction(-1), own)
-        found.append(_replaced(masses, vectors))
-    return tuple(found)
+    for pair in _triangles("couples", moment(rest, here), *lengths):
+        vectors = {place: one * (1 / arm) for place, one, arm in zip(angles, pair, arms, strict=True)}
+        total = sum(vectors.values(), force(rest))
+        found.append(_with(masses, {own: _needed(total * Fraction(-1), own), **vectors}))
+    return found
 
 
-def _triangles(rest: Vector, one: Fraction, other: Fraction, what: str) -> list[tuple[Vector, Vector]]:
+def _triangles(what: str, rest: Vector, one: Fraction, other: Fraction) -> list[tuple[Vector, Vector]]:
     """Return the pairs of vectors of these lengths that close the polygon of the rest."""
     gap = rest * Fraction(-1)
     square = gap.star.square()
@@ -143,23 +133,19 @@ def _triangles(rest: Vector, one: Fraction, other: Fraction, what: str) -> list[
         raise ProblemError(
             f"no two angles balance the {what}: the two masses and the rest of them make no triangle"
         )
-    pairs = []
-    for sign in (1, -1):
-        corner = Vector(rest=((_corner(gap, one, other, sign), Fraction(1)),))
-        pairs.append((corner, gap - corner))
-    return pairs
+    corners = (Vector(rest=((_corner(gap, one, other, sign), Fraction(1)),)) for sign in (1, -1))
+    return [(corner, gap - corner) for corner in corners]
 
 
 def _closes(gap: Vector, one: Fraction, other: Fraction) -> bool:
     """Whether a triangle has these sides; none of its corners lies on a line."""
-    bits = 128
+    bits, square = 128, gap.square()
+    within = ((one + other) ** 2 - square) * (square - (one - other) ** 2)
     while True:
         with flint.ctx.workprec(bits):
-            kind = balls()
-            square = gap.square()(kind)
-            within = (kind.of((one + other) ** 2) - square) * (square - kind.of((one - other) ** 2))
-            if not within.contains(0):
-                return bool(within > 0)
+            found = within.on(balls())
+            if not found.contains(0):
+                return bool(found > 0)
         bits *= 2
 
 
@@ -174,41 +160,32 @@ def _corner(gap: Vector, one: Fraction, other: Fraction, sign: int) -> Callable[
     return point
 
 
-def _with_planes(
-    masses: Sequence[Mass], free: list[int], angles: list[int], planes: list[int]
-) -> tuple[Solution, ...]:
+def _with_planes(masses: Sequence[Mass], unknown: Unknown) -> list[Solution]:
     """Forces first, then two planes from the polygon of the couples."""
-    find = _one_mass if free else _two_angles
-    return tuple(_planes_found(one, planes) for one in find(masses, free, angles, planes))
+    found = (_one_mass if unknown[0] else _two_angles)(masses, unknown)
+    return [_planes_found(one, unknown[2]) for one in found]
 
 
 def _planes_found(placed: Solution, planes: list[int]) -> Solution:
     one, other = (placed[place].vector for place in planes)
     rest = moment([own for place, own in enumerate(placed) if place not in planes], Fraction(0))
-    if is_zero(_cross(one, other)):
+    area = _cross(one, other)
+    if area.vanishes():
         raise ProblemError(
             f"masses {planes[0] + 1} and {planes[1] + 1}, whose planes are asked for, lie in one line"
             " with the shaft; their planes cannot be told"
         )
-    found = {planes[0]: _ratio(other, rest, one, other), planes[1]: _ratio(rest, one, one, other)}
+    found = dict(zip(planes, (_cross(other, rest) / area, _cross(rest, one) / area), strict=True))
     return tuple(own._replace(plane=found.get(place, own.plane)) for place, own in enumerate(placed))
 
 
-def _cross(one: Vector, other: Vector) -> Value:
-    def value(kind: Kind) -> Any:
-        (x, y), (u, v) = one.point(kind), other.point(kind)
-        return x * v - y * u
-
-    return value
-
-
-def _ratio(first: Vector, second: Vector, third: Vector, fourth: Vector) -> Value:
-    above, below = _cross(first, second), _cross(third, fourth)
-    return lambda kind: above(kind) / below(kind)
+def _cross(one: Vector, other: Vector) -> Real:
+    (x, y), (u, v) = one.parts, other.parts
+    return x * v - y * u
 
 
 # By how many masses with their angles, angles and planes are asked for.
-_WAYS: Mapping[tuple[int, int, int], Callable[..., tuple[Solution, ...]]] = {
+_WAYS: Mapping[tuple[int, int, int], Callable[[Sequence[Mass], Unknown], list[Solution]]] = {
     (1, 0, 0): _one_mass,
     (0, 2, 0): _two_angles,
     (2, 0, 0): _two_masses,

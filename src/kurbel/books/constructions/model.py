@@ -143,9 +143,8 @@ class Length(NamedTuple):
 
     `symbol` is what it stands for and `formula` how the book computes it, labels. `drawn` is the number by
     the points and `true` that by the kernel, both in `unit`. `approximate` tells why they differ, nothing
-    where the construction is exact. An arc, in radians here and printed in degrees, never ties;
-    `free` are the columns in which others never do. An offset crank has the
-    `offset_formula`, if that is another.
+    where the construction is exact. An arc is in radians here and printed in degrees. An offset crank has
+    the `offset_formula`, if that is another.
     """
 
     letters: str
@@ -157,7 +156,6 @@ class Length(NamedTuple):
     unit: str = "$R$"
     approximate: Words | None = None
     is_arc: bool = False
-    free: tuple[str, ...] = ()
     offset_formula: Label = ""
 
 

@@ -94,7 +94,6 @@ def _number(request: ConstructionRequest, column: Column, place: Place, times: i
         lambda kind: times * told(request, length, kind) * (180 / kind.pi if length.is_arc else 1),
         column.places,
         request.rounding,
-        not (length.is_arc or key in length.free),
     )
     return Number(found, column.places)
 

@@ -71,12 +71,7 @@ def _force(at: Placed) -> Any:
     if steam is None:
         return at.number(1)
     acting = steam.numbers(at.kind.of, at.kind.exponent)
-    share = _share(at)
-    if at.kind.pi is not None:
-        return acting.force(share)
-    # Separation bounds do not compare; which period it is, floats tell, and at the cut-off both are 1.
-    beyond = _share(Placed(at.drive, at.angle, floats())) > 1 / steam.expansion
-    return (acting.cut_off / share if beyond else at.number(1)) - acting.back
+    return acting.force(_share(at))
 
 
 def _tangential(at: Placed) -> Any:
@@ -116,8 +111,6 @@ def _points(at: Placed) -> Points:
     points["F"] = plus(pin, pin, turning)
     base = at.number(_base(at))
     points["I"], points["J"] = Point(head.x, base), Point(head.x, base + size * force)
-    if at.kind.pi is None:
-        return points
     # What is developed is as long as an arc.
     left, low = at.number(LEFT), at.number(LOW)
     mean = size * _laid_mean(at)
@@ -254,10 +247,9 @@ TANGENTIAL = Construction(
         ),
         Length(
             "GH", ("G", "H"), "$T$", TANGENTIAL_FORMULA, _read("G", "H"), _tangential, FORCE,
-            free=("drawn", "true", "error"),
         ),
         Length(
-            "MN", ("M", "N"), "$T_m$", "", _read("M", "N"), _mean, FORCE, free=("drawn", "true", "error")
+            "MN", ("M", "N"), "$T_m$", "", _read("M", "N"), _mean, FORCE
         ),
     ),
     holds=("straight", "offset"),

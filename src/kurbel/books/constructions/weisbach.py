@@ -214,7 +214,6 @@ BEAM = Construction(
         Length(
             "FC_0", ("F", "C_0"), "$e$", "$r^2/(2 a)$", between("F", "C_0"),
             _true(lambda engine, square: beam.sagitta(square, ball(engine.arm))), "$r$", WHY_E,
-            free=("true", "error"),
         ),
         Length(
             "C_1A", ("A", "C_1"), "", "$l + r$", between("A", "C_1"), lambda at: at.rod + 1, "$r$", WHY_ROD

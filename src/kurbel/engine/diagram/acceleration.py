@@ -15,7 +15,7 @@ from kurbel.engine.diagram.excess import CHOOSING_BITS, EQUAL_BITS, Excess
 from kurbel.engine.diagram.fluctuation import Extreme
 from kurbel.engine.diagram.torque import TURN, Line, Torque
 from kurbel.engine.diagram.waves import Waves
-from kurbel.engine.diagram.zeros import Polynomial, Zero, is_plain, zeros
+from kurbel.engine.diagram.zeros import Zero, is_plain, waves_at, zeros
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Label, number_text
 from kurbel.exact.product import Product
@@ -85,10 +85,9 @@ def _of_waves(waves: Waves, sign: int, cycle: Fraction) -> Peak | None:
 
     slope, period = waves.slope, TURN / waves.base
     found = zeros(Torque(slope, (Line(Fraction(0), cycle, Fraction(0)),)))
-    polynomial = Polynomial.of(slope)
 
     def torque(zero: Zero, kind: Kind) -> Any:
-        value = _at(waves, zero, polynomial, kind)
+        value = waves_at(waves, zero, slope, kind)
         return value if sign > 0 else kind.of(Fraction(0)) - value
 
     for bits in (CHOOSING_BITS, EQUAL_BITS):
@@ -100,23 +99,11 @@ def _of_waves(waves: Waves, sign: int, cycle: Fraction) -> Peak | None:
         return None
     shifts = [period * number for number in range(int(cycle / period))]
     extremes = sorted((_shifted(one, shift, cycle) for one in found for shift in shifts), key=_place)
-    return Peak(Product.algebraic(_of(torque, found[0])), [(one, one) for one in extremes])
+    return Peak(Product.reduced(_of(torque, found[0])), [(one, one) for one in extremes])
 
 
 def _of(torque: Callable[[Zero, Kind], Any], zero: Zero) -> Callable[[Kind], Any]:
     return lambda kind: torque(zero, kind)
-
-
-def _at(waves: Waves, zero: Zero, polynomial: Polynomial, kind: Kind) -> Any:
-    """Return the waves where their slope is zero."""
-    if zero.exact is not None:
-        return waves.at(zero.exact, kind)
-    if kind.enclosed is not None:
-        return kind.enclosed(lambda: waves.within(zero.degrees(balls())))
-    total = kind.of(Fraction(0))
-    for amplitude, order, phase in waves.parts:
-        total = total + kind.of(amplitude) * zero.cosine(order, phase, waves.base, polynomial)
-    return total
 
 
 def _shifted(zero: Zero, shift: Fraction, cycle: Fraction) -> Extreme:

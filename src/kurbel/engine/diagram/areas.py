@@ -63,14 +63,6 @@ class Areas(Given):
         if self.scale.energy <= 0:
             raise ProblemError(f"the scale of the areas is {about(self.scale.energy)} J; it must be above 0")
 
-    @property
-    def algebraic(self) -> bool:
-        return not self.scale.of_pi
-
-    @property
-    def torque_is_algebraic(self) -> bool:
-        return False
-
     @cached_property
     def levels(self) -> tuple[Fraction, ...]:
         """What of the area is above the line at each letter, a with 0 first; without the end, which is a."""

@@ -67,16 +67,16 @@ WORDS: Mapping[str, Words] = {
 }
 
 
-def shown(value: Callable[[Kind], Any], algebraic: bool) -> str:
+def shown(value: Callable[[Kind], Any]) -> str:
     """Return a number to five figures, every digit of which is meant."""
     decimals = figures(float(value(floats())))
-    return number_text(Number(settled(value, decimals, algebraic=algebraic), decimals))
+    return number_text(Number(settled(value, decimals), decimals))
 
 
-def _amount(value: Callable[[Kind], Any], algebraic: bool, symbol: str) -> Label:
+def _amount(value: Callable[[Kind], Any], symbol: str) -> Label:
     """Return the same of an amount in this unit of metric pages, with the unit of the page."""
     times, unit = unit_of_page(symbol)
-    text = shown(lambda kind: value(kind) * kind.of(times), algebraic)
+    text = shown(lambda kind: value(kind) * kind.of(times))
     if times == 1:
         # Every digit stays in a larger unit.
         times, unit = unit_of_page(symbol, Fraction(text))
@@ -90,29 +90,17 @@ def outcome(
     """Yield what follows of a cycle: mean torque, work, swing, where the speed is greatest, the flywheel."""
     parts = []
     if fluctuation.mean_torque(floats()) is not None:
-        parts.append(
-            WORDS["mean"][lang].format(
-                mean=_amount(fluctuation.mean_torque, fluctuation.torque_is_algebraic, "N m")
-            )
-        )
-        parts.append(
-            WORDS["work"][lang].format(
-                work=_amount(fluctuation.work, not fluctuation.torque_is_algebraic, "J")
-            )
-        )
-    parts.append(WORDS["swing"][lang].format(swing=_amount(fluctuation.swing, fluctuation.algebraic, "J")))
+        parts.append(WORDS["mean"][lang].format(mean=_amount(fluctuation.mean_torque, "N m")))
+        parts.append(WORDS["work"][lang].format(work=_amount(fluctuation.work, "J")))
+    parts.append(WORDS["swing"][lang].format(swing=_amount(fluctuation.swing, "J")))
     if speed is not None and fluctuation.mean_torque(floats()) is not None:
-        parts.append(
-            WORDS["power"][lang].format(
-                power=_amount(_power(fluctuation, speed), speed.turns != fluctuation.torque_is_algebraic, "W")
-            )
-        )
+        parts.append(WORDS["power"][lang].format(power=_amount(_power(fluctuation, speed), "W")))
     yield ", ".join(parts)
     greatest, least = (places(fluctuation.extremes(greatest=which)) for which in (True, False))
     yield WORDS["extremes"][lang].format(greatest=greatest, least=least)
     if steady is not None:
-        most, low = (shown(_turns_a_minute(one), algebraic=False) for one in (steady.greatest, steady.least))
-        delta = shown(steady.irregularity, steady.algebraic)
+        most, low = (shown(_turns_a_minute(one)) for one in (steady.greatest, steady.least))
+        delta = shown(steady.irregularity)
         yield WORDS["irregularity"][lang].format(delta=delta, most=most, least=low)
 
 
@@ -131,7 +119,7 @@ def place_text(extreme: Extreme) -> str:
             f"{number_text(nearest(extreme.exact, PLACES if decimals is None else min(decimals, PLACES)))}°"
         )
     assert extreme.degrees is not None
-    return f"{number_text(Number(settled(extreme.degrees, PLACES, algebraic=False), PLACES))}°"
+    return f"{number_text(Number(settled(extreme.degrees, PLACES), PLACES))}°"
 
 
 def _power(fluctuation: Fluctuation, speed: Speed) -> Callable[[Kind], Any]:

@@ -15,7 +15,7 @@ from typing import Any
 from kurbel.engine.diagram.fluctuation import Extreme, work_of
 from kurbel.engine.diagram.torque import TURN, Line, Torque, common_cycle
 from kurbel.engine.diagram.waves import QUARTER, Waves
-from kurbel.engine.diagram.zeros import Polynomial, Zero, is_plain, zeros
+from kurbel.engine.diagram.zeros import Zero, is_plain, waves_at, zeros
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats
 from kurbel.reading.given import Given
@@ -82,17 +82,6 @@ class Excess(Given):
         lines = tuple(one._replace(first=one.first - level) for one in found.lines)
         return Torque(_without_nothing(found.waves - found.waves.level), lines)
 
-    @cached_property
-    def algebraic(self) -> bool:
-        if is_plain(self.excess) or self.by_degree:
-            return True
-        areas = {self._area(self._zeros_of(greatest)[0]) for greatest in (True, False)}
-        return None not in areas and len(areas) == 1
-
-    @property
-    def torque_is_algebraic(self) -> bool:
-        return not self.by_degree
-
     def torque(self, torque: Torque, degrees: Fraction, kind: Kind) -> Any:
         """Return one of its torques at a crank angle, in N m."""
         own = torque.at(degrees, kind)
@@ -114,10 +103,6 @@ class Excess(Given):
     def energy(self, degrees: Fraction, kind: Kind) -> Any:
         """Return the excess energy in J at a crank angle, from 0° on."""
         return self._energy(Zero(degrees), kind)
-
-    def is_algebraic_at(self, degrees: Fraction) -> bool:
-        """Whether the energy there is an algebraic number."""
-        return self.by_degree or not self._area(Zero(degrees))
 
     def swing(self, kind: Kind) -> Any:
         return self.extreme_energy(kind, greatest=True) - self.extreme_energy(kind, greatest=False)
@@ -152,10 +137,6 @@ class Excess(Given):
     @cached_property
     def _candidates(self) -> list[Zero]:
         return zeros(self.excess)
-
-    @cached_property
-    def _polynomial(self) -> Polynomial:
-        return Polynomial.of(self.excess.waves)
 
     def _zeros_of(self, greatest: bool) -> Sequence[Zero]:
         return self._greatest if greatest else self._least
@@ -192,28 +173,13 @@ class Excess(Given):
     def _energy(self, zero: Zero, kind: Kind) -> Any:
         if self.by_degree:
             return kind.of(self._area(zero) or Fraction(0))
-        if kind.enclosed is not None:
-            return kind.enclosed(lambda: self._enclosed(zero))
-        waves, zero_at = self.excess.waves.integral, Fraction(0)
-        if zero.exact is not None:
-            return waves.at(zero.exact, kind) - waves.at(zero_at, kind)
-        total = kind.of(zero_at)
-        for amplitude, order, phase in waves.parts:
-            cosine = zero.cosine(order, phase, self.excess.waves.base, self._polynomial)
-            total = total + kind.of(amplitude) * cosine
-        return total - waves.at(zero_at, kind)
-
-    def _enclosed(self, zero: Zero) -> Any:
-        """Return the energy as a ball."""
-        kind, waves = balls(), self.excess.waves.integral
-        begun = waves.at(Fraction(0), kind)
-        area = self._area(zero)
-        if zero.exact is not None:
-            assert area is not None
-            return waves.at(zero.exact, kind) - begun + kind.of(area / 180) * kind.pi
-        degrees = zero.degrees(kind)
-        total = waves.within(degrees) - begun
-        return total + _below(self.excess, zero.line, degrees, kind) * kind.pi / 180
+        waves, area = self.excess.waves.integral, self._area(zero)
+        gained = waves_at(waves, zero, self.excess.waves, kind) - waves.at(Fraction(0), kind)
+        if is_plain(self.excess):
+            return gained
+        if area is not None:
+            return gained + kind.of(area / 180) * kind.pi
+        return gained + _below(self.excess, zero.line, zero.degrees(kind), kind) * kind.pi / 180
 
     def _area(self, zero: Zero) -> Fraction | None:
         """Return what is below the lines up to an exact place, in N m times degrees; else None."""

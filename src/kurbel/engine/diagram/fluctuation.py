@@ -29,21 +29,12 @@ class Extreme(NamedTuple):
 class Fluctuation(Protocol):
     """The excess energy over a cycle: its swing from the least to the greatest, and what is known beside it.
 
-    Numbers are of the kind that is asked for; one that is not `algebraic` is a multiple of π, of which
-    separation bounds know nothing.
+    Numbers are of the kind that is asked for.
     """
 
     @property
     def turns(self) -> Fraction | None:
         """The turns of a cycle; None where they are not known."""
-
-    @property
-    def algebraic(self) -> bool:
-        """Whether the swing is an algebraic number, which may lie half-way between two printed ones."""
-
-    @property
-    def torque_is_algebraic(self) -> bool:
-        """The same of torques; where that is so, the work of a cycle is none."""
 
     def swing(self, kind: Kind) -> Any:
         """Return the greatest excess energy less the least, in J."""

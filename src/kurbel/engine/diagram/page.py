@@ -136,38 +136,26 @@ def _speed(steady: Steady, key: str, other: float) -> float:
     return float(steady.mean(floats())) * speeds[key] if key in speeds else other
 
 
-def _settled(
-    question: Any, column: Column, where: Fraction, times: int, most: float, algebraic: bool
-) -> Number:
+def _settled(question: Any, column: Column, where: Fraction, times: int, most: float) -> Number:
     decimals = figures(most) if column.decimals is None else column.decimals
     kernel = column.quantity.formulas["exact"].kernel
-    scaled = settled(
-        lambda kind: times * kernel(question, where, kind), decimals, question.rounding, algebraic
-    )
+    scaled = settled(lambda kind: times * kernel(question, where, kind), decimals, question.rounding)
     return Number(scaled, decimals)
 
 
 def _torque_number(question: TorquesRequest, column: Column, place: Place, times: int) -> Number:
     where, key = question.angles[place["angle"]], column.quantity.key
-    algebraic = key != "rpm" and question.excess.torque_is_algebraic
-    if key in ("excess_energy", "omega"):
-        algebraic = question.excess.is_algebraic_at(where)
-    if key == "omega":
-        algebraic = algebraic and question.steady is not None and question.steady.algebraic
-    return _settled(question, column, where, times, _greatest(question, key), algebraic)
+    return _settled(question, column, where, times, _greatest(question, key))
 
 
 def _area_number(question: AreasRequest, column: Column, place: Place, times: int) -> Number:
     key, steady, areas = column.quantity.key, question.steady, question.areas
-    algebraic = key == "level" or (areas.algebraic and key != "rpm")
-    if key == "omega":
-        algebraic = steady is not None and steady.algebraic
     level = areas.levels[place["point"]]
     if key == "level":
         decimals = column.decimals if angle_decimals(areas.levels) is None else angle_decimals(areas.levels)
         column = column._replace(decimals=decimals if column.decimals is None else column.decimals)
     most = question.swing if steady is None else _speed(steady, key, question.swing)
-    return _settled(question, column, level, times, most, algebraic)
+    return _settled(question, column, level, times, most)
 
 
 def _point_axis(question: AreasRequest) -> ListAxis:

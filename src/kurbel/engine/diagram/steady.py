@@ -39,11 +39,6 @@ class Steady:
                 " twice J ω²; give a heavier one, or more speed"
             )
 
-    @property
-    def algebraic(self) -> bool:
-        """Whether speeds in radians a second are algebraic numbers, where the energy is one."""
-        return not self.speed.turns and self.swinging.algebraic
-
     def mean(self, kind: Kind) -> Any:
         """Return ω in 1/s."""
         value = kind.of(self.speed.value)

@@ -18,6 +18,7 @@ from kurbel.engine.diagram.waves import Waves
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.separation import Separation
+from kurbel.exact.terms import algebraic
 
 # A zero at a rational angle is sought with denominators up to these, the simplest first.
 DENOMINATORS = (1, 12, 3600)
@@ -62,12 +63,29 @@ class Zero:
         """An angle in degrees shortly before it."""
         return Fraction(self.root.low * self.unit)
 
-    def cosine(self, order: Fraction, phase: Fraction, base: Fraction, key: Any) -> Separation:
+    def bounded_cosine(self, order: Fraction, phase: Fraction, base: Fraction, key: Polynomial) -> Separation:
         """Return the bound of cos(kφ + α) here, by that of e^(iφ k₀) for the base order k₀."""
         power = int(order / base)
         ray = Separation(key.size, key.size, key.order, frozenset({(self, key.degree)})) ** power
         turned = Separation(1, 0, lcm(4, (phase / TURN).denominator))
         return (ray * turned + ray * turned) / 2
+
+
+def waves_at(waves: Waves, zero: Zero, of: Waves, kind: Kind) -> Any:
+    """Return waves at a zero, of such waves, if it is not exact, where no lines are beside them."""
+    if zero.exact is not None:
+        return waves.at(zero.exact, kind)
+
+    def bound() -> Separation | None:
+        if zero.excess is None or not is_plain(zero.excess):
+            return None
+        key, total = Polynomial.of(of), Separation.rational(0)
+        for amplitude, order, phase in waves.parts:
+            cosine = zero.bounded_cosine(order, phase, of.base, key)
+            total += Separation.rational(amplitude) * cosine
+        return total
+
+    return algebraic(kind, lambda: waves.within(zero.degrees(balls())), bound)
 
 
 @dataclass(frozen=True)

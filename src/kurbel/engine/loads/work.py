@@ -8,18 +8,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import partial
-from math import inf
 from typing import Any
 
-from kurbel.drive.load import CARD, STEAM
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.engine import Engine
 from kurbel.engine.loads import stages
-from kurbel.exact.certify import NEVER_TIES, TieBits
-from kurbel.exact.kind import Kind, bounds
-from kurbel.exact.separation import Separation
+from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Number
-from kurbel.kernel.steam import Expansion
 from kurbel.page.quantity import Quantity, words
 
 
@@ -85,27 +80,6 @@ def efficiency(turn: AnyTurn, where: Any) -> Number:
     return load.efficiency(turn.cylinder.kind)
 
 
-def work_ties(turn: AnyTurn, half_turns: Fraction) -> TieBits | None:
-    """Return how near the work of a turn can come to a boundary."""
-    return _ties(turn, _on_areas)
-
-
-def mean_pressure_ties(turn: AnyTurn, half_turns: Fraction) -> TieBits | None:
-    """Return the same of the mean pressure."""
-    return _ties(turn, _mean_pressure)
-
-
-def kilopascal_ties(turn: AnyTurn, half_turns: Fraction) -> TieBits | None:
-    """Return the same of the mean pressure in kPa."""
-    return _ties(turn, lambda engine, own: _mean_pressure(engine, own) * own[0].of(_pressure(engine) / 1000))
-
-
-def load_ties(name: str, turn: AnyTurn, half_turns: Fraction) -> TieBits:
-    """Return the same of an algebraic value that a load has by itself."""
-    value = getattr(turn.engine.steam, name)(bounds())
-    return lambda boundary: float((value - _bound(boundary)).bits())
-
-
 def ends(engine: Engine) -> Fraction:
     """Return how many ends of a cylinder work in a turn."""
     return Fraction(4 if engine.double else 2, getattr(engine.steam, "strokes_of_cycle", 2))
@@ -124,7 +98,7 @@ def _own(turn: AnyTurn) -> tuple[Kind, Number]:
 def _work(engine: Engine, own: tuple[Kind, Any]) -> Any:
     kind, length = own
     strokes = engine.steam.strokes(kind, engine.double)
-    cycle = sum(_whole(one, kind.of(Fraction(1))) for one in strokes)
+    cycle = sum(one.work(kind.of(Fraction(1))) for one in strokes)
     return cycle * length * kind.of(Fraction(2 * len(engine.starts), len(strokes)))
 
 
@@ -134,13 +108,6 @@ def _on_areas(engine: Engine, own: tuple[Kind, Any]) -> Any:
     if effort is None or effort.areas is None:
         return whole
     return whole * own[0].of((effort.areas.head + effort.areas.crank) / 2)
-
-
-def _whole(stroke: Any, end: Any) -> Any:
-    """The work of a stroke; on bounds, which have no logarithm, steam of exponent 1 does not expand."""
-    if isinstance(end, Separation) and isinstance(stroke, Expansion) and stroke.exponent == 1:
-        return stroke.full_pressure_work(end)
-    return stroke.work(end)
 
 
 def _mean_pressure(engine: Engine, own: tuple[Kind, Any]) -> Any:
@@ -154,58 +121,31 @@ def mean_pressure_of(engine: Engine, kind: Kind) -> Any:
     return _mean_pressure(engine, (kind, 1))
 
 
-def _ties(turn: AnyTurn, value: Callable[[Engine, tuple[Kind, Any]], Any]) -> TieBits | None:
-    engine = turn.engine.parts[0]
-    if len(turn.engine.parts) > 1 or engine.steam.name == CARD:
-        return NEVER_TIES
-    if not is_algebraic(engine.steam):
-        return lambda boundary: inf
-    on = bounds()
-    if not turn.cylinder.drive.algebraic:
-        return NEVER_TIES
-    length = engine.drive.moved(on, turn.method).length
-    return lambda boundary: float((value(engine, (on, length)) - _bound(boundary)).bits())
-
-
-def is_algebraic(load: Any) -> bool:
-    """Whether the work has no logarithm; a logarithm of a ratio other than 1 leaves it transcendental."""
-    exponents = [getattr(load, name, None) for name in ("exponent", "expansion_exponent")]
-    return 1 not in exponents or (load.name == STEAM and load.expansion == 1)
-
-
-def _bound(boundary: Fraction) -> Any:
-    return bounds().of(boundary)
-
-
 def _angular(turn: AnyTurn, value: Fraction, turns: bool) -> Number:
     return turn.of(2 * value) * turn.pi if turns else turn.of(value)
 
 
 def entries(entry: Callable[..., Quantity]) -> Iterator[Quantity]:
     """Yield the quantities of all this, each made by a function of key, name, symbol, unit and so on."""
-    yield entry("work", "Arbeit einer Umdrehung|Work of a turn", "$A$", "$Q r$", "turn", 4, work,
-                 ties=work_ties)  # fmt: skip
+    yield entry("work", "Arbeit einer Umdrehung|Work of a turn", "$A$", "$Q r$", "turn", 4, work)  # fmt: skip
     for key, name, letter in stages.NAMES:
         yield entry(key, name, letter, "$Q r$", "turn", None, partial(stages.work, key), needs="steam")
     per_area = "$Q$ je Kolbenfläche|$Q$ per piston area"
     heading = "|".join(f"$p_m$ in {unit}" for unit in per_area.split("|"))
     mean = entry("mean_pressure", "mittlerer Druck|Mean pressure", "$p_m$", per_area, "turn", 4,
-                  mean_pressure, ties=mean_pressure_ties, heading=heading)  # fmt: skip
+                  mean_pressure, heading=heading)  # fmt: skip
     yield mean
     yield mean._replace(
         key="mean_pressure_kpa", unit=words("kPa"), decimals=1, heading=words("$p_m$ in kPa"),
-        scale=kilopascals, needs="load", ties=kilopascal_ties,
+        scale=kilopascals, needs="load",
     )  # fmt: skip
     yield entry("indicated_power", "indizierte Leistung|Indicated power", "$N_i$", "kW", "turn", None,
                  power, scale=kilowatts, needs="power")  # fmt: skip
     yield entry("volumetric_efficiency", "volumetrischer Wirkungsgrad|Volumetric efficiency", "$η_v$", "",
-                 "turn", 4, volumetric_efficiency, needs="compressor",
-                 ties=partial(load_ties, "volumetric_efficiency"))  # fmt: skip
+                 "turn", 4, volumetric_efficiency, needs="compressor")  # fmt: skip
     yield entry("delivered", "Fördervolumen|Delivered volume", "$V/V_h$", "", "turn", 4,
-                 delivered, needs="compressor",
-                 ties=partial(load_ties, "delivered"))  # fmt: skip
+                 delivered, needs="compressor")  # fmt: skip
     yield entry("delivery", "Fördermenge|Delivery", "$V$", "m³/min", "turn", None, flow,
                  needs="flow")  # fmt: skip
     yield entry("efficiency", "idealer Wirkungsgrad|Ideal efficiency", "$η$", "", "turn", 4,
-                 efficiency, needs="heat",
-                 ties=partial(load_ties, "efficiency"))  # fmt: skip
+                 efficiency, needs="heat")  # fmt: skip

@@ -89,7 +89,7 @@ class Acting:
     @cached_property
     def mean(self) -> Product:
         """The mean pressure of an end that works, in units of the pressure that Q is of."""
-        return Product.about(self._mean, work.is_algebraic(self.load) and not self.carded)
+        return Product.about(self._mean)
 
     def _mean(self, kind: Kind) -> Any:
         if self.carded:
@@ -108,7 +108,7 @@ class Acting:
         steam = self.load
         if not steam.clearance:
             return Product.of(1 / steam.expansion)
-        return Product.about(self._steam_taken, algebraic=True)
+        return Product.about(self._steam_taken)
 
     def _steam_taken(self, kind: Kind) -> Any:
         steam, exponent = self.load.numbers(kind.of, kind.exponent), self.load.exponent
@@ -118,7 +118,7 @@ class Acting:
     @cached_property
     def delivered(self) -> Product:
         """The volume that a stroke delivers, in the state of suction, as a share of the swept one."""
-        return Product.about(self.load.delivered, algebraic=True)
+        return Product.about(self.load.delivered)
 
     def apart(self, value: Product) -> float:
         """Return how far a value may be off, as a share of it, for the points of a card tell no more."""

@@ -67,11 +67,11 @@ def registry() -> Mapping[str, Quantity]:
     gas, masses = "Kolbendruck|Pressure on the piston", "Beschleunigungsdruck|Acceleration pressure"
     left = "verbleibender Druck|Remaining pressure"
     entries = (
-        entry("crank_angle", "Kurbelwinkel|Crank angle", "$φ$", "°", 3, _of(Pressed.degrees), is_arc=True),
+        entry("crank_angle", "Kurbelwinkel|Crank angle", "$φ$", "°", 3, _of(Pressed.degrees)),
         entry("x_stroke", "Kolbenweg|Piston path", "$x$", "Hub|stroke", 4, _of(Pressed.share), "$x/S$"),
         entry("gas_pressure", gas, "$p$", "bar", 3, _of(Pressed.gas), needs=GAS),
-        entry("inertia_pressure", masses, "$q$", "bar", 3, _of(Pressed.masses), needs=MASSES, is_arc=True),
-        entry("left_pressure", left, "$p - q$", "bar", 3, _of(Pressed.left), needs=BOTH, is_arc=True),
+        entry("inertia_pressure", masses, "$q$", "bar", 3, _of(Pressed.masses), needs=MASSES),
+        entry("left_pressure", left, "$p - q$", "bar", 3, _of(Pressed.left), needs=BOTH),
     )
     return {one.key: one._replace(spanners=(one.name,)) for one in entries}
 
@@ -162,16 +162,12 @@ def _share_axis(question: PressuresRequest) -> ListAxis:
 
 
 def _number(question: PressuresRequest, column: Column, place: Place, times: int) -> Number | None:
-    """The printed number. A pressure of the masses has the factor 1/π, or π where the speed counts turns."""
+    """The printed number."""
     quantity, where, pressed = column.quantity, question.where(place), question.pressed
     kernel = quantity.formulas["exact"].kernel
     if is_carded(pressed) and quantity.needs in (GAS, BOTH):
         return _measured(question, column, where)
-    by_share = where.share is not None
-    algebraic = not quantity.is_arc and (by_share or pressed.drive.moved(floats(), "exact").algebraic)
-    scaled = settled(
-        lambda kind: times * kernel(pressed, where, kind), column.places, question.rounding, algebraic
-    )
+    scaled = settled(lambda kind: times * kernel(pressed, where, kind), column.places, question.rounding)
     return Number(scaled, column.places)
 
 
@@ -201,7 +197,7 @@ def _notes(question: PressuresRequest) -> Iterator[Label]:
     yield from (note[lang] for note in question.layout.notes)
     yield WORDS["signs"][lang]
     if not pressed.drive.moved(floats(), "exact").regular:
-        inner = digits_text(lambda kind: 180 * pressed.drive.moved(kind, "exact").dead_centre(0), 3, False)
+        inner = digits_text(lambda kind: 180 * pressed.drive.moved(kind, "exact").dead_centre(0), 3)
         yield WORDS["slide"][lang].format(inner=inner)
     if pressed.engine is not None and getattr(pressed.engine.steam, "driven", False):
         yield WORDS["driven"][lang]

@@ -26,7 +26,7 @@ from kurbel.engine.rodload.quantities import (
     rod_quantities,
     sign_of,
 )
-from kurbel.engine.ties import limit_ties
+from kurbel.engine.ties import turn_ties
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
@@ -124,10 +124,15 @@ def _settled(asked: _Asked) -> Number:
     if isinstance(found, Fraction):
         return nearest(found, decimals, asked.rounding)
     ties: TieBits | None = NEVER_TIES
-    if quantity.of == FORCE and quantity.scale is None:
+    if quantity.of == FORCE:
         at = load.extreme(sign_of(quantity))
         if at.place.exact is not None:
-            ties = limit_ties(load.force, at.segment.stroke, load.turn, at.place.exact - at.segment.stroke)
+            stroke, angle = at.segment.stroke, at.place.exact - at.segment.stroke
+            scale = quantity.scale or (lambda turn: 1)
+            ties = turn_ties(
+                lambda turn: asked.unit * scale(turn) * turn.cylinder.force(load.force, stroke, angle),
+                [load.turn],
+            )
     return Number(rounded(asked.value, decimals, asked.rounding, ties), decimals)
 
 

@@ -202,7 +202,7 @@ def printed(value: Callable[[Kind], Any], decimals: int) -> str:
     or, where Δ is m/n of a turn, (n + 2 m)/(n - 2 m) with φ(n) <= 8, hence n <= 30: no denominator of a
     reduced one is a multiple of 32. Of a beam engine the angles have sines of degree 16 at most.
     """
-    return digits_text(value, decimals, algebraic=False)
+    return digits_text(value, decimals)
 
 
 SPEECH = Speech(WORDS, _lengths)

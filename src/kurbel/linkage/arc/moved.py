@@ -24,7 +24,6 @@ class MovedRocker(Moved):
     """A crank that moves a rocker, under a piston whose way is that of the rocker's end along its arc."""
 
     # The path is an arc.
-    algebraic = False
 
     def __init__(self, drive: RockerCrank, kind: Kind) -> None:
         self.drive, self.kind = drive, kind

@@ -90,11 +90,11 @@ def arc_registry() -> Mapping[str, Quantity]:
 def _arc_entries() -> Iterator[Quantity]:
     yield _entry(
         "path", "Weg auf dem Bogen|Path along the arc", "x", "R", Formula(_path),
-        is_arc=True, of=STROKE, names=("path", "x"), rises=True,
+        of=STROKE, names=("path", "x"), rises=True,
     )  # fmt: skip
     yield _sized(
         "path_mm", "Weg auf dem Bogen|Path along the arc", "x", "mm", Formula(_path), Crank.millimetres,
-        needs="length", is_arc=True, of=STROKE,
+        needs="length", of=STROKE,
     )  # fmt: skip
     yield _entry("velocity", "Geschwindigkeit|Velocity", "c", "v", _VELOCITY, names=("velocity", "c"))
     yield _sized("velocity_mps", "Geschwindigkeit|Velocity", "c", "m/s", _VELOCITY, Crank.pin_velocity)
@@ -159,14 +159,14 @@ def _arc_entries() -> Iterator[Quantity]:
 def _entry(
     key: str, name: str, letter: str, unit: str, formula: Formula, heading: str = "", **rest: Any
 ) -> Quantity:
-    """An entry, an arc if it is in degrees, headed by letter and unit unless another head is given."""
-    symbol, said = f"${letter}$", {"is_arc": unit == "°", **rest}
+    """An entry, headed by letter and unit unless another head is given."""
+    symbol = f"${letter}$"
     decimals = ANGLE_DECIMALS if unit == "°" else DECIMALS
     if unit != "°":
         # The unit is a quantity of the drive.
         own = unit.replace("²", "^2")
         heading, unit = heading or f"${letter}/{own}$", f"${own}$"
-    return spanned(key, name, symbol, heading, unit, decimals, {"exact": formula}, **said)
+    return spanned(key, name, symbol, heading, unit, decimals, {"exact": formula}, **rest)
 
 
 def _sized(

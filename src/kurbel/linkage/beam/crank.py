@@ -37,7 +37,6 @@ class BeamCrank(RockerCrank):
     title: ClassVar[str] = "the beam engine"
     noun: ClassVar[Words] = words("Balanciermaschine|Beam engine")
     letter: ClassVar[str] = "a"
-    is_rational: ClassVar[bool] = False
     at_end: ClassVar[bool] = False
 
     crank: Crank

@@ -175,7 +175,7 @@ def _entry(
     return entry(
         key, name, symbol, "°" if decimals is None else "$r$",
         DEGREE_DECIMALS if decimals is None else decimals, formulas, heading,
-        minutes=decimals is None, is_arc=True, stroke=side,
+        minutes=decimals is None, stroke=side,
     )  # fmt: skip
 
 
@@ -203,5 +203,5 @@ def certified(
     hold both cos μ and cos ν, hence sin(ν - μ).
     """
 
-    scaled = settled(lambda _: times * value(quantity, engine, method), decimals, rounding, algebraic=False)
+    scaled = settled(lambda _: times * value(quantity, engine, method), decimals, rounding)
     return Number(scaled, decimals)

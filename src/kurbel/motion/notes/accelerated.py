@@ -6,21 +6,16 @@ of either kind that is not zero it is transcendental.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
-from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
-from kurbel.drive.crank import Crank, known
 from kurbel.drive.load import figure
 from kurbel.drive.spin import gain
-from kurbel.exact.certify import vanishes
-from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.numerals import Label
 from kurbel.motion.captions import digits_text, signed, strokes_of
-from kurbel.motion.evaluation import DIFFERENCE, LOADED, value
+from kurbel.motion.evaluation import DIFFERENCE, LOADED
 from kurbel.motion.inertia import ROD_MODELS
-from kurbel.page.quantity import Quantity, words
+from kurbel.page.quantity import words
 
 if TYPE_CHECKING:
     from kurbel.motion.page import Request
@@ -52,31 +47,6 @@ WORDS = {
 }
 
 
-def is_mixed(quantity: Quantity, method: str, crank: Crank, angle: Fraction) -> bool:
-    """Whether a value of a crank with a speed in turns and an acceleration has a part that makes it
-    transcendental."""
-    # In radians a second all is algebraic, and the parts are zero where these are.
-    moving = None if crank.moving is None else replace(crank.moving, slope=None)
-    speed = replace(known(crank.speed), turns=False)
-    plain = replace(crank, force=None, effort=None, moving=moving, speed=speed)
-    even = replace(plain, acceleration=Fraction(0))
-    masses = crank.moving is not None and LOADED in quantity.formulas
-    if masses or quantity.needs in _IN_SECONDS:
-        return not _is_zero(lambda kind: value(quantity, method, even, kind.circle(angle), kind))
-    if quantity.needs == "mean speed":
-        return False
-
-    def added(kind: Kind) -> Any:
-        circle = kind.circle(angle)
-        return value(quantity, method, plain, circle, kind) - value(quantity, method, even, circle, kind)
-
-    return not _is_zero(added)
-
-
-def _is_zero(part: Callable[[Kind], Any]) -> bool:
-    return vanishes(lambda: part(balls()), float(part(bounds()).bits()))
-
-
 def lines(page: Request, columns: Sequence[Column]) -> Iterator[Label]:
     """Yield what pages say of how masses and cranks are accelerated, if not exactly and evenly."""
     lang, crank = page.lang, page.cranks[0]
@@ -85,7 +55,7 @@ def lines(page: Request, columns: Sequence[Column]) -> Iterator[Label]:
         yield signed(WORDS["first_order"][lang], page, strokes_of(columns)[1], False)
     if not crank.acceleration:
         return
-    share = digits_text(lambda kind: gain(crank, kind), 4, algebraic=not known(crank.speed).turns)
+    share = digits_text(lambda kind: gain(crank, kind), 4)
     said = [WORDS["crank"][lang].format(given=figure(crank.acceleration), share=share)]
     formulated = ("common_acceleration", "turning_acceleration") if page.layout.formulas else ()
     for key in ("p", "rod_acceleration", *formulated, "torque"):

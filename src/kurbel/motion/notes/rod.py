@@ -25,7 +25,7 @@ def connecting_rod(rod: Rod, lang: str, length: str = "L", named: Mapping[str, W
     said = named["connecting_rod"][lang].format(
         length=length,
         centre=figure(1 - rod.centre),
-        gyration=_root(square) or digits_text(lambda numbers: root(numbers.of(square)), 4, algebraic=True),
+        gyration=_root(square) or digits_text(lambda numbers: root(numbers.of(square)), 4),
         couple=figure(rod.couple),
         mass=f", $M = {amount(rod.mass, 'kg')}$" if rod.mass is not None else "",
     )

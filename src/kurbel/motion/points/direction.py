@@ -8,14 +8,16 @@ from typing import Any
 
 import flint
 
-from kurbel.exact.certify import GUARD_BITS, NEVER_TIES, ball_degrees, rounded, vanishes
-from kurbel.exact.kind import Kind, balls, bounds
+from kurbel.exact.certify import GUARD_BITS, NEVER_TIES, ball_degrees, rounded
+from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import nearest
+from kurbel.exact.terms import vanishes
 from kurbel.kernel.coupler.point import Vector, amount
 
 # What makes a vector on a kind of number.
 Made = Callable[[Kind], Vector[Any]]
 TURN, QUARTER = 360, 90
+FIRST_BITS = 2 * GUARD_BITS
 
 
 def of_floats(vector: Vector[Any]) -> Any:
@@ -41,14 +43,13 @@ def reduced(degrees: Fraction, decimals: int, rounding: str) -> int:
     return nearest(degrees % TURN, decimals, rounding).scaled % _turn(decimals)
 
 
-def digits(made: Made, decimals: int, rounding: str, exact: bool) -> int | None:
+def digits(made: Made, decimals: int, rounding: str) -> int | None:
     """Return the direction of a vector times 10**decimals, rounded correctly; None where there is no vector.
 
-    `exact` says that its parts are algebraic, so that separation bounds tell a vector that is none. The angle
-    of such a vector is no rational number of degrees but at few places, and a tie at none that is known: one
-    is not taken for proved (`certify.rounded` then raises ProblemError).
+    The angle of a vector is no rational number of degrees but at few places, and a tie at none that is known:
+    one is not taken for proved (`certify.rounded` then raises ProblemError).
     """
-    sector = _sector(made, exact)
+    sector = _sector(made)
     if sector is None:
         return None
     found = rounded(lambda: _in_sector(made(balls()), sector), decimals, rounding, NEVER_TIES)
@@ -60,9 +61,8 @@ def _turn(decimals: int) -> int:
     return whole
 
 
-def _sector(made: Made, exact: bool) -> int | None:
+def _sector(made: Made) -> int | None:
     """Return the quarter, from 0, in whose middle or near it the vector points; None if there is none."""
-    bits = _bits(made) if exact else 0.0
     precision = GUARD_BITS
     while True:
         precision *= 2
@@ -73,17 +73,12 @@ def _sector(made: Made, exact: bool) -> int | None:
             strong = forth if level else up
             if not strong.contains(0):
                 return (0 if strong > 0 else 2) if level else (1 if strong > 0 else 3)
-        if exact and _is_none(made, bits):
+        if precision == FIRST_BITS and _is_none(made):
             return None
 
 
-def _is_none(made: Made, bits: float) -> bool:
-    return vanishes(lambda: made(balls()).along, bits) and vanishes(lambda: made(balls()).across, bits)
-
-
-def _bits(made: Made) -> float:
-    found = made(bounds())
-    return max(float(found.along.bits()), float(found.across.bits()))
+def _is_none(made: Made) -> bool:
+    return vanishes(lambda kind: made(kind).along) and vanishes(lambda kind: made(kind).across)
 
 
 def _in_sector(vector: Vector[Any], sector: int) -> Any:

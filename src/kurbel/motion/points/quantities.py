@@ -154,7 +154,7 @@ def _amounts(one: _Kind) -> list[Quantity]:
     angle = entry(
         f"{one.key}_direction", one.name, f"${turn}$", "°", ANGLE_DECIMALS,
         _formulas(direction, 2 * (towards, "")), f"${turn}$ in °",
-        spanners=(words(one.name),), part=_DIRECTION, is_arc=True, of=DIRECTION,
+        spanners=(words(one.name),), part=_DIRECTION, of=DIRECTION,
     )  # fmt: skip
     return [*found, angle]
 

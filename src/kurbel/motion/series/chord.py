@@ -9,8 +9,8 @@ from typing import Any
 import flint
 
 from kurbel.drive.crank import Crank
-from kurbel.exact.certify import vanishes
-from kurbel.exact.kind import Kind, balls, bounds, settled
+from kurbel.exact.kind import Kind, balls, settled
+from kurbel.exact.terms import vanishes
 from kurbel.kernel import kinematics
 from kurbel.kernel.series import chord
 
@@ -51,7 +51,7 @@ def _is_exactly(crank: Crank, angle: Fraction, value: Fraction) -> bool:
     def apart(kind: Kind) -> Any:
         return kinematics.rod_versine(*_at(crank, angle, kind)) - kind.of(value)
 
-    return vanishes(lambda: apart(balls()), float(apart(bounds()).bits()))
+    return vanishes(apart)
 
 
 def _guess(crank: Crank, angle: Fraction, lowest: Fraction) -> int:

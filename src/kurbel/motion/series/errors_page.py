@@ -12,7 +12,7 @@ from kurbel.exact.kind import floats, settled
 from kurbel.exact.numerals import Label, Number, figures, nearest
 from kurbel.kernel.series.coefficients import rod_versine, terms_of
 from kurbel.motion.captions import drive_notes
-from kurbel.motion.evaluation import NEEDS, is_transcendental
+from kurbel.motion.evaluation import NEEDS
 from kurbel.motion.page import CrankQuestion
 from kurbel.motion.series.errors import QUARTER, Greatest
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
@@ -149,9 +149,7 @@ def _number(question: SeriesErrorsRequest, column: Column, place: Place, times: 
     if decimals is None:
         scale = float(quantity.scale(crank, floats())) if quantity.scale else 1.0
         decimals = figures(greatest.rough(letter) * scale * times)
-    # Where the velocity errs most no rational number is known; elsewhere one root is taken.
-    algebraic = letter != "c" and not is_transcendental(quantity, crank)
-    return Number(settled(value, decimals, rounding, algebraic), decimals)
+    return Number(settled(value, decimals, rounding), decimals)
 
 
 def _angle(greatest: Greatest, column: Column, times: int, rounding: str) -> Number | None:
@@ -160,9 +158,7 @@ def _angle(greatest: Greatest, column: Column, times: int, rounding: str) -> Num
     kernel = column.quantity.formulas["exact"].kernel
     if column.quantity.key != "error_c_phi":
         return nearest(kernel(greatest) * times, column.places, rounding)
-    return Number(
-        settled(lambda _: times * kernel(greatest), column.places, rounding, algebraic=False), column.places
-    )
+    return Number(settled(lambda _: times * kernel(greatest), column.places, rounding), column.places)
 
 
 def _caption(question: SeriesErrorsRequest) -> Label:

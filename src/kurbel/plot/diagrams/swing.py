@@ -74,7 +74,7 @@ def diagram_swing(request: TorquesRequest, panel: Panel) -> Panel:
             angle = float(one.degrees(floats()))
             text = f"${place_text(one).removesuffix('°')}$°"
             spots.extend(_turned(angle, level, text, int(excess.cycle), request.angles))
-    number, unit = amount(shown(swing, excess.algebraic), panel.unit, power)
+    number, unit = amount(shown(swing), panel.unit, power)
     found = _swinging(spots, f'$ΔW = {number} "{unit}"$')
     return panel._replace(spots=found.spots, swing=found.swing)
 

@@ -104,7 +104,7 @@ def _mean(request: TorquesRequest, unit: str, power: int) -> str:
     def torque(kind: Kind) -> Any:
         return excess.mean_torque(kind) * kind.of(times)
 
-    number, named = amount(shown(torque, excess.torque_is_algebraic), unit, power)
+    number, named = amount(shown(torque), unit, power)
     return f'{number} "{named}"'
 
 

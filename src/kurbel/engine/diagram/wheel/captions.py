@@ -188,7 +188,7 @@ def _place(place: Extreme, rounding: str) -> str:
         return place.letter
     if place.exact is not None:
         return f"{plain(nearest_short(place.exact, rounding))}°"
-    number = Number(settled(place.degrees, ANGLE_DECIMALS, rounding, algebraic=False), ANGLE_DECIMALS)
+    number = Number(settled(place.degrees, ANGLE_DECIMALS, rounding), ANGLE_DECIMALS)
     return f"{number_text(number)}°"
 
 
