@@ -297,7 +297,7 @@ def test_a_question_is_what_would_be_made() -> None:
     question = kurbel.table.question("1:5", step=90)
     assert len(question) == 3
     with pytest.raises(AttributeError):
-        question.lang = "en"  # type: ignore[misc]
+        question.lang = "en"
 
 
 def test_variables_are_for_the_command_line(monkeypatch: pytest.MonkeyPatch) -> None:

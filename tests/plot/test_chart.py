@@ -295,11 +295,13 @@ def pin_force(**size: Any) -> kurbel.Drawing:
 
 
 def to_scale(**size: Any) -> kurbel.Drawing:
-    return kurbel.plot_mechanism([30, 150], ratio="1:4", **size)
+    found: kurbel.Drawing = kurbel.plot_mechanism([30, 150], ratio="1:4", **size)
+    return found
 
 
 def arc_to_scale(**size: Any) -> kurbel.Drawing:
-    return kurbel.plot_mechanism(60, ratio="1:4", mechanism="arc", rocker=5, **size)
+    found: kurbel.Drawing = kurbel.plot_mechanism(60, ratio="1:4", mechanism="arc", rocker=5, **size)
+    return found
 
 
 SIZED = [

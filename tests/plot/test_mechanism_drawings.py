@@ -45,7 +45,8 @@ def drawing(
     elif kind != "parallel":
         about |= {"ratio": min(Fraction(str(ratio).replace(":", "/")), Fraction(1, 3))}
         about |= {"rocker": 4} if kind == "arc" else {"beam": 3}
-    return kurbel.plot_mechanism(angles, lang=lang, **about)
+    found: kurbel.Drawing = kurbel.plot_mechanism(angles, lang=lang, **about)
+    return found
 
 
 def drawings(seed: int, count: int) -> Iterator[tuple[str, list[int], Figure]]:
