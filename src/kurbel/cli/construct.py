@@ -168,7 +168,10 @@ def _print_list(given: Given) -> None:
                 f" blau-9, or leave --{name.replace('_', '-')} out for the list"
             )
     lang, form = given.values["lang"], given.values["format"] if given.typed("format") else DEFAULT
-    rows = [(key, one.title[lang], " ".join(one.holds)) for key, one in _constructions(given.values["constructions"])]
+    rows = [
+        (key, one.title[lang], " ".join(one.holds))
+        for key, one in _constructions(given.values["constructions"])
+    ]
     listing = Listing("constructions", lang, ("construction", "title", "mechanisms"), rows, HEADS[lang], rows)
     show_list(listing, form, plain_lines([row[:2] for row in rows]))
 

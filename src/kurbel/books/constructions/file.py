@@ -13,6 +13,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from operator import itemgetter
 from typing import Annotated, Any, ClassVar, NamedTuple
 
 from kurbel.books.constructions import formulas as read_formulas
@@ -203,8 +204,8 @@ def _of_mechanism(given: Any, mechanism: str) -> Any:
 
 
 def _together(file: TomlFile, shared: Mapping[str, Any], own: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what a file says with what it shares: its keys before those of the other, the points of both, and
-    in place of the name of a shared step, length or note that itself."""
+    """Return what a file says with what it shares: its keys before those of the other, the points of both,
+    and in place of the name of a shared step, length or note that itself."""
     letters = own.get("letters", {})
 
     def entry(key: str, index: int, given: Any) -> Any:
@@ -301,7 +302,9 @@ class _Maker:
             self.trying(("takes", index), choose, name, TAKEN, "option of constructions")
         for key, most in (("steps", MOST_STEPS), ("lengths", MOST_LENGTHS)):
             if not 0 < len(getattr(given, key)) <= most:
-                raise self.file.error((key,), f"{key} has {len(getattr(given, key))} entries; give 1 to {most}")
+                raise self.file.error(
+                    (key,), f"{key} has {len(getattr(given, key))} entries; give 1 to {most}"
+                )
 
     def trying(self, place: Place, read: Any, *given: Any) -> Any:
         """Return what `read` makes of what is given; its errors get file and line."""
@@ -314,7 +317,9 @@ class _Maker:
         """Read the formulas of the points, each of which may name those above it."""
         lines = self.trying(("points",), read_formulas.lines_of, f"{self.given.given}\n{self.given.points}")
         if len(lines) > MOST_POINTS:
-            raise self.file.error(("points",), f"points has {len(lines)} formulas; at most {MOST_POINTS} are read")
+            raise self.file.error(
+                ("points",), f"points has {len(lines)} formulas; at most {MOST_POINTS} are read"
+            )
         for _, name, text in lines:
             self.trying(("points",), self.check_new, name)
             formula = self.formula(("points",), text, (NUMBER, POINT) if name.startswith("_") else (POINT,))
@@ -323,21 +328,27 @@ class _Maker:
 
     def check_new(self, name: str) -> None:
         if not re.fullmatch(NAME + r"\*?", name):
-            raise NotationError(f'"{name[:40]}" cannot be the name of a point; write it as C, C_1, C\' or _help')
+            raise NotationError(
+                f'"{name[:40]}" cannot be the name of a point; write it as C, C_1, C\' or _help'
+            )
         if name in (*KNOWN, "first", "last") or (name == "t" and self.given.curves):
-            raise NotationError(f'the point "{name}" would hide what formulas know by this name; call it otherwise')
+            raise NotationError(
+                f'the point "{name}" would hide what formulas know by this name; call it otherwise'
+            )
         if name in self.formulas:
             raise NotationError(f'the point "{name}" is there twice')
 
-    def formula(self, place: Place, text: str, what: tuple[str, ...], more: Iterable[str] = ()) -> Formula:
-        """Return a formula that may name all points; `more` are numbers that it may name beside."""
-        known = {**self.known, **{name: Formula(NUMBER, lambda values, name=name: values[name]) for name in more}}
+    def formula(self, place: Place, text: str, what: tuple[str, ...], more: str = "") -> Formula:
+        """Return a formula that may name all points, and beside them one number `more`."""
+        known = {**self.known, more: Formula(NUMBER, itemgetter(more))} if more else self.known
         found: Formula = self.trying(place, read_formulas.read, text, known, self.mechanism)
         if found.gives not in what:
-            raise self.file.error(place, f'"{text[:60]}" is a {found.gives}, and must be a {" or a ".join(what)}')
+            said = f'"{text[:60]}" is a {found.gives}, and must be a {" or a ".join(what)}'
+            raise self.file.error(place, said)
         if found.in_floats and what in ((POINT,), (NUMBER,)):
             raise self.file.error(
-                place, f'"{text[:60]}" has max or min, which floats alone tell; round it, as near(max(a, b), 20)'
+                place,
+                f'"{text[:60]}" has max or min, which floats alone tell; round it, as near(max(a, b), 20)',
             )
         return found
 
@@ -361,7 +372,7 @@ class _Maker:
 
         at = formula("at", POINT)
         if at is None:
-            raise self.file.error(("curves", key), f"the curve {key} has no points; write at = \"(t, t^2)\"")
+            raise self.file.error(("curves", key), f'the curve {key} has no points; write at = "(t, t^2)"')
         start = self.number(("curves", key, "start"), given.start) if given.start else Fraction(0)
         end = self.number(("curves", key, "end"), given.end)
         own = formula("same", NUMBER), formula("down_to", NUMBER)
@@ -371,7 +382,9 @@ class _Maker:
         place: Place = ("lengths", index)
         ends = given.ends.split()
         if len(ends) != 2:
-            raise self.file.error((*place, "ends"), f'the ends of a length are "{given.ends[:40]}"; write two points')
+            raise self.file.error(
+                (*place, "ends"), f'the ends of a length are "{given.ends[:40]}"; write two points'
+            )
         self.points((*place, "ends"), ends)
         if given.unit not in ("$R$", model.DEGREES, *self.given.scales):
             said = f'the unit "{given.unit[:40]}" has no scale; write it into scales'
@@ -398,7 +411,9 @@ class _Maker:
         self.points((*place, "points"), letters)
         drawn = [part.strip() for part in re.split(r"[;\n]", given.draw) if part.strip()]
         if len(drawn) > MOST_ELEMENTS:
-            raise self.file.error(place, f"a step draws {len(drawn)} elements; at most {MOST_ELEMENTS} are drawn")
+            raise self.file.error(
+                place, f"a step draws {len(drawn)} elements; at most {MOST_ELEMENTS} are drawn"
+            )
         names = {"point": self.drawable(), "length": lengths, "curve": [*self.given.curves]}
         elements = [self.trying((*place, "draw"), element, text, names) for text in drawn]
         for one in elements:

@@ -14,7 +14,7 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, NamedTuple, TypeAlias
 
 from kurbel.books.constructions import geometry as on
@@ -117,7 +117,7 @@ def read(text: str, known: Mapping[str, Formula], mechanism: str) -> Formula:
     found = _Reader(text, known, mechanism).of(parsed(written, "formula", unread))
     if found.depth > DEEPEST:
         raise NotationError(
-            f'"{text[:60]}" builds on formulas {found.depth} deep, and {DEEPEST} are computed; use fewer steps'
+            f'"{text[:60]}" builds on formulas {found.depth} deep; at most {DEEPEST} are computed'
         )
     return found
 
@@ -129,7 +129,7 @@ class _Reader:
         self.text, self.known = text, known
         self.of_drive = {name: one for name, one in KNOWN.items() if mechanism in one.of or not one.of}
         own = {name: one for name, one in FUNCTIONS_OF_DRIVE.items() if mechanism in one.of}
-        self.functions = {**FUNCTIONS, **own}
+        self.functions: dict[str, Function | OfDrive] = {**FUNCTIONS, **own}
 
     def of(self, tree: ast.expr) -> Formula:
         match tree:
@@ -139,10 +139,10 @@ class _Reader:
                 return self.named(name.replace(_PRIME, "'"))
             case ast.UnaryOp(op=ast.USub(), operand=inner):
                 return self.negative(self.of(inner))
-            case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=height)) if height in POWERS:
-                return self.combined(NUMBER, lambda base: power(base, int(height)), self.number(left))
-            case ast.BinOp(op=ast.Pow(), right=ast.Constant(value=Fraction() as height)):
-                raise wrong_power(self.text, height)
+            case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=Fraction() as height)):
+                if height not in POWERS:
+                    raise wrong_power(self.text, height)
+                return self.combined(NUMBER, partial(power, exponent=int(height)), self.number(left))
             case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATIONS:
                 return self.operation(type(op), self.of(left), self.of(right))
             case ast.Tuple(elts=[across, up]):
@@ -228,7 +228,7 @@ class _Reader:
         return self.combined(function.gives, function.apply, *found)
 
     def rounded(self, number: Formula, steps: Formula) -> Formula:
-        """Return a number as floats have it, to the nearest of so many parts of 1: for every kind the same."""
+        """Return a number in floats to the nearest of so many parts of 1, the same for every kind."""
 
         def value(values: Values) -> Any:
             parts = round(steps.value(values.near))

@@ -242,7 +242,9 @@ class Construction(NamedTuple):
     def curve(self, name: str, at: Placed) -> list[Point]:
         """Return the points of one of its curves, in floats."""
         curve, here = self.curves[name], Values(at, self.formulas)
-        numbers = (curve.start + (curve.end - curve.start) * Fraction(n, curve.steps) for n in range(curve.steps + 1))
+        numbers = (
+            curve.start + (curve.end - curve.start) * Fraction(n, curve.steps) for n in range(curve.steps + 1)
+        )
         places = [
             Values(replace(at, angle=number % 360) if curve.turn else at, self.formulas, t=float(number))
             for number in numbers

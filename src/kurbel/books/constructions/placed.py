@@ -17,7 +17,6 @@ from kurbel.kernel.inertia.parts import Parted, parted, parted_rocker
 from kurbel.motion.evaluation import OUT
 from kurbel.page.quantity import Words
 
-
 # The rod's mass where it is not given.
 USUAL = Rod.from_crosshead(CENTRE, GYRATION)
 

@@ -1,4 +1,4 @@
-"""What formulas of constructions may name beside their own points: of the drive, and true values by the kernel.
+"""What formulas of constructions may name beside their points: of the drive, and true values by the kernel.
 
 Lengths are in units of R, velocities in those of the crank pin's v, accelerations in v²/R, forces in those of
 the piston force, or of M v²/R.

@@ -54,7 +54,7 @@ def construction_names(folder: Folder | None = None) -> tuple[str, ...]:
     for name in theirs:
         if not re.fullmatch(_NAME, name):
             raise ConstructionError(
-                f"{_file(folder, name)}: the file {name[:60]} names the construction; use letters, digits and -"
+                f"{_file(folder, name)}: the file {name[:60]} names it; use letters, digits and -"
             )
     return tuple(dict.fromkeys((*own, *theirs)))
 
