@@ -315,14 +315,20 @@ class _Maker:
 
     def read_points(self) -> None:
         """Read the formulas of the points, each of which may name those above it."""
+        # Errors name the line of the point within the block.
+        own = (line.partition(" = ")[0].strip() for line in self.file.text.splitlines())
+        places = {("points", name): number for number, name in enumerate(own, 1)}
+        self.file.lines = places | {**self.file.lines}
         lines = self.trying(("points",), read_formulas.lines_of, f"{self.given.given}\n{self.given.points}")
         if len(lines) > MOST_POINTS:
             raise self.file.error(
                 ("points",), f"points has {len(lines)} formulas; at most {MOST_POINTS} are read"
             )
         for _, name, text in lines:
-            self.trying(("points",), self.check_new, name)
-            formula = self.formula(("points",), text, (NUMBER, POINT) if name.startswith("_") else (POINT,))
+            self.trying(("points", name), self.check_new, name)
+            formula = self.formula(
+                ("points", name), text, (NUMBER, POINT) if name.startswith("_") else (POINT,)
+            )
             # A letter with a star is the same once more, elsewhere; no formula can name it.
             self.formulas[name] = self.known[name] = formula
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
@@ -11,6 +12,8 @@ from typing import Any, NamedTuple, TypeAlias
 from kurbel.books.constructions.formulas import Formula, Values
 from kurbel.books.constructions.geometry import Point
 from kurbel.books.constructions.placed import Placed, Position
+from kurbel.books.constructions.quantities import POINT
+from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.page.quantity import Words
 
@@ -230,9 +233,24 @@ class Construction(NamedTuple):
         return overlined(label, (letter.rstrip("*") for step in self.steps for letter in step.points))
 
     def fault(self, at: Placed) -> str:
-        """Return the sentence that says why the construction has no points there, nothing where it has."""
+        """Return the sentence that says why the construction has no points there, in floats; nothing where it
+        has."""
         values = Values(at, self.formulas)
-        return next((one.why for one in self.fails if one.where.value(values)), "")
+        for one in self.fails:
+            if one.where.value(values):
+                return one.why
+        lengths = {length.letters: length.drawn for length in self.lengths}
+        true = {f"true {length.letters}": length.true for length in self.lengths}
+        for name, formula in {**self.formulas, **lengths, **true}.items():
+            if not _is_there(formula, values):
+                return self._missing(name)
+        return ""
+
+    def _missing(self, name: str) -> str:
+        return (
+            f"construction {self.name} has no {name} here: its formula divides by zero, or takes the root of"
+            " a negative number; take another angle or other lengths"
+        )
 
     def points(self, at: Placed) -> Mapping[str, Point]:
         """Return the points by their letters, as the book writes them: "C", "d'"."""
@@ -249,6 +267,8 @@ class Construction(NamedTuple):
             Values(replace(at, angle=number % 360) if curve.turn else at, self.formulas, t=float(number))
             for number in numbers
         ]
+        if not all(_is_there(curve.at, place) for place in places):
+            raise ProblemError(self._missing(f"curve {name}"))
         if same := curve.same:
             places = [place for place in places if same.value(place) == same.value(here)]
         found = [curve.at.value(place) for place in places]
@@ -258,6 +278,15 @@ class Construction(NamedTuple):
         low = curve.down_to.value(here)
         first, last = Point(found[0].x, low), Point(found[-1].x, low)
         return [first, *found, last, first]
+
+
+def _is_there(formula: Formula, values: Values) -> bool:
+    """Return whether the formula has a value in floats."""
+    try:
+        found = formula.value(values)
+        return all(map(math.isfinite, found if formula.gives == POINT else (found,)))
+    except (ArithmeticError, ValueError):
+        return False
 
 
 def _named(name: str, folder: Any, mechanism: str) -> Construction:
