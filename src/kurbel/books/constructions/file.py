@@ -412,7 +412,8 @@ class _Maker:
 
     def step(self, index: int, given: StepFile, lengths: Sequence[str]) -> Step:
         place: Place = ("steps", index)
-        self.check_label(place, given.de, given.en)
+        self.check_label((*place, "de"), given.de)
+        self.check_label((*place, "en"), given.en)
         letters = given.points.split()
         self.points((*place, "points"), letters)
         drawn = [part.strip() for part in re.split(r"[;\n]", given.draw) if part.strip()]
