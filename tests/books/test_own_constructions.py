@@ -58,7 +58,7 @@ def test_it_is_drawn_printed_and_listed_wherever_its_folder_is_named(folder: Pat
     drawing = kurbel.plot_construction("mine", constructions=folder, angle=130, lang="en")
     assert drawing.plain_title.startswith("Triangle for R:L = 1:5")
     assert 'id="length-CF"' in drawing.image().decode()
-    page = kurbel.construction_table("mine", constructions=str(folder), angle=130)
+    page = kurbel.construction_table("mine", constructions=folder, angle=130)
     assert str(pickle.loads(pickle.dumps(page))) == str(page)
 
 
