@@ -99,6 +99,11 @@ def test_one_of_the_name_of_kurbels_takes_its_place(folder: Path) -> None:
         ('takes = ["point"]', 'takes = ["points"]', 2, 'there is no option of constructions "points"'),
         ('takes = ["point"]', 'holds = ["bent"]', 2, 'there is no mechanism "bent"'),
         ('takes = ["point"]', 'like = "others"', 2, "there is no such file"),
+        ('takes = ["point"]', "like = 3", 2, "like is 3; it must be a text in quotation marks"),
+        ('takes = ["point"]', 'of = "arc"', 2, 'of is "arc"; it must be a table'),
+        ('takes = ["point"]', 'of.arc = "x"', 2, 'of.arc is "x"; it must be a table'),
+        ('takes = ["point"]', 'of.ark.angle = "5"', 2, 'there is no mechanism "ark" (did you mean arc?)'),
+        ('takes = ["point"]', "letters.pin = 5", 2, "letters.pin is 5; it must be a text"),
     ],
 )  # fmt: skip
 def test_what_is_amiss_is_said_with_its_line(folder: Path, old: str, new: str, line: int, said: str) -> None:

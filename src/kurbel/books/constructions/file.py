@@ -29,7 +29,7 @@ from kurbel.page.labels import parse
 from kurbel.page.layouts import Folder, Head
 from kurbel.reading.given import choose
 from kurbel.reading.notation import angle, number
-from kurbel.reading.toml_file import Place, TomlFile, TomlKind, about, within
+from kurbel.reading.toml_file import A_TEXT, Place, TomlFile, TomlKind, about, shown, within
 
 KIND = TomlKind(
     "construction", ConstructionError, 100_000, "a construction has points and steps", "figures/mine.toml"
@@ -39,6 +39,8 @@ HOUSE, SHARED = os.path.join(os.path.dirname(__file__), "figures"), "shared"
 MOST_STEPS, MOST_POINTS, MOST_LENGTHS, MOST_ELEMENTS = 20, 150, 30, 60
 LOOKS = (model.LINK, model.GIVEN, model.AID, model.CENTRE, model.HIDDEN, model.RESULT)
 Texts = tuple[str, ...]
+# What keys that are tables look like.
+TABLES = {"of": 'arc = { formula = "" }', "letters": 'pin = "C"'}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -171,6 +173,7 @@ def read_construction(path: Folder, name: str, folder: Any, mechanism: str) -> C
     Raises ConstructionError with file and line for one that cannot be drawn.
     """
     file = TomlFile(path, KIND)
+    _check_tables(file, file.given)
     shared = _shared(file)
     holds = file.given.get("holds", shared.get("holds"))
     if not mechanism:
@@ -187,9 +190,44 @@ def _shared(file: TomlFile) -> dict[str, Any]:
     beside = os.path.join(os.path.dirname(os.fspath(file.path)), SHARED)
     places = [os.path.join(folder, f"{like}.toml") for folder in (beside, os.path.join(HOUSE, SHARED))]
     try:
-        return TomlFile(next(filter(os.path.exists, places), places[0]), KIND).given
+        shared = TomlFile(next(filter(os.path.exists, places), places[0]), KIND)
     except ConstructionError as error:
         raise file.error(("like",), error) from None
+    _check_tables(shared, shared.given)
+    for key in ("steps", "lengths", "notes"):
+        named = shared.given.get(key, {})
+        if not (isinstance(named, dict) and all(isinstance(one, dict) for one in named.values())):
+            raise shared.error((key,), f"shared {key} are tables by their names, such as [{key}.mine]")
+    return shared.given
+
+
+def _check_tables(file: TomlFile, given: Any, place: Place = ()) -> None:
+    """Raise ConstructionError for an `of`, `like`, `letters` or `draw` that is none, wherever it stands."""
+    if isinstance(given, list):
+        for index, one in enumerate(given):
+            _check_tables(file, one, (*place, index))
+    if not isinstance(given, dict):
+        return
+    # Of a length `letters` is what it is called.
+    for key, inner in (("of", dict), *((("letters", str),) if not place else ())):
+        own = given.get(key, {})
+        if not isinstance(own, dict):
+            said = f"{key} is {shown(own)}; it must be a table, such as {key}.{TABLES[key]}"
+            raise file.error((*place, key), said)
+        for name, one in own.items():
+            if not isinstance(one, inner):
+                noun = "a table" if inner is dict else "a text"
+                raise file.error((*place, key, name), f"{key}.{name} is {shown(one)}; it must be {noun}")
+    for key in ("like", "draw"):
+        if not isinstance(given.get(key, ""), str):
+            raise file.error((*place, key), f"{key} is {shown(given[key])}; it must be {A_TEXT}")
+    for name in given.get("of", {}):
+        try:
+            choose(name, MECHANISMS, "mechanism")
+        except KurbelError as error:
+            raise file.error((*place, "of", name), error) from None
+    for key, one in given.items():
+        _check_tables(file, one, (*place, key))
 
 
 def _of_mechanism(given: Any, mechanism: str) -> Any:
@@ -209,9 +247,10 @@ def _together(file: TomlFile, shared: Mapping[str, Any], own: Mapping[str, Any])
     letters = own.get("letters", {})
 
     def entry(key: str, index: int, given: Any) -> Any:
-        like = given.get("like") if isinstance(given, dict) else given if key == "notes" else None
         named = shared.get(key, {})
-        if like is None or (key == "notes" and like not in named):
+        like = given.get("like") if isinstance(given, dict) else given
+        # A note may be a text of its own.
+        if not isinstance(like, str) or (given is like and (key != "notes" or like not in named)):
             return given
         try:
             base = _lettered(named[choose(like, named, f"one of the shared {key}")], letters)

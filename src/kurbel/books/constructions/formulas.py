@@ -268,8 +268,10 @@ def lines_of(text: str) -> list[tuple[int, str, str]]:
         if not bare[0].isspace():
             close()
         if head := re.fullmatch(r"each (.*):", bare):
-            parts = (part.split() for part in head[1].split(","))
-            stations += [(name, part) for name, part in parts]
+            for place in head[1].split(","):
+                if len(words := place.split()) != 2:
+                    raise NotationError(f'"{bare[:60]}" is wrong; write it as each I 1/4, II 1/2:')
+                stations.append((words[0], words[1]))
             continue
         left, equals, right = (part.strip() for part in bare.partition(" = "))
         if not equals:
