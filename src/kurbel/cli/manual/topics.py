@@ -30,7 +30,7 @@ TOPICS = (
         "question",
         "What is asked",
         "forces turning polar pressures plot.positions point where unknown quantity orders order intervals"
-        " at of detail exact csv only strict sources infinite table steps",
+        " at of detail exact csv only strict sources infinite table steps constructions",
     ),
     Topic(
         "crank",

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any
 
-from kurbel.books.constructions.beside import ALONE, CENTRE, GYRATION, Beside
+from kurbel.books.constructions.beside import ALONE, CENTRE, GYRATION, TAKEN, Beside
 from kurbel.books.constructions.model import Construction
 from kurbel.commands.options import Option
 from kurbel.commands.parameters import EPS, Given
@@ -55,14 +55,13 @@ Back = Annotated[
     Exact | None,
     Option("Back pressure as a share of the steam pressure: 0.1; default: the best.", "B"),
 ]
-NAMES = ("point", "centre", "gyration", "eps", "back")
 
 
 def foreign(shown: Construction) -> dict[str, str]:
     """Return what a construction does not take beside its drive, with the sentences that refuse it."""
     return {
         name: f"construction {shown.name} takes no --{name}; leave it out"
-        for name in NAMES
+        for name in TAKEN
         if name not in shown.takes
     }
 

@@ -3,41 +3,55 @@
 import re
 from collections.abc import Mapping
 from fractions import Fraction
+from pathlib import Path
 from typing import Annotated, Any, Unpack
 
 from kurbel.books.constructions.model import Construction
 from kurbel.books.constructions.page import ConstructionRequest
-from kurbel.books.constructions.registry import CONSTRUCTIONS, construction, unfound
+from kurbel.books.constructions.registry import construction, construction_names, unfound
 from kurbel.commands import parameters as option
 from kurbel.commands.constructions import beside
 from kurbel.commands.drawn.size import Sized, page_size
 from kurbel.commands.machines import lone_lengths
 from kurbel.commands.motion import described, meant, of_other_mechanisms, sheet_of
-from kurbel.commands.options import Choice, Count, Option
+from kurbel.commands.options import FILE, Count, Kind, Option
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import draws, makes_table
 from kurbel.errors import ChoiceError, ProblemError
+from kurbel.exact.kind import floats
 from kurbel.page.layouts import layout_of
-from kurbel.reading.given import Exact, as_angle, as_names
+from kurbel.reading.given import Exact, File, as_angle, as_names
+from kurbel.reading.given import meant as meant_name
 
 
-class _Name(Choice):
+class _Name(Kind):
     """The name of a construction; one that has no source is told so."""
 
+    name = "construction"
+
     def read(self, text: str, typed: Mapping[str, Any]) -> str:
-        if sentence := unfound(text):
+        names = self.known(typed)
+        if text not in names and (sentence := unfound(text)):
             raise ChoiceError(sentence)
-        return super().read(text, typed)
+        return meant_name(text, names, self.name)
+
+    def known(self, typed: Mapping[str, Any]) -> tuple[str, ...]:
+        # While it parses, click has a mark of its own for what was not given.
+        folder = typed.get("constructions")
+        return construction_names(folder if isinstance(folder, File) else None)
 
 
 Name = Annotated[
     str,
-    Option(
-        f"The construction: {', '.join(CONSTRUCTIONS)}.",
-        kind=_Name("construction", CONSTRUCTIONS),
-        positional=True,
-    ),
+    Option(f"The construction: {', '.join(construction_names())}.", kind=_Name(), positional=True),
 ]
+Folder = Annotated[
+    Path | None,
+    Option(
+        "Folder with constructions of your own: DIR/<name>.toml.", "DIR", FILE,
+        environment="KURBEL_CONSTRUCTIONS", first=True,
+    ),
+]  # fmt: skip
 
 
 # No construction has more.
@@ -47,6 +61,7 @@ MOST_STEPS = 20
 class Given(option.AnyDrive, total=False):
     """A crank drive at one crank angle, and what some constructions take beside it."""
 
+    constructions: Folder
     ratio: option.Ratios
     angle: Annotated[
         Exact | None,
@@ -67,13 +82,13 @@ def _of_others(values: Mapping[str, Any]) -> dict[str, str]:
     """Return what was given that describes drives of other constructions."""
     # Its layout says nothing of the mechanism, as those of tables do.
     refused = of_other_mechanisms({**_held(values), "layout": None})
-    return {**refused, **beside.foreign(construction(values["name"]))}
+    return {**refused, **beside.foreign(construction(values["name"], values["constructions"]))}
 
 
 def _held(given: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return the values with the mechanism for which alone the construction holds, where none is named, and
     with what its book takes for it. No layout of constructions says it."""
-    shown, given = construction(given["name"]), {**given, "layout": None}
+    shown, given = construction(given["name"], given["constructions"]), {**given, "layout": None}
     named = given["mechanism"] or given["offset"] is not None or "straight" in shown.holds
     if not named:
         given = {**given, "mechanism": shown.holds[0]}
@@ -83,7 +98,7 @@ def _held(given: Mapping[str, Any]) -> Mapping[str, Any]:
 
 def _asked(name: str, given: Mapping[str, Any], **sheet: Any) -> ConstructionRequest:
     """Return what is asked for; raise ProblemError for a drive for which the construction does not hold."""
-    shown = construction(name)
+    shown = construction(name, given["constructions"])
     given = _held({**given, "name": name})
     if meant(given).name not in shown.holds:
         *first, last = shown.holds
@@ -99,11 +114,12 @@ def _asked(name: str, given: Mapping[str, Any], **sheet: Any) -> ConstructionReq
         raise ProblemError("a rod of infinite length cannot be drawn; give a finite one, such as 1:5")
     shown = shown.of(chosen.name)
     angle, more = _angle(shown, drive, given["angle"]), beside.read(given, drive)
-    if angle is not None and (sentence := shown.refused(drive, angle)):
-        raise ProblemError(sentence)
-    return ConstructionRequest(
+    request = ConstructionRequest(
         layout=page, construction=shown, drive=drive, angle=angle, beside=more, **sheet
     )
+    if sentence := shown.fault(request.at(floats())):
+        raise ProblemError(sentence)
+    return request
 
 
 def _angle(shown: Construction, drive: Any, given: Exact | None) -> Fraction | None:
