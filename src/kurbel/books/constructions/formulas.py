@@ -75,8 +75,8 @@ Value: TypeAlias = "Callable[[Values], Any]"
 class Formula(NamedTuple):
     """A formula that was read: a point, a number or a comparison, and how it is computed.
 
-    `depth` is how deep it builds upon others; one `in_floats` is a greatest or least number, which floats alone
-    tell.
+    `depth` is how deep it builds upon others; one `in_floats` is a greatest or least number, which floats
+    alone tell.
     """
 
     gives: str
