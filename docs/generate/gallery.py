@@ -11,7 +11,7 @@ from typing import NamedTuple
 from markdown import fenced, plain, toctree
 from pictures import Picture, picture_of
 
-from kurbel.books.constructions.registry import CONSTRUCTIONS, construction
+from kurbel.books.constructions.registry import construction, construction_names
 from kurbel.cli.app import command_of
 from kurbel.cli.asking import asked
 from kurbel.commands.shown import Drawing, Table
@@ -127,7 +127,7 @@ def _drawings() -> Iterator[str]:
         words = _sample(subject)
         if words[:2] == ["table", "--mechanism"]:
             yield shlex.join(("plot", "--positions", "30", *words[1:], "-o", words[2]))
-    for name in CONSTRUCTIONS:
+    for name in construction_names():
         drive = DRIVES.get(construction(name).holds[0], ())
         yield shlex.join(("construct", name, *drive, "-o", name))
 

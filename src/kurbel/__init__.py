@@ -26,7 +26,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from kurbel.commands.balance import balance_table
     from kurbel.commands.books import collation_table, example_table
-    from kurbel.commands.constructions.construct import construction_table, plot_construction
+    from kurbel.commands.construct import construction_table, plot_construction
     from kurbel.commands.dead_centres import dead_centres_table
     from kurbel.commands.engine import delta_table, turning_table
     from kurbel.commands.firing import firing_table
@@ -92,7 +92,7 @@ _MODULES = {
     "kurbel.commands.engine": ("delta_table", "turning_table"),
     "kurbel.commands.flywheels.flywheel": ("flywheel_table",),
     "kurbel.commands.forces": ("forces_table",),
-    "kurbel.commands.constructions.construct": ("construction_table", "plot_construction"),
+    "kurbel.commands.construct": ("construction_table", "plot_construction"),
     "kurbel.commands.inertia": ("inertia_table",),
     "kurbel.commands.dead_centres": ("dead_centres_table",),
     "kurbel.commands.motion": ("table",),

@@ -78,6 +78,10 @@ class LayoutError(FailedError):
     """A layout.toml or a template that cannot be used."""
 
 
+class ConstructionError(FailedError):
+    """A file of a construction that cannot be used."""
+
+
 class FormatError(FailedError):
     """A folder of an output format that cannot be used."""
 

@@ -8,6 +8,7 @@ what the commands print.
 from __future__ import annotations
 
 import ast
+import cmath
 import json
 import math
 import os
@@ -26,14 +27,18 @@ import pytest
 from mpmath import mp
 from places import ROOT, SUPPORT
 
+from kurbel.books.constructions.file import SHAPES
+from kurbel.books.constructions.formulas import FUNCTIONS
+from kurbel.books.constructions.quantities import FUNCTIONS_OF_DRIVE, KNOWN
+
 DOCS = ROOT / "docs" / "developers"
-PAGES = ("quantity", "source", "format", "layout", "mechanism", "load", "option")
+PAGES = ("quantity", "source", "format", "layout", "mechanism", "load", "option", "construction")
 BLOCK = re.compile(r"^( *)```(\w+)(?: ([^\n]*))?\n(.*?)^ *```$", re.DOTALL | re.MULTILINE)
 COMMAND = re.compile(r"^\$ (.+)\n", re.MULTILINE)
 # What is new stands in a handbook of these parts.
 PARTS = (
     *("table --ratio 1:5 --columns phi,jerk", "collate lehrheft-wege", "table --layout hubwege"),
-    *("table --mechanism yoke", "forces --force 10kN..4kN"),
+    *("table --mechanism yoke", "forces --force 10kN..4kN", "construct momentanpol"),
 )
 WORKER = """import json, sys
 from cli import kurbel
@@ -204,6 +209,7 @@ def test_what_is_new_is_in_reference_handbook_drawings_lists_and_help(house: Hou
         ("layouts", r"^hubwege +Kolbenwege in Teilen des Hubes"),
         ("layouts", r"^yoke +Kreuzschubkurbel"),
         ("sources", r"^ *lehrheft-wege "),
+        ("construct", r"^momentanpol +Momentanpol der Schubstange"),
         ("table --help", r"beam\s+\(a\s+beam\s+engine\)\s+or\s+yoke\s+\(a\s+pin\s+in\s+a\s+slot\)"),
         ("forces --help", r"10kN,\s+10kN\.\.4kN"),
     ):
@@ -246,6 +252,35 @@ def test_the_motion_of_a_new_mechanism_is_that_of_its_pin(house: House) -> None:
     for angle, path, velocity in (map(float, row) for row in rows):
         phi = math.radians(angle)
         assert (path, velocity) == pytest.approx((1 - math.cos(phi), math.sin(phi)), abs=0.51e-4)
+
+
+def test_the_rod_turns_about_the_centre_of_a_new_construction(house: House) -> None:
+    """How far its ends are from there is as their velocities are, by differences of the end's position."""
+
+    def end(turn: float) -> complex:
+        """Of R:L = 1:4 and e = 0.2 R."""
+        pin = cmath.rect(1, turn)
+        return complex(pin.real + math.sqrt(16 - (pin.imag - 0.2) ** 2), 0.2)
+
+    drive = "kurbel construct momentanpol --ratio 1:4 --offset 0.2 --digits 9"
+    for angle in (25, 130, 250):
+        turn = math.radians(angle)
+        of_pin, of_end = (float(row[3]) for row in house.records(f"{drive} --angle {angle}"))
+        slope = abs(end(turn + 1e-6) - end(turn - 1e-6)) / 2e-6
+        assert of_end / of_pin == pytest.approx(slope, rel=1e-7)
+        # Both lie on the crank and on the perpendicular to the slide.
+        centre = cmath.rect(1 + of_pin, turn) if math.cos(turn) > 0 else cmath.rect(1 - of_pin, turn)
+        assert abs(centre - end(turn)) == pytest.approx(of_end, rel=1e-7)
+    rows = house.records("kurbel construct momentanpol --mechanism arc --rocker 4 --columns drawn,true,error")
+    assert [row[-1] for row in rows] == ["0", "0"]
+    assert "infinitely far away" in house.refusal("kurbel construct momentanpol --angle 90")
+
+
+def test_the_page_of_constructions_has_every_name_that_formulas_know() -> None:
+    text = (DOCS / "construction.md").read_text(encoding="utf-8")
+    rows = "".join(line.split("|")[1] for line in text.splitlines() if line.startswith("| `"))
+    written = set(re.findall(r"\w+", rows))
+    assert {*KNOWN, *FUNCTIONS, *FUNCTIONS_OF_DRIVE, *SHAPES} <= written
 
 
 def simpson(values: list[float], step: float) -> float:

@@ -107,7 +107,11 @@ def test_every_command_prints_what_stands_there(page: Path, tmp_path: Path) -> N
 
 @pytest.mark.parametrize(
     ("page", "name"),
-    [("subjects/forces.md", "engine.toml"), ("howto/layouts.md", "layouts/slant/layout.toml")],
+    [
+        ("subjects/forces.md", "engine.toml"),
+        ("howto/layouts.md", "layouts/slant/layout.toml"),
+        ("subjects/constructions.md", "constructions/hebelarm.toml"),
+    ],
 )
 def test_files_of_the_pages_are_the_examples(page: str, name: str) -> None:
     example = ROOT / "examples" / name

@@ -29,13 +29,16 @@ TAKEN: Mapping[str, Callable[[random.Random], Any]] = {
     "eps": lambda dice: dice.randint(100, 600) / 100,
 }
 TAKES = {
-    **dict.fromkeys(("ensslin-2", "ensslin-4"), ("point",)),
+    **dict.fromkeys(("ensslin-2", "ensslin-4", "ensslin-velocities"), ("point",)),
     **dict.fromkeys(("ensslin-5", "ensslin-6", "ensslin-7"), ("centre", "gyration")),
     "radinger": ("eps",),
 }
 STRAIGHT = ("blau-9", "roetscher-1047-circle", "rittershaus", "autenrieth", "kuhn")
 OFFSET = ("forces", "klein", "radinger")
-ANY = ("roetscher-1047-line", "velocity", "acceleration", *(f"ensslin-{number}" for number in range(1, 8)))
+ANY = (
+    *("roetscher-1047-line", "velocity", "acceleration", "ensslin-velocities"),
+    *(f"ensslin-{number}" for number in range(1, 8)),
+)
 # What describes drives of a mechanism, at any of the ratios.
 OTHERS: Mapping[str, Mapping[str, str]] = {
     "straight": {},
@@ -124,6 +127,10 @@ CROWDED = [
     ("autenrieth", 314),
     ("ensslin-2", 53),
     ("acceleration", 75),
+    ("blau-9", 50),
+    ("blau-9", 70),
+    ("blau-9", 160),
+    ("blau-9", 300),
 ]
 
 

@@ -10,14 +10,15 @@ from typing import Any
 import click
 
 from kurbel.books.constructions.model import Construction
-from kurbel.books.constructions.registry import CONSTRUCTIONS, construction
+from kurbel.books.constructions.registry import construction, construction_names
 from kurbel.cli.listing import Listing, list_formats, plain_lines, show_list
 from kurbel.cli.options import FormatName, Given, Option, Type, click_option
 from kurbel.cli.tables import TableCommand
-from kurbel.commands.constructions import construct as pages
+from kurbel.commands import construct as pages
 from kurbel.commands.shown import Drawing
 from kurbel.errors import ChoiceError, ProblemError
 from kurbel.formats.registry import DEFAULT, FORMATS
+from kurbel.page.layouts import Folder
 from kurbel.page.table import Table
 from kurbel.reading.given import choose, found_at, meant
 
@@ -158,7 +159,8 @@ def _check_drawn(given: Given) -> None:
 
 def _print_list(given: Given) -> None:
     """Print the constructions; raise an error for options that the list has no use for."""
-    known = ("lang", "format") if given.values["format"] in list_formats() else ("lang",)
+    known = ["lang", "constructions"]
+    known += ["format"] if given.values["format"] in list_formats() else []
     for name in given.values:
         if name not in known and given.typed(name):
             raise click.UsageError(
@@ -166,14 +168,17 @@ def _print_list(given: Given) -> None:
                 f" blau-9, or leave --{name.replace('_', '-')} out for the list"
             )
     lang, form = given.values["lang"], given.values["format"] if given.typed("format") else DEFAULT
-    rows = [(key, one.title[lang], " ".join(one.holds)) for key, one in _constructions()]
+    rows = [
+        (key, one.title[lang], " ".join(one.holds))
+        for key, one in _constructions(given.values["constructions"])
+    ]
     listing = Listing("constructions", lang, ("construction", "title", "mechanisms"), rows, HEADS[lang], rows)
     show_list(listing, form, plain_lines([row[:2] for row in rows]))
 
 
-def _constructions() -> Iterator[tuple[str, Construction]]:
-    for key in CONSTRUCTIONS:
-        yield key, construction(key)
+def _constructions(folder: Folder | None = None) -> Iterator[tuple[str, Construction]]:
+    for key in construction_names(folder):
+        yield key, construction(key, folder)
 
 
 construct = ConstructCommand()

@@ -1,7 +1,7 @@
 """Pieces of a handbook made by the workers of a cluster, which need not see its folder.
 
 What a worker cannot make, or makes of files that are others than here, is made on this machine. So is what
-templates or layouts of one's own set, which may be others there.
+templates, layouts or constructions of one's own set, which may be others there.
 """
 
 from __future__ import annotations
@@ -67,7 +67,8 @@ def worked_by(scheduler: str, pieces: Iterable[Piece], jobs: int) -> Iterator[tu
 def _has_own_pages(piece: Piece) -> bool:
     make: Any = piece.make
     task: Task = make.args[0]
-    return bool(task.templates or task.part.options.get("layouts"))
+    options = task.part.options
+    return bool(task.templates or options.get("layouts") or options.get("constructions"))
 
 
 def _absolute(piece: Piece) -> partial[Made]:

@@ -28,6 +28,8 @@ class Beside(NamedTuple):
 
 
 ALONE = Beside()
+# The options.
+TAKEN = ("point", "centre", "gyration", "eps", "back")
 WORDS: Mapping[str, Words] = {
     "point": words("$D$ liegt um $x = {x} l$ von $B$|$D$ lies $x = {x} l$ from $B$"),
     "constant": words("Die Kolbenkraft ist überall $P = Q$|The piston force is $P = Q$ throughout"),

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
-from functools import cached_property
-from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
 
-from kurbel.books.constructions.beside import ALONE, Beside
-from kurbel.books.constructions.geometry import Point, distance
-from kurbel.drive.crank import Crank
-from kurbel.exact.kind import Kind
+from kurbel.books.constructions.formulas import Formula, Values
+from kurbel.books.constructions.geometry import Point
+from kurbel.books.constructions.placed import Placed, Position
+from kurbel.books.constructions.quantities import POINT
+from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
-from kurbel.kernel.circle import root
 from kurbel.page.quantity import Words
 
 # A letter with what belongs to it: d', C_1, C_0'.
@@ -23,8 +22,7 @@ _LETTER = re.compile(r"[^\W\d_](?:_?\d+)?'*")
 # Letters one after the other with a space between, and a formula in a label.
 _BESIDE = re.compile(rf"(?<![\w(]){_LETTER.pattern}(?: {_LETTER.pattern})+(?![\w(])")
 _FORMULA = re.compile(r"\$[^$]+\$")
-# The points of a construction by their letters, as the book writes them: "C", "d'".
-Points: TypeAlias = Mapping[str, Point]
+DEGREES = "°"
 
 # What a line is: a link of the drive, one that is given, one that is drawn to find another, a centre line,
 # a hidden one, the result.
@@ -143,141 +141,154 @@ class Length(NamedTuple):
 
     `symbol` is what it stands for and `formula` how the book computes it, labels. `drawn` is the number by
     the points and `true` that by the kernel, both in `unit`. `approximate` tells why they differ, nothing
-    where the construction is exact. An arc is in radians here and printed in degrees. An offset crank has
-    the `offset_formula`, if that is another.
+    where the construction is exact. An offset crank has the `offset_formula`, if that is another.
     """
 
     letters: str
     ends: tuple[str, str]
     symbol: Label
     formula: Label
-    drawn: Callable[[Points], Any]
-    true: Callable[[Placed], Any]
-    unit: str = "$R$"
+    drawn: Formula
+    true: Formula
+    unit: str
     approximate: Words | None = None
-    is_arc: bool = False
     offset_formula: Label = ""
 
-
-class Position(NamedTuple):
-    """A position of the straight crank that no angle in degrees says: its place on the circle by λ, and in
-    words."""
-
-    circle: Callable[[Any], Any]
-    said: Words
+    @property
+    def is_arc(self) -> bool:
+        """Whether it is an arc, in radians and printed in degrees."""
+        return self.unit == DEGREES
 
 
-@dataclass(frozen=True)
-class Placed:
-    """A drive, a Crank or one that has its crank, at a crank angle φ in degrees, on a kind of number. Of a
-    Crank φ counts from the slide direction, as of the straight one from the inner dead centre.
+class Points(NamedTuple):
+    """A curve through points: those of a formula, at so many equal steps of a number from one to another.
 
-    A `position` gives the place on the circle of what no angle in degrees says; the angle is then near it.
-    Lengths are in units of R, from the shaft O: across towards the crosshead, up on the side of the crank pin
-    on the outstroke.
+    Over the `turn` the number is the crank angle, at which the drive then stands. Of those the places alone
+    count where a number is the `same` as at the angle that is drawn; `down_to` closes the line to an area
+    above a height.
     """
 
-    drive: Any
-    angle: Fraction
-    kind: Kind
-    position: Position | None = None
-    beside: Beside = ALONE
+    at: Formula
+    turn: bool
+    start: Fraction
+    end: Fraction
+    steps: int
+    same: Formula | None = None
+    down_to: Formula | None = None
 
-    @cached_property
-    def circle(self) -> Any:
-        return self.position.circle(self.ratio) if self.position else self.kind.circle(self.angle)
 
-    @cached_property
-    def ratio(self) -> Any:
-        """λ."""
-        return self.kind.of(self.drive.crank.ratio)
+class Fails(NamedTuple):
+    """Where a construction has no points, and the sentence that says so."""
 
-    @cached_property
-    def rod(self) -> Any:
-        """L."""
-        return self.kind.of(1 / self.drive.crank.ratio)
-
-    @cached_property
-    def offset(self) -> Any:
-        """e."""
-        return self.kind.of(self.drive.crank.offset)
-
-    def number(self, value: Fraction | int) -> Any:
-        return self.kind.of(Fraction(value))
-
-    @cached_property
-    def shaft(self) -> Point:
-        return Point(self.number(0), self.number(0))
-
-    @cached_property
-    def pin(self) -> Point:
-        return Point(self.circle.cosine, self.circle.sine)
-
-    @cached_property
-    def crosshead(self) -> Point:
-        return self.crosshead_of(self.pin)
-
-    def crosshead_of(self, pin: Point) -> Point:
-        """Return where the crosshead stands while the crank pin is there."""
-        side = pin.y - self.offset
-        return Point(pin.x + root(self.rod * self.rod - side * side), self.offset)
+    where: Formula
+    why: str
 
 
 class Construction(NamedTuple):
-    """A construction: its name on the command line, its title and book, the mechanisms for which it holds
-    and the sentence that refuses others, its points, steps and lengths. `refused` says of a drive and an
-    angle why the construction fails there, nothing where it holds.
+    """A construction as its file has it, of one mechanism.
 
-    A `mirrored` one is drawn with the crosshead on the left, as its book has it. Where no angle is given
-    `angle` is drawn, or of a straight crank the `position`; `angle_symbol` is the crank angle's. `scales` are
-    the units that are drawn longer or shorter than R, in R. Without `angle` and `position` it is of no crank
-    angle. `takes` are the options that it takes beside the drive, `usual` what its book has of the drive,
-    `curves` its curves, in floats. `variants` are the construction where its steps are others, by mechanism.
+    `holds` are the mechanisms for which it holds, `refusal` refuses others. A `mirrored` one is drawn with
+    the crosshead on the left, as its book has it. Where no angle is given `angle` is drawn, or of a straight
+    crank the `position`; `angle_symbol` is the crank angle's. `scales` are the units that are drawn longer
+    or shorter than R, in R. Without `angle` and `position` it is of no crank angle. `takes` are the options
+    that it takes beside the drive, `usual` what its book has of the drive. `formulas` has the points and, by
+    names that begin with _, what they are found by. `folder` is the user's own in which the file lies.
     """
 
     name: str
+    mechanism: str
     title: Words
     source: Words
-    points: Callable[[Placed], Points]
+    formulas: Mapping[str, Formula]
     steps: Sequence[Step]
     lengths: Sequence[Length]
-    holds: tuple[str, ...] = ("straight",)
-    refusal: str = ""
-    refused: Callable[[Crank, Fraction], str] = lambda drive, angle: ""
-    mirrored: bool = False
-    angle: str = "50"
-    angle_symbol: Label = "$α$"
-    ratio_symbol: str = "R:L"
-    notes: Sequence[Words] = ()
-    position: Position | None = None
-    scales: Mapping[str, Fraction] = MappingProxyType({})
-    takes: tuple[str, ...] = ()
-    usual: Mapping[str, str] = MappingProxyType({})
-    curves: Callable[[Placed], Mapping[str, Sequence[Point]]] | None = None
-    variants: Mapping[str, Construction] = MappingProxyType({})
+    curves: Mapping[str, Points]
+    holds: tuple[str, ...]
+    refusal: str
+    fails: Sequence[Fails]
+    mirrored: bool
+    angle: str
+    angle_symbol: Label
+    ratio_symbol: str
+    notes: Sequence[Words]
+    position: Position | None
+    scales: Mapping[str, Fraction]
+    takes: tuple[str, ...]
+    usual: Mapping[str, str]
+    folder: Any = None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _named, (self.name, next((key for key, one in _variants(self.name) if one is self), ""))
+        return _named, (self.name, self.folder, self.mechanism)
 
     def of(self, mechanism: str) -> Construction:
         """Return the construction as it is of a mechanism for which it holds."""
-        return self.variants.get(mechanism, self)
+        return self if mechanism == self.mechanism else _named(self.name, self.folder, mechanism)
 
-    def said(self, label: Label) -> Label:
+    def overlined(self, label: Label) -> Label:
         """Return a label in which two letters of points beside each other are the length between them."""
         return overlined(label, (letter.rstrip("*") for step in self.steps for letter in step.points))
 
+    def fault(self, at: Placed) -> str:
+        """Return the sentence that says why the construction has no points there, in floats; nothing where it
+        has."""
+        values = Values(at, self.formulas)
+        for one in self.fails:
+            if one.where.value(values):
+                return one.why
+        lengths = {length.letters: length.drawn for length in self.lengths}
+        true = {f"true {length.letters}": length.true for length in self.lengths}
+        for name, formula in {**self.formulas, **lengths, **true}.items():
+            if not _is_there(formula, values):
+                return self._missing(name)
+        return ""
 
-def _variants(name: str) -> Iterable[tuple[str, Construction]]:
+    def _missing(self, name: str) -> str:
+        return (
+            f"construction {self.name} has no {name} here: its formula divides by zero, or takes the root of"
+            " a negative number; take another angle or other lengths"
+        )
+
+    def points(self, at: Placed) -> Mapping[str, Point]:
+        """Return the points by their letters, as the book writes them: "C", "d'"."""
+        values = Values(at, self.formulas)
+        return {name: values[name] for name in self.formulas if not name.startswith("_")}
+
+    def curve(self, name: str, at: Placed) -> list[Point]:
+        """Return the points of one of its curves, in floats."""
+        curve, here = self.curves[name], Values(at, self.formulas)
+        numbers = (
+            curve.start + (curve.end - curve.start) * Fraction(n, curve.steps) for n in range(curve.steps + 1)
+        )
+        places = [
+            Values(replace(at, angle=number % 360) if curve.turn else at, self.formulas, t=float(number))
+            for number in numbers
+        ]
+        if not all(_is_there(curve.at, place) for place in places):
+            raise ProblemError(self._missing(f"curve {name}"))
+        if same := curve.same:
+            places = [place for place in places if same.value(place) == same.value(here)]
+        found = [curve.at.value(place) for place in places]
+        if curve.down_to is None:
+            return found
+        found.sort()
+        low = curve.down_to.value(here)
+        first, last = Point(found[0].x, low), Point(found[-1].x, low)
+        return [first, *found, last, first]
+
+
+def _is_there(formula: Formula, values: Values) -> bool:
+    """Return whether the formula has a value in floats."""
+    try:
+        found = formula.value(values)
+        return all(map(math.isfinite, found if formula.gives == POINT else (found,)))
+    except (ArithmeticError, ValueError):
+        return False
+
+
+def _named(name: str, folder: Any, mechanism: str) -> Construction:
     from kurbel.books.constructions.registry import construction
 
-    return construction(name).variants.items()
-
-
-def _named(name: str, mechanism: str) -> Construction:
-    from kurbel.books.constructions.registry import construction
-
-    return construction(name).of(mechanism)
+    return construction(name, folder, mechanism)
 
 
 def lettered(letters: str) -> Label:
@@ -301,13 +312,3 @@ def overlined(label: Label, points: Iterable[str]) -> Label:
         return found[0] if "overline" in found[0] else _BESIDE.sub(length, found[0])
 
     return _FORMULA.sub(formula, label)
-
-
-def along(start: str, end: str) -> Callable[[Points], Any]:
-    """Return what measures from one point to another along the slide, positive towards the shaft."""
-    return lambda points: points[start].x - points[end].x
-
-
-def between(start: str, end: str) -> Callable[[Points], Any]:
-    """Return what measures the length between two points."""
-    return lambda points: distance(points[start], points[end])

@@ -10,9 +10,12 @@ from functools import cache, cached_property
 from typing import Any
 
 from kurbel.books.constructions.beside import ALONE, Beside, said_of
-from kurbel.books.constructions.model import Construction, Length, Placed, lettered
+from kurbel.books.constructions.formulas import Formula as Read
+from kurbel.books.constructions.formulas import Values
+from kurbel.books.constructions.model import Construction, Length, lettered
+from kurbel.books.constructions.placed import Placed
 from kurbel.drive.crank import Crank
-from kurbel.exact.kind import Kind, settled
+from kurbel.exact.kind import Kind, floats, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.motion.captions import offset_notes
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_text
@@ -61,8 +64,8 @@ class ConstructionRequest(Question):
     def _near(self) -> Fraction:
         """The angle of the position, to a float."""
         assert self.construction.position
-        circle = self.construction.position.circle(float(self.drive.crank.ratio))
-        return Fraction(math.degrees(math.atan2(circle.sine, circle.cosine)))
+        pin = Placed(self.drive, Fraction(0), floats(), self.construction.position).pin
+        return Fraction(math.degrees(math.atan2(pin.y, pin.x)))
 
     @property
     def place(self) -> Label:
@@ -72,22 +75,25 @@ class ConstructionRequest(Question):
         if self.angle is not None:
             return f"{self.construction.angle_symbol[:-1]} = {angle_text(self.angle)}$"
         assert self.construction.position
-        return self.construction.position.said[self.lang]
+        return self.construction.position.words[self.lang]
 
     def drawn(self, length: Length, kind: Kind) -> Any:
         """Return a length by the points of the construction."""
-        return length.drawn(self.construction.points(self.at(kind)))
+        return self._value(length.drawn, kind)
 
     def true(self, length: Length, kind: Kind) -> Any:
         """Return its true value by the kernel."""
-        return length.true(self.at(kind))
+        return self._value(length.true, kind)
+
+    def _value(self, formula: Read, kind: Kind) -> Any:
+        return formula.value(Values(self.at(kind), self.construction.formulas))
 
 
 def _number(request: ConstructionRequest, column: Column, place: Place, times: int = 1) -> Value:
     length, key = request.construction.lengths[place["length"]], column.quantity.key
     told = column.quantity.formulas["exact"].kernel
     if column.quantity.decimals is None:
-        return request.construction.said(told(request, length))
+        return request.construction.overlined(told(request, length))
     if key == "error" and length.approximate is None:
         return Number(0, 0)
     found = settled(
@@ -153,20 +159,20 @@ def caption(request: ConstructionRequest) -> Label:
 def _notes(request: ConstructionRequest) -> Iterator[Label]:
     lang, shown = request.lang, request.construction
     for number, step in enumerate(shown.steps, 1):
-        yield shown.said(WORDS["step"][lang].format(number=number, text=step.text[lang]))
+        yield shown.overlined(WORDS["step"][lang].format(number=number, text=step.text[lang]))
     doubtful: dict[str, list[Label]] = {}
     for one in shown.lengths:
         if one.approximate is not None:
             doubtful.setdefault(one.approximate[lang], []).append(lettered(one.letters))
     for why, letters in doubtful.items():
         said = WORDS["why" if len(letters) == 1 else "whys"][lang]
-        yield shown.said(said.format(letters=", ".join(letters), why=why))
+        yield shown.overlined(said.format(letters=", ".join(letters), why=why))
     if not doubtful:
         yield WORDS["all"][lang]
     yield from _drive_notes(request)
     yield from said_of(request.beside, shown.takes, lang)
     for note in shown.notes:
-        yield shown.said(note[lang])
+        yield shown.overlined(note[lang])
 
 
 def _drive_notes(request: ConstructionRequest) -> Iterator[Label]:

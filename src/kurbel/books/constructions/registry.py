@@ -1,36 +1,19 @@
-"""The constructions by their names on the command line, and where each stands."""
+"""The constructions by their names on the command line: kurbel's own, and those in a folder of the user's."""
 
 from __future__ import annotations
 
+import os
+import re
 from collections.abc import Mapping
+from functools import cache
 
+from kurbel.books.constructions.file import HOUSE, read_construction
 from kurbel.books.constructions.model import Construction
-from kurbel.errors import ChoiceError
-from kurbel.reading.given import choose, found_at
+from kurbel.errors import ChoiceError, ConstructionError
+from kurbel.page.layouts import Folder
+from kurbel.reading.given import File, choose
 
-CONSTRUCTIONS: Mapping[str, str] = {
-    "blau-9": "kurbel.books.constructions.blau:FIG_9",
-    "roetscher-1047-line": "kurbel.books.constructions.roetscher:ON_THE_LINE",
-    "roetscher-1047-circle": "kurbel.books.constructions.roetscher:BESIDE_THE_PIN",
-    "forces": "kurbel.books.constructions.triangle:TRIANGLE",
-    "velocity": "kurbel.books.constructions.rates.velocity:VELOCITY",
-    "acceleration": "kurbel.books.constructions.rates.acceleration:ACCELERATION",
-    "klein": "kurbel.books.constructions.rates.klein:KLEIN",
-    "rittershaus": "kurbel.books.constructions.rates.rittershaus:RITTERSHAUS",
-    "autenrieth": "kurbel.books.constructions.rates.autenrieth:AUTENRIETH",
-    "kuhn": "kurbel.books.constructions.rates.kuhn:KUHN",
-    "ensslin-1": "kurbel.books.constructions.ensslin.accelerations:FIG_1",
-    "ensslin-2": "kurbel.books.constructions.ensslin.accelerations:FIG_2",
-    "ensslin-3": "kurbel.books.constructions.ensslin.alone:FIG_3",
-    "ensslin-4": "kurbel.books.constructions.ensslin.alone:FIG_4",
-    "ensslin-5": "kurbel.books.constructions.ensslin.common:FIG_5",
-    "ensslin-6": "kurbel.books.constructions.ensslin.turning:FIG_6",
-    "ensslin-7": "kurbel.books.constructions.ensslin.stretching:FIG_7",
-    "weisbach-149": "kurbel.books.constructions.weisbach:BEAM",
-    "radinger": "kurbel.books.constructions.radinger:TANGENTIAL",
-    # Another construction is one more line here.
-}
-
+_NAME = r"[A-Za-z0-9]+(?:-+[A-Za-z0-9]+)*"
 # Ensslin (1907) names these, too; no text that says their steps was found, so they are not drawn.
 UNFOUND: Mapping[str, str] = {
     "mohr": "Mohr",
@@ -54,10 +37,55 @@ def unfound(name: object) -> str:
     )
 
 
-def construction(name: str) -> Construction:
-    """Return the construction of that name; raise ChoiceError where there is none."""
+def construction_names(folder: Folder | None = None) -> tuple[str, ...]:
+    """Return the names of kurbel's constructions, and of those in a folder of the user's.
+
+    Raises ConstructionError for a folder that has none.
+    """
+    own = _names(HOUSE)
+    if folder is None:
+        return own
+    if not os.fspath(folder):
+        raise ConstructionError("the folder of constructions has no name; give one, such as figures")
+    if not os.path.isdir(folder):
+        raise ConstructionError(f"cannot read the constructions {folder}: there is no such folder")
+    if not (theirs := _names(folder)):
+        raise ConstructionError(f"{folder} has no constructions: no file in it ends in .toml")
+    for name in theirs:
+        if not re.fullmatch(_NAME, name):
+            raise ConstructionError(
+                f"{_file(folder, name)}: the file {name[:60]} names it; use letters, digits and -"
+            )
+    return tuple(dict.fromkeys((*own, *theirs)))
+
+
+def _names(folder: Folder) -> tuple[str, ...]:
+    try:
+        files = sorted(name for name in os.listdir(folder) if name.endswith(".toml"))
+    except OSError as error:
+        raise ConstructionError(f"cannot read the constructions {folder}: {error.strerror}") from None
+    return tuple(name.removesuffix(".toml") for name in files)
+
+
+def _file(folder: Folder, name: str) -> Folder:
+    file = os.path.join(str(folder), f"{name}.toml")
+    return folder.named(file) if isinstance(folder, File) else file
+
+
+def construction(name: str, folder: Folder | None = None, mechanism: str = "") -> Construction:
+    """Return the construction of that name, as it is of a mechanism, by default the first for which it holds.
+
+    `folder` is one of the user's, whose constructions stand beside kurbel's own and outdo those of their
+    names. Raises ChoiceError where there is none of that name, ConstructionError with file and line for one
+    that cannot be used.
+    """
+    if folder is not None and os.path.exists(_file(folder, name)) and name in construction_names(folder):
+        return read_construction(_file(folder, name), name, os.path.abspath(folder), mechanism)
     if sentence := unfound(name):
         raise ChoiceError(sentence)
-    found = found_at(CONSTRUCTIONS[choose(name, CONSTRUCTIONS, "construction")])
-    assert isinstance(found, Construction)
-    return found
+    return _own(choose(name, construction_names(folder), "construction"), mechanism)
+
+
+@cache
+def _own(name: str, mechanism: str) -> Construction:
+    return read_construction(_file(HOUSE, name), name, None, mechanism)

@@ -30,7 +30,7 @@ TOPICS = (
         "question",
         "What is asked",
         "plot.positions point where unknown quantity orders order intervals"
-        " at of detail exact csv only strict sources table steps",
+        " at of detail exact csv only strict sources table steps constructions",
     ),
     Topic(
         "crank",

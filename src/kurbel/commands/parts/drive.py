@@ -95,6 +95,11 @@ class Linked(OnMachine):
         """Return what is of other drives on their pages of motion, and here says something of all."""
         return ()
 
+    def compares_lengths(self) -> bool:
+        """Whether a length of the drive is given as one, which is compared with the crank."""
+        compared = (self.values.values.get(name) for name in ("offset", "rocker", "pivot", "beam"))
+        return any(isinstance(one, str) and any(map(str.isalpha, one)) for one in compared)
+
     def drive(self, layout: str | None = None) -> Mechanism:
         """Return which crank drive is described: where it is not said, by the layout, else by the offset."""
         name = self.mechanism

@@ -126,11 +126,6 @@ class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
         """Whether lengths count: for newton metres, for masses, or to compare another length with."""
         return self.compares_lengths() or self.is_heavy() or self.says("cylinder", "bore")
 
-    def compares_lengths(self) -> bool:
-        """Whether a length of the drive is given as one, which is compared with the crank."""
-        compared = (self.values.values.get(name) for name in ("offset", "rocker", "pivot", "beam"))
-        return any(isinstance(one, str) and any(map(str.isalpha, one)) for one in compared)
-
     def engines(self, page: Layout) -> Engines:
         """Return the loads, drives and sizes of the engines that are described."""
         apart = ("speed", "method", "acceleration", *self.lone_lengths())

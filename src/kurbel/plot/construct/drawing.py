@@ -12,7 +12,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from kurbel.books.constructions import model
-from kurbel.books.constructions.model import Construction, Element, Placed, lettered
+from kurbel.books.constructions.model import Construction, Element, lettered
+from kurbel.books.constructions.placed import Placed
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats
 from kurbel.page.labels import plain
@@ -60,7 +61,7 @@ def construction_drawing(
         board.sketch.write()
     if last is not None:
         hide_later(board.sketch.axes, shown, last)
-    said = (plain(shown.said(step.text[request.lang]), mark) for step in shown.steps[:last])
+    said = (plain(shown.overlined(step.text[request.lang]), mark) for step in shown.steps[:last])
     scales = {"$R$": Fraction(1), **shown.scales}
     about = ", ".join(
         f"{plain(unit, mark)} = {float(times) / board.sketch.mm:.6g} mm" for unit, times in scales.items()
@@ -78,8 +79,7 @@ def drawn_points(shown: Construction, at: Placed) -> Mapping[str, Point]:
 def drawn_curves(shown: Construction, at: Placed) -> Mapping[str, Sequence[Point]]:
     """Return the curves likewise."""
     sign = -1 if shown.mirrored else 1
-    found = shown.curves(at) if shown.curves else {}
-    return {name: [(sign * point.x, point.y) for point in curve] for name, curve in found.items()}
+    return {name: [(sign * point.x, point.y) for point in shown.curve(name, at)] for name in shown.curves}
 
 
 def _board(

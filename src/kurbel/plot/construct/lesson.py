@@ -21,7 +21,7 @@ def construction_page(request: ConstructionRequest, svg: str, decimal: str | Non
     shown, table = request.construction, build(request)
     # The steps stand beside the drawing; below the table would be a second list of them.
     below = replace(table, notes=table.notes[len(shown.steps) :])
-    texts = [shown.said(step.text[request.lang]) for step in shown.steps]
+    texts = [shown.overlined(step.text[request.lang]) for step in shown.steps]
     step = step_of(shown)
     parts = {name: step(name) for name in _ID.findall(svg)}
     return lesson(svg, parts, texts, below, decimal)

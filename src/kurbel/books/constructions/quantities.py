@@ -1,0 +1,280 @@
+"""What formulas of constructions may name beside their points: of the drive, and true values by the kernel.
+
+Lengths are in units of R, velocities in those of the crank pin's v, accelerations in v²/R, forces in those of
+the piston force, or of M v²/R.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from operator import attrgetter
+from typing import Any, NamedTuple
+
+from kurbel.books.constructions.geometry import Point
+from kurbel.books.constructions.placed import Placed
+from kurbel.exact.kind import floats
+from kurbel.kernel import beam, forces, kinematics, linkage
+from kurbel.kernel.circle import root
+from kurbel.kernel.inertia.parts import COMMON, STRETCHING, TURNING
+from kurbel.kernel.steam import logarithm
+from kurbel.kernel.turning import mean_force
+from kurbel.motion.evaluation import OUT, RETURN
+
+POINT, NUMBER = "point", "number"
+CRANKS = ("straight", "offset")
+ARC, BEAM = ("arc",), ("beam",)
+TURN = 360
+
+
+class Known(NamedTuple):
+    """What a name stands for: a point or a number, of which mechanisms, and how it is computed."""
+
+    gives: str
+    value: Callable[[Placed], Any]
+    of: tuple[str, ...] = ()
+
+
+class OfDrive(NamedTuple):
+    """A function of the drive: what it takes and gives, and how it is computed."""
+
+    takes: tuple[str, ...]
+    gives: str
+    apply: Callable[..., Any]
+    of: tuple[str, ...]
+
+
+def _by_offset(straight: Callable[..., Any], offset: Callable[..., Any], way: int = 1) -> Callable[..., Any]:
+    """Return a kernel formula of the crank, on the return stroke (-1) from its own dead centre."""
+
+    def found(at: Placed) -> Any:
+        if at.drive.offset:
+            return offset(at.circle, way * at.ratio, way * at.offset)
+        return straight(at.circle, way * at.ratio)
+
+    return found
+
+
+def _of_rocker(kernel: Callable[..., Any], stroke: int = OUT) -> Callable[[Placed], Any]:
+    def found(at: Placed) -> Any:
+        stands = at.linked if stroke == OUT else at.drive.at(stroke, at.circle, at.kind)
+        return kernel(stands.place, stands.arc)
+
+    return found
+
+
+def _either(crank: Callable[[Placed], Any], rocker: Callable[[Placed], Any]) -> Callable[[Placed], Any]:
+    return lambda at: rocker(at) if at.guided else crank(at)
+
+
+_rod_velocity = _either(
+    lambda at: kinematics.offset_rod_velocity(at.circle, at.ratio, at.offset),
+    _of_rocker(linkage.rod_velocity),
+)
+_rod_acceleration = _either(
+    lambda at: kinematics.offset_rod_acceleration(at.circle, at.ratio, at.offset),
+    _of_rocker(linkage.rod_acceleration),
+)
+_velocity = _either(
+    _by_offset(kinematics.piston_velocity, kinematics.offset_velocity), _of_rocker(linkage.velocity)
+)
+
+
+def _centripetal(at: Placed) -> Any:
+    """Return c²/B."""
+    c = _velocity(at)
+    return abs(at.linked.arc.curvature) * c * c
+
+
+def _normal(at: Placed) -> Any:
+    """Return u²/L."""
+    turn = _rod_velocity(at)
+    return at.rod * turn * turn
+
+
+def _force(kernel: Callable[..., Any]) -> Callable[[Placed], Any]:
+    """Return what computes a force by the kernel, in units of the piston force."""
+    return lambda at: kernel(at.circle, at.ratio, at.offset if at.drive.offset else None)
+
+
+def _common(at: Placed) -> Any:
+    """Return p₂: along the slide with its sign, on the arc of a rocker its amount."""
+    common = at.parted.common
+    return common.size() if at.guided else common.along
+
+
+def _stroke(at: Placed) -> int:
+    """Return 0 on the outstroke and 1 on the return."""
+    moved = at.drive.moved(floats(), "exact")
+    begin, end = (180 * (stroke + float(moved.dead_centre(stroke))) for stroke in (0, 1))
+    return 0 if begin <= (float(at.angle) - begin) % TURN + begin < end else 1
+
+
+def _from_dead_centre(at: Placed) -> Any:
+    return at.kind.circle(at.angle - 180 * _stroke(at))
+
+
+def _share(at: Placed) -> Any:
+    """Return the share of the stroke that the piston has gone."""
+    moved = at.drive.moved(at.kind, "exact")
+    return moved.path(_stroke(at), _from_dead_centre(at)) / moved.length
+
+
+def _steam_force(at: Placed) -> Any:
+    """Return P on the piston, over Q."""
+    steam = at.beside.steam
+    if steam is None:
+        return at.number(1)
+    acting = steam.numbers(at.kind.of, at.kind.exponent)
+    return acting.force(_share(at))
+
+
+def _tangential(at: Placed) -> Any:
+    """Return T of the stroke, over Q."""
+    moved = at.drive.moved(at.kind, "exact")
+    return _steam_force(at) * moved.velocity(_stroke(at), _from_dead_centre(at))
+
+
+def _mean(at: Placed) -> Any:
+    """Return the constant tangential pressure that does as much work, by the kernel."""
+    length = at.drive.moved(at.kind, "exact").length
+    if at.beside.steam is None:
+        return length / at.kind.pi
+    return mean_force(at.beside.steam.strokes(at.kind, True), at.kind.pi, length)
+
+
+def _work_over_turn(at: Placed) -> Any:
+    """Return the same by Weisbach's P, with the work of the stroke over that of the half circle."""
+    length, steam = at.drive.moved(at.kind, "exact").length, at.beside.steam
+    if steam is None:
+        return length / at.kind.pi
+    ratio = at.number(steam.expansion)
+    back = 1 / ratio if steam.back is None else at.number(steam.back)
+    return length / at.kind.pi * ((1 + logarithm(ratio)) / ratio - back)
+
+
+def _beam(value: Callable[[Any, Any], Any]) -> Callable[[Placed], Any]:
+    """Return what the beam engine has in truth, from q²/r²."""
+
+    def found(at: Placed) -> Any:
+        from kurbel.linkage.beam.engine import BeamEngine, chord_square
+
+        engine = BeamEngine(at.drive.arm, at.drive.crank.ratio)
+        return at.kind.enclosed(lambda: value(engine, chord_square(engine)))
+
+    return found
+
+
+def _lean(side: int) -> Callable[[Placed], Any]:
+    """Return by how much the rod leans at a dead centre, in radians."""
+    return _beam(lambda engine, square: beam.lean_sine(square, *engine.numbers(side)).asin())
+
+
+def _sagitta(engine: Any, square: Any) -> Any:
+    from kurbel.exact.certify import ball
+
+    return beam.sagitta(square, ball(engine.arm))
+
+
+def _upper_lean(at: Placed) -> Any:
+    from kurbel.linkage.beam.engine import UPPER
+
+    return _lean(UPPER)(at)
+
+
+def _lower_lean(at: Placed) -> Any:
+    from kurbel.linkage.beam.engine import LOWER
+
+    return _lean(LOWER)(at)
+
+
+def _points(of: tuple[str, ...], **values: Callable[[Placed], Any]) -> dict[str, Known]:
+    return {name: Known(POINT, value, of) for name, value in values.items()}
+
+
+def _numbers(of: tuple[str, ...], **values: Callable[[Placed], Any]) -> dict[str, Known]:
+    return {name: Known(NUMBER, value, of) for name, value in values.items()}
+
+
+KNOWN: Mapping[str, Known] = {
+    **_points(
+        (),
+        shaft=lambda at: Point(at.number(0), at.number(0)),
+        pin=attrgetter("pin"),
+        along=lambda at: Point(at.number(1), at.number(0)),
+        up=lambda at: Point(at.number(0), at.number(1)),
+    ),
+    **_points((*CRANKS, *ARC), end=attrgetter("end")),
+    **_points(ARC, pivot=attrgetter("pivot")),
+    **_numbers(
+        (),
+        rod=attrgetter("rod"),
+        ratio=attrgetter("ratio"),
+        angle=lambda at: at.number(at.angle),
+        sine=lambda at: at.circle.sine,
+        cosine=lambda at: at.circle.cosine,
+        versine=lambda at: at.circle.versine,
+        # Of a point of the rod, its centre of mass and its radius of gyration, in rod lengths from its end.
+        share=lambda at: at.number(at.beside.point),
+        centre=lambda at: at.number(1 - at.mass.centre),
+        gyration=lambda at: root(at.number(at.mass.gyration_square)),
+    ),
+    **_numbers((), pi=lambda at: at.kind.pi),
+    **_numbers(
+        CRANKS,
+        offset=attrgetter("offset"),
+        # 0 on the outstroke, 1 on the return.
+        stroke=lambda at: at.number(_stroke(at)),
+        force=_steam_force,
+        pressure=_tangential,
+    ),
+    **_numbers(CRANKS, mean_pressure=_mean, mean_work=_work_over_turn),
+    **_numbers(
+        CRANKS,
+        path=_by_offset(kinematics.piston_path, kinematics.offset_path),
+        path_return=_by_offset(kinematics.piston_path, kinematics.offset_path, -1),
+        guide_force=_force(forces.guide_force),
+        rod_force=_force(forces.rod_force),
+        tangential_force=_force(forces.tangential_force),
+        radial_force=_force(forces.radial_force),
+    ),
+    **_numbers(
+        (*CRANKS, *ARC),
+        velocity=_velocity,
+        acceleration=_either(
+            _by_offset(kinematics.piston_acceleration, kinematics.offset_acceleration),
+            _of_rocker(linkage.acceleration),
+        ),
+        # Of the rod's end about the crank pin.
+        swing=lambda at: abs(at.rod * _rod_velocity(at)),
+        normal=_normal,
+        tangential=lambda at: abs(at.rod * _rod_acceleration(at)),
+        # The rod's acceleration in parts, and the masses in its ends that have their forces.
+        common=_common,
+        replaced=lambda at: at.parted.replaced_size(),
+        turning=lambda at: at.parted.turning,
+        stretching=lambda at: at.parted.stretching,
+        mass_in_pin=lambda at: at.parted.mass_in_pin(COMMON),
+        mass_in_end=lambda at: at.parted.mass_in_crosshead(COMMON),
+        turning_mass_in_pin=lambda at: at.parted.mass_in_pin(TURNING),
+        turning_mass_in_end=lambda at: at.parted.mass_in_crosshead(TURNING),
+        stretching_mass=lambda at: at.parted.mass_in_pin(STRETCHING),
+    ),
+    **_numbers(
+        ARC,
+        rocker=lambda at: at.number(at.drive.rocker),
+        curvature=lambda at: at.number(at.drive.curvature),
+        chord=_of_rocker(linkage.chord),
+        chord_return=_of_rocker(linkage.chord, RETURN),
+        centripetal=_centripetal,
+    ),
+    **_numbers(BEAM, arm=lambda at: at.number(at.drive.arm)),
+    **_numbers(BEAM, sagitta=_beam(_sagitta), upper_lean=_upper_lean, lower_lean=_lower_lean),
+}
+FUNCTIONS_OF_DRIVE: Mapping[str, OfDrive] = {
+    "crosshead": OfDrive((POINT,), POINT, Placed.crosshead, CRANKS),
+    "end_on_rocker": OfDrive((POINT, NUMBER), POINT, Placed.end_on_rocker, ARC),
+    # The acceleration of a point of the rod, by its share from the end on.
+    "accelerated": OfDrive(
+        (NUMBER,), NUMBER, lambda at, share: at.parted.at_point(share).size(), (*CRANKS, *ARC)
+    ),
+}

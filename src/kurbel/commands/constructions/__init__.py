@@ -1,1 +1,0 @@
-"""Constructions as options describe them."""
