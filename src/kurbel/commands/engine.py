@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -98,7 +98,7 @@ class Flywheel(Part):
         )
 
 
-class EngineWithWheel(Flywheel, Engine, Layouts, Sheet):
+class EngineWithWheel(Flywheel, Engine, Layouts, Sheet, CommandOptions):
     """An engine with its flywheel."""
 
     # Columns for which bore, stroke and speed are, and what these need.
@@ -133,12 +133,9 @@ class EngineWithWheel(Flywheel, Engine, Layouts, Sheet):
         for name in SIZES:
             typed = self.values.typed(name) and self.says(name)
             if typed and name not in used and not self._counts(name):
-                lacking = [] if question.columns else [*self._lacking(question, name)]
-                if not lacking:
-                    raise ProblemError(self.refusal(self.options()[name]))
-                raise ProblemError(
-                    f"--{name} says nothing on this page by itself; add {', '.join(min(lacking, key=len))}"
-                )
+                lacking = [] if question.columns else self._lacking(question, name)
+                sentence = f"--{name} says nothing on this page by itself; add {', '.join(lacking)}"
+                raise ProblemError(sentence if lacking else self.refusal(self.options()[name]))
         return question
 
     def _counts(self, name: str) -> bool:
@@ -162,12 +159,11 @@ class EngineWithWheel(Flywheel, Engine, Layouts, Sheet):
         own = [length if name == "stroke" else name for name in NEEDS[needs]]
         return own if needs == "stroke" else [*own, *self.weighing()]
 
-    def _lacking(self, question: EngineRequest, name: str) -> Iterator[list[str]]:
-        """Yield what columns of the page lack that a size is for."""
-        for one in question.layout.columns:
-            needed = self._needed(question.entry(one.quantity).needs)
-            if name in needed and not all(map(self.says, needed)):
-                yield [flag_of(other) for other in needed if not self.says(other)]
+    def _lacking(self, question: EngineRequest, name: str) -> list[str]:
+        """Return what the nearest column of the page lacks that a size is for, none if no column is."""
+        needs = [self._needed(question.entry(one.quantity).needs) for one in question.layout.columns]
+        found = [[flag_of(one) for one in each if not self.says(one)] for each in needs if name in each]
+        return min(found, key=len, default=[])
 
     def unread(self, option: Option[Any]) -> str:
         name, flag = option.name, flag_of(option.name)
@@ -195,7 +191,7 @@ class EngineWithWheel(Flywheel, Engine, Layouts, Sheet):
         return f"add a column such as {self.of_wheel}"
 
 
-class DeltaOptions(EngineWithWheel, CommandOptions):
+class DeltaOptions(EngineWithWheel):
     """Print the degree of irregularity δ of an engine or a driven machine: of steam over the expansion
     ratio ε, of a compressor over its pressure ratio, of a pump, of the cycle of a gas engine.
 
@@ -236,18 +232,21 @@ class DeltaOptions(EngineWithWheel, CommandOptions):
     layout = layout_option(*DELTA)
 
     def question(self) -> Question:
+        from kurbel.engine.request import EngineRequest
+
         names = self.names(EXAMPLE)
         if self.detail and self.layout not in (None, DETAIL):
             raise ProblemError(
                 f"--detail is layout {DETAIL}, and --layout names {self.layout}; leave one out"
             )
         page = self.page(self._usual(names), *DELTA)
+        asked = EngineRequest
         if page.subject == "cylinders":
-            from kurbel.engine.cylinders.page import CylindersRequest as Request
-        else:
-            from kurbel.engine.request import EngineRequest as Request
+            from kurbel.engine.cylinders.page import CylindersRequest
+
+            asked = CylindersRequest
         wheel = self.asked_wheel(page, names)
-        return self.checked(Request(**self.of_page(page), wheel=wheel, columns=names, **self.printed()))
+        return self.checked(asked(**self.of_page(page), wheel=wheel, columns=names, **self.printed()))
 
     def _usual(self, names: Collection[str]) -> str:
         """Return the layout, for columns of these names if there are any."""
@@ -271,7 +270,7 @@ class DeltaOptions(EngineWithWheel, CommandOptions):
 delta_table = function(DeltaOptions, "delta_table")
 
 
-class TurningOptions(EngineWithWheel, Diagram, CommandOptions):
+class TurningOptions(EngineWithWheel, Diagram):
     """Print the turning effort of an engine or a driven machine: tangential force and excess energy over the
     crank angle; without an engine a turning-moment diagram, by its torque or its areas.
 
@@ -337,11 +336,16 @@ class TurningOptions(EngineWithWheel, Diagram, CommandOptions):
 
         subject = AREAS if self.says("areas") or self.layout == AREAS else TORQUES
         page, speed = self.page(subject, subject), self.raw("speed")
-        wheel = {"inertia": self.inertia, "speed": None if speed is None else as_speed(speed)}
+        inertia, mean = self.inertia, None if speed is None else as_speed(speed)
         if subject == AREAS:
             names = self.names("point,excess_energy")
             return AreasRequest(
-                layout=page, areas=self.whole_areas(), columns=names, **wheel, **self.printed()
+                layout=page,
+                areas=self.whole_areas(),
+                columns=names,
+                inertia=inertia,
+                speed=mean,
+                **self.printed(),
             )
         excess = self.excess()
         return TorquesRequest(
@@ -351,7 +355,8 @@ class TurningOptions(EngineWithWheel, Diagram, CommandOptions):
             constant=self.constant(),
             cranks=self.crank_angles(),
             columns=self.names("phi,excess_energy"),
-            **wheel,
+            inertia=inertia,
+            speed=mean,
             **self.printed(),
         )
 
