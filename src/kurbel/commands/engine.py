@@ -186,7 +186,7 @@ class EngineWithWheel(Flywheel, Engine, Layouts, Sheet, CommandOptions):
 
     def _of_wheel(self) -> str:
         """Return how a flywheel would be used, where nothing that is asked for has to do with it."""
-        if self.layout and self.about not in WITH_WHEEL:
+        if self.layout and self.layout_subject not in WITH_WHEEL:
             return f"leave --layout {self.layout} or the flywheel out"
         return f"add a column such as {self.of_wheel}"
 

@@ -78,7 +78,7 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
 
     def is_engine(self) -> bool:
         """Whether the flywheel is that of an engine, which what acts on its pistons or the layout says."""
-        return super().is_engine() or self.about == ENGINE
+        return super().is_engine() or self.layout_subject == ENGINE
 
     def has_turns(self) -> bool:
         return not self.is_diagram() and super().has_turns()

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from kurbel.balance.harmonics import HARMONICS, MOST_ORDERS
+from kurbel.commands.balance import BalanceOptions
 from kurbel.commands.options import Choice, Count, Option, word
 from kurbel.commands.part import CommandOptions, flag_of
-from kurbel.commands.parts.drive import Linked, Speed
+from kurbel.commands.parts.drive import Speed
 from kurbel.commands.parts.engine import Engine
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
@@ -47,7 +48,8 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
         " reciprocating rocker_inertia speed columns"
     )
 
-    ratio = Linked.ratio.but(help="Crank ratio: 1:5; lists '1:4;1:5' and ranges 1:3..6:0.5.")
+    ratio = BalanceOptions.ratio
+    method = BalanceOptions.method
     speed = Speed.speed.but(help="Speed, for frequencies and masses: 120/min, 12.5rad/s.")
     quantity = word(
         "x (path), c (velocity), p (acceleration, default), or torque, of an engine.",
@@ -58,11 +60,6 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
         "N",
         Count("orders", 1, MOST_ORDERS, "does not say up to which one"),
         default=6,
-    )
-    method = word(
-        "exact, series (first order in λ) or infinite (rod of infinite length).",
-        kind=Choice("method", "kurbel.motion.evaluation:METHODS"),
-        default="exact",
     )
     columns = columns_option("torque-harmonics", "order,amplitude,phase")
     layout = layout_option("harmonics", *OF_TORQUE)
@@ -90,7 +87,7 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
 
     def of_torque(self) -> bool:
         """Whether the torque is meant, by its name or by a layout."""
-        return self.quantity == TORQUE if self.quantity else self.about in OF_TORQUE
+        return self.quantity == TORQUE if self.quantity else self.layout_subject in OF_TORQUE
 
     def is_sized(self) -> bool:
         return self.of_torque() and super().is_sized()

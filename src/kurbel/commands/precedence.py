@@ -26,20 +26,11 @@ _ROD: Rivals = (
     *((name, "gyration") for name in ("pendulum", "pendulum_from")),
 )
 _WHEEL: Rivals = (("flywheel", "inertia"), ("inertia", "flywheel"))
-# A flywheel is given by its inertia, its mass or its sizes, or is to keep an irregularity.
-_SIZES: Rivals = (
-    *(("inertia", other) for other in ("mass", "rim_diameter", "disc_diameter", "delta")),
-    *((other, "inertia") for other in ("mass", "disc_diameter", "delta")),
-    ("speed", "least_speed"),
-    ("delta", "least_speed"),
-)
 RIVALS: Mapping[str, Rivals] = {
     "table": (*_ANGLES, ("mechanism", "layout"), ("layout", "mechanism")),
     # A force that is typed outdoes the steam of a machine.
     "forces": (*_ANGLES, *_STEAM, *_ROD, *((key, "force") for key in OWN)),
     "inertia": (*_ANGLES, *_ROD),
-    **dict.fromkeys(("delta", "turning"), (*_STEAM, *_ROD, *_WHEEL)),
-    "flywheel": (*_STEAM, *_ROD, *_SIZES),
     "power": _STEAM,
 }
 _LENGTHS = ("ratio", "stroke", "rod")
