@@ -13,6 +13,7 @@ from kurbel.commands.parts.diagram import DIAGRAMS, Diagram
 from kurbel.commands.parts.drive import Speed
 from kurbel.commands.parts.effort import RODS
 from kurbel.commands.parts.engine import Engine
+from kurbel.commands.parts.loads import KINDS
 from kurbel.commands.parts.masses import Masses
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
@@ -134,7 +135,8 @@ class EngineWithWheel(Flywheel, Engine, Layouts, Sheet, CommandOptions):
             typed = self.values.typed(name) and self.says(name)
             if typed and name not in used and not self._counts(name):
                 lacking = [] if question.columns else self._lacking(question, name)
-                sentence = f"--{name} says nothing on this page by itself; add {', '.join(lacking)}"
+                flag = flag_of(self.values.spelled(name))
+                sentence = f"{flag} says nothing on this page by itself; add {', '.join(lacking)}"
                 raise ProblemError(sentence if lacking else self.refusal(self.options()[name]))
         return question
 
@@ -308,13 +310,12 @@ class TurningOptions(EngineWithWheel, Diagram):
             self.refuse("turns", "area_scale")
         names = self.names(EXAMPLE)
         page = self.page("speed" if self.has_wheel() else "turning", *TURNING)
-        engines = self.of_page(page)
         return self.checked(
             EngineRequest(
                 angles=self._angles(self.turn(), page),
                 wheel=self.asked_wheel(page, names),
                 columns=names,
-                **engines,
+                **self.of_page(page),
                 **self.printed(),
             )
         )
@@ -334,6 +335,8 @@ class TurningOptions(EngineWithWheel, Diagram):
         """Return what is asked for of a diagram without an engine. Raises KurbelError."""
         from kurbel.engine.diagram.page import AreasRequest, TorquesRequest
 
+        if self.is_diagram():
+            self.refuse(*KINDS, "cylinder")
         subject = AREAS if self.says("areas") or self.layout == AREAS else TORQUES
         page, speed = self.page(subject, subject), self.raw("speed")
         inertia, mean = self.inertia, None if speed is None else as_speed(speed)

@@ -34,6 +34,8 @@ from kurbel.reading.given import as_speed
 
 ENGINE, SIZING = "flywheel", "flywheel sizing"
 PAGE_OF_SIZES = "flywheel-sizing"
+# What an engine's flywheel is not given by.
+ALONE = (Diagram, Swing, Press, Body)
 
 
 class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
@@ -91,7 +93,7 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
 
     def _beside_engine(self, option: Option[Any]) -> str:
         name, flag = option.name, flag_of(option.name)
-        if option.home in (Diagram, Swing, Press, Body):
+        if option.home in ALONE:
             return (
                 f"{flag} is of a flywheel without an engine, and one is described; leave one of the two out"
             )
@@ -120,7 +122,11 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
 
     def _of_engine(self) -> Question:
         """Return the page of an engine's flywheel, with a rim that of its sizes."""
+        # Else more would be asked of an engine that is not meant.
+        self.refuse(*(name for part in ALONE for name in part.options()))
         heavy = self.is_heavy() or self.is_several()
+        if heavy:
+            self.refuse("power")
         for name, example in (("speed", "120/min"), ("delta", "1:100")):
             if self.raw(name) is None:
                 raise ProblemError(
