@@ -32,11 +32,11 @@ if TYPE_CHECKING:
     from kurbel.commands.firing import firing_table
     from kurbel.commands.flywheel import flywheel_table
     from kurbel.commands.forces import forces_table
+    from kurbel.commands.harmonics import harmonics_table
     from kurbel.commands.inertia import inertia_table
     from kurbel.commands.locomotive import locomotive_table
     from kurbel.commands.motion import table
     from kurbel.commands.numbers import certified, compute, typeset
-    from kurbel.commands.harmonics import harmonics_table
     from kurbel.commands.plot import plot_mechanism
     from kurbel.commands.power import power_table
     from kurbel.commands.pressures import pressures_table

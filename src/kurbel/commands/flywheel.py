@@ -263,15 +263,15 @@ def _of_diagram(diagram: Fluctuation) -> Iterator[tuple[str, Known]]:
     mean = diagram.mean_torque(floats())
     # That of a shaft which is driven back has no power of its own to print.
     if mean is not None and mean > 0:
-        if diagram.torque_is_algebraic:
-            yield "mean_torque", Known(Product.algebraic(diagram.mean_torque), options)
-        else:
-            # Its work has no π, nor has the power at so many turns a minute: both may lie on a boundary.
-            yield "work", Known(Product.about(diagram.work, algebraic=True), options)
+        torque = Product.reduced(diagram.mean_torque)
+        # Of a torque with π the work has none.
+        yield ("work", Known(Product.about(diagram.work), options)) if torque.pi else (
+            "mean_torque", Known(torque, options),
+        )  # fmt: skip
 
 
 def _swing(diagram: Fluctuation) -> Product:
     if isinstance(diagram, Areas):
         scale = diagram.scale
         return Product.of((max(diagram.levels) - min(diagram.levels)) * scale.energy, int(scale.of_pi))
-    return Product.algebraic(diagram.swing) if diagram.algebraic else Product.about(diagram.swing)
+    return Product.reduced(diagram.swing)
