@@ -30,13 +30,13 @@ if TYPE_CHECKING:
     from kurbel.commands.dead_centres import dead_centres_table
     from kurbel.commands.engine import delta_table, turning_table
     from kurbel.commands.firing import firing_table
-    from kurbel.commands.flywheels.flywheel import flywheel_table
+    from kurbel.commands.flywheel import flywheel_table
     from kurbel.commands.forces import forces_table
+    from kurbel.commands.harmonics import harmonics_table
     from kurbel.commands.inertia import inertia_table
     from kurbel.commands.locomotive import locomotive_table
     from kurbel.commands.motion import table
     from kurbel.commands.numbers import certified, compute, typeset
-    from kurbel.commands.orders.harmonics import harmonics_table
     from kurbel.commands.plot import plot_mechanism
     from kurbel.commands.power import power_table
     from kurbel.commands.pressures import pressures_table
@@ -88,9 +88,9 @@ _MODULES = {
     "kurbel.commands.power": ("power_table",),
     "kurbel.commands.pressures": ("pressures_table",),
     "kurbel.commands.firing": ("firing_table",),
-    "kurbel.commands.orders.harmonics": ("harmonics_table",),
+    "kurbel.commands.harmonics": ("harmonics_table",),
     "kurbel.commands.engine": ("delta_table", "turning_table"),
-    "kurbel.commands.flywheels.flywheel": ("flywheel_table",),
+    "kurbel.commands.flywheel": ("flywheel_table",),
     "kurbel.commands.forces": ("forces_table",),
     "kurbel.commands.construct": ("construction_table", "plot_construction"),
     "kurbel.commands.inertia": ("inertia_table",),

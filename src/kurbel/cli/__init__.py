@@ -41,7 +41,7 @@ COMMANDS = {
         "Print the mean pressure, the power, or the sizes for a power.",
     ),
     "flywheel": (
-        "kurbel.commands.flywheels.flywheel:flywheel_table",
+        "kurbel.commands.flywheel:flywheel_table",
         "Print the flywheel that keeps an engine or a machine even.",
     ),
     "deadcentres": (
@@ -49,7 +49,7 @@ COMMANDS = {
         "Print the dead centres of a beam engine or a crank drive.",
     ),
     "harmonics": (
-        "kurbel.commands.orders.harmonics:harmonics_table",
+        "kurbel.commands.harmonics:harmonics_table",
         "Print the harmonics of the piston's motion or of the torque.",
     ),
     "balance": ("kurbel.commands.balance:balance_table", "Print the free forces and moments of an engine."),

@@ -1,158 +1,199 @@
 """Engines and driven machines, and how evenly they turn."""
 
-from collections.abc import Mapping, Sequence
-from fractions import Fraction
-from functools import partial
-from typing import TYPE_CHECKING, Annotated, Any, TypedDict, Unpack
+from __future__ import annotations
 
-from kurbel.commands import parameters as option
-from kurbel.commands.cylinder import engines
-from kurbel.commands.diagram.given import Diagram, foreign, is_diagram, needless
-from kurbel.commands.engine_pages.layouts import has_wheel, layout_of_delta, layout_of_turning
-from kurbel.commands.machines import (
-    EXAMPLE,
-    engine_of,
-    is_heavy,
-    needless_of_load,
-    whole_cycle,
-)
-from kurbel.commands.old_motion import STEP, meant, of_other_mechanisms
-from kurbel.commands.options import FLAG, Choice, Option, is_given
-from kurbel.commands.subject import makes_table
+from collections.abc import Collection, Mapping, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from kurbel.commands.options import Choice, Option, flag, measure, word
+from kurbel.commands.part import CommandOptions, Part, Rivals, flag_of
+from kurbel.commands.parts.angles import FULL_TURN, STEP, Angles
+from kurbel.commands.parts.diagram import DIAGRAMS, Diagram
+from kurbel.commands.parts.drive import Speed
+from kurbel.commands.parts.effort import RODS
+from kurbel.commands.parts.engine import Engine
+from kurbel.commands.parts.loads import KINDS
+from kurbel.commands.parts.masses import Masses
+from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
+from kurbel.commands.subject import function
 from kurbel.errors import ProblemError
-from kurbel.page.layouts import Layout, layout_of
+from kurbel.page.layouts import Layout
 from kurbel.page.subject import Question
 from kurbel.reading import notation
-from kurbel.reading.given import (
-    Exact,
-    as_angle,
-    as_angles,
-    as_names,
-)
+from kurbel.reading.given import as_angle, as_angles, as_inertia, as_number, as_power, as_ratios, as_speed
 
 if TYPE_CHECKING:
     from kurbel.drive.wheel import Wheel
+    from kurbel.engine.request import EngineRequest
 
-# What a page without forces takes for the masses' sake alone.
-ONLY_MASSES = ("stroke", "rod", "bore", "pressure")
+EXAMPLE, DETAIL = "epsilon,delta", "delta-detail"
 WITH_MASSES = "with masses the power follows from pressure, bore, stroke and speed; leave --power out"
-ORDER = (
+# The order of what engines have in common, before other loads and behind them.
+ENGINE_ORDER = (
     "ratio back exponent clearance card other_side single_acting cranks method reciprocating rod_mass centre"
     " gyration rod_file vertical slope gravity friction stroke crank true_stroke time_ratio rod"
     " bore pressure piston_rod tail_rod offset mechanism rocker pivot circuit beam rocker_inertia"
+)
+LOAD_ORDER = (
+    "pressure_ratio suction_loss delivery_loss pump small_area suction_pressure delivery_pressure compression"
+    " cycle peak_pressure cut_off heat expansion_exponent exhaust_pressure two_stroke cylinder pendulum"
+    " pendulum_from"
 )
 # Pages of an engine, and those of one with its flywheel.
 DELTA = ("irregularity", "strokes", "evenness", "compressor", "pump", "gas cycle", "cylinders")
 TURNING = ("turning", "speed")
 WITH_WHEEL = ("speed", "evenness")
+# Pages of a diagram without an engine.
+TORQUES, AREAS = "torques", "areas"
+# What counts beside masses, or in columns; what these need, beside bore and pressures of the load.
+SIZES = ("stroke", "rod", "speed", "bore", "pressure")
+NEEDS = {
+    "load": (), "stroke": ("stroke",), "torque": ("stroke",), "power": ("stroke", "speed"),
+    "flow": ("stroke", "speed"),
+}  # fmt: skip
 
 
-class Wheeled(TypedDict, total=False):
-    """A flywheel, and what it turns against."""
+class Flywheel(Part):
+    """A flywheel of an engine, and what it turns against."""
 
-    flywheel: Annotated[
-        Exact | None,
-        Option("Flywheel, for the speed over the turn: its number m₁v₁²/(P r), 50.", "M"),
-    ]
-    inertia: Annotated[
-        Exact | None,
-        Option(
-            "The same by its moment of inertia: 1200kgm2. It needs --speed, and --power or the bore and the"
-            " pressure.",
-            "J", unit="kg m²",
-        ),
-    ]  # fmt: skip
-    power: Annotated[
-        Exact | None, Option("Power of the engine, for --inertia: 50kW, 68PS.", "POWER", unit="W")
-    ]
-    resistance: Annotated[
-        str | None,
-        Option(
-            "Torque that the engine turns against: constant (default), or square of the speed.",
-            kind=Choice("resistance", "kurbel.drive.wheel:RESISTANCES"),
-        ),
-    ]
+    title, add = "a flywheel", "--flywheel or --inertia"
+    rivals: ClassVar[Rivals] = (("flywheel", "inertia"), ("inertia", "flywheel"))
+
+    flywheel = measure(as_number, "Flywheel, for the speed over the turn: its number m₁v₁²/(P r), 50.", "M")
+    inertia = measure(
+        as_inertia,
+        "The same by its moment of inertia: 1200kgm2. It needs --speed, and --power or the bore and the"
+        " pressure.",
+        "J", unit="kg m²", what="moment of inertia",
+    )  # fmt: skip
+    power = measure(as_power, "Power of the engine, for --inertia: 50kW, 68PS.", "POWER", unit="W")
+    resistance = word(
+        "Torque that the engine turns against: constant (default), or square of the speed.",
+        kind=Choice("resistance", "kurbel.drive.wheel:RESISTANCES"),
+    )
+
+    def has_wheel(self) -> bool:
+        return self.says("flywheel", "inertia")
+
+    def wheel(self, heavy: bool) -> Wheel | None:
+        """Return the flywheel, None if none is given.
+
+        With masses, where the engine is `heavy`, its power follows from the pressures. Raises KurbelError.
+        """
+        from kurbel.drive.wheel import CONSTANT, Wheel
+
+        if not self.has_wheel():
+            return None
+        number, inertia, speed = self.flywheel, self.inertia, self.raw("speed")
+        if number is not None and inertia is not None:
+            raise ProblemError("--flywheel and --inertia both describe the flywheel; leave one out")
+        if inertia is not None and speed is None:
+            raise ProblemError("--inertia needs the mean speed; add --speed, for example --speed 120/min")
+        return Wheel(
+            number,
+            inertia,
+            None if speed is None else as_speed(speed),
+            None if heavy or inertia is None else self.power,
+            self.resistance or CONSTANT,
+        )
 
 
-class Turning(engines.Engine, Wheeled, total=False):
+class EngineWithWheel(Flywheel, Engine, Layouts, Sheet, CommandOptions):
     """An engine with its flywheel."""
 
+    # Columns for which bore, stroke and speed are, and what these need.
+    of_sizes: ClassVar[Mapping[str, str]] = {}
+    # A column that has to do with the flywheel.
+    of_wheel: ClassVar[str] = ""
 
-class AnyTurning(Turning, Diagram, total=False):
-    """The same, or a diagram in place of the engine."""
+    speed = Speed.speed.but(help="Speed: 120/min, 12.5rad/s.")
+
+    def is_sized(self) -> bool:
+        # Whether they count, the columns say.
+        return True
+
+    def asked_wheel(self, page: Layout, names: Collection[str]) -> Wheel | None:
+        """Return the flywheel of a page on which it says something. Raises ProblemError if no column does."""
+        if page.subject not in WITH_WHEEL:
+            return None
+        from kurbel.engine.speed.quantities import of_runs
+
+        found = self.wheel(self.is_heavy())
+        if names and not of_runs() & {*names}:
+            self.refuse("flywheel", "inertia")
+        return found
+
+    def checked(self, question: EngineRequest) -> EngineRequest:
+        """Return what is asked for. Raises ProblemError for a size that was typed and counts in nothing."""
+        shown = [one.quantity for one in question.page_columns]
+        used = {name for one in shown for name in self._needed(one.needs)}
+        if question.columns and any(one.key == "mean_pressure_kpa" for one in shown):
+            # The bore of a cylinder is given with its stroke.
+            used |= {*self._needed("stroke")}
+        for name in SIZES:
+            typed = self.values.typed(name) and self.says(name)
+            if typed and name not in used and not self._counts(name):
+                lacking = [] if question.columns else self._lacking(question, name)
+                flag = flag_of(self.values.spelled(name))
+                sentence = f"{flag} says nothing on this page by itself; add {', '.join(lacking)}"
+                raise ProblemError(sentence if lacking else self.refusal(self.options()[name]))
+        return question
+
+    def _counts(self, name: str) -> bool:
+        """Whether a size counts without any column."""
+        if self.is_heavy() or self.is_several():
+            return True
+        # A flywheel without a power is weighed against the load.
+        if self.says("inertia") and not self.says("power"):
+            return True
+        if name in ("stroke", "rod"):
+            return self.says("stroke") == self.says("rod") or self.compares_lengths()
+        if name == "speed":
+            return self.has_wheel()
+        return self.says("friction", *RODS) or (name == "pressure" and self._back_is_pressure())
+
+    def _needed(self, needs: str) -> Sequence[str]:
+        """Return the options that make such a column known; the rod gives the stroke by the ratio."""
+        if needs not in NEEDS:
+            return ()
+        length = "rod" if self.says("rod") and not self.says("stroke") else "stroke"
+        own = [length if name == "stroke" else name for name in NEEDS[needs]]
+        return own if needs == "stroke" else [*own, *self.weighing()]
+
+    def _lacking(self, question: EngineRequest, name: str) -> list[str]:
+        """Return what the nearest column of the page lacks that a size is for, none if no column is."""
+        needs = [self._needed(question.entry(one.quantity).needs) for one in question.layout.columns]
+        found = [[flag_of(one) for one in each if not self.says(one)] for each in needs if name in each]
+        return min(found, key=len, default=[])
+
+    def unread(self, option: Option[Any]) -> str:
+        name, flag = option.name, flag_of(option.name)
+        if name in ("flywheel", "inertia"):
+            return f"{flag} says nothing on this page; {self._of_wheel()}"
+        if name == "power":
+            if self.is_heavy():
+                return WITH_MASSES
+            return "--power is for --inertia, whose flywheel is weighed against it; leave it out"
+        if name == "resistance":
+            return "--resistance is for a flywheel; add --flywheel or --inertia"
+        if name == "rod":
+            return "--rod gives the ratio with --stroke; add that, or leave --rod out"
+        if name in SIZES and name not in (() if self.says("eps") else ("pressure",)):
+            for key, needs in self.of_sizes.items():
+                if name in self._needed(needs):
+                    return f"{flag} says nothing on this page; add --reciprocating, or a column such as {key}"
+            return f"{flag} is for {Masses.title}; add {Masses.add}"
+        return ""
+
+    def _of_wheel(self) -> str:
+        """Return how a flywheel would be used, where nothing that is asked for has to do with it."""
+        if self.layout and self.layout_subject not in WITH_WHEEL:
+            return f"leave --layout {self.layout} or the flywheel out"
+        return f"add a column such as {self.of_wheel}"
 
 
-def _foreign(values: Mapping[str, Any]) -> Mapping[str, str]:
-    """Refuse what describes other crank drives."""
-    return of_other_mechanisms(values, meant(values, layout=None), ("stroke", "speed", "method"))
-
-
-def _of_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
-    """Refuse what says nothing beside a flywheel or without one, and a flywheel of which nothing is asked."""
-    given = [name for name in ("flywheel", "inertia") if values[name] is not None]
-    # With the rod the stroke gives the ratio.
-    both = ("stroke", "rod") if is_given(values["stroke"]) and is_given(values["rod"]) else ()
-    only = tuple(name for name in ONLY_MASSES if name not in both)
-    counted = "inertia" in given and not is_given(values["power"])
-    sizes = () if counted else (*(() if given else ("speed",)), *only)
-    refused = {**beside_wheel(values)}
-    if any(values[name] is not None for name in sizes):
-        from kurbel.commands.engine_pages.sizes import needless_sizes
-
-        refused |= needless_sizes(values, sizes, partial(_page, values))
-    if given and (instead := _without_wheel(values)):
-        refused |= {name: f"--{name} says nothing on this page; {instead}" for name in given}
-    return refused
-
-
-def beside_wheel(values: Mapping[str, Any]) -> Mapping[str, str]:
-    """Refuse what describes a flywheel further, where there is none or none of that kind."""
-    refused = {**needless_of_load(values)}
-    if values["inertia"] is None:
-        refused["power"] = "--power is for --inertia, whose flywheel is weighed against it; leave it out"
-    if is_heavy(values):
-        refused["power"] = WITH_MASSES
-    if not has_wheel(values):
-        refused["resistance"] = "--resistance is for a flywheel; add --flywheel or --inertia"
-    return refused
-
-
-def _page(values: Mapping[str, Any], names: Sequence[str]) -> Layout:
-    """Return the layout of a page, of the turning effort or of the irregularity."""
-    if "angle" in values:
-        return layout_of(values["layout"] or layout_of_turning(values), TURNING, values["layouts"])
-    return layout_of(values["layout"] or layout_of_delta(values, names), DELTA, values["layouts"])
-
-
-def _without_wheel(values: Mapping[str, Any]) -> str:
-    """Return how a flywheel would be used, where nothing that is asked for has to do with it."""
-    from kurbel.engine.speed.quantities import of_runs
-
-    if values.get("detail"):
-        return "leave --detail or the flywheel out"
-    layout, names = values["layout"], as_names(values["columns"], EXAMPLE)
-    if (
-        layout
-        and layout_of(layout, ("turning", *DELTA, "speed"), values["layouts"]).subject not in WITH_WHEEL
-    ):
-        return f"leave --layout {layout} or the flywheel out"
-    example = "speed" if "angle" in values else "delta_mean"
-    return "" if not names or of_runs() & {*names} else f"add a column such as {example}"
-
-
-@makes_table(foreign=_foreign, needless=_of_wheel, order=ORDER)
-def delta_table(
-    eps: option.Eps = None,
-    *,
-    speed: option.PlainSpeed = None,
-    detail: Annotated[
-        bool, Option("All that leads to δ: angles and speeds of both strokes.", kind=FLAG)
-    ] = False,
-    columns: Annotated[option.Names, option.columns_option("weisbach-150", "epsilon,delta,mean_force")] = (),
-    layouts: option.Layouts = None,
-    layout: Annotated[str | None, option.layout_option(*DELTA)] = None,
-    **given: Unpack[Turning],
-) -> Question:
+class DeltaOptions(EngineWithWheel):
     """Print the degree of irregularity δ of an engine or a driven machine: of steam over the expansion
     ratio ε, of a compressor over its pressure ratio, of a pump, of the cycle of a gas engine.
 
@@ -181,43 +222,57 @@ def delta_table(
     3,-0.6994,1.374
     4,-0.8825,1.423
     """
-    names = as_names(columns, EXAMPLE)
-    if detail and layout not in (None, "delta-detail"):
-        raise ProblemError(f"--detail is layout delta-detail, and --layout names {layout}; leave one out")
-    about = {**given, "eps": eps, "speed": speed}
-    page = layout_of(layout or layout_of_delta({**about, "detail": detail}, names), DELTA, layouts)
-    return engine_of(page, about, _asked(page), columns=names, wheel=_wheel(page, about))
+
+    unnamed = "eps"
+    sequence = f"{ENGINE_ORDER} {LOAD_ORDER} flywheel inertia power resistance speed detail columns"
+
+    of_sizes: ClassVar[Mapping[str, str]] = {"indicated_power": "power"}
+    of_wheel = "delta_mean"
+
+    detail = flag("All that leads to δ: angles and speeds of both strokes.")
+    columns = columns_option("weisbach-150", "epsilon,delta,mean_force")
+    layout = layout_option(*DELTA)
+
+    def question(self) -> Question:
+        from kurbel.engine.request import EngineRequest
+
+        names = self.names(EXAMPLE)
+        if self.detail and self.layout not in (None, DETAIL):
+            raise ProblemError(
+                f"--detail is layout {DETAIL}, and --layout names {self.layout}; leave one out"
+            )
+        page = self.page(self._usual(names), *DELTA)
+        asked = EngineRequest
+        if page.subject == "cylinders":
+            from kurbel.engine.cylinders.page import CylindersRequest
+
+            asked = CylindersRequest
+        wheel = self.asked_wheel(page, names)
+        return self.checked(asked(**self.of_page(page), wheel=wheel, columns=names, **self.printed()))
+
+    def _usual(self, names: Collection[str]) -> str:
+        """Return the layout, for columns of these names if there are any."""
+        if self.has_wheel() and not self.detail:
+            return "delta-flywheel"
+        methods, ratio = self.method or (), self.raw("ratio")
+        several = not isinstance(methods, str) and len({*methods}) > 1
+        if self.detail or (not several and (self.says("card") or "alpha_cutoff" in names)):
+            return DETAIL
+        if several:
+            return "delta-verfahren"
+        if self.is_several():
+            return DETAIL
+        many = len(as_ratios(() if ratio is None else ratio)) > 1
+        return self.usual_layout() or ("delta-tafel" if many else "weisbach-150")
+
+    def _of_wheel(self) -> str:
+        return "leave --detail or the flywheel out" if self.detail else super()._of_wheel()
 
 
-def _asked(page: Layout) -> Any:
-    """Return what a list of cylinders is asked as, None of another page."""
-    if page.subject != "cylinders":
-        return None
-    from kurbel.engine.cylinders.page import CylindersRequest
-
-    return CylindersRequest
+delta_table = function(DeltaOptions, "delta_table")
 
 
-@makes_table(foreign=foreign(_foreign), needless=needless(_of_wheel), order=ORDER)
-def turning_table(
-    eps: option.Eps = None,
-    *,
-    speed: option.PlainSpeed = None,
-    angle: Annotated[
-        option.Given | None,
-        option.ANGLE._replace(
-            help="Crank angles in degrees: 22.5, 2°30', lists '0;45;90', ranges 0..360:10."
-        ),
-    ] = None,
-    step: Annotated[
-        Exact | None,
-        option.STEP._replace(help="Step of the angles through the whole turn; default 10."),
-    ] = None,
-    columns: Annotated[option.Names, option.columns_option("turning", "phi,tangential,energy")] = (),
-    layouts: option.Layouts = None,
-    layout: Annotated[str | None, option.layout_option(*TURNING, "torques", "areas")] = None,
-    **given: Unpack[AnyTurning],
-) -> Question:
+class TurningOptions(EngineWithWheel, Diagram):
     """Print the turning effort of an engine or a driven machine: tangential force and excess energy over the
     crank angle; without an engine a turning-moment diagram, by its torque or its areas.
 
@@ -231,32 +286,97 @@ def turning_table(
     kurbel turning --torque '0:0; 60:90; 180:0; 360:0' --cranks '0;120;240'
     kurbel turning --areas '+52;-124;+92;-140;+85;-72;+107' --area-scale '500 N m; 6°'
     """
-    if is_diagram(given) or layout in ("torques", "areas"):
-        from kurbel.commands.diagram.page import diagram_asked
 
-        pages = {"layouts": layouts, "layout": layout}
-        return diagram_asked({**given, **pages, "speed": speed, "angle": angle, "step": step}, columns)
-    page = layout_of(layout or layout_of_turning(given), TURNING, layouts)
-    cycle = whole_cycle({**given, "eps": eps})
-    if step is not None:
-        if angle is not None:
+    unnamed = "eps"
+    sequence = (
+        f"{ENGINE_ORDER} {LOAD_ORDER} flywheel inertia power resistance torque torque_file triangles"
+        " load_torque load_torque_file turns areas area_scale speed angle step columns"
+    )
+    of_sizes: ClassVar[Mapping[str, str]] = {"pin_path_mm": "stroke", "tangential_kpa": "load"}
+    of_wheel = "speed"
+
+    angle = Angles.angle.but(help="Crank angles in degrees: 22.5, 2°30', lists '0;45;90', ranges 0..360:10.")
+    step = Angles.step.but(help="Step of the angles through the whole turn; default 10.")
+    columns = columns_option("turning", "phi,tangential,energy")
+    layout = layout_option(*TURNING, TORQUES, AREAS)
+
+    def question(self) -> Question:
+        if self.is_diagram() or self.layout in (TORQUES, AREAS):
+            return self._diagram()
+        from kurbel.engine.request import EngineRequest
+
+        if not self.is_engine():
+            # What acts on the piston would be missing first.
+            self.refuse("turns", "area_scale")
+        names = self.names(EXAMPLE)
+        page = self.page("speed" if self.has_wheel() else "turning", *TURNING)
+        return self.checked(
+            EngineRequest(
+                angles=self._angles(self.turn(), page),
+                wheel=self.asked_wheel(page, names),
+                columns=names,
+                **self.of_page(page),
+                **self.printed(),
+            )
+        )
+
+    def unread(self, option: Option[Any]) -> str:
+        if found := Diagram.unread(self, option):
+            return found
+        if not self.is_diagram():
+            return super().unread(option)
+        named = next(name for name in DIAGRAMS if self.says(name))
+        return (
+            f"{flag_of(option.name)} describes an engine, and {flag_of(named)} a diagram without one; leave"
+            " one of them out"
+        )
+
+    def _diagram(self) -> Question:
+        """Return what is asked for of a diagram without an engine. Raises KurbelError."""
+        from kurbel.engine.diagram.page import AreasRequest, TorquesRequest
+
+        if self.is_diagram():
+            self.refuse(*KINDS, "cylinder")
+        subject = AREAS if self.says("areas") or self.layout == AREAS else TORQUES
+        page, speed = self.page(subject, subject), self.raw("speed")
+        inertia, mean = self.inertia, None if speed is None else as_speed(speed)
+        if subject == AREAS:
+            names = self.names("point,excess_energy")
+            return AreasRequest(
+                layout=page,
+                areas=self.whole_areas(),
+                columns=names,
+                inertia=inertia,
+                speed=mean,
+                **self.printed(),
+            )
+        excess = self.excess()
+        return TorquesRequest(
+            layout=page,
+            excess=excess,
+            angles=self._angles(excess.cycle),
+            constant=self.constant(),
+            cranks=self.crank_angles(),
+            columns=self.names("phi,excess_energy"),
+            inertia=inertia,
+            speed=mean,
+            **self.printed(),
+        )
+
+    def _angles(self, cycle: Fraction, page: Layout | None = None) -> Sequence[Fraction]:
+        """Return the crank angles, by themselves over the whole cycle, or those of a page of one turn."""
+        angles, step = self.angle, self.step
+        if angles is not None and step is not None:
             raise ProblemError(
                 "--angle lists the angles and --step runs through the turn; use one or the other"
             )
-        angles: Sequence[Fraction] = notation.progression(Fraction(0), cycle, as_angle(step, "step"))
-    elif angle is None and cycle > 360:
-        angles = notation.progression(Fraction(0), cycle, STEP)
-    else:
-        angles = as_angles(page.angles if angle is None else angle)
-    about = {**given, "eps": eps, "speed": speed}
-    names = as_names(columns, EXAMPLE)
-    return engine_of(page, about, angles=angles, columns=names, wheel=_wheel(page, about))
+        if angles is not None:
+            return angles
+        if step is None and page is not None and cycle <= FULL_TURN:
+            return as_angles(page.angles)
+        return notation.progression(
+            Fraction(0), cycle, min(STEP, cycle) if step is None else as_angle(step, "step")
+        )
 
 
-def _wheel(page: Layout, given: Mapping[str, Any]) -> "Wheel | None":
-    """Return the flywheel that options describe, of a page on which it says something."""
-    if page.subject not in WITH_WHEEL:
-        return None
-    from kurbel.drive.wheel import given_wheel
-
-    return given_wheel(given, is_heavy(given))
+turning_table = function(TurningOptions, "turning_table")

@@ -2,46 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from kurbel.commands.loads import NAMES, OWN
-from kurbel.commands.part import Origin, Rivals, Values
+from kurbel.commands.part import Origin, Values
 from kurbel.commands.subject import SPELLED
 from kurbel.errors import ProblemError
 from kurbel.reading.given import as_length, as_ratios
 from kurbel.reading.notation import ratio_text
 
-_ANGLES: Rivals = (
-    *(("angle", other) for other in ("from", "to", "step")),
-    *((other, "angle") for other in ("from", "to", "step")),
-)
-_STEAM: Rivals = (
-    *((name, "card") for name in ("eps", "back", "exponent", "clearance", "pressure")),
-    ("card", "eps"),
-)
-_ROD: Rivals = (
-    *((name, "rod_file") for name in ("rod_mass", "centre", "gyration", "pendulum", "pendulum_from")),
-    *(("rod_file", name) for name in ("centre", "gyration", "pendulum")),
-    *(("gyration", name) for name in ("pendulum", "pendulum_from")),
-    *((name, "gyration") for name in ("pendulum", "pendulum_from")),
-)
-_WHEEL: Rivals = (("flywheel", "inertia"), ("inertia", "flywheel"))
-# A flywheel is given by its inertia, its mass or its sizes, or is to keep an irregularity.
-_SIZES: Rivals = (
-    *(("inertia", other) for other in ("mass", "rim_diameter", "disc_diameter", "delta")),
-    *((other, "inertia") for other in ("mass", "disc_diameter", "delta")),
-    ("speed", "least_speed"),
-    ("delta", "least_speed"),
-)
-RIVALS: Mapping[str, Rivals] = {
-    "table": (*_ANGLES, ("mechanism", "layout"), ("layout", "mechanism")),
-    # A force that is typed outdoes the steam of a machine.
-    "forces": (*_ANGLES, *_STEAM, *_ROD, *((key, "force") for key in OWN)),
-    "inertia": (*_ANGLES, *_ROD),
-    **dict.fromkeys(("delta", "turning"), (*_STEAM, *_ROD, *_WHEEL)),
-    "flywheel": (*_STEAM, *_ROD, *_SIZES),
-    "power": _STEAM,
-}
 _LENGTHS = ("ratio", "stroke", "rod")
 
 

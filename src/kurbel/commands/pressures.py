@@ -123,7 +123,7 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
     def is_sized(self) -> bool:
         return self.compares_lengths() or self.is_heavy()
 
-    def turns(self) -> bool:
+    def has_speed(self) -> bool:
         return False
 
 

@@ -197,10 +197,9 @@ class WordsCommand(Command):
         self.parameters.pop(MACHINE, None)
 
     def settle(self, values: Values) -> None:
-        from kurbel.commands.precedence import RIVALS, settle_lengths, settle_loads, settle_sizes
+        from kurbel.commands.precedence import settle_lengths, settle_loads, settle_sizes
 
         self._with_defaults(values)
-        values.outdo(RIVALS.get(self.name, ()))
         settle_loads(values)
         if (unknown := values.values.get("unknown")) in values.values and not values.typed(unknown):
             values.drop(unknown)

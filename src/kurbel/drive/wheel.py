@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kurbel.errors import ProblemError
-from kurbel.reading.given import as_inertia, as_number, as_power, as_speed
 from kurbel.reading.notation import about
 
 if TYPE_CHECKING:
@@ -58,27 +56,6 @@ class Wheel:
             return f"the flywheel of J = {about(self.inertia)} kg m²"
         assert self.number is not None
         return f"the flywheel of m₁v₁²/(P r) = {about(self.number)}"
-
-
-def given_wheel(given: Mapping[str, Any], heavy: bool) -> Wheel | None:
-    """Return the flywheel that options describe, None if none does.
-
-    With masses, where the engine is `heavy`, its power follows from the pressures. Raises KurbelError.
-    """
-    number, inertia = given["flywheel"], given["inertia"]
-    if number is None and inertia is None:
-        return None
-    if number is not None and inertia is not None:
-        raise ProblemError("--flywheel and --inertia both describe the flywheel; leave one out")
-    if inertia is not None and given["speed"] is None:
-        raise ProblemError("--inertia needs the mean speed; add --speed, for example --speed 120/min")
-    return Wheel(
-        None if number is None else as_number(number, "flywheel"),
-        None if inertia is None else as_inertia(inertia, "moment of inertia"),
-        None if given["speed"] is None else as_speed(given["speed"]),
-        None if heavy or given["power"] is None else as_power(given["power"]),
-        given.get("resistance") or CONSTANT,
-    )
 
 
 def _check(what: str, value: Fraction, unit: str = "") -> None:

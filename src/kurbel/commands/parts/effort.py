@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from kurbel.commands.options import Option, measure
 from kurbel.commands.part import Part, flag_of
-from kurbel.commands.parts.masses import Masses
+from kurbel.commands.parts.masses import Masses, Rotating
 from kurbel.drive import load
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism
@@ -40,7 +40,7 @@ class Piston(Part):
         as_length, "The same of a rod through the cover, on the other side: 40mm.", "LENGTH", unit="m"
     )
 
-    def areas(self) -> efforts.Areas:
+    def piston_areas(self) -> efforts.Areas:
         """Return the areas of the piston, whose bore is known."""
         from kurbel.drive.effort import Areas
 
@@ -119,7 +119,7 @@ class PinFriction(Part):
         )
 
 
-class Effort(Piston, Friction, Pressing, Masses):
+class Effort(Piston, Friction, Pressing, Masses, Rotating):
     """All that acts on piston and crosshead where no engine does: a force, pressures, friction, masses."""
 
     force: Option[Any] = Option(
@@ -182,7 +182,7 @@ class Effort(Piston, Friction, Pressing, Masses):
 
         if (difference := self.pressure_difference) is None:
             return Pressures(
-                self.areas(), self.head_pressure or Fraction(0), self.crank_pressure or Fraction(0)
+                self.piston_areas(), self.head_pressure or Fraction(0), self.crank_pressure or Fraction(0)
             )
         bore = self.bore
         assert bore is not None

@@ -136,7 +136,7 @@ class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
         drives = self.weighed(chosen, chosen.drives(described, page.ratios), *self.weighing(), even=True)
         drives = self.rubbed(chosen, drives)
         sized = bool(drives) and chosen.crank(drives[0]).radius is not None
-        if sized and not self.is_heavy() and self.turns():
+        if sized and not self.is_heavy() and self.has_speed():
             speed = as_speed(self.raw("speed"))
             drives = [drive.of(replace(chosen.crank(drive), speed=speed)) for drive in drives]
         double = getattr(loads[0], "double", None) if loads else True
@@ -150,7 +150,7 @@ class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
         together = self.says("stroke") == self.says("rod")
         return () if together or self.is_sized() else ("stroke", "rod")
 
-    def turns(self) -> bool:
+    def has_speed(self) -> bool:
         """Whether the speed says something without masses."""
         return self.says("speed")
 
@@ -165,7 +165,7 @@ class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
         from kurbel.drive.effort import Effort
 
         friction = self.friction or Fraction(0)
-        return with_effort(chosen, drives, Effort(None, friction, self.areas() if rods else None))
+        return with_effort(chosen, drives, Effort(None, friction, self.piston_areas() if rods else None))
 
     def unread(self, option: Option[Any]) -> str:
         name = option.name

@@ -346,9 +346,10 @@ class Loads(Piston):
 
     def whole_cycle(self) -> Fraction:
         """Return the degrees after which everything comes again."""
-        if self.says("compression"):
+        kind = self.kind
+        if kind == "compression":
             return Fraction(360 if self.two_stroke else 720)
-        if not self.says("card"):
+        if kind != "card":
             return Fraction(360)
         return Fraction(180 * max((getattr(one, "strokes_of_cycle", 2) for one in self._cards()), default=2))
 
@@ -361,16 +362,16 @@ class Loads(Piston):
         owners = [key for key, kind in KINDS.items() if name in kind.options]
         if name in KINDS or not owners:
             return ""
+        steam = "; steam cut off after a quarter of the stroke is --eps 4" if name == "cut_off" else ""
         if not named:
-            steam = "; steam cut off after a quarter of the stroke is --eps 4" if name == "cut_off" else ""
             if owners in (["eps"], ["eps", "card"]):
                 return f"{flag_of(name)} is for the steam of an engine; add --eps or --card"
             return f"{flag_of(name)} is for {_titles(owners)}; add {' or '.join(map(flag_of, owners))}{steam}"
         if "card" in named and name == "pressure":
             return "--pressure is that of ideal steam, and a card has its own; leave it out"
         if not set(named) & set(owners):
-            title = LOADS[KINDS[named[0]].load].title
-            return f"{flag_of(name)} does not belong to {title}; it is for {_titles(owners)}"
+            title, steam = LOADS[KINDS[named[0]].load].title, steam if named == ["eps"] else ""
+            return f"{flag_of(name)} does not belong to {title}; it is for {_titles(owners)}{steam}"
         if name.endswith("pressure") and not self.says("bore"):
             return f"{flag_of(name)} makes newtons of the load only with --bore; add that"
         return ""

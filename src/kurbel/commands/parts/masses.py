@@ -134,6 +134,17 @@ class Weight(Part):
         return ""
 
 
+class Rotating(Part):
+    """The mass of the crank itself."""
+
+    rotating = measure(
+        as_signed_mass,
+        "Mass of the crank itself at its pin, for the main bearing: 60kg; -40kg if counterweights outweigh"
+        " it.",
+        "MASS", unit="kg", what="rotating mass",
+    )  # fmt: skip
+
+
 class Masses(MovingRod, Weight):
     """What moves with the drive."""
 
@@ -145,12 +156,6 @@ class Masses(MovingRod, Weight):
         "Mass of piston and crosshead: 200kg. Masses need --stroke and --speed, and beside steam --bore and"
         " --pressure.",
         "MASS", unit="kg", what="reciprocating mass",
-    )  # fmt: skip
-    rotating = measure(
-        as_signed_mass,
-        "Mass of the crank itself at its pin, for the main bearing: 60kg; -40kg if counterweights outweigh"
-        " it.",
-        "MASS", unit="kg", what="rotating mass",
     )  # fmt: skip
     rocker_inertia = measure(
         as_inertia, "Moment of inertia of the rocker about its pivot: '20kg m²'.", "INERTIA", unit="kg m²"
@@ -194,7 +199,7 @@ class Masses(MovingRod, Weight):
         moving = Moving(
             self.reciprocating or Fraction(0),
             self.moving_rod(length) if self.says(*OF_ROD) else None,
-            self.rotating or Fraction(0),
+            self.as_part(Rotating).rotating or Fraction(0),
             self.rocker_inertia or Fraction(0),
             slope=slope,
         )

@@ -1,1 +1,0 @@
-"""Turning-moment diagrams that no engine makes, as options describe them."""

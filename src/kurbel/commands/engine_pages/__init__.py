@@ -1,1 +1,0 @@
-"""The layouts that pages of an engine have by themselves, and which options say something on them."""

@@ -1,1 +1,0 @@
-"""The flywheel of an engine, and that of a problem without one."""

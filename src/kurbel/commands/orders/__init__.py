@@ -1,1 +1,0 @@
-"""What is asked of engines by orders: harmonics, firing orders."""

@@ -1,0 +1,237 @@
+"""What makes the size of a flywheel: where its swing comes from, its body, its rim, a press."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from typing import Any, ClassVar
+
+from kurbel.commands.options import Option, alone, measure
+from kurbel.commands.part import Part, Rivals, flag_of
+from kurbel.commands.parts.drive import Speed
+from kurbel.commands.parts.press import Press, in_one_unit, sides_of
+from kurbel.engine.diagram.wheel.sizing import Known
+from kurbel.errors import NotationError, ProblemError
+from kurbel.exact.numerals import about
+from kurbel.exact.product import Product
+from kurbel.reading.given import (
+    as_area,
+    as_density,
+    as_energy,
+    as_inertia,
+    as_irregularities,
+    as_length,
+    as_mass,
+    as_number,
+    as_power,
+    as_ratio,
+    as_share,
+    as_speed,
+    as_stress,
+    as_velocity,
+)
+
+# The options that give figures by themselves, and what these are called where it is not the option's name.
+PLAIN = (
+    "swing", "energy_fluctuation", "work", "turns", "power", "inertia", "mass", "radius", "rim_diameter",
+    "rim_speed", "rim_breadth", "rim_thickness", "density", "hoop_stress", "rim_share", "disc_diameter",
+    "disc_thickness",
+)  # fmt: skip
+FIGURES = {"rim_breadth": "breadth", "rim_thickness": "thickness"}
+SPEEDS = {"speed": "omega", "greatest_speed": "omega_max", "least_speed": "omega_min"}
+_RANGE = re.compile(r"(.+?)\.\.(.+)")
+_SQUARE = re.compile(r"(?<=[a-z])2$")
+
+
+class Swing(Part):
+    """What the energy swing is known from."""
+
+    swing = measure(
+        as_energy, "Energy swing, from the least speed to the greatest: 5kJ.", "ENERGY", unit="J",
+        what="energy swing",
+    )  # fmt: skip
+    energy_fluctuation = measure(
+        as_share, "The same as a share of the work of a cycle: 0.1, 10%.", "SHARE",
+        what="coefficient of fluctuation of energy",
+    )  # fmt: skip
+    work = measure(
+        as_energy, "Work of a cycle, of a press that of a stroke: 10kJ.", "ENERGY", unit="J",
+        what="work of a cycle",
+    )  # fmt: skip
+
+
+class Body(Part):
+    """The flywheel itself, and how it turns."""
+
+    greatest_speed: Option[Any] = Option(
+        "Greatest speed: 225/min; --speed 200..225/min has both.", "SPEED", unit="turns a second"
+    )
+    least_speed: Option[Any] = Option("Least speed: 200/min.", "SPEED", unit="turns a second")
+    inertia = measure(
+        as_inertia, "Moment of inertia of the flywheel: 1200kgm2.", "J", unit="kg m²",
+        what="moment of inertia",
+    )  # fmt: skip
+    mass = measure(
+        as_mass, "Mass of the flywheel, which with --radius gives the inertia: 6.5t.", "MASS", unit="kg"
+    )
+
+
+class Rim(Part):
+    """The rim that makes the moment of inertia, or a disc."""
+
+    rim_diameter = measure(
+        as_length, "Mean diameter of the rim: 2m.", "LENGTH", unit="m", what="mean diameter of the rim"
+    )
+    rim_speed = measure(
+        as_velocity,
+        "Speed of the rim at its mean diameter: 25m/s, or 26..28m/s; with δ its mass needs no --speed.",
+        "VELOCITY", unit="m/s", what="speed of the rim",
+    )  # fmt: skip
+    rim_section: Option[Any] = Option(
+        "Section of the rim: breadth to thickness, 2:1, both, '400mm x 200mm', or 800cm².", "SECTION"
+    )
+    rim_breadth = measure(
+        as_length, "Breadth of the rim, along the shaft: 300mm.", "LENGTH", unit="m",
+        what="breadth of the rim",
+    )  # fmt: skip
+    rim_thickness = measure(
+        as_length, "Thickness of the rim, along the radius: 150mm.", "LENGTH", unit="m",
+        what="thickness of the rim",
+    )  # fmt: skip
+    density = measure(as_density, "Density of rim or disc: 7200kg/m³.", "DENSITY", unit="kg/m³")
+    hoop_stress = measure(
+        as_stress,
+        "Hoop stress ρ v² that the rim may have: 6MPa; without --rim-diameter the greatest is found.",
+        "STRESS", unit="Pa",
+    )  # fmt: skip
+    rim_share = measure(
+        as_share, "Share of the rim in the moment of inertia, beside arms and hub: 92%.", "SHARE",
+        what="share of the rim",
+    )  # fmt: skip
+    disc_diameter = measure(
+        as_length, "Solid disc: its diameter, 600mm.", "LENGTH", unit="m", what="diameter of the disc"
+    )
+    disc_thickness = measure(
+        as_length, "Solid disc: its thickness, 80mm.", "LENGTH", unit="m", what="thickness of the disc"
+    )
+
+
+class Wheel(Swing, Press, Body, Rim, Speed):
+    """A flywheel by all that sizes it; what is given of it are figures of its relations, in SI units."""
+
+    # It is given by its inertia, its mass or its sizes, or is to keep an irregularity.
+    rivals: ClassVar[Rivals] = (
+        *(("inertia", other) for other in ("mass", "rim_diameter", "disc_diameter", "delta")),
+        *((other, "inertia") for other in ("mass", "disc_diameter", "delta")),
+        ("speed", "least_speed"),
+        ("delta", "least_speed"),
+    )
+
+    power = measure(
+        as_power,
+        "Power of the engine: 50kW, 68PS; left out, it follows from pressure, bore, stroke and speed.",
+        "POWER", unit="W",
+    )  # fmt: skip
+    speed = Speed.speed.but(help="Speed: 120/min, 12.5rad/s; without an engine also 200..225/min.")
+    delta: Option[Sequence[Fraction] | None] = measure(
+        alone(as_irregularities),
+        "Degree of irregularity to keep: 1:100, 0.01, ±0.5%; lists '1:50;1:100'.", "δ", many=True,
+    )  # fmt: skip
+    radius = measure(
+        as_length, "Radius at which the mass of the rim is wanted, or the radius of gyration: 1.5m.",
+        "LENGTH", unit="m",
+    )  # fmt: skip
+
+    def figures(self, *only: str) -> Iterator[tuple[str, Known]]:
+        """Yield what is given of the flywheel, or by these options alone, but for δ and the press. Raises
+        KurbelError."""
+        for name in only or (*PLAIN, *SPEEDS, "rim_section"):
+            if self.says(name) and (name != "turns" or self.has_turns()):
+                for figure, value in self._figures_of(name):
+                    yield figure, Known(value, (flag_of(name),))
+
+    def has_turns(self) -> bool:
+        """Whether turns are those of the cycle of a work."""
+        return self.says("energy_fluctuation", "work", "hole", "power", "strokes", "share", "columns")
+
+    def _figures_of(self, name: str) -> Iterator[tuple[str, Product]]:
+        """Yield what an option gives: one figure, of a range or of two sides two."""
+        option, value = self.options()[name], self.raw(name)
+        if name == "rim_section":
+            yield from _section(value)
+        elif name in ("speed", "rim_speed") and (ends := _ends(value)):
+            yield from _of_speeds(ends) if name == "speed" else _of_rim_speeds(ends)
+        elif name in SPEEDS:
+            yield SPEEDS[name], omega_of(value)
+        else:
+            what = "number of turns of a cycle" if name == "turns" else option.what or name.replace("_", " ")
+            number = (option.read or as_number)(value, what)
+            if name == "rim_share" and number > 1:
+                raise ProblemError(f"the {what} is {about(number)}; it must be at most 1, the whole flywheel")
+            # What a motor gives is more than what the press takes.
+            figure = "motor" if name == "power" and self.says("efficiency") else FIGURES.get(name, name)
+            yield figure, _above_zero(number, what, option.unit)
+
+
+def _above_zero(value: Fraction, name: str, unit: str) -> Product:
+    if value <= 0:
+        raise ProblemError(f"the {name} is {f'{about(value)} {unit}'.strip()}; it must be above 0")
+    return Product.of(value)
+
+
+def _ends(speed: Any) -> list[str]:
+    """Return the two speeds of "200..225/min", none of another text."""
+    ends = _RANGE.fullmatch(speed) if isinstance(speed, str) else None
+    return in_one_unit(ends.groups()) if ends else []
+
+
+def _of_speeds(ends: Sequence[str]) -> Iterator[tuple[str, Product]]:
+    """Yield the least and the greatest speed."""
+    first, second = map(omega_of, ends)
+    low, high = (second, first) if first.exceeds(second) else (first, second)
+    yield "omega_min", low
+    yield "omega_max", high
+
+
+def _of_rim_speeds(ends: Sequence[str]) -> Iterator[tuple[str, Product]]:
+    """Yield the mean speed of a rim and δ, of its least and its greatest speed."""
+    low, high = sorted(as_velocity(end, "speed of the rim") for end in ends)
+    if low <= 0 or low == high:
+        raise ProblemError(
+            f"the speed of the rim runs from {about(low)} m/s to {about(high)} m/s; the least must be above 0"
+            " and below the greatest"
+        )
+    yield "rim_speed", Product.of((low + high) / 2)
+    yield "delta", Product.of(2 * (high - low) / (low + high))
+
+
+def omega_of(speed: Any) -> Product:
+    """Return ω in 1/s of a speed of rotation."""
+    turns = as_speed(speed)
+    return Product.of(2 * turns.value, 1) if turns.turns else Product.of(turns.value)
+
+
+def _section(section: Any) -> Iterator[tuple[str, Product]]:
+    """Yield what the section of a rim gives: breadth and thickness, its area, or the ratio of both."""
+    if section is None:
+        return
+    name = "section of the rim"
+    if sides := sides_of(section):
+        for figure, side in zip(("breadth", "thickness"), sides, strict=True):
+            what = f"{figure} of the rim"
+            yield figure, _above_zero(as_length(side, what), what, "m")
+    elif isinstance(section, str) and any(map(str.isalpha, section)):
+        yield "section", _above_zero(as_area(_SQUARE.sub("²", section.strip()), name), name, "m²")
+    else:
+        yield "proportion", _above_zero(_ratio(section), "ratio of breadth to thickness of the rim", "")
+
+
+def _ratio(section: Any) -> Fraction:
+    try:
+        return as_ratio(section)
+    except NotationError:
+        raise NotationError(
+            f'section of the rim "{str(section)[:40]}" cannot be read; write breadth to thickness, 2:1, both,'
+            " 400mm x 200mm, or 800cm²"
+        ) from None
