@@ -10,7 +10,7 @@ from markdown import described, directive, plain, table, toctree
 
 import kurbel
 from kurbel import errors
-from kurbel.commands.options import Option, option_of
+from kurbel.commands.options import Option
 from kurbel.commands.shown import Drawing, Table
 from kurbel.commands.subject import Command
 
@@ -77,7 +77,7 @@ def _function(name: str) -> Iterator[str]:
     if behind.strip():
         parts.extend(described(inspect.cleandoc(behind)))
     returned = "Drawing" if name.startswith("plot_") else "Table"
-    fields = [_field(key, option_of(one.annotation)) for key, one in command.signature.parameters.items()]
+    fields = [_field(key, one.annotation) for key, one in command.signature.parameters.items()]
     fields += [f":returns: a {{py:class}}`{returned}`", ":raises KurbelError: what was given cannot be"]
     parts.append("\n".join(fields))
     yield directive("py:function", f"{name}{_bare(command.signature)}", "\n\n".join(parts))

@@ -11,7 +11,7 @@ import click
 from kurbel.cli import say
 from kurbel.cli.listing import Listing, Shell, list_format, plain_lines, show_list
 from kurbel.cli.options import click_option, lang_option
-from kurbel.commands.parameters import LAYOUTS
+from kurbel.commands.parts.sheet import Layouts
 from kurbel.page.axes import PHI, RATIO
 from kurbel.page.layouts import Layout, layout, layout_file, layout_names
 from kurbel.page.subjects import SUBJECTS
@@ -36,7 +36,7 @@ COPY = click.Option(
 )  # fmt: skip
 
 
-@click.command(params=[click_option(LAYOUTS.but(name="layouts")), COPY, list_format(), LANG])
+@click.command(params=[click_option(Layouts.layouts), COPY, list_format(), LANG])
 def layouts(layouts: File | None, copy: tuple[str, str] | None, form: str, lang: str) -> None:
     """List the page layouts, each with a command that prints it, or copy one."""
     if copy is not None:

@@ -11,8 +11,8 @@ import click
 from click.core import ParameterSource
 
 from kurbel.commands import options as kinds
-from kurbel.commands.parameters import LANG
 from kurbel.commands.part import Origin, Values
+from kurbel.commands.parts.sheet import Plain
 from kurbel.errors import NotationError
 from kurbel.exact.numerals import DECIMALS
 from kurbel.formats.registry import FORMATS, format_names
@@ -206,7 +206,7 @@ def _named(context: click.Context, parameter: click.Parameter, name: str | None)
 
 def lang_option(what: str) -> click.Parameter:
     """Return --lang of what is no page."""
-    return click_option(LANG.but(name="lang", help=f"Language of the {what}: de or en."))
+    return click_option(Plain.lang.but(help=f"Language of the {what}: de or en."))
 
 
 def help_of(command: Command) -> str:

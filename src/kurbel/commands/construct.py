@@ -106,7 +106,7 @@ class Constructed(AnyDrive, CommandOptions):
         return type(self)(self.values.instead(own, own=True))
 
     def requested(self, page: Layout, **sheet: Any) -> ConstructionRequest:
-        """Return what is asked for. Raises ProblemError for a drive for which the construction does not hold."""
+        """Return what is asked for. Raises ProblemError where the construction does not hold of the drive."""
         shown, held = self.chosen, self.held()
         if held.drive().name not in shown.holds:
             *first, last = shown.holds

@@ -4,18 +4,10 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Iterator, Mapping
-from decimal import Decimal
-from fractions import Fraction
-from functools import cache
-from os import PathLike
-from types import UnionType
-from typing import Any, Union, get_args, get_origin
+from typing import Any
 
-from kurbel.commands.options import Option, option_of
+from kurbel.commands.options import Option
 
-_NUMBERS = (float, Fraction, Decimal)
-_GENERIC: Mapping[Any, str] = {PathLike: "Path", Mapping: "dict", tuple: "tuple"}
 # Lines of the command line, which stand behind a \\b.
 _COMMAND_LINES = re.compile(r"\n*\x08\n(?:.+\n?)*")
 
@@ -38,31 +30,9 @@ def plain_signature(signature: inspect.Signature, returned: str) -> inspect.Sign
     return _Brief(plain, return_annotation=returned)
 
 
-def plain_type(annotation: Any) -> str:
+def plain_type(option: Option[Any]) -> str:
     """Return what an option takes in a few words, "str | float | list"."""
-    if isinstance(annotation, Option):
-        return f"{annotation.kind.python} | list" if annotation.many else annotation.kind.python
-    return _joined(get_args(annotation)[0])
-
-
-@cache
-def _joined(kind: Any) -> str:
-    names = dict.fromkeys(_names(kind))
-    # Every integer is taken where a float is.
-    return " | ".join(one for one in names if one != "int" or "float" not in names)
-
-
-def _names(kind: Any) -> Iterator[str]:
-    origin = get_origin(kind)
-    if origin in (Union, UnionType):
-        for one in get_args(kind):
-            yield from _names(one)
-    elif origin:
-        yield _GENERIC.get(origin, "list")
-    elif kind in _NUMBERS:
-        yield "float"
-    elif kind is not type(None):
-        yield kind.__name__
+    return f"{option.kind.python} | list" if option.many else option.kind.python
 
 
 def described(text: str, signature: inspect.Signature) -> str:
@@ -78,7 +48,7 @@ def described(text: str, signature: inspect.Signature) -> str:
         "",
     ]
     for name, one in signature.parameters.items():
-        option = option_of(one.annotation)
+        option: Option[Any] = one.annotation
         unit = f" A bare number is in {option.unit}." if option.unit else ""
         usual = "" if one.default in (None, False, "", (), one.empty) else f" = {one.default!r}"
         lines.append(f"{name} ({plain_type(one.annotation)}{usual}): {option.help}{unit}")

@@ -91,7 +91,7 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
 
     @classmethod
     def settle(cls, values: Values) -> None:
-        from kurbel.commands.precedence import settle_sizes
+        from kurbel.commands.parts.drive import settle_sizes
 
         settle_sizes(values)
 

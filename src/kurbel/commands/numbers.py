@@ -191,10 +191,11 @@ def typeset(
 
 
 def _method(method: str, order: int | None) -> str:
-    from kurbel.commands.old_motion import method_of
+    from kurbel.commands.part import Values
+    from kurbel.commands.parts.drive import Series
 
     named = meant(method, METHODS, "method")
-    return method_of({"method": named, "order": order}) or named
+    return Series(Values({"method": named, "order": order}, {})).series() or named
 
 
 def _quantity(key: str) -> Quantity:

@@ -9,11 +9,10 @@ stands, `flag` of what is said or not.
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from copy import copy
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Generic, Self, TypeVar, cast, get_args, overload
+from typing import TYPE_CHECKING, Any, Generic, Self, TypeVar, cast, overload
 
 from kurbel.errors import NotationError
 from kurbel.reading import given
@@ -177,9 +176,9 @@ class Columns(Kind):
             from kurbel.motion.mechanism import mechanism as mechanism_of
 
             return self.of_mechanisms or mechanism_of(mechanism).layout
-        from kurbel.commands.loads import OWN
+        from kurbel.commands.parts.loads import KINDS
 
-        if typed.get("forces") and any(map(typed.get, OWN)):
+        if typed.get("forces") and any(map(typed.get, KINDS)):
             return "engine-forces"
         return "delta-detail" if typed.get("detail") else self.layout
 
@@ -262,8 +261,6 @@ class Option(Generic[Value]):
         vars(found).update(changes)
         return found
 
-    _replace = but
-
     def __set_name__(self, owner: type[Part], name: str) -> None:
         # In Python a name that is a keyword has a line behind it.
         self.name = name.rstrip("_")
@@ -326,50 +323,6 @@ def word(help: str, metavar: str | None = None, kind: Kind = TEXT, **more: Any) 
 def flag(help: str, **more: Any) -> Option[bool]:
     """Return an option that is said or not."""
     return Option(help, kind=FLAG, default=False, **more)
-
-
-def signature_of(function: Callable[..., Any], order: str = "") -> inspect.Signature:
-    """Return the signature of a function, with the options that it shares one by one.
-
-    First of its keywords stand those that the order names.
-    """
-    signature = inspect.signature(function)
-    own = [*signature.parameters.values()]
-    if own[-1].kind is not inspect.Parameter.VAR_KEYWORD:
-        return signature
-    (group,) = get_args(own.pop().annotation)
-    shared = [
-        inspect.Parameter(
-            name, inspect.Parameter.KEYWORD_ONLY, default=option_of(kind).default, annotation=kind
-        )
-        for name, kind in group.__annotations__.items()
-    ]
-    ranks = {name: rank for rank, name in enumerate(order.split())}
-
-    def place(one: inspect.Parameter) -> tuple[bool, bool, int]:
-        by_name = one.kind is inspect.Parameter.KEYWORD_ONLY
-        return by_name, by_name and option_of(one.annotation).last, ranks.get(one.name, len(ranks))
-
-    return signature.replace(parameters=sorted([*shared, *own], key=place))
-
-
-def option_of(annotation: Any) -> Option[Any]:
-    """Return the option that the annotation of a parameter holds."""
-    if isinstance(annotation, Option):
-        return annotation
-    (option,) = (one for one in annotation.__metadata__ if isinstance(one, Option))
-    return option
-
-
-def parameters_of(signature: inspect.Signature) -> dict[str, Option[Any]]:
-    """Return the options of a function by its parameters' names, in their order."""
-    found = {}
-    for name, one in signature.parameters.items():
-        required = one.default is one.empty
-        found[name] = option_of(one.annotation).but(
-            name=name.rstrip("_"), default=None if required else one.default, required=required
-        )
-    return found
 
 
 def is_given(value: Any) -> bool:

@@ -13,8 +13,8 @@ from os import fspath
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from kurbel.commands.in_python import described, plain_signature
-from kurbel.commands.options import FILE, TEXT, Option, is_given, parameters_of, signature_of
-from kurbel.commands.part import CommandOptions, Origin, Values, flag_of
+from kurbel.commands.options import FILE, TEXT, Option, is_given
+from kurbel.commands.part import CommandOptions, Origin, Values
 from kurbel.errors import ProblemError
 from kurbel.reading.given import File, found_at
 from kurbel.reading.keywords import bound
@@ -47,10 +47,6 @@ _PARTS = r"[^A-Za-z0-9.]+"
 _PLACED, _NAMED = inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY
 # Options that stand for another, the stroke.
 SPELLED = ("crank", "true_stroke", "time_ratio")
-
-
-def _none(values: Mapping[str, Any]) -> Mapping[str, str]:
-    return {}
 
 
 class Command(ABC):
@@ -174,58 +170,6 @@ class PartsCommand(Command):
         return question
 
 
-class WordsCommand(Command):
-    """A command that is a function of the values of its options.
-
-    `foreign` names the options that belong to other cases than the one that the values are about, and
-    `needless` those that say nothing in this one; each with its sentence. A default from elsewhere that is
-    foreign is dropped, one that is needless is left to the function.
-    """
-
-    def __init__(
-        self,
-        function: Callable[..., Any],
-        order: str,
-        foreign: Refusals,
-        needless: Refusals,
-        builder: str = "",
-    ) -> None:
-        self.function, self.foreign, self.needless, self.builder = function, foreign, needless, builder
-        self.name, self.doc = function.__name__.removesuffix("_table"), function.__doc__ or ""
-        self.signature = signature_of(function, order)
-        self.parameters = parameters_of(self.signature)
-        self.parameters.pop(MACHINE, None)
-
-    def settle(self, values: Values) -> None:
-        from kurbel.commands.precedence import settle_lengths, settle_loads, settle_sizes
-
-        self._with_defaults(values)
-        settle_loads(values)
-        if (unknown := values.values.get("unknown")) in values.values and not values.typed(unknown):
-            values.drop(unknown)
-        settle_sizes(values)
-        self._settle_words(values)
-        own = {name: values.values.get(name) for name in self.options}
-        for refusals in (self.foreign, self.needless):
-            for name, sentence in refusals(own).items():
-                if values.typed(name) and values.says(name):
-                    spelled = flag_of(values.spelled("stroke"))
-                    raise ProblemError(sentence.replace("--stroke", spelled))
-        for name in self.foreign(own):
-            if name in values.values and not values.typed(name):
-                values.drop(name)
-        settle_lengths(values)
-
-    def question(self, values: Values) -> Any:
-        return self.function(
-            **{
-                key: values.values.get(one.name)
-                for key, one in self.parameters.items()
-                if one.name not in SPELLED
-            }
-        )
-
-
 class Function(Protocol):
     """A command as a function of Python, in the words of the command line; some draw."""
 
@@ -293,32 +237,6 @@ def _table(page: Page, asked: Any = None) -> Table:
     from kurbel.commands.shown import Table
 
     return Table.of(page, asked)
-
-
-def makes_table(
-    *,
-    foreign: Refusals = _none,
-    needless: Refusals = _none,
-    build: str = "kurbel.page.build:build",
-    order: str = "",
-) -> Callable[[Callable[..., Any]], Function]:
-    """Make of what returns a question a function that returns its table; the order is that of its options."""
-
-    def decorate(ask: Callable[..., Any]) -> Function:
-        return _function(WordsCommand(ask, order, foreign, needless, build), ask.__name__, ask.__module__)
-
-    return decorate
-
-
-def draws(
-    *, foreign: Refusals = _none, needless: Refusals = _none
-) -> Callable[[Callable[..., Any]], Function]:
-    """Check what a function is given that draws."""
-
-    def decorate(ask: Callable[..., Any]) -> Function:
-        return _function(WordsCommand(ask, "", foreign, needless), ask.__name__, ask.__module__, drawn=True)
-
-    return decorate
 
 
 def of_machine(command: Command, file: Any) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from typing import Any, ClassVar
 
 from kurbel.commands.options import FILE, Choice, Option, measure, word
-from kurbel.commands.part import Part, Values, flag_of
+from kurbel.commands.part import Origin, Part, Values, flag_of
 from kurbel.commands.parts.angles import OVER_PATH
 from kurbel.drive import mechanisms as registered
 from kurbel.drive.crank import Described
@@ -16,13 +16,15 @@ from kurbel.motion.evaluation import REACH
 from kurbel.motion.mechanism import Mechanism, mechanism, of_other_mechanisms
 from kurbel.motion.series.methods import series_of
 from kurbel.page.layouts import layout_of
-from kurbel.reading.given import as_numbers
-from kurbel.reading.notation import plain
+from kurbel.reading.given import as_length, as_numbers, as_ratios
+from kurbel.reading.notation import plain, ratio_text
 
 # Of pages of approximations, and of pages about points of the rod.
 APPROXIMATE, POINTS = ("series errors", "successive"), "rod points"
 # The highest order of a series.
 HIGHEST = max(REACH.values())
+# Two of these give the third.
+LENGTHS = ("ratio", "stroke", "rod")
 # Options that stand for another, the stroke.
 SPELLED = ("crank", "true_stroke", "time_ratio")
 
@@ -86,10 +88,8 @@ class Linked(OnMachine):
 
     @classmethod
     def settle(cls, values: Values) -> None:
-        from kurbel.commands.precedence import settle_lengths, settle_sizes
-
         settle_sizes(values)
-        settle_lengths(values)
+        _settle_lengths(values)
 
     def shared(self) -> Collection[str]:
         """Return what is of other drives on their pages of motion, and here says something of all."""
@@ -205,3 +205,57 @@ def _orders(given: Any) -> tuple[int, ...]:
                 f" to {HIGHEST}"
             )
     return tuple(map(int, found))
+
+
+def settle_sizes(values: Values) -> None:
+    """Give the stroke its value by the option that was given in its place. Raises KurbelError."""
+    if not values.says(*SPELLED):
+        return
+    names = [name for name in ("stroke", *SPELLED[:-1]) if values.says(name)]
+    if any(map(values.typed, names)):
+        values.drop(*(name for name in names if not values.typed(name)))
+    spelled = next((name for name in SPELLED if values.says(name)), "")
+    if not spelled:
+        return
+    from kurbel.drive.size.given import in_strokes
+
+    found = in_strokes(values.values)
+    if values.says("time_ratio"):
+        values.spell("rod", spelled, found["rod"])
+    values.spell("stroke", spelled, found["stroke"])
+    values.read.update(SPELLED)
+    for name in SPELLED:
+        values.values[name] = None
+
+
+def _settle_lengths(values: Values) -> None:
+    """Keep two of crank ratio, stroke and length of the rod at the most, for two give the third.
+
+    Raises ProblemError where what is left says two different things.
+    """
+    if not values.values.keys() >= {*LENGTHS}:
+        return
+    if values.typed("ratio") and values.origins.get("rod") is Origin.ENVIRONMENT:
+        values.drop("rod")
+    if not all(map(values.says, LENGTHS)):
+        return
+    if not values.typed("ratio"):
+        if not (values.typed("stroke") or values.typed("rod")):
+            _check_agreement(values)
+        values.drop("ratio")
+    elif values.typed("stroke") != values.typed("rod"):
+        values.drop("rod" if values.typed("stroke") else "stroke")
+    elif not values.typed("rod"):
+        raise ProblemError(
+            "stroke and rod are known and give the ratio; beside --ratio give the stroke or the rod as well"
+        )
+
+
+def _check_agreement(values: Values) -> None:
+    ratio, stroke, rod = (values.values[name] for name in LENGTHS)
+    share = as_length(stroke, "stroke") / 2 / as_length(rod, "rod")
+    if set(as_ratios(ratio)) != {share}:
+        raise ProblemError(
+            f"stroke {stroke} and rod {rod} give R:L = {ratio_text(share)},"
+            f" and the ratio is {';'.join(ratio)}; leave one of the three out"
+        )

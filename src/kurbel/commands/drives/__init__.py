@@ -1,1 +1,0 @@
-"""Crank drives as options give them."""

@@ -1,1 +1,0 @@
-"""Tables over the piston's path in place of the crank angle."""
