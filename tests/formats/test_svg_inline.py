@@ -18,7 +18,7 @@ ITSELF = "".join(f"--{name}: {colour};" for colour, name in COLOURS.items())
 
 @cache
 def drawing(name: str) -> str:
-    return printed(*FIGURES[name].split(), "-f", "svg").out
+    return printed(*FIGURES[name].removesuffix(" -f drawing").split(), "-f", "svg").out
 
 
 def picture(viewer: Viewer, body: str) -> bytes:

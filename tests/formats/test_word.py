@@ -198,7 +198,7 @@ run = "table --layout kolbenwege"
 name = "breit"
 
 [[chapter.part]]
-run = "plot --columns p --ratio 1:5"
+run = "table --columns p --ratio 1:5 -f drawing"
 name = "bild"
 
 [[chapter.part]]

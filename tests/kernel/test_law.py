@@ -13,7 +13,6 @@ from numpy.testing import assert_allclose
 
 from kurbel import verify
 from kurbel.exact.certify import ball
-from kurbel.exact.separation import Separation
 from kurbel.kernel.law import Between, Constant, Law, Polytrope
 from kurbel.verify import enclose
 from kurbel.verify.numbers import number
@@ -84,16 +83,3 @@ def test_the_whole_stroke_is_one_ball() -> None:
         acting, whole = stroke(case, ball), ball(0).union(ball(1))
         assert acting.force(whole).is_finite()
         assert acting.work(whole).is_finite()
-
-
-@each_case
-def test_bounds_of_the_pieces_that_are_known_hold_the_value(case: tuple[Fraction, ...]) -> None:
-    """A value that is not zero is at least as large as they say, near a zero of the force, too."""
-    bounds = stroke(case, Separation.rational, Fraction)
-    for share in SHARES[1:]:
-        near = ball(share)
-        kept = stroke(case, ball).behind.around(near), stroke(case, ball).before.around(near)
-        bits = bounds.only(*kept).force(Separation.rational(share)).bits()
-        value = abs(float(stroke(case, float).force(float(share))))
-        assert value < 1e-15 or value >= 2.0**-bits
-        assert bounds.force(Separation.rational(share)).bits() >= bits

@@ -8,7 +8,7 @@ what compares as they do; a ball that lies over a corner gives one that holds bo
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from functools import reduce
 from typing import NamedTuple, Protocol
 
@@ -152,19 +152,10 @@ class Between(NamedTuple):
         """The shares within the stroke at which the force has a corner or jumps, in no order."""
         return (*self.behind.corners, *self.before.corners)
 
-    def only(self, behind: Iterable[int], before: Iterable[int]) -> Between:
-        """Return the stroke of some of the pieces alone."""
-        return Between(_of_pieces(self.behind, behind), _of_pieces(self.before, before))
-
 
 def steady(level: Number) -> Law:
     """Return a pressure that is the same over the whole stroke."""
     return Law((Constant(level),))
-
-
-def _of_pieces(law: Law, indices: Iterable[int]) -> Law:
-    kept = tuple(law.pieces[index] for index in indices)
-    return Law(kept, law.corners[: len(kept) - 1])
 
 
 def _either(values: Sequence[Number]) -> Number:
