@@ -67,7 +67,7 @@ def loop_of_python() -> Run:
     import kurbel as library
 
     ratios = [f"1:{3 + number / 100:.2f}" for number in range(LOOPED)]
-    return lambda: [library.harmonics_table(one).typeset("csv") for one in ratios]
+    return lambda: [library.harmonics(one).typeset("csv") for one in ratios]
 
 
 def races(quick: bool) -> Iterator[Race]:

@@ -24,25 +24,25 @@ from kurbel.errors import KurbelError
 # That of typing, which to load is half of what `kurbel --help` takes.
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from kurbel.commands.balance import balance_table
-    from kurbel.commands.books import collation_table, example_table
-    from kurbel.commands.construct import construction_table, plot_construction
-    from kurbel.commands.dead_centres import dead_centres_table
-    from kurbel.commands.engine import delta_table, turning_table
-    from kurbel.commands.firing import firing_table
-    from kurbel.commands.flywheel import flywheel_table
-    from kurbel.commands.forces import forces_table
-    from kurbel.commands.harmonics import harmonics_table
-    from kurbel.commands.inertia import inertia_table
-    from kurbel.commands.locomotive import locomotive_table
+    from kurbel.commands.balance import balance
+    from kurbel.commands.books import collate, example
+    from kurbel.commands.construct import construct, plot_construction
+    from kurbel.commands.dead_centres import deadcentres
+    from kurbel.commands.engine import delta, turning
+    from kurbel.commands.firing import firing
+    from kurbel.commands.flywheel import flywheel
+    from kurbel.commands.forces import forces
+    from kurbel.commands.harmonics import harmonics
+    from kurbel.commands.inertia import inertia
+    from kurbel.commands.locomotive import locomotive
     from kurbel.commands.motion import table
     from kurbel.commands.numbers import certified, compute, typeset
     from kurbel.commands.plot import plot_mechanism
-    from kurbel.commands.power import power_table
-    from kurbel.commands.pressures import pressures_table
-    from kurbel.commands.rotor import rotor_table
+    from kurbel.commands.power import power
+    from kurbel.commands.pressures import pressures
+    from kurbel.commands.rotor import rotor
     from kurbel.commands.shown import Drawing, Table
-    from kurbel.commands.solve import solve_table
+    from kurbel.commands.solve import solve
     from kurbel.engine.irregularity import compute_delta
     from kurbel.formats.pdf.by_typst import typeset_pdf
     from kurbel.sweeps.dataset import sweep
@@ -53,53 +53,53 @@ __all__ = [
     "KurbelError",
     "Table",
     "__version__",
-    "balance_table",
+    "balance",
     "certified",
-    "collation_table",
+    "collate",
     "compute",
     "compute_delta",
-    "construction_table",
-    "dead_centres_table",
-    "delta_table",
-    "example_table",
-    "firing_table",
-    "flywheel_table",
-    "forces_table",
-    "harmonics_table",
-    "inertia_table",
-    "locomotive_table",
+    "construct",
+    "deadcentres",
+    "delta",
+    "example",
+    "firing",
+    "flywheel",
+    "forces",
+    "harmonics",
+    "inertia",
+    "locomotive",
     "plot_construction",
     "plot_mechanism",
-    "power_table",
-    "pressures_table",
-    "rotor_table",
-    "solve_table",
+    "power",
+    "pressures",
+    "rotor",
+    "solve",
     "sweep",
     "table",
-    "turning_table",
+    "turning",
     "typeset",
     "typeset_pdf",
 ]
 _MODULES = {
-    "kurbel.commands.balance": ("balance_table",),
-    "kurbel.commands.locomotive": ("locomotive_table",),
-    "kurbel.commands.rotor": ("rotor_table",),
-    "kurbel.commands.books": ("collation_table", "example_table"),
-    "kurbel.commands.power": ("power_table",),
-    "kurbel.commands.pressures": ("pressures_table",),
-    "kurbel.commands.firing": ("firing_table",),
-    "kurbel.commands.harmonics": ("harmonics_table",),
-    "kurbel.commands.engine": ("delta_table", "turning_table"),
-    "kurbel.commands.flywheel": ("flywheel_table",),
-    "kurbel.commands.forces": ("forces_table",),
-    "kurbel.commands.construct": ("construction_table", "plot_construction"),
-    "kurbel.commands.inertia": ("inertia_table",),
-    "kurbel.commands.dead_centres": ("dead_centres_table",),
+    "kurbel.commands.balance": ("balance",),
+    "kurbel.commands.locomotive": ("locomotive",),
+    "kurbel.commands.rotor": ("rotor",),
+    "kurbel.commands.books": ("collate", "example"),
+    "kurbel.commands.power": ("power",),
+    "kurbel.commands.pressures": ("pressures",),
+    "kurbel.commands.firing": ("firing",),
+    "kurbel.commands.harmonics": ("harmonics",),
+    "kurbel.commands.engine": ("delta", "turning"),
+    "kurbel.commands.flywheel": ("flywheel",),
+    "kurbel.commands.forces": ("forces",),
+    "kurbel.commands.construct": ("construct", "plot_construction"),
+    "kurbel.commands.inertia": ("inertia",),
+    "kurbel.commands.dead_centres": ("deadcentres",),
     "kurbel.commands.motion": ("table",),
     "kurbel.commands.numbers": ("certified", "compute", "typeset"),
     "kurbel.commands.plot": ("plot_mechanism",),
     "kurbel.commands.shown": ("Drawing", "Table"),
-    "kurbel.commands.solve": ("solve_table",),
+    "kurbel.commands.solve": ("solve",),
     "kurbel.engine.irregularity": ("compute_delta",),
     "kurbel.formats.pdf.by_typst": ("typeset_pdf",),
     "kurbel.sweeps.dataset": ("sweep",),
@@ -110,12 +110,12 @@ _COMMANDS = {"collation": "collate", "construction": "construct", "dead_centres"
 # Functions that there were once, and what draws the same.
 _DRAWN = {
     "plot_motion": 'table("1:5").plot()',
-    "plot_forces": 'forces_table("1:5").plot()',
-    "plot_polar": 'forces_table("1:5").plot(polar=True)',
-    "plot_pressures": 'pressures_table(machine="engine.toml").plot()',
-    "plot_engine_forces": "forces_table(eps=4).plot()",
-    "plot_engine_polar": "forces_table(eps=4).plot(polar=True)",
-    "plot_turning": "turning_table(4).plot()",
+    "plot_forces": 'forces("1:5").plot()',
+    "plot_polar": 'forces("1:5").plot(polar=True)',
+    "plot_pressures": 'pressures(machine="engine.toml").plot()',
+    "plot_engine_forces": "forces(eps=4).plot()",
+    "plot_engine_polar": "forces(eps=4).plot(polar=True)",
+    "plot_turning": "turning(4).plot()",
 }
 
 

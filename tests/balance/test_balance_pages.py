@@ -53,11 +53,11 @@ def test_harmonics_are_those_of_the_motion(key: str) -> None:
 
 
 def test_what_is_zero_by_proof_has_no_decimals() -> None:
-    assert values(kurbel.harmonics_table("1:4", method="series")) == ["1.000000", "0.250000", "0", "0"]
-    assert values(kurbel.harmonics_table("1:∞")) == ["1.000000", "0", "0", "0"]
-    single = kurbel.balance_table("inline-1", ratio="1:∞", columns="greatest")
+    assert values(kurbel.harmonics("1:4", method="series")) == ["1.000000", "0.250000", "0", "0"]
+    assert values(kurbel.harmonics("1:∞")) == ["1.000000", "0", "0", "0"]
+    single = kurbel.balance("inline-1", ratio="1:∞", columns="greatest")
     assert values(single) == ["1.0000", "0", "0", "0"]
-    tiny = values(kurbel.harmonics_table("1:100"))
+    tiny = values(kurbel.harmonics("1:100"))
     assert tiny == ["1.000000", "0.010000", "0.000000", "0.000000"]
 
 
@@ -136,7 +136,7 @@ def test_every_usual_engine_has_its_textbook() -> None:
 
 
 def test_four_in_line_keep_four_times_the_second_harmonic() -> None:
-    page = kurbel.balance_table("inline-4", ratio="1:5", orders=6, digits=12, columns="factor,along")
+    page = kurbel.balance("inline-4", ratio="1:5", orders=6, digits=12, columns="factor,along")
     for row in list(page.records.rows)[1:4]:
         factor, along = (Decimal(cell.scaled) for cell in row[-2:] if isinstance(cell, Number))
         assert abs(4 * abs(factor) - along) <= 2
@@ -144,26 +144,26 @@ def test_four_in_line_keep_four_times_the_second_harmonic() -> None:
 
 
 def test_a_counterweight_halves_the_force_of_one_cylinder_and_turns_the_rest_across() -> None:
-    page = kurbel.balance_table("inline-1", share="50%", columns="along,across")
+    page = kurbel.balance("inline-1", share="50%", columns="along,across")
     assert [tuple(map(shown, row)) for row in page.records.rows][:2] == [
         ("force", "1", "0.5000", "0.5000"),
         ("force", "2", "0.2020", "0"),
     ]
     # Two rods on a pin of a V of 90° bring two halves: the first order is balanced.
-    assert values(kurbel.balance_table("v2-90", share=Fraction(1, 2), columns="greatest"))[0] == ZERO
+    assert values(kurbel.balance("v2-90", share=Fraction(1, 2), columns="greatest"))[0] == ZERO
 
 
 def test_a_named_engine_is_that_of_its_cranks() -> None:
-    own = kurbel.balance_table(cranks=[0, 180, 180, 0], banks="0;180;0;180", positions=[7, 8, 9, 10])
-    assert list(own.records.rows) == list(kurbel.balance_table("boxer-4").records.rows)
-    even = kurbel.balance_table(cranks="0;240;120")
-    assert list(even.records.rows) == list(kurbel.balance_table("inline-3").records.rows)
+    own = kurbel.balance(cranks=[0, 180, 180, 0], banks="0;180;0;180", positions=[7, 8, 9, 10])
+    assert list(own.records.rows) == list(kurbel.balance("boxer-4").records.rows)
+    even = kurbel.balance(cranks="0;240;120")
+    assert list(even.records.rows) == list(kurbel.balance("inline-3").records.rows)
     assert "3 Zylinder" in even.caption
 
 
 def test_moments_are_about_the_middle_wherever_positions_count_from() -> None:
     for positions in ("0;0;1;1", "-8;-8;-7;-7"):
-        page = kurbel.balance_table(cranks="0;0;90;90", positions=positions, banks="-45;45;-45;45")
+        page = kurbel.balance(cranks="0;0;90;90", positions=positions, banks="-45;45;-45;45")
         # Each pair pushes with 1, the pairs square to each other and ½ from the middle.
         assert values(page, -2) == ["1.4142", ZERO, "0.7071", "0.2857"]
 

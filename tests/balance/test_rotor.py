@@ -136,7 +136,7 @@ def test_directions_lie_within_a_turn() -> None:
 
 
 def test_a_plane_may_be_a_number_of_metres_from_python() -> None:
-    found = kurbel.rotor_table([3, 4], radii=0.1, angles=[0, 90], planes=[0, 1], about=0.17)
+    found = kurbel.rotor([3, 4], radii=0.1, angles=[0, 90], planes=[0, 1], about=0.17)
     words = ("--masses=3;4kg", "--radii=0.1m", "--angles=0;90", "--planes=0;1m", "--about=0.17m")
     assert kurbel.typeset(found, "csv") == printed("rotor", *words, "-f", "csv").out
 

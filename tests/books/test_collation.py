@@ -203,7 +203,7 @@ def test_the_page_on_the_books_counts_the_verdicts() -> None:
 
 
 def test_deviating_cells_bear_marks_that_the_apparatus_explains() -> None:
-    table = library.collation_table("roetscher-112")
+    table = library.collate("roetscher-112")
     cells = [cell for panel in table.panels for row in panel.rows() for cell in row.cells]
     marks = [mark for cell in cells for mark in cell.notes]
     assert marks == [chr(ord("a") + number) for number in range(14)]

@@ -19,7 +19,7 @@ CLOSE = 1e-11
 
 def drawn(name: str, **asked: Any) -> dict[str, Any]:
     """Return the drawn lengths of a construction by their letters."""
-    page = kurbel.construction_table(name, **asked, columns="length,drawn", digits=DIGITS)
+    page = kurbel.construct(name, **asked, columns="length,drawn", digits=DIGITS)
     found = ((str(letters), one) for letters, one in page.records.rows)
     return {key: mpf(one.scaled) / 10**one.decimals for key, one in found if isinstance(one, Number)}
 

@@ -58,7 +58,7 @@ def test_it_is_drawn_printed_and_listed_wherever_its_folder_is_named(folder: Pat
     drawing = kurbel.plot_construction("mine", constructions=folder, angle=130, lang="en")
     assert drawing.plain_title.startswith("Triangle for R:L = 1:5")
     assert 'id="length-CF"' in drawing.image().decode()
-    page = kurbel.construction_table("mine", constructions=folder, angle=130)
+    page = kurbel.construct("mine", constructions=folder, angle=130)
     assert str(pickle.loads(pickle.dumps(page))) == str(page)
 
 
@@ -131,6 +131,6 @@ def test_points_that_are_not_there_and_deep_formulas_are_sentences(folder: Path)
 def test_a_folder_without_constructions_is_a_sentence(tmp_path: Path) -> None:
     for folder, said in ((tmp_path, "has no constructions"), (tmp_path / "none", "there is no such folder")):
         with pytest.raises(ConstructionError, match=said):
-            kurbel.construction_table("mine", constructions=folder)
+            kurbel.construct("mine", constructions=folder)
     (tmp_path / "my own.toml").write_text(MINE, encoding="utf-8")
     assert "use letters, digits and -" in run("construct", f"--constructions={tmp_path}").err

@@ -187,14 +187,14 @@ def test_simple_slips_do_not_give_the_printed_least_speed_either() -> None:
 def test_sum_and_irregularity_at_two_rest_on_that_slip() -> None:
     greatest, divisor = PRINTED["2/v_max"], PRINTED["2/divisor"]
     assert decimal(greatest) - decimal(PRINTED["2/v_min"]) == decimal(PRINTED["2/sum"])
-    assert quotient((greatest, "0,0667"), divisor) == PRINTED["2/delta"] == PRINTED["2/delta_table"]
+    assert quotient((greatest, "0,0667"), divisor) == PRINTED["2/delta"] == PRINTED["2/delta"]
     # The least speed of the whole turn is then that of the return stroke.
     assert quotient((greatest, "0,0613"), divisor) == "1,281"
     assert shown(value("weisbach", 2, "delta"), "1,305") == "1,281"
 
 
 def test_row_is_smooth_with_the_corrected_value_and_has_a_dent_as_printed() -> None:
-    row = [int(decimal(PRINTED[f"{expansion}/delta_table"]) * 1000) for expansion in range(2, 7)]
+    row = [int(decimal(PRINTED[f"{expansion}/delta"]) * 1000) for expansion in range(2, 7)]
     steps = [after - before for before, after in pairwise(row)]
     assert steps == [69, 47, 32, 24]
     corrected = [1281, *row[1:]]
@@ -236,11 +236,11 @@ def test_irregularity_at_three_is_a_unit_high_by_his_own_way() -> None:
     assert shown(value("weisbach", 3, "delta"), "1,3740") == "1,3732"
     assert shown(value("series", 3, "delta"), "1,3740") == "1,3733"
     assert shown(value("exact", 3, "delta"), "1,3740") == "1,3745"
-    assert PRINTED["3/delta_table"] == "1,374"
+    assert PRINTED["3/delta"] == "1,374"
 
 
 def test_neither_exact_motion_nor_four_place_figures_explain_the_row() -> None:
-    printed = [PRINTED[f"{expansion}/delta_table"] for expansion in range(3, 7)]
+    printed = [PRINTED[f"{expansion}/delta"] for expansion in range(3, 7)]
     assert [shown(value("exact", expansion, "delta"), "1,000") for expansion in range(3, 7)] == [
         "1,374",
         "1,423",

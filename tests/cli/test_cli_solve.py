@@ -56,12 +56,12 @@ def test_json_tells_the_method() -> None:
 
 
 def test_the_library_gives_the_page_of_the_command_line() -> None:
-    table = kurbel.solve_table(
+    table = kurbel.solve(
         ["p = 0", "s = 25%"], ratio="1:4", mechanism="arc", rocker=6, pivot=(4, 6), lang="en"
     )
     words = ("--where=p=0", "--where=s=25%", "--ratio=1:4", "--mechanism=arc", "--rocker=6", "--pivot=4;6")
     assert kurbel.typeset(table) == printed("solve", *words, "--lang=en").out
-    table = kurbel.solve_table("x = 200 mm", ratio="1:5", stroke=0.6, speed=2)
+    table = kurbel.solve("x = 200 mm", ratio="1:5", stroke=0.6, speed=2)
     assert kurbel.typeset(table, "csv") == printed("solve", *MACHINE, "--where=x = 200 mm", "-f", "csv").out
 
 

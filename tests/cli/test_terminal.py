@@ -20,7 +20,7 @@ from places import ROOT
 from programs import Programs, wait_until
 from terminals import own_terminal, shown
 
-from kurbel import collation_table, delta_table
+from kurbel import collate, delta
 from kurbel.cli import screen
 from kurbel.formats.render import render
 from kurbel.page.layouts import layout_names
@@ -232,7 +232,7 @@ def test_no_file_has_colours(tmp_path: Path) -> None:
 
 def test_a_collation_on_a_terminal_fits_it_and_is_coloured(programs: Programs) -> None:
     page, code = shown(programs, "collate", "blau-33", columns=60, LANG="de_DE")
-    assert (code, page) == (0, render(collation_table("blau-33"), "text", width=60, colours=True))
+    assert (code, page) == (0, render(collate("blau-33"), "text", width=60, colours=True))
 
 
 def test_a_page_that_takes_long_counts_its_numbers_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -244,6 +244,6 @@ def test_a_page_that_takes_long_counts_its_numbers_on_a_terminal(monkeypatch: py
         error = Screen()
         monkeypatch.setattr(sys, "stderr", error)
         with screen.counted(patience):
-            page = delta_table(eps="2;3;4")
+            page = delta(eps="2;3;4")
         assert ("3 numbers" in error.getvalue(), "100%" in error.getvalue()) == (counted, counted)
-        assert str(page) == str(delta_table(eps="2;3;4"))
+        assert str(page) == str(delta(eps="2;3;4"))

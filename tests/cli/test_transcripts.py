@@ -1,7 +1,7 @@
 """Lines as they are typed, and below each all that it prints, or the one sentence by which it is refused.
 
 `tests/transcripts/refused` and `printed` have a file a command. A new line, `$ kurbel forces --eps 0.5` or
-`>>> kurbel.forces_table(eps="0.5")`, gets what stands below it from `make golden`; read it. `exit 1: ` before
+`>>> kurbel.forces(eps="0.5")`, gets what stands below it from `make golden`; read it. `exit 1: ` before
 a sentence says that a job failed. A block begins with a comment after `# ` or with files that its lines read,
 each as `file NAME` and its lines, indented by four spaces. Lines run in a folder that has these files and the
 folders `cards`, `examples` and `sources`. Pages stand here for their words and their look: that figures are

@@ -45,7 +45,7 @@ def test_arrays_of_engines_are_the_digits_that_pages_prove(given: dict[str, Any]
     keys = ["tangential", "energy", "guide_force", "crank_pin_force"]
     found = kurbel.compute(TURN[1::5], "1:5", keys, **given)
     angles = ";".join(map(str, TURN[1::5]))
-    page = kurbel.forces_table("1:5", angle=angles, columns=keys, digits=9, **given).to_numpy()
+    page = kurbel.forces("1:5", angle=angles, columns=keys, digits=9, **given).to_numpy()
     for key in keys:
         assert np.abs(found[key] - page[key]).max() < 0.501e-9, key
 

@@ -22,9 +22,8 @@ from completion import PRINTING, described
 import kurbel
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-NAMES = {"table": "table", "deadcentres": "dead_centres_table", "collate": "collation_table"}
 TABLES: dict[str, Callable[..., Any]] = {
-    name: getattr(kurbel, NAMES.get(name, f"{name}_table")) for name in (*PRINTING, "collate", "example")
+    name: getattr(kurbel, name) for name in (*PRINTING, "collate", "example")
 }
 ONLY_TYPED = {
     *("format", "output", "decimal", "standalone", "longtable", "siunitx", "plain", "excel", "strict"),
@@ -69,7 +68,7 @@ def test_the_help_of_python_describes_every_parameter(function: Any) -> None:
 
 
 def test_types_are_plain_and_every_number_may_be_a_float() -> None:
-    parameters = inspect.signature(kurbel.forces_table).parameters
+    parameters = inspect.signature(kurbel.forces).parameters
     found = {
         name: parameters[name].annotation for name in ("ratio", "columns", "stroke", "vertical", "digits")
     }
@@ -81,8 +80,8 @@ def test_types_are_plain_and_every_number_may_be_a_float() -> None:
         "digits": "int",
     }
     assert parameters["machine"].annotation == parameters["layouts"].annotation == "str | Path"
-    assert pydoc.plain(pydoc.render_doc(kurbel.forces_table)).splitlines()[2] == (
-        "forces_table(ratio=None, **options) -> Table"
+    assert pydoc.plain(pydoc.render_doc(kurbel.forces)).splitlines()[2] == (
+        "forces(ratio=None, **options) -> Table"
     )
 
 
@@ -90,7 +89,7 @@ def test_types_are_plain_and_every_number_may_be_a_float() -> None:
     ("name", "args", "more", "sentence"),
     [
         ("table", (), {"stroek": "600mm"}, r'kurbel.table has no keyword "stroek" \(did you mean stroke\?\)'),
-        ("forces_table", (), {"rpm": 120}, r'kurbel.forces has no keyword "rpm" \(did you mean speed\?\)'),
+        ("forces", (), {"rpm": 120}, r'kurbel.forces has no keyword "rpm" \(did you mean speed\?\)'),
         ("table.question", (), {"colums": "x"}, r"\(did you mean columns\?\)"),
         ("table", (), {"format": "csv"}, r'kurbel.typeset\(page, "latex"\), or page.save$'),
         ("table", ("1:5", "1:4"), {}, r"is given 2 values without a name; ratio can stand without"),
@@ -154,7 +153,7 @@ def test_sweeps_are_of_a_machine_too(tmp_path: Path) -> None:
 
 def test_arrays_are_of_a_machine_too() -> None:
     file = EXAMPLES / "engine.toml"
-    page = kurbel.forces_table(machine=file, angle="30;60", columns="torque_nm", digits=6).to_numpy()
+    page = kurbel.forces(machine=file, angle="30;60", columns="torque_nm", digits=6).to_numpy()
     found = kurbel.compute([30, 60], columns="torque_nm", machine=file)["torque_nm"]
     np.testing.assert_allclose(found, page["torque_nm"], rtol=0, atol=5.1e-7)
 
@@ -166,7 +165,7 @@ def test_the_examples_of_the_docstrings_are_true(name: str) -> None:
     tests = doctest.DocTestParser().get_doctest(text, known, name, None, None)
     result = doctest.DocTestRunner().run(tests)
     assert result.failed == 0
-    tables = {one.__name__ for one in TABLES.values()} - {"turning_table"}
+    tables = {one.__name__ for one in TABLES.values()} - {"turning"}
     assert result.attempted or name not in {"kurbel", "certified", "compute", "typeset", *tables}
 
 
@@ -196,37 +195,37 @@ def test_the_examples_of_the_docstrings_are_true(name: str) -> None:
         ),
         (
             "forces --eps=4 --bore=300mm --pressure=8bar --stroke=60cm --reciprocating=0.3t --speed=2Hz",
-            lambda: kurbel.forces_table(
+            lambda: kurbel.forces(
                 eps=4, bore=0.3, pressure=800_000, stroke=0.6, reciprocating=300, speed=2
             ),
         ),
-        ("forces --force=10kN", lambda: kurbel.forces_table(force=10_000)),
+        ("forces --force=10kN", lambda: kurbel.forces(force=10_000)),
         (
             "flywheel --eps=4 --power=50kW --speed=120/min --delta=1:100 --radius=1.5m --cranks=0;90",
-            lambda: kurbel.flywheel_table(
+            lambda: kurbel.flywheel(
                 4, power=50_000, speed=2, delta=0.01, radius=1.5, cranks=[0, 90]
             ),
         ),
-        ("delta --eps=2;3 --back=10% --single-acting", lambda: kurbel.delta_table(
+        ("delta --eps=2;3 --back=10% --single-acting", lambda: kurbel.delta(
             [2, 3], back=0.1, single_acting=True
         )),
-        ("delta --eps=2..4 --method=weisbach", lambda: kurbel.delta_table(
+        ("delta --eps=2..4 --method=weisbach", lambda: kurbel.delta(
             "2..4", method=iter(("weisbach",))
         )),
         (
             "inertia --centre=65% --gyration=0.35 --lang=en",
-            lambda: kurbel.inertia_table(centre=0.65, gyration="35%", lang="en"),
+            lambda: kurbel.inertia(centre=0.65, gyration="35%", lang="en"),
         ),
-        ("solve --where=p=0 --where=c=max", lambda: kurbel.solve_table(["p=0", "c=max"])),
+        ("solve --where=p=0 --where=c=max", lambda: kurbel.solve(["p=0", "c=max"])),
         (
             "balance --cranks=0;0;90;90 --banks=-45;45;-45;45",
-            lambda: kurbel.balance_table(cranks=[0, 0, 90, 90], banks="-45;45;-45;45"),
+            lambda: kurbel.balance(cranks=[0, 0, 90, 90], banks="-45;45;-45;45"),
         ),
-        ("harmonics --ratio=1:5 --orders=6", lambda: kurbel.harmonics_table("1:5", **SIXTH)),
-        ("collate roetscher-112 --only=deviations", lambda: kurbel.collation_table(
+        ("harmonics --ratio=1:5 --orders=6", lambda: kurbel.harmonics("1:5", **SIXTH)),
+        ("collate roetscher-112 --only=deviations", lambda: kurbel.collate(
             "roetscher-112", only="deviations"
         )),
-        ("example blau 33 --ratio=1:4", lambda: kurbel.example_table("blau", 33, ratio=0.25)),
+        ("example blau 33 --ratio=1:4", lambda: kurbel.example("blau", 33, ratio=0.25)),
     ],
 )  # fmt: skip
 def test_numbers_and_text_make_the_page_of_the_command_line(words: str, page: Any) -> None:
@@ -239,9 +238,9 @@ def test_numbers_and_text_make_the_page_of_the_command_line(words: str, page: An
         (("table",), lambda: kurbel.table(lang="en")),
         (("table", "--ratio", "1:4", "--ratio", "1:5"), lambda: kurbel.table(ratio=["1:4", "1:5"])),
         (("table", "--method=series", "--digits=5"), lambda: kurbel.table(digits=5, method="series")),
-        (("delta", "--eps=4.5"), lambda: kurbel.delta_table("4.5")),
-        (("turning", "--torque=5 + sin(φ)"), lambda: kurbel.turning_table(torque="5 + sin(φ)")),
-        (("collate", "blau-33"), lambda: kurbel.collation_table("blau-33")),
+        (("delta", "--eps=4.5"), lambda: kurbel.delta("4.5")),
+        (("turning", "--torque=5 + sin(φ)"), lambda: kurbel.turning(torque="5 + sin(φ)")),
+        (("collate", "blau-33"), lambda: kurbel.collate("blau-33")),
     ],
 )
 def test_a_page_has_one_name_for_references_whoever_made_it(words: tuple[str, ...], page: Any) -> None:
@@ -253,8 +252,8 @@ def test_other_values_give_other_names_for_references() -> None:
     pages = (
         *(kurbel.table(ratio=ratio, angle=60) for ratio in ("1:4", "1:4.5", ["1:4", "1:5"], "1:45")),
         *(kurbel.table(ratio="1:4", angle=60, offset=offset) for offset in ("0.1", "-0.1")),
-        *(kurbel.delta_table(eps=eps) for eps in ("4;5", "4.5")),
-        *(kurbel.turning_table(torque=f"5 {sign} sin(φ)") for sign in "+-"),
+        *(kurbel.delta(eps=eps) for eps in ("4;5", "4.5")),
+        *(kurbel.turning(torque=f"5 {sign} sin(φ)") for sign in "+-"),
     )
     assert len({page.anchor for page in pages}) == len(pages)
     assert kurbel.table().anchor == kurbel.table(lang="en").anchor == "kinematics"
@@ -273,16 +272,16 @@ def test_other_values_give_other_names_for_references() -> None:
         (lambda: kurbel.table(method="fast"), "table --method=fast"),
         (lambda: kurbel.table(angle=10, step=5), "table --angle=10 --step=5"),
         (lambda: kurbel.table(stroke="6"), "table --stroke=6"),
-        (lambda: kurbel.delta_table(4, stroke=1), "delta --eps=4 --stroke=1m"),
-        (lambda: kurbel.forces_table(back=0.1), "forces --back=0.1"),
-        (lambda: kurbel.forces_table(eps=4, force=1), "forces --eps=4 --force=1N"),
-        (lambda: kurbel.flywheel_table(speed=2, delta=0.1), "flywheel --speed=2Hz --delta=0.1"),
-        (lambda: kurbel.delta_table(card="x", eps=4), "delta --card=x --eps=4"),
-        (lambda: kurbel.balance_table("v2-90", cranks=[0, 180]), "balance --engine=v2-90 --cranks=0;180"),
+        (lambda: kurbel.delta(4, stroke=1), "delta --eps=4 --stroke=1m"),
+        (lambda: kurbel.forces(back=0.1), "forces --back=0.1"),
+        (lambda: kurbel.forces(eps=4, force=1), "forces --eps=4 --force=1N"),
+        (lambda: kurbel.flywheel(speed=2, delta=0.1), "flywheel --speed=2Hz --delta=0.1"),
+        (lambda: kurbel.delta(card="x", eps=4), "delta --card=x --eps=4"),
+        (lambda: kurbel.balance("v2-90", cranks=[0, 180]), "balance --engine=v2-90 --cranks=0;180"),
         (lambda: kurbel.plot_mechanism(ratio="1:5"), "plot --ratio=1:5 -fsvg"),
         (lambda: kurbel.table(mechanism="arc", rocker=6).plot(polar=True),
          "table --mechanism=arc --rocker=6 --polar -fsvg"),
-        (lambda: kurbel.delta_table(4).plot(), "delta --eps=4 -fsvg"),
+        (lambda: kurbel.delta(4).plot(), "delta --eps=4 -fsvg"),
         (lambda: kurbel.table().plot(seconds=3), "table --seconds=3 -fsvg"),
         (lambda: kurbel.table().plot(width=5000), "table --width=5000 -fsvg"),
     ],

@@ -32,15 +32,15 @@ ASKED: dict[str, tuple[Any, dict[str, Any]]] = {
     about: (function, {"layout": LAYOUTS[about], **given}) for about, (function, given) in FUNCTIONS.items()
     if about != "formulas"
 } | {
-    "a machine": (kurbel.forces_table, MACHINE | {"reciprocating": 300, "friction": 500}),
-    "its conditions": (kurbel.solve_table, MACHINE | {"reciprocating": 300, "where": "torque=max"}),
-    "a card": (kurbel.delta_table, {"card": str(ROOT / "tests" / "cards" / "ideal-2.csv")}),
-    "an unknown speed": (kurbel.solve_table, {
+    "a machine": (kurbel.forces, MACHINE | {"reciprocating": 300, "friction": 500}),
+    "its conditions": (kurbel.solve, MACHINE | {"reciprocating": 300, "where": "torque=max"}),
+    "a card": (kurbel.delta, {"card": str(ROOT / "tests" / "cards" / "ideal-2.csv")}),
+    "an unknown speed": (kurbel.solve, {
         "unknown": "speed", "ratio": "1:5", "stroke": "600mm", "angle": "c=max", "where": "c = 4 m/s",
     }),
-    "an arc crank": (kurbel.solve_table, {"mechanism": "arc", "rocker": 6, "where": "s=25%"}),
-    "a construction": (kurbel.construction_table, {"name": "ensslin-5", "mechanism": "arc", "rocker": 6}),
-    "formulas that are wrong": (kurbel.collation_table, {"table": "weisbach-150", "only": "deviations"}),
+    "an arc crank": (kurbel.solve, {"mechanism": "arc", "rocker": 6, "where": "s=25%"}),
+    "a construction": (kurbel.construct, {"name": "ensslin-5", "mechanism": "arc", "rocker": 6}),
+    "formulas that are wrong": (kurbel.collate, {"table": "weisbach-150", "only": "deviations"}),
     "a long table": (kurbel.table, {"ratio": "1:5", "step": "0.5"}),
 }  # fmt: skip
 

@@ -99,16 +99,16 @@ def test_a_page_is_as_long_as_its_records_and_has_rows_and_columns() -> None:
 
 
 def test_a_frame_is_made_of_the_page_itself() -> None:
-    missing = kurbel.inertia_table(
+    missing = kurbel.inertia(
         centre=0.9, gyration=0.3, layout="inertia-errors", columns="force,model,error,error_phi"
     )
-    for page in (PAGE, missing, kurbel.example_table("blau", 35)):
+    for page in (PAGE, missing, kurbel.example("blau", 35)):
         pandas.testing.assert_frame_equal(pandas.DataFrame(page), page.to_pandas())
         polars.testing.assert_frame_equal(polars.DataFrame(page), page.to_polars())
 
 
 def test_missing_values_stay_missing_and_mixed_columns_are_text() -> None:
-    page = kurbel.inertia_table(
+    page = kurbel.inertia(
         centre=0.9, gyration=0.3, layout="inertia-errors", columns="force,model,error,error_phi"
     )
     frame = page.to_polars()
@@ -116,7 +116,7 @@ def test_missing_values_stay_missing_and_mixed_columns_are_text() -> None:
     assert np.isnan(page.to_numpy()["error"][0])
     assert page.to_pandas()["error"].isna()[0]
     assert pyarrow.table(page)["error"].to_pylist() == frame["error"].to_list()
-    example = kurbel.example_table("blau", 35).to_polars()
+    example = kurbel.example("blau", 35).to_polars()
     assert example["printed"].dtype == polars.String
     assert example["printed"].to_list()[-1] == "−5/2"
 

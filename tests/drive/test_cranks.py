@@ -35,7 +35,7 @@ def test_what_nearly_cannot_turn_turns(words: tuple[str, ...]) -> None:
 def made(**words: Fraction | str | None) -> tuple[Fraction, Fraction] | None:
     """Return stroke and ratio of times of the crank that is made of these, if one is."""
     try:
-        page = kurbel.dead_centres_table(columns="stroke_mm,time_ratio", digits=30, **words)
+        page = kurbel.deadcentres(columns="stroke_mm,time_ratio", digits=30, **words)
     except kurbel.KurbelError:
         return None
     stroke, times = kurbel.typeset(page, "csv").split()[1].split(",")

@@ -18,7 +18,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from places import CARDS
 
-from kurbel import KurbelError, delta_table
+from kurbel import KurbelError, delta
 from kurbel.reading import csv_file, units
 from kurbel.reading.extras import how_to_install
 
@@ -192,7 +192,7 @@ def test_a_pipe_is_not_opened(tmp_path: Path) -> None:
 
     def read() -> None:
         with pytest.raises(KurbelError) as raised:
-            delta_table(card=str(pipe))
+            delta(card=str(pipe))
         done.append(str(raised.value))
 
     reader = threading.Thread(target=read, daemon=True)

@@ -133,8 +133,8 @@ def test_a_file_a_text_and_python_describe_one_engine(tmp_path: Path) -> None:
         {"bore": 0.4, "pressure": 9e5, "eps": 2.5, "back": 0.3},
         {"angle": 90, **described[1]},
     ]
-    assert kurbel.delta_table(ratio="1:5", stroke=0.8, cylinder=numbers, digits=7).records.rows
-    table = kurbel.delta_table(ratio="1:5", stroke=0.8, cylinder=described, columns="delta", digits=7)
+    assert kurbel.delta(ratio="1:5", stroke=0.8, cylinder=numbers, digits=7).records.rows
+    table = kurbel.delta(ratio="1:5", stroke=0.8, cylinder=described, columns="delta", digits=7)
     assert kurbel.typeset(table, "csv") == typed
     tables = (
         "\n".join(["[[cylinder]]", *(f'{key} = "{value}"' for key, value in one.items())])

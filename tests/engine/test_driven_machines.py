@@ -20,7 +20,7 @@ DIGITS = 25
 def one(**options: Any) -> dict[str, Any]:
     """Return the one row of a page to many digits."""
     columns = [key for key in options.pop("columns").split(",")]
-    (row,) = rows(kurbel.delta_table(**options, columns=columns, digits=DIGITS))
+    (row,) = rows(kurbel.delta(**options, columns=columns, digits=DIGITS))
     return {key: mpf(row[key]) for key in columns}
 
 

@@ -308,7 +308,7 @@ def test_marks_stand_at_the_extremes_of_the_turn(ratio: str, marks: int) -> None
 
 
 def test_expansions_without_a_finite_decimal_are_printed_as_fractions() -> None:
-    table = kurbel.delta_table([Fraction(7, 3), 2], layout="delta-tafel", ratio="1:4;1:5")
+    table = kurbel.delta([Fraction(7, 3), 2], layout="delta-tafel", ratio="1:4;1:5")
     assert [row[0] for row in table.records.rows][::2] == ["$7/3$", "$2$"]
     (group,) = table.panels[0].groups
     assert [row.stub[0].value for row in group.rows] == ["$7/3$", "$2$"]

@@ -58,15 +58,13 @@ def column(page: kurbel.Table, key: str) -> list[float]:
 
 
 def test_the_turning_effort_is_that_of_textbooks() -> None:
-    page = kurbel.turning_table(
-        eps=2.5, method="series", angle="0..350:7", columns="torque_nm", digits=5, **ENGINE
-    )
+    page = kurbel.turning(eps=2.5, method="series", angle="0..350:7", columns="torque_nm", digits=5, **ENGINE)
     angles = np.arange(0, 351, 7)
     assert column(page, "torque_nm") == pytest.approx(turned(angles, 0.4), rel=0, abs=1e-4)
 
 
 def test_the_energy_swing_is_that_of_the_work() -> None:
-    page = kurbel.flywheel_table(eps=2.5, method="series", delta="1:80", columns="swing", digits=2, **ENGINE)
+    page = kurbel.flywheel(eps=2.5, method="series", delta="1:80", columns="swing", digits=2, **ENGINE)
     angles = np.arange(0, 360, 0.01) + 0.005
     torque = power(angles, 0.4)
     energy = np.cumsum(torque - torque.mean()) * np.radians(0.01)
@@ -80,12 +78,12 @@ MASSES = {key: ENGINE[key] for key in ("reciprocating", "rod_mass", "centre", "g
 @pytest.mark.parametrize("angle", [40, 118, 250])
 def test_the_same_force_on_the_piston_has_the_same_effect_as_steam_and_as_a_force(angle: int) -> None:
     asked: dict[str, Any] = {"method": "series", "columns": (*(f"{key}_n" for key in COMPOSED), "torque_nm")}
-    page = kurbel.forces_table(eps=2.5, angle=angle, digits=6, **asked, **ENGINE)
+    page = kurbel.forces(eps=2.5, angle=angle, digits=6, **asked, **ENGINE)
     by_steam = {key: column(page, key)[0] for key in asked["columns"]}
     # On the return an engine's pages keep the frame of the outstroke, those of a force its stroke's.
     sign = 1 if angle < 180 else -1
     force = f"{sign * by_steam['piston_force_n']:.6f}N"
-    page = kurbel.forces_table(
+    page = kurbel.forces(
         force=force, angle=angle % 180, stroke="600mm", ratio="1:4", digits=6, method="series", **MASSES,
         columns=[key if sign > 0 else key.replace("_n", "_return_n") for key in asked["columns"]],
     )  # fmt: skip
@@ -98,7 +96,7 @@ def test_the_same_force_on_the_piston_has_the_same_effect_as_steam_and_as_a_forc
 @pytest.mark.parametrize("rod", [{}, {"rod_mass": "120kg", "centre": "0.62", "gyration": "0.29"}])
 def test_tangential_and_radial_force_make_the_force_of_the_crank_pin(rod: dict[str, Any]) -> None:
     engine = {key: value for key, value in ENGINE.items() if key not in MASSES} | {"speed": "14rad/s"}
-    page = kurbel.forces_table(
+    page = kurbel.forces(
         eps=4, method="series", reciprocating="230kg", angle="0..350:7", digits=4, **engine, **rod,
         columns=[f"{key}_n" for key in COMPOSED] + ["torque_nm"],
     )  # fmt: skip
@@ -110,9 +108,9 @@ def test_tangential_and_radial_force_make_the_force_of_the_crank_pin(rod: dict[s
 
 def test_every_command_has_the_tangential_force_of_the_forces() -> None:
     asked: dict[str, Any] = {"eps": 4, "method": "series", **ENGINE}
-    page = kurbel.forces_table(angle="0..350:14", columns="tangential_force_n", digits=4, **asked)
+    page = kurbel.forces(angle="0..350:14", columns="tangential_force_n", digits=4, **asked)
     torque = np.array(column(page, "tangential_force_n")) * RADIUS
-    page = kurbel.turning_table(angle="0..350:14", columns="torque_nm", digits=4, **asked)
+    page = kurbel.turning(angle="0..350:14", columns="torque_nm", digits=4, **asked)
     assert column(page, "torque_nm") == pytest.approx(torque, rel=0, abs=1e-4)
     arrays = {key: value for key, value in asked.items() if key != "ratio"}
     drawn = kurbel.compute(np.arange(0.0, 351.0, 14.0), "1:4", "torque_nm", **arrays)
@@ -121,9 +119,9 @@ def test_every_command_has_the_tangential_force_of_the_forces() -> None:
 
 def test_harmonics_are_those_of_the_tangential_force() -> None:
     load: dict[str, Any] = {"card": CARDS / "ideal-2.csv"}
-    page = kurbel.harmonics_table("1:3", quantity="torque", method="series", orders=4, digits=6, **load)
+    page = kurbel.harmonics("1:3", quantity="torque", method="series", orders=4, digits=6, **load)
     degrees = np.arange(0, 360) + 0.5
-    turn = kurbel.turning_table(
+    turn = kurbel.turning(
         ratio="1:3", method="series", angle="0.5..359.5:1", columns="tangential", digits=9, **load
     )
     force = np.array(column(turn, "tangential"))

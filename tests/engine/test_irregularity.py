@@ -250,7 +250,7 @@ def test_it_agrees_with_the_certified_pages(method: str) -> None:
         {"eps": "12", "ratio": "0.2", "back": "0.1", "clearance": "0.6", "exponent": "1"},
     ]
     for options in plain if method == "weisbach" else plain + volumes:
-        page = kurbel.delta_table(**options, method=method, columns="delta", digits=18)
+        page = kurbel.delta(**options, method=method, columns="delta", digits=18)
         numbers: dict[str, Any] = {key: float(value) for key, value in options.items()}
         certified = float(kurbel.typeset(page, "csv").split()[-1])
         np.testing.assert_allclose(compute_delta(**numbers, method=method), certified, rtol=1e-14, atol=0)

@@ -85,7 +85,7 @@ def test_long_columns_of_heavy_engines_have_the_figures_of_their_bodies(load: st
         (Fraction(corner) - 500 * near, near, 1000),
     ):
         asked = f"{begin}..{begin + count * step}:{step}"
-        page = kurbel.forces_table(**options, angle=asked, columns=("phi", *FORCES), digits=digits)
+        page = kurbel.forces(**options, angle=asked, columns=("phi", *FORCES), digits=digits)
         angles = np.array([float(begin + place * step) for place in range(count + 1)])
         true = one.rod(angles)
         # In the dead centre itself the stroke that begins counts.

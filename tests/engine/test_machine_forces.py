@@ -60,8 +60,8 @@ def test_forces_are_those_of_the_equations_of_motion(mechanism: str, load: str, 
     one = machine(**options)
     whole = math.pi / 4 * number(options["bore"]) ** 2 * pressure_of(options)
     keys = [*(f"{key}_n" for key in FORCES), "torque_nm"]
-    page = kurbel.forces_table(**options, angle=ANGLES, columns=["phi", *keys], digits=DIGITS)
-    pushed = kurbel.forces_table(**options, angle=ANGLES, columns="piston_force_n", digits=25)
+    page = kurbel.forces(**options, angle=ANGLES, columns=["phi", *keys], digits=DIGITS)
+    pushed = kurbel.forces(**options, angle=ANGLES, columns="piston_force_n", digits=25)
     assert_allclose(
         figures(pushed, ["piston_force_n"])[:, 0], one.rod(ANGLES)["piston_force"] * whole, rtol=1e-11
     )
@@ -79,7 +79,7 @@ def test_a_piston_force_solves_the_equations_of_motion_on_both_strokes(mechanism
     kept = ("mechanism", "rocker", "ratio", "offset", *SIZES)
     weights = {key: options[key] for key in kept if key in options}
     keys = [f"{key}{back}_n" for key in FORCES[1:] for back in ("", "_return")]
-    page = kurbel.forces_table(
+    page = kurbel.forces(
         **weights, force=4321, angle=BETWEEN, columns=["phi", *keys], digits=DIGITS, rounding="half-even"
     )
     there = bodies(options, "4321")
@@ -118,7 +118,7 @@ def test_units_of_the_steam_force_and_newtons_are_the_same_forces() -> None:
     whole = math.pi / 4 * number(options["bore"]) ** 2 * pressure_of(options)
     for unit, scale in (("", 1.0), ("_n", whole)):
         columns = [f"{key}{unit}" for key in FORCES if key != "bearing_force"]
-        page = kurbel.forces_table(**options, angle="40;200.5", columns=columns, digits=9)
+        page = kurbel.forces(**options, angle="40;200.5", columns=columns, digits=9)
         true = machine(**options).rod([40, 200.5])
         wanted = np.column_stack([true[key] for key in FORCES if key != "bearing_force"])
         found = figures(page, columns) / scale

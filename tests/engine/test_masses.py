@@ -43,7 +43,7 @@ def test_a_flywheel_has_the_energies_of_the_moving_bodies(name: str) -> None:
     one, omega = machine(**options), 2 * math.pi * 2
     unit = math.pi / 4 * number(options["bore"]) ** 2 * pressure_of(options) * 0.3
     columns = ("power", "mean_torque", "swing_share", "swing", "inertia", "inertia_true")
-    page = kurbel.flywheel_table(**options, delta="0.1", columns=columns, digits=6)
+    page = kurbel.flywheel(**options, delta="0.1", columns=columns, digits=6)
     (found,) = figures(page, columns)
     torque, swing = abs(one.turn.mean) * unit, one.turn.swing * unit
     wanted = [torque * omega, torque, one.turn.delta, swing, swing / 0.1 / omega**2]
@@ -60,23 +60,23 @@ def test_energy_and_torque_over_the_turn_are_those_of_the_bodies_and_their_heigh
     options = {**MACHINES[name], **({"slope": slope} if slope and name != "rocker" else {})}
     turn, angles = machine(**options).turn, (17, 158, 241, 322)
     columns = ("tangential", "energy")
-    page = kurbel.turning_table(**options, angle=angles, columns=columns, digits=8)
+    page = kurbel.turning(**options, angle=angles, columns=columns, digits=8)
     wanted = np.column_stack([turn.machine.force(angles), turn.at(turn.energy, angles)])
     assert_allclose(figures(page, columns), wanted, rtol=0, atol=6e-9)
 
 
 def test_a_bank_leans_by_its_angle_from_the_slope() -> None:
     common: dict[str, Any] = {**MACHINES["steam"], "gravity": "9.81", "columns": "torque_nm", "digits": 4}
-    both = kurbel.turning_table(**common, vertical=True, cylinder=["angle=0", "bank=60"], angle="25;140")
-    first = kurbel.turning_table(**common, vertical=True, angle="25;140")
+    both = kurbel.turning(**common, vertical=True, cylinder=["angle=0", "bank=60"], angle="25;140")
+    first = kurbel.turning(**common, vertical=True, angle="25;140")
     # The crank reaches the leaning axis by 60° later.
-    second = kurbel.turning_table(**common, slope=150, angle="325;80")
+    second = kurbel.turning(**common, slope=150, angle="325;80")
     whole, *parts = (figures(page, ("torque_nm",)) for page in (both, first, second))
     assert_allclose(whole, sum(parts), rtol=0, atol=1.1e-4)
 
 
 def delta(**options: Any) -> float:
-    page = kurbel.delta_table(**options, columns="delta", digits=9)
+    page = kurbel.delta(**options, columns="delta", digits=9)
     return float(rows(page)[0]["delta"])
 
 
@@ -103,7 +103,7 @@ def test_every_extreme_of_a_heavy_engine_is_found() -> None:
     one = machine(**MACHINES["steam"])
     assert len(one.turn.extremes) == 6
     columns = "alpha_min,v_min,alpha_max,v_max"
-    (found,) = rows(kurbel.delta_table(**MACHINES["steam"], columns=columns, digits=8))
+    (found,) = rows(kurbel.delta(**MACHINES["steam"], columns=columns, digits=8))
     for end in ("min", "max"):
         true = one.turn.extreme(end == "max")
         assert float(found[f"alpha_{end}"]) == pytest.approx(true.degrees, abs=1e-7)

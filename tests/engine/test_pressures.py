@@ -118,7 +118,7 @@ def test_a_pressure_that_lies_half_way_is_rounded_away() -> None:
 
 def test_the_drawing_lays_the_masses_under_the_diagram_of_each_stroke(tmp_path: object) -> None:
     drawing = drawn(
-        api.pressures_table,
+        api.pressures,
         eps=4,
         ratio="1:5",
         stroke=0.6,
@@ -178,7 +178,7 @@ def test_a_tangential_pressure_that_lies_half_way_is_rounded_away() -> None:
 
 def test_the_turning_effort_is_drawn_over_the_path_of_the_pin() -> None:
     by_angle, by_path = (
-        drawn(api.turning_table, 4, ratio="1:5", over_path=path).figure.axes for path in (False, True)
+        drawn(api.turning, 4, ratio="1:5", over_path=path).figure.axes for path in (False, True)
     )
     assert [one.get_xlim() for one in by_path] == [(0, pytest.approx(2 * np.pi))] * 2
     assert by_path[-1].get_xlabel() == "Weg des Kurbelzapfens $s/R$"

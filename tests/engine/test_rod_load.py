@@ -50,7 +50,7 @@ def test_extremes_and_reversal_are_those_of_newtons_equations_on_a_fine_grid(
         options |= draw.masses(load, options)
         options.pop("cranks", None)
         one = machine(**options)
-        page = kurbel.forces_table(**options, layout="rod-load", lang="en", digits=6, columns=COLUMNS)
+        page = kurbel.forces(**options, layout="rod-load", lang="en", digits=6, columns=COLUMNS)
         for found in rows(page):
             wanted = loads(one, ENDS[found["end"]])
             scale = max(wanted["thrust"], wanted["pull"])

@@ -31,9 +31,7 @@ def test_forces_of_an_engine_are_those_of_bodies_with_friction_and_weight(slope:
     angles = (40, 155, 230, 310)
     true = machine(**options).rod(angles)
     true["torque"] = true["tangential_force"] * 0.3
-    for number, row in enumerate(
-        rows_of(kurbel.forces_table(**options, angle=angles, columns=PARTS, digits=4))
-    ):
+    for number, row in enumerate(rows_of(kurbel.forces(**options, angle=angles, columns=PARTS, digits=4))):
         rubbing = 2500 if row["phi"] > 180 else -2500
         assert row["friction_force_n"] == rubbing
         assert row["piston_force_n"] + rubbing == pytest.approx(true["piston_force"][number] * Q, abs=2e-4)
@@ -54,7 +52,7 @@ def test_a_card_presses_on_the_areas_that_the_piston_rod_leaves(tmp_path: Path) 
     card = tmp_path / "card.csv"
     lines = [f"{position / 20},5,{1 + position / 40}" for position in range(21)]
     card.write_text("position,p_forward [bar],p_return [bar]\n" + "\n".join(lines) + "\n")
-    page = kurbel.forces_table(
+    page = kurbel.forces(
         "1:∞", card=str(card), bore="200mm", piston_rod="80mm", angle=(60, 240), columns="piston_force_n"
     )
     out, back = (row["piston_force_n"] for row in rows_of(page))
@@ -72,8 +70,8 @@ def test_indicated_power_is_that_of_the_steam_and_the_mean_torque_is_less() -> N
     values = [
         [float(one) for one in kurbel.typeset(page, "csv").split()[-1].split(",")[-2:]]
         for page in (
-            kurbel.delta_table(**asked, digits=6),
-            kurbel.delta_table(**asked, digits=6, friction="2kN"),
+            kurbel.delta(**asked, digits=6),
+            kurbel.delta(**asked, digits=6, friction="2kN"),
         )
     ]
     assert values[0][0] == values[1][0]
@@ -82,7 +80,7 @@ def test_indicated_power_is_that_of_the_steam_and_the_mean_torque_is_less() -> N
 
 
 def test_a_torque_of_weight_alone_may_be_a_tie() -> None:
-    page = kurbel.forces_table(
+    page = kurbel.forces(
         **STEAM, stroke="450mm", rod="1200mm", rod_mass="100kg", centre="0.6", gyration="0.3",
         speed="250/min", slope=0, gravity="9.81", angle=180, columns="torque_nm", digits=2,
     )  # fmt: skip
@@ -92,11 +90,11 @@ def test_a_torque_of_weight_alone_may_be_a_tie() -> None:
 
 def test_no_atmosphere_acts_on_the_section_of_the_piston_rod_as_pages_say() -> None:
     engine = {**STEAM, "stroke": "600mm", "ratio": "1:5", "piston_rod": "60mm", "angle": (20, 200)}
-    page = kurbel.forces_table(**engine, columns="piston_force_n", digits=3)
+    page = kurbel.forces(**engine, columns="piston_force_n", digits=3)
     whole, ring, steam = 0.3**2 / 4 * pi, (0.3**2 - 0.06**2) / 4 * pi, 6e5
     # Towards the shaft, before the cut-off of either stroke: pressures times areas and nothing else.
     expected = [steam * (whole - 0.1 * ring), steam * (0.1 * whole - ring)]
     assert [row["piston_force_n"] for row in rows_of(page)] == pytest.approx(expected, abs=1e-3)
     for lang, sentence in (("de", "auch nicht der der Luft"), ("en", "not even that of the atmosphere")):
-        said = kurbel.typeset(kurbel.forces_table(**engine, columns="piston_force_n", lang=lang), "text")
+        said = kurbel.typeset(kurbel.forces(**engine, columns="piston_force_n", lang=lang), "text")
         assert sentence in " ".join(said.split())

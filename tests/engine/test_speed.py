@@ -77,12 +77,12 @@ def test_speed_and_time_are_those_of_the_equation_of_motion(
         speed = machine(**options).speed(number=float(wheel["flywheel"]), square="resistance" in wheel)
     else:
         speed = machine(**options).speed(inertia=inertia / unit)
-    page = library.turning_table(**options, **wheel, angle=ANGLES, columns="omega,time", digits=9)
+    page = library.turning(**options, **wheel, angle=ANGLES, columns="omega,time", digits=9)
     speeds, times = speed.at(ANGLES)
     wanted = np.column_stack([speeds * omega, times / omega])
     assert_allclose(figures(page, ("omega", "time")), wanted, rtol=0, atol=2e-9)
     columns = ("speed_min", "speed_max", "delta_mean")
-    page = library.delta_table(**options, **wheel, columns=columns, digits=9)
+    page = library.delta(**options, **wheel, columns=columns, digits=9)
     least, greatest = speed.least / speed.first, speed.greatest / speed.first
     assert_allclose(figures(page, columns)[-1], [least, greatest, speed.delta], rtol=0, atol=2e-9)
 

@@ -27,7 +27,7 @@ COLUMNS = ("order", "cosine", "sine", "amplitude", "phase")
 
 def waves(options: dict[str, Any], orders: int) -> list[list[float]]:
     """Return order, cosine, sine, amplitude and phase of all cylinders together."""
-    page = kurbel.harmonics_table(
+    page = kurbel.harmonics(
         quantity="torque", columns=("cylinder", *COLUMNS), orders=orders, digits=DIGITS, **options
     )
     own = [row for row in rows(page) if row.get("cylinder", "all") == "all"]

@@ -58,7 +58,7 @@ def test_extremes_of_the_turn_and_of_each_stroke_are_those_of_quadrature(options
     turn = machine(**options).turn
     # An engine that hardly works loses digits of δ.
     assume(turn.mean > 1e-3 and turn.delta < 100)
-    page = kurbel.delta_table(**options, detail=True, digits=8)
+    page = kurbel.delta(**options, detail=True, digits=8)
     *strokes, whole = rows_of(page)
     assert float(whole["mean_force"]) == pytest.approx(turn.mean, abs=6e-9)
     assert float(whole["delta"]) == pytest.approx(turn.delta, abs=2e-8)
@@ -97,7 +97,7 @@ def test_fifty_digits_are_true(options: dict[str, Any]) -> None:
     # Of this turn and of a later one.
     places = {"0": 720, "37/3": 0, "90": 720, "180": 0, "911/3": 720}
     at = tuple(Fraction(place) + around for place, around in places.items())
-    rows = rows_of(kurbel.turning_table(**options, angle=at, columns=",".join(AT), digits=DIGITS))
+    rows = rows_of(kurbel.turning(**options, angle=at, columns=",".join(AT), digits=DIGITS))
     for place, row in zip(places, rows, strict=True):
         for key in AT:
             assert turn.value(key, place).digits(DIGITS) == row[key], (key, place)

@@ -265,7 +265,7 @@ RATIOS = st.fractions(Fraction(1, 60), Fraction(59, 60), max_denominator=83)
 @settings(max_examples=15, deadline=None)
 @given(RATIOS, st.sampled_from(["33", "34", "35"]))
 def test_any_ratio_is_worked(ratio: Fraction, number: str) -> None:
-    table = kurbel.example_table("blau", number, ratio=ratio)
+    table = kurbel.example("blau", number, ratio=ratio)
     text = kurbel.typeset(table, "csv")
     rows = [row for row in csv.DictReader(text.splitlines())]
     with mp.workprec(640):
@@ -392,14 +392,14 @@ def test_ties_are_rounded_away_from_zero() -> None:
 
 
 def test_from_python_it_is_the_same_page() -> None:
-    table = kurbel.example_table("blau", 33, ratio="1:4,5", lang="en")
+    table = kurbel.example("blau", 33, ratio="1:4,5", lang="en")
     assert kurbel.typeset(table, "text") == printed("example", "blau", "33", "--ratio=1:4,5", "--lang=en").out
-    steam = kurbel.example_table("weisbach", 150, eps=4, back="10%")
+    steam = kurbel.example("weisbach", 150, eps=4, back="10%")
     assert kurbel.typeset(steam, "text") == printed("example", "weisbach", "150", "--eps=4", "--back=10%").out
-    forces = kurbel.example_table("uebung", 12, ratio="1:4", force=5000)
+    forces = kurbel.example("uebung", 12, ratio="1:4", force=5000)
     assert kurbel.typeset(forces, "text") == printed("example", "uebung", "12", "-r1:4", "--force=5kN").out
     with pytest.raises(kurbel.KurbelError, match="no source"):
-        kurbel.example_table("x", 1)
+        kurbel.example("x", 1)
 
 
 def test_without_a_number_the_examples_are_listed() -> None:

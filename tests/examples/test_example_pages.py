@@ -69,14 +69,14 @@ def test_a_page_fits_a_terminal_of_80_columns(name: str, lang: str) -> None:
 def pages() -> list[Table]:
     return [
         *(
-            kurbel.example_table(key, number, lang=lang, label=f"{key}-{number}-{lang}")
+            kurbel.example(key, number, lang=lang, label=f"{key}-{number}-{lang}")
             for key, number in EXAMPLES
             for lang in LANGUAGES
         ),
-        kurbel.example_table("blau", 33, ratio="1:4,5", label="own"),
-        kurbel.example_table("blau", 35, ratio="5:6", label="roots"),
-        kurbel.example_table("uebung", 12, ratio="2:9", force=10000, label="forces"),
-        kurbel.example_table("weisbach", 150, eps=4, back="0.1", label="steam"),
+        kurbel.example("blau", 33, ratio="1:4,5", label="own"),
+        kurbel.example("blau", 35, ratio="5:6", label="roots"),
+        kurbel.example("uebung", 12, ratio="2:9", force=10000, label="forces"),
+        kurbel.example("weisbach", 150, eps=4, back="0.1", label="steam"),
     ]
 
 

@@ -71,7 +71,7 @@ def test_a_telephone_shows_every_layout_with_its_caption_and_names_of_rows(viewe
     [("blau", "33", "de"), pytest.param("uebung", "12", "en", marks=pytest.mark.slow)],
 )
 def test_everybody_can_read_an_example(viewer: Viewer, source: str, number: str, lang: str) -> None:
-    page = document(kurbel.example_table(source, number, lang=lang))
+    page = document(kurbel.example(source, number, lang=lang))
     assert_readable(viewer, page)
     assert_readable_in_the_dark(viewer, page)
 
@@ -90,7 +90,7 @@ def test_everybody_can_read_a_page_with_every_part(viewer: Viewer, tmp_path: Pat
 
 
 def test_long_formulas_do_not_hide_the_figures_behind_them(viewer: Viewer) -> None:
-    for table in (kurbel.example_table("blau", "33"), default_page("roetscher-112")):
+    for table in (kurbel.example("blau", "33"), default_page("roetscher-112")):
         page = viewer.open(document(table), TELEPHONE)
         assert viewer.lost() == []
         room = page.evaluate("""() => {

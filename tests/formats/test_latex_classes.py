@@ -53,7 +53,7 @@ def pages(small: bool) -> tuple[Table, ...]:
         angles = "0..180:60"
         return (
             kurbel.table(angle=angles),
-            kurbel.delta_table(lang="en"),
+            kurbel.delta(lang="en"),
             kurbel.table(angle=angles, layout="blau-kolbenwege"),
         )
     return (

@@ -72,4 +72,4 @@ def test_every_layout_is_read_cell_by_cell(place: int, name: str) -> None:
 @pytest.mark.parametrize(("source", "number"), [("blau", "33"), ("uebung", "12"), ("weisbach", "149")])
 def test_an_example_is_read_cell_by_cell(source: str, number: str) -> None:
     for lang in LANGUAGES:
-        assert_read(kurbel.example_table(source, number, lang=lang))
+        assert_read(kurbel.example(source, number, lang=lang))

@@ -44,8 +44,8 @@ LOOK = """() => {
     "page",
     [
         kurbel.table("1:4;1:5", step=30, method="series"),
-        kurbel.forces_table("1:5", eps=4, step=45, lang="en"),
-        kurbel.collation_table("roetscher-112"),
+        kurbel.forces("1:5", eps=4, step=45, lang="en"),
+        kurbel.collate("roetscher-112"),
     ],
     ids=lambda page: page.key,
 )

@@ -9,7 +9,7 @@ from golden import assert_golden
 from pages import default_page
 
 import kurbel
-from kurbel import collation_table, example_table, table
+from kurbel import collate, example, table
 from kurbel.formats.render import render
 from kurbel.page.table import Table
 
@@ -23,17 +23,17 @@ PAGES: dict[str, tuple[Table, int | None]] = {
     "narrow-caption": (table(columns="phi,x"), None),
     "wide-caption": (table(columns="phi,x,c,p,psi"), None),
     "panels": (table(layout="verfahren", angle="30;90"), 80),
-    "units-44": (kurbel.delta_table("2", layout="delta-detail"), 44),
-    "units-36": (kurbel.delta_table("2", layout="delta-detail"), 36),
-    "units-26": (kurbel.delta_table("2", layout="delta-detail"), 26),
+    "units-44": (kurbel.delta("2", layout="delta-detail"), 44),
+    "units-36": (kurbel.delta("2", layout="delta-detail"), 36),
+    "units-26": (kurbel.delta("2", layout="delta-detail"), 26),
     "nowhere": (table(angle="30;90"), 10),
-    "collation-60.de": (collation_table("blau-33"), 60),
-    "collation-80.en": (collation_table("blau-33", lang="en"), 80),
-    "collation-120.de": (collation_table("blau-33"), 120),
-    "collation-panels.en": (collation_table("weisbach-150", lang="en"), 60),
-    "formulas": (collation_table("blau-equations"), None),
-    "formulas-52": (collation_table("blau-equations"), 52),
-    "example-60": (example_table("blau", "33"), 60),
+    "collation-60.de": (collate("blau-33"), 60),
+    "collation-80.en": (collate("blau-33", lang="en"), 80),
+    "collation-120.de": (collate("blau-33"), 120),
+    "collation-panels.en": (collate("weisbach-150", lang="en"), 60),
+    "formulas": (collate("blau-equations"), None),
+    "formulas-52": (collate("blau-equations"), 52),
+    "example-60": (example("blau", "33"), 60),
 }
 
 
@@ -48,14 +48,14 @@ CODE = re.compile("\x1b\\[[0-9;]*m")
 
 def test_colours_name_verdicts_and_move_nothing() -> None:
     for name in ("blau-33", "roetscher-112"):
-        page = collation_table(name)
+        page = collate(name)
         coloured = render(page, "text", width=60, colours=True)
         assert CODE.sub("", coloured) == render(page, "text", width=60)
         ends = [line.count("\x1b[0m") for line in coloured.splitlines()]
         assert [len(CODE.findall(line)) for line in coloured.splitlines()] == [2 * count for count in ends]
-    verdicts = render(collation_table("blau-33"), "text", colours=True)
+    verdicts = render(collate("blau-33"), "text", colours=True)
     assert len(dict(re.findall("\x1b\\[([0-9;]+)m(richtig|letzte|eine)\\b", verdicts))) == 3
-    assert "\x1b" not in render(kurbel.solve_table("p=0"), "text", colours=True)
+    assert "\x1b" not in render(kurbel.solve("p=0"), "text", colours=True)
 
 
 # By what narrow pages do: spanners of pairs and of three, one level and two, units in a column, wide cells of

@@ -242,7 +242,7 @@ def test_the_tables_of_printed_values_are_those_of_the_sources() -> None:
     cells = {row["place"].split("/", 2)[2]: row for row in rows}
     page = (DOCS / "books" / "weisbach.md").read_text(encoding="utf-8")
     for expansion in range(2, 7):
-        cell = cells[f"{expansion}/delta_table"]
+        cell = cells[f"{expansion}/delta"]
         methods = (f"{cell[one]} ({apart(cell[one], cell['printed'])})" for one in METHODS)
         assert f"| {expansion} | {cell['printed']} | {' | '.join(methods)} |" in page
     for name, key in READABLE.items():

@@ -16,7 +16,7 @@ from mpmath import mp
 from numpy.testing import assert_allclose
 
 from kurbel import verify
-from kurbel.balance.harmonics import HARMONICS, MOST_ORDERS, certified, rational, series
+from kurbel.balancing.harmonics import HARMONICS, MOST_ORDERS, certified, rational, series
 from kurbel.drive.crank import Crank
 from kurbel.exact import certify
 from kurbel.kernel import kinematics

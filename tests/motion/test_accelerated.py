@@ -39,7 +39,7 @@ def bodies(millimetres: int, gain: int, **masses: int) -> verify.Bodies:
     ("degrees", "gain", "offset"), [(63, 90, 0), (218, -240, 0), (305, 150, -50), (40, 0, 60)]
 )
 def test_forces_under_an_accelerated_crank_are_those_of_newton(degrees: int, gain: int, offset: int) -> None:
-    page = kurbel.forces_table(
+    page = kurbel.forces(
         **SIZES, **ROD, reciprocating="80kg", acceleration=f"{gain} rad/s²", offset=f"{offset}mm",
         rotating="-30kg", force="4kN", angle=degrees, columns=FORCES, digits=6,
     )  # fmt: skip
@@ -50,9 +50,7 @@ def test_forces_under_an_accelerated_crank_are_those_of_newton(degrees: int, gai
 
 def test_the_rod_alone_is_accelerated_the_same() -> None:
     columns = ("inertia_guide_n", "inertia_pin_n", "inertia_torque_nm")
-    page = kurbel.inertia_table(
-        **SIZES, **ROD, acceleration="-75rad/s2", angle=127, digits=6, columns=columns
-    )
+    page = kurbel.inertia(**SIZES, **ROD, acceleration="-75rad/s2", angle=127, digits=6, columns=columns)
     for key, text in zip(ROD_KEYS, rows(page)[0].values(), strict=True):
         assert bodies(0, -75).value(key, 127).confirms(text) == verify.CONFIRMED, key
 
@@ -85,11 +83,11 @@ def first_order(degrees: int, piston: float, rotating: float, push: float) -> Ma
 @pytest.mark.parametrize("degrees", [52, 143, 236])
 def test_forces_to_first_order_are_those_of_textbooks(degrees: int) -> None:
     words: dict[str, Any] = {**SIZES, **ROD, "method": "series", "angle": degrees, "digits": 6}
-    page = kurbel.forces_table(**words, reciprocating="80kg", rotating="-30kg", force="4kN", columns=FORCES)
+    page = kurbel.forces(**words, reciprocating="80kg", rotating="-30kg", force="4kN", columns=FORCES)
     (found,) = rows(page)
     true = first_order(degrees, 80, -30, 4000)
     assert {key: float(one) for key, one in found.items()} == pytest.approx(true, rel=0, abs=6e-7)
-    (found,) = rows(kurbel.inertia_table(**words, columns="inertia_guide_n,inertia_pin_n,inertia_torque_nm"))
+    (found,) = rows(kurbel.inertia(**words, columns="inertia_guide_n,inertia_pin_n,inertia_torque_nm"))
     alone = first_order(degrees, 0, 0, 0)
     assert [float(one) for one in found.values()] == pytest.approx([alone[key] for key in ROD_KEYS], abs=6e-7)
 
@@ -101,7 +99,7 @@ def over_time(key: str, slope: str, degrees: int, millimetres: int, gain: int) -
 
 
 def test_the_inertia_couple_is_that_of_the_rods_turning() -> None:
-    page = kurbel.inertia_table(
+    page = kurbel.inertia(
         **SIZES, **ROD, acceleration="60rad/s2", offset="-25mm", angle=201, digits=6,
         columns="inertia_couple_nm,inertia_couple_two_mass_nm,inertia_correction_nm",
     )  # fmt: skip

@@ -23,7 +23,7 @@ PUSH = pi / 4 * ((0.3**2 - 0.04**2) * 1.2e5 - (0.3**2 - 0.05**2) * 0.3e5)
 
 
 def rows_of(**asked: Any) -> list[dict[str, float]]:
-    found = rows(kurbel.forces_table(**asked))
+    found = rows(kurbel.forces(**asked))
     return [{key: float(value) for key, value in row.items() if key != "ratio"} for row in found]
 
 
@@ -47,7 +47,7 @@ def test_forces_are_those_of_the_bodies_under_pressure_and_friction(seed: int) -
         "speed": f"{speed}rad/s", **{key: f"{value}kg" for key, value in weights.items()}, **rod,
         **PRESSED, "friction": "1234N",
     }  # fmt: skip
-    for row in rows(kurbel.forces_table(**asked, angle=(33, 141, 199, 318), digits=5, columns=FORCES)):
+    for row in rows(kurbel.forces(**asked, angle=(33, 141, 199, 318), digits=5, columns=FORCES)):
         for key in row.keys() - {"phi"}:
             value = bodies.value(key, row["phi"])
             assert value.confirms(row[key]) == verify.CONFIRMED, (seed, row["phi"], key)
@@ -74,7 +74,7 @@ def test_columns_of_the_outstroke_say_so_at_angles_of_the_return(angle: int, lan
     asked: dict[str, Any] = {"stroke": "1m", "ratio": "1:4", **PRESSED, "angle": angle, "digits": 3}
     (row,) = rows_of(**asked, columns="piston_force_n")
     assert row["piston_force_n"] == pytest.approx(PUSH, abs=6e-4)
-    text = " ".join(kurbel.typeset(kurbel.forces_table(**asked, lang=lang), "text").split())
+    text = " ".join(kurbel.typeset(kurbel.forces(**asked, lang=lang), "text").split())
     assert said in text
     assert any(word in text for word in ("beyond the outer", "jenseits des äußeren")) == bool(said)
 
@@ -100,7 +100,7 @@ def test_a_sum_half_way_between_two_printed_numbers_is_a_tie() -> None:
 def test_the_problem_of_a_vertical_double_acting_engine() -> None:
     """Bore 300 mm, stroke 450 mm, rod 1.2 m, piston rod 50 mm, 225 kg, 200/min; at 125° from the top dead
     centre 30 kN/m² above and 1.5 kN/m² below. Textbooks print 3021.6 N m of first order."""
-    page = kurbel.forces_table(
+    page = kurbel.forces(
         bore="300mm", stroke="450mm", rod="1.2m", piston_rod="50mm", reciprocating="225kg",
         speed="200/min", vertical=True, gravity="9.81", head_pressure="30kPa", crank_pressure="1.5kPa",
         angle=125, columns="torque_nm",

@@ -27,8 +27,8 @@ FORCES = (
 )
 MOTION = ("x_mm", "c_mps", "p_return_mps2", "psi", "rod_acceleration_return_radps2")
 DRIVES: list[tuple[Any, dict[str, Any], tuple[str, ...]]] = [
-    (kurbel.forces_table, {"ratio": "1:4", **LOADED}, FORCES),
-    (kurbel.forces_table, {"ratio": "1:4", "offset": "0,3", **LOADED}, FORCES),
+    (kurbel.forces, {"ratio": "1:4", **LOADED}, FORCES),
+    (kurbel.forces, {"ratio": "1:4", "offset": "0,3", **LOADED}, FORCES),
     (kurbel.table, {"ratio": "1:3,5", "offset": "-0,2", **MOVED}, MOTION),
     (kurbel.table, {"ratio": "1:4", "acceleration": "50rad/s²", **MOVED}, MOTION),
 ]

@@ -111,7 +111,7 @@ def test_newtons_are_those_of_mass_radius_and_speed(speed: str, omega: str, turn
 
 
 def test_centre_counts_from_the_crosshead_so_that_six_tenths_is_the_railway_rule() -> None:
-    table = kurbel.inertia_table(centre=0.6, gyration=0.48, angle="25;140")
+    table = kurbel.inertia(centre=0.6, gyration=0.48, angle="25;140")
     for row in table.records.rows:
         _, _, guide, two, railway, pin, pin_two, pin_railway = row
         assert (two, pin_two) == (railway, pin_railway)
@@ -297,7 +297,7 @@ def test_two_masses_are_wrong_by_their_couple_at_right_angles(ratio: str, centre
 
 
 def test_no_error_is_left_if_k_squared_is_a_b() -> None:
-    table = kurbel.inertia_table(
+    table = kurbel.inertia(
         centre=Fraction(9, 10), gyration=Fraction(3, 10), layout="inertia-errors",
         columns="force,model,error,error_percent,error_phi",
     )  # fmt: skip
@@ -312,11 +312,11 @@ def test_no_error_is_left_if_k_squared_is_a_b() -> None:
 def test_forces_along_the_slide_are_the_same_for_rod_and_two_masses() -> None:
     rod: dict[str, Any] = {"centre": 0.65, "gyration": 0.35}
     columns = "inertia_pin_x,inertia_pin_x_two_mass"
-    page = kurbel.inertia_table("1:3;1:∞", **rod, angle="0..180:7", columns=columns)
+    page = kurbel.inertia("1:3;1:∞", **rod, angle="0..180:7", columns=columns)
     rows = list(page.records.rows)
     assert all(one == other for *_, one, other in rows)
     assert len({row[-1] for row in rows}) > 20
-    sheet = kurbel.inertia_table(**rod, layout="inertia-errors")
+    sheet = kurbel.inertia(**rod, layout="inertia-errors")
     (row,) = [row for row in sheet.records.rows if row[1:3] == ("pin_x", "two-mass")]
     assert shown(row[-2]) == "0.00"
 
@@ -347,7 +347,7 @@ def test_an_infinite_rod_has_its_greatest_torque_at_45_degrees() -> None:
 
 def test_nothing_is_divided_by_a_force_that_is_zero() -> None:
     # Of an infinite rod with k² = a b no force is at the guide.
-    table = kurbel.inertia_table("1:∞", centre=0.9, gyration=0.3, layout="inertia-errors")
+    table = kurbel.inertia("1:∞", centre=0.9, gyration=0.3, layout="inertia-errors")
     rows = {row[1:3]: row[3:] for row in table.records.rows}
     for model in ("exact", "railway"):
         assert list(map(shown, rows["guide", model])) == ["0.0000", "None", "None", "None"]

@@ -24,7 +24,7 @@ ASKED: dict[str, Any] = {
 
 
 def printed(**asked: Any) -> list[float]:
-    page = kurbel.forces_table(**ASKED, **asked)
+    page = kurbel.forces(**ASKED, **asked)
     return [float(one) for one in kurbel.typeset(page, "csv").split()[-1].split(",")]
 
 

@@ -32,7 +32,7 @@ def test_forces_of_a_triangle_of_whole_sides() -> None:
 @given(st.fractions(Fraction(1, 50), Fraction(49, 50), max_denominator=97))
 def test_numbers_are_those_of_the_closed_forms(ratio: Fraction) -> None:
     keys = ("phi", "psi", *(key + end for key in ("rod_force", "guide_force") for end in ("", "_n")))
-    table = kurbel.forces_table(
+    table = kurbel.forces(
         ratio,
         at="tangent",
         digits=20,
@@ -79,7 +79,7 @@ def test_an_infinite_rod_is_square_to_the_crank_at_a_right_angle() -> None:
 
 
 def test_sheet_has_closed_forms_beside_degrees_and_minutes() -> None:
-    table = kurbel.forces_table("1:5;1:4", lang="en", at="tangent")
+    table = kurbel.forces("1:5;1:4", lang="en", at="tangent")
     found = {
         (plain(stub), plain(ratio), plain(unit)): plain(text)
         for (_, stub, ratio, unit), text in cells(table).items()

@@ -264,7 +264,7 @@ def test_a_page_has_every_digit_of_the_data_in_the_larger_unit(place: int, words
 
 def test_data_are_the_same_from_a_page_and_without_one() -> None:
     words = ("forces", "--force", "56549N", "--stroke", "600mm", "--angle", "0;30", "--lang", "en")
-    table = library.forces_table("1:5", force="56549N", stroke="600mm", angle="0;30", lang="en")
+    table = library.forces("1:5", force="56549N", stroke="600mm", angle="0;30", lang="en")
     assert "kN" in table.typeset("text")
     for name in ("csv", "json", "dat"):
         assert table.typeset(name) == printed(*words, "--ratio", "1:5", "-f", name).out

@@ -37,12 +37,12 @@ def motion(**given: Any) -> kurbel.Drawing:
 @cache
 def waves() -> kurbel.Drawing:
     """T = 1000 + 500 sin 2φ against its mean: W = 250 (1 - cos 2φ), in N m and J."""
-    return drawn(kurbel.turning_table, torque="1000 + 500 sin(2φ)", step=1, lang="en")
+    return drawn(kurbel.turning, torque="1000 + 500 sin(2φ)", step=1, lang="en")
 
 
 @cache
 def pins() -> kurbel.Drawing:
-    return drawn(kurbel.forces_table, eps=4, polar=True, ratio="1:5", step=2, lang="en")
+    return drawn(kurbel.forces, eps=4, polar=True, ratio="1:5", step=2, lang="en")
 
 
 def words(drawing: kurbel.Drawing) -> list[str]:
@@ -129,7 +129,7 @@ def test_the_arrow_of_the_swing_stands_beside_the_frame_and_reaches_from_least_t
 
 
 def test_part_of_a_cycle_without_the_least_has_no_swing() -> None:
-    part = drawn(kurbel.turning_table, torque="1000 + 500 sin(2φ)", angle="20..160:5")
+    part = drawn(kurbel.turning, torque="1000 + 500 sin(2φ)", angle="20..160:5")
     assert not [one for one in words(part) if r"\Delta" in one]
 
 
@@ -211,9 +211,9 @@ def test_the_frame_is_the_zero_line_where_all_is_on_one_side_of_it(
 
 CROWDED: dict[str, Callable[[], kurbel.Drawing]] = {
     "motion": lambda: motion(infinite=True),
-    "steam": lambda: drawn(kurbel.turning_table, 4, ratio="1:5", width=90, step=2),
-    "gas": lambda: drawn(kurbel.turning_table, compression=6, heat=10, cranks="0;180;360;540"),
-    "press": lambda: drawn(kurbel.turning_table, load_torque="0:10kNm; 36:10kNm; 36:0; 360:0"),
+    "steam": lambda: drawn(kurbel.turning, 4, ratio="1:5", width=90, step=2),
+    "gas": lambda: drawn(kurbel.turning, compression=6, heat=10, cranks="0;180;360;540"),
+    "press": lambda: drawn(kurbel.turning, load_torque="0:10kNm; 36:10kNm; 36:0; 360:0"),
     "english": lambda: drawn(kurbel.table, "1:4", infinite=True, lang="en"),
 }
 
@@ -248,7 +248,7 @@ def test_the_strokes_of_a_polar_diagram_differ_without_colour_and_have_names() -
     for line in (first, second):
         across = points(line)[:, 0]
         assert (across[np.isfinite(across)] > -1e-9).all()
-    four = drawn(kurbel.forces_table, polar=True, compression=6, heat=10, ratio="1:4", step=10)
+    four = drawn(kurbel.forces, polar=True, compression=6, heat=10, ratio="1:4", step=10)
     # matplotlib has no getter of patterns.
     looks = {str(vars(one)["_unscaled_dash_pattern"]) for one in lines(four, "curve-.*")}
     assert len(looks) == len(lines(four, "curve-.*")) > 2
@@ -287,11 +287,11 @@ def test_svg_has_words_for_its_text_on_request_alone() -> None:
 
 
 def turning(**size: Any) -> kurbel.Drawing:
-    return drawn(kurbel.turning_table, 4, ratio="1:5", step=10, **size)
+    return drawn(kurbel.turning, 4, ratio="1:5", step=10, **size)
 
 
 def pin_force(**size: Any) -> kurbel.Drawing:
-    return drawn(kurbel.forces_table, eps=4, polar=True, ratio="1:5", step=10, **size)
+    return drawn(kurbel.forces, eps=4, polar=True, ratio="1:5", step=10, **size)
 
 
 def to_scale(**size: Any) -> kurbel.Drawing:
@@ -338,7 +338,7 @@ def test_a_drawing_is_as_large_as_was_asked_in_every_format(
 def test_a_narrow_polar_diagram_has_all_of_its_words_on_the_page_and_none_on_another(
     given: dict[str, Any],
 ) -> None:
-    drawing = drawn(kurbel.forces_table, eps=4, polar=True, ratio="1:5", step=10, lang="en", **given)
+    drawing = drawn(kurbel.forces, eps=4, polar=True, ratio="1:5", step=10, lang="en", **given)
     drawing.figure.canvas.draw()
     page = drawing.figure.bbox
     boxes = [one.get_window_extent() for one in texts(drawing) if one.get_visible()]
@@ -348,7 +348,7 @@ def test_a_narrow_polar_diagram_has_all_of_its_words_on_the_page_and_none_on_ano
 
 
 def test_each_angle_of_a_small_polar_diagram_stands_nearest_to_its_own_vector() -> None:
-    drawing = drawn(kurbel.forces_table, "1:5", polar=True, step=10, width=45)
+    drawing = drawn(kurbel.forces, "1:5", polar=True, step=10, width=45)
     drawing.figure.canvas.draw()
     (axes,) = drawing.figure.axes
     named = [(one, re.fullmatch(r"(\d+)°", one.get_text())) for one in axes.texts]

@@ -81,7 +81,7 @@ def test_latex_sets_every_construction(engine: str, tmp_path: Path) -> None:
     names = [line.split()[0] for line in printed("construct").out.splitlines()]
     for name in names:
         kurbel.plot_construction(name).save(tmp_path / f"{name}.pgf")
-    kurbel.turning_table(eps=4, ratio="1:5").save(tmp_path / "turning.pgf")
+    kurbel.turning(eps=4, ratio="1:5").save(tmp_path / "turning.pgf")
     text = "\n\n".join(rf"\noindent\input{{{name}.pgf}}" for name in (*names, "turning"))
     log = compiled(engine, f"{PREAMBLE}{text}\n\\end{{document}}\n", tmp_path)
     assert complaints(log) == []

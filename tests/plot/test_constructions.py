@@ -89,7 +89,7 @@ def check_on_paper(name: str, mechanism: str, count: int) -> None:
         paper = Paper(drawing.image())
         # "R = 15 mm, M v²/R = 30 mm; 1. …"
         scales = dict(re.findall(r"(?:^|, )([^=]+) = ([\d.e-]+) mm", drawing.about.partition(";")[0]))
-        page = kurbel.construction_table(name, **asked, columns="length,drawn,unit", digits=12)
+        page = kurbel.construct(name, **asked, columns="length,drawn,unit", digits=12)
         for letters, printed_one, unit in page.records.rows:
             if unit == "°":
                 continue
@@ -110,7 +110,7 @@ def test_where_the_rod_does_not_turn_circles_are_points(name: str) -> None:
 def test_an_exact_length_is_the_true_one_to_the_last_digit(name: str, mechanism: str) -> None:
     """By its points and by the kernel; of an approximate one the error is between them."""
     for asked in drives(name, mechanism, 3):
-        page = kurbel.construction_table(name, **asked, columns="drawn,true,error", digits=15)
+        page = kurbel.construct(name, **asked, columns="drawn,true,error", digits=15)
         for row in page.records.rows:
             drawn, true, error = (one.scaled for one in row if isinstance(one, Number))
             assert abs(drawn - true - error) <= (name in APPROXIMATE), (name, asked, row)

@@ -36,11 +36,11 @@ def library() -> None:
 
 DRAWINGS: dict[str, Callable[[], kurbel.Drawing]] = {
     "curves": lambda: drawn(kurbel.table, "1:5", step=10, columns="x,c"),
-    "polar": lambda: drawn(kurbel.forces_table, "1:5", step=10, polar=True),
+    "polar": lambda: drawn(kurbel.forces, "1:5", step=10, polar=True),
     "mechanism": lambda: kurbel.plot_mechanism([75, 150, 300], ratio="1:4", offset=0.3),
     "arc": lambda: kurbel.plot_mechanism([75, 150, 300], ratio="1:5", mechanism="arc", rocker=6),
     "parallel": lambda: kurbel.plot_mechanism([75, 150, 300], mechanism="parallel"),
-    "steam": lambda: drawn(kurbel.turning_table, 4, ratio="1:5", step=10),
+    "steam": lambda: drawn(kurbel.turning, 4, ratio="1:5", step=10),
 }
 FORMATS = {"svg": b"<?xml", "png": b"\x89PNG", "pdf": b"%PDF", "pgf": b"% "}
 
@@ -172,14 +172,14 @@ CROWDS = {
     "ratios": lambda: drawn(kurbel.table, "1:3..10", columns="x,c", step=15),
     "narrow": lambda: drawn(kurbel.table, "1:3..10", columns="rod_force", width=60, step=15),
     "forces": lambda: drawn(
-        kurbel.forces_table,
+        kurbel.forces,
         eps=[6, 7, 8, 9],
         ratio="1:5",
         columns="piston_force,crank_pin_force",
         width=85,
         step=15,
     ),
-    "heading": lambda: drawn(kurbel.forces_table, "1:5", force="10kN", stroke="600mm", width=60, step=15),
+    "heading": lambda: drawn(kurbel.forces, "1:5", force="10kN", stroke="600mm", width=60, step=15),
 }
 
 
@@ -303,7 +303,7 @@ def test_every_formula_that_labels_may_have_can_be_set() -> None:
 def test_every_thirty_degrees_there_is_a_mark_on_the_polar_curve() -> None:
     from matplotlib.lines import Line2D
 
-    figure = drawn(kurbel.forces_table, "1:4", polar=True, step=10, lang="en").figure
+    figure = drawn(kurbel.forces, "1:4", polar=True, step=10, lang="en").figure
     marks = [one for one in figure.findobj(Line2D) if isinstance(one, Line2D) and one.get_marker() == "o"]
     shown = [(float(np.asarray(one.get_xdata())[0]), float(np.asarray(one.get_ydata())[0])) for one in marks]
     force = kurbel.compute(range(0, 331, 30), "1:4", ["tangential_force", "radial_force"])
@@ -325,7 +325,7 @@ def test_a_force_that_rests_has_no_marks() -> None:
     "given", [{"ratio": "1:5"}, {"ratio": "1:12", "lang": "en"}, {"eps": 4, "back": 0.1}]
 )
 def test_the_scale_of_forces_leaves_the_name_of_the_axis_free(given: dict[str, Any]) -> None:
-    figure = drawn(kurbel.forces_table, **given, polar=True).figure
+    figure = drawn(kurbel.forces, **given, polar=True).figure
     figure.canvas.draw()
     (heading,) = (one for one in texts(figure) if "Z" in one.get_text())
     scale, *_ = (one for one in texts(figure) if re.fullmatch(r"\$?0[.,{}\d]+\$? ", one.get_text()))

@@ -104,7 +104,7 @@ class Draw:
 
 def compared(options: dict[str, Any]) -> float:
     """Return by how many units of the last place the worse of mean force and δ is printed off."""
-    page = kurbel.delta_table(**options, columns="mean_force,delta", digits=DIGITS)
+    page = kurbel.delta(**options, columns="mean_force,delta", digits=DIGITS)
     found = kurbel.typeset(page, "csv").splitlines()[-1].split(",")[-2:]
     turn = machine(**options).turn
     pairs = zip(map(float, found), (turn.mean, turn.delta), strict=True)

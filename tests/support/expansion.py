@@ -81,7 +81,7 @@ class Expansion:
             "divisor": lambda: self.mean,
             "delta": lambda: self.swing() / self.mean,
         }
-        return values[name.removesuffix("_table")]()
+        return values[name]()
 
 
 def _root(function: Callable[[Real], Real], low: int, high: int) -> Real:

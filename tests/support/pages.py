@@ -173,98 +173,98 @@ def command(name: str) -> tuple[str, ...]:
 # The same for Python: the function, and what it cannot do without.
 FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "motion": (kurbel.table, {}),
-    "irregularity": (kurbel.delta_table, {}),
-    "strokes": (kurbel.delta_table, {"eps": 2}),
-    "evenness": (kurbel.delta_table, {"flywheel": 50}),
+    "irregularity": (kurbel.delta, {}),
+    "strokes": (kurbel.delta, {"eps": 2}),
+    "evenness": (kurbel.delta, {"flywheel": 50}),
     "compressor": (
-        kurbel.delta_table, {"pressure_ratio": "2..6", "clearance": "4%", "exponent": "1.3"}
+        kurbel.delta, {"pressure_ratio": "2..6", "clearance": "4%", "exponent": "1.3"}
     ),
-    "pump": (kurbel.delta_table, {"pump": "double"}),
-    "gas cycle": (kurbel.delta_table, {"compression": "5..8", "heat": 10}),
-    "power": (kurbel.power_table, {
+    "pump": (kurbel.delta, {"pump": "double"}),
+    "gas cycle": (kurbel.delta, {"compression": "5..8", "heat": 10}),
+    "power": (kurbel.power, {
         "eps": "2;3", "pressure": 800_000, "back": "1.1bar", "clearance": "8%", "power": 75_000,
         "diagram_factor": 0.8, "efficiency": "85%", "stroke_bore": 1.5, "speed": "250/min",
         "specific_volume": 0.24,
     }),
-    "turning": (kurbel.turning_table, {"eps": 4}),
-    "torques": (kurbel.turning_table, {"torque": "5000 + 1500 sin(3φ)", "inertia": 500, "speed": 5}),
-    "areas": (kurbel.turning_table, {
+    "turning": (kurbel.turning, {"eps": 4}),
+    "torques": (kurbel.turning, {"torque": "5000 + 1500 sin(3φ)", "inertia": 500, "speed": 5}),
+    "areas": (kurbel.turning, {
         "areas": [52, -124, 92, -140, 85, -72, 107], "area_scale": "500 N m; 6°",
     }),
-    "speed": (kurbel.turning_table, {"eps": 4, "flywheel": 50, "speed": 2}),
-    "crank forces": (kurbel.forces_table, {"eps": 4}),
-    "machine": (kurbel.forces_table, {
+    "speed": (kurbel.turning, {"eps": 4, "flywheel": 50, "speed": 2}),
+    "crank forces": (kurbel.forces, {"eps": 4}),
+    "machine": (kurbel.forces, {
         "eps": 4, "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000, "reciprocating": 300,
         "rod_mass": 150, "centre": 0.6, "gyration": "0.3", "rotating": -40,
     }),
-    "rod load": (kurbel.forces_table, {"eps": 4}),
-    "flywheel": (kurbel.flywheel_table, {
+    "rod load": (kurbel.forces, {"eps": 4}),
+    "flywheel": (kurbel.flywheel, {
         "eps": 4, "power": 50_000, "speed": 2, "delta": "1:50;1:100", "radius": "1.5m",
     }),
-    "flywheel sizing": (kurbel.flywheel_table, {
+    "flywheel sizing": (kurbel.flywheel, {
         "swing": 56_000, "speed": 2, "delta": "1:60;1:80", "rim_diameter": 3, "density": 7200,
         "rim_section": "2:1", "rim_share": "92%", "radius": 1.5,
     }),
-    **dict.fromkeys(("pressures", "pressures over the angle"), (kurbel.pressures_table, {
+    **dict.fromkeys(("pressures", "pressures over the angle"), (kurbel.pressures, {
         "eps": 4, "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000, "reciprocating": 300,
     })),
-    "dead centres": (kurbel.dead_centres_table, {}),
-    "drive dead centres": (kurbel.dead_centres_table, {"mechanism": "arc", "rocker": 6}),
-    "harmonics": (kurbel.harmonics_table, {}),
-    "cylinders": (kurbel.delta_table, {
+    "dead centres": (kurbel.deadcentres, {}),
+    "drive dead centres": (kurbel.deadcentres, {"mechanism": "arc", "rocker": 6}),
+    "harmonics": (kurbel.harmonics, {}),
+    "cylinders": (kurbel.delta, {
         "eps": 4, "cranks": "0;90", "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000,
         "reciprocating": 300,
     }),
-    "torque": (kurbel.harmonics_table, {"quantity": "torque", "eps": 4, "cranks": [0, 90]}),
-    "excitation": (kurbel.harmonics_table, {
+    "torque": (kurbel.harmonics, {"quantity": "torque", "eps": 4, "cranks": [0, 90]}),
+    "excitation": (kurbel.harmonics, {
         "eps": 4, "cranks": "0;90", "stroke": 0.6, "speed": 2, "bore": 0.3, "pressure": 800_000,
     }),
-    "balance": (kurbel.balance_table, {}),
-    "locomotive": (kurbel.locomotive_table, {
+    "balance": (kurbel.balance, {}),
+    "locomotive": (kurbel.locomotive, {
         "spacing": 0.7, "gauge": 1.5, "stroke": 0.6, "reciprocating": 300, "speed": 5, "wheel": 1.8,
         "wheel_load": 30_000,
     }),
-    "balance extremes": (kurbel.balance_table, {"engine": "inline-3"}),
-    "balance at angles": (kurbel.balance_table, {"angle": [0, 60]}),
-    "rotor": (kurbel.rotor_table, {
+    "balance extremes": (kurbel.balance, {"engine": "inline-3"}),
+    "balance at angles": (kurbel.balance, {"angle": [0, 60]}),
+    "rotor": (kurbel.rotor, {
         "masses": [200, 300, 400, 200], "radii": "80;70;60;80mm", "angles": [0, 45, 115, 235],
         "planes": "0;300;700;1000mm", "balance_planes": [0.1, 0.5],
     }),
-    "firing orders": (kurbel.firing_table, {}),
-    "firing": (kurbel.firing_table, {"order": "1-3-4-2"}),
-    "collation": (kurbel.collation_table, {"table": "roetscher-112"}),
-    "formulas": (kurbel.collation_table, {"table": "blau-equations"}),
+    "firing orders": (kurbel.firing, {}),
+    "firing": (kurbel.firing, {"order": "1-3-4-2"}),
+    "collation": (kurbel.collate, {"table": "roetscher-112"}),
+    "formulas": (kurbel.collate, {"table": "blau-equations"}),
     "arc crank": (kurbel.table, {"mechanism": "arc", "rocker": 6}),
     "parallel crank": (kurbel.table, {"mechanism": "parallel"}),
     "rod points": (kurbel.table, {"point": 0.5}),
-    "effort": (kurbel.forces_table, {
+    "effort": (kurbel.forces, {
         "bore": 0.3, "piston_rod": 0.05, "head_pressure": 150_000, "stroke": 0.6, "speed": 2,
         "reciprocating": 300, "rod_mass": 150, "centre": 0.6, "gyration": "0.3", "friction": 500,
         "slope": 30,
     }),
     "beam engine": (kurbel.table, {"mechanism": "beam", "beam": 3}),
-    "coupled axles": (kurbel.forces_table, {"mechanism": "parallel", "axles": 3}),
+    "coupled axles": (kurbel.forces, {"mechanism": "parallel", "axles": 3}),
     **dict.fromkeys(
         ("rod masses", "pin masses"),
-        (kurbel.inertia_table, {"centre": "325mm", "gyration": "175mm", "rod": 0.5, "rod_mass": 12}),
+        (kurbel.inertia, {"centre": "325mm", "gyration": "175mm", "rod": 0.5, "rod_mass": 12}),
     ),
     **dict.fromkeys(
-        ("inertia", "inertia errors"), (kurbel.inertia_table, {"centre": 0.65, "gyration": "35%"})
+        ("inertia", "inertia errors"), (kurbel.inertia, {"centre": 0.65, "gyration": "35%"})
     ),
     "rocker inertia": (
-        kurbel.inertia_table, {"centre": 0.65, "gyration": "35%", "mechanism": "arc", "rocker": 6}
+        kurbel.inertia, {"centre": 0.65, "gyration": "35%", "mechanism": "arc", "rocker": 6}
     ),
-    "tangent": (kurbel.forces_table, {"at": "tangent"}),
-    "mass forces": (kurbel.forces_table, {
+    "tangent": (kurbel.forces, {"at": "tangent"}),
+    "mass forces": (kurbel.forces, {
         "force": 10_000, "stroke": 0.6, "speed": 2, "reciprocating": 300,
     }),
-    "unknown": (kurbel.solve_table, {"unknown": "ratio", "angle": 80, "where": "c=max"}),
-    "loaded roots": (kurbel.solve_table, {"eps": 4, "where": ("torque=max", "tangential=0.5")}),
-    "roots": (kurbel.solve_table, {"where": ("p=0", "s=25%", "c=max")}),
-    "construction": (kurbel.construction_table, {"name": "blau-9"}),
+    "unknown": (kurbel.solve, {"unknown": "ratio", "angle": 80, "where": "c=max"}),
+    "loaded roots": (kurbel.solve, {"eps": 4, "where": ("torque=max", "tangential=0.5")}),
+    "roots": (kurbel.solve, {"where": ("p=0", "s=25%", "c=max")}),
+    "construction": (kurbel.construct, {"name": "blau-9"}),
     **dict.fromkeys(("series errors", "successive"), (kurbel.table, {})),
     "over path": (kurbel.table, {"over": "path"}),
-    "forces over path": (kurbel.forces_table, {"over": "path"}),
+    "forces over path": (kurbel.forces, {"over": "path"}),
 }  # fmt: skip
 
 
@@ -323,8 +323,8 @@ def all_pages() -> tuple[Table, ...]:
         *(default_page(name, lang, f"{name}-{lang}") for name in layout_names() for lang in LANGUAGES),
         kurbel.table(stroke="600mm", speed=2, label="machine"),
         kurbel.table(offset="0.1", lang="en", label="offset"),
-        kurbel.delta_table(method="weisbach", label="weisbach"),
-        kurbel.delta_table("4", layout="delta-detail", ratio="1:4;1:5", cranks="0;90", label="cranks"),
-        kurbel.turning_table("2;4", angle="0..360:30", label="engines"),
-        kurbel.delta_table(back="0.1", exponent="1.13", clearance=0.05, single_acting=True, label="steam"),
+        kurbel.delta(method="weisbach", label="weisbach"),
+        kurbel.delta("4", layout="delta-detail", ratio="1:4;1:5", cranks="0;90", label="cranks"),
+        kurbel.turning("2;4", angle="0..360:30", label="engines"),
+        kurbel.delta(back="0.1", exponent="1.13", clearance=0.05, single_acting=True, label="steam"),
     )

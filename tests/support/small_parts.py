@@ -17,7 +17,7 @@ run, Running, StoppedError = runs.run, runs.Running, runs.StoppedError
 # Where a file of this name lies, a part ends its process; the file is gone before.
 KILLS = "kills"
 DEADLY = 10
-DELTA = "kurbel.commands.engine:delta_table"
+DELTA = "kurbel.commands.engine:delta"
 
 
 class SmallParts(Sweep):

@@ -324,7 +324,7 @@ def test_options_are_given_as_python_has_them() -> None:
     one = library.sweep("balance", cranks=[0, 120, 240], ratio=["1:4", 0.2])
     assert (one.sizes["ratio"], one["ratio"].values.tolist()) == (2, [0.25, 0.2])
     assert one["order"].values.tolist() == [1, 2, 1, 2]
-    several = library.sweep(library.balance_table, cranks=["0;180", "0;90"], ratio="1:4")
+    several = library.sweep(library.balance, cranks=["0;180", "0;90"], ratio="1:4")
     assert several["cranks"].values.tolist() == ["0;180", "0;90"]
     linked = library.sweep("delta", eps=range(2, 5), back=["0", "0.1", "0.2"], zip="eps,back", only="eps < 4")
     assert (linked["epsilon"].values.tolist(), linked["back"].values.tolist()) == ([2, 3], [0, 0.1])

@@ -21,48 +21,48 @@ if TYPE_CHECKING:
 # Name, the function that makes its table or the module of the command, and one line of help.
 COMMANDS = {
     "table": ("kurbel.commands.motion:table", "Print a table of piston path, velocity and acceleration."),
-    "forces": ("kurbel.commands.forces:forces_table", "Print the forces in rod, guide and crank pin."),
+    "forces": ("kurbel.commands.forces:forces", "Print the forces in rod, guide and crank pin."),
     "inertia": (
-        "kurbel.commands.inertia:inertia_table",
+        "kurbel.commands.inertia:inertia",
         "Print the forces of the moving connecting rod.",
     ),
-    "solve": ("kurbel.commands.solve:solve_table", "Print the crank angles at which a condition holds."),
-    "delta": ("kurbel.commands.engine:delta_table", "Print the degree of irregularity of a steam engine."),
+    "solve": ("kurbel.commands.solve:solve", "Print the crank angles at which a condition holds."),
+    "delta": ("kurbel.commands.engine:delta", "Print the degree of irregularity of a steam engine."),
     "turning": (
-        "kurbel.commands.engine:turning_table",
+        "kurbel.commands.engine:turning",
         "Print tangential force and excess energy over the crank angle.",
     ),
     "pressures": (
-        "kurbel.commands.pressures:pressures_table",
+        "kurbel.commands.pressures:pressures",
         "Print the acceleration pressure beside that on the piston.",
     ),
     "power": (
-        "kurbel.commands.power:power_table",
+        "kurbel.commands.power:power",
         "Print the mean pressure, the power, or the sizes for a power.",
     ),
     "flywheel": (
-        "kurbel.commands.flywheel:flywheel_table",
+        "kurbel.commands.flywheel:flywheel",
         "Print the flywheel that keeps an engine or a machine even.",
     ),
     "deadcentres": (
-        "kurbel.commands.dead_centres:dead_centres_table",
+        "kurbel.commands.dead_centres:deadcentres",
         "Print the dead centres of a beam engine or a crank drive.",
     ),
     "harmonics": (
-        "kurbel.commands.harmonics:harmonics_table",
+        "kurbel.commands.harmonics:harmonics",
         "Print the harmonics of the piston's motion or of the torque.",
     ),
-    "balance": ("kurbel.commands.balance:balance_table", "Print the free forces and moments of an engine."),
+    "balance": ("kurbel.commands.balance:balance", "Print the free forces and moments of an engine."),
     "rotor": (
-        "kurbel.commands.rotor:rotor_table",
+        "kurbel.commands.rotor:rotor",
         "Print the unbalance of rotating masses, and what balances it.",
     ),
     "locomotive": (
-        "kurbel.commands.locomotive:locomotive_table",
+        "kurbel.commands.locomotive:locomotive",
         "Print hammer blow, swaying couple and balance of a locomotive.",
     ),
     "firing": (
-        "kurbel.commands.firing:firing_table",
+        "kurbel.commands.firing:firing",
         "Print firing orders, or the cranks that one needs.",
     ),
     "sweep": ("kurbel.cli.sweeps.group", "Compute a table at every combination, into a file of columns."),

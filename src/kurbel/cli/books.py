@@ -31,7 +31,7 @@ HEADS: Mapping[str, Mapping[str, Sequence[str]]] = {
         "en": ("source", "no.", "example", "takes"),
     },
 }
-_OF_COLLATION = {one.name: one for one in pages.collation_table.command.parameters.values()}
+_OF_COLLATION = {one.name: one for one in pages.collate.command.parameters.values()}
 
 
 @click.command(params=[click_option(_OF_COLLATION["sources"]), list_format(), lang_option("list")])
@@ -115,10 +115,10 @@ def _rows(key: str, lang: str) -> Iterator[tuple[str, ...]]:
 _OF_TABLES = {one.name: one for one in motion.table.command.parameters.values()}
 collate = CollateCommand(
     "collate",
-    pages.collation_table.command,
+    pages.collate.command,
     {
         "columns": [Option(["--strict"], is_flag=True, help="Exit with 1 if a printed value deviates.")],
         "": [click_option(_OF_TABLES[name]) for name in ("digits", "rounding")],
     },
 )
-example = ExampleCommand("example", pages.example_table.command)
+example = ExampleCommand("example", pages.example.command)

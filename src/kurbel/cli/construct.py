@@ -70,7 +70,7 @@ class ConstructCommand(TableCommand):
     """The command, whose options are those of the table and of the drawing."""
 
     def __init__(self) -> None:
-        super().__init__("construct", pages.construction_table.command)
+        super().__init__("construct", pages.construct.command)
         own = {one.name: click_option(one) for one in pages.plot_construction.command.parameters.values()}
         for place, param in enumerate(self.params):
             if param.name == "format":

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from kurbel.balance.harmonics import MOST_ORDERS
+from kurbel.balancing.harmonics import MOST_ORDERS
 from kurbel.commands.firing import Arranged
 from kurbel.commands.options import Choice, Count, Option, measure, word
 from kurbel.commands.part import CommandOptions, Part, Rivals, Values, flag_of
@@ -24,7 +24,7 @@ from kurbel.reading.given import Exact, as_angles, as_length, as_number, as_plac
 from kurbel.reading.measures import as_masses, as_measures
 
 if TYPE_CHECKING:
-    from kurbel.balance.newtons import Weighed
+    from kurbel.balancing.newtons import Weighed
 
 NEWTONS = ("stroke", "speed")
 AT_ANGLES = "balance at angles"
@@ -65,7 +65,7 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
     kurbel balance --cranks '0;90' --positions '0;40cm' --reciprocating '3;2kg' --stroke 20cm --speed 9/s
     \f
     >>> import kurbel
-    >>> page = kurbel.balance_table("inline-4", ratio="1:5", columns="residual,order,along,across")
+    >>> page = kurbel.balance("inline-4", ratio="1:5", columns="residual,order,along,across")
     >>> print(kurbel.typeset(page, "csv"), end="")
     residual,order,along,across
     force,1,0,0
@@ -123,7 +123,7 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
         Linked.settle(values)
 
     def question(self) -> Question:
-        from kurbel.balance.page import arranged
+        from kurbel.balancing.page import arranged
 
         angles = self.angle
         page = self.page("balance" if angles is None else "balance-angle", *SUBJECTS)
@@ -147,16 +147,16 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
         asked: dict[str, Any] = {}
         request: type[Any]
         if page.subject == AT_ANGLES:
-            from kurbel.balance.angles.page import AngleRequest
+            from kurbel.balancing.angles.page import AngleRequest
 
             request = AngleRequest
             asked["angles"] = as_angles(page.angles) if angles is None else angles
         elif page.subject == EXTREMES:
-            from kurbel.balance.angles.extremes import ExtremesRequest
+            from kurbel.balancing.angles.extremes import ExtremesRequest
 
             request = ExtremesRequest
         else:
-            from kurbel.balance.page import BalanceRequest
+            from kurbel.balancing.page import BalanceRequest
 
             request = BalanceRequest
         found: Question = request(
@@ -198,7 +198,7 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
         """Return what makes newtons, None where what is given does not say enough."""
         if not self._is_heavy() or not all(map(self.says, NEWTONS)):
             return None
-        from kurbel.balance.newtons import Weighed
+        from kurbel.balancing.newtons import Weighed
 
         cranks = Described(self.ratio, self.stroke, self.rod).cranks(page.ratios)
         masses = self.reciprocating or ()
@@ -251,7 +251,7 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
         )
 
 
-balance_table = function(BalanceOptions, "balance_table")
+balance = function(BalanceOptions, "balance")
 
 
 def positions_of(positions: Any) -> tuple[tuple[Fraction, ...], bool]:

@@ -66,7 +66,7 @@ class CollateOptions(Layouts, Worded, CommandOptions):
     kurbel collate --csv scan.csv --quantity p --ratio 1:4 --method series --strict
     \f
     >>> import kurbel
-    >>> page = kurbel.collation_table(
+    >>> page = kurbel.collate(
     ...     "blau-32", only="deviations", columns="place,printed,recomputed,verdict"
     ... )
     >>> print(kurbel.typeset(page, "csv"), end="")
@@ -118,7 +118,7 @@ class CollateOptions(Layouts, Worded, CommandOptions):
         return FormulaRequest(layout=layout_of(own, ("formulas",), self.layouts), **asked)
 
 
-collation_table = function(CollateOptions, "collation_table")
+collate = function(CollateOptions, "collate")
 
 
 class ExampleOptions(Worded, CommandOptions):
@@ -132,7 +132,7 @@ class ExampleOptions(Worded, CommandOptions):
     kurbel example blau 33 --ratio 1:4,5
     \f
     >>> import kurbel
-    >>> print(kurbel.typeset(kurbel.example_table("blau", 35), "csv").splitlines()[-1])
+    >>> print(kurbel.typeset(kurbel.example("blau", 35), "csv").splitlines()[-1])
     ,"cos α = −5/2, unbrauchbar",other,cos α,−5/2,−5/2,
     """
 
@@ -177,4 +177,4 @@ class ExampleOptions(Worded, CommandOptions):
         )
 
 
-example_table = function(ExampleOptions, "example_table")
+example = function(ExampleOptions, "example")

@@ -191,7 +191,7 @@ class ConstructionOptions(Constructed, Layouts, Sheet):
 
     \f
     >>> import kurbel
-    >>> page = kurbel.construction_table("blau-9", ratio="1:5", angle=45, columns="length,drawn,true")
+    >>> page = kurbel.construct("blau-9", ratio="1:5", angle=45, columns="length,drawn,true")
     >>> print(kurbel.typeset(page, "csv").splitlines()[1])
     ad,0.34315,0.34315
     """
@@ -285,5 +285,5 @@ def _only(values: Sequence[Fraction], what: str) -> Fraction:
     return values[0]
 
 
-construction_table = function(ConstructionOptions, "construction_table")
+construct = function(ConstructionOptions, "construct")
 plot_construction = function(DrawnConstruction, "plot_construction", drawn=True)

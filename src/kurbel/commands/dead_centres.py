@@ -32,11 +32,11 @@ class DeadCentresOptions(Linked, Speed, Layouts, Sheet, CommandOptions):
     kurbel deadcentres --ratio 1:4 --offset 0.5 --stroke 600mm --speed 120/min
     \f
     >>> import kurbel
-    >>> page = kurbel.dead_centres_table(3, ratio="1:5", columns="mu,path_1")
+    >>> page = kurbel.deadcentres(3, ratio="1:5", columns="mu,path_1")
     >>> print(kurbel.typeset(page, "csv"), end="")
     mu,path_1
     0.7958,0.00010
-    >>> page = kurbel.dead_centres_table(ratio="1:4", offset=0.5, columns="phi_i,phi_o,time_ratio")
+    >>> page = kurbel.deadcentres(ratio="1:4", offset=0.5, columns="phi_i,phi_o,time_ratio")
     >>> print(kurbel.typeset(page, "csv"), end="")
     phi_i,phi_o,time_ratio
     5.739,189.594,1.0438
@@ -126,4 +126,4 @@ class DeadCentresOptions(Linked, Speed, Layouts, Sheet, CommandOptions):
         )
 
 
-dead_centres_table = function(DeadCentresOptions, "dead_centres_table")
+deadcentres = function(DeadCentresOptions, "deadcentres")

@@ -210,12 +210,12 @@ class DeltaOptions(EngineWithWheel):
     kurbel delta --eps 4 --inertia 3584.3kgm2 --power 50kW --speed 120/min
     \f
     >>> import kurbel
-    >>> print(kurbel.typeset(kurbel.delta_table("2..4"), "csv"), end="")
+    >>> print(kurbel.typeset(kurbel.delta("2..4"), "csv"), end="")
     epsilon,ratio,delta
     2,1:5,1.282
     3,1:5,1.374
     4,1:5,1.423
-    >>> page = kurbel.delta_table(pressure_ratio="2..4", columns="pressure_ratio,mean_force,delta")
+    >>> page = kurbel.delta(pressure_ratio="2..4", columns="pressure_ratio,mean_force,delta")
     >>> print(kurbel.typeset(page, "csv"), end="")
     pressure_ratio,mean_force,delta
     2,-0.4413,1.282
@@ -269,7 +269,7 @@ class DeltaOptions(EngineWithWheel):
         return "leave --detail or the flywheel out" if self.detail else super()._of_wheel()
 
 
-delta_table = function(DeltaOptions, "delta_table")
+delta = function(DeltaOptions, "delta")
 
 
 class TurningOptions(EngineWithWheel, Diagram):
@@ -379,4 +379,4 @@ class TurningOptions(EngineWithWheel, Diagram):
         )
 
 
-turning_table = function(TurningOptions, "turning_table")
+turning = function(TurningOptions, "turning")

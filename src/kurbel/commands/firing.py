@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from fractions import Fraction
 
-from kurbel.balance.arrangement import usual
+from kurbel.balancing.arrangement import usual
 from kurbel.commands.options import Choice, Count, Option, alone, measure, word
 from kurbel.commands.part import CommandOptions, Part
 from kurbel.commands.parts.sheet import Layouts, Plain, columns_option, layout_option
@@ -40,7 +40,7 @@ class FiringOptions(Arranged, Layouts, Plain, CommandOptions):
     kurbel firing --order 1-2 --banks '0;45' --intervals '405;315'
     \f
     >>> import kurbel
-    >>> page = kurbel.firing_table(cranks="0;180;180;0", columns="firing_order")
+    >>> page = kurbel.firing(cranks="0;180;180;0", columns="firing_order")
     >>> print(kurbel.typeset(page, "csv"), end="")
     number,firing_order
     1,1-2-4-3
@@ -63,8 +63,8 @@ class FiringOptions(Arranged, Layouts, Plain, CommandOptions):
     layout = layout_option("firing orders", "firing")
 
     def question(self) -> Question:
-        from kurbel.balance.firing import read_order
-        from kurbel.balance.firing_page import FiringRequest, asked
+        from kurbel.balancing.firing import read_order
+        from kurbel.balancing.firing_page import FiringRequest, asked
 
         order, strokes = self.order, self.strokes
         sought = () if order is None else read_order(order)
@@ -83,4 +83,4 @@ class FiringOptions(Arranged, Layouts, Plain, CommandOptions):
         )
 
 
-firing_table = function(FiringOptions, "firing_table")
+firing = function(FiringOptions, "firing")

@@ -57,7 +57,7 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
     kurbel flywheel --swing 56kJ --speed 120/min --delta 1:60 --rim-diameter 3m --density 7200kg/m³
     \f
     >>> import kurbel
-    >>> page = kurbel.flywheel_table(swing=5000, speed="300/min", delta="±1%", columns="delta,inertia")
+    >>> page = kurbel.flywheel(swing=5000, speed="300/min", delta="±1%", columns="delta,inertia")
     >>> print(kurbel.typeset(page, "csv"), end="")
     delta,inertia
     0.02,253.30
@@ -237,7 +237,7 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
         return next((source for source, known in sources.items() if known), "")
 
 
-flywheel_table = function(FlywheelOptions, "flywheel_table")
+flywheel = function(FlywheelOptions, "flywheel")
 
 
 def _of_engine(engine: EngineRequest, wheel: Flywheel) -> Iterator[tuple[str, Known]]:

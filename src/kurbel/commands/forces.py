@@ -44,11 +44,11 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
     kurbel forces --machine engine.toml
     \f
     >>> import kurbel
-    >>> page = kurbel.forces_table("3:4", at="tangent", columns="phi,rod_force,guide_force")
+    >>> page = kurbel.forces("3:4", at="tangent", columns="phi,rod_force,guide_force")
     >>> print(kurbel.typeset(page, "csv"), end="")
     phi,rod_force,guide_force
     53.1301,1.2500,0.7500
-    >>> page = kurbel.forces_table("1:5", mechanism="arc", rocker=6, angle=90, columns="rod_force,torque")
+    >>> page = kurbel.forces("1:5", mechanism="arc", rocker=6, angle=90, columns="rod_force,torque")
     >>> print(kurbel.typeset(page, "csv"), end="")
     rod_force,torque
     1.0172,0.9967
@@ -255,4 +255,4 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         return self.over_path(chosen, described, page, method, self.pushed(chosen, drives))
 
 
-forces_table = function(ForcesOptions, "forces_table")
+forces = function(ForcesOptions, "forces")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from kurbel.balance.harmonics import HARMONICS, MOST_ORDERS
+from kurbel.balancing.harmonics import HARMONICS, MOST_ORDERS
 from kurbel.commands.balance import BalanceOptions
 from kurbel.commands.options import Choice, Count, Option, word
 from kurbel.commands.part import CommandOptions, flag_of
@@ -31,7 +31,7 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
     kurbel harmonics --layout excitation --machine engine.toml -f csv -o excitation.csv
     \f
     >>> import kurbel
-    >>> print(kurbel.typeset(kurbel.harmonics_table("1:5", orders=4), "csv"), end="")
+    >>> print(kurbel.typeset(kurbel.harmonics("1:5", orders=4), "csv"), end="")
     order,ratio,value
     1,1:5,1.000000
     2,1:5,0.202038
@@ -67,7 +67,7 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
     def question(self) -> Question:
         if self.of_torque():
             return self._torque()
-        from kurbel.balance.harmonics_page import HarmonicsRequest
+        from kurbel.balancing.harmonics_page import HarmonicsRequest
 
         if self.says("offset"):
             raise ProblemError(
@@ -121,4 +121,4 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
         )
 
 
-harmonics_table = function(HarmonicsOptions, "harmonics_table")
+harmonics = function(HarmonicsOptions, "harmonics")

@@ -39,7 +39,7 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
     kurbel inertia --centre 0.65 --gyration 0.35 --mechanism arc --rocker 6
     \f
     >>> import kurbel
-    >>> page = kurbel.inertia_table("1:5", centre=0.6, gyration=0.48, angle=90, columns="inertia_guide")
+    >>> page = kurbel.inertia("1:5", centre=0.6, gyration=0.48, angle=90, columns="inertia_guide")
     >>> print(kurbel.typeset(page, "csv"), end="")
     inertia_guide
     0.0067
@@ -164,4 +164,4 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
         )  # fmt: skip
 
 
-inertia_table = function(InertiaOptions, "inertia_table")
+inertia = function(InertiaOptions, "inertia")

@@ -17,7 +17,7 @@ from kurbel.reading.given import as_crank_angles, as_force, as_length, as_shares
 from kurbel.reading.measures import as_masses, as_measures
 
 if TYPE_CHECKING:
-    from kurbel.balance.locomotives.locomotive import Crank
+    from kurbel.balancing.locomotives.locomotive import Crank
 
 
 class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
@@ -31,7 +31,7 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
     kurbel locomotive --spacing 2m --gauge 1.5m --crank 30cm --reciprocating 240kg --share 2/3
     \f
     >>> import kurbel
-    >>> page = kurbel.locomotive_table(
+    >>> page = kurbel.locomotive(
     ...     spacing=0.6, gauge=1.5, stroke=0.6, reciprocating=300, speed=5, share="2/3",
     ...     columns="pull_n,sway_nm",
     ... )
@@ -96,8 +96,8 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
         settle_sizes(values)
 
     def question(self) -> Question:
-        from kurbel.balance.locomotives.locomotive import Locomotive, Run
-        from kurbel.balance.locomotives.page import LocomotiveRequest
+        from kurbel.balancing.locomotives.locomotive import Locomotive, Run
+        from kurbel.balancing.locomotives.page import LocomotiveRequest
 
         speed, wheel = self.speed, self.wheel
         velocity = self.velocity if speed is None else None
@@ -127,7 +127,7 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
         )
 
     def _cranks(self) -> tuple[Crank, ...]:
-        from kurbel.balance.locomotives.locomotive import Crank
+        from kurbel.balancing.locomotives.locomotive import Crank
 
         angles, places = self.cranks, self.positions
         count = len(angles)
@@ -160,4 +160,4 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
         return "--speed is that of the axle and --velocity that of the train; leave one out"
 
 
-locomotive_table = function(LocomotiveOptions, "locomotive_table")
+locomotive = function(LocomotiveOptions, "locomotive")

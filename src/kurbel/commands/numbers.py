@@ -72,7 +72,7 @@ def compute(
     A ratio is a number or text, and several are a list, an array, or one text, "1:4;1:5".
 
     `columns` are keys of `kurbel quantities` that are of a crank angle, and `given` the options of `table`,
-    `forces_table`, `inertia_table` or `turning_table` that they need: lengths, speed, force, masses, another
+    `forces`, `inertia` or `turning` that they need: lengths, speed, force, masses, another
     mechanism, steam and other loads, torques, or the file of a `machine`. Units are those of the columns;
     angles beyond a turn go on.
 

@@ -59,7 +59,7 @@ class PowerOptions(OnMachine, Loads, Layouts, Sheet, CommandOptions):
 --stroke-bore 1 --speed 3000/min
     \f
     >>> import kurbel
-    >>> page = kurbel.power_table("1", pressure=5e5, back=0.2, bore=0.2, stroke=0.3, speed=2,
+    >>> page = kurbel.power("1", pressure=5e5, back=0.2, bore=0.2, stroke=0.3, speed=2,
     ...                           columns="mean_pressure,indicated_power")
     >>> print(kurbel.typeset(page, "csv"), end="")
     mean_pressure,indicated_power
@@ -275,4 +275,4 @@ def _above_zero(pressure: Any, what: str) -> Fraction:
     return found
 
 
-power_table = function(PowerOptions, "power_table")
+power = function(PowerOptions, "power")

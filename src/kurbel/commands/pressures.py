@@ -38,7 +38,7 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
     \f
     >>> import kurbel
     >>> masses = {"reciprocating": 300, "stroke": 0.6, "bore": 0.3, "speed": 2}
-    >>> page = kurbel.pressures_table("1:5", shares="0;0.5;1", columns="share,inertia_pressure", **masses)
+    >>> page = kurbel.pressures("1:5", shares="0;0.5;1", columns="share,inertia_pressure", **masses)
     >>> print(kurbel.typeset(page, "csv"), end="")
     stroke,share,inertia_pressure
     1,0.0,2.413
@@ -134,4 +134,4 @@ def _check_one(found: Sequence[Any], what: str) -> None:
         )
 
 
-pressures_table = function(PressuresOptions, "pressures_table")
+pressures = function(PressuresOptions, "pressures")

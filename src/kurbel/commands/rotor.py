@@ -17,7 +17,7 @@ from kurbel.reading.given import as_speed
 from kurbel.reading.measures import as_angles_or_unknown, as_measures, as_measures_or_unknown
 
 if TYPE_CHECKING:
-    from kurbel.balance.rotors.rotor import Mass, Places
+    from kurbel.balancing.rotors.rotor import Mass, Places
 
 # One of each mass, None for what is asked for.
 Sought: TypeAlias = Sequence[Fraction | None]
@@ -59,7 +59,7 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
     kurbel rotor --masses 3kg --radii 2cm --angles 0 --planes 20cm --bearings '0;1m' --speed 900/min
     \f
     >>> import kurbel
-    >>> page = kurbel.rotor_table([3, 4], radii=0.1, angles=[0, 90], columns="line,unbalance_kgm,angle")
+    >>> page = kurbel.rotor([3, 4], radii=0.1, angles=[0, 90], columns="line,unbalance_kgm,angle")
     >>> print(kurbel.typeset(page, "csv"), end="")
     line,unbalance_kgm,angle
     mass_1,0.3,0
@@ -106,8 +106,8 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
     layout = layout_option("rotor")
 
     def question(self) -> Question:
-        from kurbel.balance.rotors.page import RotorRequest
-        from kurbel.balance.rotors.rotor import Rotor
+        from kurbel.balancing.rotors.page import RotorRequest
+        from kurbel.balancing.rotors.rotor import Rotor
 
         page, masses = self.page("rotor", "rotor"), self._masses()
         along = self.says("planes")
@@ -123,7 +123,7 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
         )
 
     def _masses(self) -> tuple[Mass, ...]:
-        from kurbel.balance.rotors.rotor import Mass
+        from kurbel.balancing.rotors.rotor import Mass
 
         masses, directions = self.masses, self.angles
         count = len(masses)
@@ -140,7 +140,7 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
 
     def _places(self) -> Places:
         """Return where what balances and what holds the shaft lies; in one plane nothing does."""
-        from kurbel.balance.rotors.rotor import Places
+        from kurbel.balancing.rotors.rotor import Places
 
         if not self.says("planes"):
             return Places((), (), ())
@@ -165,7 +165,7 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
         return f"{flag_of(option.name)} needs the planes of the masses; add --planes"
 
 
-rotor_table = function(RotorOptions, "rotor_table")
+rotor = function(RotorOptions, "rotor")
 
 
 def _for_all(values: Sequence[Fraction], count: int) -> Sequence[Fraction]:

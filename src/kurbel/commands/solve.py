@@ -58,7 +58,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
     kurbel solve --unknown ratio --angle 80 --where c=max
     \f
     >>> import kurbel
-    >>> page = kurbel.solve_table("p = 0", ratio="1:5", method="series", columns="stroke,phi,x")
+    >>> page = kurbel.solve("p = 0", ratio="1:5", method="series", columns="stroke,phi,x")
     >>> print(kurbel.typeset(page, "csv"), end="")
     stroke,phi,x
     outstroke,79.2724,0.9104
@@ -87,7 +87,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
     unknown = word(
         "What is asked for in place of the angle: speed, force, pressure, bore, reciprocating, rod_mass,"
         " stroke or ratio; with --angle and one condition.",
-        kind=Choice("unknown", "kurbel.solve.unknown:UNKNOWNS"),
+        kind=Choice("unknown", "kurbel.conditions.unknown:UNKNOWNS"),
     )
     angle: Option[Any] = Option(
         "With --unknown the crank angle at which the condition holds: 30, or c=max, where a quantity of the"
@@ -106,8 +106,8 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
             values.drop(unknown)
 
     def question(self) -> Question:
-        from kurbel.solve.page import SolveRequest
-        from kurbel.solve.solve import read_on
+        from kurbel.conditions.page import SolveRequest
+        from kurbel.conditions.solve import read_on
 
         if self.unknown is not None:
             return self._unknown(self.unknown)
@@ -207,9 +207,9 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
 
     def _of_engine(self) -> Question:
         """Return what is asked of the forces of an engine."""
+        from kurbel.conditions.load_page import LoadedRequest
+        from kurbel.conditions.loaded import MEASURED, NAMES
         from kurbel.reading.where import read_condition
-        from kurbel.solve.load_page import LoadedRequest
-        from kurbel.solve.loaded import MEASURED, NAMES
 
         self.refuse("force", "order", *PRESSING)
         page = self.page("solve-load", "loaded roots")
@@ -225,8 +225,8 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
     def _unknown(self, unknown: str) -> Question:
         """Return what is asked for: all values of the unknown with which the condition holds at the angle."""
         from kurbel.commands.unknown import OfRatio, Sized
-        from kurbel.solve.unknown import nowhere
-        from kurbel.solve.unknown_page import UnknownRequest
+        from kurbel.conditions.unknown import nowhere
+        from kurbel.conditions.unknown_page import UnknownRequest
 
         page = self.page("solve-unknown", "unknown")
         if self.says(unknown):
@@ -246,4 +246,4 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
         return question
 
 
-solve_table = function(SolveOptions, "solve_table")
+solve = function(SolveOptions, "solve")

@@ -186,7 +186,7 @@ class Function(Protocol):
 
 def function(asks: type[CommandOptions], name: str, drawn: bool = False) -> Function:
     """Return the function of a command that is made of parts."""
-    return _function(PartsCommand(asks, name.removesuffix("_table")), name, asks.__module__, drawn)
+    return _function(PartsCommand(asks, name), name, asks.__module__, drawn)
 
 
 def _function(command: Command, name: str, module: str, drawn: bool = False) -> Function:

@@ -54,7 +54,7 @@ class Angle:
 
     @classmethod
     def _greatest(cls, text: str, asked: SolveOptions) -> Angle:
-        from kurbel.solve.solve import read_on, solve
+        from kurbel.conditions.solve import read_on, solve
 
         chosen, described = asked.described(beside=("force",), leaving=("speed", "method"))
         ratios = layout(chosen.layout, asked.raw("layouts")).ratios
@@ -88,8 +88,8 @@ class OfRatio:
     """The crank ratio of the straight or offset crank, its crosshead's motion known by formulas."""
 
     def __init__(self, unknown: str, angle: Any, text: str, asked: SolveOptions) -> None:
+        from kurbel.conditions.solve import MEASURES, read_on
         from kurbel.motion.evaluation import NEEDS
-        from kurbel.solve.solve import MEASURES, read_on
 
         self.asked, self.place = (unknown, angle, text, asked), Angle.read(angle, unknown, asked)
         if asked.is_engine() or asked.says("force", "rod", *MASSES):
@@ -129,11 +129,11 @@ class OfRatio:
     def found(self) -> list[Any]:
         from dataclasses import replace
 
+        from kurbel.conditions.solve import target_of
+        from kurbel.conditions.unknown import of_ratio
         from kurbel.exact.course import Target
         from kurbel.exact.kind import balls
         from kurbel.motion.evaluation import At, kernel_of
-        from kurbel.solve.solve import target_of
-        from kurbel.solve.unknown import of_ratio
 
         drive, condition = self.drive, self.condition
         if condition.kind == MAX:
@@ -157,13 +157,13 @@ class OfRatio:
         return of_ratio(formula, target.ball, self.greatest)
 
     def label(self, lang: str) -> str:
-        from kurbel.solve.captions import condition_label
+        from kurbel.conditions.captions import condition_label
 
         return condition_label(self.condition, self.drive, lang)
 
     def lines(self, lang: str) -> list[str]:
+        from kurbel.conditions.unknown_page import WORDS
         from kurbel.drive.load import figure
-        from kurbel.solve.unknown_page import WORDS
 
         return [WORDS["ratio"][lang].format(greatest=f"${figure(self.greatest)}$")]
 
@@ -172,7 +172,7 @@ class Sized:
     """A speed, a force, a pressure, a mass or a length that a force or the motion is a polynomial of."""
 
     def __init__(self, unknown: str, angle: Any, text: str, asked: SolveOptions) -> None:
-        from kurbel.solve.unknown import UNKNOWNS
+        from kurbel.conditions.unknown import UNKNOWNS
 
         self.asked = (unknown, angle, text, asked)
         self.place = Angle.read(angle, unknown, asked)
@@ -203,13 +203,13 @@ class Sized:
 
     def _read(self, text: str) -> tuple[Condition, str]:
         """Return the condition and the column that shows what it is about, in N, N m or a unit of motion."""
+        from kurbel.conditions.loaded import ASKED, MEASURED, NAMES
         from kurbel.reading.where import read_condition
-        from kurbel.solve.loaded import ASKED, MEASURED, NAMES
 
         if self.loaded:
             found = read_condition(text, NAMES, MEASURED, "torque and the forces of the crank drive")
             return self._valued(found, ASKED[found.quantity].measured)
-        from kurbel.solve.solve import MEASURES, TORQUE
+        from kurbel.conditions.solve import MEASURES, TORQUE
 
         names = {name: name for name in (*MEASURES, *FORCES, *MAGNITUDES, TORQUE)}
         found = read_condition(text, names, names, "motion and forces")
@@ -260,8 +260,8 @@ class Sized:
 
     @cached_property
     def found(self) -> list[Any]:
+        from kurbel.conditions.unknown import Polynomial
         from kurbel.exact.certify import ball
-        from kurbel.solve.unknown import Polynomial
 
         square = self.condition.quantity in MAGNITUDES
         if square and self.condition.value < 0:
@@ -293,8 +293,8 @@ class Sized:
                 )
 
     def _target(self) -> Fraction:
-        from kurbel.solve.loaded import measured
-        from kurbel.solve.solve import MEASURES, TORQUE
+        from kurbel.conditions.loaded import measured
+        from kurbel.conditions.solve import MEASURES, TORQUE
 
         if not self.condition.unit:
             return Fraction(0)
@@ -326,9 +326,9 @@ class Sized:
         """Return what the page of the force or the motion says, with the first value that was found."""
         import flint
 
+        from kurbel.conditions.unknown_page import WORDS
         from kurbel.exact.numerals import figures, nearest
         from kurbel.exact.place import fraction
-        from kurbel.solve.unknown_page import WORDS
 
         with flint.ctx.workprec(CHECKED_BITS):
             near = fraction(self.found[0]().mid()) / self.about.size

@@ -90,7 +90,7 @@ def at_angles(request: EngineRequest, quantity: Quantity, method: str, degrees: 
     if quantity.of not in AT_ANGLES:
         raise ProblemError(
             f"{quantity.key} is one number of a turn and has no array over the crank angle; print it, with"
-            " kurbel.delta_table"
+            " kurbel.delta"
         )
     # Kernels hand the place on to the turn, and that of arrays takes an array.
     where = Where(half_turns=degrees / 180)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import fields
 from fractions import Fraction
 
-from kurbel.balance.angles.page import AngleRequest
-from kurbel.balance.newtons import IN_NEWTONS
-from kurbel.balance.page import RESIDUALS, BalanceRequest
-from kurbel.balance.words import UNITS, WORDS
+from kurbel.balancing.angles.page import AngleRequest
+from kurbel.balancing.newtons import IN_NEWTONS
+from kurbel.balancing.page import RESIDUALS, BalanceRequest
+from kurbel.balancing.words import UNITS, WORDS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Number
 from kurbel.page.axes import Place

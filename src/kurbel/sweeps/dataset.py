@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 # Their pages are of books, in which nothing varies.
-_BOOKS = frozenset(("collation_table", "example_table"))
+_BOOKS = frozenset(("collate", "example"))
 
 
 @overload
@@ -77,7 +77,7 @@ def sweep(
 ) -> Dataset | Outcome:
     """Compute a command at every combination of what its options are given, as a dataset of xarray.
 
-    `command` is a function that makes a table, such as `kurbel.delta_table`, or its name, "delta". Its
+    `command` is a function that makes a table, such as `kurbel.delta`, or its name, "delta". Its
     options may be given several values: lists, NumPy arrays, ranges as text. The dataset has a dimension
     for each of these, in their order; options that `zip` names, "eps,back", go through their values together
     and share the dimension "point". So do all where `only`, "eps*back < 1", leaves combinations out, and
@@ -141,7 +141,7 @@ def _command(command: Callable[..., Any] | str) -> Any:
     if command not in known.values():
         raise NotationError(
             f"{getattr(command, '__name__', command)} is no function that makes a table of a machine, such as"
-            " kurbel.delta_table"
+            " kurbel.delta"
         )
     return command
 

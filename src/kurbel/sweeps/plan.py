@@ -51,7 +51,7 @@ def text_of(value: Any, option: str = "") -> str:
 class Plan:
     """A sweep as it was asked for.
 
-    `command` is the place of the function, "kurbel.commands.engine:delta_table", and `given` are the values
+    `command` is the place of the function, "kurbel.commands.engine:delta", and `given` are the values
     of its options by their names on the command line, with underscores, without those that vary. Of these
     `defaults` come from elsewhere, such as a machine's file, and give way where they say nothing. The axes of
     a group are linked: they go through their values together. The rows are the product of the groups, of

@@ -308,7 +308,7 @@ def test_a_machine_gives_way_to_a_diagram() -> None:
 
 def test_drawings_have_the_corners_of_both_torques() -> None:
     figure = drawn(
-        kurbel.turning_table,
+        kurbel.turning,
         torque="0:0; 61:90; 180:0; 360:0", load_torque="0:30; 135:30; 135:0; 225:0; 225:30; 360:30",
         inertia=5, speed=1, step=90, lang="en",
     ).figure  # fmt: skip

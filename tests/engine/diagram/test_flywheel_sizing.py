@@ -238,7 +238,7 @@ def test_power_and_speed_give_the_scale_of_triangles(cranks: tuple[str, ...]) ->
 
 
 def test_several_irregularities_are_kept_by_as_many_flywheels() -> None:
-    page = kurbel.flywheel_table(swing=5000, speed=5, delta="1:50;±2%", columns="target,inertia", digits=6)
+    page = kurbel.flywheel(swing=5000, speed=5, delta="1:50;±2%", columns="target,inertia", digits=6)
     inertias = [5000 / (delta * rate(300) ** 2) for delta in (mpf("0.02"), mpf("0.04"))]
     rows = [f"{target},{float(one):.6f}" for target, one in zip(("0.02", "0.04"), inertias, strict=True)]
     assert kurbel.typeset(page, "csv").splitlines() == ["target,inertia", *rows]

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kurbel.commands.engine import turning_table
-from kurbel.commands.forces import forces_table
-from kurbel.commands.inertia import inertia_table
+from kurbel.commands.engine import turning
+from kurbel.commands.forces import forces
+from kurbel.commands.inertia import inertia
 from kurbel.commands.motion import table
 from kurbel.engine.arrays import at_angles
 from kurbel.engine.diagram.page import TorquesRequest
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 # Of pages that have a quantity the first is asked.
-PAGES: tuple[Function, ...] = (table, forces_table, inertia_table, turning_table)
+PAGES: tuple[Function, ...] = (table, forces, inertia, turning)
 
 
 def arrays(columns: Sequence[str], degrees: Floats, given: Mapping[str, Any]) -> list[Floats]:
@@ -56,9 +56,7 @@ def _asked(key: str, given: Mapping[str, Any]) -> tuple[Function, Question]:
     if not takers:
         known = {name for page in PAGES for name in page.command.signature.parameters}
         if wrong := sorted({*given} - known):
-            raise unknown(
-                "compute", wrong[0], sorted(known), "it has those of kurbel.forces_table and its like"
-            )
+            raise unknown("compute", wrong[0], sorted(known), "it has those of kurbel.forces and its like")
         raise ProblemError(
             f"no page takes {', '.join(sorted(given))} together; leave what is not of this drive out"
         )

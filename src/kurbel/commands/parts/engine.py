@@ -368,8 +368,8 @@ def _fired(
     loads: Sequence[Any],
     titles: Sequence[str],
 ) -> list[Fraction]:
-    from kurbel.balance.arrangement import Cylinder
-    from kurbel.balance.firing import PERIODS, fitting
+    from kurbel.balancing.arrangement import Cylinder
+    from kurbel.balancing.firing import PERIODS, fitting
 
     if None in ordered:
         raise ProblemError(f"cylinder {ordered.index(None) + 1} has no fires; give all their places, or none")

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import flint
 
-from kurbel.balance.harmonics import MOST_ORDERS
+from kurbel.balancing.harmonics import MOST_ORDERS
 from kurbel.engine.harmonics.quadrature import Sample, Samples, sampled
 from kurbel.engine.speed.course import Span, spans
 from kurbel.engine.turn import Turn

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, cast
 
 import flint
 
-from kurbel.balance.arrangement import Residual
-from kurbel.balance.harmonics_page import EXACT_ZERO
-from kurbel.balance.lengths import LENGTHS, certified_length
+from kurbel.balancing.arrangement import Residual
+from kurbel.balancing.harmonics_page import EXACT_ZERO
+from kurbel.balancing.lengths import LENGTHS, certified_length
 from kurbel.engine.digits import CLEAN, ESTIMATE_BITS, FLOAT_ERROR, Estimate, supported
 from kurbel.engine.harmonics.fourier import PARTS, Floats, Spectrum, Wave
 from kurbel.engine.harmonics.quantities import PHASES, SPEED, STAR, At, star, value

@@ -11,8 +11,8 @@ from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
-from kurbel.balance.harmonics import MOST_ORDERS
-from kurbel.balance.harmonics_page import ORDER
+from kurbel.balancing.harmonics import MOST_ORDERS
+from kurbel.balancing.harmonics_page import ORDER
 from kurbel.engine import captions
 from kurbel.engine.axes import LoadAxis
 from kurbel.engine.digits import error_number

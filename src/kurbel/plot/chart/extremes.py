@@ -7,6 +7,7 @@ from fractions import Fraction
 from math import ceil, floor
 from typing import NamedTuple
 
+from kurbel.conditions.solve import MEASURES, Root, solve
 from kurbel.errors import NoRootError
 from kurbel.exact.numerals import Number, degrees_text, figures, number_text
 from kurbel.motion.drives import Drive
@@ -15,7 +16,6 @@ from kurbel.page.quantity import Quantity, words
 from kurbel.plot.chart.model import Spot, Strokes
 from kurbel.plot.sketch import DEAD_CENTRES
 from kurbel.reading.where import MAX, MIN, Condition
-from kurbel.solve.solve import MEASURES, Root, solve
 
 TURN = 360
 # The decimals of an angle at which a mark is drawn.

@@ -13,6 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from kurbel.conditions.over.captions import WORDS
+from kurbel.conditions.over.page import ANGLES, PathRequest
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Label
@@ -28,8 +30,6 @@ from kurbel.plot.panels import Trace, axis_name, check_drawn, degrees, panels_of
 from kurbel.plot.picture import Picture, Wish, columns_of, drawing_layout, refuse, smooth
 from kurbel.plot.sketch import DEAD_CENTRES
 from kurbel.plot.ticks import Across, Ticks, plain_ticks
-from kurbel.solve.over.captions import WORDS
-from kurbel.solve.over.page import ANGLES, PathRequest
 
 # What is drawn to scale, R, v and v²/R of one length, by the beginning of its key.
 VELOCITY, ACCELERATION = ("c", "velocity"), ("p", "acceleration")

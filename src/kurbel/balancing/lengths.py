@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import flint
 
-from kurbel.balance.arrangement import Residual
+from kurbel.balancing.arrangement import Residual
 from kurbel.drive.crank import known
 from kurbel.exact.certify import NEVER_TIES, rounded
 from kurbel.exact.kind import Kind, balls

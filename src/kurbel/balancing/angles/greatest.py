@@ -11,7 +11,7 @@ from typing import NamedTuple
 import flint
 from flint import arb
 
-from kurbel.balance.angles.curve import Curve, midpoint
+from kurbel.balancing.angles.curve import Curve, midpoint
 from kurbel.errors import ProblemError
 
 # No end of a part is an angle at which an engine is greatest.

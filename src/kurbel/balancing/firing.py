@@ -14,7 +14,7 @@ from fractions import Fraction
 from itertools import pairwise, permutations, product
 from typing import NamedTuple
 
-from kurbel.balance.arrangement import Cylinder, check_count
+from kurbel.balancing.arrangement import Cylinder, check_count
 from kurbel.errors import NotationError, ProblemError
 from kurbel.reading.notation import about
 

@@ -8,9 +8,9 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any, NamedTuple
 
-from kurbel.balance.rotors.rotor import Line, Placed, Places, Rotor, lines
-from kurbel.balance.rotors.unknown import solved
-from kurbel.balance.vector import Vector, omega
+from kurbel.balancing.rotors.rotor import Line, Placed, Places, Rotor, lines
+from kurbel.balancing.rotors.unknown import solved
+from kurbel.balancing.vector import Vector, omega
 from kurbel.drive.crank import known
 from kurbel.exact.numerals import Label, Number, given
 from kurbel.exact.real import Real

@@ -8,11 +8,11 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
 
-from kurbel.balance.angles.unbalanced import of_all, of_order
-from kurbel.balance.arrangement import factor
-from kurbel.balance.harmonics_page import OrderAxis
-from kurbel.balance.newtons import IN_NEWTONS
-from kurbel.balance.page import (
+from kurbel.balancing.angles.unbalanced import of_all, of_order
+from kurbel.balancing.arrangement import factor
+from kurbel.balancing.harmonics_page import OrderAxis
+from kurbel.balancing.newtons import IN_NEWTONS
+from kurbel.balancing.page import (
     DECIMALS,
     NEEDS,
     NEWTON_DECIMALS,
@@ -21,7 +21,7 @@ from kurbel.balance.page import (
     BalanceRequest,
     balance_notes,
 )
-from kurbel.balance.vector import Vector
+from kurbel.balancing.vector import Vector
 from kurbel.drive.crank import Crank, known
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number

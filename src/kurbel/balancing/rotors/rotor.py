@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
-from kurbel.balance.vector import Vector
+from kurbel.balancing.vector import Vector
 from kurbel.drive.crank import LARGEST_ANGLE, known
 from kurbel.errors import ProblemError
 from kurbel.exact.real import Real

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, cached_property
 
-from kurbel.balance.arrangement import (
+from kurbel.balancing.arrangement import (
     Arrangement,
     Cylinder,
     Residual,
@@ -18,8 +18,8 @@ from kurbel.balance.arrangement import (
     row,
     usual,
 )
-from kurbel.balance.harmonics import HARMONICS
-from kurbel.balance.harmonics_page import (
+from kurbel.balancing.harmonics import HARMONICS
+from kurbel.balancing.harmonics_page import (
     EXACT_ZERO,
     OrderAxis,
     OrdersRequest,
@@ -27,9 +27,9 @@ from kurbel.balance.harmonics_page import (
     harmonic_number,
     series_notes,
 )
-from kurbel.balance.lengths import LENGTHS, certified_length
-from kurbel.balance.newtons import IN_NEWTONS, Weighed
-from kurbel.balance.words import ENGINES, UNITS, WORDS
+from kurbel.balancing.lengths import LENGTHS, certified_length
+from kurbel.balancing.newtons import IN_NEWTONS, Weighed
+from kurbel.balancing.words import ENGINES, UNITS, WORDS
 from kurbel.drive.crank import Crank, known
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, exact_text

@@ -13,8 +13,8 @@ from typing import Any
 
 import flint
 
-from kurbel.balance.rotors.rotor import Mass, Placed, force, moment
-from kurbel.balance.vector import Vector
+from kurbel.balancing.rotors.rotor import Mass, Placed, force, moment
+from kurbel.balancing.vector import Vector
 from kurbel.drive.crank import known
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls

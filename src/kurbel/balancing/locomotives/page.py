@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kurbel.balance.locomotives.locomotive import Locomotive, Run
-from kurbel.balance.locomotives.quantities import NEEDS, At, quantities
-from kurbel.balance.rotors.page import number_of
+from kurbel.balancing.locomotives.locomotive import Locomotive, Run
+from kurbel.balancing.locomotives.quantities import NEEDS, At, quantities
+from kurbel.balancing.rotors.page import number_of
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, figure
 from kurbel.motion.captions import turns_label

@@ -8,6 +8,8 @@ from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import Any, cast
 
+from kurbel.conditions.captions import WORDS as SOLVED
+from kurbel.conditions.loaded import ASKED, Loaded, measured
 from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.engine import captions as engine_captions
 from kurbel.engine.axes import LoadAxis
@@ -25,8 +27,6 @@ from kurbel.page.quantity import Column, filled, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note
 from kurbel.reading.where import MAX, MIN, VALUE, Condition
-from kurbel.solve.captions import WORDS as SOLVED
-from kurbel.solve.loaded import ASKED, Loaded, measured
 
 DEGREE_DECIMALS = 4
 KEPT = 64

@@ -10,8 +10,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from kurbel.balance.arrangement import Arrangement
-from kurbel.balance.vector import pin_acceleration
+from kurbel.balancing.arrangement import Arrangement
+from kurbel.balancing.vector import pin_acceleration
 from kurbel.drive.crank import Crank, known
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, figure

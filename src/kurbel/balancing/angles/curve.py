@@ -16,9 +16,9 @@ from typing import Any, NamedTuple
 import flint
 from flint import arb, arb_series
 
-from kurbel.balance.angles.unbalanced import WEIGH
-from kurbel.balance.arrangement import Arrangement, Residual
-from kurbel.balance.harmonics import HARMONICS
+from kurbel.balancing.angles.unbalanced import WEIGH
+from kurbel.balancing.arrangement import Arrangement, Residual
+from kurbel.balancing.harmonics import HARMONICS
 from kurbel.exact.certify import ball, ball_circle
 from kurbel.kernel.balance import Star
 

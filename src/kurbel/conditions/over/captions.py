@@ -14,7 +14,7 @@ from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Column, Words, bare, enumerated, filled, for_ratio, words
 
 if TYPE_CHECKING:
-    from kurbel.solve.over.page import PathRequest
+    from kurbel.conditions.over.page import PathRequest
 
 WORDS: Mapping[str, Words] = {
     "caption": words(

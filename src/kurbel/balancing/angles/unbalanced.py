@@ -10,8 +10,8 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
-from kurbel.balance.arrangement import Arrangement, Cylinder, Residual
-from kurbel.balance.vector import Point, Vector
+from kurbel.balancing.arrangement import Arrangement, Cylinder, Residual
+from kurbel.balancing.vector import Point, Vector
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind
 from kurbel.kernel.balance import Star

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
-from kurbel.balance.rotors.rotor import Mass, Placed, force, moment, shares
-from kurbel.balance.vector import Vector, omega
+from kurbel.balancing.rotors.rotor import Mass, Placed, force, moment, shares
+from kurbel.balancing.vector import Vector, omega
 from kurbel.errors import ProblemError
 from kurbel.exact.real import Real
 from kurbel.reading.notation import about

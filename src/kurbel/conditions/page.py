@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
 
+from kurbel.conditions import captions
+from kurbel.conditions.solve import MEASURES, Root, column_of, solve
 from kurbel.drive.crank import Crank
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
@@ -21,8 +23,6 @@ from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question, Subject, subject
 from kurbel.page.table import Field
 from kurbel.reading.where import Condition
-from kurbel.solve import captions
-from kurbel.solve.solve import MEASURES, Root, column_of, solve
 
 # What stands for a stroke in records.
 STROKE_KEYS = {OUT: "outstroke", RETURN: "return"}

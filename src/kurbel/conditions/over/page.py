@@ -8,6 +8,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
 
+from kurbel.conditions.over import captions
+from kurbel.conditions.page import DEGREE_DECIMALS
+from kurbel.conditions.solve import Root, at_share
 from kurbel.drive.crank import Crank
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
@@ -21,9 +24,6 @@ from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question, Subject, subject
 from kurbel.page.table import Field
 from kurbel.reading.notation import about
-from kurbel.solve.over import captions
-from kurbel.solve.page import DEGREE_DECIMALS
-from kurbel.solve.solve import Root, at_share
 
 # Every row takes two roots; beyond these it is minutes.
 MOST_SHARES = 10_001

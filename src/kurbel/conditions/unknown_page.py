@@ -10,13 +10,13 @@ from typing import Any, Protocol
 
 import flint
 
+from kurbel.conditions.unknown import UNKNOWNS
 from kurbel.exact.certify import NEVER_TIES, ball, rounded
 from kurbel.exact.numerals import Label, Number, figures
 from kurbel.page.axes import Axis, ColumnAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
-from kurbel.solve.unknown import UNKNOWNS
 
 NEAR_BITS = 120
 WORDS = {

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import cache
 from typing import NamedTuple
 
-from kurbel.balance import harmonics
+from kurbel.balancing import harmonics
 from kurbel.drive.crank import LARGEST_ANGLE, Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.real import Real

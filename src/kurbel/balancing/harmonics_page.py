@@ -9,7 +9,7 @@ from functools import cache, cached_property
 from math import inf
 from typing import Any
 
-from kurbel.balance.harmonics import HARMONICS, Harmonic, certified, printed_orders, rational, series
+from kurbel.balancing.harmonics import HARMONICS, Harmonic, certified, printed_orders, rational, series
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number

@@ -9,15 +9,15 @@ from functools import cache, cached_property, partial
 from math import inf
 from typing import Any
 
-from kurbel.balance.angles.curve import Curve, left, slides_of
-from kurbel.balance.angles.greatest import Greatest, greatest
-from kurbel.balance.angles.page import WORDS, LineAxis
-from kurbel.balance.angles.unbalanced import of_all, of_order
-from kurbel.balance.arrangement import Residual, factor
-from kurbel.balance.lengths import LENGTHS, certified_length
-from kurbel.balance.newtons import IN_NEWTONS
-from kurbel.balance.page import NEEDS, RESIDUALS, SUBJECT, BalanceRequest, balance_notes, balance_registry
-from kurbel.balance.vector import Vector
+from kurbel.balancing.angles.curve import Curve, left, slides_of
+from kurbel.balancing.angles.greatest import Greatest, greatest
+from kurbel.balancing.angles.page import WORDS, LineAxis
+from kurbel.balancing.angles.unbalanced import of_all, of_order
+from kurbel.balancing.arrangement import Residual, factor
+from kurbel.balancing.lengths import LENGTHS, certified_length
+from kurbel.balancing.newtons import IN_NEWTONS
+from kurbel.balancing.page import NEEDS, RESIDUALS, SUBJECT, BalanceRequest, balance_notes, balance_registry
+from kurbel.balancing.vector import Vector
 from kurbel.drive.crank import Crank, known
 from kurbel.exact.certify import NEVER_TIES, rounded
 from kurbel.exact.kind import balls

@@ -8,6 +8,7 @@ from fractions import Fraction
 from itertools import groupby
 from typing import TYPE_CHECKING
 
+from kurbel.conditions.solve import Root, target_of
 from kurbel.exact.closed_form import ClosedForm, closed_forms, form_text, is_at
 from kurbel.exact.course import Target
 from kurbel.exact.numerals import Label, degrees_text, exact_text, finite_decimals
@@ -19,10 +20,9 @@ from kurbel.page.quantity import AND, Column, Words, bare, words
 from kurbel.reading.amounts import amount
 from kurbel.reading.notation import ratio_text
 from kurbel.reading.where import ANGLES, DEAD_CENTRE, LEANING, MAX, MIN, SHARE, Condition
-from kurbel.solve.solve import Root, target_of
 
 if TYPE_CHECKING:
-    from kurbel.solve.page import SolveRequest
+    from kurbel.conditions.page import SolveRequest
 
 # Of m/s².
 _SQUARE = r'(?:²|\^2|\*\*2)"$'

@@ -7,8 +7,8 @@ from fractions import Fraction
 from functools import cache
 from typing import NamedTuple
 
-from kurbel.balance.locomotives.locomotive import Locomotive, Run
-from kurbel.balance.vector import Vector
+from kurbel.balancing.locomotives.locomotive import Locomotive, Run
+from kurbel.balancing.vector import Vector
 from kurbel.drive.crank import known
 from kurbel.exact.numerals import Label
 from kurbel.exact.real import PI, Real
