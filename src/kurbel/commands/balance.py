@@ -38,7 +38,7 @@ class Revolving(Part):
     revolving = measure(
         as_masses,
         "Mass that turns with each crank at its radius: 1.5kg, or '1.5;2kg'; default: balanced apart.",
-        "MASSES", unit="kg", what="revolving mass",
+        "MASSES", unit="kg", what="revolving mass", whole=True,
     )  # fmt: skip
     revolving_share = measure(
         as_share, "Share of it that counterweights balance: 1, 50%; default 0.", "SHARE"
@@ -86,7 +86,7 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
 
     positions: Option[Any] = Option(
         "Where its cylinders lie along the shaft: '0;1;2;3', which is the default, or '0;400;800mm'.",
-        "NUMBERS", unit="a unit of your own",
+        "NUMBERS", unit="a unit of your own", whole=True,
     )  # fmt: skip
     about: Option[Any] = Option(
         "Position about which moments are taken: 1, 400mm; default: the middle.", "NUMBER",
@@ -110,7 +110,7 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
         as_masses,
         "Mass of piston and crosshead of a cylinder: 2kg; or of each: '2;2.5kg'. Masses need --stroke and"
         " --speed.",
-        "MASSES", unit="kg", what="reciprocating mass",
+        "MASSES", unit="kg", what="reciprocating mass", whole=True,
     )  # fmt: skip
     stroke, crank, rod = Linked.stroke, Linked.crank, Linked.rod
     speed = Speed.speed.but(help="Speed, for the masses: 120/min, 12.5rad/s.")

@@ -22,11 +22,11 @@ class Arranged(Part):
     )
     cranks: Option[Sequence[Fraction]] = Option(
         "Another engine: the crank of every cylinder, '0;180;180;0'.", "ANGLES", unit="degrees",
-        read=alone(as_crank_angles),
+        read=alone(as_crank_angles), whole=True,
     )  # fmt: skip
     banks: Option[Sequence[Fraction]] = Option(
         "Directions of its cylinders, counted as the cranks: '-45;45'; default 0.", "ANGLES", unit="degrees",
-        read=alone(as_crank_angles),
+        read=alone(as_crank_angles), whole=True,
     )  # fmt: skip
 
 
@@ -50,11 +50,11 @@ class FiringOptions(Arranged, Layouts, Plain, CommandOptions):
     unnamed = "engine"
     sequence = "cranks banks order intervals strokes columns"
 
-    order = word("Firing order whose cranks are sought, or of these cranks: 1-3-4-2.", "ORDER")
+    order = word("Firing order whose cranks are sought, or of these cranks: 1-3-4-2.", "ORDER", whole=True)
     intervals = measure(
         alone(as_crank_angles),
         "With --order: the angles from each firing to the next, '315;405'; default: equal ones.", "ANGLES",
-        unit="degrees",
+        unit="degrees", whole=True,
     )  # fmt: skip
     strokes: Option[int] = Option(
         "Strokes of a cycle: 4 (default) or 2.", "N", Count("number of strokes", 2, 4), default=4

@@ -70,6 +70,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         "Parallel crank: so many coupled axles alike, 3, or the weights on them, by which they share the"
         " effort: '14;15;14'.",
         "WEIGHTS",
+        whole=True,
     )
     driven: Option[Any] = Option("With --axles: which of them the force F drives; default 1, the first.", "N")
     at = word(

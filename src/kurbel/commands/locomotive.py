@@ -47,7 +47,7 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
 
     cranks: Option[Sequence[Fraction]] = Option(
         "Angles of the cranks: '0;90', or '0;120;240'.", "ANGLES", unit="degrees", default="0;90",
-        read=alone(as_crank_angles),
+        read=alone(as_crank_angles), whole=True,
     )  # fmt: skip
     spacing = measure(
         as_length, "Distance of the centre lines of neighbouring cylinders: 0.7m.", "LENGTH", unit="m"
@@ -55,6 +55,7 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
     positions = measure(
         lambda given, what: as_measures(given, "displacement", what),
         "Their places from the middle in place of that: '-0.4;0.4m'.", "LENGTHS", unit="m", what="position",
+        whole=True,
     )  # fmt: skip
     gauge: Option[Fraction] = Option(
         "Distance of the planes of the wheels: 1.5m.", "LENGTH", unit="m", required=True, read=as_length
@@ -63,18 +64,18 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
     crank = Linked.crank
     reciprocating: Option[tuple[Fraction, ...]] = Option(
         "Mass that goes to and fro in a cylinder: 300kg, or each.", "MASSES", unit="kg", required=True,
-        read=as_masses, what="reciprocating mass",
+        read=as_masses, what="reciprocating mass", whole=True,
     )  # fmt: skip
     revolving = measure(
         as_masses, "Mass that turns with a crank at its radius: 160kg, or each.", "MASSES", unit="kg",
-        what="revolving mass",
+        what="revolving mass", whole=True,
     )  # fmt: skip
     axles: Option[int] = Option(
         "Coupled axles that balance equal parts of the share, 1 to 12.", "N", Count("axles", 1, 12), default=1
     )
     share: Option[Sequence[Fraction]] = Option(
         "Shares of the reciprocating masses that are balanced: 2/3, '0.5;0.6'.", "SHARES",
-        default="0;1/2;2/3;1", read=as_shares,
+        default="0;1/2;2/3;1", read=as_shares, whole=True,
     )  # fmt: skip
     balance_radius = measure(as_length, "Radius of the balancing masses: 600mm.", "LENGTH", unit="m")
     speed = Speed.speed.but(help="Speed of the axle: 300/min, 31rad/s.", read=alone(as_speed))

@@ -102,7 +102,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
     point: Option[Any] = Option(
         "Points of the rod by their share from the crosshead pin to the crank pin: 0.5, beyond the ends -0.2;"
         " beside its axis 0.5,0.1 in rod lengths; with --rod 150mm; lists '0;0.5;1', ranges 0..1:0.25.",
-        "POINTS", many=True,
+        "POINTS", many=True, numbers=False,
     )  # fmt: skip
 
     def question(self) -> Question:

@@ -219,6 +219,9 @@ class Option(Generic[Value]):
     """An option: a sentence of help, what stands for the value there, what kind of value it is, and how that
     is read.
 
+    One value is a list as a `whole`, as the angles of cranks are, and sweeps have several of those; else the
+    values of a list are `numbers`, unless it says otherwise.
+
     `unit` is that of bare numbers in Python; `many` options may be repeated. A positional one has no dashes.
     `environment` is a variable for all commands, beside that of the command's own option. What is `first` is
     parsed before the others, which need it; what is `last` stands behind the command's own. Without a value,
@@ -247,13 +250,15 @@ class Option(Generic[Value]):
         last: bool = False,
         bare: str = "",
         required: bool = False,
+        whole: bool = False,
+        numbers: bool = True,
         read: Callable[[Any, str], Any] | None = None,
         what: str = "",
     ) -> None:
         self.help, self.metavar, self.kind, self.short, self.unit = help, metavar, kind, short, unit
         self.many, self.positional, self.environment, self.first = many, positional, environment, first
         self.default, self.last, self.bare, self.required = default, last, bare, required
-        self.read, self.what = read, what
+        self.read, self.what, self.whole, self.numbers = read, what, whole, numbers
 
     def but(self, **changes: Any) -> Self:
         """Return the same option with another help, another default: as it is in one command."""

@@ -62,7 +62,7 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
     )  # fmt: skip
     point: Option[Any] = Option(
         "Draw the paths of points of the rod beside the mechanism: 0.5, 0.5,0.1, '0;0.5;1'.", "POINTS",
-        many=True,
+        many=True, numbers=False,
     )  # fmt: skip
     lang: Option[str] = Plain.lang.but(help="Language of the labels: de or en.")
     units: Option[Any] = Sheet.units.but(

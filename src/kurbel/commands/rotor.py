@@ -73,29 +73,36 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
     masses: Option[Sought] = Option(
         "The masses: '200kg;300kg', or '200;300kg'; a ? for one that is asked for.", "MASSES", unit="kg",
         required=True, read=lambda given, what: as_measures_or_unknown(given, "mass", what), what="mass",
+        whole=True,
     )  # fmt: skip
     radii = measure(
         lambda given, what: as_measures(given, "length", what),
         "Radii of their centres of mass: '200;150mm', or one for all.", "LENGTHS", unit="m", what="radius",
+        whole=True,
     )  # fmt: skip
     angles: Option[Sought] = Option(
         "Their directions, in the sense of rotation: '0;45;120'; a ? for what is asked.", "ANGLES",
-        unit="degrees", required=True, read=alone(as_angles_or_unknown),
+        unit="degrees", required=True, read=alone(as_angles_or_unknown), whole=True,
     )  # fmt: skip
     planes: Option[Sought | None] = Option(
         "Their planes along the shaft: '0;400;800mm'; a ? for what is asked.", "LENGTHS", unit="m",
         read=lambda given, what: as_measures_or_unknown(given, "displacement", what), what="plane",
+        whole=True,
     )  # fmt: skip
     balance_planes: Option[tuple[Fraction, ...]] = Option(
         "Planes of balancing masses, one or two: '100;1100mm'.", "LENGTHS", unit="m", read=_planes,
-        what="balancing masses",
+        what="balancing masses", whole=True,
     )  # fmt: skip
     balance_radii = measure(
         lambda given, what: as_measures(given, "length", what),
-        "Radii of the balancing masses: 100mm; without them m r is printed.", "LENGTHS", unit="m",
+        "Radii of the balancing masses: 100mm; without them m r is printed.", "LENGTHS", unit="m", whole=True,
     )  # fmt: skip
     bearings: Option[tuple[Fraction, ...]] = Option(
-        "Places of the two bearings along the shaft: '0;1.8m'.", "LENGTHS", unit="m", read=_bearings
+        "Places of the two bearings along the shaft: '0;1.8m'.",
+        "LENGTHS",
+        unit="m",
+        read=_bearings,
+        whole=True,
     )
     speed = Speed.speed.but(help="Speed, for forces in N: 300/min, 12.5rad/s.", read=alone(as_speed))
     about = measure(

@@ -80,6 +80,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
         "CONDITION",
         many=True,
         default=(),
+        whole=True,
     )
     columns = columns_option(
         "solve", "stroke,phi,phi_turn,x,c,p", ". Pages keep the stroke and φ at the left."

@@ -10,7 +10,7 @@ from typing import Any
 
 from kurbel.commands.options import TEXT, Option, is_given
 from kurbel.commands.part import Values
-from kurbel.commands.steps.several import PLACES, is_whole, several
+from kurbel.commands.steps.several import several
 from kurbel.commands.subject import SPELLED, Command
 from kurbel.errors import KurbelError, NotationError, ProblemError
 from kurbel.motion.page import AngleQuestion, is_beyond
@@ -44,10 +44,10 @@ def values_of(parameter: Option[Any], given: Any) -> Sequence[Any]:
     """Return the values that an option was given, each as the command takes it. Raises NotationError."""
     if isinstance(given, bool) or not is_given(given):
         return (given,)
-    if is_whole(parameter) and parameter.many:
+    if parameter.whole and parameter.many:
         return (parameter.taken(given),)
     found = several(parameter, given if isinstance(given, list | tuple) else [given])
-    numbers = not is_whole(parameter) and parameter.metavar != PLACES
+    numbers = not parameter.whole and parameter.numbers
     if parameter.kind is TEXT and numbers and isinstance(found, tuple):
         for one in found if len(found) > 1 else ():
             if isinstance(one, str) and not is_readable(parameter, one):

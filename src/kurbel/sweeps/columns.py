@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
-from kurbel.commands.steps.several import is_whole
 from kurbel.exact.numerals import Number
 from kurbel.page.labels import plain
 from kurbel.page.table import Field
@@ -88,9 +87,7 @@ def _axis(plan: Plan, axis: Axis, field: Field | None) -> Column:
     parameter = plan.asking.parameters[plan.parameter(axis.option)]
     key, numbers = key_of(axis.option), measured(parameter, axis.values)
     unit = numbers[2] if numbers else ""
-    other = field and (
-        into(unit, plain(field.unit)) is None if numbers else field.method and is_whole(parameter)
-    )
+    other = field and (into(unit, plain(field.unit)) is None if numbers else field.method and parameter.whole)
     if field is None or other:
         name = parameter.help.partition(":")[0].partition(";")[0].rstrip(".")
         symbol, key = "", f"{key}{BESIDE}" if other else key

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, overload
 import kurbel
 from kurbel.commands.options import Option, is_given
 from kurbel.commands.part import Origin, Values
-from kurbel.commands.steps.several import is_whole
 from kurbel.commands.subject import MACHINE, Command, of_machine
 from kurbel.errors import ChoiceError, KeywordError, NotationError
 from kurbel.reading.given import meant
@@ -179,7 +178,7 @@ def _values(parameter: Option[Any], value: Any) -> Any:
         return value
     if not value:
         raise NotationError(f"{parameter.name} is an empty list; give values, or leave it out")
-    if is_whole(parameter) and not any(isinstance(one, str | list | tuple) for one in value):
+    if parameter.whole and not any(isinstance(one, str | list | tuple) for one in value):
         # Of such an option several numbers are one value, as the function takes them: cranks of an engine.
         return [tuple(value)]
     if any(isinstance(one, list | tuple) for one in value):

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kurbel.commands.options import Option
-from kurbel.commands.steps.several import figures, is_whole, parted, several
+from kurbel.commands.steps.several import figures, parted, several
 from kurbel.errors import NotationError, ProblemError
 from kurbel.reading import notation
 from kurbel.reading.given import meant
@@ -99,7 +99,7 @@ def sampled(design: Design, options: Mapping[str, tuple[Option[Any], Any]]) -> t
 def is_varied(parameter: Option[Any], given: Any) -> bool:
     """Whether an option has several values, or a range without a step."""
     texts = given if isinstance(given, list | tuple) else [given]
-    if is_whole(parameter):
+    if parameter.whole:
         return len(texts) > 1 and not parameter.many
     return len(texts) > 1 or (isinstance(texts[0], str) and (";" in texts[0] or ".." in texts[0]))
 
@@ -107,7 +107,7 @@ def is_varied(parameter: Option[Any], given: Any) -> bool:
 def _space(parameter: Option[Any], given: Any) -> _Range | Sequence[Any]:
     texts = given if isinstance(given, list | tuple) else [given]
     one = texts[0]
-    if len(texts) > 1 or not isinstance(one, str) or ";" in one or is_whole(parameter):
+    if len(texts) > 1 or not isinstance(one, str) or ";" in one or parameter.whole:
         return several(parameter, texts)
     name = parameter.name
     match = _RANGE.fullmatch(one.strip())

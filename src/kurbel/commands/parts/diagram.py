@@ -29,7 +29,7 @@ class Diagram(Part):
     torque = word(
         "Diagram without an engine: torque over the crank angle, as a formula, '5000 + 1500 sin(3φ)', or"
         " points, '0:0; 60:90; 180:0' or 'every 30°: 0; 45; 90', which straight lines join.",
-        "T", unit="N m",
+        "T", unit="N m", whole=True,
     )  # fmt: skip
     torque_file: Option[Any] = Option(
         "The same from a CSV file with the columns angle and torque [N m].", "FILE", FILE
@@ -39,11 +39,12 @@ class Diagram(Part):
         " line of no torque: '-350;-1400;+3550;-500', with --turns and --area-scale, or --power and"
         " --speed.",
         "AREAS",
+        whole=True,
     )
     load_torque = word(
         "Torque of the load, a formula or points; default: the mean of the drive. Alone, the drive has"
         " its mean.",
-        "T", unit="N m",
+        "T", unit="N m", whole=True,
     )  # fmt: skip
     load_torque_file: Option[Any] = Option("The same from a CSV file.", "FILE", FILE)
     turns: Option[Any] = Option(
@@ -53,10 +54,12 @@ class Diagram(Part):
     areas: Option[Any] = Option(
         "Diagram by the areas between it and its mean line, in order, those above positive: '+52;-124;+72'.",
         "AREAS",
+        whole=True,
     )
     area_scale = word(
         "What a unit of these areas stands for: 52.36J, or the units of torque and angle, '500 N m; 6°'.",
         "SCALE",
+        whole=True,
     )
 
     def is_diagram(self) -> bool:

@@ -78,7 +78,7 @@ class Linked(OnMachine):
         "Arc crank: the rocker's pivot along and across the slide, in units of R or as lengths; default:"
         " as far as the rod is long, and B above the slide line. With 'D;0' angles count from the line of"
         " centres, as of a four-bar.",
-        "D;H", unit="R",
+        "D;H", unit="R", whole=True,
     )  # fmt: skip
     circuit: Option[Any] = Option(
         "Arc crank: 1 or -1, the two ways to assemble the links; default 1. Of a four-bar with its pivot at"

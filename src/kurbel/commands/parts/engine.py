@@ -186,12 +186,12 @@ class Engine(Cylinder):
 
     cranks: Option[Any] = Option(
         "Angles by which the cranks follow the first, with cylinders alike: '0;90' or '0;120;240'.", "ANGLES",
-        unit="degrees",
+        unit="degrees", whole=True,
     )  # fmt: skip
     cylinder: Option[Any] = Option(
         f"A cylinder of an engine of unlike ones, in the words of the options: '{EXAMPLE}'; beside it all"
         " options say what the cylinders have in common. Machines have them as [[cylinder]].",
-        "ENTRIES", OneCylinder(), many=True,
+        "ENTRIES", OneCylinder(), many=True, whole=True,
     )  # fmt: skip
     method: Option[Any] = Option(
         "exact (default), series (first order) or weisbach (his equations of § 150).",

@@ -48,7 +48,9 @@ class Press(Part):
         what="duration of a stroke",
     )  # fmt: skip
     hole: Option[Any] = Option(
-        "Press: diameter of the hole and thickness of the plate, whose work it does: '38mm x 32mm'.", "SIZES"
+        "Press: diameter of the hole and thickness of the plate, whose work it does: '38mm x 32mm'.",
+        "SIZES",
+        whole=True,
     )
     shear_energy = measure(
         as_energy_an_area, "Press: energy of a sheared area, for --hole: 7J/mm².", "ENERGY", unit="J/m²"

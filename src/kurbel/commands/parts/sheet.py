@@ -20,7 +20,14 @@ LISTED = "; `kurbel quantities` lists them. What tells rows apart is always amon
 
 def columns_option(usual: str, example: str, more: str = LISTED) -> Option[Any]:
     """Return --columns of a command, whose columns are by default those of a layout."""
-    return Option(f"Columns and their order: {example}{more}", "NAMES", Columns(usual), many=True, default=())
+    return Option(
+        f"Columns and their order: {example}{more}",
+        "NAMES",
+        Columns(usual),
+        many=True,
+        default=(),
+        whole=True,
+    )
 
 
 def columns_over_angle(usual: str, example: str) -> Option[Any]:
@@ -90,14 +97,22 @@ class Worded(Part):
         last=True,
     )
     caption = word(
-        "Caption of your own, formulas between dollar signs: 'Weg $x/R$'.", "TEXT", PROSE, last=True
+        "Caption of your own, formulas between dollar signs: 'Weg $x/R$'.",
+        "TEXT",
+        PROSE,
+        last=True,
+        whole=True,
     )
     note: Option[Any] = Option(
         "A note of your own below those of the page; [^a] before it is its mark, also in captions.", "TEXT",
-        PROSE, many=True, default=(), last=True,
+        PROSE, many=True, default=(), last=True, whole=True,
     )  # fmt: skip
     source = word(
-        "Line of your own on the source, in place of the page's; '' leaves it out.", "TEXT", PROSE, last=True
+        "Line of your own on the source, in place of the page's; '' leaves it out.",
+        "TEXT",
+        PROSE,
+        last=True,
+        whole=True,
     )
     templates: Option[Any] = Option(
         "Folder with templates of your own: DIR/base/latex.jinja sets all pages in LaTeX,"

@@ -89,7 +89,9 @@ class Rim(Part):
         "VELOCITY", unit="m/s", what="speed of the rim",
     )  # fmt: skip
     rim_section: Option[Any] = Option(
-        "Section of the rim: breadth to thickness, 2:1, both, '400mm x 200mm', or 800cm².", "SECTION"
+        "Section of the rim: breadth to thickness, 2:1, both, '400mm x 200mm', or 800cm².",
+        "SECTION",
+        whole=True,
     )
     rim_breadth = measure(
         as_length, "Breadth of the rim, along the shaft: 300mm.", "LENGTH", unit="m",

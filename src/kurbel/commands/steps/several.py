@@ -14,15 +14,6 @@ from kurbel.exact.numerals import finite_decimals
 from kurbel.reading import notation
 from kurbel.reading.notation import Progression, check_length, number, plain, progression, quoted
 
-# What of its own is a list: crank angles, places along a shaft, a formula, a sentence.
-WHOLE = frozenset(
-    (
-        *("LENGTHS", "MASSES", "ANGLES", "SHARES", "NUMBERS", "AREAS", "WEIGHTS", "SIZES", "ENTRIES"),
-        *("D;H", "T", "SCALE", "SECTION", "CONDITION", "ORDER", "TEXT", "NAMES"),
-    )
-)
-# What may be two numbers, or a letter.
-PLACES = "POINTS"
 LONGEST = 10**6
 _MEASURE = re.compile(r"([-−+]?[\d.,]+(?:[eE][+-]?\d+)?(?:/\d+)?)\s*(.*)")
 _RANGE = re.compile(r"(.+?)\.\.([^:]+)(?::(.+))?")
@@ -44,18 +35,13 @@ class Written(Sequence[str]):
         return f"{figures(self.numbers[index])}{self.unit}"
 
 
-def is_whole(option: Option[Any]) -> bool:
-    """Whether a single value of the option is itself a list."""
-    return option.metavar in WHOLE and not (option.many and option.metavar in ("ANGLES", "SHARES"))
-
-
 def several(option: Option[Any], texts: Iterable[Any]) -> Sequence[Any]:
     """Return the values that the texts list, each once, as the command takes them one at a time.
 
     A range is never written out. Raises NotationError.
     """
     name, given = option.name, list(texts)
-    if is_whole(option):
+    if option.whole:
         return tuple(dict.fromkeys(given))
     if not all(isinstance(one, str) for one in given):
         return tuple(dict.fromkeys(given))
