@@ -115,6 +115,9 @@ def test_long_words_of_heads_know_where_to_break(lang: str) -> None:
 def test_the_keyboard_scrolls_a_wide_table(viewer: Viewer) -> None:
     # Where a wide table is in one piece.
     page = viewer.open(default_document("roetscher-112"), 700)
+    # Whether it is wider than the window depends on the faces that the machine has.
+    page.add_style_tag(content="table { letter-spacing: 0.2em }")
+    assert page.evaluate("(one => one.scrollWidth > one.clientWidth)(document.querySelector('.scroll'))")
     page.keyboard.press("Tab")
     page.keyboard.press("ArrowRight")
     page.wait_for_function("document.querySelector('.scroll').scrollLeft > 0")
@@ -223,4 +226,5 @@ def test_no_layout_is_wider_than_the_paper_or_smaller_than_one_can_read(viewer: 
     assert viewer.page.evaluate(OUTSIDE) == []
     assert viewer.page.evaluate(SMALLEST) >= SMALLEST_TYPE
     viewer.open(page.replace("--wide:", "--any:"), TYPE_AREA, media="print")
-    assert len(viewer.page.evaluate(OUTSIDE)) > 3
+    # How many would be depends on the faces that the machine has.
+    assert viewer.page.evaluate(OUTSIDE) != []
