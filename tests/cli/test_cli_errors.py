@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 
 import pytest
@@ -169,3 +170,31 @@ def test_a_list_of_several_options_stays_one_and_the_same_twice_is_once() -> Non
 )
 def test_the_option_that_a_value_astray_is_told_takes_it(line: str) -> None:
     assert kurbel(*line.split(), "-f", "csv").code == 0
+
+
+@pytest.mark.parametrize(
+    ("line", "sentence"),
+    [
+        ("forces --at tangent --cylinder eps=4", "--cylinder does not go with --at tangent"),
+        ("forces --eps 4 --cylinder eps=3", "--eps says nothing about the cylinders, each of which has"),
+        ("solve --unknown speed --angle 30 --where crosshead_load=0 --stroke 600mm --force 10kN"
+         " --reciprocating 200kg --order 3", "--order says nothing on this page; leave it out"),
+        ("table --zero 30 -o x.svg", "--zero is for pages, and svg is a drawing; leave it out"),
+    ],
+)  # fmt: skip
+def test_what_is_typed_in_vain_is_refused(line: str, sentence: str) -> None:
+    found = kurbel(*shlex.split(line))
+    assert found.code == 2
+    assert sentence in found.err
+
+
+def test_what_a_machine_or_the_environment_gives_in_vain_is_left_unread(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    machine = tmp_path / "engine.toml"
+    machine.write_text('[crank]\nratio = "1:4"\n[steam]\nbore = "300mm"\n', encoding="utf-8")
+    plain = kurbel("forces", "--ratio", "1:4", "--step", "90")
+    assert kurbel("forces", "--machine", str(machine), "--step", "90").out == plain.out
+    monkeypatch.setenv("KURBEL_FORCES_BORE", "300mm")
+    assert kurbel("forces", "--ratio", "1:4", "--step", "90").out == plain.out
+    assert kurbel("forces", "--ratio", "1:4", "--bore", "300mm").code == 2

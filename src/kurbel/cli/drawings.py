@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 UNDRAWN = ("example", "firing", "rotor", "construct")
 # What is a page by itself, and a drawing by -f drawing; the second where it moves, too.
 ALSO_PAGES = ("pdf", "html")
-# What says how a page is written, and nothing on a drawing.
+# What says how a page is written or what its rows are, and nothing on a drawing.
 OF_PAGES = (
-    "standalone", "interactive", "longtable", "siunitx", "excel", "digits", "rounding", "note", "source",
-    "templates",
+    "standalone", "interactive", "longtable", "siunitx", "plain", "excel", "digits", "rounding", "note",
+    "source", "templates", "zero", "shares",
 )  # fmt: skip
 
 
