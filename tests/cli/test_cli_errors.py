@@ -180,6 +180,9 @@ def test_the_option_that_a_value_astray_is_told_takes_it(line: str) -> None:
         ("solve --unknown speed --angle 30 --where crosshead_load=0 --stroke 600mm --force 10kN"
          " --reciprocating 200kg --order 3", "--order says nothing on this page; leave it out"),
         ("table --zero 30 -o x.svg", "--zero is for pages, and svg is a drawing; leave it out"),
+        ("table -f drawing -o x.docx", "a drawing is no docx; name a file such as -o kurbel.svg"),
+        ("sweep rotor --strict -o x.csv", "--masses is missing, without which there is nothing to compute"),
+        ("sweep locomotive --spacing 0.7m -o x.csv", "--gauge is missing"),
     ],
 )  # fmt: skip
 def test_what_is_typed_in_vain_is_refused(line: str, sentence: str) -> None:
@@ -188,13 +191,17 @@ def test_what_is_typed_in_vain_is_refused(line: str, sentence: str) -> None:
     assert sentence in found.err
 
 
-def test_what_a_machine_or_the_environment_gives_in_vain_is_left_unread(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def test_what_a_machine_or_the_environment_gives_in_vain_is_left_unread(tmp_path: Path) -> None:
     machine = tmp_path / "engine.toml"
     machine.write_text('[crank]\nratio = "1:4"\n[steam]\nbore = "300mm"\n', encoding="utf-8")
     plain = kurbel("forces", "--ratio", "1:4", "--step", "90")
     assert kurbel("forces", "--machine", str(machine), "--step", "90").out == plain.out
-    monkeypatch.setenv("KURBEL_FORCES_BORE", "300mm")
-    assert kurbel("forces", "--ratio", "1:4", "--step", "90").out == plain.out
+    assert kurbel("forces", "--ratio", "1:4", "--step", "90", KURBEL_FORCES_BORE="300mm").out == plain.out
     assert kurbel("forces", "--ratio", "1:4", "--bore", "300mm").code == 2
+
+
+@pytest.mark.parametrize("form", ["svg", "drawing"])
+def test_a_drawing_by_the_environment_is_for_pages_that_have_one(form: str) -> None:
+    assert "Reihenmotor" in printed("firing", "--engine", "inline-4", KURBEL_FORMAT=form).out
+    assert printed("table", "--ratio", "1:5", KURBEL_FORMAT=form).out.startswith("<?xml")
+    assert printed("construct", "klein", KURBEL_FORMAT=form).out.startswith("<?xml")

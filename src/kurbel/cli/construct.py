@@ -18,6 +18,7 @@ from kurbel.commands import construct as pages
 from kurbel.commands.shown import Drawing
 from kurbel.errors import ChoiceError, ProblemError
 from kurbel.formats.registry import DEFAULT, FORMATS
+from kurbel.formats.registry import DRAWN as DRAWING
 from kurbel.page.layouts import Folder
 from kurbel.page.table import Table
 from kurbel.reading.given import choose, found_at, meant
@@ -55,7 +56,7 @@ class AnyFormat(FormatName):
     """A format of tables or of drawings."""
 
     def read(self, text: str, typed: Mapping[str, Any]) -> str:
-        if text in found_at(DRAWN):
+        if text in (*found_at(DRAWN), DRAWING):
             return text
         try:
             return super().read(text, typed)
@@ -63,7 +64,7 @@ class AnyFormat(FormatName):
             return meant(text, self.known(typed), self.name)
 
     def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
-        return dict.fromkeys((*super().known(typed), *found_at(DRAWN)))
+        return dict.fromkeys((*super().known(typed), *found_at(DRAWN), DRAWING))
 
 
 class ConstructCommand(TableCommand):
@@ -140,6 +141,8 @@ def _drawing_format(given: Given) -> str:
             f'the file name "{given.values["output"][-60:]}" names neither a drawing nor a table; its suffix'
             f" must be one of {', '.join(dict.fromkeys(known))}"
         )
+    if named == DRAWING:
+        return suffix if suffix in drawn else "svg"
     return named if named in drawn else ""
 
 

@@ -11,7 +11,7 @@ import click
 
 from kurbel.cli.options import Given, click_option
 from kurbel.commands.parts.drawing import Pictured
-from kurbel.formats.registry import DRAWINGS, DRAWN
+from kurbel.formats.registry import DRAWINGS, DRAWN, FORMATS
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
@@ -42,6 +42,10 @@ def drawing_format(given: Given) -> str:
     by_name = given.typed("format") or output == "-" or given.in_document
     name = (named if by_name else suffix) or ""
     if name == DRAWN:
+        if any(f".{suffix}" in one.suffixes for one in FORMATS.values()) and suffix not in ALSO_PAGES:
+            raise click.UsageError(
+                f"a drawing is no {suffix}; name a file such as -o kurbel.svg or -o kurbel.pdf"
+            )
         name = suffix if suffix in (*DRAWINGS, *ALSO_PAGES) else "svg"
     elif name not in DRAWINGS and not (moves and name == "html"):
         _check_page(given, name)

@@ -242,7 +242,10 @@ def _format(given: Given) -> Format:
     if not output:
         raise click.UsageError("--output names no file; - is standard output.")
     check_undrawn(given)
-    chosen = FORMATS[named or DEFAULT] if output == "-" or given.typed("format") else for_suffix(output)
+    if named not in FORMATS:
+        # A drawing by the environment is for pages that have one.
+        named = DEFAULT
+    chosen = FORMATS[named] if output == "-" or given.typed("format") else for_suffix(output)
     of_bytes = isinstance(chosen, BytesFormat)
     if of_bytes and output == "-" and sys.stdout.isatty():
         name = chosen.name

@@ -155,6 +155,9 @@ class PartsCommand(Command):
 
     def settle(self, values: Values) -> None:
         self._with_defaults(values)
+        for one in self.options.values():
+            if one.required and not values.says(one.name):
+                raise ProblemError(f"{one.flag} is missing, without which there is nothing to compute")
         for part in self.asks.parts():
             values.outdo(part.rivals)
             if "settle" in vars(part):
