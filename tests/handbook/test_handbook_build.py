@@ -12,6 +12,7 @@ import shutil
 import signal
 import subprocess
 import sys
+from collections import Counter
 from collections.abc import Mapping
 from contextlib import suppress
 from functools import partial
@@ -433,7 +434,9 @@ def test_a_process_that_ends_costs_its_own_part_and_after_three_the_rest_is_not_
     ended = "its process was ended, for want of memory or from outside"
     untried = "not tried, for others like it were stopped"
     found = {piece.name: became for piece, became in worked(pieces, 2)}
-    assert found == {"0": ended, "1": Made({}), "2": ended, "3": ended, "4": untried, "5": untried}
+    assert found.pop("1") == Made({})
+    # Which of two that run at once ends first, the system says.
+    assert Counter(found.values()) == {ended: 3, untried: 2}
 
 
 def run(programs: Programs, folder: Path) -> subprocess.Popen[bytes]:

@@ -51,9 +51,11 @@ def _placed(words: list[tuple[str, ...]]) -> list[tuple[float, float, str]]:
     boxes = [
         (float(left), float(up), float(right), float(down), text) for left, up, right, down, text in words
     ]
-    wide = sum(right - left for left, _, right, _, _ in boxes)
-    tall = sum(down - up for _, up, _, down, _ in boxes)
-    if wide > tall:
+    # A letter of a formula is taller than wide, whichever way it is read.
+    long = [box for box in boxes if len(box[4]) > 3]
+    wide = sum(right - left for left, _, right, _, _ in long)
+    tall = sum(down - up for _, up, _, down, _ in long)
+    if wide >= tall:
         return [((up + down) / 2, left, text) for left, up, _, down, text in boxes]
     return [((left + right) / 2, -down, text) for left, _, right, down, text in boxes]
 
