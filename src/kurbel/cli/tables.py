@@ -130,7 +130,7 @@ class TableCommand(MakingCommand):
     def print(self, question: Any, printing: Printing, given: Given) -> None:
         """Write the table to the file, whole or not at all."""
         if isinstance(printing.format, RecordsFormat):
-            from kurbel.formats.streams import record_chunks
+            from kurbel.commands.streams import record_chunks
 
             form = printing.format.for_excel if printing.excel else printing.format
             decimal = form.decimal_name(question.lang, printing.decimal)

@@ -10,9 +10,8 @@ import flint
 
 from kurbel.books.formulas.form import Algebra, Form, Letters
 from kurbel.books.formulas.points import BITS, Balls, Series, at_points, cells, ends, is_moderate, order_of
-from kurbel.books.formulas.polynomial import Quotient
+from kurbel.books.formulas.polynomial import MOST_AT_POINTS, MOST_OF_PROOFS, Quotient, UnprovableError, Work
 from kurbel.books.formulas.proof import PARTS, Symbols
-from kurbel.books.formulas.work import MOST_AT_POINTS, MOST_OF_PROOFS, UnprovableError, Work
 from kurbel.exact.size import TooLargeError
 
 # How a formula follows from one before it: it begins; it is equal; it is so but for what the book neglects;

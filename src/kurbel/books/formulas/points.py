@@ -11,7 +11,7 @@ from typing import Any
 import flint
 from flint import arb, arb_series
 
-from kurbel.books.formulas.work import Work
+from kurbel.books.formulas.polynomial import Work
 from kurbel.exact.certify import ball
 from kurbel.exact.numerals import MOST_FIGURES
 

@@ -12,16 +12,9 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import TypeAlias
 
-from kurbel.books.formulas.polynomial import (
-    ONE,
-    Monomial,
-    Polynomial,
-    Quotient,
-    Ring,
-    common,
-    multiplied,
-)
-from kurbel.books.formulas.work import UnprovableError, Work
+from flint import fmpq
+
+from kurbel.books.formulas.polynomial import Polynomial, Quotient, Ring, UnprovableError, Work
 
 Circle: TypeAlias = tuple[Quotient, Quotient]
 # Of a letter in an angle; halves and quarters of angles are in the books.
@@ -52,7 +45,7 @@ class Symbols:
         self.parts = parts
         self._positive: set[int] = set()
         self.pi = self.letter()
-        self._pi = self.ring.count
+        self._pi = self.ring.last
         self._circles: dict[int, Circle] = {}
         self._whole: set[int] = set()
         self._roots: list[tuple[Polynomial, Quotient]] = []
@@ -72,26 +65,27 @@ class Symbols:
         """Return a new letter that stands for any positive number."""
         number = self.ring.letter()
         self._positive.add(number)
-        return Quotient(self.ring, self.ring.power(number))
+        return Quotient(self.ring, self.ring.letters[number])
 
     def spend(self, operations: float) -> None:
         self.ring.work.spend(operations)
 
     def of(self, value: Fraction) -> Quotient:
-        return Quotient(self.ring, {(): value} if value else {})
+        return Quotient(self.ring, fmpq(value.numerator, value.denominator) * self.ring.one)
 
     def apply(self, function: str, value: Quotient) -> Quotient:
         return self._functions[function](value)
 
     def _circle(self, angle: Quotient) -> Circle:
         """Return sine and cosine of a sum of letters with rational factors."""
-        if angle.bottom != ONE:
+        if angle.bottom != 1:
             raise UnprovableError("the angle is a quotient")
         sine, cosine = self.of(Fraction(0)), self.of(Fraction(1))
-        for monomial, factor in angle.top.items():
-            if len(monomial) != 1 or monomial[0][1] != 1:
+        for powers, factor in angle.top.terms():
+            if sum(powers) != 1:
                 raise UnprovableError("the angle is no sum of letters")
-            other_sine, other_cosine = self._multiple(monomial[0][0], factor)
+            share = Fraction(int(factor.p), int(factor.q))
+            other_sine, other_cosine = self._multiple(powers.index(1), share)
             sine, cosine = (
                 sine * other_cosine + cosine * other_sine,
                 cosine * other_cosine - sine * other_sine,
@@ -116,16 +110,15 @@ class Symbols:
         if letter not in self._circles:
             ring = self.ring
             cosine = ring.letter()
-            square = ring.sum(ONE, ring.power(cosine, 2), Fraction(-1))
-            sine = ring.letter(square)
-            self._circles[letter] = Quotient(ring, ring.power(sine)), Quotient(ring, ring.power(cosine))
+            sine = ring.letter(1 - ring.letters[cosine] ** 2)
+            self._circles[letter] = Quotient(ring, ring.letters[sine]), Quotient(ring, ring.letters[cosine])
         return self._circles[letter]
 
     def _arc(self, sine: Quotient, cosine: Quotient) -> Quotient:
         angle = self.ring.letter()
         self._circles[angle] = sine, cosine
         self._whole.add(angle)
-        return Quotient(self.ring, self.ring.power(angle))
+        return Quotient(self.ring, self.ring.letters[angle])
 
     def _arcsin(self, sine: Quotient) -> Quotient:
         return self._arc(sine, self._root(self.of(Fraction(1)) - sine * sine))
@@ -139,7 +132,7 @@ class Symbols:
             if known.equals(value):
                 return logarithm
         # Of either sign, and so none of the letters that may stand before a root.
-        logarithm = Quotient(self.ring, self.ring.power(self.ring.letter()))
+        logarithm = Quotient(self.ring, self.ring.letters[self.ring.letter()])
         self._logarithms.append((value, logarithm))
         return logarithm
 
@@ -150,34 +143,31 @@ class Symbols:
         radicand = self.ring.product(value.top, value.bottom)
         if not radicand:
             return self.of(Fraction(0))
-        before, scale, rest = self._parted(radicand)
-        root = Quotient(self.ring, {before: scale}, value.bottom)
-        return root if rest == ONE else root * self._root_of(rest)
+        before, rest = self._parted(radicand)
+        root = Quotient(self.ring, before, value.bottom)
+        return root if rest == 1 else root * self._root_of(rest)
 
     def _is_positive(self, polynomial: Polynomial) -> bool:
         """Whether it is a product of plain letters, which are positive."""
         return all(
-            coefficient > 0 and all(letter in self._positive for letter, _ in monomial)
-            for monomial, coefficient in polynomial.items()
+            coefficient > 0 and all(place in self._positive for place, power in enumerate(powers) if power)
+            for powers, coefficient in polynomial.terms()
         )
 
-    def _parted(self, radicand: Polynomial) -> tuple[Monomial, Fraction, Polynomial]:
-        """Return what stands before the root: letters, a number; and what is left below it."""
-        shared = common(radicand)
-        before = tuple(
-            (letter, power // 2) for letter, power in shared if power > 1 and letter in self._positive
-        )
-        constant = abs(radicand[min(radicand)])
+    def _parted(self, radicand: Polynomial) -> tuple[Polynomial, Polynomial]:
+        """Return what stands before the root, letters and a number; and what is left below it."""
+        (shared,), before = radicand.term_content().monoms(), self.ring.one
+        for place in self._positive:
+            before *= self.ring.letters[place] ** (shared[place] // 2)
+        constant = abs(radicand.coeffs()[-1])
         # √(n/d) is √(n d)/d, so that roots of numbers alone are those of whole ones without squares.
-        scale = Fraction(square_root_in(constant.numerator * constant.denominator), constant.denominator)
-        outside = tuple((letter, -2 * power) for letter, power in before)
-        rest = {multiplied(one, outside): value / scale**2 for one, value in radicand.items()}
-        return before, scale, rest
+        before *= fmpq(square_root_in(int(constant.p * constant.q)), constant.q)
+        return before, radicand / (before * before)
 
     def _root_of(self, radicand: Polynomial) -> Quotient:
         for known, root in self._roots:
             if known == radicand:
                 return root
-        root = Quotient(self.ring, self.ring.power(self.ring.letter(radicand)))
+        root = Quotient(self.ring, self.ring.letters[self.ring.letter(radicand)])
         self._roots.append((radicand, root))
         return root
