@@ -9,9 +9,10 @@ import pytest
 
 import kurbel
 from kurbel.exact.numerals import Number
+from kurbel.formats.latex.writer import TIGHT, whole_pairs, widths
 from kurbel.formats.page import page
 from kurbel.formats.spacing import gaps, panel_pauses
-from kurbel.formats.writer import PLAIN, TIGHT, whole_pairs, widths
+from kurbel.formats.writer import PLAIN
 from kurbel.page.table import DITTO, Cell, Column, Group, Panel, Row, shared_symbols
 
 Stub: TypeAlias = Sequence[Cell] | Sequence[tuple[Cell, ...]]

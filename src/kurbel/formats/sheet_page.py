@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable, Sequence
 from dataclasses import replace
-from itertools import chain, zip_longest
+from itertools import chain
 from math import ceil
 from typing import Literal, NamedTuple
 
 from kurbel.errors import LayoutError
 from kurbel.exact.numerals import Number
+from kurbel.formats.measure import shared, spans, widest
 from kurbel.formats.page import Page, PageCell, PagePanel, page
 from kurbel.formats.sheet import (
     MOST_COLUMNS,
@@ -99,7 +100,7 @@ class _Draft:
         self.looks: dict[Look, Look] = {}
         self.heights: dict[int, float] = {}
         self.row = 0
-        widths = [max(column) for column in zip_longest(*map(_widths, ready.panels), fillvalue=0.0)]
+        widths = widest(map(_widths, ready.panels))
         spanners = chain.from_iterable(chain.from_iterable(panel.spanners for panel in ready.panels))
         parted = {cell.first for cell in spanners if cell.first}
         # Where the columns of the page stand in the sheet.
@@ -274,11 +275,8 @@ def _figures(panel: PagePanel, model: Panel, place: int) -> _Figures:
 def _widths(panel: PagePanel) -> list[float]:
     """Return the widths of the columns of a panel, in figures."""
     widths = [_width(panel, place) for place in range(len(panel.columns))]
-    for cell in chain.from_iterable(reversed(panel.spanners)):
-        lacking = max(map(figures_wide, cell.lines)) + 1 - sum(widths[cell.first : cell.last + 1])
-        for place in range(cell.first, cell.last + 1):
-            widths[place] += max(0.0, lacking / cell.across)
-    return widths
+    above = spans(panel, lambda cell: max(map(figures_wide, cell.lines)) + 1)
+    return shared(widths, above, [0.0] * len(widths))
 
 
 def _width(panel: PagePanel, place: int) -> float:

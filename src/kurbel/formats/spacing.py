@@ -6,18 +6,13 @@ It is worked out once, here; formats only obey it.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import chain, pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from itertools import pairwise
 
 from kurbel.exact.numerals import Number
-from kurbel.formats.writer import added
 from kurbel.page.labels import plain
-from kurbel.page.table import DITTO, Cell, Column, Group, HeadCell, Panel
-
-if TYPE_CHECKING:
-    from kurbel.formats.page import PagePanel
+from kurbel.page.table import DITTO, Cell, Column, Group, Panel
 
 # In em. Columns under the same spanners, or of a stub, stand close; of those that share an outer spanner
 # only, and where there are no spanners, further apart.
@@ -51,39 +46,6 @@ def _gap(left: Column, right: Column) -> float:
     if left.spanners == right.spanners:
         return WITHIN
     return BESIDE if left.spanners[:1] == right.spanners[:1] else BETWEEN
-
-
-class Room(NamedTuple):
-    """A width, of which `gaps` take a share that grows and shrinks with them."""
-
-    em: float
-    gaps: float = 0.0
-
-    @property
-    def whole(self) -> float:
-        return self.em + self.gaps
-
-    def __bool__(self) -> bool:
-        return bool(self.em)
-
-
-def overhangs(
-    panel: PagePanel, columns: Sequence[float], width: Callable[[HeadCell], float]
-) -> tuple[list[Room], list[Room]]:
-    """Return how far spanners that are wider than what is below them reach over each column, left and right.
-
-    Room there keeps the gaps between the columns below as they are, however wide the spanner is.
-    """
-    left, right = ([Room(0.0) for _ in columns] for _ in range(2))
-    for cell in chain.from_iterable(reversed(panel.spanners)):
-        below = range(cell.first, cell.last + 1)
-        hanging = [*left[cell.first : cell.last + 1], *right[cell.first : cell.last + 1]]
-        em = width(cell) - added(columns[place] for place in below) - added(one.em for one in hanging)
-        gaps = added(panel.columns[place].gap for place in below[1:]) + added(one.gaps for one in hanging)
-        if em > gaps:
-            for side, place in ((left, cell.first), (right, cell.last)):
-                side[place] = Room(side[place].em + em / 2, side[place].gaps - gaps / 2)
-    return left, right
 
 
 def panel_pauses(panel: Panel, every: int | None) -> Iterator[frozenset[int]]:

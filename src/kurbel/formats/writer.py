@@ -1,25 +1,19 @@
-"""What writes a format: the bases of the `Writer` in each format's folder, and estimated widths of columns.
-
-Widths are in em, as of Computer Modern, where they are nearly the same in all sizes.
-"""
+"""What writes a format: the bases of the `Writer` in each format's folder."""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import reduce
-from itertools import chain
-from operator import add
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from kurbel.page.formula import Formula
 from kurbel.page.labels import formula_plain, mark_text
-from kurbel.page.table import HeadCell, Table
+from kurbel.page.table import Table
 
 if TYPE_CHECKING:
     from kurbel.documents.document import Document
     from kurbel.formats.columns import Field
-    from kurbel.formats.page import Page, PagePanel
+    from kurbel.formats.page import Page
     from kurbel.formats.sheet import Workbook
 
 # Called with the decimal mark, yields the columns of each chunk by their names.
@@ -169,120 +163,3 @@ PERCENT_DELIMITERS: Mapping[str, str] = {
     "comment_start_string": "<#",
     "comment_end_string": "#>",
 }
-
-
-def _count(page: Page) -> int:
-    return max(len(panel.columns) for panel in page.panels)
-
-
-def _widest(panels: Iterable[Sequence[float]], count: int) -> list[float]:
-    padded = ([*widths, *[0.0] * (count - len(widths))] for widths in panels)
-    return [max(column) for column in zip(*padded, strict=True)]
-
-
-_CHARACTERS = (
-    ("ilI,.:;[]'’!|", 0.28),
-    ("fj- ", 0.33),
-    ("rst()₀₁₂₃₄₅₆₇₈₉", 0.39),
-    ("cez?°⁻⁰¹²³⁴⁵⁶⁷⁸⁹⁾ₘ", 0.46),
-    ("kqvxySbdhnpuüµJ", 0.55),
-    ("LFEPBCTRAHNUVXYDwφψαωZ", 0.72),
-    ("KOQG+−±=ÄÖÜΔΠΣΦΨΩ", 0.78),
-    ("mM%½", 0.85),
-    ("—∞W", 1.0),
-)
-_EM = {character: width for characters, width in _CHARACTERS for character in characters}
-
-
-def added(lengths: Iterable[float]) -> float:
-    """Return the sum, added one after the other.
-
-    From Python 3.12 on sum() carries what floats lose, and a length here and there had another last digit.
-    """
-    return reduce(add, lengths, 0)
-
-
-def em(text: str) -> float:
-    """Return the width of a text; a character that is not listed is as wide as a digit."""
-    return added([_EM.get(character, 0.5) for character in text])
-
-
-def _cell_widths(panel: PagePanel) -> list[float]:
-    rows = panel.rows
-    return [
-        max((em(row[place].text + row[place].tail) for row in rows), default=0.0)
-        for place in range(len(panel.columns))
-    ]
-
-
-# A spanner has room as if the gaps below it were half of what they can be.
-TIGHT = 0.5
-
-
-class Widths(NamedTuple):
-    """The columns of all panels: their widths, those of their cells alone, the gaps before them, and by how
-    much spanners that are wider than what is below them hang over on the left and on the right."""
-
-    columns: Sequence[float]
-    cells: Sequence[float]
-    gaps: Sequence[float]
-    left: Sequence[float]
-    right: Sequence[float]
-
-    @property
-    def all(self) -> float:
-        """The width of all columns without the gaps."""
-        return added(self.columns) + added(self.left) + added(self.right)
-
-    @property
-    def natural(self) -> float:
-        """The width with whole gaps."""
-        return self.all + added(self.gaps)
-
-
-def widths(page: Page, stacked: bool) -> Widths:
-    """Return the widths of a page that is set as plain text.
-
-    `stacked` tells that the symbols of spanners stand below their names.
-    """
-    panels = [_room(panel, stacked) for panel in page.panels]
-    return Widths(*(_widest(part, _count(page)) for part in zip(*panels, strict=True)))
-
-
-def whole_pairs(page: Page, room: Widths) -> Widths:
-    """Return the widths with the gaps below wide spanners as they shall be on any line: they cost no width.
-
-    What hangs over serves these gaps first; they then belong to the columns. Several panels leave it.
-    """
-    gaps, left, right = ([*part] for part in (room.gaps, room.left, room.right))
-    innermost = page.panels[0].spanners[-1] if len(page.panels) == 1 and page.panels[0].spanners else ()
-    for cell in innermost:
-        inner = range(cell.first + 1, cell.last + 1)
-        needed = (1 - TIGHT) * added(gaps[place] for place in inner) / 2
-        if needed and min(left[cell.first], right[cell.last]) >= needed:
-            left[cell.first] -= needed
-            right[cell.last] -= needed
-            for place in inner:
-                gaps[place], left[place] = 0.0, left[place] + gaps[place]
-    return room._replace(gaps=gaps, left=left, right=right)
-
-
-def spanner_width(cell: HeadCell, stacked: bool) -> float:
-    """Return the width of a spanner."""
-    return max(map(em, cell.lines)) if stacked else em(cell.text)
-
-
-def _room(panel: PagePanel, stacked: bool) -> Widths:
-    cells = _cell_widths(panel)
-    columns = [
-        max(own, *map(em, column.heading), 0.0) for column, own in zip(panel.columns, cells, strict=True)
-    ]
-    gaps = [column.gap for column in panel.columns]
-    left, right = [0.0] * len(cells), [0.0] * len(cells)
-    for cell in chain.from_iterable(reversed(panel.spanners)):
-        inner = range(cell.first + 1, cell.last + 1)
-        extent = added(columns[cell.first : cell.last + 1])
-        extent += added(TIGHT * gaps[place] + right[place - 1] + left[place] for place in inner)
-        over = max((spanner_width(cell, stacked) - extent) / 2, 0.0)
-        left[cell.first], right[cell.last] = max(left[cell.first], over), max(right[cell.last], over)
-    return Widths(columns, cells, gaps, left, right)

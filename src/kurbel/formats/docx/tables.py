@@ -10,12 +10,13 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from copy import deepcopy
 from functools import cached_property
+from itertools import chain
 from typing import NamedTuple
 from xml.etree.ElementTree import Element, SubElement, fromstring, register_namespace, tostring
 
 from kurbel.errors import LayoutError
 from kurbel.formats.html.words import OTHERS, WIDTHS
-from kurbel.formats.writer import added
+from kurbel.formats.measure import Span, added, shared
 
 _MAIN = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
 _SPACES = {
@@ -264,14 +265,9 @@ class _Grid:
             max(words[place] if self.of_words[place] else self.figures[place], heads[place])
             for place in range(self.count)
         ]
-        for _, row in reversed(self.head):
-            for cell in row:
-                below = range(cell.column, cell.column + cell.across)
-                inner = added(LEAST_GAP * self.gaps[place] for place in below[1:])
-                lacking = width(cell.element) - inner - added(columns[place] for place in below)
-                for place in below:
-                    columns[place] += max(lacking, 0.0) / cell.across
-        return columns
+        cells = chain.from_iterable(row for _, row in reversed(self.head))
+        above = (Span(cell.column, cell.across, width(cell.element)) for cell in cells)
+        return shared(columns, above, [LEAST_GAP * gap for gap in self.gaps])
 
     @cached_property
     def narrow(self) -> list[float]:

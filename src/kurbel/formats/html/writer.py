@@ -5,7 +5,7 @@ from which the style sheet reckons gaps and sizes.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 from zlib import crc32
@@ -13,8 +13,8 @@ from zlib import crc32
 from kurbel.formats.formula import has_bar, mathml
 from kurbel.formats.html.live.pages import live_in, of_each_step
 from kurbel.formats.html.words import OTHERS, WIDTHS, WORDS
-from kurbel.formats.spacing import Room, overhangs
-from kurbel.formats.writer import PageWriter, added
+from kurbel.formats.measure import Room, added, bodies, headings, overhangs, shared, spans, widest
+from kurbel.formats.writer import PageWriter
 from kurbel.page.formula import Formula
 from kurbel.page.table import HeadCell
 
@@ -203,7 +203,7 @@ class Widths(NamedTuple):
 
     @property
     def slim(self) -> bool:
-        beside = added(room.whole for room in (*self.left, *self.right))
+        beside = added(room.at() for room in (*self.left, *self.right))
         return self.wide + added(self.gaps) + beside <= _SLIM
 
     @property
@@ -250,50 +250,22 @@ def measures(panel: PagePanel, lang: str) -> Widths:
     def broken(head: str) -> float:
         return _whole(_longest(hyphenated(head, lang)))
 
-    cells = [_cells(panel, place) for place in range(len(panel.columns))]
-    wide = _columns(panel, cells, _whole)
-    left, right = overhangs(panel, wide, lambda spanner: _whole(spanner.text))
-    figures = [max(map(_whole, texts), default=0.0) for texts in cells]
-    shifts = tuple(
-        (room - own) / 2 if column.align == "right" else 0.0
-        for room, own, column in zip(wide, figures, panel.columns, strict=True)
-    )
-    wrapping = [
-        texts if column.align == "right" else list(map(_longest, texts))
-        for texts, column in zip(cells, panel.columns, strict=True)
-    ]
-    least = _spanned(panel, _columns(panel, wrapping, broken), broken)
+    gaps, whole = tuple(column.gap for column in panel.columns), bodies(panel, _whole)
+    wide = widest((whole, headings(panel, _whole)))
+    left, right = overhangs(wide, spans(panel, lambda spanner: _whole(spanner.text)), gaps)
+    figures = [column.align == "right" for column in panel.columns]
+    shifts = tuple((room - own) / 2 * right for room, own, right in zip(wide, whole, figures, strict=True))
+    words = bodies(panel, lambda text: _whole(_longest(text)))
+    wrapping = [own if right else word for own, word, right in zip(whole, words, figures, strict=True)]
+    above = spans(panel, lambda spanner: broken(spanner.text))
+    least = shared(widest((wrapping, headings(panel, broken))), above, gaps)
     if any(row[-1].marks for row in panel.rows):
         wide[-1], least[-1] = wide[-1] + _MARK, least[-1] + _MARK
-    gaps = tuple(column.gap for column in panel.columns)
     if any(cell.marks for row in panel.rows for cell in row[panel.stubs :]):
         least = [room + _LEAST_UNIT * gap for room, gap in zip(least, gaps, strict=True)]
     one_word = not any(" " in line for column in panel.columns[panel.stubs :] for line in column.heading)
     mores = tuple(max(whole - room, 0.0) * one_word for whole, room in zip(wide, least, strict=True))
     return Widths(added(wide), tuple(least), gaps, shifts, mores, left, right)
-
-
-def _cells(panel: PagePanel, place: int) -> list[str]:
-    return [row[place].text + row[place].tail for row in panel.rows if row[place].down]
-
-
-def _columns(panel: PagePanel, cells: Sequence[Iterable[str]], width: Callable[[str], float]) -> list[float]:
-    """Return the width of each column from its cells and its heading."""
-    return [
-        max([*map(_whole, texts), *map(width, column.heading)], default=0.0)
-        for texts, column in zip(cells, panel.columns, strict=True)
-    ]
-
-
-def _spanned(panel: PagePanel, columns: list[float], width: Callable[[str], float]) -> list[float]:
-    """Return the width of each column with its share of the spanners above it."""
-    for spanner in (cell for row in reversed(panel.spanners) for cell in row):
-        below = range(spanner.first, spanner.last + 1)
-        inner = added(panel.columns[place].gap for place in below[1:])
-        lacking = width(spanner.text) - inner - added(columns[place] for place in below)
-        for place in below:
-            columns[place] += max(lacking, 0.0) / spanner.across
-    return columns
 
 
 def _whole(text: str) -> float:

@@ -14,19 +14,10 @@ from itertools import groupby
 from typing import Any, NamedTuple, Self
 
 from kurbel.formats.formula import TEX_OBEYED, TexMath, has_bar
-from kurbel.formats.page import Page, PageCell, page
+from kurbel.formats.measure import added, bodies, em, headings, overhangs, spans, widest
+from kurbel.formats.page import Page, PageCell, PagePanel, page
 from kurbel.formats.spacing import WITHIN
-from kurbel.formats.writer import (
-    PERCENT_DELIMITERS,
-    PLAIN,
-    PageWriter,
-    Widths,
-    Wishes,
-    added,
-    em,
-    whole_pairs,
-    widths,
-)
+from kurbel.formats.writer import PERCENT_DELIMITERS, PLAIN, PageWriter, Wishes
 from kurbel.page.formula import GREEK, SIGNS, SYMBOLS, Formula
 from kurbel.page.table import HeadCell, Table
 
@@ -152,6 +143,65 @@ SMALL, SMALLEST, LEADING = 9.25, 8.0, 8.0
 MOST_FLOATS = 10
 # Half the gap in a pair of columns, which TeX calls \tabcolsep: whole, and where smaller type is better.
 WHOLE, LEAST = WITHIN / 2, 0.3
+
+
+# A spanner has room as if the gaps below it were half of what they can be.
+TIGHT = 0.5
+
+
+class Widths(NamedTuple):
+    """The columns of all panels: their widths, those of their cells alone, the gaps before them, and by how
+    much spanners that are wider than what is below them hang over on the left and on the right."""
+
+    columns: Sequence[float]
+    cells: Sequence[float]
+    gaps: Sequence[float]
+    left: Sequence[float]
+    right: Sequence[float]
+
+    @property
+    def all(self) -> float:
+        """The width of all columns without the gaps."""
+        return added(self.columns) + added(self.left) + added(self.right)
+
+    @property
+    def natural(self) -> float:
+        """The width with whole gaps."""
+        return self.all + added(self.gaps)
+
+
+def widths(page: Page, stacked: bool) -> Widths:
+    """Return the widths of a page that is set as plain text.
+
+    `stacked` tells that the symbols of spanners stand below their names.
+    """
+    return Widths(*map(widest, zip(*(_widths(panel, stacked) for panel in page.panels), strict=True)))
+
+
+def _widths(panel: PagePanel, stacked: bool) -> Widths:
+    cells = bodies(panel, em)
+    columns, gaps = widest((cells, headings(panel, em))), [column.gap for column in panel.columns]
+    above = spans(panel, lambda cell: max(map(em, cell.lines)) if stacked else em(cell.text))
+    left, right = ([room.at(TIGHT) for room in side] for side in overhangs(columns, above, gaps, TIGHT))
+    return Widths(columns, cells, gaps, left, right)
+
+
+def whole_pairs(page: Page, room: Widths) -> Widths:
+    """Return the widths with the gaps below wide spanners as they shall be on any line: they cost no width.
+
+    What hangs over serves these gaps first; they then belong to the columns. Several panels leave it.
+    """
+    gaps, left, right = ([*part] for part in (room.gaps, room.left, room.right))
+    innermost = page.panels[0].spanners[-1] if len(page.panels) == 1 and page.panels[0].spanners else ()
+    for cell in innermost:
+        inner = range(cell.first + 1, cell.last + 1)
+        needed = (1 - TIGHT) * added(gaps[place] for place in inner) / 2
+        if needed and min(left[cell.first], right[cell.last]) >= needed:
+            left[cell.first] -= needed
+            right[cell.last] -= needed
+            for place in inner:
+                gaps[place], left[place] = 0.0, left[place] + gaps[place]
+    return room._replace(gaps=gaps, left=left, right=right)
 
 
 class TexLayout(NamedTuple):

@@ -7,6 +7,7 @@ from itertools import accumulate
 from typing import NamedTuple
 from unicodedata import combining, east_asian_width
 
+from kurbel.formats.measure import Span, shared
 from kurbel.formats.page import PagePanel
 from kurbel.formats.rst.writer import finish
 from kurbel.page.table import HeadCell
@@ -73,8 +74,8 @@ def width_of(text: str) -> int:
 
 def grid_lines(cells: Sequence[GridCell], heads: int) -> list[str]:
     """Return the lines of cells that cover a rectangle; so many rows are its head."""
-    across = _edges([(cell.column, cell.across, cell.width + 2) for cell in cells])
-    along = _edges([(cell.row, cell.down, len(cell.lines)) for cell in cells])
+    across = _edges([Span(cell.column, cell.across, cell.width + 2) for cell in cells])
+    along = _edges([Span(cell.row, cell.down, len(cell.lines)) for cell in cells])
     canvas = [[" "] * (across[-1] + 1) for _ in range(along[-1] + 1)]
     for cell in cells:
         left, right = across[cell.column], across[cell.column + cell.across]
@@ -105,12 +106,9 @@ def _fill(line: list[str], place: int, text: Iterable[str]) -> None:
         place += width
 
 
-def _edges(extents: Sequence[tuple[int, int, int]]) -> list[int]:
+def _edges(extents: Sequence[Span[int]]) -> list[int]:
     """Return where the lines stand that part rows or columns: each extent begins, covers many, needs room."""
-    rooms = [1] * max(first + count for first, count, _ in extents)
+    count = max(extent.first + extent.across for extent in extents)
     # What covers several comes last, when it is known how much room they have without it.
-    for first, count, room in sorted(extents, key=lambda extent: extent[1]):
-        lacking = room - sum(rooms[first : first + count]) - (count - 1)
-        for step in range(lacking):
-            rooms[first + step % count] += 1
+    rooms = shared([1] * count, sorted(extents, key=lambda extent: extent.across), [1] * count)
     return [0, *accumulate(room + 1 for room in rooms)]

@@ -8,8 +8,9 @@ from itertools import chain, zip_longest
 from string import ascii_lowercase
 from typing import NamedTuple
 
+from kurbel.formats.measure import widest
 from kurbel.formats.page import Page, PageCell, PageGroup, PageNote, PagePanel
-from kurbel.formats.text.writer import TIGHTEST, Measure, grid_with, longest, measured
+from kurbel.formats.text.writer import TIGHTEST, Measure, grid_with, measured
 from kurbel.page.labels import mark_text
 from kurbel.page.wrap import fitted, lines_of, longest_word
 
@@ -90,8 +91,8 @@ def _rooms(page: Page, width: int) -> _Rooms:
     grid = grid_with(page, measures, TIGHTEST)
     return _Rooms(
         grid.widths,
-        longest([_words(column.heading) for column in panel.columns] for panel in page.panels),
-        longest(map(_least, page.panels, measures)),
+        widest([_words(column.heading) for column in panel.columns] for panel in page.panels),
+        widest(map(_least, page.panels, measures)),
         width - (grid.total - sum(grid.widths)),
     )
 

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from itertools import accumulate, islice, zip_longest
+from itertools import accumulate, islice
 from textwrap import fill
 from typing import Any, NamedTuple
 
+from kurbel.formats.measure import shared, spans, widest
 from kurbel.formats.page import Page, PageCell, PagePanel, page
 from kurbel.formats.writer import PageWriter, Wishes
 from kurbel.page.table import HeadCell, Table, Tone
@@ -191,13 +192,13 @@ def _grids_with(page: Page, measures: Sequence[Sequence[Measure]], closer: int) 
 
 def grid_with(page: Page, measures: Sequence[Sequence[Measure]], closer: int, is_flat: bool = False) -> Grid:
     """Return the grid with gaps in one of the steps by which they become closer."""
-    gaps = longest(map(partial(_gaps, closer), page.panels, measures))
-    widths = longest(
+    gaps = widest(map(partial(_gaps, closer), page.panels, measures))
+    widths = widest(
         _widths(panel, own, gaps, is_flat) for panel, own in zip(page.panels, measures, strict=True)
     )
     rights = accumulate(gap + width for gap, width in zip(gaps, widths, strict=True))
     lefts = tuple(right - width for right, width in zip(rights, widths, strict=True))
-    figures = longest(
+    figures = widest(
         [one.body if column.align == "right" else 0 for one, column in zip(own, panel.columns, strict=True)]
         for panel, own in zip(page.panels, measures, strict=True)
     )
@@ -219,11 +220,6 @@ def measured(panel: PagePanel) -> list[Measure]:
     ]
 
 
-def longest(panels: Iterable[Sequence[int]]) -> list[int]:
-    """Return for each column the largest of what the panels have."""
-    return [max(column) for column in zip_longest(*panels, fillvalue=0)]
-
-
 def _gaps(closer: int, panel: PagePanel, measures: Sequence[Measure]) -> list[int]:
     """Return the space before each column, one character at the edge."""
     full = [one.heading >= one.body for one in measures]
@@ -238,15 +234,8 @@ def _gaps(closer: int, panel: PagePanel, measures: Sequence[Measure]) -> list[in
 
 def _widths(panel: PagePanel, measures: Sequence[Measure], gaps: Sequence[int], is_flat: bool) -> list[int]:
     """Return the width of each column: its cells, its heading, and its share of the spanners above it."""
-    widths = [max(one) for one in measures]
-    for spanners in reversed(panel.spanners):
-        for cell in spanners:
-            members = range(cell.first, cell.last + 1)
-            extent = sum(widths[place] for place in members) + sum(gaps[place] for place in members[1:])
-            own = len(cell.text) if is_flat else max(map(len, cell.lines))
-            for step in range(max(own - extent, 0)):
-                widths[members[step % cell.across]] += 1
-    return widths
+    above = spans(panel, lambda cell: len(cell.text) if is_flat else max(map(len, cell.lines)))
+    return shared([max(one) for one in measures], above, gaps)
 
 
 def _block(panel: PagePanel, place: int) -> list[str]:

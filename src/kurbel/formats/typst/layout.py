@@ -7,17 +7,19 @@ beyond its columns to the last of them. Widths are estimated, so that the figure
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence, Set
+from functools import partial
+from itertools import chain
 from typing import NamedTuple
 
 from kurbel.documents.document import WORDS
 from kurbel.exact.numerals import Label
+from kurbel.formats.measure import Room, Span, added, bodies, headings, overhangs, spans, widest
+from kurbel.formats.measure import em as computer_modern
 from kurbel.formats.page import Page, PageCell, PagePanel
 from kurbel.formats.page import page as plain_page
 from kurbel.formats.typst.strings import string
-from kurbel.formats.writer import PLAIN, added
-from kurbel.formats.writer import em as computer_modern
+from kurbel.formats.writer import PLAIN
 from kurbel.page.formula import Formula
 from kurbel.page.labels import formula_plain, parse
 from kurbel.page.table import HeadCell, Table
@@ -94,19 +96,26 @@ def typst_layout(table: Table, mark: str, ready: Page) -> TypstLayout:
     """Return the layout for a table with that decimal mark; `ready` is its page for Typst."""
     # Its characters are what is measured.
     page = plain_page(table, PLAIN, mark)
-    columns, gaps = _columns(page), _gaps(page)
+    cells, heads = (widest(of(panel, em) for panel in page.panels) for of in (bodies, headings))
+    columns, gaps = (
+        widest((cells, heads)),
+        widest([one.gap for one in panel.columns] for panel in page.panels),
+    )
     stacked = frozenset(_stacked(page, columns, gaps))
-    for number, panel in enumerate(page.panels):
-        for row in reversed(panel.spanners):
-            for cell in row:
-                _make_room(columns, gaps, cell, (number, cell.level, cell.first) in stacked)
-    width = _width(columns, gaps)
+    left, right = ([room.at() for room in side] for side in _overhangs(page, columns, gaps, stacked))
+    width = added(map(added, zip(left, columns, right, strict=True))) + added(gaps)
     narrow = width - (1 - LEAST) * added(gaps)
+    figures = [
+        all(panel.columns[place].align == "right" for panel in page.panels if place < len(panel.columns))
+        for place in range(len(columns))
+    ]
+    spare = [(column - own) / 2 * right for column, own, right in zip(columns, cells, figures, strict=True)]
     above, below = _spaces(page)
     if any(group.held for panel in page.panels for group in panel.groups):
         # Cells of a column without width hold the rows of a line together.
-        columns.append(TypstColumn(0.0, 0.0, False))
-        gaps.append(0.0)
+        for side in (left, right, spare, gaps):
+            side.append(0.0)
+        figures.append(False)
     return TypstLayout(
         label=string(f"tab-{page.anchor}"),
         table=WORDS.get(page.lang, WORDS["en"])["table"],
@@ -117,12 +126,10 @@ def typst_layout(table: Table, mark: str, ready: Page) -> TypstLayout:
         rows=tuple(round(height, 1) for height in _rows_heights(page, ready)),
         notes=tuple(round(height, 1) for height in _notes_heights(page, ready, width)),
         widest=tuple(map(_widest_rows, page.panels, ready.panels)),
-        columns=tuple("right" if column.figures else "left" for column in columns),
-        gaps=tuple(f"{gap:g}em" for gap in gaps),
-        sides=tuple(_sides(column.left, column.right) for column in columns),
-        margins=tuple(
-            _sides(column.left + one, column.right + one) for column in columns for one in [column.spare / 2]
-        ),
+        columns=tuple("right" if one else "left" for one in figures),
+        gaps=tuple(f"{gap:g}em" for gap in gaps[1:]),
+        sides=tuple(map(_sides, left, right)),
+        margins=tuple(_sides(a + one, b + one) for a, b, one in zip(left, right, spare, strict=True)),
         above=above,
         below=below,
         stacked=stacked,
@@ -147,70 +154,30 @@ def paper(narrow: float, measure: float) -> str:
     )
 
 
-@dataclass
-class TypstColumn:
-    """A column of all panels: its width, what its figures leave free of that, and the space on its sides."""
-
-    width: float
-    spare: float
-    figures: bool
-    left: float = 0.0
-    right: float = 0.0
-
-
 def _sides(left: float, right: float) -> str:
     return f"(left: {left:.2f}em, right: {right:.2f}em)"
 
 
-def _columns(page: Page) -> list[TypstColumn]:
-    columns = []
-    for place in range(max(len(panel.columns) for panel in page.panels)):
-        panels = [panel for panel in page.panels if place < len(panel.columns)]
-        cells = max(em(row[place].text + row[place].tail) for panel in panels for row in panel.rows)
-        heads = max(em(line) for panel in panels for line in panel.columns[place].heading or ("",))
-        figures = all(panel.columns[place].align == "right" for panel in panels)
-        width = max(cells, heads)
-        columns.append(TypstColumn(width, width - cells if figures else 0.0, figures))
-    return columns
+def _overhangs(
+    page: Page, columns: Sequence[float], gaps: Sequence[float], stacked: Set[tuple[int, int, int]]
+) -> tuple[list[Room], list[Room]]:
+    """Return what spanners of any panel are wider than their columns, which stay together."""
+
+    def width(number: int, cell: HeadCell) -> float:
+        return max(map(em, cell.lines)) if (number, cell.level, cell.first) in stacked else em(cell.text)
+
+    above = (spans(panel, partial(width, number)) for number, panel in enumerate(page.panels))
+    return overhangs(columns, chain.from_iterable(above), gaps)
 
 
-def _width(columns: Sequence[TypstColumn], gaps: Sequence[float]) -> float:
-    return added(column.left + column.width + column.right for column in columns) + added(gaps)
-
-
-def _extent(columns: Sequence[TypstColumn], gaps: Sequence[float], spanner: HeadCell) -> float:
-    """Return the width of the columns below a spanner."""
-    return _width(columns[spanner.first : spanner.last + 1], gaps[spanner.first : spanner.last])
-
-
-def _make_room(
-    columns: Sequence[TypstColumn], gaps: Sequence[float], spanner: HeadCell, stacked: bool
-) -> None:
-    """Give what a spanner is wider than its columns to the outer sides of these, which stay together."""
-    needed = max(map(em, spanner.lines)) if stacked else em(spanner.text)
-    lacking = max(needed - _extent(columns, gaps, spanner), 0.0)
-    columns[spanner.first].left += lacking / 2
-    columns[spanner.last].right += lacking / 2
-
-
-def _stacked(
-    page: Page, columns: Sequence[TypstColumn], gaps: Sequence[float]
-) -> Iterator[tuple[int, int, int]]:
+def _stacked(page: Page, columns: Sequence[float], gaps: Sequence[float]) -> Iterator[tuple[int, int, int]]:
     """Yield the spanners whose symbols stand below their names: all of a row for which there is no room."""
     for number, panel in enumerate(page.panels):
         for row in panel.spanners:
-            beyond = added(max(em(cell.text) - _extent(columns, gaps, cell), 0.0) for cell in row)
-            if beyond and _width(columns, gaps) + beyond > ROOMY:
+            wanted = [Span(cell.first, cell.across, em(cell.text)) for cell in row]
+            beyond = 2 * added(room.at() for room in overhangs(columns, wanted, gaps)[0])
+            if beyond and added(columns) + added(gaps) + beyond > ROOMY:
                 yield from ((number, cell.level, cell.first) for cell in row if len(cell.lines) > 1)
-
-
-def _gaps(page: Page) -> list[float]:
-    """Return the gap before each column but the first, the widest that any panel has there."""
-    longest = max(len(panel.columns) for panel in page.panels)
-    return [
-        max(panel.columns[place].gap for panel in page.panels if place < len(panel.columns))
-        for place in range(1, longest)
-    ]
 
 
 def _widest_rows(panel: PagePanel, ready: PagePanel) -> tuple[tuple[PageCell, ...], ...]:
