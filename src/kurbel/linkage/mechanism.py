@@ -77,7 +77,7 @@ class LinkageMechanism(Mechanism):
     loads: ClassVar[tuple[str, ...]] = (FORCE,)
     forces = FORCES
     drawing = "kurbel.plot.drawings:links_drawing"
-    moving = "kurbel.plot.moving.links:links_scene"
+    moving = "kurbel.plot.moving:links_scene"
     examples: ClassVar[Mapping[str, str]] = {
         "table": "phi,path,rocker",
         "forces": "phi,tangential_force",

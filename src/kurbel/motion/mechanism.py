@@ -148,7 +148,7 @@ class StraightCrank(Mechanism):
         "plot forces": "x,c,p",
     }
     drawing = "kurbel.plot.drawings:mechanism_drawing"
-    moving = "kurbel.plot.moving.slide:slide_scene"
+    moving = "kurbel.plot.moving:slide_scene"
     crosshead = True
     rod = "kurbel.motion.points.slide:rod"
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
@@ -17,7 +17,6 @@ from kurbel.page.subject import Question
 from kurbel.plot.chart.model import NOTHING_AROUND, Around, Panel
 from kurbel.plot.chart.vector import PinForce
 from kurbel.plot.coupler.paths import Coupled
-from kurbel.plot.mechanism import mechanism
 from kurbel.plot.plotting import curves
 from kurbel.plot.polar import polar
 from kurbel.plot.style import USUAL, Size
@@ -31,6 +30,7 @@ if TYPE_CHECKING:
     from kurbel.linkage.linkage import Linkage
     from kurbel.plot.film.curves import Shot
     from kurbel.plot.film.model import Film
+    from kurbel.plot.standing import Standing
 
 MOST_POSITIONS = 36
 WORDS = {
@@ -112,64 +112,53 @@ def _title(question: Question) -> Label:
     return question.subject.caption(question)
 
 
-def mechanism_drawing(
-    crank: Crank,
-    angles: Sequence[Fraction],
-    lang: str,
-    mark: str,
-    size: Size = USUAL,
-    paths: Sequence[Coupled] = (),
-) -> Drawing:
+def mechanism_drawing(crank: Crank, angles: Sequence[Fraction], lang: str, *look: Any) -> Drawing:
     """Return the crank drive to scale at crank angles, the first one strong."""
-    _check_positions(angles)
-    figure = mechanism(float(crank.ratio), float(crank.offset), angles, lang, mark, size, paths)
+    from kurbel.plot.standing import SlideStanding
+
     kind = WORDS["offset drive" if crank.offset else "drive"][lang]
     offset = f", $e = {plain(crank.offset)} R$" if crank.offset else ""
-    title = kind + for_ratio(crank.ratio, lang) + offset + _of_paths(paths, lang)
-    return Drawing(figure, title, _at(angles, lang, mark))
+    title = kind + for_ratio(crank.ratio, lang) + offset
+    return _standing(SlideStanding(float(crank.ratio), float(crank.offset)), title, angles, lang, *look)
 
 
-def arc_drawing(
-    crank: RockerCrank,
-    angles: Sequence[Fraction],
-    lang: str,
-    mark: str,
-    size: Size = USUAL,
-    paths: Sequence[Coupled] = (),
-) -> Drawing:
+def arc_drawing(crank: RockerCrank, angles: Sequence[Fraction], lang: str, *look: Any) -> Drawing:
     """Return the arc crank to scale, likewise."""
-    from kurbel.plot.arc import arc_mechanism
+    from kurbel.plot.standing import RockerStanding
 
-    _check_positions(angles)
     rocker = f"${crank.letter} = {plain(crank.rocker)} R$"
     title = f"{crank.noun[lang]}{for_ratio(crank.crank.ratio, lang)}, {rocker}"
-    figure = arc_mechanism(crank, angles, lang, mark, size, paths)
-    return Drawing(figure, title + _of_paths(paths, lang), _at(angles, lang, mark))
+    return _standing(RockerStanding(crank), title, angles, lang, *look)
 
 
-def links_drawing(
-    drive: Linkage,
-    angles: Sequence[Fraction],
-    lang: str,
-    mark: str,
-    size: Size = USUAL,
-    paths: Sequence[Coupled] = (),
-) -> Drawing:
+def links_drawing(drive: Linkage, angles: Sequence[Fraction], lang: str, *look: Any) -> Drawing:
     """Return a drive to scale by its outline, likewise."""
-    from kurbel.plot.links import outlined
+    from kurbel.plot.standing import LinksStanding
 
-    _check_positions(angles)
     outline = drive.outline()
     assert outline is not None
     ratio = for_ratio(drive.crank.ratio, lang) if drive.crank.ratio else ""
-    figure = outlined(outline, angles, mark, size, paths)
-    title = outline.title[lang] + ratio + _of_paths(paths, lang)
-    return Drawing(figure, title, _at(angles, lang, mark))
+    return _standing(LinksStanding(outline), outline.title[lang] + ratio, angles, lang, *look)
 
 
-def _at(angles: Sequence[Fraction], lang: str, mark: str) -> str:
-    """Return the crank angles of a drawing, the strong one first."""
-    return f"{PHI[lang]} {'; '.join(degrees(angle, mark) for angle in angles)}"
+def _standing(
+    standing: Standing,
+    title: Label,
+    angles: Sequence[Fraction],
+    lang: str,
+    mark: str,
+    size: Size = USUAL,
+    paths: Sequence[Coupled] = (),
+) -> Drawing:
+    if len(angles) > MOST_POSITIONS:
+        raise ProblemError(
+            f"a drawing of {len(angles)} crank angles was asked for;"
+            f" at most {MOST_POSITIONS} can be told apart"
+        )
+    check_angles(angles)
+    figure = standing.drawn(angles, lang, mark, size, paths)
+    at = "; ".join(degrees(angle, mark) for angle in angles)
+    return Drawing(figure, title + _of_paths(paths, lang), f"{PHI[lang]} {at}")
 
 
 def _of_paths(paths: Sequence[Coupled], lang: str) -> Label:
@@ -178,12 +167,3 @@ def _of_paths(paths: Sequence[Coupled], lang: str) -> Label:
         return ""
     points = "; ".join(one.label for one in paths)
     return WORDS["path" if len(paths) == 1 else "paths"][lang].format(points=points)
-
-
-def _check_positions(angles: Sequence[Fraction]) -> None:
-    if len(angles) > MOST_POSITIONS:
-        raise ProblemError(
-            f"a drawing of {len(angles)} crank angles was asked for;"
-            f" at most {MOST_POSITIONS} can be told apart"
-        )
-    check_angles(angles)

@@ -17,7 +17,7 @@ import numpy as np
 
 from kurbel.page.quantity import words
 from kurbel.plot.lettering import Lettering
-from kurbel.plot.moving.positions import polar_point as polar_point
+from kurbel.plot.moving import polar_point as polar_point
 from kurbel.plot.paper.holes import Hole, cut
 from kurbel.plot.style import (
     BLACK,

@@ -39,7 +39,7 @@ class RockerMechanism(LinkageMechanism):
     loads = (FORCE, MASSES, STEAM, CARD, COMPRESSOR, PUMP, GAS)
     motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
     drawing = "kurbel.plot.drawings:arc_drawing"
-    moving = "kurbel.plot.moving.rocker:rocker_scene"
+    moving = "kurbel.plot.moving:rocker_scene"
     rod = "kurbel.linkage.arc.rod_ends:rod"
     speech: ClassVar[Speech]
     names: ClassVar[Mapping[str, str]]

@@ -21,7 +21,7 @@ from kurbel.plot.construct.elements import DRAW, ROW, Board
 from kurbel.plot.construct.extent import extent
 from kurbel.plot.construct.steps import hide_later
 from kurbel.plot.drawings import Drawing
-from kurbel.plot.moving.positions import LONGEST_ROD
+from kurbel.plot.moving import LONGEST_ROD
 from kurbel.plot.paper.fit import LEAST, fitted
 from kurbel.plot.sketch import Point, laid_out
 from kurbel.plot.style import THIN, USUAL, WIDTH, Size, style

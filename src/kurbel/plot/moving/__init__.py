@@ -1,1 +1,0 @@
-"""Mechanisms that move on interactive pages: where their joints are at every crank angle."""
