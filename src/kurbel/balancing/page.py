@@ -278,5 +278,5 @@ SUBJECT = Subject(
     caption=_caption,
     notes=balance_notes,
     options=NEEDS,
-    drawn="kurbel.plot.balance:unbalanced",
+    drawn="kurbel.plot.pages:unbalanced",
 )

@@ -247,5 +247,5 @@ SUBJECT = Subject(
     notes=_notes,
     grid=_grid,
     rows=_records,
-    drawn="kurbel.plot.over.axes:deviations",
+    drawn="kurbel.plot.pages:deviations",
 )

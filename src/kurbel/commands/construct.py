@@ -229,8 +229,7 @@ class DrawnConstruction(Constructed, Sized):
     )  # fmt: skip
 
     def question(self) -> Drawing:
-        from kurbel.plot.construct.drawing import construction_drawing
-        from kurbel.plot.construct.lesson import construction_page
+        from kurbel.plot.construct import construction_drawing, construction_page
 
         lang, decimal, last = self.lang, self.decimal, self.steps
         mark = mark_of(lang, decimal)

@@ -19,9 +19,8 @@ if TYPE_CHECKING:
     from kurbel.page.quantity import Column
     from kurbel.page.steps import Scene
     from kurbel.page.table import Value
+    from kurbel.plot.animated import Shot, Staged
     from kurbel.plot.drawings import Drawing as Drawn
-    from kurbel.plot.film.curves import Shot
-    from kurbel.plot.film.mechanism import Staged
 
 # So many quantities are read beside a drawing.
 MOST_COLUMNS = 8
@@ -61,7 +60,7 @@ def plotted(question: Any, options: Mapping[str, Any], decimal: str | None) -> D
 
 def shot_of(seconds: float, question: Any) -> Shot:
     """Return how the drawing of a question is to move, with the mechanism of a single drive."""
-    from kurbel.plot.film.curves import Shot
+    from kurbel.plot.animated import Shot
 
     span = float(question.angles[-1] - question.angles[0])
     seconds *= max(1.0, span / 360)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from kurbel.exact.numerals import Label
     from kurbel.plot.drawings import Drawing as Drawn
-    from kurbel.plot.film.model import Film
+    from kurbel.plot.film import Film
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -205,8 +205,7 @@ class Drawing:
 
     def _moving_image(self, name: str, about: str, text: bool) -> bytes:
         """Return a drawing that moves as a file; in PNG, PDF and PGF it stands still."""
-        from kurbel.plot.film.model import as_it_stands
-        from kurbel.plot.film.svg import moving
+        from kurbel.plot.film import as_it_stands, moving
         from kurbel.plot.style import FORMATS, MOVING, image, style
 
         assert self.film is not None
@@ -216,7 +215,7 @@ class Drawing:
                 raise ChoiceError(
                     "--text is for SVG, whose letters are outlines without it; leave it out for gif"
                 )
-            from kurbel.plot.film.frames import gif
+            from kurbel.plot.frames import gif
 
             with style():
                 return gif(self.figure, self.film)

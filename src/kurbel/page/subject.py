@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 Limit: TypeAlias = Callable[[Fraction], object]
 # What draws a page over one of its axes.
-OVER_AXES = "kurbel.plot.over.axes:over_axes"
+OVER_AXES = "kurbel.plot.pages:over_axes"
 # What a question finds once and depends on its units and columns; all else that was found stays.
 OF_COLUMNS = ("page_columns", "axes", "full", "for_data", "values", "long", "known")
 

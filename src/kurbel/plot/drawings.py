@@ -14,11 +14,10 @@ from kurbel.motion.page import Request
 from kurbel.page.axes import PHI
 from kurbel.page.quantity import for_ratio, words
 from kurbel.page.subject import Question
-from kurbel.plot.chart.model import NOTHING_AROUND, Around, Panel
-from kurbel.plot.chart.vector import PinForce
-from kurbel.plot.coupler.paths import Coupled
+from kurbel.plot.panel import NOTHING_AROUND, Around, Panel, PinForce
 from kurbel.plot.plotting import curves
 from kurbel.plot.polar import polar
+from kurbel.plot.rod_paths import Coupled
 from kurbel.plot.style import USUAL, Size
 from kurbel.plot.ticks import axis_label, degrees
 from kurbel.reading.notation import plain
@@ -28,8 +27,8 @@ if TYPE_CHECKING:
 
     from kurbel.linkage.arc.rocker import RockerCrank
     from kurbel.linkage.linkage import Linkage
-    from kurbel.plot.film.curves import Shot
-    from kurbel.plot.film.model import Film
+    from kurbel.plot.animated import Shot
+    from kurbel.plot.film import Film
     from kurbel.plot.standing import Standing
 
 MOST_POSITIONS = 36
@@ -74,7 +73,7 @@ def curves_drawing(
     title, about = _title(question), "; ".join(_about(panels))
     if shot is None:
         return Drawing(curves(panels, question.lang, mark, around, size), title, about)
-    from kurbel.plot.film.curves import curves_film
+    from kurbel.plot.animated import curves_film
 
     chart, film = curves_film(panels, question.lang, mark, shot, around, size)
     return Drawing(chart.figure, title, about, film)
@@ -101,7 +100,7 @@ def polar_drawing(
     title = f"{POLAR_TITLE[question.lang]}: {_title(question)}"
     if shot is None:
         return Drawing(figure, title, about)
-    from kurbel.plot.film.vector import polar_film
+    from kurbel.plot.animated import polar_film
 
     return Drawing(figure, title, about, polar_film(figure, force, shot.seconds))
 

@@ -12,14 +12,13 @@ from kurbel.exact.numerals import Label
 from kurbel.page.layouts import Layout, layout
 from kurbel.page.quantity import Column
 from kurbel.page.subject import Question
-from kurbel.plot.chart.model import NOTHING_AROUND, Around, Panel
-from kurbel.plot.chart.vector import PinForce
+from kurbel.plot.panel import NOTHING_AROUND, Around, Panel, PinForce
 from kurbel.reading import notation
 from kurbel.reading.given import found_at
 
 if TYPE_CHECKING:
+    from kurbel.plot.animated import Shot
     from kurbel.plot.drawings import Drawing
-    from kurbel.plot.film.curves import Shot
     from kurbel.plot.style import Size
 
 Asked = TypeVar("Asked", bound=Question)

@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.errors import ProblemError
-from kurbel.plot.chart.legend import LEGEND_ROW, draw_legend
-from kurbel.plot.chart.marks import (
+from kurbel.plot.marks import (
     BESIDE_SWING,
     draw_areas,
     draw_ends,
@@ -16,14 +15,16 @@ from kurbel.plot.chart.marks import (
     draw_swing,
     strip_of,
 )
-from kurbel.plot.chart.model import NOTHING_AROUND, Around, Panel, check_panel
-from kurbel.plot.chart.plan import (
+from kurbel.plot.panel import NOTHING_AROUND, Around, Panel, check_panel
+from kurbel.plot.plan import (
     ABOVE,
     BELOW,
     LEFT,
+    LEGEND_ROW,
     RIGHT,
     Plan,
     Room,
+    draw_legend,
     plan_of,
     with_one_legend,
 )
@@ -148,7 +149,7 @@ def _plans(
         return with_one_legend([plan_of(one, span, has._replace(height=height), mark) for one, has in each])
 
     if any(panel.scale for panel in panels):
-        from kurbel.plot.chart.to_scale import plans_to_scale
+        from kurbel.plot.plan import plans_to_scale
 
         def to_scale(ends: tuple[float, float], rooms: Sequence[Room]) -> list[Plan]:
             each = zip(panels, rooms, strict=True)

@@ -15,10 +15,9 @@ from typing import TYPE_CHECKING
 from kurbel.errors import ProblemError
 from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.linkage.linkage import Outline, Stand
-from kurbel.plot.coupler.paths import Coupled, around, draw_paths, usual_scale
 from kurbel.plot.moving import LONGEST_ROD, SHAFT, Position, Rocker, Slide, Swung, crank_pin, polar_point
-from kurbel.plot.paper.fit import fitted
 from kurbel.plot.place import CLEAR
+from kurbel.plot.rod_paths import Coupled, around, draw_paths, usual_scale
 from kurbel.plot.sketch import (
     DEAD_CENTRES,
     DOWN,
@@ -31,6 +30,7 @@ from kurbel.plot.sketch import (
     Sketch,
     Text,
     laid_out,
+    page_fitted,
     pin_texts,
 )
 from kurbel.plot.style import BLACK, MEDIUM, PALE, WIDTH, Size, arrowhead, style, text_of
@@ -105,7 +105,7 @@ class Standing(ABC):
         corners = around(lambda mm: self.corners(side, mm), paths)
         with style():
             scale = usual_scale(corners, self.usual, paths)
-            sketch = laid_out(*fitted(corners, scale, size), side)
+            sketch = laid_out(*page_fitted(corners, scale, size), side)
             self.fixed(sketch)
             for one in stands[1:]:
                 for chain in one.chains:

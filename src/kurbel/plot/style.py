@@ -209,13 +209,13 @@ def image(figure: Figure, name: str, title: str = "", about: str = "", text: boo
     stream = BytesIO()
     with style(OWN_FONTS if text else {}):
         if name == "pgf":
-            from kurbel.plot.paper.pgf import pgf
+            from kurbel.plot.paper import pgf
 
             return pgf(figure, title)
         figure.savefig(stream, format=name, metadata=metadata, facecolor=WHITE if name == "png" else "none")
         if name != "svg":
             return stream.getvalue()
-        from kurbel.plot.paper.svg import finished
+        from kurbel.plot.paper import finished
 
         return finished(stream.getvalue().decode(), about, text).encode()
 

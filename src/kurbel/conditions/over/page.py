@@ -212,7 +212,7 @@ MOTION = Subject(
     notes=captions.notes,
     options=NEEDS,
     listed=_listed,
-    drawn="kurbel.plot.over.path:over_path",
+    drawn="kurbel.plot.over_path:over_path",
 )
 # The same of forces.
 FORCES = MOTION._replace(

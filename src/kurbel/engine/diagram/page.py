@@ -217,7 +217,7 @@ OF_TORQUES = Subject(
     notes=_torque_notes,
     letters=True,
     options=NEEDS,
-    drawn="kurbel.plot.diagrams.torques:torques",
+    drawn="kurbel.plot.diagrams:torques",
 )
 OF_AREAS = Subject(
     key=AREAS,

@@ -228,7 +228,7 @@ PRESSURES = Subject(
     caption=_caption,
     notes=_notes,
     letters=True,
-    drawn="kurbel.plot.pressures:over_stroke",
+    drawn="kurbel.plot.strokes:over_stroke",
 )
 PRESSURES_OVER_ANGLE = PRESSURES._replace(
     key=OVER_ANGLE,

@@ -90,5 +90,5 @@ SUBJECT = Subject(
     notes=notes,
     letters=True,
     options=NEEDS,
-    drawn="kurbel.plot.diagrams.torques:sizing",
+    drawn="kurbel.plot.diagrams:sizing",
 )

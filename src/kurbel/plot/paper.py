@@ -1,4 +1,5 @@
-"""A figure as PGF, for \\input in a LaTeX document, whose own fonts set its letters.
+"""What a drawing becomes on the page: SVG, whose letters are joined to words, with what it shows in words and
+black in the colour of the page's text; PGF, for \\input in a LaTeX document, whose own fonts set its letters.
 
 matplotlib measures the texts of PGF by running LaTeX. Here their places are already found, in the fonts of
 all drawings, and each text is set from the same anchor: no LaTeX is run, and the file is the same everywhere.
@@ -8,14 +9,106 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterator, Sequence
 from functools import cache
+from html import escape, unescape
 from io import StringIO
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.plot.style import BLACK
+from kurbel.plot.style import BLACK, PALE
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+_TEXT = re.compile(r"(<text>)\s*((?:<tspan[^>]*>[^<]*</tspan>\s*)+)(</text>)")
+_LETTER = re.compile(r'<tspan x="([-\d.]+)" y="([-\d.]+)" style="([^"]*)">([^<]*)</tspan>')
+_SIZE = re.compile(r"font-size: ([\d.]+)px")
+# What matplotlib sets for a space beside formulas.
+NO_BREAK = "\N{NO-BREAK SPACE}"
+_ITALIC = "font-style: italic"
+# In em: letters so far apart are one word, and from here on a space is between them.
+_TOGETHER, _SPACE = 0.03, 0.1
+
+
+class _Letter(NamedTuple):
+    x: float
+    y: str
+    style: str
+    text: str
+
+    @property
+    def size(self) -> float:
+        found = _SIZE.search(self.style)
+        return float(found[1]) if found else 1.0
+
+    def end(self) -> float:
+        return self.x + _advance(unescape(self.text), _ITALIC in self.style) * self.size
+
+
+def joined(svg: str) -> str:
+    """Return the file with texts in reading order, letter beside letter of one kind in one piece.
+
+    Each piece stands where its first letter stood and is as long as it was, in the reader's fonts, too: a
+    wider one would run into the next. Only inside `style`.
+    """
+    return _TEXT.sub(lambda text: f"{text[1]}{''.join(_pieces(_letters(text[2])))}{text[3]}", svg)
+
+
+def _letters(spans: str) -> list[_Letter]:
+    found = [_Letter(float(x), *rest) for x, *rest in _LETTER.findall(spans)]
+    return sorted(found, key=lambda letter: letter.x)
+
+
+def _pieces(letters: Sequence[_Letter]) -> Iterator[str]:
+    run: list[_Letter] = []
+    for letter in letters:
+        gap = (letter.x - run[-1].end()) / letter.size if run else 0.0
+        alike = not run or (letter.y, letter.style) == (run[-1].y, run[-1].style)
+        if not alike or abs(gap) > _TOGETHER:
+            yield _piece(run, " ", letter.x) if gap >= _SPACE else _piece(run, "", run[-1].end())
+            run = []
+        run.append(letter)
+    yield _piece(run, "", run[-1].end())
+
+
+def _piece(run: Sequence[_Letter], space: str, end: float) -> str:
+    text = "".join(letter.text for letter in run).replace(NO_BREAK, " ") + space
+    length = f'textLength="{end - run[0].x:g}" lengthAdjust="spacingAndGlyphs"'
+    return f'<tspan x="{run[0].x:g}" y="{run[0].y}" {length} style="{run[0].style}">{text}</tspan>'
+
+
+def _advance(letter: str, italic: bool) -> float:
+    """Return how far a letter leads on, in em."""
+    from matplotlib.font_manager import findfont, get_font
+    from matplotlib.ft2font import LoadFlags
+
+    font = get_font(findfont(f"STIXGeneral{':italic' if italic else ''}"))
+    font.set_size(1000, 72)
+    return float(font.load_char(ord(letter), flags=LoadFlags.NO_HINTING).linearHoriAdvance) / 65536 / 1000
+
+
+_ROOT = re.compile(r"<svg\b[^>]*>")
+# Light lines and areas are black ones that hardly cover, so that they are faint on dark pages too.
+_FAINT = "{0}: currentColor; {0}-opacity: 0.16"
+# Fonts like those of the drawing, for text that is set anew where these are not to be had.
+_FACE, _LIKE = "'STIXGeneral'", "'STIXGeneral', 'STIX Two Text', 'Times New Roman', serif"
+
+
+def finished(svg: str, about: str, text: bool) -> str:
+    """Return the file with a description for readers that do not see it, beside the title that it has, and,
+    where it has `text`, with that in words. Only inside `style`.
+
+    Lines and letters that were black have the colour of the text of a page that the file is part of; by
+    itself they are black.
+    """
+    svg = joined(svg) if text else svg
+    for part in ("stroke", "fill"):
+        svg = svg.replace(f"{part}: {PALE}", _FAINT.format(part))
+    svg = svg.replace(BLACK, "currentColor").replace(_FACE, _LIKE)
+    svg = _ROOT.sub(lambda root: f'{root[0][:-1]} role="img" fill="currentColor">', svg, count=1)
+    told = f" <desc>{escape(about, quote=False)}</desc>\n" if about else ""
+    return svg.replace(" <metadata>", f"{told} <metadata>", 1)
+
 
 HEAD = r"""% {title}
 % For \input{{...}} in a document with \usepackage{{pgf}} and \usepackage{{amsmath}}.

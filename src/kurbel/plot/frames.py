@@ -13,7 +13,7 @@ import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.transforms import Affine2D
 
-from kurbel.plot.film.model import Film, Grown, Part
+from kurbel.plot.film import Film, Grown, Part
 from kurbel.plot.place import Points
 from kurbel.plot.style import LINES, WHITE
 

@@ -1,19 +1,87 @@
-"""A panel before it is drawn: its height, its heading, its legend, and where its labels have room."""
+"""A chart before it is drawn: the ways of its curves, its heights, headings, legends, where its labels have
+room, and panels to scale, whose axis and values are as long on paper."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from kurbel.plot.chart.course import Course
-from kurbel.plot.chart.legend import LEGEND_GAP, LEGEND_ROW, SAMPLE, SAMPLE_GAP
-from kurbel.plot.chart.model import Panel
+from kurbel.errors import ProblemError
+from kurbel.plot.panel import Curve, Panel
 from kurbel.plot.place import AROUND, BESIDE, Box, Points, around, beside, box_points, densely, freest
-from kurbel.plot.style import SMALL_TEXT, TEXT_SIZE, WIDTH, in_rows, size_of, text_of
+from kurbel.plot.style import MM, SMALL_TEXT, TEXT_SIZE, WIDTH, Size, in_rows, size_of, text_of
 from kurbel.plot.ticks import axis_label
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+LEGEND_ROW, SAMPLE, SAMPLE_GAP, LEGEND_GAP = 4.2, 9.0, 1.5, 4.0
+
+
+def draw_legend(
+    axes: Axes, drawn: Sequence[Artist], texts: Sequence[str], columns: int, above: float, side: str = "right"
+) -> None:
+    """Draw the legend of lines, at a height above the frame that is a share of the frame's."""
+    in_sizes = MM / TEXT_SIZE
+    # matplotlib fills the columns one after the other; we read along the rows.
+    order = [place for column in range(columns) for place in range(len(drawn))[column::columns]]
+    axes.legend(
+        [drawn[place] for place in order],
+        [texts[place] for place in order],
+        loc="lower left" if side == "left" else "lower right",
+        bbox_to_anchor=(0 if side == "left" else 1, 1 + above),
+        ncols=columns,
+        frameon=False,
+        handlelength=SAMPLE * in_sizes,
+        handletextpad=SAMPLE_GAP * in_sizes,
+        columnspacing=LEGEND_GAP * in_sizes,
+        labelspacing=0.35,
+        borderaxespad=0,
+        borderpad=0.3,
+    )
+
+
+class Course(NamedTuple):
+    """The angles and values of a curve, with NaN for what is not finite."""
+
+    angles: Points
+    values: Points
+
+    @classmethod
+    def of(cls, curve: Curve) -> Course:
+        values = np.asarray(curve.values, float)
+        return cls(np.asarray(curve.angles, float), np.where(np.isfinite(values), values, np.nan))
+
+    @classmethod
+    def level(cls, span: tuple[float, float], value: float = 0.0) -> Course:
+        """Return one and the same value all over a span."""
+        return cls(np.asarray(span), np.full(2, value))
+
+    def broken(self) -> Course:
+        """Return the course with a gap in every jump."""
+        after = self._after_jumps()
+        gaps = np.insert(self.values, after, np.nan)
+        return Course(np.insert(self.angles, after, self.angles[after]), gaps)
+
+    def jumps(self) -> Course:
+        """Return the jumps alone, with gaps between them."""
+        after = self._after_jumps()
+        ends = (self.values[after - 1], self.values[after], np.full(len(after), np.nan))
+        return Course(np.repeat(self.angles[after], 3), np.stack(ends, axis=1).ravel())
+
+    def at(self, angles: Points) -> Points:
+        """Return the values at angles, NaN beyond its ends."""
+        return np.asarray(np.interp(angles, self.angles, self.values, left=np.nan, right=np.nan))
+
+    def _after_jumps(self) -> NDArray[np.intp]:
+        """Return the numbers of the points after jumps, at the angles of those before."""
+        return np.flatnonzero(np.diff(self.angles) == 0) + 1
+
 
 # In mm: the numbers stand left of the panels, the quantity and the legend above each.
 LEFT, RIGHT, ABOVE, BARE, BELOW = 13.0, 4.0, 7.5, 3.0, 10.5
@@ -224,3 +292,85 @@ def _dots(plan: Plan) -> Iterable[Points]:
 def _box(one: Written) -> Points:
     left, bottom, right, top = one.box
     return box_points(one.place, (right - left, top - bottom))
+
+
+# In mm: the room beside the curves in their frame, that above and below, the greatest height of a drawing of
+# which none is given, that of a panel without a scale, and the least width of the curves.
+SIDE, SCALE_EDGE, MOST_HEIGHT, PLAIN, LEAST = 5.0, 7.0, 185.0, 38.0, 25.0
+
+# From panels, the ends of the axis and the room of each to their plans.
+Planned = Callable[[tuple[float, float], Sequence[Room]], list[Plan]]
+
+
+class _Extent(NamedTuple):
+    """The least and the greatest value of a panel, and its scale if it has one."""
+
+    low: float
+    high: float
+    scale: float | None
+
+    @classmethod
+    def of(cls, panel: Panel) -> _Extent:
+        values = np.concatenate([np.asarray(curve.values, float) for curve in panel.curves])
+        finite = values[np.isfinite(values)]
+        return cls(min(float(finite.min()), 0.0), max(float(finite.max()), 0.0), panel.scale)
+
+    def along(self) -> float:
+        """Return its height in units of the axis, 0 without a scale."""
+        return (self.high - self.low) / self.scale if self.scale else 0.0
+
+    def room(self, room: Room, mm: float, more: float) -> Room:
+        """Return the room of the panel with so many mm for a unit of the axis, and so much more height."""
+        if not self.scale:
+            return room._replace(height=PLAIN)
+        height = self.along() * mm + 2 * SCALE_EDGE + more
+        middle, half = (self.low + self.high) / 2, height / mm * self.scale / 2
+        return room._replace(height=height, limits=(middle - half, middle + half))
+
+
+def plans_to_scale(
+    panels: Sequence[Panel], span: tuple[float, float], rooms: Sequence[Room], size: Size, planned: Planned
+) -> list[Plan]:
+    """Return the panels as large as the size allows, or as a page of usual height does; what is wider than
+    the curves need is theirs on both sides."""
+    extents, way = [_Extent.of(panel) for panel in panels], span[1] - span[0]
+    mm = (size.width - LEFT - RIGHT - 2 * SIDE) / way
+    most = size.height or (None if size.exact else MOST_HEIGHT)
+    plans = _planned(extents, span, rooms, mm, size, planned)
+    # Legends may need more rows in less width.
+    for _ in range(3 if most else 0):
+        assert most is not None
+        scaled = sum(extent.along() for extent in extents)
+        over = _height(plans) - most
+        mm = min(mm, mm - over / scaled) if over > 0 else mm
+        if mm * way < LEAST:
+            raise ProblemError(
+                f"the drawing is {size.width:.6g} mm wide and at most {most:.6g} mm high; these curves, which"
+                f" are to scale, need {LEAST + 2 * SIDE + LEFT + RIGHT:.6g} mm of width and more height"
+            )
+        plans = _planned(extents, span, rooms, mm, size, planned)
+    if size.height:
+        count = sum(bool(extent.scale) for extent in extents)
+        plans = _planned(extents, span, rooms, mm, size, planned, (size.height - _height(plans)) / count)
+    return plans
+
+
+def _planned(
+    extents: Sequence[_Extent],
+    span: tuple[float, float],
+    rooms: Sequence[Room],
+    mm: float,
+    size: Size,
+    planned: Planned,
+    more: float = 0.0,
+) -> list[Plan]:
+    width = size.width - LEFT - RIGHT if size.exact else (span[1] - span[0]) * mm + 2 * SIDE
+    middle, half = sum(span) / 2, width / mm / 2
+    own = [
+        extent.room(room._replace(width=width), mm, more) for extent, room in zip(extents, rooms, strict=True)
+    ]
+    return planned((middle - half, middle + half), own)
+
+
+def _height(plans: Sequence[Plan]) -> float:
+    return BELOW + sum(plan.top() + plan.room.height for plan in plans)

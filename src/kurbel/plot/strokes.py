@@ -1,19 +1,31 @@
-"""What a drawing shows of the pressures on a piston: that of the masses laid under the indicator diagram."""
+"""What drawings show over the strokes of a piston: the pressures on it, that of the masses laid under the
+indicator diagram, and the forces of an engine, the strokes of a cycle over one another.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from itertools import groupby
 from math import cos, pi
+from typing import TYPE_CHECKING
 
 from kurbel.engine.captions import inner
 from kurbel.engine.pressures.page import WORDS, PressuresRequest, stroke_names
 from kurbel.engine.pressures.pressed import Pressed, Where, is_carded
+from kurbel.engine.request import EngineRequest
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats
-from kurbel.plot.chart.model import Around, Curve, Panel
+from kurbel.kernel.circle import circle
+from kurbel.plot.engine import around, course_of, lettered, turns_of
+from kurbel.plot.over_path import STROKE
+from kurbel.plot.panel import Around, Curve, Panel, Strokes, Trace, panels_of
 from kurbel.plot.picture import Picture, Wish, asked_of, refuse
+from kurbel.plot.sketch import DEAD_CENTRES
 from kurbel.plot.ticks import Across, plain_ticks
+
+if TYPE_CHECKING:
+    from kurbel.engine.cylinder import AnyTurn
 
 # So many steps of a stroke make its curves smooth; they are closer near the dead centres.
 STEPS = 120
@@ -83,3 +95,28 @@ def _value(pressed: Pressed, key: str, where: Where) -> float:
         return masses
     kind: Kind = floats() if carded else balls()
     return float(pressed.gas(where, kind)) - masses
+
+
+def force_panels_over_path(request: EngineRequest) -> list[Panel]:
+    """Return the panels of forces over the share of the stroke of the first crank's piston."""
+    turns = turns_of(request)
+    traces = []
+    for column in lettered(request):
+        for label, turn in turns:
+            course = course_of((column.quantity,), turn, request.angles)
+            traces.append(Trace(column.quantity, (label,), _gone(turn, course.angles), course.values[0]))
+    return panels_of(traces, request.lang, apart=len(turns) > 1)
+
+
+def around_path(request: EngineRequest) -> Around:
+    """Return what stands around them: what the engines have in common, the stroke, the axis."""
+    dead = [DEAD_CENTRES[which][request.lang] for which in ("inner", "outer")]
+    whole = Strokes((0.0, 1.0), dead, [STROKE[request.lang]])
+    strokes = whole if request.angles[-1] - request.angles[0] >= 180 else None
+    return around(request)._replace(strokes=strokes, across=across_stroke(request.lang))
+
+
+def _gone(turn: AnyTurn, angles: Iterable[float]) -> list[float]:
+    """Return how much of its stroke the piston has gone from the inner dead centre at angles in degrees."""
+    moved = turn.cylinder.drive
+    return [float(moved.path(0, circle(angle))) / float(moved.length) for angle in angles]

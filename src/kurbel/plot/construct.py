@@ -7,8 +7,11 @@ Each line has the id of its step in SVG, "step-3-2", a length that is read off t
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
+from itertools import chain
 from typing import TYPE_CHECKING
 
 from kurbel.books.constructions import model
@@ -16,18 +19,72 @@ from kurbel.books.constructions.model import Construction, Element, lettered
 from kurbel.books.constructions.placed import Placed
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats
+from kurbel.formats.html.lesson import lesson
+from kurbel.page.build import build
 from kurbel.page.labels import plain
-from kurbel.plot.construct.elements import DRAW, ROW, Board
-from kurbel.plot.construct.extent import extent
-from kurbel.plot.construct.steps import hide_later
 from kurbel.plot.drawings import Drawing
+from kurbel.plot.elements import DRAW, ROW, Board
 from kurbel.plot.moving import LONGEST_ROD
-from kurbel.plot.paper.fit import LEAST, fitted
-from kurbel.plot.sketch import Point, laid_out
+from kurbel.plot.sketch import LEAST, Point, laid_out, page_fitted
 from kurbel.plot.style import THIN, USUAL, WIDTH, Size, style
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from kurbel.books.constructions.page import ConstructionRequest
+
+
+def extent(
+    shown: Construction, points: Mapping[str, Point], curves: Mapping[str, Sequence[Point]]
+) -> tuple[Point, Point]:
+    """Return the lower left and the upper right corner of what is drawn."""
+    xs, ys = zip(*_reached(shown, points), *chain.from_iterable(curves.values()), strict=True)
+    return (min(xs), min(ys)), (max(xs), max(ys))
+
+
+def _reached(shown: Construction, points: Mapping[str, Point]) -> Iterator[Point]:
+    for step in shown.steps:
+        yield from (points[letter] for letter in step.points)
+        for one in step.drawn:
+            if isinstance(one, model.Circle):
+                (x, y), radius = points[one.centre], math.dist(points[one.centre], points[one.through])
+                yield x - radius, y - radius
+                yield x + radius, y + radius
+            elif isinstance(one, model.Line | model.Arrow | model.Scale):
+                yield from (points[one.start], points[one.end])
+
+
+_STEP = re.compile(r"step-(\d+)-")
+
+
+def step_of(shown: Construction) -> Callable[[str], int]:
+    """Return what says the number of the step by an id, 0 for one of none."""
+    lengths = dict(_lengths(shown))
+
+    def step(name: str) -> int:
+        found = _STEP.match(name)
+        return int(found[1]) if found else lengths.get(name, 0)
+
+    return step
+
+
+def _lengths(shown: Construction) -> Iterator[tuple[str, int]]:
+    """Yield the ids of lengths that are read off, which have those of their letters, with their steps."""
+    ends = {one.ends: one.letters for one in shown.lengths}
+    for number, step in enumerate(shown.steps, 1):
+        for one in step.drawn:
+            if isinstance(one, model.Measure):
+                yield f"length-{one.letters}", number
+            elif isinstance(one, model.Arrow | model.Line) and (one.start, one.end) in ends:
+                yield f"length-{ends[one.start, one.end]}", number
+
+
+def hide_later(axes: Axes, shown: Construction, last: int) -> None:
+    """Hide what is drawn after a step; what is left stays where it is."""
+    step = step_of(shown)
+    for one in (*axes.lines, *axes.patches, *axes.texts):
+        one.set_visible(step(str(one.get_gid() or "")) <= last)
+
 
 # In mm: the largest crank radius, what is left free about the drawing, and a point.
 LARGEST_RADIUS, MARGIN, DOT = 24.0, 7.0, 0.45
@@ -109,7 +166,7 @@ def _board(
             " lengths, or --table for the numbers"
         )
     usual = math.floor(2 * largest) / 2
-    lower, upper, mm = fitted(corners, usual, size)
+    lower, upper, mm = page_fitted(corners, usual, size)
     sketch = laid_out(lower, upper, mm)
     lengths = {one.letters: one for one in shown.lengths}
     turning = -1 if shown.mirrored else 1
@@ -132,3 +189,17 @@ def _dot(board: Board, letter: str, name: str) -> None:
     sketch.disc(at, DOT, THIN, "#000000")
     sketch.axes.patches[-1].set_gid(name)
     sketch.beside_points([(at, board.outward(at), board.text(lettered(letter)))], DOT + 0.5)
+
+
+_ID = re.compile(r'<g id="([^"]+)">')
+
+
+def construction_page(request: ConstructionRequest, svg: str, decimal: str | None) -> str:
+    """Return the page of a construction of which this is the drawing, an SVG file."""
+    shown, table = request.construction, build(request)
+    # The steps stand beside the drawing; below the table would be a second list of them.
+    below = replace(table, notes=table.notes[len(shown.steps) :])
+    texts = [shown.overlined(step.text[request.lang]) for step in shown.steps]
+    step = step_of(shown)
+    parts = {name: step(name) for name in _ID.findall(svg)}
+    return lesson(svg, parts, texts, below, decimal)

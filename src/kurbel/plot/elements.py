@@ -8,15 +8,7 @@ from typing import Any, NamedTuple
 
 from kurbel.books.constructions import model
 from kurbel.books.constructions.model import Length, lettered
-from kurbel.plot.sketch import (
-    LEAST_DIMENSION,
-    STRONG_LEVEL,
-    Point,
-    Sketch,
-    moved,
-    polar_point,
-    towards,
-)
+from kurbel.plot.sketch import LEAST_DIMENSION, STRONG_LEVEL, Point, Sketch, moved, polar_point, towards
 from kurbel.plot.style import MEDIUM, STRONG, THIN, arrowhead, text_of
 
 # In mm: between rows of dimensions, at a mark, and below that a length has no dimension.

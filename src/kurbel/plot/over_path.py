@@ -23,10 +23,19 @@ from kurbel.motion.evaluation import OUT, STROKES, method_named
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.page import AngleQuestion
 from kurbel.page.quantity import Column, Quantity, enumerated, filled, for_ratio, words
-from kurbel.plot.chart.extremes import spots, zeros
-from kurbel.plot.chart.model import Around, Panel, Spot, Strokes
-from kurbel.plot.curves import infinite, said_drive, said_ratio, unfolded
-from kurbel.plot.panels import Trace, axis_name, check_drawn, degrees, panels_of, titled
+from kurbel.plot.curves import infinite, said_drive, said_ratio, spots, unfolded, zeros
+from kurbel.plot.panel import (
+    Around,
+    Panel,
+    Spot,
+    Strokes,
+    Trace,
+    axis_name,
+    check_drawn,
+    degrees,
+    panels_of,
+    titled,
+)
 from kurbel.plot.picture import Picture, Wish, columns_of, drawing_layout, refuse, smooth
 from kurbel.plot.sketch import DEAD_CENTRES
 from kurbel.plot.ticks import Across, Ticks, plain_ticks

@@ -1,33 +1,115 @@
-"""Curves over the crank angle as they are run through: a line and dots, and above them the mechanism."""
+"""Drawings that move: a mechanism by itself, curves as they are run through, a force on the crank pin."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from kurbel.errors import ProblemError
-from kurbel.page.steps import Scene
-from kurbel.plot.chart.course import Course
-from kurbel.plot.chart.model import NOTHING_AROUND, Around, Panel
-from kurbel.plot.chart.plan import SPOT, Plan
-from kurbel.plot.film.mechanism import MARGIN, TURN, Staged, refined, run_through
-from kurbel.plot.film.model import Film, Part, Seen, Way, straight_way, toggled
-from kurbel.plot.film.scene import Moving, corners, draw_scene
-from kurbel.plot.film.svg import named
+from kurbel.page.steps import Joint, Line, Scene
+from kurbel.plot.film import STEPS, Film, Part, Seen, Way, named, straight_way, toggled
+from kurbel.plot.panel import NOTHING_AROUND, Around, Panel, PinForce
 from kurbel.plot.place import Chosen, Points
+from kurbel.plot.plan import SPOT, Course, Plan
 from kurbel.plot.plotting import Chart, charted
-from kurbel.plot.sketch import sketch_in
-from kurbel.plot.style import LINES, MEDIUM, MM, MM_PER_INCH, USUAL, WHITE, Size, style
+from kurbel.plot.sketch import Sketch, laid_out, page_fitted, sketch_in
+from kurbel.plot.stage import GROUNDS, Moving, corners, draw_scene
+from kurbel.plot.style import LINES, MEDIUM, MM, MM_PER_INCH, USUAL, WHITE, WIDTH, Size, style
+from kurbel.plot.ticks import degrees
 from kurbel.reading.notation import about
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+# The scene of a drive, with its joints at these angles; nothing for one that cannot be drawn to scale.
+Staged = Callable[[Sequence[float]], Scene | None]
+# In mm.
+MARGIN, LARGEST_RADIUS, MOST_HEIGHT = 3.0, 24.0, 150.0
+TURN = 360.0
+# In R: so far from a straight line between two known places links may be; a step is halved so often at most.
+STRAIGHT, MOST_HALVED = 2e-5, 8
+
+
+def mechanism_film(
+    staged: Staged, angles: Sequence[float | Fraction], mark: str, seconds: float, size: Size = USUAL
+) -> tuple[Figure, Film] | None:
+    """Return a mechanism that moves, drawn at the first angle, at the others light; nothing for one whose
+    links are too long. Raises ProblemError for a page that is too small."""
+    at = float(angles[0]) % TURN
+    run = refined(staged, run_through(0.0, TURN, at))
+    scene = staged(run.tolist())
+    if scene is None:
+        return None
+    with style():
+        sketch = laid_out(*page_fitted(lambda mm: corners(scene, MARGIN, mm), _usual(scene), size))
+        for angle in angles[1:]:
+            _light(sketch, staged, angle, mark)
+        moving = draw_scene(sketch, scene, run, int(np.searchsorted(run, at)))
+    film = Film(0.0, TURN, at, seconds, *moving)
+    named(film)
+    return sketch.figure, film
+
+
+def run_through(first: float, last: float, at: float) -> Points:
+    """Return the angles at which a run is known, one of its own among them."""
+    count = max(STEPS, round((last - first) / TURN * STEPS))
+    even = first + (last - first) * np.arange(count + 1) / count
+    return np.union1d(even[np.abs(even - at) > 1e-9], at)
+
+
+def refined(staged: Staged, run: Points) -> Points:
+    """Return the angles of a run with further ones between those where links leave straight ways: the rod
+    of R:L near 1 swings within a degree."""
+    for _ in range(MOST_HALVED):
+        middles = (run[:-1] + run[1:]) / 2
+        known, between = staged(run.tolist()), staged(middles.tolist())
+        if known is None or between is None:
+            return run
+        bent = np.zeros(len(middles), bool)
+        for here, there in zip(known.links, between.links, strict=True):
+            for ends, halfway in ((here.start, there.start), (here.end, there.end)):
+                if len(ends) > 1:
+                    places = np.asarray(ends)
+                    away = np.asarray(halfway) - (places[:-1] + places[1:]) / 2
+                    bent |= np.hypot(*away.T) > STRAIGHT
+        if not bent.any():
+            return run
+        run = np.union1d(run, middles[bent])
+    return run
+
+
+def _usual(scene: Scene) -> float:
+    (left, low), (right, high) = scene.low, scene.high
+    across, up = (most - 2 * MARGIN for most in (WIDTH, MOST_HEIGHT))
+    return min(LARGEST_RADIUS, across / (right - left), up / (high - low))
+
+
+def _light(sketch: Sketch, staged: Staged, angle: float | Fraction, mark: str) -> None:
+    """Draw a further position, and its angle beside the pin of its first crank."""
+    scene = staged([float(angle)])
+    assert scene is not None
+    pins, shafts = [_here(pin) for pin in scene.pins], _shafts(scene.fixed)
+    for number, link in enumerate(scene.links):
+        ends = _here(link.start), _here(link.end)
+        sketch.light_links(ends, [] if number else pins, shafts)
+    pin = _here(scene.links[0].end)
+    sketch.beside_points([(pin, pin, degrees(angle, mark))])
+
+
+def _here(joint: Joint) -> tuple[float, float]:
+    return joint[0]
+
+
+def _shafts(lines: Sequence[Line]) -> list[tuple[float, float]]:
+    return [line.points[0] for line in lines if line.kind in GROUNDS]
+
 
 # In mm: the mechanism above curves, and the dots on them.
-RADIUS, MOST_HEIGHT, LEAST_RADIUS, DOT = 18.0, 75.0, 4.0, 1.6 * SPOT
+RADIUS, MOST_ABOVE, LEAST_RADIUS, DOT = 18.0, 75.0, 4.0, 1.6 * SPOT
 # Where a film begins, as pages that are interactive do.
 BEGIN = 60.0
 # The colour of the line at the crank angle, and of dots on black curves: that of no curve but a third one.
@@ -88,7 +170,7 @@ def whole_turns(angles: Sequence[float]) -> tuple[float, float]:
 
 def _radius(scene: Scene, width: float) -> float:
     (left, low), (right, high) = scene.low, scene.high
-    return min(RADIUS, (width - 2 * MARGIN) / (right - left), (MOST_HEIGHT - 2 * MARGIN) / (high - low))
+    return min(RADIUS, (width - 2 * MARGIN) / (right - left), (MOST_ABOVE - 2 * MARGIN) / (high - low))
 
 
 def _height(scene: Scene, width: float) -> float:
@@ -150,3 +232,22 @@ def _course(course: Course) -> tuple[Way, Way | None]:
     values = filled(course.angles, course.values[:, None], known)
     rows = np.column_stack((course.angles, values, np.zeros(len(values))))
     return Way(course.angles, rows), None if known.all() else toggled(course.angles, known)
+
+
+def polar_film(figure: Figure, force: PinForce, seconds: float) -> Film:
+    """Return how a dot runs along the curve of a polar diagram. Raises ProblemError for no whole turns."""
+    vector = force.vector
+    angles, path = np.asarray(vector.angles, float), np.column_stack((vector.across, vector.up))
+    first, last = whole_turns(angles.tolist())
+    at = first + (BEGIN - first) % 360
+    known = np.isfinite(path).all(axis=1)
+    way = Way(angles, np.column_stack((filled(angles, path, known), np.zeros(len(angles)))))
+    (axes, *_) = figure.axes
+    with style():
+        x, y, _ = way.at(at)
+        (dot,) = axes.plot([x], [y], marker="o", markersize=2 * DOT * MM, zorder=7, clip_on=False)
+        dot.set(color=RUNNING, markeredgecolor=WHITE, markeredgewidth=MEDIUM)
+    seen = () if known.all() else (Seen("dot-seen", (dot,), toggled(angles, known)),)
+    film = Film(first, last, at, seconds, (Part("dot", (dot,), axes, way),), seen=seen)
+    named(film)
+    return film

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from kurbel.page.steps import Joint, Line, Link, Point, Scene
-from kurbel.plot.film.model import Grown, Part, Seen, Way, crossing, toggled
+from kurbel.plot.film import Grown, Part, Seen, Way, crossing, toggled
 from kurbel.plot.moving import GUIDE, HEAD
 from kurbel.plot.place import Points
 from kurbel.plot.sketch import (

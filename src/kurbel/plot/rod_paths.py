@@ -12,8 +12,7 @@ from kurbel.motion.points.carried import carried, paths_of
 from kurbel.motion.points.point import Point as RodPoint
 from kurbel.page.steps import Point, Scene
 from kurbel.plot.moving import PLACES
-from kurbel.plot.paper.fit import LEAST, Corners
-from kurbel.plot.sketch import Sketch, Text, towards
+from kurbel.plot.sketch import LEAST, Corners, Sketch, Text, towards
 from kurbel.plot.style import BLACK, MEDIUM, THIN, WHITE, WIDTH, text_of
 from kurbel.plot.ticks import degrees
 

@@ -1,1 +1,0 @@
-"""The parts of a drawing of curves: its data, its plan on the page, its marks."""

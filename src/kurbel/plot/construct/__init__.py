@@ -1,1 +1,0 @@
-"""Constructions as drawings: what books/constructions says, to scale, step by step."""

@@ -1,1 +1,0 @@
-"""Points of the rod in drawings of mechanisms."""

@@ -1,1 +1,0 @@
-"""Drawings of turning-moment diagrams without an engine."""

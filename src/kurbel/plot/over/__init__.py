@@ -1,1 +1,0 @@
-"""Drawings over the piston's path: both strokes closed into one curve."""
