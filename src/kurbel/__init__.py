@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing, Table
     from kurbel.commands.solve import solve
     from kurbel.engine.irregularity import compute_delta
-    from kurbel.formats.pdf.by_typst import typeset_pdf
+    from kurbel.formats.pdf.writer import typeset_pdf
     from kurbel.sweeps.dataset import sweep
 
 __version__ = "0.2.0"
@@ -101,7 +101,7 @@ _MODULES = {
     "kurbel.commands.shown": ("Drawing", "Table"),
     "kurbel.commands.solve": ("solve",),
     "kurbel.engine.irregularity": ("compute_delta",),
-    "kurbel.formats.pdf.by_typst": ("typeset_pdf",),
+    "kurbel.formats.pdf.writer": ("typeset_pdf",),
     "kurbel.sweeps.dataset": ("sweep",),
 }
 # Commands of which functions had names of their own, with _table behind them.

@@ -17,7 +17,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kurbel
-from kurbel.formats.html.live.packing import packed, unpacked
+from kurbel.formats.html.live import packed, unpacked
 
 DATA = re.compile(r'<script type="application/json" class="live-data">(.*?)</script>', re.DOTALL)
 SHOWN = re.compile(r'<div class="live-page">\n(.*?)</div>\n<script', re.DOTALL)

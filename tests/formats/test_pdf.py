@@ -24,8 +24,8 @@ from typeset import broken_formulas, has_pauses, words_of_pdf
 from verapdf import validate
 
 import kurbel
-from kurbel.formats.pdf import STANDARDS, by_typst
-from kurbel.formats.pdf.by_typst import FONTS, LETTERS, compile_typst, offline
+from kurbel.formats.pdf import STANDARDS, writer
+from kurbel.formats.pdf.writer import FONTS, LETTERS, compile_typst, offline
 from kurbel.reading.extras import how_to_install
 
 require_library("typst")
@@ -310,14 +310,14 @@ def test_what_takes_much_memory_says_so_before_it_begins_and_what_takes_too_much
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # 10,000 rows of seven columns took 2.6 GB.
-    monkeypatch.setattr(by_typst, "free_memory", lambda: None)
-    assert [*by_typst.remarks(70_007)] == ["a PDF of 70007 cells takes Typst about 2.9 GB of memory"]
-    assert [*by_typst.remarks(7_000)] == []
+    monkeypatch.setattr(writer, "free_memory", lambda: None)
+    assert [*writer.remarks(70_007)] == ["a PDF of 70007 cells takes Typst about 2.9 GB of memory"]
+    assert [*writer.remarks(7_000)] == []
     target = tmp_path / "page.pdf"
     words = ("table", "--ratio=1:5", "--step=10", "--to=180", "-o", str(target))
-    monkeypatch.setattr(by_typst, "MUCH", 1 << 20)
+    monkeypatch.setattr(writer, "MUCH", 1 << 20)
     assert "kurbel: a PDF of 133 cells takes Typst about 0.1 GB of memory\n" in ran(*words).err
-    monkeypatch.setattr(by_typst, "free_memory", lambda: 1 << 20)
+    monkeypatch.setattr(writer, "free_memory", lambda: 1 << 20)
     assert re.fullmatch(
         r"a PDF of about \d+ cells takes Typst 0\.1 GB of memory, and 0\.0 GB are free; make several of it,"
         r" print fewer rows, or have a TeX set its LaTeX",

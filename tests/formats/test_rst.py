@@ -26,8 +26,7 @@ from readers import model_cells
 
 from kurbel.formats.printer import set_prose
 from kurbel.formats.render import render
-from kurbel.formats.rst.grid import GridCell, grid_lines
-from kurbel.formats.rst.writer import escape, finish, role
+from kurbel.formats.rst.writer import GridCell, escape, finish, grid_lines, role
 from kurbel.page.formula import FUNCTIONS, GREEK, SIGNS, SYMBOLS, parse_formula
 from kurbel.page.layouts import LANGUAGES, layout_names
 from kurbel.page.table import head_rows

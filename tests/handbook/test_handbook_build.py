@@ -648,14 +648,14 @@ def test_a_layout_of_ones_own_makes_its_tables_and_makes_them_anew_when_it_chang
 def test_a_handbook_whose_pdf_takes_much_memory_says_so_before_it_begins(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from kurbel.formats.pdf import by_typst
+    from kurbel.formats.pdf import writer
 
     (tmp_path / "handbook.toml").write_text(
         'title = "T"\nformats = ["pdf"]\n[[chapter]]\ntitle = "A"\n'
         '[[chapter.part]]\nrun = "table --ratio 1:5"\nname = "a"\n',
         encoding="utf-8",
     )
-    monkeypatch.setattr(by_typst, "MUCH", 1 << 20)
+    monkeypatch.setattr(writer, "MUCH", 1 << 20)
     said, *rest = build(tmp_path).err.splitlines()
     assert re.fullmatch(r"kurbel: .*/pages: a PDF of \d+ cells takes Typst about 0\.1 GB of memory", said)
     assert rest

@@ -227,7 +227,7 @@ def _waiting(task: Task, table: Table, decimal: str | None) -> dict[str, bytes]:
             content = form.writer.kept(table, decimal, task.templates).encode()
             files[PAGE.format(task.part.name)] = content
         elif isinstance(form, WorkbookFormat) and not any(name.endswith(".json") for name in files):
-            from kurbel.formats.sheet_page import page_sheet
+            from kurbel.formats.workbook import page_sheet
             from kurbel.handbook.binder import kept
 
             sheet = page_sheet(table, form.decimal_mark(table.lang, decimal), "")

@@ -115,7 +115,7 @@ def paged(drawn: Drawn, lang: str, mark: str, numbers: tuple[Spoken, ...]) -> Ca
     """Return what makes an HTML page of the SVG file of a drawing that moves, with numbers beside it."""
 
     def page(svg: str) -> str:
-        from kurbel.formats.html.live.film import film_page
+        from kurbel.formats.html.live import film_page
 
         return film_page(svg, drawn.title, lang, mark, numbers)
 

@@ -36,7 +36,7 @@ def set_prose(blocks: prose.Blocks, form: PageFormat, mark: str, refer: Find, le
     `mark` is the decimal mark of numbers in formulas; `refer` returns what a name refers to, or raises;
     `level` is how many levels of headings stand above the text: at 1 its # is a section below a chapter.
     """
-    printer: ProsePrinter = form.module("prose").Printer(form.writer, mark, refer, level)
+    printer: ProsePrinter = form.module("document").Printer(form.writer, mark, refer, level)
     return printer.document(blocks)
 
 

@@ -98,9 +98,9 @@ class Format:
     def module(self, name: str = "") -> Any:
         """Return a module of the format's folder.
 
-        `writer` has a `Writer` of tables; where there are `figures`, `prose` has a `Printer` of free text and
-        `document` a `Maker` of whole documents; where an author's documents are `marked`, `marked` has their
-        `KIND`.
+        `writer` has a `Writer` of tables; where there are `figures`, `document` has a `Maker` of whole
+        documents and a `Printer` of their free text; where an author's documents are `marked`, `marked` has
+        their `KIND`.
         """
         return import_module(f"kurbel.formats.{self.name}.{name}".rstrip("."))
 

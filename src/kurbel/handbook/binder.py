@@ -19,8 +19,7 @@ from kurbel.formats.sheet import (
     checked_text,
     sheet_name,
 )
-from kurbel.formats.sheet_page import CAPTION_LINE, LARGE, LINE, height_of_prose
-from kurbel.formats.workbook import epoch
+from kurbel.formats.workbook import CAPTION_LINE, LARGE, LINE, epoch, height_of_prose
 from kurbel.page.labels import plain, set_label
 
 # What a sheet is called before its number and its name.

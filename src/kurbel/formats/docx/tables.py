@@ -15,7 +15,7 @@ from typing import NamedTuple
 from xml.etree.ElementTree import Element, SubElement, fromstring, register_namespace, tostring
 
 from kurbel.errors import LayoutError
-from kurbel.formats.html.words import OTHERS, WIDTHS
+from kurbel.formats.html.writer import OTHERS, WIDTHS
 from kurbel.formats.measure import Span, added, shared
 
 _MAIN = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"

@@ -9,6 +9,7 @@ import os
 import re
 import shutil
 import subprocess
+from base64 import b64encode
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from io import BytesIO
@@ -18,15 +19,45 @@ from xml.etree import ElementTree
 from xml.sax.saxutils import escape
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-from kurbel.documents.document import Document
+from kurbel.documents.document import Document, Item
 from kurbel.errors import LayoutError, MissingExtraError, OutputError
+from kurbel.formats.documents import DocumentMaker, DocumentPart
 from kurbel.formats.docx import FORMAT
 from kurbel.formats.docx.tables import W, laid_out
+from kurbel.formats.registry import FORMATS, PageFormat
 from kurbel.formats.render import folders_of, render
 from kurbel.formats.workbook import epoch
 from kurbel.formats.writer import DocumentWriter
 from kurbel.page.labels import plain
 from kurbel.page.table import Table
+
+
+def page_of(document: Document, fragments: Mapping[str, bytes], templates: str | None) -> str:
+    """Return the page, of tables in HTML and of drawings by their names."""
+    form = FORMATS["html"]
+    assert isinstance(form, PageFormat)
+    tables = {item.name for item in document.items("table")}
+    texts = {
+        name: content.decode() if name in tables else f"data:image/png;base64,{b64encode(content).decode()}"
+        for name, content in fragments.items()
+    }
+    return Maker(form, document, texts, templates).files()["word"]
+
+
+class Maker(DocumentMaker):
+    places = True
+
+    def files(self) -> dict[str, str]:
+        """Return the page by the name of its template."""
+        return {"word": self.filled("word", self.values())}
+
+    def page(self, chapter: object) -> str:
+        return "#"
+
+    def part(self, item: Item) -> DocumentPart:
+        part: DocumentPart = super().part(item)
+        return part._replace(text=self.fragments[item.name])
+
 
 FILTER = os.path.join(os.path.dirname(__file__), "word.lua")
 STYLES = os.path.join(os.path.dirname(__file__), "styles.xml")
@@ -49,8 +80,6 @@ class Writer(DocumentWriter):
         return render(replace(table, steps=None), "html", decimal=decimal, templates=templates)
 
     def whole(self, document: Document, fragments: Mapping[str, bytes], templates: str | None) -> bytes:
-        from kurbel.formats.docx.document import page_of
-
         mark = document.mark()
         titles = {"title": document.title, "subtitle": document.subtitle, "author": document.author}
         words = [f"--metadata={name}:{plain(label, mark)}" for name, label in titles.items() if label]

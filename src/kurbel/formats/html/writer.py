@@ -1,18 +1,15 @@
-"""Labels in HTML, and what its tables need: where heads break, the ids of heads, and the widths
-from which the style sheet reckons gaps and sizes.
-"""
+"""Labels in HTML, and what its tables need: where heads break, how wide letters are, the ids of heads, and
+the widths from which the style sheet reckons gaps and sizes; and which pages have sliders."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 from zlib import crc32
 
 from kurbel.formats.formula import has_bar, mathml
-from kurbel.formats.html.live.pages import live_in, of_each_step
-from kurbel.formats.html.words import OTHERS, WIDTHS, WORDS
 from kurbel.formats.measure import Room, added, bodies, headings, overhangs, shared, spans, widest
 from kurbel.formats.writer import PageWriter
 from kurbel.page.formula import Formula
@@ -21,6 +18,67 @@ from kurbel.page.table import HeadCell
 if TYPE_CHECKING:
     from kurbel.formats.page import PageCell, PageGroup, PagePanel
     from kurbel.page.table import Table
+
+WORDS: Mapping[str, str] = {
+    "de": """
+        Ab-stand Ab-stände Aus-geglichener Balancier-kraft Balancier-winkel Be-lastung Beschleu-nigung
+        Beschleunigungs-druck Dreh-moment Dreh-zahl Druck-verhältnis Expansions-verhältnis Führungs-druck
+        Geschwin-digkeit Haupt-lager Hin-gang Kolben-beschleunigung Kolben-druck Kolben-geschwindigkeit
+        Kolben-kraft Kolben-weg Kolben-wege Kreuz-kopf Kreuzkopf-zapfen Kurbel-verhältnis Kurbel-winkel
+        Kurbel-zapfen Kurbel-zapfens Liefe-rung Massen-kraft Massen-kräfte Mechanis-mus Nach-lauf
+        Radial-kraft Rück-gang Schubstangen-winkel Schwer-punkt Schwingen-kraft Schwingen-winkel
+        Stangen-kraft Stangen-verhältnis Tangen-tial-kraft Um-drehung Umfangs-kraft
+        Ungleich-förmigkeits-grad Unter-schied ver-bleibender Verdichtungs-verhältnis Wellen-linie
+        Winkel-beschleunigung Wirkungs-grad Zapfen-kraft Zünd-folge Zünd-winkel Über-schuss
+        Überschuss-arbeit
+    """,
+    "en": """
+        Accelera-tion accelera-tion Ampli-tude Compres-sion Cross-head cross-head Cylin-der Deliv-ery
+        Differ-ence direc-tion Effi-ciency Expan-sion Inter-val Inter-vals irregu-larity Magni-tude
+        magni-tude Out-stroke Pres-sure pres-sure Remain-ing Tangen-tial tangen-tial Veloc-ity veloc-ity
+    """,
+}
+
+# In em, of DejaVu Serif, by and large.
+_CHARACTERS = (
+    ("ijltfI.,:;'|!()[]/ \u00a0\u2008°′", 0.38),
+    ("mwMW−±+=<>", 0.9),
+    ("ABCDEGHKLNOPQRUVXYÄÖÜΔ", 0.77),
+)
+WIDTHS = {character: width for characters, width in _CHARACTERS for character in characters}
+OTHERS = 0.62
+
+
+LIVE, FILM = 'class="live-data"', 'class="film-data"'
+# What the file of a drawing that moves says of its run.
+RUNS = 'data-film="'
+
+
+def of_each_step(page: str, change: Callable[[str], str]) -> str:
+    """Return a page that was changed, of an interactive one the table of every step."""
+    if LIVE not in page:
+        return change(page)
+    from kurbel.formats.html.live import finished
+
+    return finished(page, change)
+
+
+def live_of(fragments: Iterable[str]) -> Any:
+    """Return the same of a page that is made of these tables and of files of drawings."""
+    texts = [*fragments]
+    found = [mark for mark, begun in ((LIVE, LIVE), (FILM, RUNS)) if any(begun in one for one in texts)]
+    return live_in(" ".join(found))
+
+
+def live_in(page: str) -> Any:
+    """Return the script and the style of interactive tables and of drawings that move if there are any on a
+    page."""
+    kinds = tuple(name for name, mark in (("live", LIVE), ("film", FILM)) if mark in page)
+    if not kinds:
+        return None
+    from kurbel.formats.html.live import live
+
+    return live(kinds)
 
 
 class Writer(PageWriter):
@@ -49,7 +107,7 @@ class Writer(PageWriter):
         }
 
     def stepped(self, table: Table, fragment: str, page: Callable[[Table], str], mark: str) -> dict[str, Any]:
-        from kurbel.formats.html.live.block import block
+        from kurbel.formats.html.live import block
 
         return block(table, fragment, page, self, mark)
 

@@ -15,9 +15,18 @@ from io import BytesIO
 from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile, ZipInfo
 
 from kurbel.exact.numerals import Number, number_text
-from kurbel.formats.ods.looks import LINE, Looks
-from kurbel.formats.ods.parts import MIME, manifest, meta, settings, styles
-from kurbel.formats.ods.xml import around, element, opened
+from kurbel.formats.ods.parts import (
+    LINE,
+    MIME,
+    Looks,
+    around,
+    element,
+    manifest,
+    meta,
+    opened,
+    settings,
+    styles,
+)
 from kurbel.formats.sheet import Picture, Sheet, SheetCell, Workbook, runs
 from kurbel.formats.writer import WorkbookWriter
 

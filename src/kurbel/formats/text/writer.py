@@ -48,7 +48,7 @@ class Writer(PageWriter):
     def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, Any]:
         width = wishes.width
         if width is not None and grid_of(ready, width).total > width:
-            from kurbel.formats.text.narrow import narrowed
+            from kurbel.formats.text.reflow import narrowed
 
             ready = narrowed(table, ready, lambda parted: page(parted, self, mark), width)
         grids = grids_of(ready, width)

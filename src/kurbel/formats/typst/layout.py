@@ -18,11 +18,18 @@ from kurbel.formats.measure import Room, Span, added, bodies, headings, overhang
 from kurbel.formats.measure import em as computer_modern
 from kurbel.formats.page import Page, PageCell, PagePanel
 from kurbel.formats.page import page as plain_page
-from kurbel.formats.typst.strings import string
 from kurbel.formats.writer import PLAIN
 from kurbel.page.formula import Formula
 from kurbel.page.labels import formula_plain, parse
 from kurbel.page.table import HeadCell, Table
+
+_STRING = str.maketrans({"\\": r"\\", '"': r"\"", "\n": r"\n"})
+
+
+def string(text: str) -> str:
+    """Return a text as a string of Typst's code, quotation marks included."""
+    return f'"{text.translate(_STRING)}"'
+
 
 # Of Libertinus; all else is a little narrower than in Computer Modern.
 _EM = {**dict.fromkeys("0123456789", 0.465), **dict.fromkeys(",.", 0.24), "−": 0.56}

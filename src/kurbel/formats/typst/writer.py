@@ -8,8 +8,7 @@ from typing import Any
 
 from kurbel.formats.formula import has_bar, has_stroke, is_seen
 from kurbel.formats.page import Page
-from kurbel.formats.typst.layout import typst_layout
-from kurbel.formats.typst.strings import string
+from kurbel.formats.typst.layout import string, typst_layout
 from kurbel.formats.writer import PERCENT_DELIMITERS, PageWriter, Wishes
 from kurbel.page import formula as tree
 from kurbel.page.formula import Formula

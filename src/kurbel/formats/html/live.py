@@ -1,23 +1,117 @@
-"""The block of an interactive page: its static table, what the script fills, and the data of all steps."""
+"""What stands around a table whose steps are chosen, and around a drawing that moves: sliders, what their
+script fills, and the data of all steps, kept short."""
 
 from __future__ import annotations
 
 import json
 import re
 from base64 import b64encode
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 from hashlib import sha256
 from typing import Any, NamedTuple
 
 from kurbel.exact.numerals import Label, Number, number_text
-from kurbel.formats.html.live.packing import SPACE, packed, separator_of, unpacked
-from kurbel.formats.html.live.scenes import scenes_of
+from kurbel.formats.html import FORMAT
+from kurbel.formats.html.svg import inline
+from kurbel.formats.html.writer import RUNS
+from kurbel.formats.render import render_document
 from kurbel.formats.writer import PageWriter
+from kurbel.page.axes import PHI
 from kurbel.page.labels import plain, set_label
 from kurbel.page.layouts import template_text
-from kurbel.page.steps import Cursor, Slider, Steps
+from kurbel.page.steps import Cursor, Joint, Point, Scene, Slider, Steps
 from kurbel.page.table import Table, Value
+
+# Where pages are cut, and lines of words.
+TAG, SPACE = re.compile(r"(<[^>]*>)"), re.compile(r"( )")
+# The first of these that no text has parts texts in one string.
+_SEPARATORS = ("|", "~", "^", "¦", "\t")
+
+
+def packed(pages: Sequence[str], cut: re.Pattern[str] = TAG) -> dict[str, Any]:
+    """Return the pages for JSON; pieces of them begin and end where they are `cut`.
+
+    In `shapes` texts and numbers of gaps alternate; every page has one, of a kind, and a text of what stands
+    in its gaps, joined by `by`.
+    """
+    tokens = [cut.split(page) for page in pages]
+    separator = separator_of(token for page in tokens for token in page)
+    lengths = list(dict.fromkeys(map(len, tokens)))
+    shapes, texts = [], [""] * len(pages)
+    for length in lengths:
+        alike = [number for number, page in enumerate(tokens) if len(page) == length]
+        shape, own = _shaped([tokens[number] for number in alike])
+        shapes.append(shape)
+        for number, values in zip(alike, own, strict=True):
+            texts[number] = separator.join(values)
+    kinds = [lengths.index(len(page)) for page in tokens]
+    return {"by": separator, "shapes": shapes, "kinds": kinds, "texts": texts}
+
+
+def _shaped(pages: Sequence[Sequence[str]]) -> tuple[list[str | int], list[list[str]]]:
+    """Return what pages of as many pieces have in common, with gaps, and of each what fills these.
+
+    Pieces that are alike on every page, as of a table that stands there twice, share a gap.
+    """
+    shape: list[str | int] = []
+    gaps: dict[tuple[str, ...], int] = {}
+    for pieces in zip(*pages, strict=True):
+        if len(set(pieces)) > 1:
+            shape.append(gaps.setdefault(pieces, len(gaps)))
+        elif shape and isinstance(shape[-1], str):
+            shape[-1] += pieces[0]
+        else:
+            shape.append(pieces[0])
+    return shape, [list(own) for own in zip(*gaps, strict=True)] or [[] for _ in pages]
+
+
+def unpacked(data: Mapping[str, Any]) -> list[str]:
+    """Return the pages of which these are the data."""
+    pages = []
+    for kind, text in zip(data["kinds"], data["texts"], strict=True):
+        own = text.split(data["by"])
+        pages.append(
+            "".join(own[piece] if isinstance(piece, int) else piece for piece in data["shapes"][kind])
+        )
+    return pages
+
+
+def separator_of(texts: Iterable[str]) -> str:
+    """Return what parts these texts in one string."""
+    letters = set("".join(texts))
+    return next(one for one in (*_SEPARATORS, *map(chr, range(0xE000, 0xF8FF))) if one not in letters)
+
+
+def scenes_of(scenes: Sequence[Scene | None]) -> dict[str, Any]:
+    """Return the joints that scenes have in common, each scene once, and which one each step has."""
+    known = list(dict.fromkeys(scene for scene in scenes if scene is not None))
+    joints: dict[Joint, int] = {}
+    told = [_scene(scene, joints) for scene in known]
+    return {
+        "joints": [_flat(joint) for joint in joints],
+        "scenes": told,
+        "moves": [None if scene is None else known.index(scene) for scene in scenes],
+    }
+
+
+def _scene(scene: Scene, joints: dict[Joint, int]) -> dict[str, Any]:
+    def named(joint: Joint) -> int:
+        return joints.setdefault(joint, len(joints))
+
+    return {
+        "box": _flat((scene.low, scene.high)),
+        "fixed": [[line.kind, *_flat(line.points)] for line in scene.fixed],
+        "links": [[link.kind, named(link.start), named(link.end), link.letter] for link in scene.links],
+        "pins": [named(pin) for pin in scene.pins],
+        "heads": [named(head) for head in scene.heads],
+        "path": None if scene.path is None else _flat((scene.path,)),
+    }
+
+
+def _flat(points: Iterable[Point]) -> list[int]:
+    return [round(1000 * one) for point in points for one in point]
+
 
 WORDS: Mapping[str, Mapping[str, str]] = {
     "de": {
@@ -179,3 +273,44 @@ class Setter:
         if isinstance(value, Number):
             return number_text(value, self.mark, self.writer.minus)
         return self.plain(value or "")
+
+
+# What the file of a drawing that moves says of its run: first and last angle, that of the start, seconds.
+RUN = re.compile(RUNS + r'([^"]*)"')
+FILM_WORDS: Mapping[str, Mapping[str, str]] = {
+    "de": {"choose": "Kurbelwinkel wählen", "numbers": "Werte beim Kurbelwinkel"},
+    "en": {"choose": "Choose the crank angle", "numbers": "Values at the crank angle"},
+}
+KEY = "film"
+
+
+def film_page(svg: str, title: Label, lang: str, mark: str, spoken: Sequence[tuple[Any, ...]]) -> str:
+    """Return a page of its own: the drawing, its slider, and the printed numbers at each degree."""
+    writer = FORMAT.writer
+    said = writer.escape(plain(title, mark))
+    drawing = film_block(svg, KEY, plain(title, mark), lang, mark, spoken)
+    values = {"page": {"lang": lang, "key": KEY}, "title": said, "fragment": drawing}
+    return render_document(FORMAT, "film", values)
+
+
+def film_block(
+    svg: str, name: str, title: str, lang: str, mark: str, spoken: Sequence[tuple[Any, ...]] = ()
+) -> str:
+    """Return the drawing of a file that moves as part of a page of ours, with what leads it."""
+    found = RUN.search(svg)
+    assert found is not None
+    first, last, start, seconds = map(float, found[1].split())
+    setter = Setter(FORMAT.writer, mark)
+    columns = [[setter.value(value) for value in values] for *_, values in spoken]
+    data = {"first": first, "last": last, "start": start, "seconds": seconds, "mark": mark, "values": columns}
+    values = {
+        "key": name, "lang": lang, "words": {**WORDS[lang], **FILM_WORDS[lang]},
+        "label": f"{PHI[lang]} {setter.label('$φ$')}",
+        "first": f"{first:g}", "last": f"{last:g}", "start": f"{start:g}",
+        "quantities": [
+            (setter.label(said), setter.label(symbol), setter.unit(unit)) for said, symbol, unit, _ in spoken
+        ],
+        "drawing": inline(svg, name, title, own_page=True),
+        "data": as_json(data),
+    }  # fmt: skip
+    return render_document(FORMAT, "film.block", values)
