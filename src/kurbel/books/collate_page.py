@@ -9,17 +9,17 @@ from fractions import Fraction
 from functools import cache, cached_property
 from itertools import count
 
-from kurbel.books.apparatus import (
+from kurbel.books.collation import (
     WORDS,
+    Collated,
     filled_note,
     place_label,
     printed_cell,
     recomputed_cell,
     verdict_text,
 )
-from kurbel.books.collation import Collated
+from kurbel.books.printed_value import ALL, DEVIATIONS, RIGHT, VERDICTS, columns_or, tone_of
 from kurbel.books.source import AXIS_KEYS, SourceCell, SourceTable
-from kurbel.books.verdict import ALL, DEVIATIONS, RIGHT, VERDICTS, columns_or, tone_of
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, SourceError
 from kurbel.exact.numerals import Label, Number

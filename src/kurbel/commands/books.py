@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from kurbel.books.verdict import ONLY
+from kurbel.books.printed_value import ONLY
 from kurbel.commands.options import FILE, Choice, Columns, Kind, Option, alone, measure, word
 from kurbel.commands.part import CommandOptions
 from kurbel.commands.parts.angles import Angles

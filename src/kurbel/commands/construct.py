@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from kurbel.books.constructions.beside import ALONE, CENTRE, GYRATION, TAKEN, Beside
 from kurbel.books.constructions.model import Construction
 from kurbel.books.constructions.page import ConstructionRequest
+from kurbel.books.constructions.placed import ALONE, CENTRE, GYRATION, TAKEN, Beside
 from kurbel.books.constructions.registry import construction, construction_names, unfound
 from kurbel.commands.options import FILE, Choice, Count, Kind, Option, measure, word
 from kurbel.commands.part import CommandOptions

@@ -18,10 +18,9 @@ from typing import Annotated, Any, ClassVar, NamedTuple
 
 from kurbel.books.constructions import formulas as read_formulas
 from kurbel.books.constructions import model
-from kurbel.books.constructions.beside import TAKEN
 from kurbel.books.constructions.formulas import NAME, TRUTH, Formula, Values
 from kurbel.books.constructions.model import Construction, Element, Fails, Length, Points, Step
-from kurbel.books.constructions.placed import Position
+from kurbel.books.constructions.placed import TAKEN, Position
 from kurbel.books.constructions.quantities import KNOWN, NUMBER, POINT
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ConstructionError, KurbelError, NotationError

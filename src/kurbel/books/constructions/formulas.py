@@ -17,9 +17,8 @@ from fractions import Fraction
 from functools import cached_property, partial
 from typing import Any, NamedTuple, TypeAlias
 
-from kurbel.books.constructions import geometry as on
-from kurbel.books.constructions.geometry import Point
-from kurbel.books.constructions.placed import Placed
+from kurbel.books.constructions import placed as on
+from kurbel.books.constructions.placed import Placed, Point
 from kurbel.books.constructions.quantities import FUNCTIONS_OF_DRIVE, KNOWN, NUMBER, POINT, OfDrive
 from kurbel.errors import NotationError
 from kurbel.exact.kind import floats

@@ -10,8 +10,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple, TypeAlias
 
 from kurbel.books.constructions.formulas import Formula, Values
-from kurbel.books.constructions.geometry import Point
-from kurbel.books.constructions.placed import Placed, Position
+from kurbel.books.constructions.placed import Placed, Point, Position
 from kurbel.books.constructions.quantities import POINT
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label

@@ -9,11 +9,10 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
 
-from kurbel.books.constructions.beside import ALONE, Beside, said_of
 from kurbel.books.constructions.formulas import Formula as Read
 from kurbel.books.constructions.formulas import Values
 from kurbel.books.constructions.model import Construction, Length, lettered
-from kurbel.books.constructions.placed import Placed
+from kurbel.books.constructions.placed import ALONE, Beside, Placed, said_of
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind, floats, settled
 from kurbel.exact.numerals import Label, Number

@@ -1,21 +1,133 @@
-"""A drive at a crank angle, as constructions have it: its points and lengths on a kind of number."""
+"""A drive at a crank angle, as constructions have it, with compasses and ruler on numbers of any kind: its
+points and lengths, and what may stand beside it: a point of the rod, the rod's masses, the steam.
+
+Points are pairs of such numbers, floats, balls or separation bounds. Nothing here asks what a number is or
+which of two is greater: where two points answer, the caller says which one by a sign.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.books.constructions.beside import ALONE, CENTRE, GYRATION, Beside
-from kurbel.books.constructions.geometry import Point, circles
 from kurbel.drive.rod import Rod
 from kurbel.exact.kind import Kind
+from kurbel.exact.numerals import Label, exact_text
 from kurbel.kernel.circle import Circle, root
 from kurbel.kernel.inertia.parts import Parted, parted, parted_rocker
 from kurbel.motion.evaluation import OUT
-from kurbel.page.quantity import Words
+from kurbel.page.quantity import Words, words
+
+if TYPE_CHECKING:
+    from kurbel.engine.engine import Steam
+
+
+class Point(NamedTuple):
+    """A point, or a vector, across and up."""
+
+    x: Any
+    y: Any
+
+
+def plus(point: Point, vector: Point, times: Any = 1) -> Point:
+    """Return a point moved by so many times a vector."""
+    return Point(point.x + times * vector.x, point.y + times * vector.y)
+
+
+def to(start: Point, end: Point) -> Point:
+    """Return the vector from one point to another."""
+    return Point(end.x - start.x, end.y - start.y)
+
+
+def turned(vector: Point) -> Point:
+    """Return the vector turned by 90° to the left."""
+    return Point(-vector.y, vector.x)
+
+
+def dot(one: Point, other: Point) -> Any:
+    return one.x * other.x + one.y * other.y
+
+
+def cross(one: Point, other: Point) -> Any:
+    """Return the area between two vectors, positive where the second is on the left of the first."""
+    return one.x * other.y - one.y * other.x
+
+
+def distance(start: Point, end: Point) -> Any:
+    """Return the length between two points; positive, and 0 where they are the same."""
+    vector = to(start, end)
+    return root(dot(vector, vector))
+
+
+def foot(point: Point, start: Point, end: Point) -> Point:
+    """Return where the perpendicular from a point meets the line through two others."""
+    along = to(start, end)
+    return plus(start, along, dot(to(start, point), along) / dot(along, along))
+
+
+def meet(start: Point, along: Point, other: Point, way: Point) -> Point:
+    """Return where a line through one point along a vector meets that through another along its vector."""
+    return plus(start, along, cross(to(start, other), way) / cross(along, way))
+
+
+def on_circle(start: Point, along: Point, centre: Point, radius: Any, side: int = 1) -> Point:
+    """Return where a line meets a circle, the farther point along the vector (1) or the nearer (-1)."""
+    back = to(centre, start)
+    square, half = dot(along, along), dot(along, back)
+    deep = root(half * half - square * (dot(back, back) - radius * radius))
+    return plus(start, along, (side * deep - half) / square)
+
+
+def circles(one: Point, radius: Any, other: Point, second: Any, side: int = 1) -> Point:
+    """Return where two circles meet, on the left (1) or the right (-1) of the way between their centres."""
+    way = to(one, other)
+    square = dot(way, way)
+    share = (square + radius * radius - second * second) / (2 * square)
+    high = root(radius * radius / square - share * share)
+    return plus(plus(one, way, share), turned(way), side * high)
+
+
+# Of the rod, in its lengths, where they are not given: its centre of mass from B and its radius of gyration.
+CENTRE, GYRATION = Fraction(65, 100), Fraction(35, 100)
+
+
+class Beside(NamedTuple):
+    """The share of the rod from the crosshead pin at which a point of it lies, the rod and the steam, where
+    they are given."""
+
+    point: Fraction = Fraction(1, 2)
+    rod: Rod | None = None
+    steam: Steam | None = None
+
+
+ALONE = Beside()
+# The options.
+TAKEN = ("point", "centre", "gyration", "eps", "back")
+WORDS: Mapping[str, Words] = {
+    "point": words("$D$ liegt um $x = {x} l$ von $B$|$D$ lies $x = {x} l$ from $B$"),
+    "constant": words("Die Kolbenkraft ist überall $P = Q$|The piston force is $P = Q$ throughout"),
+    "steam": words(
+        "Dampf mit dem Expansionsverhältnis $ε = {eps}$ und dem Gegendruck $R_b = {back}$; $Q$ vor der"
+        " Absperrung"
+        "|Steam with the expansion ratio $ε = {eps}$ and the back pressure $R_b = {back}$; $Q$ before cut-off"
+    ),
+}
+
+
+def said_of(beside: Beside, takes: Collection[str], lang: str) -> Iterator[Label]:
+    """Yield what pages say of what stands beside the drive."""
+    if "point" in takes:
+        yield WORDS["point"][lang].format(x=exact_text(beside.point))
+    if "eps" in takes and beside.steam is None:
+        yield WORDS["constant"][lang]
+    elif beside.steam is not None:
+        back, ratio = beside.steam.back, exact_text(beside.steam.expansion)
+        said = "Q/ε" if back is None else f"{exact_text(back)} Q" if back else "0"
+        yield WORDS["steam"][lang].format(eps=ratio, back=said)
+
 
 # The rod's mass where it is not given.
 USUAL = Rod.from_crosshead(CENTRE, GYRATION)

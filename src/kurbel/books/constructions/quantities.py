@@ -10,8 +10,7 @@ from collections.abc import Callable, Mapping
 from operator import attrgetter
 from typing import Any, NamedTuple
 
-from kurbel.books.constructions.geometry import Point
-from kurbel.books.constructions.placed import Placed
+from kurbel.books.constructions.placed import Placed, Point
 from kurbel.exact.kind import floats
 from kurbel.kernel import beam, forces, kinematics, linkage
 from kurbel.kernel.circle import root

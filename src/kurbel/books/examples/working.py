@@ -18,8 +18,7 @@ from typing import NamedTuple
 from kurbel.books.examples.source import Example, Line, Part
 from kurbel.books.expression import Expression
 from kurbel.books.printed_value import Printed, printed_value
-from kurbel.books.quantities import quantity_truth
-from kurbel.books.truth import FRACTIONS, Truth, formula_truth, kept
+from kurbel.books.quantities import FRACTIONS, Truth, formula_truth, kept, quantity_truth
 from kurbel.exact.numerals import Label, finite_decimals, nearest, number_text
 from kurbel.page.axes import angle_text
 from kurbel.page.quantity import Words, words

@@ -15,6 +15,7 @@ import flint
 
 from kurbel.books.formulas.equation import (
     AGREES,
+    BITS,
     FACTOR,
     FAR,
     FINE,
@@ -24,14 +25,14 @@ from kurbel.books.formulas.equation import (
     ONLY_NEARLY,
     ORDER,
     OTHER,
+    POINTS,
     STARTS,
     UNSETTLED,
     WRONG,
 )
 from kurbel.books.formulas.lines import formula_lines, room_beside, word_lines
-from kurbel.books.formulas.points import BITS, POINTS
 from kurbel.books.formulas.table import Collated, FormulaTable
-from kurbel.books.verdict import ALL, DEVIATIONS, columns_or
+from kurbel.books.printed_value import ALL, DEVIATIONS, columns_or
 from kurbel.exact.numerals import Label, nearest, number_text
 from kurbel.page.axes import ColumnAxis, PageAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, words
