@@ -1,5 +1,4 @@
-"""From a table to text in a format, and to a file. With `sandbox` the only module that knows Jinja; templates
-only arrange.
+"""From a table to text in a format, and to a file, by Jinja: templates only arrange.
 
 A format that is written without templates saves the first table on a terminal the third of its time that
 loading Jinja takes. A file is written whole or not at all: into a temporary file beside the target, renamed

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import os
+import re
+from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from html import escape
 
@@ -43,16 +45,11 @@ def opened(name: str, **attributes: object) -> str:
     return f"<{name}{said}>"
 
 
-def document(root: str, *content: str) -> str:
-    """Return a file of OpenDocument."""
-    begin, end = around(root)
-    return f"{begin}{''.join(content)}{end}"
-
-
-def around(root: str) -> tuple[str, str]:
+def around(root: str, prefix: str = "office") -> tuple[str, str]:
     """Return what stands before and behind the content of a file."""
-    begin = f'<?xml version="1.0" encoding="UTF-8"?>\n<office:{root} {NAMESPACES} office:version="1.3">'
-    return begin, f"</office:{root}>\n"
+    tag = f"{prefix}:{root}"
+    begin = f'<?xml version="1.0" encoding="UTF-8"?>\n<{tag} {NAMESPACES} {prefix}:version="1.3">'
+    return begin, f"</{tag}>\n"
 
 
 RULES = {"thin": "0.5pt solid #1c1b19", "heavy": "1.5pt solid #1c1b19"}
@@ -200,133 +197,33 @@ def _properties(look: Look) -> str:
 
 
 MIME = "application/vnd.oasis.opendocument.spreadsheet"
+MANIFEST = "META-INF/manifest.xml"
 COUNTRIES = {"de": "DE", "en": "GB"}
-FACE = "Liberation Sans"
-SIZE = "10pt"
-# A4 in portrait; landscape has them the other way.
-SIDES = ("210mm", "297mm")
+# Between elements of the template.
+_WHITE = re.compile(r"(?<=>)\s+(?=<)")
 
 
-def styles(book: Workbook) -> str:
-    """Return the styles of all cells, and the two kinds of pages."""
-    text = element(
-        "style:text-properties",
-        style__font_name=FACE,
-        fo__font_size=SIZE,
-        fo__language=book.lang,
-        fo__country=COUNTRIES.get(book.lang, "none"),
-    )
-    default = element("style:default-style", text, style__family="table-cell")
-    plain = element("style:style", style__name="Default", style__family="table-cell")
-    face = element("style:font-face", style__name=FACE, svg__font_family=f"'{FACE}'")
-    return document(
-        "document-styles",
-        element("office:font-face-decls", face),
-        element("office:styles", default, plain),
-        element("office:automatic-styles", _centred(), _layout("Portrait"), _layout("Landscape")),
-        element("office:master-styles", _master("Portrait"), _master("Landscape")),
-    )
+def parts_of(book: Workbook, names: Sequence[str]) -> Mapping[str, str]:
+    """Return the files beside the content of a workbook by their names: the styles of all cells and the two
+    kinds of pages, what it is, what stays in view, and the list of the files, which has these names too."""
+    from jinja2 import Environment, FileSystemLoader
 
+    environment = Environment(loader=FileSystemLoader(os.path.dirname(__file__)))
+    environment.filters["escaped"] = lambda value: escape(str(value))
+    own = {"styles.xml": "styles", "meta.xml": "meta", "settings.xml": "settings"}
+    values = {
+        "book": book,
+        "names": (names[0], *own, *names[1:]),
+        "title": bare(book.title),
+        "author": bare(book.author),
+        "country": COUNTRIES.get(book.lang),
+        "day": datetime.fromtimestamp(book.epoch, UTC).strftime("%Y-%m-%dT%H:%M:%SZ"),
+    }
+    module = environment.get_template("parts.xml.jinja").make_module(values)
 
-def _centred() -> str:
-    middle = element("style:paragraph-properties", fo__text_align="center")
-    return element("style:style", middle, style__name="Centred", style__family="paragraph")
+    def filled(macro: str) -> str:
+        return _WHITE.sub("", getattr(module, macro)().strip())
 
-
-def _layout(turned: str) -> str:
-    width, long = SIDES if turned == "Portrait" else reversed(SIDES)
-    page = element(
-        "style:page-layout-properties",
-        fo__page_width=width,
-        fo__page_height=long,
-        style__print_orientation=turned.lower(),
-        **{f"fo__margin_{side}": "15mm" for side in ("top", "bottom", "left", "right")},
-        style__table_centering="horizontal",
-        # As many pages below each other as there must be, none beside each other.
-        style__scale_to_X=1,
-        style__scale_to_Y=0,
-    )
-    height = element("style:header-footer-properties", fo__min_height="8mm", fo__margin_top="3mm")
-    foot = element("style:footer-style", height)
-    return element("style:page-layout", page, "<style:header-style/>", foot, style__name=f"{turned}Page")
-
-
-def _master(turned: str) -> str:
-    number = element("text:p", element("text:page-number", "1"), text__style_name="Centred")
-    return element(
-        "style:master-page",
-        element("style:header", style__display="false"),
-        element("style:footer", number),
-        style__name=turned,
-        style__page_layout_name=f"{turned}Page",
-    )
-
-
-def meta(book: Workbook) -> str:
-    """Return what the workbook is."""
-    day = datetime.fromtimestamp(book.epoch, UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
-    author = bare(book.author)
-    return document(
-        "document-meta",
-        element(
-            "office:meta",
-            element("meta:generator", "kurbel"),
-            element("dc:title", escape(bare(book.title))),
-            element("meta:initial-creator", escape(author)) if author else "",
-            element("dc:language", "-".join(filter(None, (book.lang, COUNTRIES.get(book.lang))))),
-            element("meta:creation-date", day),
-            element("dc:date", day),
-        ),
-    )
-
-
-def settings(book: Workbook) -> str:
-    """Return what of each sheet stays in view, and which of them has lines between its cells."""
-    tables = "".join(_entry(_seen(sheet), sheet.name) for sheet in book.sheets)
-    named = element("config:config-item-map-named", tables, config__name="Tables")
-    first = _item("ActiveTable", "string", book.sheets[0].name)
-    views = element("config:config-item-map-indexed", _entry(first + named), config__name="Views")
-    return document(
-        "document-settings",
-        element(
-            "office:settings", element("config:config-item-set", views, config__name="ooo:view-settings")
-        ),
-    )
-
-
-def _seen(sheet: Sheet) -> str:
-    rows, columns = sheet.frozen
-    return "".join(
-        (
-            _item("HorizontalSplitMode", "short", 2 if columns else 0),
-            _item("VerticalSplitMode", "short", 2 if rows else 0),
-            _item("HorizontalSplitPosition", "int", columns),
-            _item("VerticalSplitPosition", "int", rows),
-            _item("ActiveSplitRange", "short", 3 if rows and columns else 2),
-            _item("PositionRight", "int", columns),
-            _item("PositionBottom", "int", rows),
-            _item("ShowGrid", "boolean", "true" if sheet.records else "false"),
-        )
-    )
-
-
-def _entry(items: str, name: str | None = None) -> str:
-    return element("config:config-item-map-entry", items, config__name=name)
-
-
-def _item(name: str, kind: str, value: object) -> str:
-    return element("config:config-item", escape(str(value)), config__name=name, config__type=kind)
-
-
-def manifest(names: Iterable[str]) -> str:
-    """Return the list of the files."""
-    kinds = {".xml": "text/xml", ".png": "image/png"}
-    files = [("/", MIME), *((name, kinds[name[-4:]]) for name in names)]
-    entries = "".join(
-        element("manifest:file-entry", manifest__full_path=name, manifest__media_type=kind)
-        for name, kind in files
-    )
-    return (
-        f'<?xml version="1.0" encoding="UTF-8"?>\n<manifest:manifest {NAMESPACES} manifest:version="1.3">'
-        f"{entries}</manifest:manifest>\n"
-    )
+    files = {name: filled(macro).join(around(f"document-{macro}")) for name, macro in own.items()}
+    listed = filled("manifest").join(around("manifest", "manifest"))
+    return files | {MANIFEST: listed}

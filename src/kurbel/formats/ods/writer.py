@@ -15,18 +15,7 @@ from io import BytesIO
 from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile, ZipInfo
 
 from kurbel.exact.numerals import Number, number_text
-from kurbel.formats.ods.parts import (
-    LINE,
-    MIME,
-    Looks,
-    around,
-    element,
-    manifest,
-    meta,
-    opened,
-    settings,
-    styles,
-)
+from kurbel.formats.ods.parts import LINE, MANIFEST, MIME, Looks, around, element, opened, parts_of
 from kurbel.formats.sheet import Picture, Sheet, SheetCell, Workbook, runs
 from kurbel.formats.writer import WorkbookWriter
 
@@ -38,15 +27,11 @@ EMPTY = "<table:table-cell/>"
 class Writer(WorkbookWriter):
     def written(self, book: Workbook) -> bytes:
         pictures = [picture for sheet in book.sheets for picture in sheet.pictures]
-        parts = {"styles.xml": styles(book), "meta.xml": meta(book), "settings.xml": settings(book)}
-        files: dict[str, Iterable[bytes]] = {
-            "mimetype": [MIME.encode()],
-            "content.xml": _content(book),
-            **{name: [text.encode()] for name, text in parts.items()},
-            **{_name_of(picture): [picture.content] for picture in pictures},
-        }
-        listed = manifest([*files][1:])
-        return _zipped(files | {"META-INF/manifest.xml": [listed.encode()]}, book)
+        shown = {_name_of(picture): [picture.content] for picture in pictures}
+        files: dict[str, Iterable[bytes]] = {"mimetype": [MIME.encode()], "content.xml": _content(book)}
+        parts = {name: [text.encode()] for name, text in parts_of(book, ("content.xml", *shown)).items()}
+        listed = {MANIFEST: parts.pop(MANIFEST)}
+        return _zipped({**files, **parts, **shown, **listed}, book)
 
 
 def _name_of(picture: Picture) -> str:
