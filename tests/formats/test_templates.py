@@ -27,9 +27,9 @@ from places import ROOT
 import kurbel
 from kurbel import KurbelError
 from kurbel.formats.csv.writer import quoted
-from kurbel.formats.folder import page_templates
 from kurbel.formats.registry import FORMATS, PageFormat, RecordsFormat, by_name
 from kurbel.formats.render import environment_of, render
+from kurbel.formats.templates import page_templates
 from kurbel.page.layouts import template_folder
 from kurbel.page.table import Value
 

@@ -22,9 +22,9 @@ from typeset import broken_formulas, least_type, page_width, words_of_pdf
 from kurbel import KurbelError
 from kurbel.exact.numerals import Number
 from kurbel.formats.render import render
-from kurbel.formats.typst.layout import string as string_typst
 from kurbel.formats.typst.writer import Writer
 from kurbel.formats.typst.writer import escape as escape_typst
+from kurbel.formats.typst.writer import string as string_typst
 from kurbel.page.formula import Formula
 from kurbel.page.labels import formula_plain, parse
 from kurbel.page.table import DITTO, Cell, Column, Group, Panel, Row

@@ -40,7 +40,7 @@ COPY = click.Option(
 def layouts(layouts: File | None, copy: tuple[str, str] | None, form: str, lang: str) -> None:
     """List the page layouts, each with a command that prints it, or copy one."""
     if copy is not None:
-        from kurbel.formats.folder import copied
+        from kurbel.formats.templates import copied
 
         name, folder = copy
         say(

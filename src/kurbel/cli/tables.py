@@ -251,7 +251,7 @@ def _format(given: Given) -> Format:
         name = chosen.name
         raise click.UsageError(f"a terminal shows no {name}; name a file, such as -o kurbel.{name}")
     if given.typed("templates"):
-        from kurbel.formats.folder import is_set_by_template
+        from kurbel.formats.templates import is_set_by_template
 
         if not is_set_by_template(chosen):
             raise click.UsageError(f"--templates sets no {chosen.name}, which has no template; leave it out.")

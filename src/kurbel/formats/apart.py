@@ -72,7 +72,7 @@ def filled_apart(form: str, template: str, values: Mapping[str, object], folders
 
 
 def _filled(form: str, template: str, values: Mapping[str, object], folders: Sequence[str]) -> str:
-    from kurbel.formats.sandbox import filled
+    from kurbel.formats.templates import filled
 
     return filled(form, template, values, folders)
 

@@ -99,8 +99,7 @@ class Format:
         """Return a module of the format's folder.
 
         `writer` has a `Writer` of tables; where there are `figures`, `document` has a `Maker` of whole
-        documents and a `Printer` of their free text; where an author's documents are `marked`, `marked` has
-        their `KIND`.
+        documents and a `Printer` of their free text; where an author's documents are `marked`, their `KIND`.
         """
         return import_module(f"kurbel.formats.{self.name}.{name}".rstrip("."))
 
@@ -299,7 +298,7 @@ def for_suffix(path: str) -> Format:
 def kinds() -> list[tuple[PageFormat, Kind]]:
     """Return the formats whose documents can have marked places; those whose comments have an end first."""
     marked = [form for form in FORMATS.values() if isinstance(form, PageFormat) and form.marked]
-    found: list[tuple[PageFormat, Kind]] = [(form, form.module("marked").KIND) for form in marked]
+    found: list[tuple[PageFormat, Kind]] = [(form, form.module("document").KIND) for form in marked]
     return sorted(found, key=lambda one: not one[1].right)
 
 

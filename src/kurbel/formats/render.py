@@ -154,7 +154,7 @@ def folders_of(*folders: str | None, pages: bool = True) -> Folders:
     given = dict.fromkeys(filter(None, folders))
     if not given:
         return ()
-    from kurbel.formats.folder import check_layouts, has_templates
+    from kurbel.formats.templates import check_layouts, has_templates
 
     found = tuple(folder for folder in given if has_templates(folder))
     if pages:
@@ -173,7 +173,7 @@ def environment_of(form: PageFormat | RecordsFormat, folders: Folders) -> Enviro
     ours = template_folder(), form.home
     loader: BaseLoader = FileSystemLoader(ours)
     if folders:
-        from kurbel.formats.sandbox import Loader, Sandbox
+        from kurbel.formats.templates import Loader, Sandbox
 
         kind, loader = Sandbox, Loader(folders, ours)
     # No autoescape: every string of a page is finished text of its format, formulas included.

@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple, TypeAlias
 
 from kurbel.errors import LayoutError
 from kurbel.exact.numerals import Number
-from kurbel.formats.measure import em
+from kurbel.formats.spacing import em
 from kurbel.formats.writer import PageWriter
 from kurbel.page import formula as tree
 from kurbel.page.labels import formula_plain

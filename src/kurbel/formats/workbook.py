@@ -11,7 +11,6 @@ from typing import Literal, NamedTuple
 
 from kurbel.errors import LayoutError
 from kurbel.exact.numerals import DECIMALS, Number, number_text
-from kurbel.formats.measure import shared, spans, widest
 from kurbel.formats.page import Page, PageCell, PagePanel, page
 from kurbel.formats.sheet import (
     MOST_COLUMNS,
@@ -29,6 +28,7 @@ from kurbel.formats.sheet import (
     figures_wide,
     is_kept,
 )
+from kurbel.formats.spacing import shared, spans, widest
 from kurbel.page.labels import plain
 from kurbel.page.table import Cell, Group, HeadCell, Panel, Records, Row, Table, Value
 from kurbel.reading.dates import source_date_epoch

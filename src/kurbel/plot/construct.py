@@ -19,7 +19,7 @@ from kurbel.books.constructions.model import Construction, Element, lettered
 from kurbel.books.constructions.placed import Placed
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats
-from kurbel.formats.html.lesson import lesson
+from kurbel.formats.html.live import lesson
 from kurbel.page.build import build
 from kurbel.page.labels import plain
 from kurbel.plot.drawings import Drawing

@@ -16,7 +16,7 @@ from xml.etree.ElementTree import Element, SubElement, fromstring, register_name
 
 from kurbel.errors import LayoutError
 from kurbel.formats.html.writer import OTHERS, WIDTHS
-from kurbel.formats.measure import Span, added, shared
+from kurbel.formats.spacing import Span, added, shared
 
 _MAIN = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
 _SPACES = {

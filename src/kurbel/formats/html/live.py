@@ -1,5 +1,5 @@
-"""What stands around a table whose steps are chosen, and around a drawing that moves: sliders, what their
-script fills, and the data of all steps, kept short."""
+"""Pages of ours with a script: tables whose steps are chosen, drawings that move, and drawings that are made
+step by step, with the data of all steps, kept short. Without a script, and on paper, all stands there too."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import json
 import re
 from base64 import b64encode
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from functools import cache
 from hashlib import sha256
 from typing import Any, NamedTuple
@@ -14,8 +15,9 @@ from typing import Any, NamedTuple
 from kurbel.exact.numerals import Label, Number, number_text
 from kurbel.formats.html import FORMAT
 from kurbel.formats.html.svg import inline
-from kurbel.formats.html.writer import RUNS
-from kurbel.formats.render import render_document
+from kurbel.formats.html.writer import RUNS, panelled
+from kurbel.formats.registry import PageFormat, by_name
+from kurbel.formats.render import render, render_document
 from kurbel.formats.writer import PageWriter
 from kurbel.page.axes import PHI
 from kurbel.page.labels import plain, set_label
@@ -314,3 +316,72 @@ def film_block(
         "data": as_json(data),
     }  # fmt: skip
     return render_document(FORMAT, "film.block", values)
+
+
+LESSON_WORDS: Mapping[str, Mapping[str, str]] = {
+    "de": {
+        "steps": "Schritte",
+        "start": "Anfang",
+        "back": "Zurück",
+        "next": "Weiter",
+        "all": "Alles",
+        "lengths": "Strecken der Zeichnung",
+        "keys": "Tasten ← und →",
+        "of": "Schritt {} von {}",
+        "whole": "Alle {} Schritte",
+    },
+    "en": {
+        "steps": "Steps",
+        "start": "Start",
+        "back": "Back",
+        "next": "Next",
+        "all": "All",
+        "lengths": "Lengths of the drawing",
+        "keys": "Keys ← and →",
+        "of": "Step {} of {}",
+        "whole": "All {} steps",
+    },
+}
+_GROUP = re.compile(r'<g id="([^"]+)">')
+
+
+def lesson(
+    svg: str, parts: Mapping[str, int], steps: Sequence[Label], table: Table, decimal: str | None
+) -> str:
+    """Return the page of a drawing whose parts have ids in its SVG file, each with the number of its step.
+
+    `table` is what stands below; its caption is the title of the page.
+    """
+    form = by_name("html")
+    assert isinstance(form, PageFormat)
+    writer, mark = form.writer, form.decimal_mark(table.lang, decimal)
+
+    def set_text(label: Label) -> str:
+        formula = set_label(label, writer.escape, lambda one: writer.formula(one, mark), lambda note: "")
+        return writer.finish(formula)
+
+    title, words = plain(table.caption, mark), LESSON_WORDS[table.lang]
+    script, style = ("\n" + template_text(f"lesson.{kind}") for kind in ("js", "css"))
+    values = {
+        "lang": table.lang,
+        "words": words,
+        "title": writer.escape(title),
+        "heading": set_text(table.caption),
+        "drawing": inline(_numbered(svg, parts), "drawing", title, own_page=True),
+        "steps": [set_text(one) for one in steps],
+        "table": panelled(render(replace(table, caption=words["lengths"]), "html", decimal=decimal)),
+        "style": style,
+        "script": script,
+        "allowed": f"sha256-{b64encode(sha256(script.encode()).digest()).decode()}",
+    }
+    return render_document(form, "lesson", values)
+
+
+def _numbered(svg: str, parts: Mapping[str, int]) -> str:
+    """Return the drawing whose parts say their steps."""
+
+    def numbered(found: re.Match[str]) -> str:
+        step = parts.get(found[1])
+        return f'{found[0][:-1]} data-step="{step}">' if step else found[0]
+
+    return _GROUP.sub(numbered, svg)

@@ -11,8 +11,8 @@ from itertools import accumulate, pairwise
 from typing import NamedTuple
 
 from kurbel.formats.html.writer import Widths
-from kurbel.formats.measure import added
 from kurbel.formats.page import WORDS
+from kurbel.formats.spacing import added
 
 _FIGURE = re.compile(r'<figure class="kurbel"[^>]* lang="([^"]*)"')
 _REGION = re.compile(

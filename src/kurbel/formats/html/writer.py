@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from zlib import crc32
 
 from kurbel.formats.formula import has_bar, mathml
-from kurbel.formats.measure import Room, added, bodies, headings, overhangs, shared, spans, widest
+from kurbel.formats.spacing import Room, added, bodies, headings, overhangs, shared, spans, widest
 from kurbel.formats.writer import PageWriter
 from kurbel.page.formula import Formula
 from kurbel.page.table import HeadCell

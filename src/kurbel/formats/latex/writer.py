@@ -14,9 +14,8 @@ from itertools import groupby
 from typing import Any, NamedTuple, Self
 
 from kurbel.formats.formula import TEX_OBEYED, TexMath, has_bar
-from kurbel.formats.measure import added, bodies, em, headings, overhangs, spans, widest
 from kurbel.formats.page import Page, PageCell, PagePanel, page
-from kurbel.formats.spacing import WITHIN
+from kurbel.formats.spacing import WITHIN, added, bodies, em, headings, overhangs, spans, widest
 from kurbel.formats.writer import PERCENT_DELIMITERS, PLAIN, PageWriter, Wishes
 from kurbel.page.formula import GREEK, SIGNS, SYMBOLS, Formula
 from kurbel.page.table import HeadCell, Table

@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 from unicodedata import combining, east_asian_width
 
 from kurbel.formats.formula import TEX_OBEYED, TexMath, has_bar
-from kurbel.formats.measure import Span, shared
 from kurbel.formats.page import Page, PagePanel
+from kurbel.formats.spacing import Span, shared
 from kurbel.formats.writer import PageWriter, Wishes
 from kurbel.page.formula import Formula
 from kurbel.page.table import HeadCell, Table

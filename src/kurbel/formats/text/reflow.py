@@ -10,8 +10,8 @@ from itertools import chain, groupby, pairwise, zip_longest
 from string import ascii_lowercase
 from typing import NamedTuple
 
-from kurbel.formats.measure import widest
 from kurbel.formats.page import Page, PageCell, PageGroup, PageNote, PagePanel
+from kurbel.formats.spacing import widest
 from kurbel.formats.text.writer import TIGHTEST, Measure, grid_with, grids_of, measured
 from kurbel.page.labels import mark_text
 from kurbel.page.table import UNIT, Column, Group, Panel, Row, Table

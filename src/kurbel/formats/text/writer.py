@@ -11,8 +11,8 @@ from itertools import accumulate, islice
 from textwrap import fill
 from typing import Any, NamedTuple
 
-from kurbel.formats.measure import shared, spans, widest
 from kurbel.formats.page import Page, PageCell, PagePanel, page
+from kurbel.formats.spacing import shared, spans, widest
 from kurbel.formats.writer import PageWriter, Wishes
 from kurbel.page.table import HeadCell, Table, Tone
 
