@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache, cached_property
 from itertools import count
+from typing import Any, ClassVar
 
 from kurbel.books.collation import (
     WORDS,
@@ -18,7 +20,7 @@ from kurbel.books.collation import (
     recomputed_cell,
     verdict_text,
 )
-from kurbel.books.printed_value import ALL, DEVIATIONS, RIGHT, VERDICTS, columns_or, tone_of
+from kurbel.books.printed_value import ALL, DEVIATIONS, RIGHT, VERDICTS, tone_of
 from kurbel.books.source import AXIS_KEYS, SourceCell, SourceTable
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, SourceError
@@ -26,7 +28,7 @@ from kurbel.exact.numerals import Label, Number
 from kurbel.page.axes import PHI, RATIO, ColumnAxis, Grid, PageAxis, Place
 from kurbel.page.build import own_grid
 from kurbel.page.layouts import Layout, layout_of
-from kurbel.page.quantity import Column, Formula, Quantity, words
+from kurbel.page.quantity import Column, Formula, Quantity, Words, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Cell, Field, Note, Records, Tone, Value
 from kurbel.reading.given import choose
@@ -39,23 +41,79 @@ KEYS = (
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class CollateRequest(Question):
-    """What is asked for: the collated cells of a table, all or those that deviate."""
+class BookQuestion(Question):
+    """What is asked for of a book's table: what was found at its places, at all or where it deviates."""
 
-    table: SourceTable
-    collated: Sequence[Collated] = field(repr=False)
+    # The columns of the records, and the words over them.
+    keys: ClassVar[tuple[str, ...]]
+    words: ClassVar[Mapping[str, Words]]
+    table: Any
+    collated: Sequence[Any]
     only: str = ALL
 
     def __len__(self) -> int:
         return len(self.shown)
 
     @cached_property
-    def deviations(self) -> list[Collated]:
-        return [one for one in self.collated if one.verdict.kind != RIGHT]
+    @abstractmethod
+    def deviations(self) -> Sequence[Any]:
+        """What is not as it should be."""
+
+    @abstractmethod
+    def record(self, one: Any) -> Mapping[str, Value]:
+        """Return what the records have of one place."""
 
     @property
-    def shown(self) -> Sequence[Collated]:
+    def shown(self) -> Sequence[Any]:
         return self.deviations if self.only == DEVIATIONS else self.collated
+
+    @cached_property
+    def page_columns(self) -> tuple[Column, ...]:
+        for key in self.columns:
+            choose(key, self.keys, "column")
+        return tuple(map(self.column, self.layout.columns))
+
+    @property
+    def key(self) -> str:
+        return str(self.label or self.table.key or self.layout.key)
+
+    @property
+    def origin(self) -> Label:
+        return str(self.table.book.citation[self.lang])
+
+    def records(self) -> Records:
+        """Return the columns that were asked for, else all; the place tells rows apart."""
+        asked = self.columns
+        keys = (*("place",) * ("place" not in asked), *asked) if asked else self.keys
+        rows = [[record[key] for key in keys] for record in map(self.record, self.shown)]
+        names = (self.words[key][self.lang] if key in self.words else key for key in keys)
+        return Records(tuple(map(Field, keys, names)), rows)
+
+
+def kernels(words_of: Mapping[str, Words], **shown: Callable[..., Any]) -> Mapping[str, Quantity]:
+    """Return what stands beside a place, each by what it is made of."""
+    return {
+        key: Quantity(key, words_of[key], "", words(""), None, {"": Formula(kernel)}, words_of[key])
+        for key, kernel in shown.items()
+    }
+
+
+def titled(request: BookQuestion) -> Label:
+    return request.layout.caption[request.lang].replace("{title}", request.table.title[request.lang])
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class CollateRequest(BookQuestion):
+    """What is asked for: the collated cells of a table, all or those that deviate."""
+
+    keys = KEYS
+    words: ClassVar[Mapping[str, Words]] = {**WORDS, "ratio": RATIO, "phi": PHI}
+    table: SourceTable
+    collated: Sequence[Collated] = field(repr=False)
+
+    @cached_property
+    def deviations(self) -> list[Collated]:
+        return [one for one in self.collated if one.verdict.kind != RIGHT]
 
     @property
     def as_printed(self) -> bool:
@@ -68,19 +126,20 @@ class CollateRequest(Question):
         letters = (_letters(number) for number in count()) if self.as_printed else iter(())
         return {one.cell.place: mark for one, mark in zip(self.deviations, letters, strict=False)}
 
-    @cached_property
-    def page_columns(self) -> tuple[Column, ...]:
-        for key in self.columns:
-            choose(key, KEYS, "column")
-        return tuple(map(self.column, self.layout.columns))
-
-    @property
-    def key(self) -> str:
-        return self.label or self.table.key or self.layout.key
-
-    @property
-    def origin(self) -> Label:
-        return self.table.book.citation[self.lang]
+    def record(self, one: Collated) -> Mapping[str, Value]:
+        cell = one.cell
+        return {
+            "table": self.table.key,
+            "place": cell.place,
+            "quantity": cell.quantity or None,
+            **{axis: cell.axes.get(axis) for axis in AXIS_KEYS},
+            "method": cell.method if cell.quantity else None,
+            "printed": one.printed.text,
+            "recomputed": one.recomputed,
+            "difference": None if one.off is None else Number(one.off, 0),
+            "verdict": one.verdict.kind,
+            "detail": one.verdict.detail or None,
+        }
 
 
 def _letters(number: int) -> str:
@@ -159,16 +218,13 @@ def _tone(request: CollateRequest, column: Column, place: Place) -> Tone:
 @cache
 def quantities() -> Mapping[str, Quantity]:
     """Return what stands beside a place, each of what was collated there."""
-    shown = {
-        "printed": lambda one, request: printed_cell(one),
-        "recomputed": lambda one, request: recomputed_cell(one),
-        "difference": lambda one, request: Number(one.off, 0) if one.off else None,
-        "verdict": lambda one, request: verdict_text(one, request.collated, request.lang),
-    }
-    return {
-        key: Quantity(key, WORDS[key], "", words(""), None, {"": Formula(kernel)}, WORDS[key])
-        for key, kernel in shown.items()
-    }
+    return kernels(
+        WORDS,
+        printed=lambda one, request: printed_cell(one),
+        recomputed=lambda one, request: recomputed_cell(one),
+        difference=lambda one, request: Number(one.off, 0) if one.off else None,
+        verdict=lambda one, request: verdict_text(one, request.collated, request.lang),
+    )
 
 
 def _notes(request: CollateRequest) -> Iterator[Note]:
@@ -201,35 +257,8 @@ def _filled(request: CollateRequest, note: Label) -> Label:
         raise table.book.file.error(("tables", table.name, "notes", request.lang), error) from None
 
 
-def _records(request: CollateRequest) -> Records:
-    keys, lang = columns_or(KEYS, request.columns), request.lang
-    names = {key: texts[lang] for key, texts in WORDS.items()} | {"ratio": RATIO[lang], "phi": PHI[lang]}
-    rows = [[record[key] for key in keys] for record in (_record(request, one) for one in request.shown)]
-    return Records(tuple(Field(key, names.get(key, key)) for key in keys), rows)
-
-
-def _record(request: CollateRequest, one: Collated) -> Mapping[str, Value]:
-    cell = one.cell
-    return {
-        "table": request.table.key,
-        "place": cell.place,
-        "quantity": cell.quantity or None,
-        **{axis: cell.axes.get(axis) for axis in AXIS_KEYS},
-        "method": cell.method if cell.quantity else None,
-        "printed": one.printed.text,
-        "recomputed": one.recomputed,
-        "difference": None if one.off is None else Number(one.off, 0),
-        "verdict": one.verdict.kind,
-        "detail": one.verdict.detail or None,
-    }
-
-
 def _grid(request: CollateRequest) -> tuple[Layout, Grid]:
     return _printed_page(request) if request.as_printed else own_grid(request)
-
-
-def _caption(request: CollateRequest) -> Label:
-    return request.layout.caption[request.lang].replace("{title}", request.table.title[request.lang])
 
 
 SUBJECT = Subject(
@@ -243,9 +272,9 @@ SUBJECT = Subject(
     listed=tuple,
     number=_shown,
     tone=_tone,
-    caption=_caption,
+    caption=titled,
     notes=_notes,
     grid=_grid,
-    rows=_records,
+    rows=CollateRequest.records,
     drawn="kurbel.plot.pages:deviations",
 )

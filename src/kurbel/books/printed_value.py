@@ -150,11 +150,6 @@ VERDICTS: Mapping[str, Words] = {
 }
 
 
-def columns_or(own: tuple[str, ...], asked: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the columns of records that were asked for, else a page's own; the place tells them apart."""
-    return (*("place",) * ("place" not in asked), *asked) if asked else own
-
-
 def tone_of(kind: str) -> Tone:
     """Return how a verdict is to be taken."""
     if kind == RIGHT:

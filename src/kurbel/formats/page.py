@@ -7,7 +7,7 @@ notation of labels or the decimal mark, ends here.
 import re
 from collections.abc import Iterable, Iterator, Sequence, Set
 from itertools import accumulate, chain, islice, pairwise, zip_longest
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, Self
 
 from kurbel.exact.numerals import Label, Number, number_text
 from kurbel.formats.spacing import gaps, held, panel_pauses
@@ -82,6 +82,12 @@ class PagePanel(NamedTuple):
     def rows(self) -> tuple[tuple[PageCell, ...], ...]:
         """The rows of all groups."""
         return tuple(chain.from_iterable(group.rows for group in self.groups))
+
+    def with_rows(self, rows: Iterable[tuple[PageCell, ...]]) -> Self:
+        """Return the same panel with other cells in its rows."""
+        lines = iter(rows)
+        groups = (group._replace(rows=tuple(islice(lines, len(group.rows)))) for group in self.groups)
+        return self._replace(groups=tuple(groups))
 
     @property
     def spanners(self) -> tuple[tuple[HeadCell, ...], ...]:

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 import flint
 
+from kurbel.books.collate_page import BookQuestion, kernels, titled
 from kurbel.books.formulas.equation import (
     AGREES,
     BITS,
@@ -32,13 +33,11 @@ from kurbel.books.formulas.equation import (
 )
 from kurbel.books.formulas.lines import formula_lines, room_beside, word_lines
 from kurbel.books.formulas.table import Collated, FormulaTable
-from kurbel.books.printed_value import ALL, DEVIATIONS, columns_or
 from kurbel.exact.numerals import Label, nearest, number_text
 from kurbel.page.axes import ColumnAxis, PageAxis, Place
-from kurbel.page.quantity import Column, Formula, Quantity, Words, words
-from kurbel.page.subject import Question, Subject
-from kurbel.page.table import DITTO, Ditto, Field, Note, Records, Tone, Value
-from kurbel.reading.given import choose
+from kurbel.page.quantity import Column, Quantity, Words, words
+from kurbel.page.subject import Subject
+from kurbel.page.table import DITTO, Ditto, Note, Tone, Value
 
 KEYS = ("table", "place", "printed", "follows", "relation", "letter", "verdict", "detail")
 # Of the two sides at a point.
@@ -119,23 +118,17 @@ class Line(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class FormulaRequest(Question):
+class FormulaRequest(BookQuestion):
     """What is asked for: the formulas of a table, all or those that are not as they should be."""
 
+    keys = KEYS
+    words = WORDS
     table: FormulaTable
     collated: Sequence[Collated]
-    only: str = ALL
-
-    def __len__(self) -> int:
-        return len(self.shown)
 
     @cached_property
     def deviations(self) -> list[Collated]:
         return [one for one in self.collated if one.finding.kind not in FINE]
-
-    @property
-    def shown(self) -> Sequence[Collated]:
-        return self.deviations if self.only == DEVIATIONS else self.collated
 
     @cached_property
     def labels(self) -> Mapping[str, Label]:
@@ -157,19 +150,20 @@ class FormulaRequest(Question):
             for line in _lines(one, lines, room, self)
         ]
 
-    @cached_property
-    def page_columns(self) -> tuple[Column, ...]:
-        for key in self.columns:
-            choose(key, KEYS, "column")
-        return tuple(map(self.column, self.layout.columns))
-
-    @property
-    def key(self) -> str:
-        return self.label or self.table.key
-
-    @property
-    def origin(self) -> Label:
-        return self.table.book.citation[self.lang]
+    def record(self, one: Collated) -> Mapping[str, Value]:
+        row, found = one
+        details = {FACTOR: str(found.factor), ORDER: str(found.order), ONLY_NEARLY: str(found.order)}
+        point = " ".join(f"{name}={value}" for name, value in found.point.items())
+        return {
+            "table": self.table.key,
+            "place": row.place,
+            "printed": row.printed,
+            "follows": row.follows or None,
+            "relation": row.relation or None,
+            "letter": row.letter or None,
+            "verdict": None if found.kind == STARTS else found.kind,
+            "detail": details.get(found.kind) or point or None,
+        }
 
 
 class _PlaceAxis(PageAxis):
@@ -243,14 +237,7 @@ def _figures(value: Any) -> Label:
 @cache
 def quantities() -> Mapping[str, Quantity]:
     """Return what stands beside a place."""
-    shown = {
-        "printed": lambda line: line.printed,
-        "verdict": lambda line: line.verdict,
-    }
-    return {
-        key: Quantity(key, WORDS[key], "", words(""), None, {"": Formula(kernel)}, WORDS[key])
-        for key, kernel in shown.items()
-    }
+    return kernels(WORDS, printed=lambda line: line.printed, verdict=lambda line: line.verdict)
 
 
 def _shown(request: FormulaRequest, column: Column, place: Place, times: int) -> Value:
@@ -276,32 +263,6 @@ def _notes(request: FormulaRequest) -> Iterator[Note]:
         yield Note(WORDS["order"][lang])
 
 
-def _records(request: FormulaRequest) -> Records:
-    keys, lang = columns_or(KEYS, request.columns), request.lang
-    rows = [[_record(request, one)[key] for key in keys] for one in request.shown]
-    return Records(tuple(Field(key, WORDS[key][lang]) for key in keys), rows)
-
-
-def _record(request: FormulaRequest, one: Collated) -> Mapping[str, Value]:
-    row, found = one
-    details = {FACTOR: str(found.factor), ORDER: str(found.order), ONLY_NEARLY: str(found.order)}
-    point = " ".join(f"{name}={value}" for name, value in found.point.items())
-    return {
-        "table": request.table.key,
-        "place": row.place,
-        "printed": row.printed,
-        "follows": row.follows or None,
-        "relation": row.relation or None,
-        "letter": row.letter or None,
-        "verdict": None if found.kind == STARTS else found.kind,
-        "detail": details.get(found.kind) or point or None,
-    }
-
-
-def _caption(request: FormulaRequest) -> Label:
-    return request.layout.caption[request.lang].replace("{title}", request.table.title[request.lang])
-
-
 SUBJECT = Subject(
     key="formulas",
     layout="formulas",
@@ -313,7 +274,7 @@ SUBJECT = Subject(
     listed=tuple,
     number=_shown,
     tone=_tone,
-    caption=_caption,
+    caption=titled,
     notes=_notes,
-    rows=_records,
+    rows=FormulaRequest.records,
 )

@@ -167,13 +167,7 @@ def _loosened(page: Page, places: re.Pattern[str]) -> Page:
     def row_of(row: Sequence[PageCell], stubs: int) -> tuple[PageCell, ...]:
         return (*row[:stubs], *map(loosened, row[stubs:]))
 
-    panels = []
-    for panel in page.panels:
-        groups = (
-            group._replace(rows=tuple(row_of(row, panel.stubs) for row in group.rows))
-            for group in panel.groups
-        )
-        panels.append(panel._replace(groups=tuple(groups)))
+    panels = (panel.with_rows(row_of(row, panel.stubs) for row in panel.rows) for panel in page.panels)
     return page._replace(panels=tuple(panels))
 
 
@@ -214,13 +208,7 @@ def _panel_noted(panel: PagePanel, marks: Mapping[int, Mapping[str, str]]) -> Pa
         mark = marks.get(place, {}).get(cell.text)
         return cell if mark is None else cell._replace(text="", marks=cell.marks + mark)
 
-    groups = (
-        group._replace(
-            rows=tuple(tuple(noted(place, cell) for place, cell in enumerate(row)) for row in group.rows)
-        )
-        for group in panel.groups
-    )
-    return panel._replace(groups=tuple(groups))
+    return panel.with_rows(tuple(noted(place, cell) for place, cell in enumerate(row)) for row in panel.rows)
 
 
 def narrowed(table: Table, page: Page, annotated: Callable[[Table], Page], width: int) -> Page:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from itertools import accumulate, islice
+from itertools import accumulate
 from textwrap import fill
 from typing import Any, NamedTuple
 
@@ -293,9 +293,7 @@ def _aligned(panel: PagePanel, grid: Grid) -> PagePanel:
         for place, room in zip(range(len(panel.columns)), grid.figures, strict=False)
     ]
     lines = zip(panel.rows, zip(*blocks, strict=True), strict=True)
-    rows = (
+    return panel.with_rows(
         tuple(cell._replace(text=text, marks="", tail="") for cell, text in zip(cells, texts, strict=True))
         for cells, texts in lines
     )
-    groups = (group._replace(rows=tuple(islice(rows, len(group.rows)))) for group in panel.groups)
-    return panel._replace(groups=tuple(groups))
