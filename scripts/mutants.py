@@ -5,7 +5,7 @@
 draws N faults by this seed from all of src/kurbel, every kind as often: another operator, comparison or
 constant, a `not` dropped, `and` for `or`, a statement left out, another default. Each is written into a copy
 of the project, and the fast tests that reach its line run there, the cheapest of each file first, until one
-fails that passes without the fault. Which tests reach which line is measured once, in the same copy, and kept
+fails that passes without the fault, or a minute of them has passed. Which tests reach which line is measured once, in the same copy, and kept
 in build/mutants until the code changes. A fault that no test sees is printed as it is to stand in
 scripts/survivors.toml, with the reason why it changes nothing that anybody could see: those are not counted.
 Ends with 1 where fewer than 95 % of the others are seen.
@@ -20,7 +20,6 @@ import json
 import math
 import multiprocessing
 import os
-import random
 import re
 import shutil
 import signal
@@ -31,6 +30,7 @@ import time
 import tomllib
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
 from contextlib import closing
 from functools import cached_property
 from hashlib import sha256
@@ -56,8 +56,9 @@ LOADED = (
     "numpy.testing",
     "scipy.optimize",
 )
-# Tests are tried so many at first; seconds that they may take beyond their own.
-FIRST, PATIENCE = 12, 60
+# Tests are tried so many at first, and then as many as take so many seconds; seconds that they may take
+# beyond their own.
+FIRST, MOST, PATIENCE = 12, 60, 60
 OPERATORS: dict[type[ast.operator], type[ast.operator]] = {
     ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.FloorDiv: ast.Mult,
     ast.Mod: ast.FloorDiv, ast.Pow: ast.Mult, ast.LShift: ast.RShift, ast.RShift: ast.LShift,
@@ -195,14 +196,17 @@ def faults() -> list[Fault]:
 
 
 def drawn(count: int, seed: int, only: str) -> list[Fault]:
-    """Return so many faults, of every kind as many."""
-    chance = random.Random(seed)
+    """Return so many faults, of every kind as many; where the code changes elsewhere, the same ones."""
+
+    def rank(fault: Fault) -> str:
+        return sha256(f"{seed} {fault.path} {fault.old} {fault.new}".encode()).hexdigest()
+
     kinds: dict[str, list[Fault]] = defaultdict(list)
     for fault in faults():
         if re.search(only, fault.path):
             kinds[fault.kind].append(fault)
     for group in kinds.values():
-        chance.shuffle(group)
+        group.sort(key=rank)
     groups = [kinds[kind] for kind in sorted(kinds)]
     rounds = (group[turn] for turn in range(max(map(len, groups))) for group in groups if turn < len(group))
     return [fault for fault, _ in zip(rounds, range(count), strict=False)]
@@ -254,7 +258,7 @@ class Copy:
 
     def is_seen(self, fault: Fault, tests: Sequence[str], seconds: float) -> bool:
         """Return whether one of these tests fails with this fault in the code, and passes without it."""
-        left = list(tests)
+        left = [one for one in tests if self.sound.get(one, True)]
         while left:
             place = self.folder / fault.path
             kept = place.read_text(encoding="utf-8")
@@ -382,7 +386,11 @@ class Reach:
         for test in ordered:
             files.setdefault(test.partition("::")[0], test)
         first = sorted(files.values(), key=self.passed.__getitem__)[:FIRST]
-        rest = [test for test in ordered if test not in first]
+        spent, rest = 0.0, []
+        for test in (one for one in ordered if one not in first):
+            spent += self.passed[test]
+            if spent < MOST:
+                rest.append(test)
         half = len(rest) // 2
         yield from (part for part in (first, rest[:half], rest[half:]) if part)
 
@@ -423,8 +431,10 @@ def main() -> int:
     counted: Counter[str] = Counter()
     kinds: dict[str, Counter[str]] = defaultdict(Counter)
     tried = [(fault, list(reach.of(fault)), reach.passed) for fault in sample]
-    with multiprocessing.get_context("fork").Pool(asked.processes, _start) as pool:
-        for fault, is_seen in zip(sample, pool.imap(_seen, tried), strict=True):
+    # Workers of a pool of multiprocessing are daemons, in which no test can have processes of its own.
+    context = multiprocessing.get_context("fork")
+    with ProcessPoolExecutor(asked.processes, context, _start) as pool:
+        for fault, is_seen in zip(sample, pool.map(_seen, tried), strict=True):
             outcome = "seen" if is_seen else "equivalent" if (*fault.words.values(),) in reasons else "unseen"
             counted[outcome] += 1
             kinds[fault.kind][outcome] += 1

@@ -96,6 +96,7 @@ def test_one_of_the_name_of_kurbels_takes_its_place(folder: Path) -> None:
         ("line C F;", "line C F turning;", 20, "has a sense, which line does not take"),
         ("measure CF", "measure AB", 20, 'there is no length "AB"'),
         ("$C F$", "$C F", 18, "a formula needs a second $"),
+        ("lar $C F$", "lar $C F", 19, "a formula needs a second $"),
         ('takes = ["point"]', 'takes = ["points"]', 2, 'there is no option of constructions "points"'),
         ('takes = ["point"]', 'holds = ["bent"]', 2, 'there is no mechanism "bent"'),
         ('takes = ["point"]', 'like = "others"', 2, "there is no such file"),

@@ -511,3 +511,10 @@ def test_ten_thousand_engines_have_the_digits_of_each_alone() -> None:
     for record in many[1234::2345]:
         true = on_paper(float(record["epsilon"]), 0.2, None, "exact")
         assert abs(float(record["delta"]) - true) < 0.5e-10 + 1e-15
+
+
+def test_of_an_infinite_rod_the_ratio_is_0() -> None:
+    (row,) = printed(
+        "delta", "--eps=4", "--ratio=1:∞", "--columns=delta", "--digits=9", "-f", "csv"
+    ).records()
+    assert float(compute_delta(4, 0)) == pytest.approx(float(row["delta"]), abs=1e-9)

@@ -106,6 +106,9 @@ def test_wide_tables_stand_on_turned_pages() -> None:
     assert papers(narrow) == ["portrait"]
     assert papers(broad) == ["landscape"]
     assert {*of(narrow, "tc/p/r/rPr/sz")} == {"20"}
+    # So are formulas of its cells.
+    formulas = [one for cell in narrow.iter(f"{W}tc") for one in cell.iter(f"{M}r")]
+    assert {size for one in formulas for size in of(one, "rPr/sz")} == {"20"}
     for made, room in ((narrow, 11906 - 2 * 1134), (broad, 16838 - 2 * 1134)):
         for table in made.iter(f"{W}tbl"):
             (width,) = of(table, "tblPr/tblW", "w")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 import sys
 from collections.abc import Iterator
 from dataclasses import replace
@@ -57,6 +58,17 @@ def test_every_part_of_a_table_has_its_cell(form: WorkbookFormat) -> None:
     assert values.row(0) == ["ratio", "phi", "x", "remark"]
     assert values.row(2) == ["1:4,5", -90, -0.005]
     assert values.row(3) == ["1:4", 0]
+
+
+def test_a_page_of_ods_is_as_high_as_its_name_says() -> None:
+    (form,) = (form for form in BOOKS if form.name == "ods")
+    with ZipFile(io.BytesIO(form.content(everything(), None))) as file:
+        styles = file.read("styles.xml").decode()
+    for orientation, width, height in (("portrait", "210mm", "297mm"), ("landscape", "297mm", "210mm")):
+        page = re.search(rf'<style:page-layout-properties[^>]*orientation="{orientation}"[^>]*>', styles)
+        assert page is not None
+        assert f'fo:page-width="{width}"' in page[0]
+        assert f'fo:page-height="{height}"' in page[0]
 
 
 def test_cells_are_upright_in_which_letters_are_italic() -> None:

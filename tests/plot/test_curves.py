@@ -63,6 +63,14 @@ def drives(rows: list[dict[str, str]]) -> list[list[dict[str, str]]]:
     return [*found.values()]
 
 
+def test_the_title_over_the_path_names_the_ratio_of_one_drive_alone() -> None:
+    one, several = (
+        printed("table", "--over=path", f"--ratio={ratios}", "-f", "svg").out for ratios in ("1:4", "1:4;1:5")
+    )
+    assert "über dem Kolbenweg für R:L = 1:4; genaue Formeln" in one
+    assert "über dem Kolbenweg; genaue Formeln" in several
+
+
 @pytest.mark.parametrize("name", CURVES)
 def test_curves_are_the_columns_of_their_table(name: str) -> None:
     command, words, keys = CURVES[name]

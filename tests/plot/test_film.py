@@ -147,6 +147,15 @@ def test_a_film_stands_still_for_those_who_ask_for_that_and_is_the_same_file_eve
     assert printed(*words).out == file
 
 
+def test_a_turn_takes_as_long_wherever_it_begins() -> None:
+    words = ("table", "--ratio=1:4", "--animate", "--seconds=4", "-f", "svg")
+    for ends, seconds in (((0, 360), 4), ((360, 720), 4), ((90, 810), 8)):
+        film = Film(
+            printed(*words, *(f"--{name}={end}" for name, end in zip(("from", "to"), ends, strict=True))).out
+        )
+        assert f"animation:{seconds}s linear" in film.sheet, ends
+
+
 def test_a_gif_has_the_pictures_of_a_turn_and_links_of_their_length(tmp_path: Path) -> None:
     from PIL import Image
 

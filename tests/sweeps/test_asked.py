@@ -156,6 +156,10 @@ def test_a_sobol_design_is_scipys_between_the_ends_and_can_be_typed_again() -> N
     assert random[0] != random[1]
     methods = swept("delta", "--eps=2..3", "--method=exact;series", "--sample=lhs:8")
     assert {one["method"] for one in methods} == {"exact", "series"}
+    # Several cranks of one engine are one value, several engines an axis.
+    lhs = ("delta", "--eps=2..4", "--sample=lhs:4")
+    assert "cranks" not in swept(*lhs, "--cranks=0;90")[0]
+    assert {one["cranks"] for one in swept(*lhs, "--cranks=0;90", "--cranks=0;180")} == {"0;90", "0;180"}
 
 
 def test_a_path_in_strokes_and_in_per_cent_is_that_of_the_textbook() -> None:
