@@ -134,7 +134,8 @@ class TableCommand(MakingCommand):
 
             form = printing.format.for_excel if printing.excel else printing.format
             decimal = form.decimal_name(question.lang, printing.decimal)
-            _write(record_chunks(question, self.made_by.request(given), form, decimal), printing.output, len(question))
+            request = self.made_by.request(given)
+            _write(record_chunks(question, request, form, decimal), printing.output, len(question))
         else:
             with _numbers_counted():
                 page = self.made_by.built(question, given)

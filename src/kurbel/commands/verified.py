@@ -325,7 +325,9 @@ class Second:
         if asked.says("compression"):
             peaks = {"peak": raw("peak_pressure"), "exhaust": raw("exhaust_pressure")}
             suction = asked.suction_pressure
-            shares = {name: _in(one, name, suction) for name, one in peaks.items() if one is not None}
+            shares: dict[str, Any] = {
+                name: _in(one, name, suction) for name, one in peaks.items() if one is not None
+            }
             return verify.gas(of_row("compression", asked.compression), **shares, **of(GAS))
         back = raw("back")
         if back is not None:

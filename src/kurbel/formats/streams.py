@@ -31,9 +31,7 @@ if TYPE_CHECKING:
 _WORD = re.compile(r"[\w:.,/∞-]*")
 
 
-def record_chunks(
-    question: Question, request: Request, form: RecordsFormat, decimal: str
-) -> Iterator[bytes]:
+def record_chunks(question: Question, request: Request, form: RecordsFormat, decimal: str) -> Iterator[bytes]:
     """Yield the table's records in a format, a chunk of rows at a time."""
     table = replace(build(question, pages=False), request=request)
     rows = table.records.rows

@@ -20,7 +20,6 @@ from kurbel.verify.places import OUT, RETURN
 from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
 
-
 # A force on B in N by the crank angle in degrees.
 Force = Callable[[Fraction], Number]
 
@@ -31,8 +30,9 @@ class Bodies:
 
     `centre` of the rod's mass from B and its radius of gyration are shares of its length, `rotating` is the
     crank's own mass reduced to its pin, `inertia` the moment of inertia of the rocker about its pivot. The
-    slide rises by `slope` degrees in the crank's sense; without a slope nothing has weight. `force` acts on B
-    in the direction of the stroke, or is a function of the crank angle, `friction` against it; the crank itself accelerates by `acceleration`.
+    slide rises by `slope` degrees in the crank's sense; without a slope nothing has weight. `force`, which
+    may be a function of the crank angle, acts on B in the direction of the stroke, `friction` against it; the
+    crank itself accelerates by `acceleration`.
     """
 
     drive: Drive

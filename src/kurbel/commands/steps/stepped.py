@@ -123,7 +123,8 @@ class _Asking:
         self, chosen: Mapping[str, Any], first: Table, run: Run | None, scenes: dict[Any, Scene | None]
     ) -> Step:
         question = self.question(chosen)
-        table = replace(self.command.built(question, self.values.instead(chosen)), key=first.key, variant=first.variant)
+        table = self.command.built(question, self.values.instead(chosen))
+        table = replace(table, key=first.key, variant=first.variant)
         tracks, units = run.tracks(question, self.along(chosen, run)) if run else ((), ())
         return Step(table, tracks, units, _scene(question, scenes))
 

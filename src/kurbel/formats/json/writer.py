@@ -59,7 +59,7 @@ _CLOSING = "\n]\n}\n"
 def _opening(table: Table) -> str:
     """Return all that stands before the first row."""
     caption, notes = table.told or (table.caption, table.notes)
-    head = {
+    head: dict[str, Any] = {
         "table": table.key,
         "lang": table.lang,
         "caption": plain(caption),
