@@ -32,10 +32,10 @@ KEYS = ("page", "column", "cells", "confirmed", "wrong", "uncomputed", "reason")
 def verify(files: Sequence[str], strict: bool, form: str) -> int:
     """Compute the numbers of pages a second time, from what was asked for.
 
-    FILE is a page that kurbel wrote as JSON; it says what was asked for. Nothing of what made it is used:
-    places of the links follow from circles and lines, forces from Newton's and Euler's equations, works from
-    closed integrals, all enclosed by intervals of mpmath, until the printed digits are confirmed or wrong.
-    Exits with 1 if any is wrong.
+    FILE is a page that kurbel wrote as JSON, - for standard input; it says what was asked for. Nothing of
+    what made it is used: places of the links follow from circles and lines, forces from Newton's and Euler's
+    equations, works from closed integrals, all enclosed by intervals of mpmath, until each printed digit is
+    confirmed or wrong. Exits with 1 if any is wrong.
 
     \b
     kurbel forces --eps 4 -o page.json

@@ -99,7 +99,7 @@ class Command(ABC):
         counted = {
             name: written[name]
             for name, one in self.options.items()
-            if name in values.read - UNTOLD and is_given(written.get(name)) and written[name] != one.default
+            if name in values.read - UNTOLD and _is_other(one, written)
         }
         return Request(self.name, counted)
 

@@ -7,6 +7,7 @@ confirmed, wrong, or not computed, with the reason why: no cell counts as right 
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -82,22 +83,23 @@ class Figure(str):
 
 
 def read_page(path: str) -> dict[str, Any]:
-    """Return the page of a JSON file. Raises KurbelError."""
+    """Return the page of a JSON file, of standard input for "-". Raises KurbelError."""
+    name = "standard input" if path == "-" else path
     try:
-        text = Path(path).read_text(encoding="utf-8")
+        text = sys.stdin.read() if path == "-" else Path(path).read_text(encoding="utf-8")
         page = json.loads(text, parse_float=Figure, parse_int=Figure)
     except OSError as error:
-        raise ProblemError(f"{path} cannot be read: {error.strerror}") from None
+        raise ProblemError(f"{name} cannot be read: {error.strerror}") from None
     except ValueError as error:
-        raise ProblemError(f"{path} is no JSON: {error}; write a page with -f json") from None
+        raise ProblemError(f"{name} is no JSON: {error}; write a page with -f json") from None
     if not isinstance(page, dict) or page.keys() & SHAPE.keys() == set():
-        raise ProblemError(f"{path} is no page of kurbel's; write one with -f json")
+        raise ProblemError(f"{name} is no page of kurbel's; write one with -f json")
     if "request" not in page:
-        raise ProblemError(f"{path} does not say what was asked for; write the page anew with -f json")
-    if wrong := next((name for name, kind in SHAPE.items() if not isinstance(page.get(name), kind)), ""):
-        raise ProblemError(f"{path} is damaged: its {wrong} are missing or of another kind")
+        raise ProblemError(f"{name} does not say what was asked for; write the page anew with -f json")
+    if wrong := next((key for key, kind in SHAPE.items() if not isinstance(page.get(key), kind)), ""):
+        raise ProblemError(f"{name} is damaged: its {wrong} are missing or of another kind")
     if not _is_whole(page):
-        raise ProblemError(f"{path} is damaged: a row has not the keys of its columns")
+        raise ProblemError(f"{name} is damaged: a row has not the keys of its columns")
     return page
 
 
