@@ -14,7 +14,7 @@ RELEASE = $(shell sed -n '/^\#\# [0-9.]* ([0-9-]*)$$/{p;q;}' CHANGELOG.md)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help demo handbook test test-all check bench peers docs links playground golden same mutants tools clean
+.PHONY: help demo handbook test test-all check bench peers docs links playground golden same certify mutants tools clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -87,6 +87,9 @@ same: $(DEV) ## compare what the command lines of scripts/corpus print with the 
 	PYTHONPATH=$(CURDIR)/build/base/src $(BIN)/python scripts/same_bytes.py record build/base.jsonl --only '$(ONLY)'
 	$(BIN)/python scripts/same_bytes.py record build/now.jsonl --only '$(ONLY)'
 	$(BIN)/python scripts/same_bytes.py compare build/base.jsonl build/now.jsonl
+
+certify: $(DEV) ## compute N=100000 printed numbers a second time, drawn by SEED=1
+	$(BIN)/python scripts/certify.py $(or $(N),100000) --seed $(or $(SEED),1)
 
 mutants: $(DEV) ## put N=300 faults into the code, drawn by SEED=1, and tell which of them no test sees
 	$(BIN)/python scripts/mutants.py $(or $(N),300) --seed $(or $(SEED),1)

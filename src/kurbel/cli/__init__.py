@@ -67,6 +67,7 @@ COMMANDS = {
     ),
     "sweep": ("kurbel.cli.sweeps.group", "Compute a table at every combination, into a file of columns."),
     "collate": ("kurbel.cli.books", "Compare printed values, a book's or yours, with recomputed ones."),
+    "verify": ("kurbel.cli.verify", "Compute the numbers of a page a second time."),
     "sources": ("kurbel.cli.books", "List the books that can be collated."),
     "example": ("kurbel.cli.books", "Print a worked example of a book, as printed and recomputed."),
     "plot": ("kurbel.cli.plot", "Draw a mechanism to scale, paths of points, and how it moves."),
@@ -84,7 +85,7 @@ GROUPS = {
     "Engines": ("delta", "turning", "pressures", "power", "flywheel", "harmonics"),
     "Balance": ("balance", "rotor", "locomotive", "firing"),
     "Sweeps": ("sweep",),
-    "Books": ("collate", "sources", "example"),
+    "Books": ("collate", "sources", "example", "verify"),
     "Drawings and documents": ("plot", "construct", "handbook", "inject"),
     "Lists and help": ("layouts", "quantities", "help"),
 }

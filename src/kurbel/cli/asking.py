@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from kurbel.page.steps import Steps
 
 # Those that print lists, or work on whole files.
-NO_TABLES = frozenset(("sources", "layouts", "quantities", "handbook", "inject", "help", "sweep"))
+NO_TABLES = frozenset(("sources", "layouts", "quantities", "verify", "handbook", "inject", "help", "sweep"))
 # A document decides these for all of its tables; those of a single format, for which files it has.
 ONLY_PRINTING = ("output", "format", "standalone", "excel")
 SET_ELSEWHERE = (*ONLY_PRINTING, "longtable", "siunitx", "plain", "label", "layouts", "templates")

@@ -74,7 +74,7 @@ class ExampleCommand(TableCommand):
         return super().made(given)
 
     def print(self, question: Any, printing: Printing, given: Given) -> None:
-        printing.print(self.made_by.built(question, given.values))
+        printing.print(self.made_by.built(question, given))
 
 
 def _keys(key: str | None) -> Sequence[str]:

@@ -102,7 +102,7 @@ class TableCommand(MakingCommand):
         if Printing.interactive(given):
             return self.stepped(given), 0
         question = self.question(given)
-        return self.made_by.built(question, given.values), self.exit_code(given, question)
+        return self.made_by.built(question, given), self.exit_code(given, question)
 
     def stepped(self, given: Given) -> Table:
         """Return the table of an interactive page, with those of its steps. Raises KurbelError."""
@@ -134,10 +134,11 @@ class TableCommand(MakingCommand):
 
             form = printing.format.for_excel if printing.excel else printing.format
             decimal = form.decimal_name(question.lang, printing.decimal)
-            _write(record_chunks(question, form, decimal), printing.output, len(question))
+            request = self.made_by.request(given)
+            _write(record_chunks(question, request, form, decimal), printing.output, len(question))
         else:
             with _numbers_counted():
-                page = self.made_by.built(question, given.values)
+                page = self.made_by.built(question, given)
             printing.print(page)
 
 

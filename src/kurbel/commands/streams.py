@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from itertools import chain, islice
@@ -18,7 +19,7 @@ from kurbel.page.axes import angle_decimals, angle_number, shifted
 from kurbel.page.build import build
 from kurbel.page.labels import plain
 from kurbel.page.subject import Question
-from kurbel.page.table import Value
+from kurbel.page.table import Request, Value
 from kurbel.reading.notation import Progression
 
 if TYPE_CHECKING:
@@ -30,9 +31,9 @@ if TYPE_CHECKING:
 _WORD = re.compile(r"[\w:.,/∞-]*")
 
 
-def record_chunks(request: Question, form: RecordsFormat, decimal: str) -> Iterator[bytes]:
+def record_chunks(question: Question, request: Request, form: RecordsFormat, decimal: str) -> Iterator[bytes]:
     """Yield the table's records in a format, a chunk of rows at a time."""
-    table = build(request, pages=False)
+    table = replace(build(question, pages=False), request=request)
     rows = table.records.rows
     folders = folders_of(*table.templates)
     own = has_template(folders, template_of(table, form.name, folders))

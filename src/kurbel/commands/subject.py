@@ -16,6 +16,7 @@ from kurbel.commands.in_python import described, plain_signature
 from kurbel.commands.options import FILE, TEXT, Option, is_given
 from kurbel.commands.part import CommandOptions, Origin, Values
 from kurbel.errors import ProblemError
+from kurbel.page.table import Request
 from kurbel.reading.given import File, found_at
 from kurbel.reading.keywords import bound
 
@@ -86,10 +87,21 @@ class Command(ABC):
         self.settle(values)
         return self.question(values)
 
-    def built(self, question: Any, values: Mapping[str, Any]) -> Page:
+    def built(self, question: Any, values: Values) -> Page:
         """Return the table that was asked for, which these values of the options name."""
         page = cast("Page", found_at(self.builder)(question))
-        return replace(page, variant=variant(page.key, self.parameters, values))
+        named = variant(page.key, self.parameters, values.values)
+        return replace(page, variant=named, request=self.request(values))
+
+    def request(self, values: Values) -> Request:
+        """Return what counted of the values of a question, as they were written."""
+        written = values.written
+        counted = {
+            name: written[name]
+            for name, one in self.options.items()
+            if name in values.read - UNTOLD and _is_other(one, written)
+        }
+        return Request(self.name, counted)
 
     def _with_defaults(self, values: Values) -> None:
         """Give the default to what may be repeated and was not given."""
@@ -199,7 +211,7 @@ def _function(command: Command, name: str, module: str, drawn: bool = False) -> 
     def make(*args: Any, **options: Any) -> Table:
         values = _values(command, args, options)
         asked = command.ask(values)
-        return _table(command.built(asked, values.values), asked)
+        return _table(command.built(asked, values), asked)
 
     def interactive(*args: Any, **options: Any) -> Table:
         from kurbel.commands.steps.stepped import NOTHING, stepped

@@ -118,6 +118,13 @@ Value = Number | Label | None
 Variant: TypeAlias = Callable[[], str]
 
 
+class Request(NamedTuple):
+    """What a page was made of: its command and the options that count, as they were given."""
+
+    command: str
+    options: Mapping[str, Any]
+
+
 class Records(NamedTuple):
     """The same values for programs: one record a point, whatever the arrangement of the page.
 
@@ -137,7 +144,7 @@ class Table:
     for none; None leaves it to the step of the rows. `variant` gives the key with what was asked for beside
     the defaults of the layout: "kinematics-ratio-1-4". `quantities` are those of its columns. An interactive
     page has `steps`, of which this is the first that is shown. `told` are caption and notes as they stand
-    with the records, where those of the page have other units.
+    with the records, where those of the page have other units. `request` is what was asked for.
     """
 
     key: str
@@ -154,6 +161,7 @@ class Table:
     quantities: tuple[Letter, ...] = ()
     steps: "Steps | None" = None
     told: tuple[Label, tuple[Note, ...]] | None = None
+    request: "Request | None" = None
 
     @property
     def anchor(self) -> str:

@@ -20,6 +20,9 @@ from kurbel.verify.places import OUT, RETURN
 from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
 
+# A force on B in N by the crank angle in degrees.
+Force = Callable[[Fraction], Number]
+
 
 @dataclass(frozen=True)
 class Bodies:
@@ -27,8 +30,9 @@ class Bodies:
 
     `centre` of the rod's mass from B and its radius of gyration are shares of its length, `rotating` is the
     crank's own mass reduced to its pin, `inertia` the moment of inertia of the rocker about its pivot. The
-    slide rises by `slope` degrees in the crank's sense; without a slope nothing has weight. `force` acts on B
-    in the direction of the stroke, `friction` against it; the crank itself accelerates by `acceleration`.
+    slide rises by `slope` degrees in the crank's sense; without a slope nothing has weight. `force`, which
+    may be a function of the crank angle, acts on B in the direction of the stroke, `friction` against it; the
+    crank itself accelerates by `acceleration`.
     """
 
     drive: Drive
@@ -40,7 +44,7 @@ class Bodies:
     inertia: Fraction = Fraction(0)
     slope: Fraction | None = None
     gravity: Fraction = Fraction(980665, 100000)
-    force: Fraction = Fraction(0)
+    force: Fraction | Force = Fraction(0)
     friction: Fraction = Fraction(0)
     acceleration: Fraction = Fraction(0)
 
@@ -74,7 +78,7 @@ class At:
     """The bodies where the crank is at an angle."""
 
     def __init__(self, bodies: Bodies, degrees: Fraction, stroke: int) -> None:
-        self.bodies, self.drive, self.stroke = bodies, bodies.drive, stroke
+        self.bodies, self.drive, self.stroke, self.degrees = bodies, bodies.drive, stroke, degrees
         self.radius = number(self.drive.radius)
         pin, end = self.drive.placed(degrees)
         self.pin_jet, self.end_jet = pin, end
@@ -106,7 +110,8 @@ class At:
 
     @property
     def piston_force(self) -> Number:
-        return number(self.bodies.force)
+        force = self.bodies.force
+        return force(self.degrees) if callable(force) else number(force)
 
     @property
     def inertia_force(self) -> Number:
@@ -121,6 +126,8 @@ class At:
         if not self.bodies.friction:
             return number(0)
         forward = self.end_jet.slope(1).dot(self.way).sign()
+        # At a dead centre it is that of the stroke which begins there.
+        forward = forward or self.end_jet.slope(2).dot(self.way).sign()
         return number(-forward * self.bodies.friction)
 
     @property
@@ -247,6 +254,8 @@ _FORCES: dict[str, Callable[[At], Number]] = {
 
 
 def bodies(drive: Drive, **given: Any) -> Bodies:
-    """Return the bodies of a drive; numbers are fractions or decimals as text."""
-    numbers: dict[str, Any] = {name: Fraction(one) for name, one in given.items() if one is not None}
+    """Return the bodies of a drive; numbers are fractions or decimals as text, a force may be a function."""
+    numbers: dict[str, Any] = {
+        name: one if callable(one) else Fraction(one) for name, one in given.items() if one is not None
+    }
     return Bodies(drive, **numbers)

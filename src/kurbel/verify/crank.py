@@ -94,6 +94,14 @@ class Crank:
             found.append(self.strokes[index].force(self.way(pin, sense) / self.size) * slope)
         return hull(found)
 
+    def push(self, degrees: Fraction) -> Number:
+        """The force on the piston towards the shaft, at its own angle."""
+        pin, found = self.pin(degrees), []
+        for index, _ in self.on(self.since(degrees, False)):
+            sense = OUT if index % 2 == 0 else RETURN
+            found.append(self.strokes[index].force(self.way(pin, sense) / self.size) * sense)
+        return hull(found)
+
     def slope(self, degrees: Fraction, reach: Fraction) -> Number:
         """dT/dφ = F'(s) x'²/S + F x'' over a cell."""
         point, wide, found = self.pin(degrees), self.pin(degrees, reach=reach, order=2), []

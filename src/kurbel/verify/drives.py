@@ -148,7 +148,7 @@ class Drive(Places):
 
     def _unit(self, unit: str) -> Number:
         radius, omega = number(self.radius), self.omega
-        return {
+        known: dict[str, Callable[[], Number]] = {
             "": lambda: number(1),
             "stroke": lambda: 1 / self.stroke,
             "percent": lambda: 100 / self.stroke,
@@ -159,7 +159,10 @@ class Drive(Places):
             "radps2": lambda: omega * omega,
             "n": lambda: number(self.force),
             "nm": lambda: number(self.force) * radius,
-        }[unit]()
+        }
+        if unit not in known:
+            raise ProblemError(f'there is no unit "{unit}" to verify')
+        return known[unit]()
 
 
 def drive(
@@ -197,6 +200,8 @@ def drive(
         turns,
         Fraction(force),
     )
+    if found.rocker is not None and not found.ratio:
+        raise ProblemError("an infinite rod that a rocker guides is not to be verified")
     if found.rocker is None and found.ratio and abs(found.offset) >= 1 / found.ratio - 1:
         raise ProblemError("this crank does not turn: the offset is not less than L - R")
     return found
@@ -233,6 +238,8 @@ def _approximate(name: str, drive: Drive, degrees: Fraction, stroke: int, order:
         return versine.at(ratio).value
     if name == "psi":
         return drive._moving(name, degrees, stroke) if order else number(0)
+    if name not in _SLOPES:
+        raise ProblemError(f'there is no series of "{name}" to verify')
     of, slope = _SLOPES[name]
     if of == "rod":
         by_angle = [Jet([one.derived() for one in series.terms]) for series in (cosine, sine)]
@@ -248,7 +255,7 @@ def _approximate(name: str, drive: Drive, degrees: Fraction, stroke: int, order:
 def _parallel(name: str, pin: Arrow) -> Number:
     """Every point of the coupling rod runs as the crank pin, on a circle of its own."""
     place, velocity, acceleration = pin.value(), pin.slope(1), pin.slope(2)
-    return {
+    known = {
         "coupler_path": 1 - place.x,
         "coupler_velocity": -velocity.x,
         "coupler_acceleration": -acceleration.x,
@@ -261,7 +268,10 @@ def _parallel(name: str, pin: Arrow) -> Number:
         "tangential_force": place.y,
         "radial_force": place.x,
         "torque": place.y,
-    }[name]
+    }
+    if name not in known:
+        raise ProblemError(f'there is no "{name}" of parallel cranks to verify')
+    return known[name]
 
 
 def _transmission(drive: Drive) -> Number:

@@ -235,6 +235,8 @@ def repeated(cranks: tuple[Fraction, ...], cycle: int) -> Fraction:
 _AT: dict[str, Callable[[Known, Fraction], Number]] = {
     # The work over the angle: by first order T is that of the true rod.
     "power": lambda known, at: known.force(at),
+    # Of the first crank, towards the shaft.
+    "piston_force": lambda known, at: known.crank.push(at),
     "tangential": lambda known, at: known.force(at, True),
     "tangential_excess": lambda known, at: known.force(at, True) - known.mean,
     "energy": lambda known, at: known.energy(at),

@@ -52,10 +52,10 @@ def stepped(command: Command, values: Values) -> Table:
     question = asking.first()
     if not isinstance(question, Question):
         # The pages of examples have no columns, and nothing runs along them.
-        return command.built(question, named)
+        return command.built(question, values)
     check_numbers(len(question) * len(question.page_columns), found)
     run = asking.run(question)
-    page = command.built(question, named)
+    page = command.built(question, values)
     if not found and run is None:
         return page
     ratio = question.layout.ratio_symbol
@@ -123,7 +123,8 @@ class _Asking:
         self, chosen: Mapping[str, Any], first: Table, run: Run | None, scenes: dict[Any, Scene | None]
     ) -> Step:
         question = self.question(chosen)
-        table = replace(self.command.built(question, {}), key=first.key, variant=first.variant)
+        table = self.command.built(question, self.values.instead(chosen))
+        table = replace(table, key=first.key, variant=first.variant)
         tracks, units = run.tracks(question, self.along(chosen, run)) if run else ((), ())
         return Step(table, tracks, units, _scene(question, scenes))
 

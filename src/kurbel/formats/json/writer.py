@@ -59,13 +59,15 @@ _CLOSING = "\n]\n}\n"
 def _opening(table: Table) -> str:
     """Return all that stands before the first row."""
     caption, notes = table.told or (table.caption, table.notes)
-    head = {
+    head: dict[str, Any] = {
         "table": table.key,
         "lang": table.lang,
         "caption": plain(caption),
         "source": plain(table.source),
         "notes": [{"mark": note.mark, "text": plain(note.text)} for note in notes],
     }
+    if table.request:
+        head["request"] = table.request._asdict()
     lines = "".join(f'"{name}": {_json(value)},\n' for name, value in head.items())
     columns = _SEPARATOR.join(
         _json(field._asdict() | {"symbol": plain(field.symbol)}) for field in table.records.fields
@@ -91,4 +93,9 @@ _plain = lru_cache(plain)
 
 
 def _json(value: Any) -> str:
-    return json.dumps(value, ensure_ascii=False)
+    return json.dumps(value, ensure_ascii=False, default=_written)
+
+
+def _written(value: Any) -> Any:
+    """Return what JSON knows not: an array as a list, a fraction, a decimal, the name of a file as text."""
+    return value.tolist() if hasattr(value, "tolist") else str(value)

@@ -1,0 +1,375 @@
+"""The cells of a page computed a second time, from the request that its JSON carries.
+
+The request is read as kurbel reads it; what is computed from it is `kurbel.verify`'s alone. A cell is
+confirmed, wrong, or not computed, with the reason why: no cell counts as right because nothing was found.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from functools import cached_property
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from kurbel import verify
+from kurbel.commands.motion import OverPath
+from kurbel.commands.part import Values, flag_of
+from kurbel.commands.parts.drive import Turning
+from kurbel.commands.parts.effort import PRESSING, Effort, PinFriction
+from kurbel.commands.parts.engine import Engine
+from kurbel.drive.crank import Described, radii
+from kurbel.errors import KurbelError, ProblemError
+from kurbel.page.layouts import Layout, layout
+from kurbel.reading.amounts import UNITS
+from kurbel.reading.given import (
+    as_crank_angles,
+    as_expansions,
+    as_force,
+    as_pressure,
+    as_share_or_length,
+    as_share_or_pressure,
+    as_shares,
+)
+from kurbel.reading.notation import ratio_text
+from kurbel.verify import UNDECIDED, WRONG, Number, Value
+from kurbel.verify.loads import disc
+
+# Unit of a key that is not one of the second computation, and that in which it computes.
+OWN = {"length": "mm", "velocity": "mps", "acceleration": "mps2", "force": "n", "torque": "nm"}
+# Of each load its options, as the second computation calls them.
+STEAM = {"exponent": "exponent", "clearance": "clearance", "single_acting": "single_acting"}
+AIR = {**STEAM, "suction_loss": "suction_loss", "delivery_loss": "delivery_loss"}
+GAS = {
+    "cycle": "cycle", "exponent": "exponent", "expansion_exponent": "expansion_exponent", "heat": "heat",
+    "cut_off": "cut_off", "two_stroke": "two_stroke",
+}  # fmt: skip
+# Options that the second computation knows, and those of looks, of which there is nothing to know.
+KNOWN = frozenset(
+    (
+        *("ratio", "stroke", "crank", "rod", "offset", "mechanism", "rocker", "pivot", "circuit", "beam"),
+        *("speed", "method", "order", "point", "force", "friction", *PRESSING, "bore", "piston_rod"),
+        *("tail_rod", "reciprocating", "rod_mass", "centre", "gyration", "rotating", "rocker_inertia"),
+        *("vertical", "slope", "gravity", "eps", "back", "pressure", "pressure_ratio", "suction_pressure"),
+        *("delivery_pressure", "small_area", "pump", "compression", "peak_pressure", "exhaust_pressure"),
+        *("cranks", "detail", *STEAM, *AIR, *GAS),
+        *("angle", "from", "to", "step", "zero", "columns", "digits", "rounding", "units", "layout"),
+        *("decimal", "quantity", "templates"),
+    )
+)
+# Columns that say which load a row is of.
+LOADED = ("epsilon", "pressure_ratio", "pump", "compression")
+SHAPE = {"request": dict, "columns": list, "rows": list}
+COMMANDS = ("table", "forces", "turning", "delta", "deadcentres")
+
+
+class Cell(NamedTuple):
+    """A cell of a page: its row, counted from 1, with what stands there beside the numbers, the key of its
+    column, what is printed, whether it is confirmed, and else the right digits or why there are none."""
+
+    row: int
+    place: Mapping[str, str]
+    key: str
+    printed: str
+    verdict: str
+    told: str = ""
+
+
+class Figure(str):
+    """A number of a file as it is written there."""
+
+
+def read_page(path: str) -> dict[str, Any]:
+    """Return the page of a JSON file, of standard input for "-". Raises KurbelError."""
+    name = "standard input" if path == "-" else path
+    try:
+        text = sys.stdin.read() if path == "-" else Path(path).read_text(encoding="utf-8")
+        page = json.loads(text, parse_float=Figure, parse_int=Figure)
+    except OSError as error:
+        raise ProblemError(f"{name} cannot be read: {error.strerror}") from None
+    except ValueError as error:
+        raise ProblemError(f"{name} is no JSON: {error}; write a page with -f json") from None
+    if not isinstance(page, dict) or page.keys() & SHAPE.keys() == set():
+        raise ProblemError(f"{name} is no page of kurbel's; write one with -f json")
+    if "request" not in page:
+        raise ProblemError(f"{name} does not say what was asked for; write the page anew with -f json")
+    if wrong := next((key for key, kind in SHAPE.items() if not isinstance(page.get(key), kind)), ""):
+        raise ProblemError(f"{name} is damaged: its {wrong} are missing or of another kind")
+    if not _is_whole(page):
+        raise ProblemError(f"{name} is damaged: a row has not the keys of its columns")
+    return page
+
+
+def _is_whole(page: Mapping[str, Any]) -> bool:
+    """Whether every row has a value for every column, and the request its command and its options."""
+    request, columns, rows = page["request"], page["columns"], page["rows"]
+    described = all(isinstance(one, dict) and {"key", "unit", "method"} <= one.keys() for one in columns)
+    if not described or not isinstance(request.get("options"), dict) or "command" not in request:
+        return False
+    keys = {one["key"] for one in columns}
+    return all(isinstance(row, dict) and keys <= row.keys() for row in rows)
+
+
+def checked(page: Mapping[str, Any]) -> Iterator[Cell]:
+    """Yield the cells of a page with numbers, each computed a second time. Raises KurbelError."""
+    second = Second(page["request"]["command"], page["request"]["options"], str(page.get("table")))
+    columns = {column["key"]: column for column in page["columns"]}
+    for number, row in enumerate(page["rows"], 1):
+        place = {key: row[key] for key, one in columns.items() if not one["method"] and row[key]}
+        for key, column in columns.items():
+            if column["method"] and isinstance(row[key], Figure):
+                verdict, told = second.verdict(key, column, row)
+                yield Cell(number, place, key, row[key], verdict, told)
+
+
+class Asked(OverPath, Engine, Effort, PinFriction, Turning):
+    """All options that the second computation knows."""
+
+
+class Second:
+    """What was asked for, computed a second time."""
+
+    def __init__(self, command: str, options: Mapping[str, Any], key: str) -> None:
+        self.command, self.key = command, key
+        self.options = {name: _given(value) for name, value in options.items()}
+        values = Values({**dict.fromkeys(Asked.options()), **self.options}, {})
+        for part in Asked.parts():
+            if "settle" in vars(part):
+                part.settle(values)
+        self.asked = Asked(values)
+        self._kept: dict[Any, verify.Bodies] = {}
+        self._turns: dict[Any, verify.Turn] = {}
+
+    def verdict(self, key: str, column: Mapping[str, Any], row: Mapping[str, Any]) -> tuple[str, str]:
+        """Return whether a cell is confirmed, and else its right digits, or why it is not computed."""
+        rounding = str(self.options.get("rounding", "half-away"))
+        printed = row[key]
+        try:
+            value = self.value(key, column, row)
+            found = value.confirms(printed, rounding)
+            if found != WRONG:
+                return found, ""
+            return WRONG, value.digits(len(printed.partition(".")[2]), rounding)
+        except KurbelError as error:
+            return UNDECIDED, str(error)
+
+    def value(self, key: str, column: Mapping[str, Any], row: Mapping[str, Any]) -> Value:
+        """Return the value of a cell. Raises KurbelError for what is not computed a second time."""
+        if self.command not in COMMANDS:
+            raise ProblemError(f"pages of {self.command} are not computed a second time")
+        for name in self.options.keys() - KNOWN:
+            raise ProblemError(f"{flag_of(name)} is not known to the second computation")
+        own, times = in_own_unit(key.removesuffix(f"_{column['method']}"), column["unit"])
+        return self._value(own, column["method"], row) * times
+
+    def _value(self, key: str, method: str, row: Mapping[str, Any]) -> Value:
+        degrees, asked = self._degrees(row), self.asked
+        if asked.is_engine() or self.command in ("turning", "delta"):
+            if self.command != "forces":
+                return self._turn(method, row).value(key, degrees, stroke=row.get("stroke", "turn"))
+            if method != "exact" or asked.raw("cranks"):
+                raise ProblemError("forces of several cranks, or of a series, are not computed a second time")
+            return self._loaded(key, degrees, row)
+        drive = self._drive(row)
+        if asked.raw("force") is not None:
+            drive = replace(drive, force=as_force(asked.raw("force"), "force"))
+        if asked.is_heavy() or asked.has_parts() or asked.says(*PRESSING):
+            return self._bodies(drive, self._push(), row).value(key, degrees)
+        if "point" not in row:
+            return drive.value(key, degrees, method)
+        if method != "exact" or drive.parallel:
+            raise ProblemError("points of such a rod are not known to the second computation")
+        share, _, beside = row["point"].partition(",")
+        return drive.value(key, degrees, method, point=(share, beside or "0"))
+
+    def _loaded(self, key: str, degrees: Fraction, row: Mapping[str, Any]) -> Value:
+        """A force where the load of an engine acts on the piston."""
+        turn = self._turn("exact", row, alone=True)
+        bore, pressure = self._unit()
+
+        def push(at: Fraction) -> Number:
+            found = turn.known.crank.push(at)
+            return found if pressure is None else found * disc(bore) * pressure
+
+        there = self._bodies(turn.drive, push, row)
+        ending = key.rpartition("_")[2]
+        if ending in ("n", "nm"):
+            return there.value(key, degrees)
+        newtons = there.value(f"{key}_n", degrees)
+        if pressure is None:
+            return newtons
+        return Value(lambda: newtons.recipe() / (disc(bore) * pressure))
+
+    def _unit(self) -> tuple[Fraction, Fraction | None]:
+        """The bore, and the pressure that makes Q of its area, where both are known."""
+        asked = self.asked
+        if asked.bore is None:
+            return Fraction(1), None
+        if asked.says("pump"):
+            return asked.bore, asked.delivery_pressure and asked.delivery_pressure - (
+                asked.suction_pressure or 0
+            )
+        return asked.bore, asked.pressure if asked.says("pressure") else asked.suction_pressure
+
+    def _push(self) -> Fraction | Callable[[Fraction], Number]:
+        """What pushes the piston towards the shaft where no engine does, in N."""
+        asked = self.asked
+        if not asked.says(*PRESSING):
+            return as_force(asked.raw("force") or 0, "force")
+        bore, difference = asked.bore, asked.pressure_difference
+        assert bore is not None
+        tail, rod = (asked.tail_rod or 0, asked.piston_rod or 0) if difference is None else (0, 0)
+        head, crank = (
+            (asked.head_pressure or 0, asked.crank_pressure or 0) if difference is None else (difference, 0)
+        )
+        # π/4 stands once before all.
+        force = (bore**2 - tail**2) * head - (bore**2 - rod**2) * crank
+        return lambda _: disc(1) * force
+
+    def _bodies(self, drive: verify.Drive, force: Any, row: Mapping[str, Any]) -> verify.Bodies:
+        key = (drive, force == 0, *(str(row.get(name)) for name in LOADED))
+        if key not in self._kept:
+            asked, rod = self.asked, drive.radius / drive.ratio if drive.ratio else None
+            known = {
+                "reciprocating": asked.reciprocating, "rod_mass": asked.rod_mass, "rotating": asked.rotating,
+                "inertia": asked.rocker_inertia, "friction": asked.friction, "gravity": asked.gravity,
+                "centre": _of_rod(asked.raw("centre"), rod), "gyration": _of_rod(asked.raw("gyration"), rod),
+                "slope": Fraction(90) if asked.vertical else asked.slope,
+            }  # fmt: skip
+            if asked.raw("acceleration") is not None:
+                raise ProblemError("an accelerated crank is not known to the second computation")
+            self._kept[key] = verify.bodies(drive, force=force, **known)
+        return self._kept[key]
+
+    def _degrees(self, row: Mapping[str, Any]) -> Fraction:
+        """The crank angle of a row, as exactly as it was asked for."""
+        if "phi" in row:
+            return nearest(row["phi"], self._listed) + self.asked.zero_angle
+        if self.command in ("delta", "deadcentres"):
+            return Fraction(0)
+        if len(self._listed) != 1:
+            raise ProblemError("the row does not say its crank angle; add phi to the columns")
+        return self._listed[0] + self.asked.zero_angle
+
+    @cached_property
+    def _layout(self) -> Layout:
+        """The layout, whose own values count where a row does not say them."""
+        return layout(self.key)
+
+    @cached_property
+    def _listed(self) -> Sequence[Fraction]:
+        return self.asked.angle or ()
+
+    def _drive(self, row: Mapping[str, Any]) -> verify.Drive:
+        raw = self.asked.raw
+        parallel = "parallel" in (self.asked.mechanism, raw("layout"))
+        printed = row.get("ratio", "1:∞" if parallel else "")
+        described = Described.of({name: raw(name) for name in ("stroke", "rod", "speed", "offset", "ratio")})
+        cranks = described.cranks((printed,) if printed else self._layout.ratios)
+        found = [one for one in cranks if ratio_text(one.ratio) == printed] or cranks
+        if len(found) != 1:
+            raise ProblemError("the row does not say its crank ratio as it was asked for")
+        crank, radius = found[0], found[0].radius
+        size: dict[str, Any] = {} if radius is None else {"radius": radius}
+        if crank.speed is not None:
+            size |= {"speed": crank.speed.value, "turns": crank.speed.turns}
+        beam = raw("beam")
+        links: dict[str, Any] = {
+            "beam": None if beam is None else radii(beam, "beam", radius),
+            "parallel": parallel,
+        }
+        if raw("rocker") is not None:
+            place = str(raw("pivot")).split(";") if raw("pivot") else None
+            pivot = place and tuple(radii(one, "pivot", radius) for one in place)
+            links |= {"rocker": radii(raw("rocker"), "rocker", radius), "pivot": pivot}
+            links |= {"circuit": int(raw("circuit") or 1)}
+        return verify.drive(crank.ratio, crank.offset, **links, **size)
+
+    def _turn(self, method: str, row: Mapping[str, Any], alone: bool = False) -> verify.Turn:
+        """The turn of the page, or that of one crank `alone`, without its masses."""
+        asked, drive, load = self.asked, self._drive(row), self._load(row)
+        key = (drive, method, alone, *(str(row.get(name)) for name in LOADED))
+        if key not in self._turns:
+            cranks = as_crank_angles(asked.raw("cranks") or "0")
+            more: dict[str, Any] = {} if alone else {"cranks": tuple(cranks), "method": method}
+            if asked.says("friction") and not alone:
+                raise ProblemError("turns with friction are not computed a second time")
+            if asked.is_heavy() and not alone:
+                bore, pressure = self._unit()
+                more |= {"bodies": self._bodies(drive, 0, row), "bore": bore, "pressure": pressure}
+            self._turns[key] = verify.turn(drive, load, **more)
+        return self._turns[key]
+
+    def _load(self, row: Mapping[str, Any]) -> verify.Load:
+        asked, raw = self.asked, self.asked.raw
+
+        def of(names: Mapping[str, str]) -> dict[str, Any]:
+            return {own: getattr(asked, name) for name, own in names.items() if asked.says(name)}
+
+        def of_row(key: str, given: Sequence[Fraction] | None) -> Fraction:
+            if key in row:
+                return nearest(row[key], given or ())
+            given = as_expansions(self._layout.expansions) if given is None else given
+            if len(given) != 1:
+                raise ProblemError(f"the row does not say its load; add {key} to the columns")
+            return given[0]
+
+        if asked.says("pressure_ratio"):
+            return verify.compressor(of_row("pressure_ratio", asked.pressure_ratio), **of(AIR))
+        if asked.says("pump"):
+            pressures = {"suction": asked.suction_pressure, "delivery": asked.delivery_pressure}
+            known = {name: one for name, one in pressures.items() if one is not None}
+            kind = "single" if asked.single_acting else asked.pump or "double"
+            return verify.pump(kind, **known, **of({"small_area": "small_area"}))
+        if asked.says("compression"):
+            peaks = {"peak": raw("peak_pressure"), "exhaust": raw("exhaust_pressure")}
+            suction = asked.suction_pressure
+            shares: dict[str, Any] = {
+                name: _in(one, name, suction) for name, one in peaks.items() if one is not None
+            }
+            return verify.gas(of_row("compression", asked.compression), **shares, **of(GAS))
+        back = raw("back")
+        if back is not None:
+            back = as_share_or_pressure(back, "back pressure", raw("pressure"))
+        piston = of({"bore": "bore", "piston_rod": "piston_rod", "tail_rod": "tail_rod"})
+        rest = {} if back is None else {"back": back}
+        return verify.steam(of_row("epsilon", asked.eps), **rest, **of(STEAM), **piston)
+
+
+def in_own_unit(key: str, symbol: str) -> tuple[str, Fraction]:
+    """Return a key in the unit of the second computation, and how many of the printed one that is."""
+    unit = UNITS.get(symbol)
+    own = unit and OWN.get(unit.dimension)
+    if unit is None or own is None or unit.ending == own:
+        return key, Fraction(1)
+    size = next(one.size for one in UNITS.values() if one.ending == own)
+    return f"{key.removesuffix(unit.ending)}{own}", size / unit.size
+
+
+def nearest(printed: str, asked: Sequence[Fraction]) -> Fraction:
+    """Return what was asked for where it is printed so, else what is printed."""
+    shown = Fraction(printed)
+    half = Fraction(1, 2 * 10 ** len(printed.partition(".")[2]))
+    found = {one for one in asked if abs(one - shown) <= half}
+    return found.pop() if len(found) == 1 else shown
+
+
+def _of_rod(value: Any, rod: Fraction | None) -> Fraction | None:
+    return None if value is None else as_share_or_length(value, "share", rod, "the rod's is not")
+
+
+def _in(value: Any, name: str, suction: Fraction | None) -> Fraction:
+    """Return a pressure in suction pressures."""
+    if suction and isinstance(value, str) and any(map(str.isalpha, value)):
+        return as_pressure(value, name) / suction
+    return as_shares(value, name)[0]
+
+
+def _given(value: Any) -> Any:
+    """Return the value of an option as Python gives it."""
+    if isinstance(value, Figure):
+        return Fraction(value)
+    return tuple(map(_given, value)) if isinstance(value, list) else value

@@ -1,0 +1,184 @@
+"""`kurbel verify`: the numbers of a page computed once more; a digit changed by hand is found."""
+
+from __future__ import annotations
+
+import io
+import json
+import re
+import shlex
+import sys
+from fractions import Fraction
+from pathlib import Path
+from unittest import mock
+
+import numpy as np
+import pytest
+from cli import kurbel, printed
+
+import kurbel as library
+
+MASSES = "--stroke 600mm --speed 120/min --pressure 8bar --bore 300mm --reciprocating 100kg"
+# A page of each command, drive, load and of each way to say a size.
+PAGES = {
+    "table --ratio 1:4.5 --step 45 --rounding half-even": 5 * 6,
+    "table --stroke 24in --rod 5ft --speed 120rpm --angle 12.5;77 --units imperial": 2 * 12,
+    "table --crank 300mm --rod 1.4m --offset 60mm --speed 2/s --step 90 --columns phi,x_mm,c_mps,psi": 15,
+    "table --mechanism arc --rocker 6R --pivot '5;6' --step 90": 3 * 10,
+    "table --method series --order 3 --step 60 --zero 90": 7 * 3,
+    "table --layout verfahren --step 90": 5 * 9,
+    "table --point 1/3 --angle 40": 10,
+    "table --mechanism parallel --angle 40": 6,
+    "deadcentres --mechanism arc --rocker 3 --pivot '4;1.5'": 8,
+    "forces --force 5kN --crank 300mm --step 90": 3 * 10,
+    f"forces --stroke 600mm --speed 2/s {MASSES.partition('bar ')[2]} --head-pressure 2bar --friction 500N"
+     " --piston-rod 50mm --vertical --angle 0;40;180 --columns phi,crosshead_load_n,bearing_force_n": 6,
+    f"forces --eps 4 {MASSES} --rod-mass 50kg --centre 0.6 --gyration 30% --step 90": 5 * 9,
+    "forces --pressure-ratio 4 --step 120": 4 * 5,
+    "turning --eps 3 --back 0.1 --exponent 1.2 --clearance 5% --cranks 0;90 --step 120": 4 * 4,
+    f"turning --eps 4 {MASSES} --angle 100": 4,
+    "turning --compression 6 --peak-pressure 30 --angle 200": 4,
+    "turning --pump single --suction-pressure -0.3bar --delivery-pressure 6bar --angle 30": 4,
+    "delta --eps 3 --single-acting --detail": 6,
+    "delta --eps 3 --detail": 2 * 5 + 6,
+}  # fmt: skip
+
+
+def page_of(line: str, folder: Path) -> Path:
+    path = folder / "page.json"
+    printed(*shlex.split(line), "-o", str(path))
+    return path
+
+
+def verified(path: Path, *words: str) -> tuple[int, list[dict[str, str]], str]:
+    """Return the exit code, what is said of each column, and the last lines as text."""
+    found = kurbel("verify", *words, "-f", "csv", str(path))
+    return found.code, found.records(), kurbel("verify", *words, str(path)).out
+
+
+@pytest.mark.parametrize("line", PAGES, ids=str)
+def test_every_number_is_confirmed(line: str, tmp_path: Path) -> None:
+    code, columns, told = verified(page_of(line, tmp_path))
+    assert [one for one in columns if one["confirmed"] != one["cells"]] == []
+    assert sum(int(one["cells"]) for one in columns) == PAGES[line]
+    assert f"{PAGES[line]} of {PAGES[line]} numbers are confirmed, 0 are wrong" in told
+    assert code == 0
+
+
+@pytest.mark.parametrize(
+    ("line", "digit", "other", "said"),
+    [
+        ("table --ratio 1:5 --angle 60", '"x": 0.5756', '"x": 0.5755',
+         "x at ratio 1:5, phi 60 is printed 0.5755; right is 0.5756"),
+        ("forces --eps 4 --angle 60", '"guide_force": 0.1088', '"guide_force": 0.1089', "right is 0.1088"),
+        ("delta --eps 4", '"delta": 1.423', '"delta": 1.4231', "is printed 1.4231; right is 1.42"),
+        ("turning --eps 4 --angle 90", '"eps": ["4"]', '"eps": ["4.01"]', "tangential at"),
+    ],
+)  # fmt: skip
+def test_a_change_by_hand_is_found(line: str, digit: str, other: str, said: str, tmp_path: Path) -> None:
+    path = page_of(line, tmp_path)
+    text = path.read_text(encoding="utf-8")
+    assert digit in text
+    changed = text.replace(digit, other)
+    if "eps" in digit:
+        # What is printed of the axis says what the row is of.
+        changed = changed.replace('"epsilon": 4', '"epsilon": 4.01')
+    path.write_text(changed, encoding="utf-8")
+    code, _, told = verified(path)
+    assert code == 1
+    assert said in told
+
+
+def test_a_page_comes_through_a_pipe(monkeypatch: pytest.MonkeyPatch) -> None:
+    page = printed("table", "--angle=60", "-f", "json").out
+    monkeypatch.setattr(sys, "stdin", io.StringIO(page))
+    assert "6 of 6 numbers are confirmed" in printed("verify", "-").out
+    monkeypatch.setattr(sys, "stdin", io.StringIO("x"))
+    assert "standard input is no JSON" in kurbel("verify", "-").err
+
+
+def test_what_is_not_computed_a_second_time_is_said_with_its_reason(tmp_path: Path) -> None:
+    path = page_of("harmonics", tmp_path)
+    code, (column,), _ = verified(path)
+    assert (code, column["confirmed"], column["wrong"]) == (0, "0", "0")
+    assert column["reason"] == "pages of harmonics are not computed a second time"
+    assert verified(path, "--strict")[0] == 1
+    path = page_of(
+        "forces --force 1kN --pin-friction 0.06 --crank-pin 120mm --stroke 1m --angle 30", tmp_path
+    )
+    code, columns, _ = verified(path)
+    assert code == 0
+    assert {one["confirmed"] for one in columns} == {"0"}
+    assert "is not known to the second computation" in columns[0]["reason"]
+
+
+def test_no_option_is_left_unsaid_that_the_page_counts() -> None:
+    page = library.forces(
+        ratio=[Fraction(1, 4), 0.2],
+        angle=np.array([60.0, 90.0]),
+        stroke=0.6,
+        force="5kN",
+        lang="en",
+        label="a",
+    )
+    request = json.loads(page.typeset("json"))["request"]
+    asked = {"ratio": ["1/4", 0.2], "angle": [60.0, 90.0], "stroke": 0.6, "force": "5kN"}
+    assert request == {"command": "forces", "options": asked}
+
+
+def test_a_machines_file_and_the_environment_are_told_as_well(tmp_path: Path) -> None:
+    machine = tmp_path / "engine.toml"
+    machine.write_text('[crank]\nstroke = "600mm"\nratio = "1:5"\n', encoding="utf-8")
+    words = ("table", "--machine", str(machine), "--angle=60", "-f", "json")
+    request = json.loads(printed(*words, KURBEL_TABLE_SPEED="2/s").out)["request"]
+    assert request["options"] == {"ratio": ["1:5"], "stroke": "600mm", "speed": "2/s", "angle": ["60"]}
+
+
+def test_a_long_page_says_it_too(tmp_path: Path) -> None:
+    path = page_of("table --step 0.1 --columns phi,x,p", tmp_path)
+    page = json.loads(path.read_text(encoding="utf-8"))
+    assert len(page["rows"]) == 3601
+    few = [page["rows"][place] for place in (0, 7, 600, 1234, 3600)]
+    text = re.sub(
+        r'"rows": \[.*\]', lambda _: f'"rows": {json.dumps(few)}', path.read_text(), flags=re.DOTALL
+    )
+    path.write_text(text, encoding="utf-8")
+    code, _, told = verified(path)
+    assert code == 0
+    assert "10 of 10 numbers are confirmed" in told
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        ("{", "is no JSON"),
+        ("[1]", "is no page of kurbel's; write one with -f json"),
+        ('{"rows": [], "columns": []}', "does not say what was asked for; write the page anew"),
+        ('{"rows": [], "columns": {}, "request": {}}', "is damaged: its columns"),
+        ('{"rows": [{}], "columns": [{"key": "x", "unit": "", "method": "exact"}],'
+         ' "request": {"command": "table", "options": {}}}', "a row has not the keys of its columns"),
+        ("\udcff", "cannot be read"),
+    ],
+)  # fmt: skip
+def test_other_files_are_refused_by_a_sentence(content: str, said: str, tmp_path: Path) -> None:
+    path = tmp_path / "page.json"
+    if content.isprintable():
+        path.write_text(content, encoding="utf-8")
+    found = kurbel("verify", str(path))
+    assert found.code in (1, 2)
+    assert found.out == ""
+    assert said in found.err
+    assert str(path) in found.err
+
+
+def test_without_mpmath_one_sentence_says_what_installs_it(tmp_path: Path) -> None:
+    path = page_of("table --angle 60", tmp_path)
+    gone = {name: one for name, one in sys.modules.items() if not name.startswith("kurbel.verify")}
+    gone.pop("kurbel.commands.verified", None)
+    with (
+        mock.patch.dict(sys.modules, gone, clear=True),
+        mock.patch("importlib.util.find_spec", lambda _: None),
+    ):
+        found = kurbel("verify", str(path))
+    assert found.code in (1, 2)
+    assert "a second computation needs mpmath" in found.err
+    assert "verify" in found.err.partition("install it with")[2]
