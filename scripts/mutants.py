@@ -5,10 +5,10 @@
 draws N faults by this seed from all of src/kurbel, every kind as often: another operator, comparison or
 constant, a `not` dropped, `and` for `or`, a statement left out, another default. Each is written into a copy
 of the project, and the fast tests that reach its line run there, the cheapest of each file first, until one
-fails that passes without the fault, or a minute of them has passed. Which tests reach which line is measured once, in the same copy, and kept
-in build/mutants until the code changes. A fault that no test sees is printed as it is to stand in
-scripts/survivors.toml, with the reason why it changes nothing that anybody could see: those are not counted.
-Ends with 1 where fewer than 95 % of the others are seen.
+fails that passes without the fault, or a minute of them has passed. Which tests reach which line is measured
+once, in the same copy, and kept in build/mutants until the code changes. A fault that no test sees is printed
+as it is to stand in scripts/survivors.toml, with the reason why it changes nothing that anybody could see:
+those are not counted. Ends with 1 where fewer than 95 % of the others are seen.
 """
 
 from __future__ import annotations
