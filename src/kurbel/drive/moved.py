@@ -13,6 +13,9 @@ from kurbel.errors import ProblemError
 from kurbel.kernel import kinematics, rod, turning
 from kurbel.kernel.circle import Circle, Number, root
 from kurbel.kernel.effort.weight import Weight, on_return, torque_slope, work
+from kurbel.kernel.forces import tangential_force
+from kurbel.kernel.inertia import first_order
+from kurbel.kernel.inertia.accelerations import EVEN, OF_FIRST_ORDER
 from kurbel.kernel.rod import Loaded, Masses
 
 if TYPE_CHECKING:
@@ -135,72 +138,43 @@ class Moved(ABC):
 
 
 class Slide(Moved):
-    """The straight crank, by exact or first-order formulas."""
+    """The straight or offset crank by exact formulas, the straight one also by those of first order.
 
-    regular = True
-    length = 2
+    The first order is that of the motion: path, velocity and acceleration of the piston, the turning of the
+    rod. Works and energies are those of this motion. Forces pass through the drive at the exact angle of the
+    rod, as under one force on the piston, so that those of a place compose; the tangential force then differs
+    from the slope of the work as the exact velocity does from that of first order.
+    """
 
-    def __init__(self, ratio: Number, motion: turning.Motion, kind: Kind) -> None:
-        self.ratios = (ratio, -ratio)
+    def __init__(self, motion: turning.Motion, kind: Kind, ratio: Number, *offset: Number) -> None:
+        self.regular = not offset
+        self.numbers = tuple((sign * ratio, *(sign * one for one in offset)) for sign in (1, -1))
+        self.length = kinematics.stroke(ratio, *offset) if offset else 2
         self.motion, self.kind = motion, kind
+        self.energies: Any = first_order if self._is_first_order else rod
 
-    def path(self, stroke: int, circle: Circle[Any]) -> Number:
-        return self.motion.path(circle, self.ratios[stroke])
-
-    def velocity(self, stroke: int, circle: Circle[Any]) -> Number:
-        return self.motion.velocity(circle, self.ratios[stroke])
-
-    def acceleration(self, stroke: int, circle: Circle[Any]) -> Number:
-        return self.motion.acceleration(circle, self.ratios[stroke])
-
-    def loaded(
-        self,
-        stroke: int,
-        circle: Circle[Any],
-        masses: Masses[Any],
-        net: Number,
-        reciprocating: Number = 0,
-        weight: Weight[Any] | None = None,
-        friction: Number | None = None,
-    ) -> Loaded:
-        own = framed(weight, stroke)
-        return Loaded(
-            circle, self.ratios[stroke], masses, None, net, reciprocating, weight=own, friction=friction
-        )
-
-    def bare(self, force: CrankForce, stroke: int, circle: Circle[Any]) -> Number:
-        return force.bare(circle, self.ratios[stroke], None)
-
-    def kinetic_energy(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
-        return rod.kinetic_energy(circle, self.ratios[stroke], masses)
-
-    def torque_slope(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
-        return rod.torque_slope(circle, self.ratios[stroke], masses)
-
-    def angle_at(self, stroke: int, share: Number) -> Number | None:
-        versine = self.motion.versine_at(2 * share, self.ratios[stroke])
-        return self.kind.arc(root(versine / 2)) / 90
-
-
-class OffsetSlide(Moved):
-    """The offset crank."""
-
-    def __init__(self, ratio: Number, offset: Number, kind: Kind) -> None:
-        self.numbers = ((ratio, offset), (-ratio, -offset))
-        self.length = kinematics.stroke(ratio, offset)
-        self.kind = kind
+    @property
+    def _is_first_order(self) -> bool:
+        return self.motion is turning.FIRST_ORDER
 
     def dead_centre(self, stroke: int) -> Number:
+        if self.regular:
+            return 0
         return self.kind.arc(kinematics.dead_centre_sine(*self.numbers[stroke])) / 180
 
     def path(self, stroke: int, circle: Circle[Any]) -> Number:
-        return kinematics.offset_path(circle, *self.numbers[stroke])
+        return self.motion.path(circle, *self.numbers[stroke])
 
     def velocity(self, stroke: int, circle: Circle[Any]) -> Number:
-        return kinematics.offset_velocity(circle, *self.numbers[stroke])
+        return self.motion.velocity(circle, *self.numbers[stroke])
 
     def acceleration(self, stroke: int, circle: Circle[Any]) -> Number:
-        return kinematics.offset_acceleration(circle, *self.numbers[stroke])
+        return self.motion.acceleration(circle, *self.numbers[stroke])
+
+    def lever(self, stroke: int, circle: Circle[Any]) -> Number:
+        if self._is_first_order:
+            return tangential_force(circle, *self.numbers[stroke])
+        return self.velocity(stroke, circle)
 
     def loaded(
         self,
@@ -212,20 +186,35 @@ class OffsetSlide(Moved):
         weight: Weight[Any] | None = None,
         friction: Number | None = None,
     ) -> Loaded:
-        ratio, offset = self.numbers[stroke]
+        ratio, offset = (*self.numbers[stroke], None)[:2]
+        by = OF_FIRST_ORDER if self._is_first_order else EVEN
         own = framed(weight, stroke)
-        return Loaded(circle, ratio, masses, offset, net, reciprocating, weight=own, friction=friction)
+        return Loaded(circle, ratio, masses, offset, net, reciprocating, by, weight=own, friction=friction)
 
     def bare(self, force: CrankForce, stroke: int, circle: Circle[Any]) -> Number:
-        return force.bare(circle, *self.numbers[stroke])
+        ratio, offset = (*self.numbers[stroke], None)[:2]
+        return force.bare(circle, ratio, offset)
+
+    def power(
+        self, stroke: int, circle: Circle[Any], masses: Masses[Any], weight: Weight[Any] | None
+    ) -> Number:
+        if self._is_first_order:
+            return first_order.power(circle, *self.numbers[stroke], masses, framed(weight, stroke))
+        return super().power(stroke, circle, masses, weight)
 
     def kinetic_energy(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
-        ratio, offset = self.numbers[stroke]
-        return rod.kinetic_energy(circle, ratio, masses, offset)
+        ratio, *offset = self.numbers[stroke]
+        return self.energies.kinetic_energy(circle, ratio, masses, *offset)
 
     def torque_slope(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
-        ratio, offset = self.numbers[stroke]
-        return rod.torque_slope(circle, ratio, masses, offset)
+        ratio, *offset = self.numbers[stroke]
+        return self.energies.torque_slope(circle, ratio, masses, *offset)
+
+    def angle_at(self, stroke: int, share: Number) -> Number | None:
+        if not self.motion.versine_at:
+            return None
+        versine = self.motion.versine_at(2 * share, *self.numbers[stroke])
+        return self.kind.arc(root(versine / 2)) / 90
 
 
 def framed(weight: Weight[Any] | None, stroke: int) -> Weight[Any] | None:
@@ -235,13 +224,8 @@ def framed(weight: Weight[Any] | None, stroke: int) -> Weight[Any] | None:
 
 def moved(crank: Crank, kind: Kind, method: str) -> Moved:
     """Return the straight or the offset crank as a turn asks it, by a method."""
-    ratio = kind.of(crank.ratio)
-    if not crank.offset and method == "exact":
-        return Slide(ratio, MOTIONS[method], kind)
     if not crank.offset:
-        from kurbel.drive.first_order import FirstOrderSlide
-
-        return FirstOrderSlide(ratio, MOTIONS[method], kind)
+        return Slide(MOTIONS[method], kind, kind.of(crank.ratio))
     if method != "exact":
         raise ProblemError(f'method "{method}" has no formulas for the offset crank; use exact')
-    return OffsetSlide(ratio, kind.of(crank.offset), kind)
+    return Slide(turning.OFFSET, kind, kind.of(crank.ratio), kind.of(crank.offset))

@@ -10,9 +10,10 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple, Protocol
 
 from kurbel.kernel import kinematics, steam
-from kurbel.kernel.circle import Circle, Number, root
+from kurbel.kernel.circle import Number, root
 
-Formula = Callable[[Circle[Number], Number], Number]
+# Of the circle, λ and, of an offset crank, e/R.
+Formula = Callable[..., Number]
 
 
 class Stroke(Protocol):
@@ -30,12 +31,13 @@ class Stroke(Protocol):
 
 
 class Motion(NamedTuple):
-    """The kinematics in force: piston path, velocity and acceleration, and 1 - cos φ at a path."""
+    """The kinematics in force: piston path, velocity and acceleration, and 1 - cos φ at a path, None where no
+    formula has it."""
 
     path: Formula
     velocity: Formula
     acceleration: Formula
-    versine_at: Callable[[Number, Number], Number]
+    versine_at: Callable[[Number, Number], Number] | None = None
 
 
 EXACT = Motion(
@@ -50,6 +52,7 @@ FIRST_ORDER = Motion(
     kinematics.piston_acceleration_first_order,
     steam.crank_versine_first_order,
 )
+OFFSET = Motion(kinematics.offset_path, kinematics.offset_velocity, kinematics.offset_acceleration)
 
 
 def mean_force(strokes: Sequence[Stroke], pi: Number, length: Number = 2) -> Number:
