@@ -16,7 +16,6 @@ from kurbel.exact.terms import terms, tie_bits, vanishes
 from kurbel.kernel.steam import logarithm
 from kurbel.linkage.arc.crank import ArcCrank
 from kurbel.linkage.arc.quantities import arc_registry
-from kurbel.linkage.linkage import value as linkage_value
 from kurbel.motion.evaluation import kernel_of, value
 from kurbel.motion.quantities import registry
 from kurbel.reading.units import Speed
@@ -142,7 +141,7 @@ def test_every_quantity_of_the_arc_crank_has_terms_but_its_arcs() -> None:
         if not one.needs:
 
             def at(kind: Kind, one: Any = one) -> Any:
-                return linkage_value(one, drive, kind.circle(F(60)), kind, direct=kind.bounded)
+                return value(one, "exact", drive, kind.circle(F(60)), kind)
 
             if terms(at) is None:
                 undecided.add(one.key)

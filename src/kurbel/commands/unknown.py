@@ -131,9 +131,10 @@ class OfRatio:
 
         from kurbel.conditions.solve import target_of
         from kurbel.conditions.unknown import of_ratio
+        from kurbel.drive.at import At
         from kurbel.exact.course import Target
         from kurbel.exact.kind import balls
-        from kurbel.motion.evaluation import At, kernel_of
+        from kurbel.motion.evaluation import kernel_of
 
         drive, condition = self.drive, self.condition
         if condition.kind == MAX:
@@ -151,7 +152,7 @@ class OfRatio:
         def formula(ratio: Any) -> Any:
             kind = balls()
             offset = kind.of(drive.crank.offset) if drive.crank.offset else None
-            found = kernel(At(self.place.circle(kind), ratio, offset, drive.crank, kind))
+            found = kernel(At(self.place.circle(kind), drive.crank, kind, 1, ratio, offset))
             return found * scale(drive.crank, kind) if scale else found
 
         return of_ratio(formula, target.ball, self.greatest)

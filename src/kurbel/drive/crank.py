@@ -15,6 +15,7 @@ from kurbel.reading.given import Exact, as_fraction, as_length, as_number, as_ra
 from kurbel.reading.notation import Progression, about, ratio_text
 
 if TYPE_CHECKING:
+    from kurbel.drive.at import At
     from kurbel.drive.effort import Effort
     from kurbel.drive.moved import Moved
     from kurbel.drive.rod import Moving, Rod
@@ -61,6 +62,15 @@ class Crank:
     def of(self, crank: Crank) -> Crank:
         """Return the drive with what else is known of its crank, as of other drives."""
         return crank
+
+    def at(self, quantity: Any, circle: Any, numbers: Kind, method: str = "exact") -> At:
+        """Return the place that a quantity is asked for at, as other drives do."""
+        from kurbel.drive.at import At
+
+        stroke = quantity.stroke
+        ratio = numbers.of(stroke * (Fraction(0) if method == "infinite" else self.ratio))
+        offset = numbers.of(stroke * self.offset) if self.offset else None
+        return At(circle, self, numbers, stroke, ratio, offset, method == "series")
 
     def moved(self, kind: Kind, method: str) -> Moved:
         """Return the drive as a turn of an engine asks it, by a method, on a kind of number."""

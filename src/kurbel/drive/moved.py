@@ -199,7 +199,7 @@ class Slide(Moved):
         self, stroke: int, circle: Circle[Any], masses: Masses[Any], weight: Weight[Any] | None
     ) -> Number:
         if self._is_first_order:
-            return first_order.power(circle, *self.numbers[stroke], masses, framed(weight, stroke))
+            return first_order.power(circle, self.numbers[stroke][0], masses, framed(weight, stroke))
         return super().power(stroke, circle, masses, weight)
 
     def kinetic_energy(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:

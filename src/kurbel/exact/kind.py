@@ -23,8 +23,8 @@ _ROUNDED_BITS = 192
 class Kind(NamedTuple):
     """A kind of number: how it is made of a rational number, the circle of an angle in degrees, the arcsine
     in degrees, π, the rod angle in degrees of circle, λ and e/R or None, what an exponent is to it, and how
-    it is made of a number that is known by its balls alone. `bounded` numbers carry separation bounds, for
-    which formulas with few roots are best.
+    it is made of a number that is known by its balls alone. Of `bounded` numbers every root counts, as of
+    separation bounds: formulas with few of them are best.
 
     Separation bounds have neither arcs nor π; functions of the crank angle come with their own circle.
     """
@@ -101,4 +101,4 @@ def surds(field: Field) -> Kind:
     """Return functions of the tangent in the field, with their slopes."""
     from kurbel.exact.jet import Jet
 
-    return Kind(lambda number: Jet(field.of(number), field.of(0), field.of(0)))
+    return Kind(lambda number: Jet(field.of(number), field.of(0), field.of(0)), bounded=True)

@@ -13,14 +13,15 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
+from kurbel.drive.at import At
 from kurbel.drive.crank import known
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals
-from kurbel.linkage.linkage import At, value
 from kurbel.linkage.parallel import parallel_registry
 from kurbel.linkage.quantities import FORCE
 from kurbel.linkage.question import LinkageRequest, force_lines, formula_line, linkage_subject
+from kurbel.motion.evaluation import value
 from kurbel.motion.quantities import Force, force_entries
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, filled, words
@@ -127,7 +128,7 @@ def coupled_registry() -> Mapping[str, Quantity]:
 
 
 def _whole(at: At) -> Any:
-    return at.kind.of(Fraction(1))
+    return at.numbers.of(Fraction(1))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -161,7 +162,7 @@ def _number(question: CoupledRequest, column: Column, place: Place, times: int) 
         return None
 
     def at(kind: Kind) -> Any:
-        found = value(quantity, drive, kind.circle(angle), kind, direct=kind.bounded)
+        found = value(quantity, "exact", drive, kind.circle(angle), kind)
         return found * kind.of(known(share) * times)
 
     return Number(settled(at, column.places, question.rounding), column.places)

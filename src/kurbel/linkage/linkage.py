@@ -5,28 +5,15 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any, NamedTuple
 
+from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
-from kurbel.exact.kind import Kind, settled
+from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
-from kurbel.motion.evaluation import LOADED
 from kurbel.page.quantity import Quantity, Words
-
-
-class At(NamedTuple):
-    """What a kernel call takes: where a drive stands, the drive, the kind of number and the circle of the
-    crank angle; of the arc crank also its dead centre."""
-
-    place: Place[Any]
-    drive: Any
-    kind: Kind
-    circle: Any
-    arc: Any = None
-
 
 Point = tuple[float, float]
 
@@ -81,42 +68,11 @@ class Linkage(ABC):
     def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
         """Return where the driven end is: its way, its velocity, the slants of rod and crank against it."""
 
-    def at(self, stroke: int, circle: Circle[Any], kind: Kind) -> At:
-        """Return what the kernel calls of its quantities take."""
-        return At(self.place(stroke, circle, kind), self, kind, circle)
+    def at(self, quantity: Quantity, circle: Circle[Any], numbers: Kind, method: str = "exact") -> At:
+        """Return what the kernel calls of a quantity take."""
+        place = self.place(quantity.stroke, circle, numbers)
+        return At(circle, self, numbers, quantity.stroke, place=place)
 
     def outline(self) -> Outline | None:
         """Return what it is seen as from its side, unless a drawing of its own knows."""
         return None
-
-    def direct(self, quantity: Quantity, circle: Circle[Any], kind: Kind) -> At:
-        """Return the same, for an algebraic quantity, by formulas with small separation bounds."""
-        return self.at(quantity.stroke, circle, kind)
-
-
-def value(quantity: Quantity, drive: Linkage, circle: Circle[Any], kind: Kind, direct: bool = False) -> Any:
-    """Return the quantity where the crank stands at φ, on RETURN at 180° + φ; the circle is that of φ.
-
-    `direct` gives an algebraic quantity a small separation bound.
-    """
-    at = drive.direct(quantity, circle, kind) if direct else drive.at(quantity.stroke, circle, kind)
-    heavy = drive.crank.moving is not None and LOADED in quantity.formulas
-    found = quantity.formulas[LOADED if heavy else "exact"].kernel(at)
-    return found * quantity.scale(drive.crank, kind) if quantity.scale else found
-
-
-def certified(
-    quantity: Quantity, drive: Linkage, angle: Fraction, decimals: int, rounding: str = "half-away"
-) -> int:
-    """Return the quantity times 10**decimals at an exact angle in degrees, rounded correctly.
-
-    The path is an arc with an algebraic sine, hence transcendental or zero (Lindemann). sin ψ is
-    p + q cos φ + r sin φ with rational p, q, r and q² + r² < 1; where ψ is a rational number of degrees that
-    is one of 0, ±30°, ±45° and ±60° (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7). Rocker and rod
-    angles on a boundary are not excluded; `certify.rounded` then raises ProblemError.
-    """
-
-    def at(kind: Kind) -> Any:
-        return value(quantity, drive, kind.circle(angle), kind, direct=kind.bounded)
-
-    return settled(at, decimals, rounding)

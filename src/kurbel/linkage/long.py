@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.exact.enclosures.functions import ENCLOSURES
-from kurbel.linkage.linkage import value
+from kurbel.motion.evaluation import value
 from kurbel.motion.long.columns import LongColumns
 from kurbel.motion.long.places import Places
 from kurbel.page.axes import Place
@@ -25,4 +25,4 @@ class LinkageColumns(LongColumns):
 
     def value(self, one: Column, place: Place, places: Places) -> Any:
         drive = self.question.drives[place.get("ratio", 0)]
-        return value(one.quantity, drive, places.angle.circle, ENCLOSURES)
+        return value(one.quantity, "exact", drive, places.angle.circle, ENCLOSURES)

@@ -8,10 +8,7 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from kurbel.drive.load import FORCE
-from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
-from kurbel.kernel.circle import Circle
-from kurbel.linkage import linkage
 from kurbel.linkage.linkage import Linkage
 from kurbel.linkage.question import LinkageRequest
 from kurbel.motion.captions import drive_notes, turns_label
@@ -30,8 +27,8 @@ class LinkageDrive(Drive):
     """
 
     def __init__(self, drive: Linkage, page: str) -> None:
-        super().__init__(drive.crank, self.columns_of(page))
-        self.drive, self.page = drive, page
+        super().__init__(drive, self.columns_of(page))
+        self.page = page
         self.has_rod = "ratio" in subject(layout(page).subject).axes
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -45,16 +42,8 @@ class LinkageDrive(Drive):
 
     @property
     def stroke(self) -> Label:
-        return self.drive.stroke
-
-    def value(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
-        return linkage.value(quantity, self.drive, circle, numbers)
-
-    def direct(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
-        return linkage.value(quantity, self.drive, circle, numbers, direct=True)
-
-    def certified(self, quantity: Quantity, degrees: Fraction, decimals: int, rounding: str) -> int:
-        return linkage.certified(quantity, self.drive, degrees, decimals, rounding)
+        own: Label = self.drive.stroke
+        return own
 
     def closing_lines(self, question: Any) -> Iterator[Label]:
         """Yield what pages of the drive say of it, on both strokes."""

@@ -8,6 +8,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, NoReturn
 
+from kurbel.drive.at import At
 from kurbel.drive.crank import RODLESS, Crank, Described
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
@@ -15,7 +16,7 @@ from kurbel.kernel.circle import Circle
 from kurbel.kernel.coupler.point import Rod, crank_pin
 from kurbel.kernel.linkage import Place
 from kurbel.kernel.parallel import coupler, coupler_place
-from kurbel.linkage.linkage import At, Linkage, Outline, Point, Stand
+from kurbel.linkage.linkage import Linkage, Outline, Point, Stand
 from kurbel.linkage.mechanism import LinkageMechanism
 from kurbel.linkage.quantities import DECIMALS, force_entries, force_formula
 from kurbel.linkage.question import linkage_subject, plain_notes
@@ -98,7 +99,7 @@ def _rod_entries() -> Iterator[Quantity]:
         ("rod_velocity", "Winkelgeschwindigkeit|Angular velocity", "ω_L", "ω"),
         ("rod_acceleration", "Winkelbeschleunigung|Angular acceleration", "ε_L", "ω²"),
     ):
-        none = Formula(lambda at: at.kind.of(Fraction(0)), f"${letter} = 0$")
+        none = Formula(lambda at: at.numbers.of(Fraction(0)), f"${letter} = 0$")
         head = f"${letter}/{unit.replace('²', '^2')}$"
         yield spanned(key, name, f"${letter}$", head, unit, DECIMALS, {"exact": none})
 

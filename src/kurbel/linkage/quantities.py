@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from types import MappingProxyType
 from typing import Any
 
 from kurbel.exact.numerals import Label
 from kurbel.kernel import linkage
 from kurbel.kernel.linkage import Place
 from kurbel.motion import quantities
-from kurbel.motion.evaluation import LOADED
+from kurbel.motion.entries import Formulas
 from kurbel.motion.quantities import Force
 from kurbel.page.quantity import Formula, Quantity
 
@@ -51,23 +50,18 @@ def force_formula(key: str, printed: Label, symbols: tuple[Label, ...] = ()) -> 
     return Formula(lambda at: kernel(at.place), printed, symbols)
 
 
-def force_entries(
-    printed: Mapping[str, Formula], loaded: Mapping[str, Formula] = MappingProxyType({})
-) -> Iterator[Quantity]:
+def force_entries(printed: Mapping[str, Formula], masses: bool = False) -> Iterator[Quantity]:
     """Yield the forces with these formulas as shares of F and in newtons, and the torque that they make.
 
-    `loaded` are the formulas in newtons of a drive with moving masses, also of forces that these alone show.
+    A drive that may have moving `masses` has also the forces that these alone show.
     """
-    for key in {**printed, **loaded}:
+    newton = quantities.in_newtons if masses else _alone
+    for key in {**printed, **(FORCES if masses else {})}:
         shares = {"exact": printed[key]} if key in printed else {}
-        yield from quantities.force_entries(
-            key, FORCES[key], shares, _in_newtons(key, shares, loaded), of=FORCE
-        )
+        yield from quantities.force_entries(key, FORCES[key], shares, newton(key, shares), of=FORCE)
     torque = {"exact": force_formula("tangential_force", "$M_d/(F R) = T/F$")}
-    yield from quantities.torque_entries(torque, _in_newtons("tangential_force", torque, loaded), of=FORCE)
+    yield from quantities.torque_entries(torque, newton("tangential_force", torque), of=FORCE)
 
 
-def _in_newtons(
-    key: str, shares: Mapping[str, Formula], loaded: Mapping[str, Formula]
-) -> Mapping[str, Formula]:
-    return {**shares, LOADED: loaded[key]} if key in loaded else shares
+def _alone(key: str, shares: Formulas) -> Formulas:
+    return shares

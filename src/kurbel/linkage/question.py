@@ -15,10 +15,9 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import circle
-from kurbel.linkage.linkage import certified, value
 from kurbel.linkage.quantities import FORCE
 from kurbel.motion.captions import direction_notes, drive_notes, force_notes, moving_notes, turns_label
-from kurbel.motion.evaluation import NEEDS, PAGE_CELLS, needed
+from kurbel.motion.evaluation import NEEDS, PAGE_CELLS, certified, needed, value
 from kurbel.motion.page import CURVES, AngleQuestion, check_pairs
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Formula, Quantity, Words, enumerated, filled, for_ratio
@@ -76,7 +75,8 @@ class LinkageRequest(AngleQuestion):
     def curves(self, degrees: Any) -> list[list[Any]]:
         at, kind = circle(degrees), floats()
         return [
-            [value(column.quantity, drive, at, kind) for drive in self.drives] for column in self.page_columns
+            [value(column.quantity, "exact", drive, at, kind) for drive in self.drives]
+            for column in self.page_columns
         ]
 
 
@@ -121,7 +121,7 @@ def _records(question: LinkageRequest) -> Records:
 
 def _number(question: LinkageRequest, column: Column, place: Place, times: int) -> Number:
     drive, angle = question.drives[place.get("ratio", 0)], question.angles[place["angle"]]
-    scaled = certified(column.quantity, drive, angle, column.places, question.rounding)
+    scaled = certified(column.quantity, "exact", drive, angle, column.places, question.rounding)
     return Number(scaled * times, column.places)
 
 

@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
 from kurbel.exact.bulk import evaluate
 from kurbel.exact.kind import floats
-from kurbel.motion.evaluation import At, kernel_of
+from kurbel.motion.evaluation import kernel_of
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Quantity
 
@@ -49,7 +50,7 @@ def _of_ratio(quantity: Quantity, method: str) -> Callable[[Any, Any], Any]:
     def column(circle: Any, ratio: Any) -> Any:
         # An infinite rod has no ratio, and the return stroke the other sign.
         signed = 0.0 if method == "infinite" else ratio if stroke > 0 else -ratio
-        found = kernel(At(circle, signed, None, NO_RATIO, numbers, stroke, method == "series"))
+        found = kernel(At(circle, NO_RATIO, numbers, stroke, signed, None, method == "series"))
         return found if scale is None else found * scale
 
     return column

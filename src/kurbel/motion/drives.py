@@ -32,7 +32,7 @@ from kurbel.exact.place import SQUARE, Centre, Place, exact_place
 from kurbel.exact.surd import Field, SecondRootError, Surd
 from kurbel.kernel.circle import Circle
 from kurbel.motion.captions import Formulated
-from kurbel.motion.evaluation import LOADED, is_known, is_transcendental
+from kurbel.motion.evaluation import LOADED, certified, is_known, is_transcendental, value
 from kurbel.page.quantity import Column, Quantity, multiplied
 from kurbel.reading.notation import ratio_text
 
@@ -58,10 +58,15 @@ class Drive(ABC):
     # An angle about the middle of both strokes.
     centre: Centre = SQUARE
 
-    def __init__(self, crank: Crank, entries: Mapping[str, Quantity]) -> None:
-        self.crank, self.entries = crank, entries
+    def __init__(self, drive: Any, entries: Mapping[str, Quantity]) -> None:
+        self.drive, self.entries = drive, entries
         self.course = cache(self._course)
         self._surd = cache(self._surd_of)
+
+    @property
+    def crank(self) -> Crank:
+        found: Crank = self.drive.crank
+        return found
 
     @property
     def ratio(self) -> Fraction:
@@ -144,17 +149,13 @@ class Drive(ABC):
 
         return rounded(at, decimals, rounding, ties)
 
-    @abstractmethod
     def value(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
         """Return a quantity of a stroke on any kind of number."""
+        return value(quantity, self.method, self.drive, circle, numbers)
 
-    @abstractmethod
     def certified(self, quantity: Quantity, degrees: Fraction, decimals: int, rounding: str) -> int:
         """Return it at an exact angle times 10**decimals, rounded correctly."""
-
-    def direct(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
-        """Return an algebraic quantity by formulas with as few roots as there are."""
-        return self.value(quantity, circle, numbers)
+        return certified(quantity, self.method, self.drive, degrees, decimals, rounding)
 
     def is_free(self, quantity: Quantity) -> bool:
         """Whether it is algebraic and needs no root for the dead centre."""
@@ -194,7 +195,7 @@ class Drive(ABC):
             return None
         field = Field()
         try:
-            found = self.direct(quantity, jets(field.circle(self.centre.tangent)), surds(field))
+            found = self.value(quantity, jets(field.circle(self.centre.tangent)), surds(field))
         except SecondRootError:
             return None
         assert isinstance(found, Jet)

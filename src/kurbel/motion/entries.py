@@ -9,10 +9,11 @@ from functools import partial
 from typing import Any
 
 from kurbel.drive import spin
+from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.kernel import kinematics
-from kurbel.motion.evaluation import OFFSET, OUT, REACH, RETURN, STROKES, TANGENT, TURN, At
+from kurbel.motion.evaluation import OFFSET, OUT, REACH, RETURN, STROKES, TANGENT, TURN
 from kurbel.page.quantity import Formula, Quantity, entry, words
 
 Formulas = Mapping[str, Formula]

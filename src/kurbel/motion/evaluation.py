@@ -8,21 +8,15 @@ columns in floats the doubtful cells are settled in balls.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
-from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
+from kurbel.drive.at import At, way_at
 from kurbel.drive.crank import Crank, known
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
-from kurbel.kernel import kinematics
 from kurbel.page.quantity import Column, Quantity, Words, words
-
-if TYPE_CHECKING:
-    from kurbel.drive.crank_forces import Weights
-    from kurbel.kernel.inertia.accelerations import Accelerations
-    from kurbel.kernel.rod import Loaded, Masses
 
 # Below this many cells balls are done before NumPy is imported.
 PAGE_CELLS = 20_000
@@ -85,76 +79,6 @@ OFFSET, LOADED = "offset", "loaded"
 TANGENT = "tangent"
 
 
-@dataclass(eq=False)
-class At:
-    """What a kernel call takes: where the crank stands, λ and e/R (None without an offset) with the sign of
-    the stroke, the crank, the kind of number, the stroke; whether what is accelerated is so to first order;
-    whether the piston moves in the direction of the stroke, if that is known for certain."""
-
-    circle: Any
-    ratio: Any
-    offset: Any
-    crank: Crank
-    numbers: Kind
-    stroke: int = OUT
-    first_order: bool = False
-    way: int | None = None
-    degrees: Any = None
-
-    @cached_property
-    def gain(self) -> Any:
-        """α/ω² of a crank that is itself accelerated, else None."""
-        if not self.crank.acceleration:
-            return None
-        from kurbel.drive.spin import gain
-
-        return gain(self.crank, self.numbers)
-
-    @cached_property
-    def by(self) -> Accelerations[Any]:
-        """How the masses are accelerated."""
-        from kurbel.kernel.inertia.accelerations import Accelerations
-
-        return Accelerations(self.gain, self.first_order)
-
-    @cached_property
-    def loaded(self) -> Loaded:
-        """The drive with its masses under the force at this place, in newtons."""
-        return self._under_force(self._weights.masses, self._weights.reciprocating)
-
-    @cached_property
-    def on_shaft(self) -> Loaded:
-        """The same with the masses of which the force at the pin is that of the main bearing."""
-        return self._under_force(self._weights.on_shaft, 0)
-
-    @cached_property
-    def _weights(self) -> Weights:
-        moving = self.crank.moving
-        if moving is None:
-            from kurbel.drive.crank_forces import NOTHING
-
-            return NOTHING
-        return moving.weights(self.numbers, self.crank.pin_acceleration(self.numbers))
-
-    def _under_force(self, masses: Masses[Any], reciprocating: Any) -> Loaded:
-        from kurbel.motion.pushed import under_force
-
-        return under_force(self, masses, reciprocating, self._weights.weight)
-
-    @property
-    def share(self) -> Any:
-        """The share of the stroke that the piston has gone."""
-        if self.offset is None:
-            return kinematics.piston_path(self.circle, self.ratio) / 2
-        path = kinematics.offset_path(self.circle, self.ratio, self.offset)
-        return path / kinematics.stroke(self.ratio, self.offset)
-
-    def acting(self, force: Any) -> Any:
-        """Return what the first piston force calls up, as the force at this place does."""
-        factor = self.crank.force.relative(self) if self.crank.force else None
-        return force if factor is None else force * factor
-
-
 def is_known(quantity: Quantity, crank: Crank) -> bool:
     """Whether what the quantity needs is known of the crank."""
     pushed = crank.pushed
@@ -207,59 +131,51 @@ def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
 def value(
     quantity: Quantity,
     method: str,
-    crank: Crank,
+    drive: Any,
     circle: Any,
     numbers: Kind,
     degrees: Any = None,
     way: int | None = None,
 ) -> Any:
-    """Return the quantity in its unit, on the kind of number that circle and `numbers` are of.
+    """Return the quantity of a drive in its unit, on the kind of number that circle and `numbers` are of.
 
-    A time takes the angle of the circle in `degrees`, friction which `way` the piston goes, where it rests.
+    The circle is that of φ, on the return of φ less 180°. A time takes the angle in `degrees`, friction which
+    `way` the piston goes, where it rests.
     """
-    at = _place(quantity.stroke, method, crank, circle, numbers)
+    at: At = drive.at(quantity, circle, numbers, method)
     at.degrees, at.way = degrees, way
     return _value_at(quantity, method, at)
 
 
-def _place(stroke: int, method: str, crank: Crank, circle: Any, numbers: Kind) -> At:
-    ratio = numbers.of(stroke * (Fraction(0) if method == "infinite" else crank.ratio))
-    offset = numbers.of(stroke * crank.offset) if crank.offset else None
-    return At(circle, ratio, offset, crank, numbers, stroke, method == "series")
-
-
 def _value_at(quantity: Quantity, method: str, at: At) -> Any:
-    found = kernel_of(quantity, method, at.crank)(at)
+    found = kernel_of(quantity, method, at.drive)(at)
     return found * quantity.scale(at.crank, at.numbers) if quantity.scale else found
 
 
 class Places:
-    """The places of a crank at an angle, which its quantities share; each is made once for each precision."""
+    """The places of a drive at an angle, which its quantities share; each is made once for each precision."""
 
-    def __init__(self, crank: Crank, angle: Fraction) -> None:
-        self.crank = crank
-        self.angle = angle
-        self._made: dict[tuple[int, str, int], At] = {}
+    def __init__(self, drive: Any, angle: Fraction) -> None:
+        self.drive, self.angle = drive, angle
+        self._made: dict[tuple[Any, ...], At] = {}
         self._ways: dict[int, int] = {}
 
-    def at(self, stroke: int, method: str, numbers: Kind) -> At:
-        """Return the place on a stroke, on a kind of number."""
-        key = (stroke, method, id(numbers))
+    def at(self, quantity: Quantity, method: str, numbers: Kind) -> At:
+        """Return the place on the stroke of a quantity, on a kind of number."""
+        # Formulas with few roots may be those of what is asked.
+        key = (quantity.stroke, method, id(numbers), quantity.of if numbers.bounded else None)
         # A place holds its kind of number, so that no other has its id.
         if key not in self._made:
-            circle = numbers.circle(self.angle)
-            made = _place(stroke, method, self.crank, circle, numbers)
-            made.way, made.degrees = self._way(stroke), numbers.of(self.angle)
+            made: At = self.drive.at(quantity, numbers.circle(self.angle), numbers, method)
+            made.way, made.degrees = self._way(quantity.stroke), numbers.of(self.angle)
             self._made[key] = made
         return self._made[key]
 
     def _way(self, stroke: int) -> int | None:
-        if not self.crank.rubbed:
+        if not self.drive.crank.rubbed:
             return None
         if stroke not in self._ways:
-            from kurbel.motion.pushed import way_at
-
-            self._ways[stroke] = way_at(self.crank, stroke, self.angle)
+            self._ways[stroke] = way_at(self.drive, stroke, self.angle)
         return self._ways[stroke]
 
 
@@ -277,15 +193,18 @@ def typed(method: str | None) -> str:
     return "series" if method in REACH else method or "exact"
 
 
-def kernel_of(quantity: Quantity, method: str, crank: Crank) -> Callable[[At], Any]:
+def kernel_of(quantity: Quantity, method: str, drive: Any) -> Callable[[At], Any]:
     """Return the kernel's formula by a method; raise ProblemError if there is none."""
-    formulas = quantity.formulas
+    formulas, crank = quantity.formulas, drive.crank
+    if drive is not crank:
+        # Without a crosshead there is one method.
+        return formulas[LOADED if crank.loaded and LOADED in formulas else "exact"].kernel
     if crank.offset and method != "exact":
         raise ProblemError(f'method "{typed(method)}" has no formulas for an offset crank; use exact')
     if method == DIFFERENCE and quantity.needs == "time":
         return lambda at: at.numbers.of(Fraction(0))
     if method == DIFFERENCE:
-        exact, series = (kernel_of(quantity, one, crank) for one in ("exact", "series"))
+        exact, series = (kernel_of(quantity, one, drive) for one in ("exact", "series"))
         return lambda at: exact(at) - series(replace(at, first_order=True))
     if crank.loaded and LOADED in formulas:
         return formulas[LOADED].kernel
@@ -299,26 +218,32 @@ def kernel_of(quantity: Quantity, method: str, crank: Crank) -> Callable[[At], A
 def certified(
     quantity: Quantity,
     method: str,
-    crank: Crank,
+    drive: Any,
     angle: Fraction,
     decimals: int,
     rounding: str = "half-away",
 ) -> int:
-    """Return the quantity times 10**decimals at an exact angle in degrees, rounded correctly."""
-    return certified_at(quantity, method, Places(crank, angle), decimals, rounding)
+    """Return the quantity times 10**decimals at an exact angle in degrees, rounded correctly.
+
+    The path of an arc crank is an arc with an algebraic sine, hence transcendental or zero (Lindemann). sin ψ
+    is p + q cos φ + r sin φ with rational p, q, r and q² + r² < 1; where ψ is a rational number of degrees
+    that is one of 0, ±30°, ±45° and ±60° (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7). Rocker and
+    rod angles on a boundary are not excluded; `certify.rounded` then raises ProblemError.
+    """
+    return certified_at(quantity, method, Places(drive, angle), decimals, rounding)
 
 
 def certified_at(quantity: Quantity, method: str, places: Places, decimals: int, rounding: str) -> int:
     """Return the same at places that quantities share."""
 
     def at(kind: Kind) -> Any:
-        return _value_at(quantity, method, places.at(quantity.stroke, method, kind))
+        return _value_at(quantity, method, places.at(quantity, method, kind))
 
     return settled(at, decimals, rounding)
 
 
 def columns_in_balls(
-    columns: Sequence[Column], crank: Crank, angles: Sequence[Fraction], rounding: str
+    columns: Sequence[Column], drive: Any, angles: Sequence[Fraction], rounding: str
 ) -> list[list[int]]:
     """Return for each column its values times 10**decimals, rounded correctly, one for each angle.
 
@@ -326,7 +251,7 @@ def columns_in_balls(
     """
     rows = [
         [certified_at(one.quantity, one.method, place, one.places, rounding) for one in columns]
-        for place in (Places(crank, angle) for angle in angles)
+        for place in (Places(drive, angle) for angle in angles)
     ]
     return [list(column) for column in zip(*rows, strict=True)] if rows else [[] for _ in columns]
 

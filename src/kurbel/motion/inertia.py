@@ -8,12 +8,13 @@ from functools import cache
 from operator import methodcaller
 from typing import Any, NamedTuple
 
+from kurbel.drive.at import At
 from kurbel.drive.crank import Crank, known
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel.rod import Loaded, Masses
 from kurbel.motion.entries import OF_ROD
-from kurbel.motion.evaluation import OFFSET, At
+from kurbel.motion.evaluation import OFFSET
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
 # Of a loaded drive; others than the slide's know the same forces by these names.

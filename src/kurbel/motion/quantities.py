@@ -7,10 +7,11 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.motion.entries import Formulas, motion_entries, on_strokes, spanned, speed_entries
-from kurbel.motion.evaluation import LOADED, OFFSET, TANGENT, At
+from kurbel.motion.evaluation import LOADED, OFFSET, TANGENT
 from kurbel.page.quantity import Formula, Quantity, words
 
 if TYPE_CHECKING:
@@ -130,20 +131,14 @@ _UNIT = "_nm?$"
 def _force_entries() -> Iterator[Quantity]:
     for key, one in FORCES.items():
         shares = _unloaded(key, one.printed, one.oblique, one.closed) if one.printed else {}
-        yield from force_entries(key, one, shares, _in_newtons(key, shares))
+        yield from force_entries(key, one, shares, in_newtons(key, shares))
     ratio = "$M_d/(F R) = T/F$"
     torque = _unloaded("tangential_force", ratio, ratio, "F R sqrt((R/L)^2 + 1)")
-    yield from torque_entries(torque, _in_newtons("tangential_force", torque))
+    yield from torque_entries(torque, in_newtons("tangential_force", torque))
     yield spanned(
         "net_torque_nm", "Drehmoment nach der Zapfenreibung|Torque less the friction of the pins", "$M_R$",
-        "$M_R$ in N m", "N m", 1, {LOADED: Formula(_net_torque)}, scale=Crank.newton_metres, needs="pins",
+        "$M_R$ in N m", "N m", 1, {LOADED: Formula(At.net_torque)}, scale=Crank.newton_metres, needs="pins",
     )  # fmt: skip
-
-
-def _net_torque(at: At) -> Any:
-    from kurbel.motion.pushed import net_torque
-
-    return net_torque(at)
 
 
 def force_entries(
@@ -186,7 +181,7 @@ def _unloaded(key: str, printed: Label, oblique: Label, closed: Label) -> Formul
     return {method: Formula(call, text) for method, text in formulas.items()}
 
 
-def _in_newtons(key: str, shares: Formulas) -> Formulas:
+def in_newtons(key: str, shares: Formulas) -> Formulas:
     """Return the formulas of the force that acts at the place, with masses too, which no line holds."""
 
     def call(at: At) -> Any:
@@ -194,6 +189,6 @@ def _in_newtons(key: str, shares: Formulas) -> Formulas:
         return force.on(at.on_shaft if force.on_shaft else at.loaded)
 
     def acting(share: Formula) -> Formula:
-        return Formula(lambda at: at.acting(share.kernel(at)), share.printed)
+        return share._replace(kernel=lambda at: at.acting(share.kernel(at)))
 
     return {**{method: acting(one) for method, one in shares.items()}, LOADED: Formula(call)}

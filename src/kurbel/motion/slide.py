@@ -21,10 +21,9 @@ from kurbel.exact.numerals import Label
 from kurbel.exact.place import Place
 from kurbel.exact.terms import vanishes
 from kurbel.kernel import kinematics
-from kurbel.kernel.circle import Circle
 from kurbel.motion.captions import Formulated, drive_notes, formula_lines
 from kurbel.motion.drives import Drive
-from kurbel.motion.evaluation import LOADED, OUT, certified, typed, value
+from kurbel.motion.evaluation import LOADED, OUT, typed, value
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Column, Formula, Quantity, multiplied, words
 from kurbel.reading.where import SHARE
@@ -47,9 +46,6 @@ class SlideDrive(Drive):
     def at_dead_centre(self, stroke: int) -> Fraction | None:
         # p = 1 ± λ by every formula.
         return 1 + stroke * self.ratio if self.is_straight else None
-
-    def value(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
-        return value(quantity, self.method, self.crank, circle, numbers)
 
     def digits(
         self,
@@ -116,9 +112,6 @@ class SlideDrive(Drive):
         )
         inner = tuple(level_places(slope, bend, begin, end))
         return Course(at, slope, begin, end, ends=(rest[0], rest[1]), inner=inner)
-
-    def certified(self, quantity: Quantity, degrees: Fraction, decimals: int, rounding: str) -> int:
-        return certified(quantity, self.method, self.crank, degrees, decimals, rounding)
 
     def asked(self, quantity: str, stroke: int) -> Quantity:
         """Return what a condition is about: of the rod angle its sine."""

@@ -17,8 +17,8 @@ from kurbel.kernel.circle import circle
 from kurbel.kernel.kinematics import dead_centre_sine, rod_sine
 from kurbel.linkage.arc.quantities import arc_registry
 from kurbel.linkage.arc.rocker import RockerCrank
-from kurbel.linkage.linkage import Linkage, Stand, value
-from kurbel.motion.evaluation import OUT, RETURN
+from kurbel.linkage.linkage import Linkage, Stand
+from kurbel.motion.evaluation import OUT, RETURN, value
 from kurbel.page.steps import Joint, Line, Link, Point, Scene
 
 # In crank radii. Drawn to scale beside a longer rod the crank is too small to be seen.
@@ -108,7 +108,7 @@ class Rocker(Swung):
         self.outer = self.at(180 + float(crank.dead_angle(RETURN, floats())))
 
     def at(self, angle: float) -> Position:
-        turn = float(value(arc_registry()["rocker"], self.crank, circle(angle), floats()))
+        turn = float(value(arc_registry()["rocker"], "exact", self.crank, circle(angle), floats()))
         side = 1 if self.crank.curvature > 0 else -1
         across, along = math.sin(math.radians(turn)), math.cos(math.radians(turn))
         x, y = self.pivot

@@ -7,13 +7,13 @@ from fractions import Fraction
 from math import isqrt
 from typing import Any, ClassVar
 
+from kurbel.drive.at import At
 from kurbel.drive.crank import LONGEST_ROD, Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Circle
 from kurbel.linkage.arc.direct import direct
 from kurbel.linkage.arc.rocker import STROKE, RockerCrank
-from kurbel.linkage.linkage import At
 from kurbel.page.quantity import Quantity, Words, words
 from kurbel.reading.notation import about
 
@@ -80,9 +80,13 @@ class ArcCrank(RockerCrank):
             stroke * self.shift,
         )
 
-    def direct(self, quantity: Quantity, circle: Circle[Any], kind: Kind) -> At:
-        place, arc = direct(self.numbers(quantity.stroke), circle, quantity.of == STROKE, kind)
-        return At(place, self, kind, circle, arc)
+    def at(self, quantity: Quantity, circle: Circle[Any], numbers: Kind, method: str = "exact") -> At:
+        if not numbers.bounded:
+            # Without super(), which classes with slots lose.
+            return RockerCrank.at(self, quantity, circle, numbers)
+        stroke = quantity.stroke
+        place, arc = direct(self.numbers(stroke), circle, quantity.of == STROKE, numbers)
+        return At(circle, self, numbers, stroke, place=place, arc=arc)
 
     @property
     def shift(self) -> Fraction:

@@ -43,7 +43,7 @@ def with_share(own: Mapping[str, Quantity]) -> Mapping[str, Quantity]:
         heading=share.heading,
         unit=share.unit,
         names=share.names,
-        formulas={"exact": Formula(lambda at: kernel(at) / at.drive.arc_stroke(at.kind))},
+        formulas={"exact": Formula(lambda at: kernel(at) / at.drive.arc_stroke(at.numbers))},
     )
     return {"path": path, PATH_SHARE: part, **own}
 

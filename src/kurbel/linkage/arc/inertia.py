@@ -8,12 +8,12 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
+from kurbel.drive.at import At
 from kurbel.drive.crank import known
 from kurbel.exact.numerals import Label
 from kurbel.kernel.inertia.parts import Parted, parted_rocker
 from kurbel.kernel.rocker import LoadedRocker
 from kurbel.linkage.arc.rocker import RockerCrank
-from kurbel.linkage.linkage import At
 from kurbel.linkage.question import LinkageRequest, linkage_subject
 from kurbel.motion.captions import drive_notes, turns_label
 from kurbel.motion.inertia import RodForce, rod_entries
@@ -41,13 +41,13 @@ def rocker_inertia_registry() -> Mapping[str, Quantity]:
 
 
 def _parted(at: At) -> Parted:
-    masses = known(at.drive.crank.rod).masses("exact", at.kind.of)
+    masses = known(at.drive.crank.rod).masses("exact", at.numbers.of)
     return parted_rocker(at.circle, at.place, at.arc, masses)
 
 
 def _kernel(force: RodForce, model: str) -> Callable[[At], Any]:
     def kernel(at: At) -> Any:
-        masses = known(at.drive.crank.rod).masses(model, at.kind.of)
+        masses = known(at.drive.crank.rod).masses(model, at.numbers.of)
         return force.formula(LoadedRocker(at.circle, at.place, at.arc, masses))
 
     return kernel

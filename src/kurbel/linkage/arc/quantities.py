@@ -7,12 +7,11 @@ from functools import cache
 from typing import Any
 
 from kurbel.drive import spin
+from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
-from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
 from kurbel.kernel import linkage
 from kurbel.linkage.arc.rocker import STROKE
-from kurbel.linkage.linkage import At
-from kurbel.linkage.quantities import DECIMALS, FORCES, force_entries, force_formula
+from kurbel.linkage.quantities import DECIMALS, force_entries, force_formula
 from kurbel.motion.entries import OF_ROD, on_strokes, spanned
 from kurbel.page.quantity import Formula, Quantity, words
 
@@ -30,19 +29,19 @@ _ZETA, _TAU = "$ζ = φ - θ$", "$τ = ψ + θ$"
 
 
 def _turned(at: At) -> Any:
-    return 2 * at.kind.arc(linkage.path_half_sine(at.place, at.arc))
+    return 2 * at.numbers.arc(linkage.path_half_sine(at.place, at.arc))
 
 
 def _path(at: At) -> Any:
-    return _turned(at) * at.kind.pi / 180 / at.arc.curvature
+    return _turned(at) * at.numbers.pi / 180 / at.arc.curvature
 
 
 def _rocker(at: At) -> Any:
-    return 2 * at.kind.arc(linkage.rocker_half_sine(at.arc)) - _turned(at)
+    return 2 * at.numbers.arc(linkage.rocker_half_sine(at.arc)) - _turned(at)
 
 
 def _slant(at: At) -> Any:
-    return at.kind.arc(at.place.slant)
+    return at.numbers.arc(at.place.slant)
 
 
 def _of(kernel: Callable[..., Any], *said: Any) -> Formula:
@@ -50,7 +49,7 @@ def _of(kernel: Callable[..., Any], *said: Any) -> Formula:
 
 
 def _by_rocker(kernel: Callable[..., Any]) -> Formula:
-    return Formula(lambda at: kernel(at.place, at.arc) / at.kind.of(at.drive.rocker))
+    return Formula(lambda at: kernel(at.place, at.arc) / at.numbers.of(at.drive.rocker))
 
 
 _PATHS: dict[str, Formulas] = {
@@ -70,14 +69,6 @@ _ACCELERATION = _of(
     "$(p R)/v^2 = cos ζ {±} λ (cos^2 ζ)/(cos^3 τ) - (sin ζ {β±} β c^2/v^2) tan τ$",
     (_ZETA, _TAU, "$λ = R/L$", "$β = R/B$"),
 )
-
-
-def _loaded(force: CrankForce) -> Formula:
-    """A force with the moving masses, which no line holds."""
-    return Formula(lambda at: at.drive.loaded(at, force))
-
-
-_LOADED: Formulas = {key: _loaded(CRANK_FORCES[key]) for key in FORCES}
 
 
 @cache
@@ -190,4 +181,4 @@ def _arc_forces() -> Iterator[Quantity]:
         ),
         "radial_force": force_formula("radial_force", "$Z/F = (cos(ζ + τ))/(cos τ)$", (_ZETA, _TAU)),
     }
-    return force_entries(printed, _LOADED)
+    return force_entries(printed, masses=True)

@@ -7,8 +7,8 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any, ClassVar
 
+from kurbel.drive.at import At
 from kurbel.drive.crank import Crank, known
-from kurbel.drive.crank_forces import CrankForce
 from kurbel.drive.moved import Moved
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
@@ -18,9 +18,9 @@ from kurbel.kernel.effort.weight import Weight
 from kurbel.kernel.linkage import Arc, Place
 from kurbel.kernel.rocker import LoadedRocker
 from kurbel.kernel.rod import Masses
-from kurbel.linkage.linkage import At, Linkage
+from kurbel.linkage.linkage import Linkage
 from kurbel.motion.evaluation import OUT, RETURN
-from kurbel.page.quantity import Words
+from kurbel.page.quantity import Quantity, Words
 
 # What quantities are of that count from the dead centre where the stroke begins.
 STROKE = "stroke"
@@ -85,9 +85,10 @@ class RockerCrank(Linkage):
 
     def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
         """Return where the rod's end stands on its arc."""
-        return self.at(stroke, circle, kind).place
+        arc = self.dead_centre(stroke, kind)
+        return linkage.place(linkage.from_dead_centre(circle, arc), arc)
 
-    def at(self, stroke: int, circle: Circle[Any], kind: Kind) -> At:
+    def at(self, quantity: Quantity, circle: Circle[Any], numbers: Kind, method: str = "exact") -> At:
         """Return the same, with the dead centre.
 
         path, chord, turn, slide_path, rise, velocity and acceleration count from the dead centre where the
@@ -96,8 +97,9 @@ class RockerCrank(Linkage):
         angle of the rod from the arc's tangent, rod its angle from the slide direction, both positive as ψ of
         the straight crank.
         """
-        arc = self.dead_centre(stroke, kind)
-        return At(linkage.place(linkage.from_dead_centre(circle, arc), arc), self, kind, circle, arc)
+        arc = self.dead_centre(quantity.stroke, numbers)
+        place = linkage.place(linkage.from_dead_centre(circle, arc), arc)
+        return At(circle, self, numbers, quantity.stroke, place=place, arc=arc)
 
     def moved(self, kind: Kind, method: str) -> MovedRocker:
         """Return the drive as a turn of an engine asks it."""
@@ -113,15 +115,6 @@ class RockerCrank(Linkage):
         changed = super().of(crank)
         assert isinstance(changed, RockerCrank)
         return changed
-
-    def loaded(self, at: At, force: CrankForce) -> Any:
-        """Return a force in newtons that its masses and its force on the rocker's end call up together."""
-        crank, of = self.crank, at.kind.of
-        weights = known(crank.moving).weights(at.kind, crank.pin_acceleration(at.kind))
-        net = of(crank.force.first if crank.force else Fraction(0))
-        masses = weights.on_shaft if force.on_shaft else weights.masses
-        reciprocating = 0 if force.on_shaft else weights.reciprocating
-        return force.on(self.under(at.circle, at.place, at.arc, masses, net, reciprocating))
 
     def under(
         self, circle: Circle[Any], place: Place[Any], arc: Arc[Any], masses: Masses[Any], net: Any, own: Any

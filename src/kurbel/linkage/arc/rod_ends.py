@@ -22,7 +22,7 @@ def rod(
     drive: RockerCrank, method: str, circle: Any, kind: Kind, beside: bool
 ) -> tuple[Rod[Any], Reach[Any] | None]:
     """Return the ends of the rod at a crank angle, and its reach if points beside its axis are asked for."""
-    at = drive.direct(_WAY, circle, kind) if kind.bounded else drive.at(OUT, circle, kind)
+    at = drive.at(_WAY, circle, kind)
     place, arc = at.place, at.arc
     height = drive.figures(OUT, kind)[2]
     ends = rocker_rod(circle, place, arc, height, linkage.slide_path(place, arc))

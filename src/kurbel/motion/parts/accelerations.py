@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
 from kurbel.kernel import rod
 from kurbel.kernel.rod import Masses
-from kurbel.motion.evaluation import OFFSET, At
+from kurbel.motion.evaluation import OFFSET
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
 if TYPE_CHECKING:

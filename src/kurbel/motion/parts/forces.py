@@ -7,11 +7,12 @@ from fractions import Fraction
 from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from kurbel.drive.at import At
 from kurbel.drive.crank import Crank, known
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel.rod import Parts
-from kurbel.motion.evaluation import OFFSET, At
+from kurbel.motion.evaluation import OFFSET
 from kurbel.page.quantity import Column, Formula, Quantity, Words, words
 
 if TYPE_CHECKING:

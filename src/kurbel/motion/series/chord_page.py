@@ -8,13 +8,14 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
+from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel import kinematics
 from kurbel.kernel.series import chord
 from kurbel.motion.captions import drive_notes
-from kurbel.motion.evaluation import At, columns_in_balls
+from kurbel.motion.evaluation import columns_in_balls
 from kurbel.motion.page import MOTION, Request
 from kurbel.motion.series.chord import steps_to
 from kurbel.page.axes import Place
