@@ -12,7 +12,7 @@ from figures import figures
 from machines import machine
 
 import kurbel
-from kurbel.motion.long.columns import LongColumns
+from kurbel.motion.long import LongColumns
 
 ENGINES = (
     ("--eps=3", "--ratio=1:4", "--back=0.1", "--clearance=5%", "--exponent=1.3", "--cranks=0;77"),

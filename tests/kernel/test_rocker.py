@@ -16,7 +16,6 @@ from kurbel.kernel.circle import Circle
 from kurbel.kernel.rocker import LoadedRocker
 from kurbel.kernel.rod import Loaded, Masses, joined
 from kurbel.linkage.arc.crank import ArcCrank
-from kurbel.linkage.arc.quantities import arc_registry
 
 # mpmath has no types.
 Real = Any
@@ -58,7 +57,7 @@ def masses() -> Masses[Real]:
 
 def loaded(crank: ArcCrank, stroke: int, angle: Real, force: Real = FORCE) -> LoadedRocker:
     """The kernel's, at an angle that counts as those of the stroke do."""
-    at = crank.at(arc_registry()["path"]._replace(stroke=stroke), on_circle(angle), NUMBERS)
+    at = crank.at(stroke, on_circle(angle), NUMBERS)
     return LoadedRocker(at.circle, at.place, at.arc, masses()._replace(rocker=ROCKER), force, RECIPROCATING)
 
 

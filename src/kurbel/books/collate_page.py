@@ -169,7 +169,7 @@ def _printed_page(request: CollateRequest) -> tuple[Layout, Grid]:
     ratios = dict.fromkeys(place[1] for place in by_place)
     angles = list(dict.fromkeys(place[2] for place in by_place))
     cranks = tuple(Crank(each) for each in ratios)
-    asked = Request(layout=page, cranks=cranks, angles=angles, lang=request.lang)
+    asked = Request(layout=page, drives=cranks, angles=angles, lang=request.lang)
     columns = asked.page_columns
 
     def cell(place: Place) -> Cell:

@@ -200,7 +200,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         _, described = self.described(None, ("stroke", "force"), ("speed", "acceleration", "method"))
         names = self.names("phi,rod_force")
         return TangentRequest(
-            layout=page, cranks=described.cranks(page.ratios), columns=names, zero=self.zero_angle,
+            layout=page, drives=described.cranks(page.ratios), columns=names, zero=self.zero_angle,
             **self.printed(),
         )  # fmt: skip
 

@@ -87,12 +87,12 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
                         " out, or use --layout inertia"
                     )
             names = self.names("greatest,error_percent")
-            return ErrorsRequest(layout=page, cranks=cranks, columns=names, **self.printed())
+            return ErrorsRequest(layout=page, drives=cranks, columns=names, **self.printed())
         from kurbel.motion.page import Request
 
         question = Request(
             layout=page,
-            cranks=cranks,
+            drives=cranks,
             angles=self.angles(page),
             columns=self.names("phi,x,c,p"),
             method=self.method,

@@ -175,7 +175,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
             self.check_whole(page)
             names = self.names("order,error_x,error_c,error_p")
             return SeriesErrorsRequest(
-                layout=page, cranks=cranks, orders=self.order or ORDERS, columns=names, **self.printed()
+                layout=page, drives=cranks, orders=self.order or ORDERS, columns=names, **self.printed()
             )
         if self.says("order"):
             raise ProblemError(
@@ -186,7 +186,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
 
         names = self.names("phi,gf_1,gf_2,gf")
         return ChordRequest(
-            layout=page, cranks=cranks, angles=self.angles(page), columns=names, zero=self.zero_angle,
+            layout=page, drives=cranks, angles=self.angles(page), columns=names, zero=self.zero_angle,
             **self.printed(),
         )  # fmt: skip
 

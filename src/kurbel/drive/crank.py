@@ -63,11 +63,10 @@ class Crank:
         """Return the drive with what else is known of its crank, as of other drives."""
         return crank
 
-    def at(self, quantity: Any, circle: Any, numbers: Kind, method: str = "exact") -> At:
-        """Return the place that a quantity is asked for at, as other drives do."""
+    def at(self, stroke: int, circle: Any, numbers: Kind, method: str = "exact", of: str | None = None) -> At:
+        """Return a place of the drive, as other drives do."""
         from kurbel.drive.at import At
 
-        stroke = quantity.stroke
         ratio = numbers.of(stroke * (Fraction(0) if method == "infinite" else self.ratio))
         offset = numbers.of(stroke * self.offset) if self.offset else None
         return At(circle, self, numbers, stroke, ratio, offset, method == "series")

@@ -12,10 +12,10 @@ from kurbel.engine.engine import Steam
 from kurbel.engine.quantities import EXTREMES, WHOLE, applies, engine_registry
 from kurbel.engine.request import EngineRequest
 from kurbel.exact.numerals import Number
+from kurbel.motion.page import long_records
 from kurbel.page.axes import AngleAxis, Axis, ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subject import OVER_AXES, Subject
-from kurbel.page.table import Records
 
 # What the key of a value of a card has in addition for its error.
 ERROR = "_error"
@@ -64,12 +64,6 @@ def _listed() -> Iterator[tuple[str, Quantity]]:
         yield next(page.command for page in PAGES if one.of in page.of), one
 
 
-def _records(request: EngineRequest) -> Records:
-    from kurbel.motion.long import long_records
-
-    return long_records(request)
-
-
 def _subject(
     key: str,
     layout: str,
@@ -93,7 +87,7 @@ def _subject(
         marks=_marks,
         beside=errors_beside,
         listed=_listed if key == "irregularity" else tuple,
-        rows=_records if "angle" in inner else None,
+        rows=long_records if "angle" in inner else None,
         letters=True,
         limits={"expansion": Steam},
         drawn=drawn,

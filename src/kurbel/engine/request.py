@@ -23,6 +23,7 @@ from kurbel.engine.turn import turn_of
 from kurbel.errors import ProblemError
 from kurbel.motion.evaluation import PAGE_CELLS
 from kurbel.motion.mechanism import STRAIGHT, Mechanism
+from kurbel.motion.page import worthwhile
 from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words
@@ -33,7 +34,7 @@ from kurbel.reading.given import choose
 if TYPE_CHECKING:
     from kurbel.engine.assembly import Assembly
     from kurbel.engine.long.irregularity import Irregularities
-    from kurbel.motion.long.columns import LongColumns
+    from kurbel.motion.long import LongColumns
 
 # So many engines take balls as long as NumPy and its formulas take for the first.
 PAGE_ENGINES = 200
@@ -174,10 +175,9 @@ class EngineRequest(Question):
         few = PAGE_CELLS if over_angle else PAGE_ENGINES
         if len(self.page_columns) * len(self) <= few or self.carded:
             return None
-        from kurbel.motion.long import worthwhile
-
         own = "columns:EngineColumns" if over_angle else "irregularity:Irregularities"
-        return worthwhile(self, f"kurbel.engine.long.{own}")
+        found: LongColumns | Irregularities | None = worthwhile(self, f"kurbel.engine.long.{own}")
+        return found
 
     def where(self, place: Place) -> Where:
         return Where(

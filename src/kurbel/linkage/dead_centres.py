@@ -17,11 +17,12 @@ from kurbel.exact.numerals import Label, Number
 from kurbel.kernel import kinematics
 from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.motion.captions import drive_notes, turns_label
-from kurbel.motion.evaluation import NEEDS, OUT, RETURN, is_known, unknown
+from kurbel.motion.evaluation import NEEDS, OUT, RETURN
 from kurbel.motion.mechanism import Mechanism, mechanism
+from kurbel.motion.page import DriveQuestion
 from kurbel.page.axes import ColumnAxis, LetteredRatioAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, filled, words
-from kurbel.page.subject import Question, Subject
+from kurbel.page.subject import Subject
 from kurbel.reading.given import as_speed
 
 ANGLES, SHARES, LENGTHS, TIMES = 3, 4, 2, 5
@@ -53,11 +54,6 @@ WORDS: Mapping[str, Words] = {
         "|The slide direction is the vertical through the shaft; $S$ along the arc, $μ$ between rod and beam"
     ),
 }
-
-
-def crank_of(drive: Crank | RockerCrank) -> Crank:
-    """Return what is known of a drive's ratio, radius and speed."""
-    return drive if isinstance(drive, Crank) else drive.crank
 
 
 def drives_of(chosen: Mechanism, said: Described, ratios: Sequence[str]) -> tuple[Any, ...]:
@@ -111,7 +107,7 @@ class Ends(NamedTuple):
         return self._time(-1)
 
     def _time(self, sign: int) -> Any:
-        crank = crank_of(self.drive)
+        crank = self.drive.crank
         even = isinstance(self.drive, Crank) and not crank.offset
         lead = self.kind.of(Fraction(0)) if even else self.lead()
         return (180 + sign * lead) / 360 * turn_time(crank, self.kind)
@@ -123,7 +119,7 @@ class Ends(NamedTuple):
 
     def stroke_mm(self) -> Any:
         """Return the same in millimetres."""
-        return self.stroke() * crank_of(self.drive).millimetres(self.kind)
+        return self.stroke() * self.drive.crank.millimetres(self.kind)
 
     def swing(self) -> Any:
         """Return the angle in degrees through which the rocker of an arc crank swings."""
@@ -139,7 +135,7 @@ class Ends(NamedTuple):
 
     def pin_velocity(self) -> Any:
         """Return v in m/s."""
-        return crank_of(self.drive).pin_velocity(self.kind)
+        return self.drive.crank.pin_velocity(self.kind)
 
     def mean_velocity(self) -> Any:
         """Return c_m = S n/30 in m/s, the way being this drive's own."""
@@ -196,27 +192,21 @@ def _entry(
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class DeadCentresRequest(Question):
+class DeadCentresRequest(DriveQuestion):
     """What is asked for: the dead centres of drives of one mechanism, alike but for their ratios."""
 
     mechanism: str
-    drives: tuple[Any, ...]
-
-    def check(self) -> None:
-        if not self.drives:
-            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
 
     @property
-    def ratios(self) -> list[Fraction]:
-        return [crank_of(drive).ratio for drive in self.drives]
+    def moving(self) -> None:
+        return None
 
     def missing(self, quantity: Quantity) -> str:
         if quantity.needs == ROCKER:
             if self.mechanism in WORDS:
                 return ""
             return f"column {quantity.key} is of a rocker; add --mechanism arc, for example with --rocker 6"
-        cranks = [crank_of(drive) for drive in self.drives]
-        return "" if all(is_known(quantity, crank) for crank in cranks) else unknown(quantity)
+        return super().missing(quantity)
 
 
 def _number(question: DeadCentresRequest, column: Column, place: Place, times: int) -> Number:
@@ -246,7 +236,7 @@ def _notes(question: DeadCentresRequest) -> Iterator[Label]:
 
 def _sizes(question: DeadCentresRequest, drive: Crank | RockerCrank) -> Iterator[Label]:
     """Yield the lines with what was given of a drive beside its ratio."""
-    crank, lang = crank_of(drive), question.lang
+    crank, lang = drive.crank, question.lang
     if isinstance(drive, RockerCrank):
         moved: Any = mechanism(question.mechanism)
         yield ", ".join(moved.speech.links(drive))

@@ -13,7 +13,7 @@ from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
-from kurbel.page.quantity import Quantity, Words
+from kurbel.page.quantity import Words
 
 Point = tuple[float, float]
 
@@ -68,10 +68,12 @@ class Linkage(ABC):
     def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
         """Return where the driven end is: its way, its velocity, the slants of rod and crank against it."""
 
-    def at(self, quantity: Quantity, circle: Circle[Any], numbers: Kind, method: str = "exact") -> At:
-        """Return what the kernel calls of a quantity take."""
-        place = self.place(quantity.stroke, circle, numbers)
-        return At(circle, self, numbers, quantity.stroke, place=place)
+    def at(
+        self, stroke: int, circle: Circle[Any], numbers: Kind, method: str = "exact", of: str | None = None
+    ) -> At:
+        """Return what kernel calls take. What quantities are `of`, where that is known, may choose formulas
+        with few roots for them."""
+        return At(circle, self, numbers, stroke, place=self.place(stroke, circle, numbers))
 
     def outline(self) -> Outline | None:
         """Return what it is seen as from its side, unless a drawing of its own knows."""

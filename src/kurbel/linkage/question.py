@@ -5,48 +5,34 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from kurbel.drive.crank import Crank, check_angles
+from kurbel.drive.crank import Crank
 from kurbel.drive.mechanisms import LINKAGES, MECHANISMS
-from kurbel.errors import ProblemError
-from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Label, Number
-from kurbel.kernel.circle import circle
 from kurbel.linkage.quantities import FORCE
 from kurbel.motion.captions import direction_notes, drive_notes, force_notes, moving_notes, turns_label
-from kurbel.motion.evaluation import NEEDS, PAGE_CELLS, certified, needed, value
-from kurbel.motion.page import CURVES, AngleQuestion, check_pairs
+from kurbel.motion.evaluation import NEEDS, certified
+from kurbel.motion.page import CURVES, AngleQuestion, check_pairs, long_records
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Formula, Quantity, Words, enumerated, filled, for_ratio
 from kurbel.page.subject import Subject
-from kurbel.page.table import Records
 
 if TYPE_CHECKING:
     from kurbel.motion.drives import Drive
-    from kurbel.motion.long.columns import LongColumns
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class LinkageRequest(AngleQuestion):
     """What is asked for of these drives, alike but for their ratios, at these angles."""
 
-    drives: tuple[Any, ...]
-
     def check(self) -> None:
-        check_angles(self.angles)
-        if not self.drives:
-            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
+        super().check()
         check_pairs(self.layout, f"{self.subject.key}s")
 
     def too_long(self) -> str:
         return f"the table has {len(self)} rows"
-
-    @property
-    def ratios(self) -> list[Fraction]:
-        return [drive.crank.ratio for drive in self.drives] if "ratio" in self.subject.axes else []
 
     @property
     def moving(self) -> tuple[str, Any]:
@@ -54,30 +40,12 @@ class LinkageRequest(AngleQuestion):
         own = (name for name in LINKAGES if MECHANISMS[name].subject == self.subject.key)
         return next(own, "parallel"), self.drives[0]
 
-    def missing(self, quantity: Quantity) -> str:
-        return super().missing(quantity) or needed(quantity, [drive.crank for drive in self.drives])
-
-    @cached_property
-    def long(self) -> LongColumns | None:
-        if len(self.page_columns) * len(self) <= PAGE_CELLS:
-            return None
-        from kurbel.motion.long import worthwhile
-
-        return worthwhile(self, "kurbel.linkage.long:LinkageColumns")
-
     def solved(self) -> tuple[Drive, ...]:
         from kurbel.motion.mechanism import mechanism
 
         chosen = mechanism(self.moving[0])
         of_motion = self.subject.key == chosen.subject and chosen.conditions()
         return chosen.solved(self.drives, None) if of_motion else ()
-
-    def curves(self, degrees: Any) -> list[list[Any]]:
-        at, kind = circle(degrees), floats()
-        return [
-            [value(column.quantity, "exact", drive, at, kind) for drive in self.drives]
-            for column in self.page_columns
-        ]
 
 
 def linkage_subject(
@@ -107,16 +75,10 @@ def linkage_subject(
         caption=caption or captioned,
         notes=notes,
         listed=listed,
-        rows=_records,
+        rows=long_records,
         options=NEEDS,
         drawn=CURVES,
     )
-
-
-def _records(question: LinkageRequest) -> Records:
-    from kurbel.motion.long import long_records
-
-    return long_records(question)
 
 
 def _number(question: LinkageRequest, column: Column, place: Place, times: int) -> Number:

@@ -27,6 +27,7 @@ from kurbel.exact.certify import (
 from kurbel.exact.course import Course
 from kurbel.exact.jet import Jet, ball_jets, jets
 from kurbel.exact.kind import Kind, balls, surds
+from kurbel.exact.level import level_places
 from kurbel.exact.numerals import Label
 from kurbel.exact.place import SQUARE, Centre, Place, exact_place
 from kurbel.exact.surd import Field, SecondRootError, Surd
@@ -207,23 +208,44 @@ class Drive(ABC):
 
     def _course(self, quantity: str, stroke: int) -> Course:
         one = self.asked(quantity, stroke)
-
-        def at(half_turns: arb) -> Any:
-            return self.value(one, half_turn_circle(half_turns), balls())
-
-        def slope(half_turns: arb) -> Any:
-            return self.value(one, ball_jets(half_turns), balls()).slope * pi()
-
-        begin, end = self.ends(stroke)
         jet = self.jet(one)
         if jet is None and not one.rises:
             raise ProblemError(
                 f"conditions on {quantity} are not solved{self.where}: nothing proves where it rises and"
                 " where it falls; solve for a quantity with fewer roots"
             )
+        begin, end = self.ends(stroke)
+        at, slope, _ = self._slopes(one)
         if jet is None:
             return self.unclosed(one, Course(at, slope, begin, end))
         return Course(at, slope, begin, end, jet.value, jet.slope)
+
+    def _slopes(self, quantity: Quantity) -> tuple[Callable[[arb], Any], ...]:
+        """Return a quantity, its slope and the slope of that, over half turns in balls."""
+
+        def at(half_turns: arb) -> Any:
+            return self.value(quantity, half_turn_circle(half_turns), balls())
+
+        def jet(half_turns: arb) -> Any:
+            return self.value(quantity, ball_jets(half_turns), balls())
+
+        def slope(half_turns: arb) -> Any:
+            return jet(half_turns).slope * pi()
+
+        def bend(half_turns: arb) -> Any:
+            return jet(half_turns).bend * pi() * pi()
+
+        return at, slope, bend
+
+    def by_balls(self, quantity: Quantity, stroke: int, *at_rest: str) -> Course:
+        """Return the course of a quantity, proved by balls where it rises and falls: all zeros of its slope
+        are enclosed. At dead centres those `at_rest` are known to be zero, and what balls know to be so."""
+        at, slope, bend = self._slopes(quantity)
+        begin, end = self.ends(stroke)
+        zero = quantity.key in at_rest
+        first, last = (Fraction(0) if zero or at(place.half_turns()) == 0 else None for place in (begin, end))
+        inner = tuple(level_places(slope, bend, begin, end))
+        return Course(at, slope, begin, end, ends=(first, last), inner=inner)
 
 
 def ties_at(place: Place, surd: Surd | None, times: Fraction = ONE) -> TieBits | None:

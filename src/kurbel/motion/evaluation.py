@@ -142,7 +142,7 @@ def value(
     The circle is that of φ, on the return of φ less 180°. A time takes the angle in `degrees`, friction which
     `way` the piston goes, where it rests.
     """
-    at: At = drive.at(quantity, circle, numbers, method)
+    at: At = drive.at(quantity.stroke, circle, numbers, method, quantity.of)
     at.degrees, at.way = degrees, way
     return _value_at(quantity, method, at)
 
@@ -166,7 +166,9 @@ class Places:
         key = (quantity.stroke, method, id(numbers), quantity.of if numbers.bounded else None)
         # A place holds its kind of number, so that no other has its id.
         if key not in self._made:
-            made: At = self.drive.at(quantity, numbers.circle(self.angle), numbers, method)
+            made: At = self.drive.at(
+                quantity.stroke, numbers.circle(self.angle), numbers, method, quantity.of
+            )
             made.way, made.degrees = self._way(quantity.stroke), numbers.of(self.angle)
             self._made[key] = made
         return self._made[key]

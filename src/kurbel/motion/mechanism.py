@@ -166,7 +166,7 @@ class StraightCrank(Mechanism):
     def question(self, drives: Sequence[Crank], method: str | None = None, **asked: Any) -> Request:
         from kurbel.motion.page import Request
 
-        return Request(cranks=tuple(drives), method=method, **asked)
+        return Request(drives=tuple(drives), method=method, **asked)
 
     def solved(self, drives: Sequence[Crank], method: str | None) -> tuple[SlideDrive, ...]:
         from kurbel.motion.slide import slide_drives

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -11,19 +10,23 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.crank import Crank, check_angles, ends
 from kurbel.errors import ProblemError
+from kurbel.exact.kind import Kind, floats
 from kurbel.exact.numerals import Label, Number
+from kurbel.kernel.circle import Circle, circle
 from kurbel.motion import captions
 from kurbel.motion.evaluation import (
     DIFFERENCE,
     LOADED,
     NEEDS,
     OUT,
+    PAGE_CELLS,
     RETURN,
     STROKES,
     columns_in_balls,
     fits_page,
     needed,
     typed,
+    value,
 )
 from kurbel.motion.quantities import effort_keys, registry
 from kurbel.page.axes import (
@@ -41,36 +44,44 @@ from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Records, Value
+from kurbel.reading.given import found_at
 from kurbel.reading.notation import ratio_text
 
 if TYPE_CHECKING:
     from kurbel.motion.drives import Drive
+    from kurbel.motion.long import LongColumns
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class CrankQuestion(Question):
-    """What is asked for of these cranks."""
+class DriveQuestion(Question):
+    """What is asked for of these drives, alike but for their ratios."""
 
-    cranks: tuple[Crank, ...]
+    drives: tuple[Any, ...]
 
     def check(self) -> None:
-        if not self.cranks:
+        if not self.drives:
             raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
 
     @property
-    def ratios(self) -> list[Fraction]:
-        return [crank.ratio for crank in self.cranks]
+    def cranks(self) -> tuple[Crank, ...]:
+        """What is known of the cranks."""
+        return tuple(one.crank for one in self.drives)
 
     @property
-    def moving(self) -> tuple[str, Any]:
-        return "straight", self.cranks[0]
+    def ratios(self) -> list[Fraction]:
+        """The ratios of the drives, where they have one."""
+        return [crank.ratio for crank in self.cranks] if "ratio" in self.subject.axes else []
+
+    @property
+    def moving(self) -> tuple[str, Any] | None:
+        return "straight", self.drives[0]
 
     def missing(self, quantity: Quantity) -> str:
         return super().missing(quantity) or needed(quantity, self.cranks)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class AngleQuestion(Question, ABC):
+class AngleQuestion(DriveQuestion):
     """What is asked for of drives at crank angles.
 
     Both strokes stand side by side from 0° to 180°, each from the dead centre where it begins. A page of
@@ -81,19 +92,37 @@ class AngleQuestion(Question, ABC):
     angles: Sequence[Fraction]
     whole_turns: bool = False
 
+    def check(self) -> None:
+        check_angles(self.angles)
+        super().check()
+
     @property
-    @abstractmethod
-    def ratios(self) -> list[Fraction]:
-        """The ratios of the drives, where they have one."""
+    def places(self) -> list[dict[str, int]]:
+        """The places on all axes but those of angles and columns, in the order of records."""
+        return [{"ratio": drive} for drive in range(len(self.drives))]
+
+    def value(self, column: Column, place: Mapping[str, int], point: Circle[Any], kind: Kind) -> Any:
+        """Return a column on any kind of number, NotImplemented where it has no such formulas."""
+        return value(column.quantity, "exact", self.drives[place.get("ratio", 0)], point, kind)
+
+    def curves(self, degrees: Any) -> list[list[Any]]:
+        """Return the values of every column for every drive at an array of angles, in arrays of floats."""
+        point, kind = circle(degrees), floats()
+        return [
+            [self.value(column, place, point, kind) for place in self.places] for column in self.page_columns
+        ]
+
+    @cached_property
+    def long(self) -> LongColumns | None:
+        if len(self.page_columns) * len(self) <= PAGE_CELLS:
+            return None
+        found: LongColumns | None = worthwhile(self, "kurbel.motion.long:AngleColumns")
+        return found
 
     @property
     def told(self) -> list[tuple[Label, ...]]:
         """What tells the drives of curves from each other."""
         return [(f"$R:L = {ratio_text(ratio)}$",) for ratio in self.ratios] or [()]
-
-    @abstractmethod
-    def curves(self, degrees: Any) -> list[list[Any]]:
-        """Return the values of every column for every drive at an array of angles, in arrays of floats."""
 
     def solved(self) -> tuple[Drive, ...]:
         """Return the drives as conditions see them, none where these know nothing of the page."""
@@ -152,7 +181,7 @@ def check_pairs(layout: Layout, drives: str) -> None:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Request(CrankQuestion, AngleQuestion):
+class Request(AngleQuestion):
     """What is asked for of these cranks at these angles. `method` None leaves it to the layout.
 
     By the method of the infinite rod all ratios are 1:∞, but for a page that also has other formulas.
@@ -163,7 +192,6 @@ class Request(CrankQuestion, AngleQuestion):
     no_column = "--columns names no quantity; add one, for example --columns phi,x,c,p"
 
     def check(self) -> None:
-        check_angles(self.angles)
         super().check()
         if self.method and self.layout.fixed:
             raise ProblemError(
@@ -179,7 +207,7 @@ class Request(CrankQuestion, AngleQuestion):
                 raise ProblemError("a time is that of a crank that turns evenly; leave --acceleration out")
         if self.method == "infinite" and all(column.method is None for column in self.layout.columns):
             cranks = (replace(crank, ratio=Fraction(0)) for crank in self.cranks)
-            object.__setattr__(self, "cranks", tuple(dict.fromkeys(cranks)))
+            object.__setattr__(self, "drives", tuple(dict.fromkeys(cranks)))
 
     @property
     def _plain(self) -> str:
@@ -268,6 +296,17 @@ class Request(CrankQuestion, AngleQuestion):
         return [list(of_cranks) for of_cranks in zip(*found, strict=True)]
 
 
+def worthwhile(question: Question, columns: str) -> Any:
+    """Return the long columns of a question, by the place of their class; None where there is no NumPy or
+    floats would settle too few digits."""
+    from kurbel.motion.bulk import has_arrays
+
+    if not has_arrays():
+        return None
+    found = found_at(columns)(question)
+    return found if found.is_worth() else None
+
+
 CHUNK = 1 << 15
 # What draws whatever has curves over the crank angle.
 CURVES = "kurbel.plot.curves:over_angle"
@@ -277,6 +316,16 @@ def motion_records(question: Request) -> Records:
     """Return one record for each ratio and angle."""
     fields = records_of(question).fields
     return Records(fields, RecordRows(question, [field.key for field in fields]))
+
+
+def long_records(question: Any) -> Records:
+    """Return the records over the crank angle, in chunks where long columns are worth it."""
+    records = records_of(question)
+    if question.long is None:
+        return records
+    from kurbel.motion.long import LongRows
+
+    return records._replace(rows=LongRows(question, [field.key for field in records.fields]))
 
 
 class Chunk(NamedTuple):

@@ -8,15 +8,12 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from flint import arb
-
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import NEVER_TIES, half_turn_circle, pi, rounded
+from kurbel.exact.certify import NEVER_TIES, half_turn_circle, rounded
 from kurbel.exact.course import Course
-from kurbel.exact.jet import Jet, ball_jets
+from kurbel.exact.jet import Jet
 from kurbel.exact.kind import Kind, balls
-from kurbel.exact.level import level_places
 from kurbel.exact.numerals import Label
 from kurbel.exact.place import Place
 from kurbel.exact.terms import vanishes
@@ -27,6 +24,9 @@ from kurbel.motion.evaluation import LOADED, OUT, typed, value
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Column, Formula, Quantity, multiplied, words
 from kurbel.reading.where import SHARE
+
+# What is zero at dead centres where all acts along the slide.
+TURNING = ("torque_nm", "tangential_force_n")
 
 
 class SlideDrive(Drive):
@@ -90,28 +90,9 @@ class SlideDrive(Drive):
         one = self.asked(quantity, stroke)
         if not self._is_loaded(one):
             return super()._course(quantity, stroke)
-
-        def at(half_turns: arb) -> Any:
-            return self.value(one, half_turn_circle(half_turns), balls())
-
-        def jet(half_turns: arb) -> Any:
-            return self.value(one, ball_jets(half_turns), balls())
-
-        def slope(half_turns: arb) -> Any:
-            return jet(half_turns).slope * pi()
-
-        def bend(half_turns: arb) -> Any:
-            return jet(half_turns).bend * pi() * pi()
-
-        begin, end = self.ends(stroke)
         # In a dead centre what acts on the piston has no torque; across that of the straight crank nothing
         # acts, and balls know it.
-        turning = one.key in ("torque_nm", "tangential_force_n") and self._is_pushed_alone
-        rest = tuple(
-            Fraction(0) if turning or at(place.half_turns()) == 0 else None for place in (begin, end)
-        )
-        inner = tuple(level_places(slope, bend, begin, end))
-        return Course(at, slope, begin, end, ends=(rest[0], rest[1]), inner=inner)
+        return self.by_balls(one, stroke, *(TURNING if self._is_pushed_alone else ()))
 
     def asked(self, quantity: str, stroke: int) -> Quantity:
         """Return what a condition is about: of the rod angle its sine."""

@@ -57,7 +57,7 @@ def over_path(question: PathRequest, wish: Wish) -> Picture:
     refuse(wish, polar="a polar diagram is over the turn; leave --polar or --over path out")
     chosen = mechanism(question.mechanism)
     forces = question.subject.key == "forces over path"
-    drives = tuple(getattr(one, "drive", one.crank) for one in question.drives)
+    drives = tuple(one.drive for one in question.drives)
     asked = chosen.question(
         drives,
         question.method,
@@ -75,8 +75,7 @@ def of_turn(question: AngleQuestion, wish: Wish) -> Picture:
     chosen, asked = mechanism(question.moving[0] if question.moving else "straight"), unfolded(question)
     if not (chosen.conditions() and asked.solved()):
         raise ProblemError(f"{asked.subject.key} are drawn over the crank angle; leave --over-path out")
-    drives: Any = getattr(asked, "drives", None) or getattr(asked, "cranks", ())
-    keys = names_over(chosen, drives, asked.page_columns, bool(question.columns))
+    keys = names_over(chosen, asked.drives, asked.page_columns, bool(question.columns))
     return _picture(replace(asked, columns=keys), wish)
 
 

@@ -12,8 +12,7 @@ from kurbel.engine.quantities import Where, value
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.speed.run import Run, run_of
 from kurbel.engine.turn import Turn
-from kurbel.motion.long.columns import LongColumns
-from kurbel.motion.long.places import Places
+from kurbel.motion.long import LongColumns, Places
 from kurbel.page.axes import Place
 from kurbel.page.quantity import Column
 

@@ -17,7 +17,7 @@ from kurbel.exact.bulk import Integers
 from kurbel.exact.enclosures.enclosure import Enclosure, Floats
 from kurbel.exact.enclosures.functions import ENCLOSURES, enclosed, half_turn_circle
 from kurbel.kernel.circle import Circle
-from kurbel.motion.long.places import Angle, Places, quotient
+from kurbel.motion.long import Angle, Places, quotient
 
 Value = Callable[[Cylinder, int, Any], Any]
 

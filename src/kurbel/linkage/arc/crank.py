@@ -14,7 +14,7 @@ from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Circle
 from kurbel.linkage.arc.direct import direct
 from kurbel.linkage.arc.rocker import STROKE, RockerCrank
-from kurbel.page.quantity import Quantity, Words, words
+from kurbel.page.quantity import Words, words
 from kurbel.reading.notation import about
 
 # Lengths in a message are multiples of 1/_STEPS R, rounded so that a length changed by as much will do.
@@ -80,12 +80,13 @@ class ArcCrank(RockerCrank):
             stroke * self.shift,
         )
 
-    def at(self, quantity: Quantity, circle: Circle[Any], numbers: Kind, method: str = "exact") -> At:
-        if not numbers.bounded:
+    def at(
+        self, stroke: int, circle: Circle[Any], numbers: Kind, method: str = "exact", of: str | None = None
+    ) -> At:
+        if of is None or not numbers.bounded:
             # Without super(), which classes with slots lose.
-            return RockerCrank.at(self, quantity, circle, numbers)
-        stroke = quantity.stroke
-        place, arc = direct(self.numbers(stroke), circle, quantity.of == STROKE, numbers)
+            return RockerCrank.at(self, stroke, circle, numbers)
+        place, arc = direct(self.numbers(stroke), circle, of == STROKE, numbers)
         return At(circle, self, numbers, stroke, place=place, arc=arc)
 
     @property

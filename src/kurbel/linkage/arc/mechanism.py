@@ -40,7 +40,7 @@ class RockerMechanism(LinkageMechanism):
     motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
     drawing = "kurbel.plot.drawings:arc_drawing"
     moving = "kurbel.plot.moving:rocker_scene"
-    rod = "kurbel.linkage.arc.rod_ends:rod"
+    rod = "kurbel.linkage.arc.rocker:rod"
     speech: ClassVar[Speech]
     names: ClassVar[Mapping[str, str]]
 

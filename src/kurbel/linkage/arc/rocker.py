@@ -14,13 +14,14 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel import linkage, rocker
 from kurbel.kernel.circle import Circle, Number
+from kurbel.kernel.coupler.point import Reach, Rod, rocker_reach, rocker_rod
 from kurbel.kernel.effort.weight import Weight
 from kurbel.kernel.linkage import Arc, Place
 from kurbel.kernel.rocker import LoadedRocker
 from kurbel.kernel.rod import Masses
 from kurbel.linkage.linkage import Linkage
 from kurbel.motion.evaluation import OUT, RETURN
-from kurbel.page.quantity import Quantity, Words
+from kurbel.page.quantity import Words
 
 # What quantities are of that count from the dead centre where the stroke begins.
 STROKE = "stroke"
@@ -88,7 +89,9 @@ class RockerCrank(Linkage):
         arc = self.dead_centre(stroke, kind)
         return linkage.place(linkage.from_dead_centre(circle, arc), arc)
 
-    def at(self, quantity: Quantity, circle: Circle[Any], numbers: Kind, method: str = "exact") -> At:
+    def at(
+        self, stroke: int, circle: Circle[Any], numbers: Kind, method: str = "exact", of: str | None = None
+    ) -> At:
         """Return the same, with the dead centre.
 
         path, chord, turn, slide_path, rise, velocity and acceleration count from the dead centre where the
@@ -97,9 +100,9 @@ class RockerCrank(Linkage):
         angle of the rod from the arc's tangent, rod its angle from the slide direction, both positive as ψ of
         the straight crank.
         """
-        arc = self.dead_centre(quantity.stroke, numbers)
+        arc = self.dead_centre(stroke, numbers)
         place = linkage.place(linkage.from_dead_centre(circle, arc), arc)
-        return At(circle, self, numbers, quantity.stroke, place=place, arc=arc)
+        return At(circle, self, numbers, stroke, place=place, arc=arc)
 
     def moved(self, kind: Kind, method: str) -> MovedRocker:
         """Return the drive as a turn of an engine asks it."""
@@ -179,3 +182,14 @@ class MovedRocker(Moved):
             arc = self.arcs[stroke]
             self._last = (stroke, circle, linkage.place(linkage.from_dead_centre(circle, arc), arc))
         return self._last[2]
+
+
+def rod(
+    drive: RockerCrank, method: str, circle: Any, kind: Kind, beside: bool
+) -> tuple[Rod[Any], Reach[Any] | None]:
+    """Return the ends of the rod at a crank angle, and its reach if points beside its axis are asked for."""
+    at = drive.at(OUT, circle, kind, of=STROKE)
+    place, arc = at.place, at.arc
+    height = drive.figures(OUT, kind)[2]
+    ends = rocker_rod(circle, place, arc, height, linkage.slide_path(place, arc))
+    return ends, rocker_reach(circle, place, arc) if beside else None

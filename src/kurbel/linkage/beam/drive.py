@@ -7,17 +7,9 @@ Where a quantity rises and falls is therefore proved by balls: all zeros of its 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from fractions import Fraction
 from functools import cache
-from typing import Any
 
-from flint import arb
-
-from kurbel.exact.certify import half_turn_circle, pi
 from kurbel.exact.course import Course
-from kurbel.exact.jet import Jet, ball_jets
-from kurbel.exact.kind import balls
-from kurbel.exact.level import level_places
 from kurbel.exact.place import Place
 from kurbel.linkage.arc.drive import ArcDrive, with_share
 from kurbel.linkage.beam.crank import BeamCrank
@@ -56,21 +48,4 @@ class BeamDrive(ArcDrive):
         one = self.asked(quantity, stroke)
         if one.rises:
             return super()._course(quantity, stroke)
-
-        def at(half_turns: arb) -> Any:
-            return self.value(one, half_turn_circle(half_turns), balls())
-
-        def jet(half_turns: arb) -> Jet:
-            found: Jet = self.value(one, ball_jets(half_turns), balls())
-            return found
-
-        def slope(half_turns: arb) -> Any:
-            return jet(half_turns).slope * pi()
-
-        def bend(half_turns: arb) -> Any:
-            return jet(half_turns).bend * pi() * pi()
-
-        begin, end = self.ends(stroke)
-        rest = Fraction(0) if one.key in AT_REST else None
-        inner = tuple(level_places(slope, bend, begin, end))
-        return Course(at, slope, begin, end, ends=(rest, rest), inner=inner)
+        return self.by_balls(one, stroke, *AT_REST)

@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from kurbel.drive.crank import check_angles
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.exact.numerals import Label, Number
-from kurbel.kernel.circle import circle
-from kurbel.motion.evaluation import NEEDS, PAGE_CELLS, needed
-from kurbel.motion.page import CURVES, AngleQuestion, check_pairs
+from kurbel.kernel.circle import Circle, circle
+from kurbel.motion.evaluation import NEEDS
+from kurbel.motion.page import CURVES, AngleQuestion, check_pairs, long_records
 from kurbel.motion.points import captions
 from kurbel.motion.points.digits import Ends, Moved
 from kurbel.motion.points.direction import continued
@@ -24,10 +22,9 @@ from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Subject
-from kurbel.page.table import Field, Records
+from kurbel.page.table import Field
 
 if TYPE_CHECKING:
-    from kurbel.motion.long.columns import LongColumns
     from kurbel.motion.mechanism import Mechanism
     from kurbel.page.steps import Scene
 
@@ -41,14 +38,11 @@ class PointsRequest(AngleQuestion):
     angles. By the method of the infinite rod all ratios are 1:∞."""
 
     mechanism: Mechanism
-    drives: tuple[Any, ...]
     points: tuple[Point, ...]
     method: str | None = None
 
     def check(self) -> None:
-        check_angles(self.angles)
-        if not self.drives:
-            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
+        super().check()
         check_pairs(self.layout, "points of the rod")
         if self.method == "infinite":
             drives = (replace(one, ratio=Fraction(0)) for one in self.drives)
@@ -80,15 +74,6 @@ class PointsRequest(AngleQuestion):
         return SUBJECT if self.has_ratio else RODLESS
 
     @property
-    def ratios(self) -> list[Fraction]:
-        return [one.crank.ratio for one in self.drives] if self.has_ratio else []
-
-    @property
-    def cranks(self) -> tuple[Any, ...]:
-        """What is known of the cranks."""
-        return tuple(one.crank for one in self.drives)
-
-    @property
     def moving(self) -> tuple[str, Any]:
         return self.mechanism.name, self.drives[0]
 
@@ -96,9 +81,6 @@ class PointsRequest(AngleQuestion):
         from kurbel.motion.points.carried import with_points
 
         return None if scene is None else with_points(scene, self.points, whole and whole())
-
-    def missing(self, quantity: Quantity) -> str:
-        return needed(quantity, self.cranks)
 
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return (self.method or "exact",)
@@ -126,17 +108,12 @@ class PointsRequest(AngleQuestion):
     def told(self) -> list[tuple[Label, ...]]:
         return [(*drive, one.label) for drive in super().told for one in self.points]
 
+    def value(self, column: Column, place: Mapping[str, int], point: Circle[Any], kind: Kind) -> Any:
+        return self.moved(place).value(column.quantity, point, kind)
+
     def curves(self, degrees: Any) -> list[list[Any]]:
-        at, kind, moved = circle(degrees), floats(), [self.moved(place) for place in self.places]
-        return [[_curve(column.quantity, one, at, kind) for one in moved] for column in self.page_columns]
-
-    @cached_property
-    def long(self) -> LongColumns | None:
-        if len(self.page_columns) * len(self) <= PAGE_CELLS:
-            return None
-        from kurbel.motion.long import worthwhile
-
-        return worthwhile(self, "kurbel.motion.points.long:PointColumns")
+        point, kind, moved = circle(degrees), floats(), [self.moved(place) for place in self.places]
+        return [[_curve(column.quantity, one, point, kind) for one in moved] for column in self.page_columns]
 
 
 def _without_ratio(page: Layout) -> Layout:
@@ -172,12 +149,6 @@ def _curve(quantity: Quantity, moved: Moved, at: Any, kind: Kind) -> Any:
     return continued(values, moved.value(amount, at, kind))
 
 
-def _records(question: PointsRequest) -> Records:
-    from kurbel.motion.long import long_records
-
-    return long_records(question)
-
-
 def _number(question: PointsRequest, column: Column, place: Place, times: int) -> Number | None:
     moved, angle = question.moved(place), question.angles[place["angle"]]
     scaled = moved.certified(column.quantity, angle, column.places, question.rounding)
@@ -194,7 +165,7 @@ SUBJECT = Subject(
     number=_number,
     caption=captions.caption,
     notes=captions.notes,
-    rows=_records,
+    rows=long_records,
     options=NEEDS,
     drawn=CURVES,
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import cached_property
 from itertools import product
 from math import lcm
 from typing import Any
@@ -15,12 +16,15 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.bulk import Integers
 from kurbel.exact.enclosures.digits import column as enclosed_column
 from kurbel.exact.enclosures.digits import is_worth, settled
-from kurbel.exact.enclosures.enclosure import Enclosure
+from kurbel.exact.enclosures.enclosure import UNIT, Enclosure
+from kurbel.exact.enclosures.functions import ENCLOSURES, half_turn_circle
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Number
+from kurbel.kernel.circle import Circle
+from kurbel.motion.bulk import integer_angles
 from kurbel.motion.evaluation import MOST_DECIMALS
-from kurbel.motion.long.places import Places
 from kurbel.motion.page import CHUNK, Chunk, RecordRows
+from kurbel.motion.points.quantities import DIRECTION
 from kurbel.page.axes import Axis, Place
 from kurbel.page.quantity import Column
 from kurbel.page.table import Value
@@ -33,6 +37,51 @@ LARGEST_NUMERATOR = 2**50
 # With the rod steeper than that, |sin ψ|, numbers may grow between two probes by more than a million times,
 # for which integers of 64 bits have room.
 STEEPEST, LEAST_TRANSMISSION = Fraction(9999, 10000), 1.0
+
+
+class Angle(Enclosure):
+    """Half turns whose circle is computed once for all that is asked of them."""
+
+    __slots__ = ("__dict__",)
+
+    @cached_property
+    def circle(self) -> Circle[Enclosure]:
+        return half_turn_circle(self)
+
+
+class Places:
+    """A run of crank angles, as exact half turns: integers over one denominator. What is asked of them more
+    than once is `kept`."""
+
+    def __init__(self, angles: Progression) -> None:
+        numerators, denominator = integer_angles(angles)
+        self.numerators, self.denominator = numerators, 180 * denominator
+        self.kept: dict[Any, Any] = {}
+
+    def __len__(self) -> int:
+        return len(self.numerators)
+
+    @property
+    def half_turns(self) -> Enclosure:
+        return quotient(self.numerators, self.denominator)
+
+    @cached_property
+    def angle(self) -> Angle:
+        """The half turns within a turn."""
+        found = quotient(*self.since(Fraction(0), 2))
+        return Angle(found.value, found.error)
+
+    def since(self, start: Fraction, cycle: int) -> tuple[Integers, int]:
+        """Return the half turns since a start, within a cycle, as numerators and their denominator."""
+        denominator = lcm(self.denominator, start.denominator)
+        gone = self.numerators * (denominator // self.denominator) - int(start * denominator)
+        return gone % (cycle * denominator), denominator
+
+
+def quotient(numerators: Integers, denominator: int) -> Enclosure:
+    """Return exact fractions; both are below 2**53, so that the division alone rounds."""
+    value = numerators / denominator
+    return Enclosure(value, abs(value) * UNIT)
 
 
 class LongColumns(ABC):
@@ -129,6 +178,21 @@ class LongColumns(ABC):
     def decimals(self, one: Column, place: Place) -> int:
         """Return the decimals of a column, of what is one number of the turn those that it has."""
         return self.exactly(one, place, 0).decimals if self.is_constant(one) else one.places
+
+
+class AngleColumns(LongColumns):
+    """The columns of a question about drives over the crank angle."""
+
+    def starts(self) -> Iterator[Fraction]:
+        yield Fraction(0)
+
+    def drives(self) -> Iterator[Any]:
+        yield from self.question.drives
+
+    def value(self, one: Column, place: Place, places: Places) -> Any:
+        if one.quantity.of == DIRECTION:
+            return NotImplemented
+        return self.question.value(one, place, places.angle.circle, ENCLOSURES)
 
 
 def _is_steep(drive: Any) -> bool:
