@@ -329,11 +329,9 @@ def double(house: House, tmp_path_factory: pytest.TempPathFactory) -> Iterator[H
     """The yoke with a stroke, a ratio and a letter of its own."""
     double = House(tmp_path_factory.mktemp("double") / "copy", house.folder)
     changed = {
-        "src/kurbel/linkage/yoke/quantities.py": {
+        "src/kurbel/linkage/yoke.py": {
             '"$x/R = 1 - cos φ$")': '"$x/R = 1 - cos φ$", ("$φ$ von innen",))',
-        },
-        "src/kurbel/linkage/yoke/yoke.py": {"    def outline(": '    stroke = "4 R"\n\n    def outline('},
-        "src/kurbel/linkage/yoke/mechanism.py": {
+            "    def outline(": '    stroke = "4 R"\n\n    def outline(',
             "quantities=yoke_registry,": "quantities=yoke_registry, ratios=True,",
             "def drives(": 'takes = ("ratio",)\n\n    def drives(',
             "return (Yoke(said.rodless),)": "return tuple(map(Yoke, said.cranks(ratios)))",

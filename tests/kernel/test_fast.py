@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 
 from kurbel.exact import bulk
 from kurbel.exact.bulk import evaluate
-from kurbel.kernel import forces, kinematics, parallel
+from kurbel.kernel import forces, kinematics, linkage
 from kurbel.kernel.circle import circle
 from kurbel.kernel.fast import loops, worth
+from kurbel.kernel.fast.loops import traceable, written
 from kurbel.kernel.fast.trace import UntraceableError
-from kurbel.kernel.fast.written import traceable, written
 
 RANDOM = np.random.default_rng(1781)
 
@@ -33,7 +33,7 @@ FORMULAS: list[Callable[[Any, Any], Any]] = [
     forces.rod_force,
     forces.guide_force,
     forces.radial_force,
-    lambda point, ratio: parallel.coupler(point).rise_acceleration,
+    lambda point, ratio: linkage.coupler(point).rise_acceleration,
 ]
 
 

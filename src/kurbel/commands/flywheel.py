@@ -16,7 +16,7 @@ from kurbel.commands.parts.press import Press
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.parts.wheel import PLAIN, Body, Rim, Swing, Wheel
 from kurbel.commands.subject import function
-from kurbel.drive.flywheel import Flywheel, check_irregularity
+from kurbel.drive.wheel import Flywheel, check_irregularity
 from kurbel.engine.captions import caption, engine_notes
 from kurbel.engine.diagram.areas import Areas
 from kurbel.engine.diagram.fluctuation import Fluctuation

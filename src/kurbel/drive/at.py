@@ -17,7 +17,7 @@ from kurbel.drive.spin import gain
 from kurbel.exact.kind import Kind, balls
 from kurbel.kernel import forces, kinematics
 from kurbel.kernel.circle import Circle
-from kurbel.kernel.effort.pins import net_torque as pin_torque
+from kurbel.kernel.effort import net_torque as pin_torque
 from kurbel.kernel.inertia.accelerations import Accelerations
 from kurbel.kernel.rod import Loaded, Masses
 

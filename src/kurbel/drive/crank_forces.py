@@ -10,7 +10,7 @@ from operator import attrgetter, methodcaller
 from typing import Any, NamedTuple
 
 from kurbel.kernel import forces
-from kurbel.kernel.effort.weight import Weight
+from kurbel.kernel.effort import Weight
 from kurbel.kernel.rod import Loaded, Masses, with_crank
 
 

@@ -123,7 +123,7 @@ def _sized(options: dict[str, Any], where: str) -> dict[str, Any]:
     """Return the options with the stroke, which a crank radius gives, too."""
     if "crank" not in options:
         return options
-    from kurbel.drive.size.given import in_strokes
+    from kurbel.drive.size import in_strokes
 
     try:
         return in_strokes(options)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from kurbel.errors import ProblemError
 from kurbel.kernel import kinematics, rod, turning
 from kurbel.kernel.circle import Circle, Number, root
-from kurbel.kernel.effort.weight import Weight, on_return, torque_slope, work
+from kurbel.kernel.effort import Weight, on_return, torque_slope, work
 from kurbel.kernel.forces import tangential_force
 from kurbel.kernel.inertia import first_order
 from kurbel.kernel.inertia.accelerations import EVEN, OF_FIRST_ORDER

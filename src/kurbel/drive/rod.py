@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from kurbel.drive.crank_forces import Weights
 from kurbel.drive.slope import Slope
 from kurbel.errors import ProblemError
-from kurbel.kernel.effort.weight import Weight
+from kurbel.kernel.effort import Weight
 from kurbel.kernel.rod import Masses, joined, rod_masses, two_masses
 from kurbel.reading.notation import about
 

@@ -1,4 +1,4 @@
-"""A flywheel that is given, and what it turns against: the speed over the turn follows from it."""
+"""A flywheel that is given, from which the speed over the turn follows, and the task that one has."""
 
 from __future__ import annotations
 
@@ -56,6 +56,34 @@ class Wheel:
             return f"the flywheel of J = {about(self.inertia)} kg m²"
         assert self.number is not None
         return f"the flywheel of m₁v₁²/(P r) = {about(self.number)}"
+
+
+@dataclass(frozen=True, slots=True)
+class Flywheel:
+    """Power in watts, None where it follows from the steam, speed, the degree of irregularity
+    δ = (v_max - v_min)/v to keep, and the radius in metres at which a mass is wanted, if one is."""
+
+    power: Fraction | None
+    speed: Speed
+    irregularity: Fraction
+    radius: Fraction | None = None
+
+    def __post_init__(self) -> None:
+        if self.power is not None:
+            _check("the power", self.power, " W")
+        _check("the speed", self.speed.value, " 1/s")
+        check_irregularity(self.irregularity)
+        if self.radius is not None:
+            _check("the radius of the flywheel", self.radius, " m")
+
+
+def check_irregularity(irregularity: Fraction) -> None:
+    """Raise ProblemError for a degree of irregularity that no flywheel can keep."""
+    if not LEAST <= irregularity < 2:
+        raise ProblemError(
+            f"degree of irregularity δ is {about(irregularity)}; it must be at least 10^-9 and below"
+            " 2, at which the flywheel would come to rest in every turn"
+        )
 
 
 def _check(what: str, value: Fraction, unit: str = "") -> None:

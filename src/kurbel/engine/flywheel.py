@@ -9,7 +9,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from kurbel.drive.flywheel import Flywheel
+from kurbel.drive.wheel import Flywheel
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Number

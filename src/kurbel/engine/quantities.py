@@ -15,7 +15,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank_forces import CRANK_FORCES
-from kurbel.drive.flywheel import Flywheel
+from kurbel.drive.wheel import Flywheel
 from kurbel.engine import flywheel
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.loads import work

@@ -9,11 +9,10 @@ from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
 from kurbel.drive.crank import check_angles
-from kurbel.drive.flywheel import Flywheel
 from kurbel.drive.load import COMPRESSOR, GAS, LOADS, PUMP, STEAM
 from kurbel.drive.load import Load as Acting
 from kurbel.drive.moved import Drive
-from kurbel.drive.wheel import Wheel
+from kurbel.drive.wheel import Flywheel, Wheel
 from kurbel.engine.axes import LoadWords, words_of
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.digits import check_card

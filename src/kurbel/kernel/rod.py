@@ -34,7 +34,7 @@ from typing import Generic, NamedTuple, Self, TypeVar
 
 from kurbel.kernel import kinematics, moving
 from kurbel.kernel.circle import Circle, Number, root
-from kurbel.kernel.effort.weight import Weight, pin_torque
+from kurbel.kernel.effort import Weight, pin_torque
 from kurbel.kernel.forces import Slant, rod_slant, tangential_force
 from kurbel.kernel.inertia.accelerations import EVEN, Accelerations
 from kurbel.kernel.moving import Link

@@ -13,9 +13,8 @@ from kurbel.drive.crank import RODLESS, Crank, Described
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Circle
-from kurbel.kernel.coupler.point import Rod, crank_pin
-from kurbel.kernel.linkage import Place
-from kurbel.kernel.parallel import coupler, coupler_place
+from kurbel.kernel.coupler import Rod, crank_pin
+from kurbel.kernel.linkage import Place, coupler, coupler_place
 from kurbel.linkage.linkage import Linkage, Outline, Point, Stand
 from kurbel.linkage.mechanism import LinkageMechanism
 from kurbel.linkage.quantities import DECIMALS, force_entries, force_formula

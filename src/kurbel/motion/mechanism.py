@@ -150,7 +150,7 @@ class StraightCrank(Mechanism):
     drawing = "kurbel.plot.drawings:mechanism_drawing"
     moving = "kurbel.plot.moving:slide_scene"
     crosshead = True
-    rod = "kurbel.motion.points.slide:rod"
+    rod = "kurbel.motion.points.digits:rod"
 
     def drives(self, said: Described, ratios: Sequence[str]) -> tuple[Crank, ...]:
         return said.cranks(ratios)

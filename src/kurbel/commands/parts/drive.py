@@ -217,7 +217,7 @@ def settle_sizes(values: Values) -> None:
     spelled = next((name for name in SPELLED if values.says(name)), "")
     if not spelled:
         return
-    from kurbel.drive.size.given import in_strokes
+    from kurbel.drive.size import in_strokes
 
     found = in_strokes(values.values)
     if values.says("time_ratio"):

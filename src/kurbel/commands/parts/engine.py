@@ -111,7 +111,7 @@ def _checked(entries: dict[str, Any]) -> Mapping[str, Any]:
     found = {key: TRUTH[value] if key in FLAGS else value for key, value in entries.items()}
     if "crank" not in found:
         return found
-    from kurbel.drive.size.given import in_strokes
+    from kurbel.drive.size import in_strokes
 
     return in_strokes(found)
 

@@ -9,9 +9,8 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from kurbel.kernel.circle import Number
-from kurbel.kernel.fast.loops import compiled
+from kurbel.kernel.fast.loops import compiled, written_formula
 from kurbel.kernel.fast.trace import Traced
-from kurbel.kernel.fast.written import written_formula
 from kurbel.kernel.irregularity import extremes as kernel
 from kurbel.kernel.irregularity.extremes import Arithmetic, Extremes
 from kurbel.kernel.irregularity.half_tangent import Motion, Place

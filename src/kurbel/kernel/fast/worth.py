@@ -32,7 +32,7 @@ def chosen(
     if fast is None and not (_is_loaded() or _reached("", cells, LOADING)):
         return None
     from kurbel.kernel.fast import loops
-    from kurbel.kernel.fast.written import traceable, written
+    from kurbel.kernel.fast.loops import traceable, written
 
     if not loops.installed():
         return None

@@ -7,7 +7,7 @@ energy: its forces pass at the exact angle of the rod. Re-derived.
 
 from kurbel.kernel import kinematics, moving
 from kurbel.kernel.circle import Circle, Number
-from kurbel.kernel.effort.weight import Weight, pin_torque
+from kurbel.kernel.effort import Weight, pin_torque
 from kurbel.kernel.rod import Masses
 
 

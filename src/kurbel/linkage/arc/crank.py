@@ -12,8 +12,7 @@ from kurbel.drive.crank import LONGEST_ROD, Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Circle
-from kurbel.linkage.arc.direct import direct
-from kurbel.linkage.arc.rocker import STROKE, RockerCrank
+from kurbel.linkage.arc.rocker import STROKE, RockerCrank, direct
 from kurbel.page.quantity import Words, words
 from kurbel.reading.notation import about
 

@@ -149,7 +149,7 @@ def mollier_entries(models: Mapping[str, Words]) -> Iterator[Quantity]:
 
 def _moving(model: str) -> Callable[[At], Any]:
     def moving(at: At) -> Any:
-        from kurbel.kernel.inertia.mollier import moving_force
+        from kurbel.kernel.inertia.parts import moving_force
 
         rod = known(at.crank.rod)
         masses = rod.masses(model, at.numbers.of)

@@ -12,7 +12,7 @@ from kurbel.exact.certify import GUARD_BITS, NEVER_TIES, ball_degrees, rounded
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import nearest
 from kurbel.exact.terms import vanishes
-from kurbel.kernel.coupler.point import Vector, amount
+from kurbel.kernel.coupler import Vector, amount
 
 # What makes a vector on a kind of number.
 Made = Callable[[Kind], Vector[Any]]

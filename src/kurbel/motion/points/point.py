@@ -11,7 +11,7 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, Number, exact_text, finite_decimals, nearest
-from kurbel.kernel.coupler.point import Point as KernelPoint
+from kurbel.kernel.coupler import Point as KernelPoint
 from kurbel.reading import notation
 from kurbel.reading.given import Exact, as_fraction, as_share_or_length
 from kurbel.reading.notation import about, plain, quoted

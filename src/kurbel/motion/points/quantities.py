@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
-from kurbel.kernel.coupler import point as kernel
-from kurbel.kernel.coupler.point import Point, Reach, Rod, Vector
+from kurbel.kernel import coupler as kernel
+from kurbel.kernel.coupler import Point, Reach, Rod, Vector
 from kurbel.motion.evaluation import OFFSET
 from kurbel.page.quantity import Formula, Quantity, entry, words
 

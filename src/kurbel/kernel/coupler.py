@@ -11,6 +11,8 @@ is at the inner dead centre of the drive, across from the slide direction throug
 crank-pin velocity v and v²/R. Numbers are floats, arrays, balls or separation bounds. Re-derived.
 """
 
+from __future__ import annotations
+
 from typing import Generic, NamedTuple
 
 from kurbel.kernel.circle import Circle, Kind, Number, cosine_of

@@ -1,4 +1,6 @@
-"""The crank of a piston whose true stroke is given: that of an offset crank is longer than 2R.
+"""The size of a crank given in another way than by its stroke 2R.
+
+The crank of a piston whose true stroke is given: that of an offset crank is longer than 2R.
 
 R is irrational as a rule. It is taken to so many decimals of a metre that no page shows the difference.
 """
@@ -11,9 +13,61 @@ from math import isqrt
 from typing import Any, NamedTuple
 
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import about
-from kurbel.reading.given import as_length, as_ratios, as_share
+from kurbel.exact.numerals import about, exact_text, nearest, number_text
+from kurbel.reading.given import Exact, as_fraction, as_length, as_ratios, as_share
 from kurbel.reading.notation import number
+from kurbel.reading.units import split
+
+# An irrational crank radius is told to more places than these.
+NEAR = Fraction(1, 10**30)
+
+
+def in_strokes(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the options with the stroke 2R that another option makes in place of that: the crank radius, in
+    its unit, or the true stroke, with the rod where the time ratio makes it.
+
+    Raises ProblemError where a stroke is given, too, and is another one.
+    """
+    others = ("crank", "true_stroke", "time_ratio")
+    left = {name: value for name, value in given.items() if name not in others}
+    if (crank := given.get("crank")) is not None:
+        left["stroke"] = _agreed(given.get("stroke"), crank)
+    if given.get("true_stroke") is None:
+        if given.get("time_ratio") is not None:
+            raise ProblemError("--time-ratio makes the crank and the rod of the stroke; add --true-stroke")
+        return left
+    radius, rod = found(given)
+    if (stroke := left.get("stroke")) is not None and abs(as_length(stroke, "stroke") / radius - 2) > NEAR:
+        raise ProblemError(
+            f"the stroke 2R is {_shown(stroke)}, and the true stroke {_shown(given['true_stroke'])} takes one"
+            f" of {number_text(nearest(2000 * radius, 3))} mm; leave one of the two out"
+        )
+    return {**left, "stroke": 2 * radius, **({} if rod is None else {"rod": rod})}
+
+
+def _agreed(stroke: Exact | None, crank: Exact) -> Exact:
+    """Return the stroke that the crank radius makes, if no other one is given."""
+    radius = as_length(crank, "crank radius")
+    if radius <= 0:
+        raise ProblemError(f"the crank radius is {about(radius)} m; it must be above 0")
+    if stroke is not None and as_length(stroke, "stroke") != 2 * radius:
+        raise ProblemError(
+            f"the stroke 2R is {_shown(stroke)} and the crank R is {_shown(crank)}, which makes a stroke of"
+            f" {_shown(_doubled(crank))}; leave one of the two out"
+        )
+    return _doubled(crank)
+
+
+def _doubled(length: Exact) -> Exact:
+    if not isinstance(length, str):
+        return 2 * as_fraction(length)
+    value, unit = split(length)
+    return f"{exact_text(2 * value)}{unit}"
+
+
+def _shown(length: Exact) -> str:
+    return length.strip() if isinstance(length, str) else f"{about(as_fraction(length))} m"
+
 
 DECIMALS = 40
 _PRECISION = 300

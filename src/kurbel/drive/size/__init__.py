@@ -1,1 +1,0 @@
-"""The size of a crank, given in other ways than by its stroke 2R."""

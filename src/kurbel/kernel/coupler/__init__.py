@@ -1,1 +1,0 @@
-"""Any point of the rod: its path, velocity and acceleration."""
