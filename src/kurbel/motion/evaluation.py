@@ -71,6 +71,20 @@ METHODS = {
 }  # fmt: skip
 # Series of higher order than the books', and the powers of λ that they reach.
 REACH = {f"series-{order}": order for order in (3, 5, 7, 9)}
+_ORDINALS = {
+    3: ("dritter", "third"),
+    5: ("fünfter", "fifth"),
+    7: ("siebter", "seventh"),
+    9: ("neunter", "ninth"),
+}
+ORDERS = {
+    key: Method(
+        key,
+        words(f"Näherung {_ORDINALS[order][0]} Ordnung|{_ORDINALS[order][1]} order"),
+        words(f"Näherung {_ORDINALS[order][0]} Ordnung|{_ORDINALS[order][1]}-order formulas"),
+    )
+    for key, order in REACH.items()
+}
 # The gain of a page that shows two methods: exact minus first order, from unrounded values.
 DIFFERENCE = "difference"
 # Further formulas of a quantity: of the offset crank, of a drive with moving masses,
@@ -183,11 +197,13 @@ class Places:
 
 def method_named(key: str) -> Method:
     """Return a method by its key, also one of higher order."""
-    if key not in REACH:
-        return METHODS[key]
-    from kurbel.motion.series.methods import ORDERS
+    return ORDERS[key] if key in REACH else METHODS[key]
 
-    return ORDERS[key]
+
+def series_of(order: int) -> str:
+    """Return the method by powers of λ up to this one; even powers add nothing, the first is the books'."""
+    odd = order - 1 + order % 2
+    return f"series-{odd}" if odd > 1 else "series"
 
 
 def typed(method: str | None) -> str:

@@ -12,9 +12,8 @@ from kurbel.drive import mechanisms as registered
 from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import MECHANISMS, MOTIONS
 from kurbel.errors import ProblemError
-from kurbel.motion.evaluation import REACH
+from kurbel.motion.evaluation import REACH, series_of
 from kurbel.motion.mechanism import Mechanism, mechanism, of_other_mechanisms
-from kurbel.motion.series.methods import series_of
 from kurbel.page.layouts import layout_of
 from kurbel.reading.given import as_length, as_numbers, as_ratios
 from kurbel.reading.notation import plain, ratio_text
