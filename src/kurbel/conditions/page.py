@@ -9,18 +9,18 @@ from functools import cache, cached_property
 
 from kurbel.conditions import captions
 from kurbel.conditions.solve import MEASURES, Root, column_of, solve
-from kurbel.drive.crank import Crank
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, degrees_text
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES, typed, unknown
 from kurbel.motion.mechanism import mechanism
+from kurbel.motion.page import DriveQuestion
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import PHI, Axis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words
-from kurbel.page.subject import Question, Subject, subject
+from kurbel.page.subject import Subject, subject
 from kurbel.page.table import Field
 from kurbel.reading.where import Condition
 
@@ -68,7 +68,7 @@ def own_columns() -> Iterator[tuple[str, Quantity]]:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class SolveRequest(Question):
+class SolveRequest(DriveQuestion):
     """What is asked for: where these drives, alike but for their ratios, fulfil the conditions."""
 
     drives: tuple[Drive, ...]
@@ -78,8 +78,7 @@ class SolveRequest(Question):
     axes_suffice = True
 
     def check(self) -> None:
-        if not self.drives:
-            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
+        super().check()
         if not self.conditions:
             raise ProblemError('no condition was given; write one as --where p=0 or --where "s = 25%"')
         for condition in self.conditions:
@@ -91,15 +90,6 @@ class SolveRequest(Question):
     @property
     def method(self) -> str:
         return self.drives[0].method
-
-    @property
-    def ratios(self) -> list[Fraction]:
-        return [drive.ratio for drive in self.drives]
-
-    @property
-    def cranks(self) -> tuple[Crank, ...]:
-        """What is known of their cranks."""
-        return tuple(drive.crank for drive in self.drives)
 
     @cached_property
     def page_columns(self) -> tuple[Column, ...]:

@@ -16,7 +16,7 @@ from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel import kinematics
 from kurbel.linkage.arc.rocker import RockerCrank
-from kurbel.motion.captions import drive_notes, turns_label
+from kurbel.motion.captions import size_notes, turns_label
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.page import DriveQuestion
@@ -197,10 +197,6 @@ class DeadCentresRequest(DriveQuestion):
 
     mechanism: str
 
-    @property
-    def moving(self) -> None:
-        return None
-
     def missing(self, quantity: Quantity) -> str:
         if quantity.needs == ROCKER:
             if self.mechanism in WORDS:
@@ -236,7 +232,7 @@ def _notes(question: DeadCentresRequest) -> Iterator[Label]:
 
 def _sizes(question: DeadCentresRequest, drive: Crank | RockerCrank) -> Iterator[Label]:
     """Yield the lines with what was given of a drive beside its ratio."""
-    crank, lang = drive.crank, question.lang
+    crank = drive.crank
     if isinstance(drive, RockerCrank):
         moved: Any = mechanism(question.mechanism)
         yield ", ".join(moved.speech.links(drive))
@@ -246,7 +242,7 @@ def _sizes(question: DeadCentresRequest, drive: Crank | RockerCrank) -> Iterator
         return
     # The speeds that it makes stand in the table.
     turns = [] if crank.speed is None else [turns_label(crank.speed)]
-    yield "; ".join([*drive_notes([replace(crank, offset=Fraction(0), speed=None)], lang), *turns])
+    yield "; ".join([*size_notes([crank]), *turns])
 
 
 SUBJECT = Subject(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from fractions import Fraction
 from typing import Any, ClassVar
 
@@ -11,7 +10,7 @@ from kurbel.drive.load import FORCE
 from kurbel.exact.numerals import Label
 from kurbel.linkage.linkage import Linkage
 from kurbel.linkage.question import LinkageRequest
-from kurbel.motion.captions import drive_notes, turns_label
+from kurbel.motion.captions import size_notes, turns_label
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import OUT
 from kurbel.motion.mechanism import FORCES, Mechanism
@@ -78,9 +77,7 @@ class LinkageMechanism(Mechanism):
         return LinkageRequest(drives=tuple(drives), **asked)
 
     def rod_notes(self, drives: Sequence[Linkage], lang: str) -> Iterable[Label]:
-        # Neither the offset nor the mean speed is that of a slide.
-        cranks = [replace(one.crank, offset=Fraction(0), moving=None, speed=None) for one in drives]
-        yield from drive_notes(cranks, lang)
+        yield from size_notes(one.crank for one in drives)
         if (speed := drives[0].crank.speed) is not None:
             yield turns_label(speed)
 

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from fractions import Fraction
+from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +11,7 @@ from kurbel.drive.crank import Crank
 from kurbel.drive.mechanisms import LINKAGES, MECHANISMS
 from kurbel.exact.numerals import Label, Number
 from kurbel.linkage.quantities import FORCE
-from kurbel.motion.captions import direction_notes, drive_notes, force_notes, moving_notes, turns_label
+from kurbel.motion.captions import direction_notes, force_notes, moving_notes, size_notes, turns_label
 from kurbel.motion.evaluation import NEEDS, certified
 from kurbel.motion.page import CURVES, AngleQuestion, check_pairs, long_records
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
@@ -144,12 +143,10 @@ def force_lines(
         yield "; ".join(dict.fromkeys([*acting, *said]))
         columns = [column for column in question.page_columns if column.quantity.of == FORCE]
         yield from direction_notes(question, columns)
-    # Neither the offset nor the mean speed is that of a slide.
-    cranks = [replace(drive.crank, offset=Fraction(0), moving=None, speed=None) for drive in question.drives]
-    sizes = drive_notes(cranks, lang)
+    sizes = size_notes(question.cranks)
     if first.speed is not None and any(one.needs == "speed" for one in shown):
         sizes.append(turns_label(first.speed))
     yield from sizes
-    yield from force_notes(cranks, lang)
+    yield from force_notes(question.cranks, lang)
     if first.moving is not None:
         yield from moving_notes(first, question.layout.ratio_symbol, lang, named, sizes)

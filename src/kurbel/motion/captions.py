@@ -245,9 +245,14 @@ def signed(line: Label, page: Formulated, sign: str, rod_angle: bool) -> Label:
 
 def drive_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
     """Return the lines about lengths and speeds, and those about offsets."""
-    return [_machine(crank, lang) for crank in cranks if crank.radius is not None] + offset_notes(
-        cranks, lang
-    )
+    speeds = [_speed(crank, lang) if crank.speed else "" for crank in cranks if crank.radius is not None]
+    lines = [size + speed for size, speed in zip(size_notes(cranks), speeds, strict=True)]
+    return lines + offset_notes(cranks, lang)
+
+
+def size_notes(cranks: Iterable[Crank]) -> list[Label]:
+    """Return the lines about lengths alone, of drives of which neither offset nor mean speed is a slide's."""
+    return [_size(crank, crank.radius) for crank in cranks if crank.radius is not None]
 
 
 def offset_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
@@ -302,10 +307,9 @@ def moving_notes(
         yield from weight_notes(moving, lang)
 
 
-def _machine(crank: Crank, lang: str) -> Label:
-    radius = known(crank.radius)
+def _size(crank: Crank, radius: Fraction) -> Label:
     rod = f", $L = {amount(radius / crank.ratio, 'mm')}$" if crank.ratio else ""
-    return f"$R = {amount(radius, 'mm')}${rod}" + (_speed(crank, lang) if crank.speed else "")
+    return f"$R = {amount(radius, 'mm')}${rod}"
 
 
 def _speed(crank: Crank, lang: str) -> str:

@@ -16,7 +16,7 @@ from kurbel.motion.captions import drive_notes, notes
 from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, inertia_registry
 from kurbel.motion.inertia_peak import Peak
 from kurbel.motion.notes.rod import connecting_rod
-from kurbel.motion.page import MOTION, DriveQuestion, Request
+from kurbel.motion.page import MOTION, CrankQuestion, Request
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
@@ -87,7 +87,7 @@ def _entry(
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class ErrorsRequest(DriveQuestion):
+class ErrorsRequest(CrankQuestion):
     """What is asked for: the greatest forces and errors of the rods of these cranks."""
 
     no_column = "there is no column beside the axes; add one, such as greatest"
@@ -161,7 +161,7 @@ def _caption(question: ErrorsRequest) -> Label:
     return question.layout.caption[lang].replace("{for_ratio}", ratio)
 
 
-def _rod_notes(question: DriveQuestion, shown: Collection[str]) -> Iterator[Label]:
+def _rod_notes(question: CrankQuestion, shown: Collection[str]) -> Iterator[Label]:
     """Yield the lines about the connecting rods, and where cranks are straight the symmetry of the letters
     shown."""
     cranks, lang = question.cranks, question.lang

@@ -72,12 +72,17 @@ class DriveQuestion(Question):
         """The ratios of the drives, where they have one."""
         return [crank.ratio for crank in self.cranks] if "ratio" in self.subject.axes else []
 
-    @property
-    def moving(self) -> tuple[str, Any] | None:
-        return "straight", self.drives[0]
-
     def missing(self, quantity: Quantity) -> str:
         return super().missing(quantity) or needed(quantity, self.cranks)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class CrankQuestion(DriveQuestion):
+    """What is asked for of straight or offset cranks."""
+
+    @property
+    def moving(self) -> tuple[str, Any]:
+        return "straight", self.drives[0]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -181,7 +186,7 @@ def check_pairs(layout: Layout, drives: str) -> None:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Request(AngleQuestion):
+class Request(CrankQuestion, AngleQuestion):
     """What is asked for of these cranks at these angles. `method` None leaves it to the layout.
 
     By the method of the infinite rod all ratios are 1:∞, but for a page that also has other formulas.

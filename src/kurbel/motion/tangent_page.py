@@ -18,7 +18,7 @@ from kurbel.motion.evaluation import (
     TANGENT,
     value,
 )
-from kurbel.motion.page import DriveQuestion
+from kurbel.motion.page import CrankQuestion
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import PHI, ColumnAxis, LetteredRatioAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity
@@ -51,7 +51,7 @@ def _headed(quantity: Quantity) -> Quantity:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class TangentRequest(DriveQuestion):
+class TangentRequest(CrankQuestion):
     """What is asked for: forces of these straight cranks where the rod touches the crank circle."""
 
     no_column = "there is no column beside the ratio; add one, such as rod_force"

@@ -11,17 +11,17 @@ from functools import cache, cached_property
 from kurbel.conditions.over import captions
 from kurbel.conditions.page import DEGREE_DECIMALS
 from kurbel.conditions.solve import Root, at_share
-from kurbel.drive.crank import Crank
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, exact_text
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES, TURN, unknown
 from kurbel.motion.mechanism import mechanism
+from kurbel.motion.page import DriveQuestion
 from kurbel.page.axes import Axis, ColumnAxis, Place, RatioAxis, angle_decimals, angle_number
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words
-from kurbel.page.subject import Question, Subject, subject
+from kurbel.page.subject import Subject, subject
 from kurbel.page.table import Field
 from kurbel.reading.notation import about
 
@@ -82,7 +82,7 @@ def quantities() -> Mapping[str, Quantity]:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class PathRequest(Question):
+class PathRequest(DriveQuestion):
     """What is asked for: drives, alike but for their ratios, at shares of both strokes."""
 
     drives: tuple[Drive, ...]
@@ -92,8 +92,7 @@ class PathRequest(Question):
     no_column = "there is no column beside the share of the stroke; add one, such as phi or c"
 
     def check(self) -> None:
-        if not self.drives:
-            raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
+        super().check()
         if not self.shares:
             raise ProblemError("no share of the stroke was given; write them as '0;50%;100%' or --step 5%")
         if len(self.shares) > MOST_SHARES:
@@ -112,15 +111,6 @@ class PathRequest(Question):
     @property
     def method(self) -> str:
         return self.drives[0].method
-
-    @property
-    def ratios(self) -> list[Fraction]:
-        return [drive.ratio for drive in self.drives]
-
-    @property
-    def cranks(self) -> tuple[Crank, ...]:
-        """What is known of their cranks."""
-        return tuple(drive.crank for drive in self.drives)
 
     def too_long(self) -> str:
         return f"{len(self.drives)} ratios at {len(self.shares)} shares make a table of {len(self)} rows"

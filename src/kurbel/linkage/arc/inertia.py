@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
-from fractions import Fraction
+from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
@@ -15,7 +14,7 @@ from kurbel.kernel.inertia.parts import Parted, parted_rocker
 from kurbel.kernel.rocker import LoadedRocker
 from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.linkage.question import LinkageRequest, linkage_subject
-from kurbel.motion.captions import drive_notes, turns_label
+from kurbel.motion.captions import size_notes, turns_label
 from kurbel.motion.inertia import RodForce, rod_entries
 from kurbel.motion.mechanism import mechanism
 from kurbel.motion.notes.rod import connecting_rod
@@ -65,7 +64,7 @@ def _caption(request: LinkageRequest) -> Label:
 def _notes(request: LinkageRequest) -> Iterator[Label]:
     lang, drives = request.lang, request.drives
     yield from (note[lang] for note in request.layout.notes)
-    yield from drive_notes([replace(one.crank, offset=Fraction(0), speed=None) for one in drives], lang)
+    yield from size_notes(request.cranks)
     speech = _moved(drives[0]).speech
     yield from dict.fromkeys(turns_label(one.crank.speed) for one in drives if one.crank.speed)
     yield from dict.fromkeys(connecting_rod(known(one.crank.rod), lang, "L", speech.words) for one in drives)

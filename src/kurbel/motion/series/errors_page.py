@@ -13,7 +13,7 @@ from kurbel.exact.numerals import Label, Number, figures, nearest
 from kurbel.kernel.series.coefficients import rod_versine, terms_of
 from kurbel.motion.captions import drive_notes
 from kurbel.motion.evaluation import NEEDS
-from kurbel.motion.page import DriveQuestion
+from kurbel.motion.page import CrankQuestion
 from kurbel.motion.series.errors import QUARTER, Greatest
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio, words
@@ -100,7 +100,7 @@ def _where(letter: str) -> Callable[..., Any]:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class SeriesErrorsRequest(DriveQuestion):
+class SeriesErrorsRequest(CrankQuestion):
     """What is asked for: the greatest errors of these orders, of straight cranks."""
 
     orders: tuple[int, ...] = ORDERS
