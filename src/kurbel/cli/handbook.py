@@ -18,7 +18,7 @@ from kurbel.cli.listing import show_lines
 from kurbel.cli.options import Option, Type, lang_option
 from kurbel.commands.options import Count
 from kurbel.handbook.pool import by_whom
-from kurbel.sweeps.work.hands import MOST_JOBS, cores
+from kurbel.sweeps.hands import MOST_JOBS, cores
 
 if TYPE_CHECKING:
     from kurbel.handbook.build import Build, Handbook

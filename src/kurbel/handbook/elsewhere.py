@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from kurbel.handbook.inputs import digest_of
 from kurbel.handbook.pool import Made, Piece, Task, tried, worked
-from kurbel.sweeps.work.hands import BALLS, taken
+from kurbel.sweeps.hands import BALLS, taken
 
 # What pages are made by beside numbers.
 OF_PAGES = ("jinja2", "markdown-it-py", "tabulate", "matplotlib", "xlsxwriter")
@@ -45,8 +45,8 @@ def worked_by(scheduler: str, pieces: Iterable[Piece], jobs: int) -> Iterator[tu
 
     Raises KurbelError where the cluster cannot be used.
     """
-    from kurbel.sweeps.work.cluster import Cluster
-    from kurbel.sweeps.work.versions import LIBRARIES
+    from kurbel.sweeps.cluster import Cluster
+    from kurbel.sweeps.versions import LIBRARIES
 
     here: list[Piece] = []
     there: list[Piece] = []

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 from kurbel.errors import KurbelError
 from kurbel.formats.apart import HAS_PROCESSES
 from kurbel.page.quantity import Letter
-from kurbel.sweeps.work.hands import taken
+from kurbel.sweeps.hands import taken
 
 if TYPE_CHECKING:
     from kurbel.handbook.manifest import Part
@@ -142,7 +142,7 @@ def tried(make: Callable[[], Made]) -> Made | str:
 
 def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
     # Later than most imports: a handbook without changes needs no processes.
-    from kurbel.sweeps.work.processes import Processes
+    from kurbel.sweeps.hands import Processes
 
     def killed(number: int) -> str:
         return pieces[number].killed

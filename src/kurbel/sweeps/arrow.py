@@ -1,19 +1,63 @@
-"""The columns of a sweep as Arrow has them: its schema with all that is known of each, and its batches."""
+"""The columns of a sweep as Arrow has them, and files of its batches one by one: CSV and Arrow's own."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import repeat
 from typing import Any
 
 import numpy as np
 import pyarrow as pa
+import pyarrow.compute as compute
 from numpy.typing import NDArray
 
-from kurbel.sweeps.files.about import About
-from kurbel.sweeps.files.decimals import decimal_type, decimals_of
+from kurbel.errors import OutputError
+from kurbel.formats.render import whole_file
+from kurbel.sweeps.about import About
 from kurbel.sweeps.rows import Column, Part, Sweep
+
+# The digits of the two kinds, and how many of them are to be left before the point.
+SHORT, LONG, BEFORE = 38, 76, 10
+
+
+def decimal_type(column: Column) -> pa.DataType:
+    """Return the type of a column: 38 digits, or 76 where fewer than ten would stand before the point."""
+    assert column.decimals is not None
+    is_short = column.decimals + BEFORE <= SHORT
+    return pa.decimal128(SHORT, column.decimals) if is_short else pa.decimal256(LONG, column.decimals)
+
+
+def decimals_of(column: Column, scaled: Sequence[int | None]) -> pa.Array:
+    """Return whole numbers of the last place, None where there is nothing, as decimals."""
+    kind = decimal_type(column)
+    width = kind.bit_width // 8
+    limit = 10**kind.precision
+    if any(one is not None and abs(one) >= limit for one in scaled):
+        raise OutputError(
+            f"{column.key} has numbers of more than {kind.precision} digits, which no file of decimals holds;"
+            " ask for fewer --digits"
+        )
+    packed = b"".join(int(one or 0).to_bytes(width, "little", signed=True) for one in scaled)
+    known = pa.array([one is not None for one in scaled], pa.bool_()).buffers()[1] if None in scaled else None
+    return pa.Array.from_buffers(kind, len(scaled), [known, pa.py_buffer(packed)])
+
+
+def texts_of(decimals: pa.Array) -> pa.Array:
+    """Return all digits as text, also those of 0.0000001, which Arrow would write as 1E-7."""
+    places = decimals.type.scale
+    whole = type(decimals.type)
+    kind = pa.decimal128(SHORT, 0) if whole is pa.Decimal128Type else pa.decimal256(LONG, 0)
+    units = pa.Array.from_buffers(kind, len(decimals), decimals.buffers(), offset=decimals.offset)
+    text = compute.cast(units, pa.string())
+    if not places:
+        return text
+    sign = compute.if_else(compute.starts_with(text, "-"), "-", "")
+    digits = compute.utf8_lpad(compute.utf8_ltrim(text, "-"), places + 1, "0")
+    before = compute.utf8_slice_codeunits(digits, 0, -places)
+    behind = compute.utf8_slice_codeunits(digits, -places)
+    return compute.binary_join_element_wise(compute.binary_join_element_wise(sign, before, ""), behind, ".")
+
 
 # The column that tells of a refused row why.
 REASON = "reason"
@@ -116,3 +160,42 @@ def _floats(values: NDArray[np.float64]) -> pa.Array:
     nothing = np.isnan(values)
     known = pa.py_buffer(np.packbits(~nothing, bitorder="little")) if nothing.any() else None
     return pa.Array.from_buffers(pa.float64(), len(values), [known, pa.py_buffer(values)])
+
+
+# Rows whose text is made at once.
+GROUP = 1 << 16
+_SPECIAL = '[",\r\n]'
+
+
+def write_csv(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, scratch: str) -> None:
+    """Write the names of the columns and all batches, in order."""
+    with whole_file(target) as stream:
+        stream.write(",".join(schema_of(sweep).names).encode() + b"\n")
+        for batch in in_groups(batches, GROUP):
+            stream.write(lines_of(batch))
+
+
+def lines_of(batch: pa.RecordBatch) -> pa.Buffer:
+    """Return the lines of a batch: the texts of an array of them lie behind each other in its memory."""
+    fields = [_text(column) for column in batch.columns]
+    lines = compute.binary_join_element_wise(*fields, ",", null_handling="replace")
+    ended = compute.binary_join_element_wise(lines, "", "\n").cast(pa.large_string())
+    return ended.buffers()[2]
+
+
+def _text(column: pa.Array) -> pa.Array:
+    if pa.types.is_decimal(column.type):
+        return texts_of(column)
+    if not pa.types.is_string(column.type):
+        return column.cast(pa.string())
+    inner = compute.replace_substring(column, '"', '""')
+    quoted = compute.binary_join_element_wise('"', inner, '"', "")
+    return compute.if_else(compute.match_substring_regex(column, _SPECIAL), quoted, column)
+
+
+def write_arrow(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, scratch: str) -> None:
+    """Write all batches, in order."""
+    schema = schema_of(sweep)
+    with whole_file(target) as stream, pa.ipc.new_file(stream, schema) as writer:
+        for batch in in_groups(batches, GROUP):
+            writer.write_batch(batch)

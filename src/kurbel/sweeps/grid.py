@@ -14,12 +14,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 import numpy as np
 
 from kurbel.errors import ProblemError
-from kurbel.sweeps.axes import values_at
-from kurbel.sweeps.files.about import About
-from kurbel.sweeps.files.cf import cf_of, cf_of_file
+from kurbel.sweeps.about import About, cf_of, cf_of_file
+from kurbel.sweeps.coordinates import values_at
 from kurbel.sweeps.plan import Axis
+from kurbel.sweeps.records import tried
 from kurbel.sweeps.rows import Column, Part, Sweep
-from kurbel.sweeps.ways.records import tried
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -182,7 +181,7 @@ def extent(place: Place) -> tuple[int, ...]:
 
 def fill(sweep: Sweep, batches: Iterable[pa.RecordBatch], store: Store) -> None:
     """Write all rows to their places, and all that is known of them."""
-    from kurbel.sweeps.files.arrow import in_sizes
+    from kurbel.sweeps.arrow import in_sizes
 
     grid = Grid(sweep)
     store.describe(cf_of_file(grid.about))

@@ -21,7 +21,7 @@ from typing import Any, TypeVar
 
 from kurbel.errors import ChoiceError, FailedError
 from kurbel.reading.extras import missing_extra
-from kurbel.sweeps.work.versions import LIBRARIES, NONE, content_of, makers, other
+from kurbel.sweeps.versions import LIBRARIES, NONE, content_of, makers, other
 
 try:
     from distributed import Client, Future, KilledWorker, get_worker

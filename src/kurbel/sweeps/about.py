@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import json
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import kurbel
 from kurbel.commands.steps.several import Written
-from kurbel.errors import KurbelError
 from kurbel.exact.numerals import exact_text
 from kurbel.motion.captions import formula_lines
 from kurbel.motion.page import Request
@@ -17,9 +18,9 @@ from kurbel.page.quantity import Quantity
 from kurbel.page.subject import Question
 from kurbel.page.table import Note
 from kurbel.reading.notation import Progression
-from kurbel.sweeps.plan import Plan, text_of
+from kurbel.sweeps.plan import text_of
+from kurbel.sweeps.records import questions
 from kurbel.sweeps.rows import Column, Sweep
-from kurbel.sweeps.ways.records import tried
 
 BOUND = "the true value lies at most so far from {}"
 DECIMALS = "each digit is certified: the exact value, correctly rounded to {} decimals"
@@ -37,7 +38,8 @@ class About:
 
     @classmethod
     def of(cls, sweep: Sweep) -> About:
-        found = _questions(sweep.plan)
+        # Of sweeps of which all of these are refused one that is asked elsewhere.
+        found = [*questions(sweep.plan, 0, 8)] or [next(questions(sweep.plan, 0))]
         return cls(sweep, (*found[:1], *found[1:][-1:]))
 
     def file(self) -> dict[str, Any]:
@@ -103,25 +105,6 @@ class About:
         return [line for line in first if all(line in other for other in others)]
 
 
-def _questions(plan: Plan) -> list[Question]:
-    found = []
-    for point in tried(plan, 8):
-        try:
-            found.append(plan.question(plan.at(point), 0).for_data)
-        except KurbelError:
-            continue
-    return found or [_first(plan)]
-
-
-def _first(plan: Plan) -> Question:
-    for point in tried(plan):
-        try:
-            return plan.question(plan.at(point), 0).for_data
-        except KurbelError as error:
-            refused = error
-    raise refused
-
-
 def _notes(question: Question) -> Iterator[str]:
     for note in question.subject.notes(question):
         yield note.text if isinstance(note, Note) else note
@@ -169,3 +152,69 @@ def _text(value: Any) -> Any:
 
 def _range(values: Progression) -> str:
     return f"{exact_text(values[0])}..{exact_text(values[-1])}:{exact_text(values.step)}"
+
+
+# Units as udunits spells them, where that is not the letter itself.
+SPELLED: Mapping[str, str] = {
+    "°": "degree",
+    "%": "percent",
+    "rad": "radian",
+    "min": "minute",
+    "h": "hour",
+}
+OWN = frozenset(("m", "mm", "cm", "km", "kg", "s", "N", "J", "W", "kW", "Pa", "kPa", "MPa", "bar", "Hz"))
+_POWERS = str.maketrans("⁻¹²³", "-123")
+_UNIT = re.compile(r"(?P<letters>[^\d\s⁻¹²³]+)(?P<power>[⁻¹²³]*)")
+
+
+def cf_of_file(about: About) -> dict[str, str]:
+    """Return the attributes of a file."""
+    said = about.file()
+    return {
+        "Conventions": "CF-1.11",
+        "title": said["title"],
+        "source": f"kurbel {said['kurbel']}",
+        "kurbel": json.dumps(said, ensure_ascii=False),
+    }
+
+
+def cf_of(about: About, column: Column) -> dict[str, Any]:
+    """Return the attributes of an array. `units` are those of udunits, "1" where the unit is one of the drive
+    itself, such as R; `unit` is that as pages print it."""
+    said: dict[str, Any] = {**about.column(column)}
+    said.pop("role")
+    if "name" in said:
+        said["long_name"] = said.pop("name")
+    if column.kind == "number":
+        said["units"] = udunits(said.get("unit", ""))
+    if "source" in said:
+        said["references"] = said.pop("source")
+    return said
+
+
+def udunits(unit: str) -> str:
+    """Return a unit as udunits spells it: m/s² is "m s-2"; "1" for one that it does not know."""
+    above, _, below = unit.partition("/")
+    factors = [*_factors(above, 1), *_factors(below, -1)]
+    if unit.startswith("%"):
+        return "percent"
+    if not unit or None in factors:
+        return "1"
+    return " ".join(one for one in factors if one)
+
+
+def _factors(text: str, sign: int) -> list[str | None]:
+    return [_factor(word, sign) for word in text.split()]
+
+
+def _factor(word: str, sign: int) -> str | None:
+    found = _UNIT.fullmatch(word)
+    if word == "kWh":
+        return "kW hour" if sign > 0 else "kW-1 hour-1"
+    if found is None:
+        return None
+    letters, power = found["letters"], sign * int(found["power"].translate(_POWERS) or 1)
+    if letters not in OWN and letters not in SPELLED:
+        return None
+    name = SPELLED.get(letters, letters)
+    return name if power == 1 else f"{name}{power}"

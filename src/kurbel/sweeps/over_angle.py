@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from math import isfinite, prod
@@ -15,18 +15,24 @@ import numpy as np
 from kurbel.drive.crank import largest
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import KurbelError, ProblemError
-from kurbel.exact.numerals import Number
+from kurbel.exact.numerals import MOST_DIGITS, Number
 from kurbel.motion.bulk import float_angles, float_bound, greatest_value
+from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.page import AngleQuestion, Request
 from kurbel.page.axes import AngleAxis, shifted
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subject import Question
 from kurbel.reading.notation import Progression
-from kurbel.sweeps.columns import BOUND
-from kurbel.sweeps.plan import Plan
-from kurbel.sweeps.ways.pointwise import Pointwise
-from kurbel.sweeps.ways.records import DECIMALS
-from kurbel.sweeps.ways.way import Asked, Floats, Places, Points, Rows
+from kurbel.sweeps.columns import BOUND, Asked, Rows, columns_from
+from kurbel.sweeps.plan import Floats, Places, Plan, Points
+from kurbel.sweeps.records import (
+    DECIMALS,
+    IN_BALLS,
+    Pointwise,
+    digits_of,
+    is_small,
+    records_of_question,
+)
 
 # Questions of a part, and its rows at the most: some seconds, and some tens of megabytes.
 QUESTIONS, ROWS = 2048, 1 << 20
@@ -170,7 +176,7 @@ def question_at(plan: Plan, point: int, angles: Sequence[Fraction], digits: int 
     ends = list(dict.fromkeys((min(angles[0], angles[-1]), max(angles[0], angles[-1]))))
     if not isinstance(angles, Progression):
         ends = list(dict.fromkeys((min(angles), max(angles))))
-    return plan.question({**plan.at(point), "angle": ends}, digits).for_data
+    return plan.question(point, digits, angle=ends).for_data
 
 
 def _curves(question: Any, degrees: Floats) -> list[Any]:
@@ -216,3 +222,53 @@ def _is_difference(column: Column) -> bool:
 def _has_array(column: Column) -> bool:
     quantity: Quantity = column.quantity
     return quantity.of in (*OF_TURN, *OF_ANGLE) and not _is_difference(column)
+
+
+# Rows of which floats settle most digits: some seconds.
+IN_FLOATS = 1 << 17
+
+
+@dataclass(frozen=True)
+class CertifiedOverAngle(OverAngle):
+    """The records of the command at all angles at once, which has floats for long runs of few digits."""
+
+    @property
+    def rows_at_once(self) -> int:
+        digits = self.asked.plan.digits
+        return IN_BALLS if digits is None or digits > MOST_DECIMALS else IN_FLOATS
+
+    def rows(self, points: Points) -> Rows:
+        found: list[Mapping[str, Any] | None] = [None] * len(points)
+        for point, rows, places in self._runs(points):
+            # What is refused is asked point by point, for its sentences.
+            with suppress(KurbelError):
+                records = self._records(point, self._angles(places))
+                for row, record in zip(np.arange(len(points))[rows].tolist(), records, strict=True):
+                    found[row] = record
+        left = np.array([row for row, one in enumerate(found) if one is None], np.int64)
+        told = columns_from(self.asked, [one or {} for one in found], {})
+        if len(left):
+            self.single(points, left, told.values, told.reasons)
+        return told
+
+    def _records(self, point: int, angles: Sequence[Fraction]) -> Sequence[Mapping[str, Any]]:
+        plan, keys = self.asked.plan, [one.key for one in self.asked.fields]
+        found = _records(plan, point, angles, digits_of(plan))
+        rows = [*found.rows]
+        if plan.digits is None and is_small(rows):
+            rows = [*_records(plan, point, angles, MOST_DIGITS).rows]
+        # Several angles tell records apart, of which each point has one.
+        there = [one.key for one in found.fields]
+        if [key for key in there if key in keys] != keys:
+            raise ProblemError("the records are others than elsewhere in the sweep")
+        return [dict(zip(there, row, strict=True)) for row in rows]
+
+
+def _records(plan: Plan, point: int, angles: Sequence[Fraction], digits: int) -> Any:
+    question = question_at(plan, point, angles, digits)
+    return records_of_question(replace(question, angles=shifted(angles, question.zero)))
+
+
+def is_over_angle(question: Question) -> bool:
+    """Whether a question is asked at crank angles, which may be others."""
+    return any(isinstance(one, AngleAxis) for one in question.axes.values())

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from math import inf, nextafter, ulp
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, Number
 from kurbel.page.build import records_of
-from kurbel.page.labels import plain
 from kurbel.page.subject import Question
 from kurbel.page.table import Field, Records
-from kurbel.sweeps.plan import Plan
+from kurbel.sweeps.columns import MISSING, Asked, Rows, columns_from
+from kurbel.sweeps.hands import BALLS
+from kurbel.sweeps.plan import Plan, Points
 
 # Decimals of which a float is made; what is small has more.
 DECIMALS = 30
@@ -25,10 +26,10 @@ TRIED = 64
 COUNTED, MIXED = 8, 9
 
 
-def records_at(plan: Plan, values: Mapping[str, Any], digits: int, keys: Sequence[str]) -> Records:
-    """Return the records of the command with these values, and with those of these keys that tell records
-    apart elsewhere. Raises KurbelError."""
-    question = plan.question(values, digits).for_data
+def records_at(plan: Plan, point: int, digits: int, keys: Sequence[str]) -> Records:
+    """Return the records of the command at a point, with those of these keys that tell records apart
+    elsewhere. Raises KurbelError."""
+    question = plan.question(point, digits).for_data
     records = records_of_question(question)
     known = {*question.axis_keys, *question.named}
     if question.columns and {*keys} & known > {field.key for field in records.fields} & known:
@@ -59,7 +60,7 @@ def first_of(plan: Plan) -> First:
     found: list[First] = []
     for point in _mixed(tried(plan)):
         try:
-            question = plan.question(plan.at(point), digits_of(plan)).for_data
+            question = plan.question(point, digits_of(plan)).for_data
             records = records_of_question(question)
             found.append(First(records.fields, [*records.rows], question.apart))
         except KurbelError as error:
@@ -76,6 +77,13 @@ def _mixed(points: Sequence[int]) -> list[int]:
     return [point for start in range(MIXED) for point in points[start::MIXED]]
 
 
+def questions(plan: Plan, digits: int = DECIMALS, most: int = TRIED) -> Iterator[Question]:
+    """Yield what is asked at some combinations that are not refused."""
+    for point in tried(plan, most):
+        with suppress(KurbelError):
+            yield plan.question(point, digits).for_data
+
+
 def tried(plan: Plan, most: int = TRIED) -> list[int]:
     """Return some combinations, spread over the sweep and closer at its beginning, the first one first."""
     count = len(plan)
@@ -86,7 +94,7 @@ def tried(plan: Plan, most: int = TRIED) -> list[int]:
 
 def rows_at(
     plan: Plan,
-    values: Mapping[str, Any],
+    point: int,
     fields: Sequence[Field],
     apart: Mapping[str, Sequence[Any]],
     count: int,
@@ -97,7 +105,7 @@ def rows_at(
     Raises KurbelError where it is refused.
     """
     digits, keys = digits_of(plan), [one.key for one in fields]
-    found = records_at(plan, values, digits, keys)
+    found = records_at(plan, point, digits, keys)
     rows, there = [*found.rows], [one.key for one in found.fields]
     if there != keys:
         raise ProblemError(
@@ -105,7 +113,7 @@ def rows_at(
             " some that are everywhere, with --columns"
         )
     if plan.digits is None and digits < MOST_DIGITS and is_small(rows):
-        rows = [*records_at(plan, values, MOST_DIGITS, keys).rows]
+        rows = [*records_at(plan, point, MOST_DIGITS, keys).rows]
     return _placed([dict(zip(keys, row, strict=True)) for row in rows], apart, count)
 
 
@@ -148,16 +156,42 @@ def is_small(rows: Sequence[Sequence[Any]]) -> bool:
     )
 
 
-def text_of(value: Any) -> str | None:
-    """Return what is no number as text."""
-    return plain(value) if isinstance(value, str) else None
+# Rows of a part that is computed in balls: about a second.
+IN_BALLS = 1 << 9
 
 
-def double_of(number: Number) -> tuple[float, float]:
-    """Return the float nearest to a certified number, and how far from the true value it may lie."""
-    scale = 10**number.decimals
-    # Python divides whole numbers with one rounding.
-    value = number.scaled / scale
-    numerator, denominator = value.as_integer_ratio()
-    exact = abs(numerator * scale - number.scaled * denominator) / (denominator * scale)
-    return value, nextafter(exact + 0.5 / scale, inf) if number.scaled or number.decimals else ulp(0.0)
+@dataclass(frozen=True)
+class Pointwise:
+    """Every point is a question; a second of them at once, or less."""
+
+    asked: Asked
+    rows_at_once: int = IN_BALLS
+    in_threads: bool = False
+
+    def rows(self, points: Points) -> Rows:
+        # The precision of balls is that of the process, and other ways run in several threads.
+        with BALLS:
+            return self._rows(points)
+
+    def _rows(self, points: Points) -> Rows:
+        plan, fields, each = self.asked.plan, self.asked.fields, self.asked.each
+        apart = self.asked.apart
+        found: list[Mapping[str, Any]] = []
+        reasons: dict[int, str] = {}
+        last, answer, refused = -1, list[dict[str, Any] | None](), ""
+        for row, (point, record) in enumerate(
+            zip(points.places.tolist(), points.records.tolist(), strict=True)
+        ):
+            if point != last:
+                last, refused = point, ""
+                try:
+                    answer = rows_at(plan, point, fields, apart, each)
+                except KurbelError as error:
+                    refused = str(error)
+            one = None if refused else answer[record]
+            if one is None:
+                # A combination is refused once.
+                reasons[row] = refused if refused and not record else MISSING
+            # Also what is not there is told apart.
+            found.append(one or {key: values[record] for key, values in apart.items()})
+        return columns_from(self.asked, found, reasons)

@@ -11,18 +11,19 @@ from click.core import augment_usage_errors
 from kurbel.cli import say
 from kurbel.cli.manual.command import TopicCommand
 from kurbel.cli.options import Given, help_of
-from kurbel.cli.sweeps.from_file import FILE
-from kurbel.cli.sweeps.options import own_options, sweep_options
-from kurbel.cli.sweeps.running import running, running_options
-from kurbel.commands.options import is_given
+from kurbel.cli.sweep import own_options, running, running_options, sweep_options
+from kurbel.cli.sweep_file import FILE
+from kurbel.commands.part import Origin, Values
 from kurbel.commands.subject import Command
+from kurbel.reading.extras import need
 
 if TYPE_CHECKING:
     from kurbel.sweeps.plan import Plan
+    from kurbel.sweeps.rows import Sweep
     from kurbel.sweeps.run import Outcome
 
 # Where a context keeps the options in the order in which they were typed.
-ORDER = "kurbel.cli.sweeps"
+ORDER = "kurbel.cli.sweep.order"
 
 
 class SweepCommand(TopicCommand):
@@ -58,36 +59,41 @@ class SweepCommand(TopicCommand):
     def run(self, given: Given, order: Sequence[str]) -> int:
         """Write the file, and return the exit code."""
         from kurbel.sweeps.rows import Sweep
-        from kurbel.sweeps.run import run
 
-        sweep = Sweep(self.plan(given, order))
+        sweep, output, form = Sweep(self.plan(given, order)), given.values["output"], given.values["format"]
+        need("a file of columns", "scale", "pyarrow")
         if given.values["dry_run"]:
-            from kurbel.cli.sweeps.dry import show_estimate
-
-            show_estimate(sweep, given.values["output"], given.values["format"])
+            show_estimate(sweep, output, form)
             return 0
-        if not given.values["output"]:
+        if not output:
             raise click.UsageError(
                 "a sweep needs a file to write, -o sweep.parquet; --dry-run says how large it would be"
             )
+        from kurbel.sweeps.run import run
+
         with running(given.values, sweep) as how:
-            outcome = run(sweep, given.values["output"], how, given.values["format"])
-        if given.values["output"] != "-" or outcome.refused:
-            say(_told(given.values["output"], outcome))
+            outcome = run(sweep, output, how, form)
+        if output != "-" or outcome.refused:
+            say(_told(output, outcome))
         return 0
 
     def plan(self, given: Given, order: Sequence[str]) -> Plan:
-        """Return the plan that the options make. Raises KurbelError."""
+        """Return the plan that the options make: in the order of the file, then of the command line, and
+        behind them what comes from elsewhere. Raises KurbelError."""
         from kurbel.sweeps.asked import planned
 
-        values = given.values
+        values, file = given.values, click.get_current_context().meta.get(FILE, {})
+        flags = {name: several for name, several in file.items() if several}
+        options = {
+            name: flags.get(name, values[name])
+            for name in dict.fromkeys((*file, *order, *values))
+            if name in values
+        }
         linked = [text.replace("-", "_").replace(";", ",").split(",") for text in values["zip_"]]
-        told = _in_order(self.told(given, order), click.get_current_context().meta.get(FILE, {}))
         return planned(
             self.place,
-            told,
+            Values(options, given.origins | dict.fromkeys(flags, Origin.TYPED)),
             linked=[[name.strip() for name in names] for names in linked],
-            defaults=[name for name in told if not given.typed(name)],
             digits=values["digits"],
             bounds=values["bounds"],
             strict=values["strict"],
@@ -96,26 +102,10 @@ class SweepCommand(TopicCommand):
             seed=values["seed"] or 0,
         )
 
-    def told(self, given: Given, order: Sequence[str]) -> dict[str, Any]:
-        """Return the options that say something by what they are given, in the order of the command line;
-        behind them those whose values come from elsewhere, without what others outdo."""
-        from kurbel.sweeps.asked import not_outdone, values_of
-
-        own = {one.name: one for one in self.asking.parameters.values()}
-        said = {name: value for name, value in given.values.items() if name in own and is_given(value)}
-        if given.origins["lang"] is None:
-            # Files are in English unless somebody asks for another language.
-            del said["lang"]
-        left = not_outdone(
-            self.asking, given, {name: values_of(own[name], value)[0] for name, value in said.items()}
-        )
-        names = [*dict.fromkeys(name for name in order if name in said), *said]
-        return {name: said[name] for name in dict.fromkeys(names) if name in left}
-
 
 def _told(target: str, outcome: Outcome) -> str:
     """Return what was written, and how much of it was refused."""
-    from kurbel.sweeps.work.joining import OTHERS
+    from kurbel.sweeps.parts import OTHERS
 
     written = f"{target}: {_counted(outcome.rows)}"
     count = outcome.refused.total()
@@ -145,7 +135,43 @@ def _sample(values: Mapping[str, Any]) -> str:
     return sample or ""
 
 
-def _in_order(told: Mapping[str, Any], file: Mapping[str, Sequence[bool]]) -> dict[str, Any]:
-    """Return what is told with the options of a file in front, in their order, and its flags that vary."""
-    merged = {**told, **{name: values for name, values in file.items() if values}}
-    return {name: merged[name] for name in dict.fromkeys((*file, *told)) if name in merged}
+TIMES = ((86400, "days"), (3600, "hours"), (60, "minutes"), (1, "seconds"))
+SIZES = ((10**12, "TB"), (10**9, "GB"), (10**6, "MB"), (10**3, "kB"))
+# What is shorter and smaller says nothing.
+LEAST = {"seconds": "less than a second", "kB": "less than a kilobyte"}
+
+
+def show_estimate(sweep: Sweep, target: str | None, format: str | None) -> None:
+    """Print rows, columns, parts, size and time of a sweep. Raises KurbelError."""
+    from kurbel.sweeps.hands import cores
+    from kurbel.sweeps.parts import form_of
+    from kurbel.sweeps.run import estimated
+
+    form = form_of(target or "-", format or (None if target else "parquet"))
+    form.check(sweep, target or "sweep")
+    found = estimated(sweep, form)
+    hands = min(cores(), found.parts)
+    product = " x ".join(
+        f"{len(group[0].values)} of " + " and ".join(f"--{one.option.replace('_', '-')}" for one in group)
+        for group in sweep.plan.groups
+    )
+    each = f", {sweep.each} records each" if sweep.each > 1 else ""
+    rows = {
+        "rows": f"{found.rows} ({product or 'one combination'}{each})",
+        "columns": ", ".join(one.key for one in sweep.columns) + ", reason",
+        "parts": f"{found.parts} of {min(sweep.rows_at_once, found.rows)} rows",
+        "size": f"about {_in(found.size, SIZES, 'kB')} as {form.name}",
+        "time": f"about {_in(found.seconds(hands), TIMES, 'seconds')} on {hands} core{'s' * (hands > 1)},"
+        " measured on a sample",
+    }
+    if found.refused:
+        rows["refused"] = f"{found.refused[0]}: {found.refused[1]}"
+    for name, said in rows.items():
+        click.echo(f"{name:8} {said}")
+
+
+def _in(value: float, units: tuple[tuple[int, str], ...], last: str) -> str:
+    for size, unit in units:
+        if value >= size:
+            return f"{value / size:.2g} {unit}" if value < 100 * size else f"{value / size:.0f} {unit}"
+    return LEAST[last]

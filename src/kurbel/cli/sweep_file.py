@@ -1,25 +1,26 @@
-"""The file of a sweep, sweep.toml: its keys, the types of their values, and how it is read."""
+"""The file of a sweep, sweep.toml: its keys, how it is read, and its options as the command line has them."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
-from typing import Annotated, Any, ClassVar
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
+import click
 from msgspec import Struct
 
-from kurbel.commands.options import Option
+from kurbel.cli.options import FileName
+from kurbel.cli.sweep import MOST_SEED, TABLES
+from kurbel.commands.options import FLAG, Option
 from kurbel.errors import FailedError, KurbelError
 from kurbel.exact.numerals import MOST_DIGITS
 from kurbel.reading.given import choose
 from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about, within
 from kurbel.sweeps.asked import values_of
 
-COMMANDS = (
-    *("table", "forces", "inertia", "solve", "delta", "turning", "pressures", "power", "flywheel"),
-    *("deadcentres", "harmonics", "balance", "rotor", "locomotive", "firing"),
-)
-MOST_SEED = 9999
+if TYPE_CHECKING:
+    from kurbel.cli.sweep_command import SweepCommand
+
 KIND = TomlKind(
     "sweep",
     FailedError,
@@ -27,10 +28,11 @@ KIND = TomlKind(
     'a sweep has command = "delta", its [axes], [options] and an output',
     "sweep.toml",
 )
+SECTIONS = ("axes", "options")
 VALUE: Mapping[str, Any] = {"type": ["string", "number", "boolean"]}
 
 
-class Command(Choice, what="command that can be swept", allowed=COMMANDS):
+class Command(Choice, what="command that can be swept", allowed=TABLES):
     """A command by its name."""
 
 
@@ -100,7 +102,7 @@ class ReadFile:
         Raises FailedError for one that the command does not have, or a value that cannot be read.
         """
         found: dict[str, Given] = {}
-        for section in ("axes", "options"):
+        for section in SECTIONS:
             for key, given in (getattr(self.said, section) or {}).items():
                 name = key.replace("-", "_")
                 try:
@@ -113,3 +115,57 @@ class ReadFile:
                     raise self.file.error((section, key), error) from None
                 found.setdefault(name, given)
         return found
+
+
+SUFFIX = ".toml"
+# Where a context keeps the options of the file in their order, with the values of flags that vary, which no
+# word says.
+FILE = "kurbel.cli.sweep.file"
+
+
+def words_of(
+    read: ReadFile, command: SweepCommand, typed: Sequence[str]
+) -> tuple[list[str], dict[str, tuple[bool, ...]]]:
+    """Return the words of the file and what is typed; and the options of the file in their order, with the
+    values of flags that vary. Raises KurbelError."""
+    context = click.Context(command, info_name=command.name, resilient_parsing=True)
+    *_, order = command.make_parser(context).parse_args(args=[*typed])
+    outdone = {one.name for one in order}
+    options = {one.name: one for one in command.params if isinstance(one, click.Option)}
+    own = command.asking.options
+    machine = {"machine": own["ratio"]} if "machine" in options and "ratio" in own else {}
+    values = read.values({**own, **machine})
+    flags = {
+        name: (*map(bool, given),)
+        for name, given in values.items()
+        if name in own and own[name].kind is FLAG and len(given) > 1 and name not in outdone
+    }
+    words: list[str] = []
+    for name, given in values.items():
+        if name not in outdone and name not in flags and name in options:
+            words += _words(read, options[name], given)
+    for name, said in _of_sweeps(read):
+        if name not in outdone:
+            words += _words(read, options[name], said)
+    return [*words, *typed], {name: flags.get(name, ()) for name in values}
+
+
+def _words(read: ReadFile, option: click.Option, given: Sequence[Any]) -> Iterator[str]:
+    flag = max(option.opts, key=len)
+    for one in given:
+        if isinstance(one, bool):
+            yield from [flag] if one else []
+        else:
+            named = isinstance(option.type, FileName) or option.name == "output"
+            yield f"{flag}={read.beside(one) if named else one}"
+
+
+def _of_sweeps(read: ReadFile) -> Iterator[tuple[str, Sequence[Any]]]:
+    """Yield what the file says of the sweep itself by the names of the options, each as a list of values."""
+    said = {
+        name: getattr(read.said, name) for name in SweepFile.__struct_fields__[1:] if name not in SECTIONS
+    }
+    said |= {"columns": ",".join(said["columns"]), "seed": said["seed"] if said["sample"] else None}
+    said["zip_"] = said.pop("zip")
+    for name, value in said.items():
+        yield name, value if isinstance(value, tuple) else [] if value in (None, "") else [value]
