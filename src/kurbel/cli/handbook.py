@@ -5,26 +5,29 @@ from __future__ import annotations
 import os
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import islice
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
-from kurbel.cli import say
+from kurbel.cli import say, screen
 from kurbel.cli.app import Group
-from kurbel.cli.listing import show_lines
+from kurbel.cli.asking import make_part
+from kurbel.cli.listing import Entry, Heading, Shell, plain_lines, set_list, show_lines
 from kurbel.cli.options import Option, Type, lang_option
 from kurbel.commands.options import Count
+from kurbel.errors import KurbelError
+from kurbel.handbook.build import Build, Handbook, chosen, part_from
+from kurbel.handbook.build import build as built
+from kurbel.handbook.check import Checked, places
+from kurbel.handbook.check import check as checked
+from kurbel.handbook.folder import Folder, Seen, as_built, glance_at
+from kurbel.handbook.manifest import Manifest, Part, manifest_path, read_manifest, write_first_manifest
 from kurbel.handbook.pool import by_whom
+from kurbel.page.wrap import lines_of
 from kurbel.sweeps.hands import MOST_JOBS, cores
-
-if TYPE_CHECKING:
-    from kurbel.handbook.build import Build, Handbook
-    from kurbel.handbook.check import Checked
-    from kurbel.handbook.folder import Folder
-    from kurbel.handbook.manifest import Manifest
 
 # How often the files are looked at, in seconds.
 GLANCE = 0.4
@@ -72,8 +75,6 @@ def building(command: Callable[..., Any]) -> Callable[..., Any]:
 @FOLDER
 def init(folder: str, lang: str) -> None:
     """Write a manifest with comments, which builds at once, into FOLDER."""
-    from kurbel.handbook.init import write_first_manifest
-
     path = write_first_manifest(folder, lang)
     say(f"{path} is written; build it with: {_build_words(folder)}")
 
@@ -89,8 +90,6 @@ def build(**options: Any) -> int:
 
 
 def _build(options: dict[str, Any]) -> int:
-    from kurbel.cli.asking import make_part
-    from kurbel.handbook.build import build as built
 
     handbooks, wrong = _opened_all(options)
     jobs, by = options["jobs"] or cores(), by_whom(options["scheduler"])
@@ -123,8 +122,6 @@ def check(**options: Any) -> int:
     All is built anew, elsewhere. The stale files and their differences go to standard output; with --quiet
     the files alone.
     """
-    from kurbel.cli.asking import make_part
-    from kurbel.handbook.check import check as checked
 
     handbooks, wrong = _opened_all(options)
     jobs, by = options["jobs"] or cores(), by_whom(options["scheduler"])
@@ -148,8 +145,6 @@ def check(**options: Any) -> int:
 
 def _checked(one: Checked, options: dict[str, Any]) -> bool:
     """Say where what is stale is made, and what failed, of a handbook; tell whether there is any."""
-    from kurbel.handbook.check import places
-
     folder = one.handbook.folder
     failed = _report(one.anew)
     for sentence in islice(places(one), MOST_PLACES):
@@ -170,8 +165,6 @@ def _checked(one: Checked, options: dict[str, Any]) -> bool:
 @OUTSIDE
 def listed(folder: str, allow_outside: bool) -> None:
     """List the chapters and parts of the handbook in FOLDER, and what a build would make anew."""
-    from kurbel.cli.handbook_list import show_handbook
-
     show_handbook(*_opened(folder, allow_outside))
 
 
@@ -179,8 +172,6 @@ def listed(folder: str, allow_outside: bool) -> None:
 @building
 def watch(**options: Any) -> int:
     """Build the handbook in FOLDER, or several, and again each time a file is saved, until Ctrl-C."""
-    from kurbel.errors import KurbelError
-    from kurbel.handbook.inputs import Seen, as_built, glance_at
 
     def look() -> Seen:
         return {
@@ -214,10 +205,6 @@ def _opened_all(options: dict[str, Any]) -> tuple[list[Handbook], bool]:
 
     Raises ChoiceError for a name in --only that no handbook has.
     """
-    from kurbel.errors import KurbelError
-    from kurbel.handbook.build import Handbook
-    from kurbel.handbook.manifest import manifest_path
-
     opened: list[Handbook] = []
     wrong = False
     # Each once, under the first of its names.
@@ -228,8 +215,6 @@ def _opened_all(options: dict[str, Any]) -> tuple[list[Handbook], bool]:
         try:
             one = Handbook(given, *_opened(given, options["allow_outside"]))
             if opened:
-                from kurbel.handbook.several import part_from
-
                 part_from(one, opened)
             opened.append(one)
         except KurbelError as error:
@@ -237,17 +222,12 @@ def _opened_all(options: dict[str, Any]) -> tuple[list[Handbook], bool]:
             for said in getattr(error, "mistakes", (str(error),)):
                 say(said)
     if opened and options["only"]:
-        from kurbel.handbook.several import chosen
-
         opened = chosen(opened, options["only"])
     return opened, wrong
 
 
 def _opened(given: str, outside: bool) -> tuple[Manifest, Folder]:
     """Return the manifest and the output folder."""
-    from kurbel.handbook.folder import Folder
-    from kurbel.handbook.manifest import manifest_path, read_manifest
-
     manifest = read_manifest(manifest_path(given), outside)
     return manifest, Folder(manifest.folder, manifest.output)
 
@@ -289,3 +269,36 @@ def _bar(steps: Iterable[Any], count: int) -> Iterator[Any]:
             yield from bar
     else:
         yield from steps
+
+
+# So many characters of a text tell which it is.
+MOST_SHOWN = 50
+
+
+def show_handbook(manifest: Manifest, output: Folder) -> None:
+    one = Build(manifest, output)
+    chapters = {
+        f"{number} {chapter.title} ({chapter.name})": [_row(one, part) for part in chapter.parts]
+        for number, chapter in enumerate(manifest.chapters, 1)
+    }
+    first, width = f"{output.path}: {', '.join(manifest.formats)}", screen.width()
+    if width is None:
+        show_lines(_plain_list(first, chapters))
+        return
+    entries: list[Entry | Heading] = []
+    for title, rows in chapters.items():
+        entries += [Heading(title), *rows]
+    show_lines([*lines_of(first, width), "", *set_list(("part", "made by", "state"), entries, width)])
+
+
+def _plain_list(first: str, chapters: Mapping[str, Sequence[Sequence[str]]]) -> Iterator[str]:
+    yield first
+    for title, rows in chapters.items():
+        yield from ("", title, *(f"    {line}" for line in plain_lines(rows)))
+
+
+def _row(one: Build, part: Part) -> tuple[str, ...]:
+    """Return what the list says of a part: its name, what it is made of, whether it would be made anew."""
+    if not part.words:
+        return "text", part.file or " ".join(part.text.split())[:MOST_SHOWN], ""
+    return part.name, Shell(part.shown), one.novelty(part)

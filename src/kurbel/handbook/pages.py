@@ -47,7 +47,7 @@ def document_of(manifest: Manifest, made: Mapping[str, About], failures: list[Fa
     whole = Document(manifest.title, manifest.lang, mark, chapters, manifest.subtitle, manifest.author)
     if not manifest.matter:
         return whole
-    from kurbel.handbook.matter.matter import with_matter
+    from kurbel.handbook.matter import with_matter
 
     return with_matter(whole, manifest, made)
 

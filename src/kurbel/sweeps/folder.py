@@ -19,6 +19,7 @@ from typing import Any
 from kurbel.commands.options import FILE
 from kurbel.errors import OutputError
 from kurbel.reading.given import File
+from kurbel.sweeps.hands import lock
 from kurbel.sweeps.parts import Place, is_whole, subfolder
 from kurbel.sweeps.plan import Axis, Plan
 from kurbel.sweeps.rows import Sweep
@@ -219,37 +220,16 @@ def _locked(path: str, target: str) -> tuple[int, str]:
     while True:
         with suppress(FileExistsError):
             os.mkdir(path)
-        lock = os.path.join(path, LOCK)
+        mark = os.path.join(path, LOCK)
         with suppress(FileNotFoundError):
-            handle = os.open(lock, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o644)
-            if not _is_ours(handle):
+            handle = os.open(mark, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o644)
+            if not lock(handle):
                 os.close(handle)
                 raise OutputError(f"another run writes {target} at this moment; wait for its end")
             # The run before may have removed it a moment ago.
-            if os.path.exists(lock) and os.path.samestat(os.fstat(handle), os.stat(lock)):
+            if os.path.exists(mark) and os.path.samestat(os.fstat(handle), os.stat(mark)):
                 word = os.urandom(16).hex()
                 os.ftruncate(handle, 0)
                 os.write(handle, word.encode())
                 return handle, word
             os.close(handle)
-
-
-def _is_ours(handle: int) -> bool:
-    """Lock an open file unless another process has; a file system without locks keeps nobody away."""
-    try:
-        if sys.platform == "win32":
-            import msvcrt
-
-            # Not its word: what is locked there, nobody can read.
-            os.lseek(handle, 1 << 20, os.SEEK_SET)
-            msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)
-            os.lseek(handle, 0, os.SEEK_SET)
-        else:
-            import fcntl
-
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        return False
-    except OSError:
-        return sys.platform != "win32"
-    return True

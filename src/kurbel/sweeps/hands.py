@@ -1,4 +1,4 @@
-"""Who computes parts on this machine."""
+"""Who makes pieces of work on this machine: this thread, its threads, or processes, each by itself."""
 
 from __future__ import annotations
 
@@ -7,15 +7,17 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Generator, Iterator
-from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import BrokenExecutor, Future, ThreadPoolExecutor
 from contextlib import contextmanager
-from multiprocessing import get_context, parent_process
 from queue import SimpleQueue
 from threading import Event, RLock, Thread, local
 from types import ModuleType
-from typing import Any, Generic, NoReturn, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, NoReturn, Protocol, TypeVar
 
 from kurbel.errors import FailedError
+
+if TYPE_CHECKING:
+    from concurrent.futures import ProcessPoolExecutor
 
 # The precision of balls is that of the process: of several threads one at a time computes with them.
 BALLS = RLock()
@@ -46,6 +48,30 @@ def check_wanted() -> None:
 def cores() -> int:
     """Return how many processes run at once."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def lock(handle: int, wait: bool = False) -> bool:
+    """Lock an open file, and tell whether nobody else has it; with `wait` that is waited for. A file system
+    without locks keeps nobody away."""
+    try:
+        if sys.platform == "win32":
+            import msvcrt
+
+            # Behind what is in it, which nobody else could read; it waits for ten seconds at the most.
+            os.lseek(handle, 1 << 20, os.SEEK_SET)
+            msvcrt.locking(handle, msvcrt.LK_LOCK if wait else msvcrt.LK_NBLCK, 1)
+            os.lseek(handle, 0, os.SEEK_SET)
+        else:
+            import fcntl
+
+            fcntl.flock(handle, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
+    except BlockingIOError:
+        return False
+    except OSError:
+        if wait:
+            raise
+        return sys.platform != "win32"
+    return True
 
 
 class Hands(Protocol[Taken]):
@@ -210,6 +236,9 @@ class Processes(Generic[Made]):
 
 
 def _pool(make: Callable[[int], Any]) -> ProcessPoolExecutor:
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing import get_context
+
     # Started anew, not copied, so that a part finds the same process on every system.
     return ProcessPoolExecutor(1, get_context("spawn"), initializer=_start, initargs=(make,))
 
@@ -245,6 +274,8 @@ _make: list[Callable[[int], Any]] = []
 
 def _start(make: Callable[[int], Any]) -> None:
     """Make a process ready: it ends with the one that started it, and by no other's Ctrl-C."""
+    from multiprocessing import parent_process
+
     _make[:] = [make]
     gc.set_threshold(ALLOCATED)
     signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -41,11 +41,14 @@ def content_of(path: str) -> str:
     """Return what tells the content of a file, or of a folder, from others; nothing of what is not there."""
     if os.path.isdir(path):
         return tree_of(path)
-    # A pipe would be waited for, and could be read once.
-    if not os.path.isfile(path):
+    try:
+        # A pipe would be waited for, and a device may have no end.
+        if not os.path.isfile(path):
+            return ""
+        with open(path, "rb") as file:
+            return hashlib.file_digest(file, "sha256").hexdigest()
+    except (OSError, ValueError):
         return ""
-    with open(path, "rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def tree_of(top: str) -> str:
