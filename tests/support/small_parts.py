@@ -11,7 +11,7 @@ from typing import Any
 from kurbel.commands.part import Origin, Values
 from kurbel.sweeps import run as runs
 from kurbel.sweeps.asked import planned
-from kurbel.sweeps.rows import Part
+from kurbel.sweeps.columns import Part
 from kurbel.sweeps.rows import Sweep as Sweep
 
 run, Running, StoppedError = runs.run, runs.Running, runs.StoppedError

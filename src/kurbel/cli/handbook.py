@@ -6,9 +6,9 @@ import os
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import partial
+from functools import partial, wraps
 from itertools import islice
-from typing import Any
+from typing import Any, NamedTuple
 
 import click
 
@@ -64,9 +64,25 @@ CLUSTER = click.option("--scheduler", metavar="ADDRESS",
                        help="Dask cluster that makes the parts: tcp://HOST:8786.")  # fmt: skip
 
 
-def building(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Add what the commands have that build."""
-    return FOLDERS(ONLY(JOBS(CLUSTER(OUTSIDE(QUIET(command))))))
+class Options(NamedTuple):
+    """What the commands have that build."""
+
+    folders: tuple[str, ...]
+    only: tuple[str, ...]
+    jobs: int | None
+    scheduler: str | None
+    allow_outside: bool
+    quiet: bool
+
+
+def building(command: Callable[[Options], int]) -> Callable[..., int]:
+    """Add the options of the commands that build."""
+
+    @wraps(command)
+    def given(folders: tuple[str, ...], **options: Any) -> int:
+        return command(Options(folders or (".",), **options))
+
+    return FOLDERS(ONLY(JOBS(CLUSTER(OUTSIDE(QUIET(given))))))
 
 
 @handbook.command(
@@ -81,7 +97,7 @@ def init(folder: str, lang: str) -> None:
 
 @handbook.command(short_help="Build what changed.")
 @building
-def build(**options: Any) -> int:
+def build(options: Options) -> int:
     """Build what changed of the handbook in FOLDER, or in several: tables, figures and documents.
 
     With --only documents stay as they are.
@@ -89,10 +105,10 @@ def build(**options: Any) -> int:
     return _build(options)
 
 
-def _build(options: dict[str, Any]) -> int:
+def _build(options: Options) -> int:
 
     handbooks, wrong = _opened_all(options)
-    jobs, by = options["jobs"] or cores(), by_whom(options["scheduler"])
+    jobs, by = options.jobs or cores(), by_whom(options.scheduler)
     builds = built(handbooks, make_part, jobs, _bar_of(options), partial(_tell, options), by)
     for one in builds:
         failed = _report(one)
@@ -116,7 +132,7 @@ def _counts(builds: Sequence[Build]) -> str:
 
 @handbook.command(short_help="Tell whether what was built is up to date.")
 @building
-def check(**options: Any) -> int:
+def check(options: Options) -> int:
     """Tell whether what was built in FOLDER is what a build would write now; exit with 1 if not.
 
     All is built anew, elsewhere. The stale files and their differences go to standard output; with --quiet
@@ -124,7 +140,7 @@ def check(**options: Any) -> int:
     """
 
     handbooks, wrong = _opened_all(options)
-    jobs, by = options["jobs"] or cores(), by_whom(options["scheduler"])
+    jobs, by = options.jobs or cores(), by_whom(options.scheduler)
     found = checked(handbooks, make_part, jobs, _bar_of(options), by)
     show_lines(
         line
@@ -132,7 +148,7 @@ def check(**options: Any) -> int:
         for file in one.stale
         for line in (
             f"{one.handbook.folder.path}/{file.path}: {file.why}",
-            *(() if options["quiet"] else (f"    {line}" for line in file.difference)),
+            *(() if options.quiet else (f"    {line}" for line in file.difference)),
         )
     )
     for one in found:
@@ -143,7 +159,7 @@ def check(**options: Any) -> int:
     return int(wrong)
 
 
-def _checked(one: Checked, options: dict[str, Any]) -> bool:
+def _checked(one: Checked, options: Options) -> bool:
     """Say where what is stale is made, and what failed, of a handbook; tell whether there is any."""
     folder = one.handbook.folder
     failed = _report(one.anew)
@@ -170,14 +186,14 @@ def listed(folder: str, allow_outside: bool) -> None:
 
 @handbook.command(short_help="Build again each time a file is saved.")
 @building
-def watch(**options: Any) -> int:
+def watch(options: Options) -> int:
     """Build the handbook in FOLDER, or several, and again each time a file is saved, until Ctrl-C."""
 
     def look() -> Seen:
         return {
             path: seen
-            for one in _folders(options)
-            for path, seen in glance_at(one, options["allow_outside"]).items()
+            for one in options.folders
+            for path, seen in glance_at(one, options.allow_outside).items()
         }
 
     # One that is not there, or has a mistake, ends the command; later ones are waited out.
@@ -196,11 +212,7 @@ def watch(**options: Any) -> int:
         time.sleep(GLANCE)
 
 
-def _folders(options: dict[str, Any]) -> tuple[str, ...]:
-    return options["folders"] or (".",)
-
-
-def _opened_all(options: dict[str, Any]) -> tuple[list[Handbook], bool]:
+def _opened_all(options: Options) -> tuple[list[Handbook], bool]:
     """Return the handbooks that can be built, each once, and whether there are others; say why.
 
     Raises ChoiceError for a name in --only that no handbook has.
@@ -209,11 +221,11 @@ def _opened_all(options: dict[str, Any]) -> tuple[list[Handbook], bool]:
     wrong = False
     # Each once, under the first of its names.
     names: dict[str, str] = {}
-    for given in _folders(options):
+    for given in options.folders:
         names.setdefault(os.path.realpath(manifest_path(given)), given)
     for given in names.values():
         try:
-            one = Handbook(given, *_opened(given, options["allow_outside"]))
+            one = Handbook(given, *_opened(given, options.allow_outside))
             if opened:
                 part_from(one, opened)
             opened.append(one)
@@ -221,8 +233,8 @@ def _opened_all(options: dict[str, Any]) -> tuple[list[Handbook], bool]:
             wrong = True
             for said in getattr(error, "mistakes", (str(error),)):
                 say(said)
-    if opened and options["only"]:
-        opened = chosen(opened, options["only"])
+    if opened and options.only:
+        opened = chosen(opened, options.only)
     return opened, wrong
 
 
@@ -252,14 +264,14 @@ def _report(done: Build) -> str:
     return f", {len(done.failures)} failed" if done.failures else ""
 
 
-def _tell(options: dict[str, Any], message: str) -> None:
+def _tell(options: Options, message: str) -> None:
     """Say what is well, unless --quiet is asked for."""
-    if not options["quiet"]:
+    if not options.quiet:
         say(message)
 
 
-def _bar_of(options: dict[str, Any]) -> Callable[[Iterable[Any], int], Iterable[Any]]:
-    return (lambda steps, _: steps) if options["quiet"] else _bar
+def _bar_of(options: Options) -> Callable[[Iterable[Any], int], Iterable[Any]]:
+    return (lambda steps, _: steps) if options.quiet else _bar
 
 
 def _bar(steps: Iterable[Any], count: int) -> Iterator[Any]:

@@ -13,7 +13,7 @@ from kurbel.cli.manual.command import TopicCommand
 from kurbel.cli.options import Given, help_of
 from kurbel.cli.sweep import own_options, running, running_options, sweep_options
 from kurbel.cli.sweep_file import FILE
-from kurbel.commands.part import Origin, Values
+from kurbel.commands.part import Origin, Values, flag_of
 from kurbel.commands.subject import Command
 from kurbel.reading.extras import need
 
@@ -152,7 +152,7 @@ def show_estimate(sweep: Sweep, target: str | None, format: str | None) -> None:
     found = estimated(sweep, form)
     hands = min(cores(), found.parts)
     product = " x ".join(
-        f"{len(group[0].values)} of " + " and ".join(f"--{one.option.replace('_', '-')}" for one in group)
+        f"{len(group[0].values)} of " + " and ".join(flag_of(one.option) for one in group)
         for group in sweep.plan.groups
     )
     each = f", {sweep.each} records each" if sweep.each > 1 else ""

@@ -18,9 +18,10 @@ from kurbel.page.quantity import Quantity
 from kurbel.page.subject import Question
 from kurbel.page.table import Note
 from kurbel.reading.notation import Progression
+from kurbel.sweeps.columns import Column
 from kurbel.sweeps.plan import text_of
 from kurbel.sweeps.records import questions
-from kurbel.sweeps.rows import Column, Sweep
+from kurbel.sweeps.rows import Sweep
 
 BOUND = "the true value lies at most so far from {}"
 DECIMALS = "each digit is certified: the exact value, correctly rounded to {} decimals"
@@ -67,7 +68,7 @@ class About:
     def inputs(self) -> dict[str, Any]:
         """Return the exact inputs as they can be typed again."""
         plan = self.sweep.plan
-        unsaid = {one.name: one.default for one in plan.asking.parameters.values()}
+        unsaid = plan.asking.defaults
         given = {name: _text(value) for name, value in plan.given.items() if value != unsaid[name]}
         axes = [{axis.option: _text(axis.values) for axis in group} for group in plan.groups]
         said = {

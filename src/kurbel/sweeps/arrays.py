@@ -22,7 +22,7 @@ from kurbel.motion.bulk import float_bound
 from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.page import MOTION, Request
 from kurbel.page.subject import Question
-from kurbel.sweeps.columns import BOUND, Asked, Rows
+from kurbel.sweeps.columns import BOUND, Asked, Cells, Rows
 from kurbel.sweeps.coordinates import Coordinates
 from kurbel.sweeps.plan import Floats, Places, Plan, Points
 from kurbel.sweeps.records import Pointwise
@@ -59,7 +59,7 @@ class Motion:
         refused = Pointwise(self.asked).rows(Points(points.places[bad], points.records[bad]))
         return Rows(values, {int(bad[place]): why for place, why in refused.reasons.items()})
 
-    def _values(self, degrees: Floats, ratios: Floats) -> Mapping[str, Any]:
+    def _values(self, degrees: Floats, ratios: Floats) -> Cells:
         columns = self.question.page_columns
         keys, fast = [one.quantity.key for one in columns], of_all(len(self.asked.plan) * len(columns))
         found = motion(keys, degrees, ratios, columns[0].method, fast=fast)
@@ -143,11 +143,9 @@ class Irregularities:
 
     @property
     def _half_even(self) -> bool:
-        return self.asked.plan.given.get("rounding") == "half-even"
+        return self.question.rounding == "half-even"
 
-    def _refused(
-        self, points: Points, rows: Places, told: Mapping[str, Any], values: Mapping[str, Any]
-    ) -> dict[int, str]:
+    def _refused(self, points: Points, rows: Places, told: Cells, values: Cells) -> dict[int, str]:
         """Return why these rows were refused; what the single command does not refuse has its values."""
         one, reasons = Pointwise(self.asked), dict[int, str]()
         for row in rows.tolist():
@@ -165,7 +163,7 @@ class Irregularities:
                 values[name][row] = array[0]
         return reasons
 
-    def _inputs(self, points: Points) -> dict[str, Any]:
+    def _inputs(self, points: Points) -> Cells:
         steam, crank = self.question.steams[0], self.question.drives[0].crank
         assert isinstance(steam, Steam)
         own = {"eps": steam.expansion, "ratio": crank.ratio, "back": steam.back}

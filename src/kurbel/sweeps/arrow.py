@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import repeat
 from typing import Any
 
@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from kurbel.errors import OutputError
 from kurbel.formats.render import whole_file
 from kurbel.sweeps.about import About
-from kurbel.sweeps.rows import Column, Part, Sweep
+from kurbel.sweeps.columns import Cells, Column, Part
+from kurbel.sweeps.rows import Sweep
 
 # The digits of the two kinds, and how many of them are to be left before the point.
 SHORT, LONG, BEFORE = 38, 76, 10
@@ -98,7 +99,7 @@ def with_options(sweep: Sweep, batch: pa.RecordBatch, start: int) -> pa.RecordBa
     return _completed(sweep, {**found, **sweep.varied(start, start + rows)}, reasons)
 
 
-def _completed(sweep: Sweep, values: Mapping[str, Any], reasons: pa.Array) -> pa.RecordBatch:
+def _completed(sweep: Sweep, values: Cells, reasons: pa.Array) -> pa.RecordBatch:
     arrays = [_array(column, values[column.key]) for column in sweep.columns]
     return pa.record_batch([*arrays, reasons], bare_schema(sweep))
 

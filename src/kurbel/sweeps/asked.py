@@ -25,7 +25,7 @@ from kurbel.reading.given import as_angle, meant
 from kurbel.reading.notation import Progression
 from kurbel.sweeps.condition import Condition, named_axes
 from kurbel.sweeps.coordinates import is_readable
-from kurbel.sweeps.plan import MOST_ROWS, Axis, Plan
+from kurbel.sweeps.plan import MOST_ROWS, Axis, Plan, Setting
 from kurbel.sweeps.records import questions
 
 KINDS = ("random", "sobol", "halton", "lhs")
@@ -140,7 +140,7 @@ def _value(space: _Range | Sequence[Any], share: float) -> Any:
 RUN = ("from", "to", "step")
 
 
-def left_of(command: Command, options: Values) -> dict[str, Any]:
+def left_of(command: Command, options: Values) -> dict[str, Setting]:
     """Return what options are given that say something, in their order, but for what others outdo."""
     given = {
         name: value
@@ -223,7 +223,7 @@ def planned(
     return plan
 
 
-def _designed(plan: Plan, given: Mapping[str, Any], design: Design) -> Plan:
+def _designed(plan: Plan, given: Mapping[str, Setting], design: Design) -> Plan:
     """Return the plan with the points of a design on those options that vary, but for the run of angles."""
     options = [plan.asking.options[name] for name in given]
     varied = [one for one in options if is_varied(one, given[one.name])]

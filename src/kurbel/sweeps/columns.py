@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf, nextafter, ulp
-from typing import Any, Literal, NamedTuple, Protocol
+from typing import Any, Literal, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 
@@ -47,6 +47,11 @@ class Column(NamedTuple):
     option: str = ""
 
 
+# A record of the command by the keys of its fields, and arrays or lists of values by the keys of columns.
+Record: TypeAlias = Mapping[str, "Number | str | None"]
+Cells: TypeAlias = Mapping[str, Any]
+
+
 class Part(NamedTuple):
     """Rows of a sweep, in order.
 
@@ -56,7 +61,7 @@ class Part(NamedTuple):
     """
 
     rows: int
-    values: Mapping[str, Any]
+    values: Cells
     reasons: Mapping[int, str]
 
     @property
@@ -71,17 +76,16 @@ def key_of(option: str) -> str:
 
 
 def columns_of(
-    plan: Plan, fields: Sequence[Field], rows: Sequence[Sequence[Any]], apart: Collection[str]
+    plan: Plan, fields: Sequence[Field], rows: Sequence[Sequence[Any]], needed: Collection[str]
 ) -> tuple[Column, ...]:
-    """Return the columns of a plan whose command has these records at a point, told apart by these keys: what
-    varies, what the command says, and of floats their bounds."""
+    """Return the columns of a plan whose command has these records at a point: what varies, what the command
+    says, and of floats their bounds. These keys are `needed` though they may be the same everywhere."""
     about = {field.key: field for field in fields}
     found = [_axis(plan, axis, about.get(key_of(option))) for option, axis in plan.axes.items()]
     own = {column.key for column in found}
     for place, field in enumerate(fields):
         if field.key not in own:
-            needed = field.key in plan.columns or field.key in apart
-            found += _of_records(plan, field, [row[place] for row in rows], needed)
+            found += _of_records(plan, field, [row[place] for row in rows], field.key in needed)
     return tuple(found)
 
 
@@ -126,7 +130,7 @@ def _of_records(plan: Plan, field: Field, found: Sequence[Any], needed: bool) ->
 class Rows(NamedTuple):
     """Rows in order: the values of the columns that are no options, and why some rows were refused."""
 
-    values: Mapping[str, Any]
+    values: Cells
     reasons: dict[int, str]
 
 
@@ -158,7 +162,7 @@ class Asked:
         return [column for column in self.columns if not column.option]
 
 
-def columns_from(asked: Asked, found: Sequence[Mapping[str, Any]], reasons: dict[int, str]) -> Rows:
+def columns_from(asked: Asked, found: Sequence[Record], reasons: dict[int, str]) -> Rows:
     """Return rows from records by the keys of the fields; one that was refused is empty."""
     # Of an indicator card a number has as many decimals as are known; of others what is exact has few.
     told = reasons if asked.plan.carded else None
@@ -166,7 +170,7 @@ def columns_from(asked: Asked, found: Sequence[Mapping[str, Any]], reasons: dict
     return Rows(values, reasons)
 
 
-def _values(column: Column, rows: Sequence[Mapping[str, Any]], reasons: dict[int, str] | None) -> Any:
+def _values(column: Column, rows: Sequence[Record], reasons: dict[int, str] | None) -> Any:
     if column.kind == "words":
         texts = (row.get(column.key) for row in rows)
         return [plain(one) if isinstance(one, str) else None for one in texts]

@@ -22,9 +22,10 @@ from kurbel.reading.extras import need
 from kurbel.reading.given import meant
 from kurbel.sweeps.about import cf_of, cf_of_file
 from kurbel.sweeps.asked import planned
+from kurbel.sweeps.columns import Column, Part
 from kurbel.sweeps.grid import Grid, chunks_of
 from kurbel.sweeps.records import IN_BALLS
-from kurbel.sweeps.rows import Column, Part, Sweep
+from kurbel.sweeps.rows import Sweep
 
 if TYPE_CHECKING:
     from os import PathLike

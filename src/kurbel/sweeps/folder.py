@@ -57,7 +57,7 @@ def grounded(plan: Plan) -> Plan:
 
 def _with_files(plan: Plan, file: Callable[[Any], Any]) -> Plan:
     """Return the plan with what `file` makes of each file that its options name."""
-    kinds = {one.name: one.kind for one in plan.asking.parameters.values()}
+    kinds = {name: one.kind for name, one in plan.asking.options.items()}
 
     def named(name: str, value: Any) -> Any:
         if isinstance(value, list | tuple):

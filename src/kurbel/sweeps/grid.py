@@ -15,10 +15,11 @@ import numpy as np
 
 from kurbel.errors import ProblemError
 from kurbel.sweeps.about import About, cf_of, cf_of_file
+from kurbel.sweeps.columns import Column, Part
 from kurbel.sweeps.coordinates import values_at
 from kurbel.sweeps.plan import Axis
 from kurbel.sweeps.records import tried
-from kurbel.sweeps.rows import Column, Part, Sweep
+from kurbel.sweeps.rows import Sweep
 
 if TYPE_CHECKING:
     import pyarrow as pa

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -23,7 +23,7 @@ from kurbel.page.axes import AngleAxis, shifted
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subject import Question
 from kurbel.reading.notation import Progression
-from kurbel.sweeps.columns import BOUND, Asked, Rows, columns_from
+from kurbel.sweeps.columns import BOUND, Asked, Cells, Record, Rows, columns_from
 from kurbel.sweeps.plan import Floats, Places, Plan, Points
 from kurbel.sweeps.records import (
     DECIMALS,
@@ -110,7 +110,7 @@ class OverAngle:
             return self.angles[places]
         return tuple(self.angles[place] for place in places.tolist())
 
-    def _floats(self, point: int, angles: Sequence[Fraction]) -> Mapping[str, Any]:
+    def _floats(self, point: int, angles: Sequence[Fraction]) -> Cells:
         question = question_at(self.asked.plan, point, angles)
         if not has_arrays(self.asked.plan, question):
             raise ProblemError("there are no floats of this")
@@ -127,9 +127,7 @@ class OverAngle:
         # Angles of the page may count from elsewhere.
         return float(largest(self.angles)) + 360
 
-    def single(
-        self, points: Points, rows: Places, values: Mapping[str, Any], reasons: dict[int, str]
-    ) -> None:
+    def single(self, points: Points, rows: Places, values: Cells, reasons: dict[int, str]) -> None:
         """Ask the single command for these rows: why it refuses them, and what is not known of them."""
         one = Pointwise(self.asked)
         known: dict[int, str] = {}
@@ -238,7 +236,7 @@ class CertifiedOverAngle(OverAngle):
         return IN_BALLS if digits is None or digits > MOST_DECIMALS else IN_FLOATS
 
     def rows(self, points: Points) -> Rows:
-        found: list[Mapping[str, Any] | None] = [None] * len(points)
+        found: list[Record | None] = [None] * len(points)
         for point, rows, places in self._runs(points):
             # What is refused is asked point by point, for its sentences.
             with suppress(KurbelError):
@@ -251,7 +249,7 @@ class CertifiedOverAngle(OverAngle):
             self.single(points, left, told.values, told.reasons)
         return told
 
-    def _records(self, point: int, angles: Sequence[Fraction]) -> Sequence[Mapping[str, Any]]:
+    def _records(self, point: int, angles: Sequence[Fraction]) -> Sequence[Record]:
         plan, keys = self.asked.plan, [one.key for one in self.asked.fields]
         found = _records(plan, point, angles, digits_of(plan))
         rows = [*found.rows]

@@ -9,7 +9,7 @@ from functools import cached_property
 from math import prod
 from pkgutil import resolve_name
 from shlex import quote
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,7 @@ from kurbel.commands.subject import SPELLED
 from kurbel.exact.numerals import exact_text, ratio_text
 from kurbel.motion.page import AngleQuestion
 from kurbel.page.subject import Question
+from kurbel.reading.given import File
 
 if TYPE_CHECKING:
     from kurbel.commands.subject import Command
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 Places = NDArray[np.int64]
+# A value of an option as the command takes it, one of several at a time.
+Setting: TypeAlias = str | bool | float | Fraction | File | Sequence[Any] | Mapping[str, Any]
 # More rows than these nobody waits for.
 MOST_ROWS = 10**12
 
@@ -80,7 +83,7 @@ class Plan:
     """
 
     command: str
-    given: Mapping[str, Any]
+    given: Mapping[str, Setting]
     groups: tuple[tuple[Axis, ...], ...]
     digits: int | None = None
     bounds: bool = False
@@ -101,16 +104,10 @@ class Plan:
         return {axis.option: axis for group in self.groups for axis in group}
 
     @property
-    def columns(self) -> frozenset[str]:
-        """The names of the columns that are asked for."""
-        given = self.given.get("columns") or ()
-        texts = [given] if isinstance(given, str) else given
-        return frozenset(name.strip() for text in texts for name in text.replace(";", ",").split(","))
-
-    @property
     def carded(self) -> bool:
         """Whether an indicator card is among what is given."""
-        described = (self.given, *(self.given.get("cylinder") or ()))
+        cylinders = self.given.get("cylinder")
+        described = [self.given, *(cylinders if isinstance(cylinders, list | tuple) else ())]
         return "card" in self.axes or any(is_given(one.get("card")) for one in described)
 
     def __len__(self) -> int:
@@ -133,9 +130,9 @@ class Plan:
         # What follows from it is found again where it goes.
         return {one.name: getattr(self, one.name) for one in fields(self)}
 
-    def at(self, point: int) -> dict[str, Any]:
+    def at(self, point: int) -> dict[str, Setting]:
         """Return the values of the options that vary, at a point."""
-        found: dict[str, Any] = {}
+        found: dict[str, Setting] = {}
         for group, size in zip(reversed(self.groups), reversed(self.sizes), strict=True):
             point, place = divmod(point, size)
             found = {axis.option: axis.values[place] for axis in group} | found
@@ -146,7 +143,7 @@ class Plan:
         values = self.at(point).items()
         return " ".join(f"{flag_of(name)} {quote(text_of(value, name))}" for name, value in values)
 
-    def question(self, point: int, digits: int, **instead: Any) -> Question:
+    def question(self, point: int, digits: int, **instead: Setting) -> Question:
         """Return what the command asks at a point, with other values `instead` of some.
 
         Raises KurbelError where it is refused.
@@ -167,6 +164,6 @@ class Plan:
         return found
 
     @cached_property
-    def _everywhere(self) -> Mapping[str, Any]:
+    def _everywhere(self) -> Mapping[str, Setting | None]:
         # Files are in the language of --lang, else in English.
         return {**self.asking.defaults, "lang": "en", **dict.fromkeys(SPELLED), **self.given}

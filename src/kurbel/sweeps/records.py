@@ -12,7 +12,7 @@ from kurbel.exact.numerals import MOST_DIGITS, Number
 from kurbel.page.build import records_of
 from kurbel.page.subject import Question
 from kurbel.page.table import Field, Records
-from kurbel.sweeps.columns import MISSING, Asked, Rows, columns_from
+from kurbel.sweeps.columns import MISSING, Asked, Record, Rows, columns_from
 from kurbel.sweeps.hands import BALLS
 from kurbel.sweeps.plan import Plan, Points
 
@@ -39,11 +39,12 @@ def records_at(plan: Plan, point: int, digits: int, keys: Sequence[str]) -> Reco
 
 
 class First(NamedTuple):
-    """What a command answers at a combination: fields, records, and the keys that tell these apart."""
+    """What a command answers at a combination: fields, records, and the keys of those fields that were asked
+    for or tell the records apart."""
 
     fields: tuple[Field, ...]
     rows: list[Sequence[Any]]
-    apart: list[str]
+    needed: list[str]
 
 
 def records_of_question(question: Question) -> Records:
@@ -62,7 +63,8 @@ def first_of(plan: Plan) -> First:
         try:
             question = plan.question(point, digits_of(plan)).for_data
             records = records_of_question(question)
-            found.append(First(records.fields, [*records.rows], question.apart))
+            needed = [*question.columns, *question.apart]
+            found.append(First(records.fields, [*records.rows], needed))
         except KurbelError as error:
             refused.append(error)
         if len(found) == COUNTED:
@@ -96,9 +98,9 @@ def rows_at(
     plan: Plan,
     point: int,
     fields: Sequence[Field],
-    apart: Mapping[str, Sequence[Any]],
+    apart: Mapping[str, Sequence[Number | str | None]],
     count: int,
-) -> list[dict[str, Any] | None]:
+) -> list[Record | None]:
     """Return so many records of a combination by the keys of the fields, as `Number` or text, in the places
     of those that are told `apart` by these columns; None where it has no such record.
 
@@ -118,12 +120,12 @@ def rows_at(
 
 
 def _placed(
-    records: Sequence[dict[str, Any]], apart: Mapping[str, Sequence[Any]], count: int
-) -> list[dict[str, Any] | None]:
+    records: Sequence[Record], apart: Mapping[str, Sequence[Number | str | None]], count: int
+) -> list[Record | None]:
     """Return the records in the places of those elsewhere that are told apart in the same way."""
     if count == len(records) == 1:
         return [*records]
-    found: list[dict[str, Any] | None] = [None] * count
+    found: list[Record | None] = [None] * count
     for record in records:
         own = {key: record[key] for key in apart}
         free = (
@@ -176,9 +178,9 @@ class Pointwise:
     def _rows(self, points: Points) -> Rows:
         plan, fields, each = self.asked.plan, self.asked.fields, self.asked.each
         apart = self.asked.apart
-        found: list[Mapping[str, Any]] = []
+        found: list[Record] = []
         reasons: dict[int, str] = {}
-        last, answer, refused = -1, list[dict[str, Any] | None](), ""
+        last, answer, refused = -1, list[Record | None](), ""
         for row, (point, record) in enumerate(
             zip(points.places.tolist(), points.records.tolist(), strict=True)
         ):

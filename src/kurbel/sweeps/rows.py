@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -14,9 +12,7 @@ from kurbel.engine.request import EngineRequest
 from kurbel.errors import FailedError
 from kurbel.motion.page import Request
 from kurbel.sweeps.arrays import Irregularities, Motion, is_irregularity, is_motion
-from kurbel.sweeps.columns import GIVEN, Asked, Way, columns_of
-from kurbel.sweeps.columns import Column as Column
-from kurbel.sweeps.columns import Part as Part
+from kurbel.sweeps.columns import GIVEN, Asked, Cells, Column, Part, Way, columns_of
 from kurbel.sweeps.coordinates import Coordinates
 from kurbel.sweeps.hands import BALLS, check_wanted
 from kurbel.sweeps.over_angle import CertifiedOverAngle, OverAngle, has_arrays, is_over_angle
@@ -100,7 +96,7 @@ class Sweep:
             raise FailedError(f"{part.refused[row]}; this is of {said}, and --strict ends there")
         return part
 
-    def varied(self, start: int, stop: int) -> Mapping[str, Any]:
+    def varied(self, start: int, stop: int) -> Cells:
         """Return the values of the options that vary, by the keys of their columns."""
         axes = self._coordinates.at(self._points(start, stop))
         return {column.key: axes[column.option] for column in self.columns if column.option}
