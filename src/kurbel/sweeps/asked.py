@@ -268,8 +268,9 @@ def _with_angles(plan: Plan, order: Sequence[str]) -> Plan:
         return plan
     if axis := plan.axes.get("angle"):
         if not isinstance(axis.values, Progression):
-            # As numbers, however they are written.
-            exact = axis._replace(values=tuple(map(as_angle, axis.values)))
+            # As exact numbers, however they are written.
+            angles = (one if isinstance(one, int) else as_angle(one) for one in axis.values)
+            exact = axis._replace(values=tuple(angles))
             groups = (tuple(exact if one is axis else one for one in group) for group in plan.groups)
             axis, plan = exact, replace(plan, groups=tuple(groups))
         return _over_strokes(plan, question, shifted(axis.values, question.zero))
