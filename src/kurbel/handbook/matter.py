@@ -28,15 +28,8 @@ if TYPE_CHECKING:
 
 def inlines(label: Label) -> prose.Inlines:
     """Return a label as words and formulas of a text."""
-    return tuple(_inlines(label))
-
-
-def _inlines(label: Label) -> Iterator[prose.Inline]:
-    for part in parse(label):
-        if isinstance(part, Prose):
-            yield prose.Text(primed(part.text))
-        elif not isinstance(part, Mark):
-            yield part
+    parts = (part for part in parse(label) if not isinstance(part, Mark))
+    return tuple(prose.Text(primed(one.text)) if isinstance(one, Prose) else one for one in parts)
 
 
 def text(words: str) -> prose.Paragraph:

@@ -14,7 +14,6 @@ from kurbel.exact.numerals import exact_text
 from kurbel.motion.captions import formula_lines
 from kurbel.motion.page import Request
 from kurbel.page.labels import plain
-from kurbel.page.quantity import Quantity
 from kurbel.page.subject import Question
 from kurbel.page.table import Note
 from kurbel.reading.notation import Progression
@@ -88,17 +87,12 @@ class About:
             "name": column.name,
             "symbol": plain(column.symbol),
             "unit": plain(column.unit),
-            "formula": column.formula or self._formula(column.key),
+            "formula": column.formula or "; ".join(self._common(lambda one: [*_formulas(one, column.key)])),
             "source": column.source,
             "role": column.role,
             "note": _note(column),
         }
         return {name: text for name, text in said.items() if text}
-
-    def _formula(self, key: str) -> str:
-        """Return the formula of a quantity as pages print it, and what its letters are."""
-        lines = self._common(lambda one: [*_formulas(one, key)])
-        return "; ".join(lines)
 
     def _common(self, lines: Any) -> list[str]:
         """Return the lines that all questions say."""
@@ -112,6 +106,7 @@ def _notes(question: Question) -> Iterator[str]:
 
 
 def _formulas(question: Question, key: str) -> Iterator[str]:
+    """Yield the formula of a quantity as pages print it, and what its letters are."""
     for column in question.page_columns:
         if column.key != key:
             continue
@@ -121,13 +116,9 @@ def _formulas(question: Question, key: str) -> Iterator[str]:
                 yield from formula_lines(question, [column])
         else:
             for method in column.methods:
-                if (printed := _printed(column.quantity, method)) and "{" not in printed:
-                    yield printed
-
-
-def _printed(quantity: Quantity, method: str) -> str:
-    formula = quantity.formulas.get(method)
-    return formula.printed if formula else ""
+                formula = column.quantity.formulas.get(method)
+                if formula and formula.printed and "{" not in formula.printed:
+                    yield formula.printed
 
 
 def _note(column: Column) -> str:

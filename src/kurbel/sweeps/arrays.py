@@ -23,7 +23,6 @@ from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.page import MOTION, Request
 from kurbel.page.subject import Question
 from kurbel.sweeps.columns import BOUND, Asked, Cells, Rows
-from kurbel.sweeps.coordinates import Coordinates
 from kurbel.sweeps.plan import Floats, Places, Plan, Points
 from kurbel.sweeps.records import Pointwise
 
@@ -46,7 +45,7 @@ class Motion:
         return FEW if len(self.asked.plan) <= LONG else MANY
 
     def rows(self, points: Points) -> Rows:
-        told = self._coordinates.at(points)
+        told = self.asked.coordinates.at(points)
         ratios = told.get("ratio", np.full(len(points), float(self.question.cranks[0].ratio)))
         degrees = told.get("angle", np.full(len(points), float(self.question.angles[0])))
         good = (ratios >= 0) & (ratios < 1) & (np.abs(degrees) <= LARGEST_ANGLE)
@@ -78,10 +77,6 @@ class Motion:
     def _reach(self) -> float:
         axis = self.asked.plan.axes.get("angle")
         return float(largest(axis.values if axis else self.question.angles))
-
-    @cached_property
-    def _coordinates(self) -> Coordinates:
-        return Coordinates(self.asked.plan)
 
 
 def is_motion(plan: Plan, question: Question) -> bool:
@@ -126,24 +121,20 @@ class Irregularities:
     def rows(self, points: Points) -> Rows:
         told = self._inputs(points)
         usual = [name for name in FURTHER if self._usual[name]]
-        found, bounds = enclosed(told, self._method, usual)
+        found, bounds = enclosed(told, (self.question.methods or ("exact",))[0], usual)
         good = np.isfinite(bounds)
         digits = self.asked.plan.digits
         if digits is None:
             values = {KEY: found, f"{KEY}{BOUND}": bounds}
             own = {column.key: values[column.key] for column in self.asked.own}
             return Rows(own, self._refused(points, np.flatnonzero(~good), told, own))
-        own = {KEY: np.full(len(points), None, object)}
-        scaled, doubtful = nearest(found[good], digits, bounds[good], half_even=self._half_even)
+        own, half_even = {KEY: np.full(len(points), None, object)}, self.question.rounding == "half-even"
+        scaled, doubtful = nearest(found[good], digits, bounds[good], half_even=half_even)
         settled = np.flatnonzero(good)[~doubtful]
         own[KEY][settled] = scaled[~doubtful]
         left = np.setdiff1d(np.arange(len(points)), settled)
         reasons = self._refused(points, left, told, own)
         return Rows({KEY: own[KEY].tolist()}, reasons)
-
-    @property
-    def _half_even(self) -> bool:
-        return self.question.rounding == "half-even"
 
     def _refused(self, points: Points, rows: Places, told: Cells, values: Cells) -> dict[int, str]:
         """Return why these rows were refused; what the single command does not refuse has its values."""
@@ -168,7 +159,7 @@ class Irregularities:
         assert isinstance(steam, Steam)
         own = {"eps": steam.expansion, "ratio": crank.ratio, "back": steam.back}
         own |= {"clearance": steam.clearance, "exponent": steam.exponent}
-        told = self._coordinates.at(points)
+        told = self.asked.coordinates.at(points)
         return {
             name: told[name] if name in told else None if one is None else np.full(len(points), float(one))
             for name, one in own.items()
@@ -183,14 +174,6 @@ class Irregularities:
             "clearance": steam.clearance == 0 and "clearance" not in varied,
             "exponent": steam.exponent == 1 and "exponent" not in varied,
         }
-
-    @property
-    def _method(self) -> str:
-        return (self.question.methods or ("exact",))[0]
-
-    @cached_property
-    def _coordinates(self) -> Coordinates:
-        return Coordinates(self.asked.plan)
 
 
 def is_irregularity(plan: Plan, question: Question) -> bool:

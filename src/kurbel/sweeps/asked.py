@@ -85,14 +85,19 @@ class _Range(NamedTuple):
     rods: bool
 
     def at(self, share: float) -> Any:
-        decimals = self._decimals
+        decimals = max(0, STEPS - floor(log10(self.last - self.first)))
         value = Fraction(round((self.first + (self.last - self.first) * Fraction(share)) * 10**decimals))
         value = min(max(value / 10**decimals, self.first), self.last)
         return 1 / value if self.rods else f"{figures(value)}{self.unit}"
 
-    @property
-    def _decimals(self) -> int:
-        return max(0, STEPS - floor(log10(self.last - self.first)))
+
+class _List(NamedTuple):
+    """Values of which any may be taken."""
+
+    values: Sequence[Any]
+
+    def at(self, share: float) -> Any:
+        return self.values[int(share * len(self.values))]
 
 
 def is_varied(option: Option[Any], given: Any) -> bool:
@@ -103,11 +108,11 @@ def is_varied(option: Option[Any], given: Any) -> bool:
     return len(texts) > 1 or (isinstance(texts[0], str) and (";" in texts[0] or ".." in texts[0]))
 
 
-def _space(option: Option[Any], given: Any) -> _Range | Sequence[Any]:
+def _space(option: Option[Any], given: Any) -> _Range | _List:
     texts = given if isinstance(given, list | tuple) else [given]
     one = texts[0]
     if len(texts) > 1 or not isinstance(one, str) or ";" in one or option.whole:
-        return several(option, texts)
+        return _List(several(option, texts))
     name = option.name
     match = _RANGE.fullmatch(one.strip())
     if match is None:
@@ -131,10 +136,6 @@ def _space(option: Option[Any], given: Any) -> _Range | Sequence[Any]:
     if rods and ends[0] <= 0:
         raise NotationError(f"crank ratio {notation.quoted(one)} contains 1:0; the rod must have a length")
     return _Range(ends[0], ends[1], unit, bool(rods))
-
-
-def _value(space: _Range | Sequence[Any], share: float) -> Any:
-    return space.at(share) if isinstance(space, _Range) else space[int(share * len(space))]
 
 
 RUN = ("from", "to", "step")
@@ -231,7 +232,7 @@ def _designed(plan: Plan, given: Mapping[str, Setting], design: Design) -> Plan:
         raise ProblemError("a sample needs something that varies; give a range, such as --eps 1..10")
     spaces = [_space(one, given[one.name]) for one in varied]
     axes = tuple(
-        Axis(one.name, tuple(_value(space, share) for share in shares.tolist()))
+        Axis(one.name, tuple(map(space.at, shares.tolist())))
         for one, space, shares in zip(varied, spaces, design.unit(len(spaces)).T, strict=True)
     )
     return replace(plan, groups=(axes,), design=str(design))
@@ -269,8 +270,8 @@ def _with_angles(plan: Plan, order: Sequence[str]) -> Plan:
     if axis := plan.axes.get("angle"):
         if not isinstance(axis.values, Progression):
             # As exact numbers, however they are written.
-            angles = (one if isinstance(one, int) else as_angle(one) for one in axis.values)
-            exact = axis._replace(values=tuple(angles))
+            values = tuple(one if isinstance(one, int) else as_angle(one) for one in axis.values)
+            exact = axis._replace(values=values)
             groups = (tuple(exact if one is axis else one for one in group) for group in plan.groups)
             axis, plan = exact, replace(plan, groups=tuple(groups))
         return _over_strokes(plan, question, shifted(axis.values, question.zero))

@@ -13,7 +13,6 @@ import warnings
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
-from functools import partial
 from queue import Empty, SimpleQueue
 from socket import create_connection
 from time import monotonic, sleep
@@ -96,10 +95,7 @@ class Cluster:
         with _there(self._scheduler):
             future = self._client.submit(_made, self._make, number, *made_by, key=key, pure=False)
         self._given[number] = future
-        future.add_done_callback(partial(self._note, number))
-
-    def _note(self, number: int, future: Future[Any]) -> None:
-        self._done.put((number, future))
+        future.add_done_callback(lambda done: self._done.put((number, done)))
 
     def take(self) -> tuple[int, Any]:
         """Return a piece that is done; raise what kept it from being made."""

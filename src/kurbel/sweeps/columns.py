@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import inf, nextafter, ulp
 from typing import Any, Literal, NamedTuple, Protocol, TypeAlias
 
@@ -12,7 +13,7 @@ import numpy as np
 from kurbel.exact.numerals import Number
 from kurbel.page.labels import plain
 from kurbel.page.table import Field
-from kurbel.sweeps.coordinates import into, measured
+from kurbel.sweeps.coordinates import Coordinates, into, measured
 from kurbel.sweeps.plan import Axis, Plan, Points
 
 Kind = Literal["number", "decimal", "words"]
@@ -155,6 +156,11 @@ class Asked:
     each: int
     columns: tuple[Column, ...]
     apart: Mapping[str, Sequence[Any]]
+
+    @cached_property
+    def coordinates(self) -> Coordinates:
+        """The values of what varies, in units of the SI."""
+        return Coordinates(self.plan)
 
     @property
     def own(self) -> list[Column]:

@@ -58,14 +58,11 @@ def measured(
     if found is None:
         return None
     numbers, factor, si = found
-    if any(abs(one) * factor > LARGEST for one in _farthest(numbers)):
+    # Of a range the largest is at an end.
+    farthest = (numbers[0], numbers[-1]) if isinstance(numbers, Progression) else numbers
+    if any(abs(one) * factor > LARGEST for one in farthest):
         raise NotationError(f"{parameter.flag} goes beyond 10^300, which no column holds")
     return found if unit in ("", si) else (numbers, factor * (into(si, unit) or 1), unit)
-
-
-def _farthest(numbers: Sequence[Any]) -> Sequence[Any]:
-    """Return those of the numbers among which the largest is."""
-    return (numbers[0], numbers[-1]) if isinstance(numbers, Progression) else numbers
 
 
 def into(si: str, unit: str) -> Fraction | None:
@@ -181,13 +178,9 @@ class Coordinates:
             else:
                 own = (places // repeated) % size if repeated > 1 else places % size
                 for axis in group:
-                    found[axis.option] = self.along(axis, own)
+                    found[axis.option] = self._known[axis.option].at(own)
             repeated *= size
         return found
-
-    def along(self, axis: Axis, places: Places) -> Any:
-        """Return the values at places of an axis: an array of floats, or a list of texts."""
-        return self._known[axis.option].at(places)
 
     def _in_runs(self, axis: Axis, start: int, count: int, repeated: int) -> Any:
         """Return the values of an axis on which so many rows stand at each place."""
@@ -196,7 +189,7 @@ class Coordinates:
         lengths = np.full(last - first, repeated)
         lengths[0] -= start - first * repeated
         lengths[-1] -= last * repeated - (start + count)
-        values = self.along(axis, places)
+        values = self._known[axis.option].at(places)
         if isinstance(values, list):
             return np.repeat(np.array(values, object), lengths).tolist()
         return np.repeat(values, lengths)

@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 CHUNK = 1 << 18
 POINT, RECORD = "point", "record"
 REASON, REASONS = "reason", "reason_text"
+# More flags than these are no longer read by anybody.
+MOST_FLAGS = 100
 Place = tuple[slice, ...]
 # From one place on an axis to another: what stands there.
 Values = Callable[[int, int], Any]
@@ -187,7 +189,10 @@ def fill(sweep: Sweep, batches: Iterable[pa.RecordBatch], store: Store) -> None:
     grid = Grid(sweep)
     store.describe(cf_of_file(grid.about))
     for array, values in grid.coordinates():
-        _fill_axis(store.create(array), array, values)
+        into, (size,) = store.create(array), array.sizes
+        for start in range(0, size, CHUNK):
+            stop = min(start + CHUNK, size)
+            into[start:stop] = values(start, stop)
     records = dict(_records(store, grid))
     arrays = {array.key: (store.create(array), array.kind) for array in grid.variables()}
     refused, numbers = store.create(grid.reasons()), {"": 0}
@@ -222,13 +227,6 @@ def _check_records(records: Mapping[str, Any], batch: pa.RecordBatch, first: int
             )
 
 
-def _fill_axis(into: Any, array: Array, values: Values) -> None:
-    (size,) = array.sizes
-    for start in range(0, size, CHUNK):
-        stop = min(start + CHUNK, size)
-        into[start:stop] = values(start, stop)
-
-
 def values_of(column: pa.Array, kind: str) -> Any:
     """Return a column of Arrow as an array: NaN, or an empty text, where there is nothing."""
     if kind == "words":
@@ -254,7 +252,3 @@ def _explain(store: Store, texts: list[str]) -> None:
         meanings = " ".join(["computed", *(f"refused_{number}" for number in range(1, count))])
         flags = {"flag_values": np.arange(count, dtype=np.int32), "flag_meanings": meanings}
         store.flags(REASON, flags)
-
-
-# More flags than these are no longer read by anybody.
-MOST_FLAGS = 100

@@ -20,7 +20,7 @@ from kurbel.motion.bulk import float_angles, float_bound, greatest_value
 from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.page import AngleQuestion, Request
 from kurbel.page.axes import AngleAxis, shifted
-from kurbel.page.quantity import Column, Quantity
+from kurbel.page.quantity import Column
 from kurbel.page.subject import Question
 from kurbel.reading.notation import Progression
 from kurbel.sweeps.columns import BOUND, Asked, Cells, Record, Rows, columns_from
@@ -209,17 +209,13 @@ def has_arrays(plan: Plan, question: Question) -> bool:
         return len(question.ratios) <= 1
     if isinstance(question, EngineRequest):
         one = len(question.steams) == len(question.drives) == 1 and not question.carded
-        return one and question.wheel is None and all(_has_array(column) for column in columns)
+        each = all(one.quantity.of in (*OF_TURN, *OF_ANGLE) and not _is_difference(one) for one in columns)
+        return one and question.wheel is None and each
     return False
 
 
 def _is_difference(column: Column) -> bool:
     return len(column.methods) > 1
-
-
-def _has_array(column: Column) -> bool:
-    quantity: Quantity = column.quantity
-    return quantity.of in (*OF_TURN, *OF_ANGLE) and not _is_difference(column)
 
 
 # Rows of which floats settle most digits: some seconds.

@@ -59,7 +59,9 @@ def first_of(plan: Plan) -> First:
     """
     refused: list[KurbelError] = []
     found: list[First] = []
-    for point in _mixed(tried(plan)):
+    points = tried(plan)
+    # Those first that lie far from each other, the first of all in front.
+    for point in (point for start in range(MIXED) for point in points[start::MIXED]):
         try:
             question = plan.question(point, digits_of(plan)).for_data
             records = records_of_question(question)
@@ -72,11 +74,6 @@ def first_of(plan: Plan) -> First:
     if not found:
         raise refused[0]
     return max(found, key=lambda one: len(one.rows))
-
-
-def _mixed(points: Sequence[int]) -> list[int]:
-    """Return the points with those first that lie far from each other, the first of all in front."""
-    return [point for start in range(MIXED) for point in points[start::MIXED]]
 
 
 def questions(plan: Plan, digits: int = DECIMALS, most: int = TRIED) -> Iterator[Question]:

@@ -12,7 +12,7 @@ import tempfile
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from functools import partial
 from tempfile import TemporaryDirectory
@@ -70,7 +70,8 @@ def run(sweep: Sweep, target: str, running: Running = Running(), format: str | N
     refused: Counter[str] = Counter()
     # A new one goes to other processes, without what it knows already.
     sweep = replace(sweep, plan=grounded(sweep.plan))
-    with _beside(target, running) as place, _working(place, sweep, running) as work:
+    identity, earlier = identity_of(sweep), {"resume": running.resume, "restart": running.restart}
+    with _beside(target, running) as place, working(place, identity, **earlier) as work:
         telling = _telling(work) if place == target else nullcontext()
         unit = unit_of(sweep, form)
         with telling, _hands(unit, work, running) as hands:
@@ -90,10 +91,6 @@ def _beside(target: str, running: Running) -> Iterator[str]:
         raise ChoiceError(f"of what is written to {target} nothing is kept to go on with; name a file")
     with TemporaryDirectory(prefix="kurbel-") as folder:
         yield os.path.join(folder, "sweep")
-
-
-def _working(place: str, sweep: Sweep, running: Running) -> AbstractContextManager[Work]:
-    return working(place, identity_of(sweep), resume=running.resume, restart=running.restart)
 
 
 def _parts(unit: Unit, work: Work, hands: Hands[Result], watch: Callable[[int], None]) -> Iterator[str]:

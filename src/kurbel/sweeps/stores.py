@@ -143,11 +143,9 @@ def _is_ours(folder: str) -> bool:
 
 def _is_of(arrays: Collection[str], path: Sequence[str]) -> bool:
     key, *own = path
-    return path == [_ABOUT] or (key in arrays and (own in ([], [_ABOUT]) or _is_chunk(own)))
-
-
-def _is_chunk(path: Sequence[str]) -> bool:
-    return _CHUNK.fullmatch("/".join(path)) is not None
+    return path == [_ABOUT] or (
+        key in arrays and (own in ([], [_ABOUT]) or _CHUNK.fullmatch("/".join(own)) is not None)
+    )
 
 
 class _Folder:
