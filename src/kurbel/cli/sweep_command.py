@@ -89,11 +89,10 @@ class SweepCommand(TopicCommand):
             for name in dict.fromkeys((*file, *order, *values))
             if name in values
         }
-        linked = [text.replace("-", "_").replace(";", ",").split(",") for text in values["zip_"]]
         return planned(
             self.place,
             Values(options, given.origins | dict.fromkeys(flags, Origin.TYPED)),
-            linked=[[name.strip() for name in names] for names in linked],
+            linked=values["zip_"],
             digits=values["digits"],
             bounds=values["bounds"],
             strict=values["strict"],

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import floor, log10, prod
@@ -180,7 +180,7 @@ def planned(
     command: str,
     options: Values,
     *,
-    linked: Iterable[Collection[str]] = (),
+    linked: Iterable[str | Sequence[str]] = (),
     digits: int | None = None,
     bounds: bool = False,
     strict: bool = False,
@@ -190,7 +190,8 @@ def planned(
 ) -> Plan:
     """Return the plan of a command, found at this place, by the values of its options in their order.
 
-    An option with several values varies; those that are `linked` vary together. Raises KurbelError.
+    An option with several values varies; those that are `linked`, "eps,back", vary together. Raises
+    KurbelError.
     """
     if bounds and digits is not None:
         raise ProblemError(
@@ -238,12 +239,14 @@ def _designed(plan: Plan, given: Mapping[str, Setting], design: Design) -> Plan:
     return replace(plan, groups=(axes,), design=str(design))
 
 
-def _grouped(axes: Sequence[Axis], linked: Iterable[Collection[str]]) -> tuple[tuple[Axis, ...], ...]:
+def _grouped(axes: Sequence[Axis], linked: Iterable[str | Sequence[str]]) -> tuple[tuple[Axis, ...], ...]:
     """Return the groups of axes in their order, a group where its first axis stands."""
     by_name = {axis.option: axis for axis in axes}
     groups: dict[str, tuple[Axis, ...]] = {axis.option: (axis,) for axis in axes}
-    for names in linked:
-        found = [meant(name, by_name, "option with several values") for name in names]
+    for text in linked:
+        names = text.replace(";", ",").split(",") if isinstance(text, str) else text
+        plain = (name.strip().replace("-", "_") for name in names)
+        found = [meant(name, by_name, "option with several values") for name in plain]
         if len(found) == 1:
             raise ProblemError(
                 f"--zip {flag_of(found[0])[2:]} links one option to nothing; name those that go through"

@@ -22,20 +22,9 @@ from kurbel.sweeps.plan import Axis, Places, Plan, Points, text_of
 
 # Units of the SI by what pint calls their dimension.
 SI: Mapping[str, str] = {
-    "[length]": "m",
-    "[length]/[time]": "m/s",
-    "[length]/[time]**2": "m/s²",
-    "[power]": "W",
-    "[mass]": "kg",
-    "[mass]*[length]**2": "kg m²",
-    "[force]": "N",
-    "[energy]": "J",
-    "[length]**3/[mass]": "m³/kg",
-    "[time]": "s",
-    "[pressure]": "Pa",
-    "[mass]/[length]**3": "kg/m³",
-    "[force]/[length]": "J/m²",
-    "[length]**2": "m²",
+    one.dimension: one.unit.replace("**2", "²").replace("**3", "³").replace("*", " ")
+    for one in vars(units).values()
+    if isinstance(one, units.Measure)
 }
 TURNS = "1/s"
 # 1/(2π), of which a float is rounded once.

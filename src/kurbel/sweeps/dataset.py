@@ -186,14 +186,12 @@ def _listed(option: Option[Any], value: Any) -> Any:
     return list(value)
 
 
-def _linked(zip: str | Iterable[str | Sequence[str]]) -> list[list[str]]:
-    """Return the names of options that are linked, group by group: "eps,back", or a list of such."""
-    groups = [zip] if isinstance(zip, str) else list(zip)
-    listed = [one.split(",") if isinstance(one, str) else [*one] for one in groups]
-    if listed and all(isinstance(one, str) and "," not in one for one in groups):
-        # Names one by one are a group.
-        listed = [[name for names in listed for name in names]]
-    return [[name.strip().replace("-", "_") for name in names] for names in listed]
+def _linked(zip: str | Iterable[str | Sequence[str]]) -> list[str | Sequence[str]]:
+    """Return the options that are linked, group by group: "eps,back", or a list of such."""
+    groups: list[str | Sequence[str]] = [zip] if isinstance(zip, str) else [*zip]
+    names = [one for one in groups if isinstance(one, str) and "," not in one]
+    # Names one by one are a group.
+    return [names] if names and len(names) == len(groups) else groups
 
 
 # What tells whether a place was refused, and why.
