@@ -11,11 +11,11 @@ from msgspec import inspect
 
 import kurbel
 from kurbel.cli.asking import option_names
+from kurbel.cli.sweep_file import SweepFile
 from kurbel.drive.sections import Machine
 from kurbel.handbook.model import SCHEMA, HandbookKeys
 from kurbel.page.layouts import LayoutFile
 from kurbel.reading.toml_model import left
-from kurbel.sweeps.sweep_file import SweepFile
 
 PACKAGE = Path(kurbel.__file__).parent
 

@@ -15,7 +15,7 @@ from cli import Result, kurbel
 from manifests import handbook, write
 
 import kurbel as library
-from kurbel.cli import asking
+from kurbel.cli.asking import make_part
 from kurbel.handbook import build as handbook_build
 from kurbel.handbook.pages import make_pdf
 
@@ -191,7 +191,6 @@ def test_a_file_saved_during_the_build_is_read_again_by_the_next(
     machine = '[crank]\nspeed = "120/min"\n[steam]\neps = 4\n[flywheel]\npower = "50kW"\ndelta = "1:100"\n'
     folder = book(tmp_path, MANIFEST.replace("delta --eps 2..4", "flywheel --machine engine.toml"))
     (folder / "engine.toml").write_text(machine)
-    make_part = asking.make_part
 
     def saved(task: Any) -> Any:
         made = make_part(task)
@@ -200,7 +199,7 @@ def test_a_file_saved_during_the_build_is_read_again_by_the_next(
         return made
 
     with monkeypatch.context() as patch:
-        patch.setattr(asking, "make_part", saved)
+        patch.setattr("kurbel.cli.handbook.make_part", saved)
         assert build(folder).code == 0
     table = folder / "pages/tables/delta.csv"
     old = table.read_bytes()

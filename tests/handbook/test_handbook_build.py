@@ -364,7 +364,7 @@ def test_the_manifest_of_init_builds_at_once(tmp_path: Path, lang: str) -> None:
 def test_init_leaves_out_what_needs_an_extra_that_is_missing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("kurbel.handbook.init.find_spec", lambda name: None)
+    monkeypatch.setattr("kurbel.handbook.manifest.find_spec", lambda name: None)
     kurbel("handbook", "init", str(tmp_path))
     text = (tmp_path / "handbook.toml").read_text(encoding="utf-8")
     assert "in kurbel's checkout: pip install '.[pdf]'" in text

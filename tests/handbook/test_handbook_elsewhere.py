@@ -12,7 +12,7 @@ from clusters import Cluster
 from manifests import made
 from programs import Programs
 
-from kurbel.handbook import elsewhere
+from kurbel.handbook import pool
 
 MANIFEST = """\
 title = "Tafeln"
@@ -70,13 +70,13 @@ def test_workers_make_the_parts_that_one_machine_makes(
     # What a worker made of a file that is another one here is made again.
     made_here: list[str] = []
 
-    worked = vars(elsewhere)["worked"]
+    worked = vars(pool)["worked"]
 
     def noted(pieces: Sequence[Any], jobs: int) -> Any:
         made_here.extend(piece.name for piece in pieces)
         return worked(pieces, jobs)
 
-    monkeypatch.setattr(elsewhere, "worked", noted)
-    monkeypatch.setattr(elsewhere, "_inputs", lambda make, made: ("other",) * len(made.inputs))
+    monkeypatch.setattr(pool, "worked", noted)
+    monkeypatch.setattr(pool, "_inputs", lambda make, made: ("other",) * len(made.inputs))
     assert kurbel("handbook", "check", "book", "--scheduler", cluster.address).code == 1
     assert sorted(made_here) == ["schwung", "ungleich"]

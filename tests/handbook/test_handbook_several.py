@@ -12,7 +12,7 @@ from manifests import handbook as run
 from manifests import made as files
 from tools import require_library
 
-from kurbel.cli import asking
+from kurbel.cli.asking import make_part
 
 MANIFEST = """\
 title = "TITLE"
@@ -165,7 +165,6 @@ def test_an_interrupted_build_leaves_old_or_new_files(
     for one in pair:
         book(one, "1:3")
     made: list[str] = []
-    make_part = asking.make_part
 
     def make(task: Any) -> Any:
         if len(made) == 4:
@@ -174,7 +173,7 @@ def test_an_interrupted_build_leaves_old_or_new_files(
         return make_part(task)
 
     with monkeypatch.context() as patch:
-        patch.setattr(asking, "make_part", make)
+        patch.setattr("kurbel.cli.handbook.make_part", make)
         assert run("build", *pair).code == 130
     left = [files(one) for one in pair]
     assert left != old
@@ -195,7 +194,7 @@ def test_nothing_is_made_anew_in_whatever_order_the_parts_were_made(
         # As other processes may be done with them.
         patch.setattr("kurbel.cli.handbook._bar", lambda steps, count: reversed([*steps]))
         assert run("build", one).code == 0
-    monkeypatch.setattr(asking, "make_part", None)
+    monkeypatch.setattr("kurbel.cli.handbook.make_part", None)
     assert run("build", one).err.endswith(f": 0 written, {len(files(one)) - 1} unchanged\n")
 
 

@@ -8,9 +8,10 @@ from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
+from kurbel.commands.part import Origin, Values
 from kurbel.sweeps import run as runs
 from kurbel.sweeps.asked import planned
-from kurbel.sweeps.rows import Part
+from kurbel.sweeps.columns import Part
 from kurbel.sweeps.rows import Sweep as Sweep
 
 run, Running, StoppedError = runs.run, runs.Running, runs.StoppedError
@@ -49,9 +50,13 @@ class InThreads(SmallParts):
 def plan_of(count: int, step: str = "1") -> Any:
     """Return a plan of three times so many rows, of which the first three are refused."""
     last = 1 + (count - 1) * Decimal(step)
-    return planned(DELTA, {"eps": [f"1..{last}:{step}"], "ratio": ["1:4;1:5;1:6"]})
+    return _planned(eps=[f"1..{last}:{step}"], ratio=["1:4;1:5;1:6"])
 
 
 def small(**options: Any) -> SmallParts:
     """Return the sweep of δ over these options, as they are typed."""
-    return SmallParts(planned(DELTA, options))
+    return SmallParts(_planned(**options))
+
+
+def _planned(**options: Any) -> Any:
+    return planned(DELTA, Values(options, dict.fromkeys(options, Origin.TYPED)))

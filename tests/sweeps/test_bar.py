@@ -9,7 +9,7 @@ import sys
 import pytest
 from small_parts import SmallParts, Sweep, plan_of
 
-from kurbel.cli.sweeps.running import running
+from kurbel.cli.sweep import running
 
 
 class Screen(io.StringIO):

@@ -44,11 +44,11 @@ def test_workers_write_the_bytes_of_one_machine_and_one_that_dies_changes_none(
     cluster.work()
     cluster.work()
     target = str(tmp_path / "delta.parquet")
-    place = importlib.import_module("kurbel.sweeps.work.task").Place
+    place = importlib.import_module("kurbel.sweeps.parts").Place
     with monkeypatch.context() as patch:
         # Elsewhere they see no folder, and what they make comes over the network.
         patch.setattr(
-            "kurbel.sweeps.work.folder.Place",
+            "kurbel.sweeps.folder.Place",
             lambda *names: place(names[0], str(tmp_path / "elsewhere"), names[2]),
         )
         run(SWEEP, target, Running(scheduler=cluster.address))
@@ -89,7 +89,7 @@ def test_workers_that_might_write_other_bytes_are_refused(
     cluster: Cluster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     target = str(tmp_path / "delta.parquet")
-    monkeypatch.setattr("kurbel.sweeps.work.cluster.WORKERS", 1)
+    monkeypatch.setattr("kurbel.sweeps.cluster.WORKERS", 1)
     with pytest.raises(
         kurbel.KurbelError, match=r"has no workers, and none came in 1 s; start some by: dask worker tcp"
     ):
@@ -110,7 +110,7 @@ def test_a_scheduler_that_is_not_there_is_one_sentence(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("kurbel.sweeps.work.cluster.PATIENCE", 1)
+    monkeypatch.setattr("kurbel.sweeps.cluster.PATIENCE", 1)
     with socket.socket() as taken:
         # Nobody listens there.
         taken.bind(("127.0.0.1", 0))
@@ -146,7 +146,7 @@ def test_what_is_no_scheduler_is_one_sentence(
                 pass
 
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("kurbel.sweeps.work.cluster.PATIENCE", patience)
+    monkeypatch.setattr("kurbel.sweeps.cluster.PATIENCE", patience)
     with ThreadingTCPServer(("127.0.0.1", 0), Server) as server:
         Thread(target=server.serve_forever, daemon=True).start()
         address = f"tcp://127.0.0.1:{server.server_address[1]}"

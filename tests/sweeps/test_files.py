@@ -33,10 +33,10 @@ from random_sweeps import Asked
 from small_parts import SmallParts, Sweep, small
 
 import kurbel as library
-from kurbel.sweeps.files.arrow import batch_of, in_sizes
-from kurbel.sweeps.files.forms import form_of
-from kurbel.sweeps.files.grid import chunks_of
-from kurbel.sweeps.lazy import dataset_of
+from kurbel.sweeps.arrow import batch_of, in_sizes
+from kurbel.sweeps.dataset import dataset_of
+from kurbel.sweeps.grid import chunks_of
+from kurbel.sweeps.parts import form_of
 
 ASKED = ("delta", "--eps", "2;1/2;4", "--ratio", "1:4;1:5", "--bounds")
 SUPPORT = Path(__file__).parent.parent / "support"

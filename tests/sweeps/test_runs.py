@@ -30,8 +30,8 @@ from small_parts import (
 )
 
 import kurbel
-from kurbel.sweeps.work.hands import Threads
-from kurbel.sweeps.work.units import Parts
+from kurbel.sweeps.hands import Threads
+from kurbel.sweeps.parts import Parts
 
 SWEEP = SmallParts(plan_of(6))
 PARTS = 9
@@ -236,9 +236,9 @@ def test_killed_runs_go_on_to_the_same_bytes_and_leave_nothing() -> None:
 
 
 def small_partitions(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("kurbel.sweeps.files.parquet.GROUP", 4)
-    monkeypatch.setattr("kurbel.sweeps.files.parquet.GROUPS", 2)
-    monkeypatch.setattr("kurbel.sweeps.work.units.ROWS", 8)
+    monkeypatch.setattr("kurbel.sweeps.parquet.GROUP", 4)
+    monkeypatch.setattr("kurbel.sweeps.parquet.GROUPS", 2)
+    monkeypatch.setattr("kurbel.sweeps.parts.ROWS", 8)
 
 
 def test_a_second_ctrl_c_finds_threads_that_leave_their_partitions(
@@ -308,7 +308,7 @@ def test_partitions_are_the_same_whoever_writes_them(tmp_path: Path, monkeypatch
     sweep, joined, apart = InThreads(plan_of(6)), f"{tmp_path}/joined/", f"{tmp_path}/apart/"
     with monkeypatch.context() as patch:
         # From parts, as what is computed slowly is.
-        patch.setattr("kurbel.sweeps.work.joining.unit_of", lambda sweep, form: Parts(sweep))
+        patch.setattr("kurbel.sweeps.parts.unit_of", lambda sweep, form: Parts(sweep))
         outcome = run(sweep, joined, Running(jobs=1))
     with pytest.raises(StoppedError):
         run(sweep, apart, Running(jobs=1, watch=stopped_after(2, KeyboardInterrupt())))

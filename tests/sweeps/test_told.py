@@ -101,9 +101,9 @@ def test_a_sweep_takes_as_long_as_its_sample_times_its_rows(
     # the file to be written.
     seconds = (max(0, number - free) for number in itertools.count())
     monkeypatch.setattr("time.process_time", lambda: next(seconds))
-    monkeypatch.setattr("kurbel.sweeps.work.hands.cores", lambda: 3)
-    monkeypatch.setattr("kurbel.sweeps.estimate.TRIED", 4)
-    monkeypatch.setattr("kurbel.sweeps.estimate.WRITTEN", 8)
+    monkeypatch.setattr("kurbel.sweeps.hands.cores", lambda: 3)
+    monkeypatch.setattr("kurbel.sweeps.run.TRIED", 4)
+    monkeypatch.setattr("kurbel.sweeps.run.WRITTEN", 8)
     words = ["flywheel", "--eps=3", "--ratio=1:5", "--delta=1:50", "--power=50kW", "--dry-run"]
     shown = printed("sweep", *words, f"--speed=1..{count}:1/min").out.splitlines()
     assert f"time     about {said}, measured on a sample" in shown

@@ -65,7 +65,7 @@ COMMANDS = {
         "kurbel.commands.firing:firing",
         "Print firing orders, or the cranks that one needs.",
     ),
-    "sweep": ("kurbel.cli.sweeps.group", "Compute a table at every combination, into a file of columns."),
+    "sweep": ("kurbel.cli.sweep", "Compute a table at every combination, into a file of columns."),
     "collate": ("kurbel.cli.books", "Compare printed values, a book's or yours, with recomputed ones."),
     "verify": ("kurbel.cli.verify", "Compute the numbers of a page a second time."),
     "sources": ("kurbel.cli.books", "List the books that can be collated."),

@@ -239,7 +239,7 @@ def _caption(task: Task, own: Label, lang: str) -> Label:
     """Return the caption in a handbook: its own words, or what the command says."""
     if task.part.caption or not task.terse:
         return task.part.caption or own
-    from kurbel.handbook.matter.notation import terse
+    from kurbel.handbook.matter import terse
 
     return terse(own, lang)
 

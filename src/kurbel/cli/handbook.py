@@ -5,26 +5,29 @@ from __future__ import annotations
 import os
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from functools import partial
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial, wraps
 from itertools import islice
-from typing import TYPE_CHECKING, Any
+from typing import Any, NamedTuple
 
 import click
 
-from kurbel.cli import say
+from kurbel.cli import say, screen
 from kurbel.cli.app import Group
-from kurbel.cli.listing import show_lines
+from kurbel.cli.asking import make_part
+from kurbel.cli.listing import Entry, Heading, Shell, plain_lines, set_list, show_lines
 from kurbel.cli.options import Option, Type, lang_option
 from kurbel.commands.options import Count
+from kurbel.errors import KurbelError
+from kurbel.handbook.build import Build, Handbook, chosen, part_from
+from kurbel.handbook.build import build as built
+from kurbel.handbook.check import Checked, places
+from kurbel.handbook.check import check as checked
+from kurbel.handbook.folder import Folder, Seen, as_built, glance_at
+from kurbel.handbook.manifest import Manifest, Part, manifest_path, read_manifest, write_first_manifest
 from kurbel.handbook.pool import by_whom
-from kurbel.sweeps.work.hands import MOST_JOBS, cores
-
-if TYPE_CHECKING:
-    from kurbel.handbook.build import Build, Handbook
-    from kurbel.handbook.check import Checked
-    from kurbel.handbook.folder import Folder
-    from kurbel.handbook.manifest import Manifest
+from kurbel.page.wrap import lines_of
+from kurbel.sweeps.hands import MOST_JOBS, cores
 
 # How often the files are looked at, in seconds.
 GLANCE = 0.4
@@ -61,9 +64,25 @@ CLUSTER = click.option("--scheduler", metavar="ADDRESS",
                        help="Dask cluster that makes the parts: tcp://HOST:8786.")  # fmt: skip
 
 
-def building(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Add what the commands have that build."""
-    return FOLDERS(ONLY(JOBS(CLUSTER(OUTSIDE(QUIET(command))))))
+class Options(NamedTuple):
+    """What the commands have that build."""
+
+    folders: tuple[str, ...]
+    only: tuple[str, ...]
+    jobs: int | None
+    scheduler: str | None
+    allow_outside: bool
+    quiet: bool
+
+
+def building(command: Callable[[Options], int]) -> Callable[..., int]:
+    """Add the options of the commands that build."""
+
+    @wraps(command)
+    def given(folders: tuple[str, ...], **options: Any) -> int:
+        return command(Options(folders or (".",), **options))
+
+    return FOLDERS(ONLY(JOBS(CLUSTER(OUTSIDE(QUIET(given))))))
 
 
 @handbook.command(
@@ -72,15 +91,13 @@ def building(command: Callable[..., Any]) -> Callable[..., Any]:
 @FOLDER
 def init(folder: str, lang: str) -> None:
     """Write a manifest with comments, which builds at once, into FOLDER."""
-    from kurbel.handbook.init import write_first_manifest
-
     path = write_first_manifest(folder, lang)
     say(f"{path} is written; build it with: {_build_words(folder)}")
 
 
 @handbook.command(short_help="Build what changed.")
 @building
-def build(**options: Any) -> int:
+def build(options: Options) -> int:
     """Build what changed of the handbook in FOLDER, or in several: tables, figures and documents.
 
     With --only documents stay as they are.
@@ -88,12 +105,10 @@ def build(**options: Any) -> int:
     return _build(options)
 
 
-def _build(options: dict[str, Any]) -> int:
-    from kurbel.cli.asking import make_part
-    from kurbel.handbook.build import build as built
+def _build(options: Options) -> int:
 
     handbooks, wrong = _opened_all(options)
-    jobs, by = options["jobs"] or cores(), by_whom(options["scheduler"])
+    jobs, by = options.jobs or cores(), by_whom(options.scheduler)
     builds = built(handbooks, make_part, jobs, _bar_of(options), partial(_tell, options), by)
     for one in builds:
         failed = _report(one)
@@ -117,17 +132,15 @@ def _counts(builds: Sequence[Build]) -> str:
 
 @handbook.command(short_help="Tell whether what was built is up to date.")
 @building
-def check(**options: Any) -> int:
+def check(options: Options) -> int:
     """Tell whether what was built in FOLDER is what a build would write now; exit with 1 if not.
 
     All is built anew, elsewhere. The stale files and their differences go to standard output; with --quiet
     the files alone.
     """
-    from kurbel.cli.asking import make_part
-    from kurbel.handbook.check import check as checked
 
     handbooks, wrong = _opened_all(options)
-    jobs, by = options["jobs"] or cores(), by_whom(options["scheduler"])
+    jobs, by = options.jobs or cores(), by_whom(options.scheduler)
     found = checked(handbooks, make_part, jobs, _bar_of(options), by)
     show_lines(
         line
@@ -135,7 +148,7 @@ def check(**options: Any) -> int:
         for file in one.stale
         for line in (
             f"{one.handbook.folder.path}/{file.path}: {file.why}",
-            *(() if options["quiet"] else (f"    {line}" for line in file.difference)),
+            *(() if options.quiet else (f"    {line}" for line in file.difference)),
         )
     )
     for one in found:
@@ -146,10 +159,8 @@ def check(**options: Any) -> int:
     return int(wrong)
 
 
-def _checked(one: Checked, options: dict[str, Any]) -> bool:
+def _checked(one: Checked, options: Options) -> bool:
     """Say where what is stale is made, and what failed, of a handbook; tell whether there is any."""
-    from kurbel.handbook.check import places
-
     folder = one.handbook.folder
     failed = _report(one.anew)
     for sentence in islice(places(one), MOST_PLACES):
@@ -170,23 +181,19 @@ def _checked(one: Checked, options: dict[str, Any]) -> bool:
 @OUTSIDE
 def listed(folder: str, allow_outside: bool) -> None:
     """List the chapters and parts of the handbook in FOLDER, and what a build would make anew."""
-    from kurbel.cli.handbook_list import show_handbook
-
     show_handbook(*_opened(folder, allow_outside))
 
 
 @handbook.command(short_help="Build again each time a file is saved.")
 @building
-def watch(**options: Any) -> int:
+def watch(options: Options) -> int:
     """Build the handbook in FOLDER, or several, and again each time a file is saved, until Ctrl-C."""
-    from kurbel.errors import KurbelError
-    from kurbel.handbook.inputs import Seen, as_built, glance_at
 
     def look() -> Seen:
         return {
             path: seen
-            for one in _folders(options)
-            for path, seen in glance_at(one, options["allow_outside"]).items()
+            for one in options.folders
+            for path, seen in glance_at(one, options.allow_outside).items()
         }
 
     # One that is not there, or has a mistake, ends the command; later ones are waited out.
@@ -205,49 +212,34 @@ def watch(**options: Any) -> int:
         time.sleep(GLANCE)
 
 
-def _folders(options: dict[str, Any]) -> tuple[str, ...]:
-    return options["folders"] or (".",)
-
-
-def _opened_all(options: dict[str, Any]) -> tuple[list[Handbook], bool]:
+def _opened_all(options: Options) -> tuple[list[Handbook], bool]:
     """Return the handbooks that can be built, each once, and whether there are others; say why.
 
     Raises ChoiceError for a name in --only that no handbook has.
     """
-    from kurbel.errors import KurbelError
-    from kurbel.handbook.build import Handbook
-    from kurbel.handbook.manifest import manifest_path
-
     opened: list[Handbook] = []
     wrong = False
     # Each once, under the first of its names.
     names: dict[str, str] = {}
-    for given in _folders(options):
+    for given in options.folders:
         names.setdefault(os.path.realpath(manifest_path(given)), given)
     for given in names.values():
         try:
-            one = Handbook(given, *_opened(given, options["allow_outside"]))
+            one = Handbook(given, *_opened(given, options.allow_outside))
             if opened:
-                from kurbel.handbook.several import part_from
-
                 part_from(one, opened)
             opened.append(one)
         except KurbelError as error:
             wrong = True
             for said in getattr(error, "mistakes", (str(error),)):
                 say(said)
-    if opened and options["only"]:
-        from kurbel.handbook.several import chosen
-
-        opened = chosen(opened, options["only"])
+    if opened and options.only:
+        opened = chosen(opened, options.only)
     return opened, wrong
 
 
 def _opened(given: str, outside: bool) -> tuple[Manifest, Folder]:
     """Return the manifest and the output folder."""
-    from kurbel.handbook.folder import Folder
-    from kurbel.handbook.manifest import manifest_path, read_manifest
-
     manifest = read_manifest(manifest_path(given), outside)
     return manifest, Folder(manifest.folder, manifest.output)
 
@@ -272,14 +264,14 @@ def _report(done: Build) -> str:
     return f", {len(done.failures)} failed" if done.failures else ""
 
 
-def _tell(options: dict[str, Any], message: str) -> None:
+def _tell(options: Options, message: str) -> None:
     """Say what is well, unless --quiet is asked for."""
-    if not options["quiet"]:
+    if not options.quiet:
         say(message)
 
 
-def _bar_of(options: dict[str, Any]) -> Callable[[Iterable[Any], int], Iterable[Any]]:
-    return (lambda steps, _: steps) if options["quiet"] else _bar
+def _bar_of(options: Options) -> Callable[[Iterable[Any], int], Iterable[Any]]:
+    return (lambda steps, _: steps) if options.quiet else _bar
 
 
 def _bar(steps: Iterable[Any], count: int) -> Iterator[Any]:
@@ -289,3 +281,36 @@ def _bar(steps: Iterable[Any], count: int) -> Iterator[Any]:
             yield from bar
     else:
         yield from steps
+
+
+# So many characters of a text tell which it is.
+MOST_SHOWN = 50
+
+
+def show_handbook(manifest: Manifest, output: Folder) -> None:
+    one = Build(manifest, output)
+    chapters = {
+        f"{number} {chapter.title} ({chapter.name})": [_row(one, part) for part in chapter.parts]
+        for number, chapter in enumerate(manifest.chapters, 1)
+    }
+    first, width = f"{output.path}: {', '.join(manifest.formats)}", screen.width()
+    if width is None:
+        show_lines(_plain_list(first, chapters))
+        return
+    entries: list[Entry | Heading] = []
+    for title, rows in chapters.items():
+        entries += [Heading(title), *rows]
+    show_lines([*lines_of(first, width), "", *set_list(("part", "made by", "state"), entries, width)])
+
+
+def _plain_list(first: str, chapters: Mapping[str, Sequence[Sequence[str]]]) -> Iterator[str]:
+    yield first
+    for title, rows in chapters.items():
+        yield from ("", title, *(f"    {line}" for line in plain_lines(rows)))
+
+
+def _row(one: Build, part: Part) -> tuple[str, ...]:
+    """Return what the list says of a part: its name, what it is made of, whether it would be made anew."""
+    if not part.words:
+        return "text", part.file or " ".join(part.text.split())[:MOST_SHOWN], ""
+    return part.name, Shell(part.shown), one.novelty(part)

@@ -14,7 +14,7 @@ import click
 from kurbel.cli import say
 from kurbel.cli.app import show
 from kurbel.cli.asking import Asked, asked
-from kurbel.documents.inject import Kind, Place, content, filled, places
+from kurbel.documents.inject import Kind, Place, content, difference, filled, places
 from kurbel.errors import KurbelError, LayoutError, MarkerError
 from kurbel.formats.registry import PageFormat, kind_of
 from kurbel.page.table import Table
@@ -84,8 +84,6 @@ def inject(files: tuple[str, ...], check: bool, allow_outside: bool) -> int:
 
 def _show(stale: Sequence[Document]) -> None:
     """Show what would change, and say how to change it."""
-    from kurbel.documents.inject_difference import difference
-
     show(line for one in stale for line in difference(one.name, one.old, one.found, one.contents))
     for one in stale:
         for place in one.stale:

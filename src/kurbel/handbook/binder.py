@@ -53,7 +53,9 @@ def document_workbook(document: Document, fragments: Mapping[str, bytes]) -> Wor
         taken.add(name.lower())
         names[item.name] = name
         made = _table if item.kind == "table" else _drawing
-        sheets.append(_with_way_back(made(document, item, name, fragments[item.name]), contents))
+        sheet = made(document, item, name, fragments[item.name])
+        back = SheetCell(sheet.rows + 1, 0, contents, Look("entry"), link=contents)
+        sheets.append(sheet._replace(cells=(*sheet.cells, back)))
     first = _contents(document, contents, names)
     title, author = (plain(one, document.mark()) for one in (document.title, document.author))
     return Workbook(title, author, document.lang, epoch(), (first, *sheets))
@@ -92,11 +94,6 @@ def _size(png: bytes) -> tuple[float, float]:
     dots = unpack(">I", png[place + 4 : place + 8])[0] * METRE if place > 0 else DOTS
     width, height = (count / dots * POINTS for count in pixels)
     return width, height
-
-
-def _with_way_back(sheet: Sheet, contents: str) -> Sheet:
-    back = SheetCell(sheet.rows + 1, 0, contents, Look("entry"), link=contents)
-    return sheet._replace(cells=(*sheet.cells, back))
 
 
 def _contents(document: Document, name: str, names: Mapping[str, str]) -> Sheet:

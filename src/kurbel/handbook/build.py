@@ -9,14 +9,24 @@ from contextlib import ExitStack, contextmanager
 from functools import cached_property, partial
 from typing import Any, NamedTuple
 
-from kurbel.errors import HandbookError, KurbelError
+from kurbel.errors import ChoiceError, HandbookError, KurbelError
 from kurbel.formats.registry import FORMATS, BytesFormat
-from kurbel.handbook.folder import Done, Folder, digest, is_own, key_of
-from kurbel.handbook.inputs import UNKNOWN, digest_of, fingerprint, glance
+from kurbel.handbook.folder import (
+    UNKNOWN,
+    Done,
+    Folder,
+    digest,
+    fingerprint,
+    glance,
+    is_own,
+    key_of,
+)
 from kurbel.handbook.manifest import Manifest, Part
 from kurbel.handbook.model import COMPILED
 from kurbel.handbook.pages import Failure, document_of, fragment_paths, make_document, make_pdf
 from kurbel.handbook.pool import KILLED, PDF_STOPPED, Made, Piece, Task, Worked, worked
+from kurbel.reading.given import did_you_mean
+from kurbel.sweeps.versions import content_of
 
 PDF = COMPILED.name
 WAITING = "another build of this handbook is under way; waiting for its end"
@@ -130,7 +140,7 @@ class Build:
             from kurbel.reading.inside import check_inside
 
             check_inside(self.templates, self.manifest.folder, self.templates)
-        return key_of(fingerprint(), self.templates and digest_of(self.templates))
+        return key_of(fingerprint(), self.templates and content_of(self.templates))
 
     @contextmanager
     def ending(self) -> Iterator[None]:
@@ -167,7 +177,7 @@ class Build:
         from kurbel.reading.inside import is_inside
 
         file = self.input(path)
-        return digest_of(file) != hashed or not (self.outside or is_inside(file, self.manifest.folder))
+        return content_of(file) != hashed or not (self.outside or is_inside(file, self.manifest.folder))
 
     def input(self, path: str) -> str:
         return os.path.join(self.manifest.folder, path)
@@ -204,7 +214,7 @@ class Build:
         Then nobody knows which of the two the part was made of, and the next build makes it anew.
         """
         saved = max(time for time, _ in glance(self.input(path)).values())
-        return digest_of(self.input(path)) if saved < self.started else UNKNOWN
+        return content_of(self.input(path)) if saved < self.started else UNKNOWN
 
     def fail(self, name: str, said: str, line: int = 0) -> None:
         """Note what failed; what an earlier build made of it stays."""
@@ -301,3 +311,45 @@ def _hashes(state: Mapping[str, Done]) -> dict[str, str]:
 def _named(name: str) -> str:
     """Return under which name the state has a document: no part can be called so."""
     return f"document in {name}"
+
+
+def part_from(one: Handbook, others: Iterable[Handbook]) -> None:
+    """Raise HandbookError if another is built into the same folder: each would remove the other's files."""
+    for other in others:
+        if os.path.realpath(other.folder.path) == os.path.realpath(one.folder.path):
+            raise HandbookError(
+                f"{one.manifest.path} and {other.manifest.path} are both built into {one.folder.path};"
+                ' give one of them another folder with output = "..."'
+            )
+
+
+def chosen(handbooks: Sequence[Handbook], names: Sequence[str]) -> list[Handbook]:
+    """Return the handbooks which have something of these names, and that only; without names all of them."""
+    if not names:
+        return [*handbooks]
+    known = [_parts(one.manifest) for one in handbooks]
+    for name in names:
+        if not any(name in parts for parts in known):
+            near = did_you_mean(name, [one for parts in known for one in parts])
+            raise ChoiceError(
+                f'--only: there is no table, figure or chapter "{name[:60]}"{near}; kurbel handbook list'
+                " names them"
+            )
+    found = [
+        (one, parts, tuple(filter(parts.__contains__, names)))
+        for one, parts in zip(handbooks, known, strict=True)
+    ]
+    return [
+        one._replace(names=own, only=frozenset().union(*(parts[name] for name in own)))
+        for one, parts, own in found
+        if own
+    ]
+
+
+def _parts(manifest: Manifest) -> Mapping[str, frozenset[str]]:
+    """Return tables and figures by their names, and those of a chapter by its own, if no other has that."""
+    own = {part.name: frozenset((part.name,)) for part in manifest.parts() if part.words}
+    return {
+        chapter.name: frozenset(part.name for part in chapter.parts if part.words)
+        for chapter in manifest.chapters
+    } | own

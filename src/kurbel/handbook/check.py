@@ -92,10 +92,14 @@ def _changed(folder: Folder, anew: Folder) -> Iterator[Stale]:
             yield Stale(path, "missing")
         elif old != anew.read(path):
             differing.append(path)
-    shown = _worth_showing(differing)
+    tables = [path for path in differing if path.startswith("tables/")]
+    readable = map(os.path.splitext, tables or [path for path in differing if path.endswith(READABLE)])
+    best: dict[str, str] = {}
+    for name, suffix in sorted(readable, key=lambda parts: READABLE.index(parts[1])):
+        best.setdefault(name, name + suffix)
     for path in differing:
         old, new = folder.read(path) or b"", anew.read(path) or b""
-        difference = _difference(path, old, new) if path in shown else ()
+        difference = _difference(path, old, new) if path in best.values() else ()
         own = path in listed and digest(old) != listed[path]
         yield Stale(path, "differs", tuple(difference), _first_line(old, new), own)
 
@@ -147,15 +151,6 @@ def _counted(files: Sequence[Stale]) -> str:
     said = "is missing" if first.why == "missing" else "is stale"
     more = f", and so {'is one' if len(others) == 1 else f'are {len(others)}'} more" if others else ""
     return f"{first.path} {said}{more}"
-
-
-def _worth_showing(paths: list[str]) -> set[str]:
-    tables = [path for path in paths if path.startswith("tables/")]
-    readable = map(os.path.splitext, tables or [path for path in paths if path.endswith(READABLE)])
-    best: dict[str, str] = {}
-    for name, suffix in sorted(readable, key=lambda parts: READABLE.index(parts[1])):
-        best.setdefault(name, name + suffix)
-    return {*best.values()}
 
 
 def _difference(path: str, old: bytes, new: bytes) -> Iterator[str]:

@@ -1,7 +1,8 @@
-"""The folder that a handbook is built into: nothing else is touched, and one build at a time writes.
+"""The folder that a handbook is built into, and whether anything that it is made of was saved.
 
-Beside the output lies what the last build knew, so that the next one makes only what changed. It is never
-believed alone: a file whose content is not the one that was written is made anew.
+Nothing but the folder is touched, and one build at a time writes. Beside the output lies what the last build
+knew, so that the next one makes only what changed. It is never believed alone: a file whose content is not
+the one that was written is made anew.
 """
 
 from __future__ import annotations
@@ -17,10 +18,12 @@ from typing import Any
 
 import msgspec
 
-from kurbel.errors import HandbookError, OutputError
+from kurbel.errors import HandbookError, KurbelError, OutputError
 from kurbel.formats.registry import FORMATS
 from kurbel.formats.render import remove_left_over, whole_file
+from kurbel.handbook.manifest import manifest_path, read_manifest
 from kurbel.handbook.pool import About
+from kurbel.sweeps.hands import lock
 
 # What is only of use on this machine: the lock and what the last build knew.
 OWN = ".kurbel"
@@ -129,17 +132,17 @@ class Folder:
 
         The lock ends with the process, however that ends. What a killed build left half written is removed.
         """
-        lock = f"{OWN}/lock"
-        self._check(lock)
+        name = f"{OWN}/lock"
+        self._check(name)
         try:
             os.makedirs(self.at(OWN), exist_ok=True)
-            handle = os.open(self.at(lock), os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o644)
+            handle = os.open(self.at(name), os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o644)
         except OSError as error:
             raise OutputError(f"cannot write into {self.path}: {error.strerror}") from error
         try:
-            if not _locked(handle, wait=False):
+            if not lock(handle):
                 waiting()
-                _locked(handle, wait=True)
+                lock(handle, wait=True)
             self._remove_left_over()
             self.write(f"{OWN}/.gitignore", b"*\n")
             yield
@@ -195,25 +198,6 @@ def _check_place(path: str) -> None:
             raise HandbookError(f"{path} is {what}, and a file is to be there; remove it")
 
 
-def _locked(handle: int, wait: bool) -> bool:
-    """Lock a file, and tell whether that was done without waiting for it."""
-    try:
-        if sys.platform == "win32":
-            import msvcrt
-
-            # It tries for ten seconds and then gives up with an OSError.
-            msvcrt.locking(handle, msvcrt.LK_LOCK if wait else msvcrt.LK_NBLCK, 1)
-        else:
-            import fcntl
-
-            fcntl.flock(handle, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
-    except OSError:
-        if wait:
-            raise
-        return False
-    return True
-
-
 def digest(content: bytes) -> str:
     """Return what tells this content from any other."""
     return hashlib.sha256(content).hexdigest()
@@ -230,3 +214,71 @@ def files_below(path: str) -> list[str]:
     for way, _, names in os.walk(path):
         found += [os.path.relpath(os.path.join(way, name), path).replace(os.sep, "/") for name in names]
     return sorted(found)
+
+
+# The hash of no file, for one that changed while it was read.
+UNKNOWN = "?"
+# Times in nanoseconds, and sizes, by path.
+Seen = dict[str, tuple[int, int]]
+
+
+def glance(*paths: str) -> Seen:
+    """Return when the files, and those in the folders, were saved, and their sizes; zeros for what is not."""
+    seen = {}
+    for path in paths:
+        for one in (path, *(os.path.join(path, name) for name in files_below(path))):
+            try:
+                status = os.stat(one)
+                seen[one] = (status.st_mtime_ns, status.st_size)
+            except (OSError, ValueError):
+                seen[one] = (0, 0)
+    return seen
+
+
+def glance_at(given: str, outside: bool = False) -> Seen:
+    """Look at the manifest, at the files that its parts name, at its templates and layouts.
+
+    Of a manifest that cannot be read, or whose problems cannot, it is that with the TOML files beside it.
+    """
+    path = manifest_path(given)
+    try:
+        manifest = read_manifest(path, outside)
+        state = Folder(manifest.folder, manifest.output).state()
+    except KurbelError:
+        folder = os.path.dirname(path)
+        beside = os.listdir(folder or ".") if os.path.isdir(folder or ".") else ()
+        return glance(path, *(os.path.join(folder, one) for one in sorted(beside) if one.endswith(".toml")))
+    named: list[str | None] = [part.file or part.problems for part in manifest.parts()]
+    named += [manifest.machine, manifest.templates, manifest.layouts]
+    named += [file for done in state.values() for file in done.inputs]
+    return glance(path, *(os.path.join(manifest.folder, one) for one in dict.fromkeys(named) if one))
+
+
+def as_built(before: Seen, after: Seen, started: int) -> Seen:
+    """Return the files as the build found them that began at a time, in nanoseconds.
+
+    Which files there are only the build finds out; one that was saved meanwhile is as it was before.
+    """
+    return {
+        path: before.get(path, status if status[0] < started else (0, 0)) for path, status in after.items()
+    }
+
+
+def fingerprint() -> str:
+    """Return what tells this kurbel and the libraries below it from others.
+
+    Sizes and times of kurbel's own files, and the names of what is installed, which have the versions in
+    them: to ask for the versions one by one takes longer than to build nothing.
+    """
+    from kurbel.page.layouts import template_folder
+
+    package = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    files = [
+        os.path.join(folder, name)
+        for folder in (package, template_folder())
+        for name in files_below(folder)
+        if "__pycache__" not in name
+    ]
+    folders = filter(os.path.isdir, sys.path)
+    installed = [sorted(name for name in os.listdir(one) if name.endswith(".dist-info")) for one in folders]
+    return key_of(sys.version, glance(*files), installed)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from contextlib import nullcontext
-from functools import partial
 from itertools import count, repeat
 from typing import NamedTuple
 
@@ -47,7 +46,7 @@ def document_of(manifest: Manifest, made: Mapping[str, About], failures: list[Fa
     whole = Document(manifest.title, manifest.lang, mark, chapters, manifest.subtitle, manifest.author)
     if not manifest.matter:
         return whole
-    from kurbel.handbook.matter.matter import with_matter
+    from kurbel.handbook.matter import with_matter
 
     return with_matter(whole, manifest, made)
 
@@ -174,10 +173,9 @@ def make_pdf(folder: str, standards: tuple[str, ...], limited: bool) -> Made:
 
     It is `limited` where templates may have written its source, which is then not trusted.
     """
-    read = partial(_document_in, folder)
+
+    def read(name: str) -> str:
+        return _text_of(os.path.join(folder, name), LARGEST)
+
     with deadline(PDF_PATIENCE, None) if limited else nullcontext():
         return Made({f"handbook.{COMPILED.name}": COMPILED.writer.whole(folder, standards, read)})
-
-
-def _document_in(folder: str, name: str) -> str:
-    return _text_of(os.path.join(folder, name), LARGEST)

@@ -1,4 +1,10 @@
-"""Work across cores, each piece by itself: one that kills its process takes no other along."""
+"""Work across cores, or by the workers of a cluster, each piece by itself: one that kills its process takes
+no other along.
+
+Workers need not see the folder of the handbook. What one cannot make, or makes of files that are others than
+here, is made on this machine. So is what templates, layouts or constructions of one's own set, which may be
+others there.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +17,8 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 from kurbel.errors import KurbelError
 from kurbel.formats.apart import HAS_PROCESSES
 from kurbel.page.quantity import Letter
-from kurbel.sweeps.work.hands import taken
+from kurbel.sweeps.hands import BALLS, taken
+from kurbel.sweeps.versions import LIBRARIES, content_of
 
 if TYPE_CHECKING:
     from kurbel.handbook.manifest import Part
@@ -95,11 +102,7 @@ Worked = Callable[[Iterable[Piece], int], Iterator[tuple[Piece, Made | str]]]
 
 def by_whom(scheduler: str | None) -> Worked:
     """Return what works the pieces: the cluster of a scheduler, or the cores of this machine."""
-    if scheduler is None:
-        return worked
-    from kurbel.handbook.elsewhere import worked_by
-
-    return partial(worked_by, scheduler)
+    return worked if scheduler is None else partial(worked_by, scheduler)
 
 
 def worked(pieces: Iterable[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
@@ -142,7 +145,7 @@ def tried(make: Callable[[], Made]) -> Made | str:
 
 def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
     # Later than most imports: a handbook without changes needs no processes.
-    from kurbel.sweeps.work.processes import Processes
+    from kurbel.sweeps.hands import Processes
 
     def killed(number: int) -> str:
         return pieces[number].killed
@@ -159,3 +162,70 @@ def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[tuple[Piece, M
                 break
     for piece in left.values():
         yield piece, NOT_TRIED
+
+
+# What pages are made by beside numbers.
+OF_PAGES = ("jinja2", "markdown-it-py", "tabulate", "matplotlib", "xlsxwriter")
+
+
+class Elsewhere(NamedTuple):
+    """What a worker made, or why it could not, and what the files it was made of are there."""
+
+    made: Made | str
+    inputs: tuple[str, ...] = ()
+
+
+class Parts:
+    """The parts by their numbers; it goes to the workers."""
+
+    def __init__(self, pieces: Iterable[Piece]) -> None:
+        self.makes = [_absolute(piece) for piece in pieces]
+
+    def __call__(self, number: int) -> Elsewhere:
+        make = self.makes[number]
+        # The precision of balls is that of the process.
+        with BALLS:
+            made = tried(make)
+        return Elsewhere(made, () if isinstance(made, str) else _inputs(make, made))
+
+
+def worked_by(scheduler: str, pieces: Iterable[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
+    """Yield each piece with what it became, or a sentence why it became nothing, as they are done.
+
+    Raises KurbelError where the cluster cannot be used.
+    """
+    from kurbel.sweeps.cluster import Cluster
+
+    here: list[Piece] = []
+    there: list[Piece] = []
+    for piece in pieces:
+        (here if _has_own_pages(piece) else there).append(piece)
+    if there:
+        parts, name = Parts(there), f"handbook-{os.urandom(8).hex()}"
+        cluster = Cluster(scheduler, parts, name, {}, (*LIBRARIES, *OF_PAGES))
+        for number, one in taken(cluster, len(there)):
+            piece = there[number]
+            if isinstance(one.made, str) or one.inputs != _inputs(parts.makes[number], one.made):
+                here.append(piece)
+            else:
+                yield piece, one.made
+    yield from worked(here, jobs)
+
+
+def _has_own_pages(piece: Piece) -> bool:
+    make: Any = piece.make
+    task: Task = make.args[0]
+    options = task.part.options
+    return bool(task.templates or options.get("layouts") or options.get("constructions"))
+
+
+def _absolute(piece: Piece) -> partial[Made]:
+    """Return what makes a part, of files in the same folder wherever it is made."""
+    make: Any = piece.make
+    task: Task = make.args[0]
+    return partial(make.func, task._replace(folder=os.path.abspath(task.folder)))
+
+
+def _inputs(make: partial[Made], made: Made) -> tuple[str, ...]:
+    folder = make.args[0].folder
+    return tuple(content_of(os.path.join(folder, path)) for path in made.inputs)

@@ -23,6 +23,13 @@ def missing_library(sentence: str, library: str) -> MissingExtraError:
     return MissingExtraError(f"{sentence}; install it with: {_installer()} {library}")
 
 
+def need(what: str, extra: str, *libraries: str) -> None:
+    """Raise MissingExtraError if one of the libraries, which the extra brings, is not installed."""
+    for library in libraries:
+        if find_spec(library) is None:
+            raise missing_extra(f"{what} needs {library}", extra)
+
+
 def how_to_install(extra: str) -> str:
     """Return the command that adds the extra to this installation.
 

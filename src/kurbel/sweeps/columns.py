@@ -1,15 +1,20 @@
-"""What a column of a sweep is, what stands in it, and the columns of a plan."""
+"""What a column of a sweep is and what stands in it: the columns of a plan, and rows of values."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from typing import Any, Literal, NamedTuple
+from dataclasses import dataclass
+from functools import cached_property
+from math import inf, nextafter, ulp
+from typing import Any, Literal, NamedTuple, Protocol, TypeAlias
+
+import numpy as np
 
 from kurbel.exact.numerals import Number
 from kurbel.page.labels import plain
 from kurbel.page.table import Field
-from kurbel.sweeps.measures import into, measured
-from kurbel.sweeps.plan import Axis, Plan
+from kurbel.sweeps.coordinates import Coordinates, into, measured
+from kurbel.sweeps.plan import Axis, Plan, Points
 
 Kind = Literal["number", "decimal", "words"]
 # What records call the axis of an option.
@@ -43,6 +48,11 @@ class Column(NamedTuple):
     option: str = ""
 
 
+# A record of the command by the keys of its fields, and arrays or lists of values by the keys of columns.
+Record: TypeAlias = Mapping[str, "Number | str | None"]
+Cells: TypeAlias = Mapping[str, Any]
+
+
 class Part(NamedTuple):
     """Rows of a sweep, in order.
 
@@ -52,7 +62,7 @@ class Part(NamedTuple):
     """
 
     rows: int
-    values: Mapping[str, Any]
+    values: Cells
     reasons: Mapping[int, str]
 
     @property
@@ -67,29 +77,27 @@ def key_of(option: str) -> str:
 
 
 def columns_of(
-    plan: Plan, fields: Sequence[Field], rows: Sequence[Sequence[Any]], apart: Collection[str]
+    plan: Plan, fields: Sequence[Field], rows: Sequence[Sequence[Any]], needed: Collection[str]
 ) -> tuple[Column, ...]:
-    """Return the columns of a plan whose command has these records at a point, told apart by these keys: what
-    varies, what the command says, and of floats their bounds."""
-    axes = {axis.option: axis for group in plan.groups for axis in group}
+    """Return the columns of a plan whose command has these records at a point: what varies, what the command
+    says, and of floats their bounds. These keys are `needed` though they may be the same everywhere."""
     about = {field.key: field for field in fields}
-    found = [_axis(plan, axis, about.get(key_of(option))) for option, axis in axes.items()]
+    found = [_axis(plan, axis, about.get(key_of(option))) for option, axis in plan.axes.items()]
     own = {column.key for column in found}
     for place, field in enumerate(fields):
         if field.key not in own:
-            needed = field.key in plan.columns or field.key in apart
-            found += _of_records(plan, field, [row[place] for row in rows], needed)
+            found += _of_records(plan, field, [row[place] for row in rows], field.key in needed)
     return tuple(found)
 
 
 def _axis(plan: Plan, axis: Axis, field: Field | None) -> Column:
     """Return the column of an axis, in the unit of the command's own column of it."""
-    parameter = plan.asking.parameters[plan.parameter(axis.option)]
-    key, numbers = key_of(axis.option), measured(parameter, axis.values)
+    option = plan.asking.options[axis.option]
+    key, numbers = key_of(axis.option), measured(option, axis.values)
     unit = numbers[2] if numbers else ""
-    other = field and (into(unit, plain(field.unit)) is None if numbers else field.method and parameter.whole)
+    other = field and (into(unit, plain(field.unit)) is None if numbers else field.method and option.whole)
     if field is None or other:
-        name = parameter.help.partition(":")[0].partition(";")[0].rstrip(".")
+        name = option.help.partition(":")[0].partition(";")[0].rstrip(".")
         symbol, key = "", f"{key}{BESIDE}" if other else key
     else:
         name, symbol, unit = plain(field.name), plain(field.symbol), plain(field.unit) if numbers else ""
@@ -118,3 +126,85 @@ def _of_records(plan: Plan, field: Field, found: Sequence[Any], needed: bool) ->
     yield Column(field.key, "number", *about)
     if plan.bounds:
         yield Column(f"{field.key}{BOUND}", "number", *about, role="bound")
+
+
+class Rows(NamedTuple):
+    """Rows in order: the values of the columns that are no options, and why some rows were refused."""
+
+    values: Cells
+    reasons: dict[int, str]
+
+
+class Way(Protocol):
+    """A way of computing rows: how many at once, and whether in several threads at a time."""
+
+    @property
+    def rows_at_once(self) -> int: ...
+    @property
+    def in_threads(self) -> bool: ...
+    def rows(self, points: Points) -> Rows:
+        """Return the rows of these points."""
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A plan with what the command answers at one of its points: the fields of its records, their number,
+    and what tells them apart, by its keys."""
+
+    plan: Plan
+    fields: tuple[Field, ...]
+    each: int
+    columns: tuple[Column, ...]
+    apart: Mapping[str, Sequence[Any]]
+
+    @cached_property
+    def coordinates(self) -> Coordinates:
+        """The values of what varies, in units of the SI."""
+        return Coordinates(self.plan)
+
+    @property
+    def own(self) -> list[Column]:
+        """The columns that are no options."""
+        return [column for column in self.columns if not column.option]
+
+
+def columns_from(asked: Asked, found: Sequence[Record], reasons: dict[int, str]) -> Rows:
+    """Return rows from records by the keys of the fields; one that was refused is empty."""
+    # Of an indicator card a number has as many decimals as are known; of others what is exact has few.
+    told = reasons if asked.plan.carded else None
+    values = {column.key: _values(column, found, told) for column in asked.own}
+    return Rows(values, reasons)
+
+
+def _values(column: Column, rows: Sequence[Record], reasons: dict[int, str] | None) -> Any:
+    if column.kind == "words":
+        texts = (row.get(column.key) for row in rows)
+        return [plain(one) if isinstance(one, str) else None for one in texts]
+    if column.kind == "decimal":
+        return [_decimal(column, row.get(column.key), place, reasons) for place, row in enumerate(rows)]
+    bound = column.role == "bound"
+    numbers = [row.get(column.key.removesuffix(BOUND) if bound else column.key) for row in rows]
+    return np.array(
+        [double_of(one)[bound] if isinstance(one, Number) else np.nan for one in numbers], np.float64
+    )
+
+
+def _decimal(column: Column, number: Any, place: int, reasons: dict[int, str] | None) -> int | None:
+    if not isinstance(number, Number) or column.decimals is None:
+        return None
+    scaled: int = number.scaled * 10 ** (column.decimals - number.decimals)
+    if number.decimals == column.decimals or reasons is None:
+        return scaled
+    said = f"the card tells {number.decimals} decimals of {column.key}, and {column.decimals} were asked for"
+    reasons.setdefault(place, said)
+    return None
+
+
+def double_of(number: Number) -> tuple[float, float]:
+    """Return the float nearest to a certified number, and how far from the true value it may lie."""
+    scale = 10**number.decimals
+    # Python divides whole numbers with one rounding.
+    value = number.scaled / scale
+    numerator, denominator = value.as_integer_ratio()
+    exact = abs(numerator * scale - number.scaled * denominator) / (denominator * scale)
+    return value, nextafter(exact + 0.5 / scale, inf) if number.scaled or number.decimals else ulp(0.0)

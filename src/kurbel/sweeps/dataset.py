@@ -2,24 +2,37 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from decimal import Context, Decimal
+from functools import partial
+from math import prod
 from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+from numpy.typing import NDArray
 
 import kurbel
 from kurbel.commands.options import Option, is_given
 from kurbel.commands.part import Origin, Values
 from kurbel.commands.subject import MACHINE, Command, of_machine
-from kurbel.errors import ChoiceError, KeywordError, NotationError
+from kurbel.errors import ChoiceError, KeywordError, NotationError, ProblemError
+from kurbel.reading.extras import need
 from kurbel.reading.given import meant
-from kurbel.sweeps.asked import not_outdone, planned, values_of
-from kurbel.sweeps.files.forms import need
+from kurbel.sweeps.about import cf_of, cf_of_file
+from kurbel.sweeps.asked import planned
+from kurbel.sweeps.columns import Column, Part
+from kurbel.sweeps.grid import Grid, chunks_of
+from kurbel.sweeps.records import IN_BALLS
 from kurbel.sweeps.rows import Sweep
-from kurbel.sweeps.run import Outcome, Running, run
 
 if TYPE_CHECKING:
     from os import PathLike
 
     from xarray import Dataset
+
+    from kurbel.sweeps.run import Outcome
 
 # Their pages are of books, in which nothing varies.
 _BOOKS = frozenset(("collate", "example"))
@@ -102,19 +115,15 @@ def sweep(
     Raises KurbelError.
     """
     if output is None:
-        need("kurbel.sweep", "xarray", "dask")
+        need("kurbel.sweep", "scale", "xarray", "dask")
         if jobs or scheduler or resume or restart:
             raise NotationError(
                 "jobs, scheduler, resume and restart are for an output; Dask says what computes a dataset"
             )
     asking = _command(command)
-    machine = options.pop(MACHINE, None)
-    by_hand = _named(asking, options)
-    given = by_hand if machine is None else _on_machine(asking.command, machine, by_hand)
     plan = planned(
         f"{asking.__module__}:{asking.__name__}",
-        given,
-        defaults=[name for name in given if name not in by_hand],
+        _values_of(asking.command, options.pop(MACHINE, None), options),
         linked=_linked(zip),
         digits=digits,
         bounds=bounds,
@@ -123,12 +132,12 @@ def sweep(
         sample=sample,
         seed=seed,
     )
-    asked = Sweep(plan)
     if output is not None:
-        return run(asked, str(output), Running(scheduler, jobs, resume, restart))
-    from kurbel.sweeps.lazy import dataset_of
+        need("a file of columns", "scale", "pyarrow")
+        from kurbel.sweeps.run import Running, run
 
-    return dataset_of(asked)
+        return run(Sweep(plan), str(output), Running(scheduler, jobs, resume, restart))
+    return dataset_of(Sweep(plan))
 
 
 def _command(command: Callable[..., Any] | str) -> Any:
@@ -145,54 +154,149 @@ def _command(command: Callable[..., Any] | str) -> Any:
     return command
 
 
-def _named(asking: Any, options: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the options by their names on the command line, each with its values as a list."""
-    known = {one.name: one for one in asking.command.parameters.values()} | dict(asking.command.parameters)
+def _values_of(command: Command, machine: Any, options: Mapping[str, Any]) -> Values:
+    """Return the options by their names on the command line, several values of one as a list, and behind them
+    what a machine's file says."""
+    known = {**command.options, **command.parameters}
     try:
         given = {known[meant(name, known, "option")]: value for name, value in options.items()}
     except ChoiceError as error:
         raise KeywordError(str(error)) from None
-    read = {one.name: _values(one, value) for one, value in given.items()}
-    return {name: value for name, value in read.items() if is_given(value)}
+    typed = {one.name: _listed(one, value) for one, value in given.items()}
+    typed = {name: value for name, value in typed.items() if is_given(value)}
+    found = {} if machine is None else of_machine(command, machine)
+    origins = dict.fromkeys(found, Origin.MACHINE) | dict.fromkeys(typed, Origin.TYPED)
+    return Values(typed | {name: value for name, value in found.items() if name not in typed}, origins)
 
 
-def _on_machine(command: Command, file: Any, given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the options, and those of a machine's file that they do not outdo behind them."""
-    own = {one.name: one for one in command.parameters.values()}
-    found = of_machine(command, file)
-    said = {**given, **{name: value for name, value in found.items() if name not in given}}
-    origins: dict[str, Origin | None] = dict.fromkeys(own)
-    origins |= dict.fromkeys(found, Origin.MACHINE) | dict.fromkeys(given, Origin.TYPED)
-    values = Values({**{name: one.default for name, one in own.items()}, **said}, origins)
-    first = {name: values_of(own[name], value)[0] for name, value in said.items()}
-    left = not_outdone(command, values, first)
-    return {name: value for name, value in said.items() if name in left}
-
-
-def _values(parameter: Option[Any], value: Any) -> Any:
+def _listed(option: Option[Any], value: Any) -> Any:
     if (dimensions := getattr(value, "ndim", 0)) > 1:
-        raise NotationError(f"{parameter.name} is an array of {dimensions} dimensions; give a list of values")
+        raise NotationError(f"{option.name} is an array of {dimensions} dimensions; give a list of values")
     if hasattr(value, "tolist"):
         value = value.tolist()
     if not isinstance(value, list | tuple | range):
         return value
     if not value:
-        raise NotationError(f"{parameter.name} is an empty list; give values, or leave it out")
-    if parameter.whole and not any(isinstance(one, str | list | tuple) for one in value):
+        raise NotationError(f"{option.name} is an empty list; give values, or leave it out")
+    if option.whole and not any(isinstance(one, str | list | tuple) for one in value):
         # Of such an option several numbers are one value, as the function takes them: cranks of an engine.
         return [tuple(value)]
     if any(isinstance(one, list | tuple) for one in value):
-        raise NotationError(f"{parameter.name} has lists in a list; write each of them as text: '0;120;240'")
+        raise NotationError(f"{option.name} has lists in a list; write each of them as text: '0;120;240'")
     return list(value)
 
 
-def _linked(zip: str | Iterable[str | Sequence[str]]) -> list[list[str]]:
-    """Return the names of options that are linked, group by group: "eps,back", or a list of such."""
-    groups = [zip] if isinstance(zip, str) else list(zip)
-    alone = [one for one in groups if isinstance(one, str) and "," not in one]
-    return [_names(group) for group in ([alone] if alone and alone == groups else groups)]
+def _linked(zip: str | Iterable[str | Sequence[str]]) -> list[str | Sequence[str]]:
+    """Return the options that are linked, group by group: "eps,back", or a list of such."""
+    groups: list[str | Sequence[str]] = [zip] if isinstance(zip, str) else [*zip]
+    names = [one for one in groups if isinstance(one, str) and "," not in one]
+    # Names one by one are a group.
+    return [names] if names and len(names) == len(groups) else groups
 
 
-def _names(group: str | Sequence[str]) -> list[str]:
-    names = group.split(",") if isinstance(group, str) else group
-    return [name.strip().replace("-", "_") for name in names]
+# What tells whether a place was refused, and why.
+REFUSED, REASON = "refused", "reason"
+# More tasks than these no scheduler keeps in mind.
+MOST_CHUNKS, LARGEST_CHUNK = 20_000, 1 << 22
+# So many rows of balls are computed at once, and make a chunk, though parts of files are smaller.
+FEW = 1 << 12
+_ALL_DIGITS = Context(prec=1000)
+
+
+def dataset_of(sweep: Sweep) -> Dataset:
+    """Return the dataset. Raises ProblemError for one that is too long."""
+    from xarray import Dataset
+
+    grid = Grid(sweep)
+    columns = [one for one in sweep.columns if one.role != "axis"]
+    found = _all(sweep, columns) if len(sweep) <= _at_once(sweep) else _lazily(sweep, columns)
+    about = {one.key: cf_of(grid.about, one) for one in columns}
+    return Dataset(
+        {key: (grid.dims, array, about.get(key, {})) for key, array in found.items()},
+        coords=_coordinates(grid),
+        attrs=cf_of_file(grid.about),
+    )
+
+
+def _at_once(sweep: Sweep) -> int:
+    return FEW if sweep.rows_at_once == IN_BALLS else sweep.rows_at_once
+
+
+def _coordinates(grid: Grid) -> dict[str, Any]:
+    along = {
+        array.key: (array.dims, values(0, array.sizes[0]), array.attributes)
+        for array, values in grid.coordinates()
+    }
+    return along | {array.key: (array.dims, values, array.attributes) for array, values in grid.records()}
+
+
+def _all(sweep: Sweep, columns: list[Column]) -> dict[str, Any]:
+    """Return all values, by their keys."""
+    part = sweep.computed(0, len(sweep))
+    rows = _structured(part, columns)
+    found = {key: np.ascontiguousarray(rows[key]) for key in rows.dtype.names or ()}
+    found[REASON] = np.array([part.reasons.get(row, "") for row in range(part.rows)], object)
+    return {key: array.reshape(sweep.shape) for key, array in found.items()}
+
+
+def _lazily(sweep: Sweep, columns: list[Column]) -> dict[str, Any]:
+    """Return arrays that compute their values, chunk by chunk, each for all columns at once."""
+    import dask.array as da
+
+    most = max(_at_once(sweep), -(-len(sweep) // MOST_CHUNKS))
+    if most > LARGEST_CHUNK:
+        raise ProblemError(
+            f"a dataset of {len(sweep)} rows has too many chunks for arrays of Dask; give an output, or fewer"
+            f" than {MOST_CHUNKS * LARGEST_CHUNK} rows"
+        )
+    kind = _dtype(columns)
+    chunks = da.core.normalize_chunks(chunks_of(sweep.shape, most), sweep.shape)
+    name = hashlib.sha256(repr((sweep.plan, most)).encode()).hexdigest()[:16]
+    rows = da.map_blocks(
+        partial(_block, replace(sweep), tuple(columns)),
+        chunks=chunks,
+        dtype=kind,
+        meta=np.empty((0,) * len(sweep.shape), kind),
+        name=f"sweep-{name}",
+    )
+    return {
+        key: rows.map_blocks(partial(_of, key), dtype=kind[key], name=f"{key}-{name}")
+        for key in kind.names or ()
+    }
+
+
+def _block(sweep: Sweep, columns: tuple[Column, ...], block_info: Any) -> NDArray[Any]:
+    """Return the rows of a chunk, which is a run of them, at their places."""
+    place = block_info[None]["array-location"]
+    extent = tuple(stop - start for start, stop in place)
+    first = int(np.ravel_multi_index(tuple(start for start, _ in place), sweep.shape))
+    return _structured(sweep.computed(first, first + prod(extent)), columns).reshape(extent)
+
+
+def _of(key: str, rows: NDArray[Any]) -> NDArray[Any]:
+    return np.ascontiguousarray(rows[key])
+
+
+def _dtype(columns: list[Column] | tuple[Column, ...]) -> np.dtype[Any]:
+    kinds = [(one.key, "f8" if one.kind == "number" else "O") for one in columns]
+    return np.dtype([*kinds, (REFUSED, "?")])
+
+
+def _structured(part: Part, columns: list[Column] | tuple[Column, ...]) -> NDArray[Any]:
+    """Return the rows of a part, with a field for each column."""
+    rows = np.zeros(part.rows, _dtype(columns))
+    for column in columns:
+        rows[column.key] = _column_values(column, part.values[column.key])
+    rows[REFUSED][[*part.reasons]] = True
+    return rows
+
+
+def _column_values(column: Column, values: Any) -> Any:
+    if column.kind != "decimal":
+        return values
+    assert column.decimals is not None
+    found = np.empty(len(values), object)
+    found[:] = [
+        None if one is None else Decimal(int(one)).scaleb(-column.decimals, _ALL_DIGITS) for one in values
+    ]
+    return found

@@ -9,21 +9,27 @@ from functools import cached_property
 from math import prod
 from pkgutil import resolve_name
 from shlex import quote
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kurbel.commands.options import is_given
-from kurbel.commands.part import Origin, Values
+from kurbel.commands.part import Origin, Values, flag_of
 from kurbel.commands.subject import SPELLED
 from kurbel.exact.numerals import exact_text, ratio_text
 from kurbel.motion.page import AngleQuestion
 from kurbel.page.subject import Question
+from kurbel.reading.given import File
 
 if TYPE_CHECKING:
     from kurbel.commands.subject import Command
-    from kurbel.sweeps.kept import Kept
+    from kurbel.sweeps.condition import Kept
 
+Floats = NDArray[np.float64]
+Places = NDArray[np.int64]
+# A value of an option as the command takes it, one of several at a time.
+Setting: TypeAlias = str | bool | float | Fraction | File | Sequence[Any] | Mapping[str, Any]
 # More rows than these nobody waits for.
 MOST_ROWS = 10**12
 
@@ -47,6 +53,18 @@ def text_of(value: Any, option: str = "") -> str:
     return exact_text(value) if isinstance(value, Fraction) else str(value)
 
 
+class Points(NamedTuple):
+    """Rows by their points, and which record of its point each is; points that follow each other have a
+    `first` one."""
+
+    places: Places
+    records: Places
+    first: int | None = None
+
+    def __len__(self) -> int:
+        return len(self.places)
+
+
 @dataclass(frozen=True)
 class Plan:
     """A sweep as it was asked for.
@@ -65,7 +83,7 @@ class Plan:
     """
 
     command: str
-    given: Mapping[str, Any]
+    given: Mapping[str, Setting]
     groups: tuple[tuple[Axis, ...], ...]
     digits: int | None = None
     bounds: bool = False
@@ -81,22 +99,16 @@ class Plan:
         return tuple(len(group[0].values) for group in self.groups)
 
     @property
-    def varied(self) -> frozenset[str]:
-        """The names of the options that vary."""
-        return frozenset(axis.option for group in self.groups for axis in group)
-
-    @property
-    def columns(self) -> frozenset[str]:
-        """The names of the columns that are asked for."""
-        given = self.given.get("columns") or ()
-        texts = [given] if isinstance(given, str) else given
-        return frozenset(name.strip() for text in texts for name in text.replace(";", ",").split(","))
+    def axes(self) -> Mapping[str, Axis]:
+        """The axes by the names of their options."""
+        return {axis.option: axis for group in self.groups for axis in group}
 
     @property
     def carded(self) -> bool:
         """Whether an indicator card is among what is given."""
-        described = (self.given, *(self.given.get("cylinder") or ()))
-        return "card" in self.varied or any(is_given(one.get("card")) for one in described)
+        cylinders = self.given.get("cylinder")
+        described = [self.given, *(cylinders if isinstance(cylinders, list | tuple) else ())]
+        return "card" in self.axes or any(is_given(one.get("card")) for one in described)
 
     def __len__(self) -> int:
         return prod(self.sizes) if self.kept is None else len(self.kept)
@@ -110,7 +122,7 @@ class Plan:
         """The points that are left, where not all are."""
         if not self.only:
             return None
-        from kurbel.sweeps.kept import kept_of
+        from kurbel.sweeps.condition import kept_of
 
         return kept_of(self)
 
@@ -118,9 +130,9 @@ class Plan:
         # What follows from it is found again where it goes.
         return {one.name: getattr(self, one.name) for one in fields(self)}
 
-    def at(self, point: int) -> dict[str, Any]:
+    def at(self, point: int) -> dict[str, Setting]:
         """Return the values of the options that vary, at a point."""
-        found: dict[str, Any] = {}
+        found: dict[str, Setting] = {}
         for group, size in zip(reversed(self.groups), reversed(self.sizes), strict=True):
             point, place = divmod(point, size)
             found = {axis.option: axis.values[place] for axis in group} | found
@@ -128,27 +140,22 @@ class Plan:
 
     def said(self, point: int) -> str:
         """Return a point in the words of the command line."""
-        return " ".join(
-            f"--{name.replace('_', '-')} {quote(text_of(value, name))}"
-            for name, value in self.at(point).items()
-        )
+        values = self.at(point).items()
+        return " ".join(f"{flag_of(name)} {quote(text_of(value, name))}" for name, value in values)
 
-    def question(self, values: Mapping[str, Any], digits: int) -> Question:
-        """Return what the command asks with these values beside those that are the same everywhere.
+    def question(self, point: int, digits: int, **instead: Setting) -> Question:
+        """Return what the command asks at a point, with other values `instead` of some.
 
         Raises KurbelError where it is refused.
         """
-        asking = self.asking
+        values = {**self.at(point), **instead}
         origins = {name: Origin.TYPED for name in (*self.given, *values)}
         told = {**self._everywhere, **values, "digits": digits}
-        question: Question = asking.ask(Values(told, origins | dict.fromkeys(self.defaults, Origin.MACHINE)))
+        origins |= dict.fromkeys(self.defaults, Origin.MACHINE)
+        question: Question = self.asking.ask(Values(told, origins))
         if self.whole_turns and isinstance(question, AngleQuestion):
             return replace(question, whole_turns=True)
         return question
-
-    def parameter(self, option: str) -> str:
-        """Return the name of the function's parameter for an option."""
-        return next(key for key, one in self.asking.parameters.items() if one.name == option)
 
     @property
     def asking(self) -> Command:
@@ -157,10 +164,6 @@ class Plan:
         return found
 
     @cached_property
-    def _unsaid(self) -> Mapping[str, Any]:
-        return self.asking.defaults
-
-    @cached_property
-    def _everywhere(self) -> Mapping[str, Any]:
+    def _everywhere(self) -> Mapping[str, Setting | None]:
         # Files are in the language of --lang, else in English.
-        return {**self._unsaid, "lang": "en", **dict.fromkeys(SPELLED), **self.given}
+        return {**self.asking.defaults, "lang": "en", **dict.fromkeys(SPELLED), **self.given}

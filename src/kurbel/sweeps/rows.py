@@ -1,23 +1,43 @@
-"""The rows of a sweep: its columns, and their values part by part, in any process and in any order."""
+"""The rows of a sweep: which way they are computed, part by part, in any process and in any order."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
+from kurbel.engine.request import EngineRequest
 from kurbel.errors import FailedError
-from kurbel.sweeps.axes import Coordinates
-from kurbel.sweeps.columns import Column as Column
-from kurbel.sweeps.columns import Part as Part
-from kurbel.sweeps.columns import columns_of
-from kurbel.sweeps.plan import Plan
-from kurbel.sweeps.ways.choice import way_of
-from kurbel.sweeps.ways.records import First, first_of
-from kurbel.sweeps.ways.way import Asked, Points, Way
+from kurbel.motion.page import Request
+from kurbel.sweeps.arrays import Irregularities, Motion, is_irregularity, is_motion
+from kurbel.sweeps.columns import GIVEN, Asked, Cells, Column, Part, Way, columns_of
+from kurbel.sweeps.coordinates import Coordinates
+from kurbel.sweeps.hands import BALLS, check_wanted
+from kurbel.sweeps.over_angle import CertifiedOverAngle, OverAngle, has_arrays, is_over_angle
+from kurbel.sweeps.plan import Plan, Points
+from kurbel.sweeps.records import First, Pointwise, first_of, questions
+
+
+def way_of(asked: Asked) -> Way:
+    """Return how the rows of a plan are computed."""
+    plan, found = asked.plan, [*questions(asked.plan)]
+    if any(column.role == GIVEN for column in asked.columns):
+        # It stands in the records alone.
+        return Pointwise(asked)
+    if asked.each == 1 and is_motion(plan, found[0]):
+        assert isinstance(found[0], Request)
+        return Motion(asked, found[0])
+    if asked.each == 1 and all(is_irregularity(plan, one) for one in found):
+        assert isinstance(found[0], EngineRequest)
+        return Irregularities(asked, found[0])
+    alone = any(len(group) == 1 and group[0].option == "angle" for group in plan.groups)
+    if asked.each == 1 and alone and all(has_arrays(plan, one) for one in found):
+        return OverAngle(asked)
+    if asked.each == 1 and alone and all(map(is_over_angle, found)):
+        return CertifiedOverAngle(asked)
+    return Pointwise(asked)
 
 
 @dataclass(frozen=True)
@@ -63,9 +83,11 @@ class Sweep:
         return found._replace(values={**self.varied(start, stop), **found.values})
 
     def computed(self, start: int, stop: int) -> Part:
-        """Return rows without the options that vary."""
+        """Return rows without the options that vary, in whatever thread this is."""
+        check_wanted()
         points = self._points(start, stop)
-        found = self._way.rows(points)
+        with nullcontext() if self.in_threads else BALLS:
+            found = self._way.rows(points)
         values = {column.key: found.values[column.key] for column in self.columns if not column.option}
         part = Part(stop - start, values, found.reasons)
         if self.plan.strict and part.refused:
@@ -74,7 +96,7 @@ class Sweep:
             raise FailedError(f"{part.refused[row]}; this is of {said}, and --strict ends there")
         return part
 
-    def varied(self, start: int, stop: int) -> Mapping[str, Any]:
+    def varied(self, start: int, stop: int) -> Cells:
         """Return the values of the options that vary, by the keys of their columns."""
         axes = self._coordinates.at(self._points(start, stop))
         return {column.key: axes[column.option] for column in self.columns if column.option}

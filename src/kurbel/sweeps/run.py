@@ -1,4 +1,4 @@
-"""A sweep is run: its parts are computed, and become a file that is whole or absent.
+"""A sweep is run: its parts are computed, and become a file that is whole or absent; or it is estimated.
 
 Parts are computed in any order, by whoever there is, into a folder beside the target. From there they go
 in order into the file. What is in memory does not grow with the sweep: few parts at once are being computed,
@@ -8,24 +8,25 @@ and of those that are done only the names are known.
 from __future__ import annotations
 
 import os
+import tempfile
+import time
 from collections import Counter
 from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from functools import partial
-from importlib.util import find_spec
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
+import pyarrow as pa
+
 from kurbel.errors import ChoiceError, FailedError, OutputError
-from kurbel.reading.extras import missing_extra
-from kurbel.sweeps.files.forms import form_of, is_device
+from kurbel.sweeps.arrow import batch_of
+from kurbel.sweeps.folder import Work, files_of, grounded, identity_of, working
+from kurbel.sweeps.hands import Hands, Here, Processes, Result, Threads, cores
+from kurbel.sweeps.parts import Form, Unit, form_of, is_device, joined, kept, made, unit_of
+from kurbel.sweeps.records import TRIED
 from kurbel.sweeps.rows import Sweep
-from kurbel.sweeps.work.folder import Work, working
-from kurbel.sweeps.work.hands import Hands, Here, Result, Threads, cores
-from kurbel.sweeps.work.identity import files_of, grounded, identity_of
-from kurbel.sweeps.work.processes import Processes
-from kurbel.sweeps.work.task import Unit, kept, made
 
 # Parts that are done before one that is not: their names are all that is kept.
 AHEAD = 10_000
@@ -64,16 +65,13 @@ def run(sweep: Sweep, target: str, running: Running = Running(), format: str | N
 
     Raises KurbelError; then parts that are done are kept for `resume`.
     """
-    if find_spec("pyarrow") is None:
-        raise missing_extra("files of columns need pyarrow", "scale")
     form = form_of(target, format)
     form.check(sweep, target)
     refused: Counter[str] = Counter()
-    from kurbel.sweeps.work.joining import joined, unit_of
-
     # A new one goes to other processes, without what it knows already.
     sweep = replace(sweep, plan=grounded(sweep.plan))
-    with _beside(target, running) as place, _working(place, sweep, running) as work:
+    identity, earlier = identity_of(sweep), {"resume": running.resume, "restart": running.restart}
+    with _beside(target, running) as place, working(place, identity, **earlier) as work:
         telling = _telling(work) if place == target else nullcontext()
         unit = unit_of(sweep, form)
         with telling, _hands(unit, work, running) as hands:
@@ -93,10 +91,6 @@ def _beside(target: str, running: Running) -> Iterator[str]:
         raise ChoiceError(f"of what is written to {target} nothing is kept to go on with; name a file")
     with TemporaryDirectory(prefix="kurbel-") as folder:
         yield os.path.join(folder, "sweep")
-
-
-def _working(place: str, sweep: Sweep, running: Running) -> AbstractContextManager[Work]:
-    return working(place, identity_of(sweep), resume=running.resume, restart=running.restart)
 
 
 def _parts(unit: Unit, work: Work, hands: Hands[Result], watch: Callable[[int], None]) -> Iterator[str]:
@@ -142,7 +136,7 @@ def _hands(unit: Unit, work: Work, running: Running) -> Iterator[Hands[Result]]:
 def _hired(unit: Unit, work: Work, running: Running) -> Hands[Result]:
     make = partial(made, unit, work.place)
     if running.scheduler:
-        from kurbel.sweeps.work.cluster import Cluster
+        from kurbel.sweeps.cluster import Cluster
 
         return Cluster(running.scheduler, make, work.place.word, files_of(unit.sweep.plan))
     count = min(running.jobs or cores(), unit.count)
@@ -173,3 +167,85 @@ def _telling(work: Work) -> Iterator[None]:
 
 def _kept(work: Work) -> str:
     return f"finished parts are kept in {work.path}: the same command with --resume goes on"
+
+
+# Seconds that are spent on measuring, and rows of one measurement at the most.
+PATIENCE = 1.0
+LONGEST = 1 << 18
+# Rows of which a file is written where each is computed alone.
+WRITTEN = 256
+# Forms that are arrays of their own are written by axes: eight bytes a number.
+BYTES = 8
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """Seconds of computing and of writing on one core, and bytes; `refused` is the first point of the sample
+    that was refused, with why."""
+
+    rows: int
+    parts: int
+    computing: float
+    writing: float
+    size: float
+    refused: tuple[str, str] | None
+
+    def seconds(self, hands: int) -> float:
+        """Return how long it takes so many: one of them writes while all compute."""
+        return max(self.writing, (self.computing + self.writing) / hands)
+
+
+def estimated(sweep: Sweep, form: Form) -> Estimate:
+    """Return what the sweep would be as a file of a form. Writes nothing that stays."""
+    seconds, rows, refused = 0.0, 0, None
+    for start, stop in _samples(sweep):
+        begun = time.process_time()
+        part = sweep.part(start, stop)
+        seconds += time.process_time() - begun
+        rows += stop - start
+        if part.refused and refused is None:
+            row = min(part.refused)
+            refused = (sweep.said(start + row), part.refused[row])
+        if seconds > PATIENCE:
+            break
+    parts = -(-len(sweep) // sweep.rows_at_once)
+    size, writing = _file(sweep, form)
+    return Estimate(len(sweep), parts, seconds / rows * len(sweep), writing, size, refused)
+
+
+def _samples(sweep: Sweep) -> Iterator[tuple[int, int]]:
+    """Yield runs of rows spread over the sweep: single ones first, then as long as they are computed."""
+    count = len(sweep)
+    length = 1 if sweep.rows_at_once <= 4096 else min(count, sweep.rows_at_once, LONGEST)
+    # The first of all also pays for what is loaded.
+    sweep.part(0, min(length, count))
+    for start in dict.fromkeys((count - length) * place // TRIED for place in range(TRIED + 1)):
+        yield start, start + length
+
+
+def _file(sweep: Sweep, form: Form) -> tuple[float, float]:
+    """Return about how many bytes the file has, and how long it is written, by one of its first rows."""
+    rows = min(len(sweep), WRITTEN if sweep.rows_at_once <= 4096 else LONGEST)
+    batch = batch_of(sweep, sweep.part(0, rows))
+    # What a file of no rows takes, such as the exact inputs that it has, does not grow with them.
+    (bare, begin), (size, seconds) = _written(sweep, form, batch[:0]), _written(sweep, form, batch)
+    factor = len(sweep) / rows
+    if not form.streams and form.name != "partitions":
+        size, bare = rows * BYTES * sum(column.role != "axis" for column in sweep.columns), 0
+    return bare + (size - bare) * factor, begin + max(seconds - begin, 0) * factor
+
+
+def _written(sweep: Sweep, form: Form, batch: pa.RecordBatch) -> tuple[float, float]:
+    """Return how many bytes a file of a batch has, and how long it is written."""
+    with tempfile.TemporaryDirectory() as folder:
+        one = os.path.join(folder, "sample")
+        plain = form if form.streams else FORMS_OF_FILES
+        # The first one also pays for what is loaded.
+        for _ in range(2):
+            begun = time.process_time()
+            plain.write(sweep, iter([batch]), one, folder)
+            seconds = time.process_time() - begun
+        return os.path.getsize(one), seconds
+
+
+FORMS_OF_FILES = Form("parquet", (), "kurbel.sweeps.parquet:write")

@@ -1,0 +1,213 @@
+"""`kurbel sweep`: what can be swept, and the options of a sweep: those of its command, and its own."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from kurbel.cli import COMMANDS
+from kurbel.cli.app import Group, command_of
+from kurbel.cli.options import FileName, Option, Type, click_option, machine_option, output_option
+from kurbel.commands import options as kinds
+from kurbel.commands.options import Count
+from kurbel.commands.subject import Command
+from kurbel.exact.numerals import MOST_DIGITS
+from kurbel.sweeps.hands import MOST_JOBS
+
+if TYPE_CHECKING:
+    from kurbel.sweeps.rows import Sweep
+    from kurbel.sweeps.run import Running
+
+MOST_SEED = 9999
+# What says nothing of columns of numbers, or is another thing of sweeps.
+PAGES = frozenset(("label", "caption", "note", "source", "templates", "units", "digits"))
+
+
+class _Listed(kinds.Kind):
+    """A kind of which several are written with semicolons; they are read where the command is known."""
+
+    def __init__(self, one: kinds.Kind) -> None:
+        self.one = one
+        self.name = one.name
+
+    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
+        before, mark, last = begun.rpartition(";")
+        return (before + mark + text for text in self.one.offered(last, typed))
+
+
+class SweptOption(Option):
+    """An option that may be given several times, and in the environment once."""
+
+    def value_from_envvar(self, ctx: click.Context) -> Any:
+        found = self.resolve_envvar_value(ctx)
+        return None if found is None else (found,)
+
+
+def own_options(command: Command) -> list[click.Parameter]:
+    """Return the options of the command as those of a sweep."""
+    params: list[click.Parameter] = [machine_option()] if command.machine else []
+    return params + [_swept(one) for one in command.parameters.values() if one.name not in PAGES]
+
+
+def _swept(option: kinds.Option[Any]) -> click.Parameter:
+    if option.kind is kinds.FLAG or option.last or option.first or isinstance(option.kind, kinds.LayoutName):
+        return click_option(option)
+    kind: Any = FileName() if option.kind is kinds.FILE else Type(_Listed(option.kind))
+    more: dict[str, Any] = {"is_flag": False, "flag_value": option.bare} if option.bare else {}
+    return SweptOption(
+        [option.name, option.flag, *filter(None, [option.short])],
+        type=kind,
+        metavar=option.metavar,
+        multiple=True,
+        help=option.help,
+        envvar=option.environment or None,
+        **more,
+    )
+
+
+def sweep_options() -> list[click.Parameter]:
+    """Return the options of sweeps alone."""
+    return [
+        Option(["format", "-f", "--format"], metavar="FORM",
+               help="parquet, arrow, csv, netcdf or zarr; default: by the suffix of -o, a folder such as out/"
+               " for Parquet in partitions."),
+        output_option("File to write, whole or not at all: sweep.parquet."),
+        Option(["zip_", "--zip"], multiple=True, metavar="NAMES",
+               help="Options that go through their values together, not each with each: eps,back."),
+        Option(["--only"], multiple=True, metavar="CONDITION",
+               help="Combinations to compute, the others are left out: 'eps*back < 1', 'ratio < 1/4'."),
+        Option(["--sample"], metavar="DESIGN",
+               help="Points between the ends of ranges in place of a grid: random:1000, sobol:1024,"
+               " halton:1000, or lhs:1000, the Latin hypercube."),
+        Option(["--seed"], type=Type(kinds.Count("seed", 0, MOST_SEED, "is no seed")), metavar="N",
+               help="Of the sample: other points for another number; default 0."),
+        Option(["--digits"], metavar="N",
+               type=Type(kinds.Count("digits", 0, MOST_DIGITS, "cannot be stored")),
+               help="Certified decimals in place of floats, the very digits of the single command."),
+        Option(["--bounds"], is_flag=True,
+               help="Beside each float how far from the true value it may lie at the most."),
+        Option(["--strict"], is_flag=True, help="End at the first combination that is refused."),
+        Option(["--dry-run"], is_flag=True,
+               help="Say how many rows, which columns, how large and how long, and write nothing."),
+    ]  # fmt: skip
+
+
+def running_options() -> list[click.Parameter]:
+    """Return the options that say who computes, and what becomes of an earlier run."""
+    return [
+        Option(["--scheduler"], metavar="ADDRESS",
+               help="Dask cluster that computes: tcp://HOST:8786, tls://HOST:8786, or scheduler.json."),
+        Option(["-j", "--jobs"], type=Type(Count("jobs", 1, MOST_JOBS)), metavar="N",
+               help="Processes or threads at once on this machine; default: one for each core."),
+        Option(["--resume"], is_flag=True, help="Go on with the finished parts of a run that was ended."),
+        Option(["--restart"], is_flag=True, help="Begin anew, and remove the finished parts of such a run."),
+    ]  # fmt: skip
+
+
+@contextmanager
+def running(values: Mapping[str, Any], sweep: Sweep) -> Iterator[Running]:
+    """Give how to run a sweep by the values of these options; on a terminal a bar tells of it."""
+    from kurbel.errors import ChoiceError
+    from kurbel.sweeps.run import Running
+
+    if values["resume"] and values["restart"]:
+        raise ChoiceError(
+            "--resume goes on with finished parts and --restart removes them; give one of the two"
+        )
+    if values["scheduler"] and values["jobs"]:
+        raise ChoiceError(
+            "--jobs is of this machine, and with --scheduler others compute; give one of the two"
+        )
+    if values["scheduler"] == "":
+        raise ChoiceError(
+            "--scheduler is empty; give an address, tcp://HOST:8786, or leave it out for this machine"
+        )
+    names = {name: values[name] for name in ("scheduler", "jobs", "resume", "restart")}
+    with _bar(sweep, values["output"]) as watch:
+        yield Running(**names, watch=watch)
+
+
+@contextmanager
+def _bar(sweep: Sweep, target: str) -> Iterator[Callable[[int], None]]:
+    """Give what is told of rows that are done; it shows them where a sweep has several parts."""
+    if len(sweep) <= sweep.rows_at_once or not sys.stderr.isatty():
+        yield lambda rows: None
+        return
+
+    def rate(_: Any) -> str:
+        each = bar.time_per_iteration
+        return _rate(1 / each) if each else ""
+
+    bar = click.progressbar(length=len(sweep), label=target, item_show_func=rate, file=sys.stderr)
+    with bar:
+        yield lambda rows: bar.update(rows, "")
+
+
+def _rate(rows: float) -> str:
+    """Return rows a second, to three figures."""
+    power = 0 if rows < 999.5 else 1 if rows < 999.5e3 else 2
+    return f"{rows / 1000**power:.3g} {('', 'thousand ', 'million ')[power]}rows/s"
+
+
+# Those of books have nothing that varies.
+TABLES = tuple(name for name, (place, _) in COMMANDS.items() if ":" in place)
+
+
+class _Commands(Group):
+    what = "command that can be swept"
+
+    def further(self) -> Mapping[str, Sequence[click.Option]]:
+        """Return the options of every sweep, by the heads below which manuals have them."""
+        from kurbel.cli.manual.topics import topics_of
+        from kurbel.cli.sweep import running_options, sweep_options
+
+        own = click.Command("sweep", params=[*sweep_options(), *running_options()], add_help_option=False)
+        return {topic.title: options for topic, options in topics_of(own)}
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(TABLES)
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        from kurbel.cli.sweep_file import FILE, SUFFIX, words_of
+
+        if not args[0].endswith(SUFFIX) or ctx.resilient_parsing:
+            return super().resolve_command(ctx, args)
+        from kurbel.cli.sweep_command import SweepCommand
+        from kurbel.cli.sweep_file import ReadFile
+
+        read = ReadFile(args[0])
+        command = self.get_command(ctx, read.said.command)
+        assert isinstance(command, SweepCommand)
+        words, ctx.meta[FILE] = words_of(read, command, args[1:])
+        return args[0], command, words
+
+    def get_command(self, ctx: click.Context, name: str) -> click.Command | None:
+        if name not in TABLES:
+            return None
+        from kurbel.cli.sweep_command import SweepCommand
+        from kurbel.cli.tables import TableCommand
+
+        table = command_of(name)
+        assert isinstance(table, TableCommand)
+        return SweepCommand(name, COMMANDS[name][0], table.made_by)
+
+
+@click.group(cls=_Commands, subcommand_metavar="COMMAND|FILE.toml [OPTIONS]...")
+def sweep() -> None:
+    """Compute a command at every combination of what its options are given, into a file of columns.
+
+    \b
+    kurbel sweep delta --eps 1..10:0.01 --ratio 1:3..8:0.05 -o delta.parquet
+    kurbel sweep table --ratio 1:3..8 --step 0.01 --columns x,c -o motion.parquet
+    kurbel sweep sweep.toml --dry-run
+
+    COMMAND has the options that it has by itself, and each takes several values: lists '2;3;4', ranges
+    2..6:0.5 with units, words. A file sweep.toml says the same: command, [axes], [options], output; what is
+    typed outdoes it.
+    """

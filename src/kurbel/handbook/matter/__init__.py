@@ -1,1 +1,0 @@
-"""What a book has before and behind its chapters: notation, symbols, index, colophon."""

@@ -1,1 +1,0 @@
-"""How the values of a sweep are computed: point by point, over the crank angle, or in arrays."""

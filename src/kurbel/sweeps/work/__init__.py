@@ -1,1 +1,0 @@
-"""The work of a sweep: who computes its parts, and the folder where they lie until the file is whole."""
