@@ -12,7 +12,7 @@ from typing import Literal, NamedTuple, Self
 from kurbel.exact.numerals import Label, Number, number_text
 from kurbel.formats.spacing import gaps, held, panel_pauses
 from kurbel.formats.writer import PageWriter
-from kurbel.page.labels import plain, set_label
+from kurbel.page.labels import plain
 from kurbel.page.table import DITTO, Cell, HeadCell, Panel, Table, Tone, head_rows
 
 # What no layout says.
@@ -168,11 +168,7 @@ class Setter:
         self.targets = {note.mark: f"{self.anchor}-note-{place}" for place, note in enumerate(table.notes, 1)}
 
     def label(self, label: Label, display: bool = False) -> str:
-        writer = self.writer
-        text = set_label(
-            label, writer.escape, lambda formula: writer.formula(formula, self.mark, display), self.note_mark
-        )
-        return writer.finish(text)
+        return self.writer.label(label, self.mark, display, self.note_mark)
 
     def labels(self, labels: Iterable[Label]) -> tuple[str, ...]:
         return tuple(self.label(label) for label in labels)

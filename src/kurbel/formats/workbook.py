@@ -115,7 +115,8 @@ class _Draft:
         self.widths = [APART_RULES] * (len(widths) + len(parted))
         for place, width in zip(self.places, widths, strict=True):
             self.widths[place] = width
-        self.prose = self._columns_of_prose()
+        lacking = LEAST_PROSE - sum(self.widths)
+        self.prose = len(self.widths) + max(0, ceil(lacking / USUAL_WIDTH))
 
     def sheet(self, name: str) -> Sheet:
         ready = self.ready
@@ -157,10 +158,6 @@ class _Draft:
         self.heights[self.row] = height_of_prose(text, self.widths, self.prose, size, line)
         self.put(0, text, look, self.prose)
         self.row += 1
-
-    def _columns_of_prose(self) -> int:
-        lacking = LEAST_PROSE - sum(self.widths)
-        return len(self.widths) + max(0, ceil(lacking / USUAL_WIDTH))
 
     def head(self, panel: PagePanel) -> None:
         deepest = len(panel.head)

@@ -6,8 +6,9 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
+from kurbel.exact.numerals import Label
 from kurbel.page.formula import Formula
-from kurbel.page.labels import formula_plain, mark_text
+from kurbel.page.labels import formula_plain, mark_text, set_label
 from kurbel.page.table import Table
 
 if TYPE_CHECKING:
@@ -122,6 +123,14 @@ class PageWriter:
     def finish(self, label: str) -> str:
         """Return a label of which all parts are set."""
         return label
+
+    def label(
+        self, label: Label, mark: str, display: bool = False, noted: Callable[[str], str] = lambda note: ""
+    ) -> str:
+        """Return a label with a decimal mark; `noted` returns the marks of notes in it."""
+        return self.finish(
+            set_label(label, self.escape, lambda formula: self.formula(formula, mark, display), noted)
+        )
 
     def filters(self) -> Mapping[str, Callable[..., Any]]:
         """Return the filters of its templates."""

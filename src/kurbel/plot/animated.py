@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from kurbel.errors import ProblemError
-from kurbel.page.steps import Joint, Line, Scene
+from kurbel.page.steps import Joint, Scene
 from kurbel.plot.film import STEPS, Film, Part, Seen, Way, named, straight_way, toggled
 from kurbel.plot.panel import NOTHING_AROUND, Around, Panel, PinForce
 from kurbel.plot.place import Chosen, Points
@@ -92,7 +92,8 @@ def _light(sketch: Sketch, staged: Staged, angle: float | Fraction, mark: str) -
     """Draw a further position, and its angle beside the pin of its first crank."""
     scene = staged([float(angle)])
     assert scene is not None
-    pins, shafts = [_here(pin) for pin in scene.pins], _shafts(scene.fixed)
+    pins = [_here(pin) for pin in scene.pins]
+    shafts = [line.points[0] for line in scene.fixed if line.kind in GROUNDS]
     for number, link in enumerate(scene.links):
         ends = _here(link.start), _here(link.end)
         sketch.light_links(ends, [] if number else pins, shafts)
@@ -102,10 +103,6 @@ def _light(sketch: Sketch, staged: Staged, angle: float | Fraction, mark: str) -
 
 def _here(joint: Joint) -> tuple[float, float]:
     return joint[0]
-
-
-def _shafts(lines: Sequence[Line]) -> list[tuple[float, float]]:
-    return [line.points[0] for line in lines if line.kind in GROUNDS]
 
 
 # In mm: the mechanism above curves, and the dots on them.

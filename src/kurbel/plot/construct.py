@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING
 
 from kurbel.books.constructions import model
 from kurbel.books.constructions.model import Construction, Element, lettered
-from kurbel.books.constructions.placed import Placed
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats
 from kurbel.formats.html.live import lesson
@@ -106,7 +105,10 @@ def construction_drawing(
             " is too small to be seen"
         )
     at = request.at(floats())
-    points, curves = drawn_points(shown, at), drawn_curves(shown, at)
+    # In units of R; a mirrored drive has the crosshead on the left.
+    sign = -1 if shown.mirrored else 1
+    points = {letter: (sign * point.x, point.y) for letter, point in shown.points(at).items()}
+    curves = {name: [(sign * point.x, point.y) for point in shown.curve(name, at)] for name in shown.curves}
     with style():
         board = _board(shown, points, curves, size, mark)
         for number, step in enumerate(shown.steps, 1):
@@ -125,18 +127,6 @@ def construction_drawing(
     )
     about += "; " + " ".join(f"{number}. {text}" for number, text in enumerate(said, 1))
     return Drawing(board.sketch.figure, caption(request), about)
-
-
-def drawn_points(shown: Construction, at: Placed) -> Mapping[str, Point]:
-    """Return the points as they are drawn, in units of R: a mirrored drive has the crosshead on the left."""
-    sign = -1 if shown.mirrored else 1
-    return {letter: (sign * point.x, point.y) for letter, point in shown.points(at).items()}
-
-
-def drawn_curves(shown: Construction, at: Placed) -> Mapping[str, Sequence[Point]]:
-    """Return the curves likewise."""
-    sign = -1 if shown.mirrored else 1
-    return {name: [(sign * point.x, point.y) for point in shown.curve(name, at)] for name in shown.curves}
 
 
 def _board(

@@ -225,7 +225,8 @@ def over_angle(question: AngleQuestion, wish: Wish) -> Picture:
 def unfolded(question: AngleQuestion) -> AngleQuestion:
     """Return the question over smooth angles; where both strokes stand side by side, over the whole turn."""
     columns = columns_of(question)
-    both = _is_stroke(question.angles) and (question.has_return or _is_of_layout(question))
+    usual = [*as_angles(question.layout.angles or "0")]
+    both = _is_stroke(question.angles) and (question.has_return or [*question.angles] == usual)
     keys = [one.key.replace("_return", "") if both else one.key for one in columns]
     angles = (Fraction(0), Fraction(360)) if both else question.angles
     return asked_of(
@@ -238,10 +239,6 @@ def unfolded(question: AngleQuestion) -> AngleQuestion:
 
 def _is_stroke(angles: Sequence[Fraction]) -> bool:
     return [*ends(angles)] == [0, 180]
-
-
-def _is_of_layout(question: AngleQuestion) -> bool:
-    return [*question.angles] == [*as_angles(question.layout.angles or "0")]
 
 
 def infinite(question: AngleQuestion) -> AngleQuestion:

@@ -240,7 +240,8 @@ def _moved(part: Part, film: Film, height: float) -> Rule:
 
 
 def _grown(grown: Grown, film: Film) -> Rule:
-    length = line_length(grown) * MM
+    points = grown.axes.transData.transform(np.asarray(grown.line.get_xydata())) / DOTS_PER_MM
+    length = float(np.hypot(*np.diff(points, axis=0).T).sum()) * MM
     rows = keyframes(grown.way, np.asarray((length / MM,)), TOLERANCE)
     frames = _frames(rows, film, lambda row: f"stroke-dashoffset:{figures(length * (1 - row[0]), 3)}px")
     (share,) = grown.way.at(film.at)
@@ -249,12 +250,6 @@ def _grown(grown: Grown, film: Film) -> Rule:
         f"{PREFIX}{grown.name}", _ids(grown.name), frames,
         f"{dashes};stroke-dashoffset:{figures(length * (1 - share), 3)}px",
     )  # fmt: skip
-
-
-def line_length(grown: Grown) -> float:
-    """Return the length of the whole line in mm."""
-    points = grown.axes.transData.transform(np.asarray(grown.line.get_xydata())) / DOTS_PER_MM
-    return float(np.hypot(*np.diff(points, axis=0).T).sum())
 
 
 def _frames(way: Way, film: Film, said: Callable[[Points], str]) -> tuple[tuple[str, str], ...]:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from kurbel.errors import ProblemError
 from kurbel.plot.panel import Curve, Panel
 from kurbel.plot.place import AROUND, BESIDE, Box, Points, around, beside, box_points, densely, freest
-from kurbel.plot.style import MM, SMALL_TEXT, TEXT_SIZE, WIDTH, Size, in_rows, size_of, text_of
+from kurbel.plot.style import MM, SMALL_TEXT, TEXT_SIZE, Size, in_rows, size_of, text_of
 from kurbel.plot.ticks import axis_label
 
 if TYPE_CHECKING:
@@ -85,7 +85,6 @@ class Course(NamedTuple):
 
 # In mm: the numbers stand left of the panels, the quantity and the legend above each.
 LEFT, RIGHT, ABOVE, BARE, BELOW = 13.0, 4.0, 7.5, 3.0, 10.5
-PANEL_WIDTH = WIDTH - LEFT - RIGHT
 # More labels than these beside the curves are harder to read than a legend.
 MOST_LABELS = 4
 # The radius of the mark of a spot, and the room for its text above a curve or below it.

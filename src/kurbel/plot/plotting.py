@@ -26,6 +26,7 @@ from kurbel.plot.plan import (
     Room,
     draw_legend,
     plan_of,
+    plans_to_scale,
     with_one_legend,
 )
 from kurbel.plot.style import (
@@ -143,20 +144,15 @@ def _plans(
     strip = strip_of(around.strokes, span, width, mark) if around.strokes else 0.0
     first = room._replace(strip=strip, said=text_of(around.said, mark))
 
-    def planned(height: float) -> list[Plan]:
-        rooms = [first, *[room] * (len(panels) - 1)]
+    rooms = [first, *[room] * (len(panels) - 1)]
+
+    def planned(ends: tuple[float, float], rooms: Sequence[Room]) -> list[Plan]:
         each = zip(panels, rooms, strict=True)
-        return with_one_legend([plan_of(one, span, has._replace(height=height), mark) for one, has in each])
+        return with_one_legend([plan_of(one, ends, has, mark) for one, has in each])
 
     if any(panel.scale for panel in panels):
-        from kurbel.plot.plan import plans_to_scale
-
-        def to_scale(ends: tuple[float, float], rooms: Sequence[Room]) -> list[Plan]:
-            each = zip(panels, rooms, strict=True)
-            return with_one_legend([plan_of(one, ends, has, mark) for one, has in each])
-
-        return plans_to_scale(panels, span, [first, *[room] * (len(panels) - 1)], size, to_scale)
-    plans = planned(room.height)
+        return plans_to_scale(panels, span, rooms, size, planned)
+    plans = planned(span, rooms)
     # In less height a legend may take the place of labels, which takes some height itself.
     for _ in range(2 if size.height else 0):
         assert size.height is not None
@@ -167,7 +163,7 @@ def _plans(
                 f"the height is {size.height + above:.6g} mm; these curves need"
                 f" {BELOW + tops + LEAST_HEIGHT * len(panels) + above:.6g} mm"
             )
-        plans = planned(height)
+        plans = planned(span, [has._replace(height=height) for has in rooms])
     return plans
 
 

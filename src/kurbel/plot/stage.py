@@ -28,10 +28,9 @@ from kurbel.plot.sketch import (
     SHAFT,
     UP,
     Sketch,
-    moved,
     polar_point,
 )
-from kurbel.plot.style import BLACK, HEAVY, MEDIUM, PALE, STRONG, TEXT_SIZE, THIN, WHITE
+from kurbel.plot.style import BLACK, HEAVY, MEDIUM, PALE, STRONG, TEXT_SIZE, THIN, WHITE, arrowhead
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -134,11 +133,7 @@ class _Stage:
         )
 
     def head(self, tip: Points, way: Point) -> Any:
-        """Draw an arrowhead."""
-        base, side = moved(tuple(tip), way, -ARROW * self.mm), (-way[1], way[0])
-        corners = [tip, *(moved(base, side, sign * 0.132 * ARROW * self.mm) for sign in (1, -1))]
-        (found,) = self.axes.fill(*np.asarray(corners).T, color=BLACK, linewidth=0, zorder=DIMENSIONS)
-        return found
+        return arrowhead(self.axes, tip, way, self.mm, ARROW, level=DIMENSIONS)
 
     def shafts(self, places: Sequence[Point]) -> Iterator[Any]:
         """Draw the ends of shafts before the links, again: these are drawn over their bearings."""

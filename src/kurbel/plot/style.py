@@ -42,10 +42,9 @@ SMALL_TEXT = 8.0
 THIN, MEDIUM, STRONG, HEAVY = (width * MM for width in (0.13, 0.25, 0.5, 0.7))
 BLACK, GREY, PALE, WHITE = "#000000", "#8c8c8c", "#d9d9d9", "#ffffff"
 
-# Patterns of ISO 128-2 in widths of the line: line 04 for centre lines, 05 for further positions, 07.
+# Patterns of ISO 128-2 in widths of the line: line 04 for centre lines, 05 for further positions.
 LONG_DASH_DOT = (24.0, 3.0, 0.5, 3.0)
 LONG_DASH_DOUBLE_DOT = (24.0, 3.0, 0.5, 3.0, 0.5, 3.0)
-DOTTED = (0.5, 3.0)
 
 
 class Size(NamedTuple):
@@ -177,16 +176,17 @@ def fitted(pattern: Sequence[float], widths: float, begun: float = 0, open: floa
 
 
 def arrowhead(
-    axes: Axes, tip: Any, direction: Any, mm: float, size: float = 1.9, slim: float = 0.132
-) -> None:
-    """Draw a filled arrowhead of a length in mm, of 15° as in ISO 129-1; mm is a millimetre of the axes."""
+    axes: Axes, tip: Any, direction: Any, mm: float, size: float = 1.9, slim: float = 0.132, level: float = 6
+) -> Any:
+    """Draw a filled arrowhead of a length in mm, of 15° as in ISO 129-1, and return it; mm is a millimetre of
+    the axes."""
     import numpy as np
 
     along = np.asarray(direction) / np.hypot(*direction) * size * mm
     side = np.asarray((-along[1], along[0])) * slim
     base = np.asarray(tip) - along
     corners = np.stack((np.asarray(tip), base + side, base - side))
-    axes.fill(*corners.T, color=BLACK, linewidth=0, zorder=6, clip_on=False)
+    return axes.fill(*corners.T, color=BLACK, linewidth=0, zorder=level, clip_on=False)[0]
 
 
 def image(figure: Figure, name: str, title: str = "", about: str = "", text: bool = False) -> bytes:

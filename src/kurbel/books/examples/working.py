@@ -116,7 +116,7 @@ class Working:
     def entries(self) -> Iterator[Entry]:
         shown: set[str] = set()
         for line in self.part.lines:
-            names = [*names_in(line.text)]
+            names = [*dict.fromkeys(match["name"] for match in _PLACE.finditer(line.text))]
             if not all(map(self._is_settled, names)) or (line.when and not self._holds(line.when)):
                 continue
             new = [name for name in names if name in self.example.page.steps and name not in shown]
@@ -183,18 +183,10 @@ class Working:
             return WORDS["differs"][self.lang]
         apart = abs(value.scaled - printed.scaled)
         if printed.form not in (",", "."):
-            return WORDS["arc"][self.lang].format(arc=arc_text(printed.with_units(apart)))
+            # Without its degrees of zero: 4'.
+            small = str(printed.with_units(apart).cell())
+            return WORDS["arc"][self.lang].format(arc=small.replace("$0°", "$").removeprefix("0°"))
         return WORDS["unit" if apart == 1 else "units"][self.lang].format(units=apart)
-
-
-def arc_text(arc: Printed) -> Label:
-    """Return a small angle without its degrees of zero: 4'."""
-    return str(arc.cell()).replace("$0°", "$").removeprefix("0°")
-
-
-def names_in(text: Label) -> Iterator[str]:
-    """Yield the names in a template, each once."""
-    yield from dict.fromkeys(match["name"] for match in _PLACE.finditer(text))
 
 
 def filled(text: Label, figure_of: Callable[[str], str]) -> Label:

@@ -316,7 +316,8 @@ class _Grid:
                 self._body_cell(cell, spaces[cell.column], shifts[cell.column], size, before, after)
             held = place + 1 < len(self.body) and "held" in self.body[place + 1][1][0].classes
             if place == 0 or held or cells[0].across == self.count > 1:
-                _keep_with_next(row)
+                for properties in row.iter(f"{W}pPr"):
+                    properties.insert(1, _made("keepNext"))
         _set_size(self.element, size)
         return added(widths)
 
@@ -487,11 +488,6 @@ def _paragraph(
         paragraph.remove(old)
     paragraph.insert(0, properties)
     return properties
-
-
-def _keep_with_next(row: Element) -> None:
-    for properties in row.iter(f"{W}pPr"):
-        properties.insert(1, _made("keepNext"))
 
 
 def _set_size(element: Element, size: float) -> None:

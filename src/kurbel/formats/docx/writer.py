@@ -109,7 +109,8 @@ def document_of(html: str, title: str, lang: str, folders: Sequence[str | None],
         ours = file.read().replace(b'"en-GB"', b'"%s"' % {"de": b"de-DE"}.get(lang, b"en-GB"))
     theirs = files["word/styles.xml"]
     files["word/styles.xml"] = _joined(theirs, ours) if reference else _joined(ours, theirs)
-    files["docProps/core.xml"] = _titled(files["docProps/core.xml"], title)
+    titled = b"<dc:title>%s</dc:title>" % escape(title).encode()
+    files["docProps/core.xml"] = files["docProps/core.xml"].replace(b"<dc:title></dc:title>", titled)
     return _zipped(files)
 
 
@@ -155,10 +156,6 @@ def _joined(first: bytes, second: bytes) -> bytes:
     styles.extend(style for style in more.iter(f"{W}style") if style.get(f"{W}styleId") not in known)
     made: bytes = ElementTree.tostring(styles, "utf-8", xml_declaration=True)
     return made
-
-
-def _titled(core: bytes, title: str) -> bytes:
-    return core.replace(b"<dc:title></dc:title>", b"<dc:title>%s</dc:title>" % escape(title).encode())
 
 
 def _zipped(files: dict[str, bytes]) -> bytes:

@@ -20,7 +20,7 @@ from kurbel.formats.registry import PageFormat, by_name
 from kurbel.formats.render import render, render_document
 from kurbel.formats.writer import PageWriter
 from kurbel.page.axes import PHI
-from kurbel.page.labels import plain, set_label
+from kurbel.page.labels import plain
 from kurbel.page.layouts import template_text
 from kurbel.page.steps import Cursor, Joint, Point, Scene, Slider, Steps
 from kurbel.page.table import Table, Value
@@ -202,11 +202,7 @@ class Setter:
         self.writer, self.mark = writer, mark
 
     def label(self, label: Label) -> str:
-        writer = self.writer
-        text = set_label(
-            label, writer.escape, lambda formula: writer.formula(formula, self.mark), lambda note: ""
-        )
-        return writer.finish(text)
+        return self.writer.label(label, self.mark)
 
     def plain(self, label: Label) -> str:
         return plain(label, self.mark)
@@ -356,19 +352,15 @@ def lesson(
     assert isinstance(form, PageFormat)
     writer, mark = form.writer, form.decimal_mark(table.lang, decimal)
 
-    def set_text(label: Label) -> str:
-        formula = set_label(label, writer.escape, lambda one: writer.formula(one, mark), lambda note: "")
-        return writer.finish(formula)
-
     title, words = plain(table.caption, mark), LESSON_WORDS[table.lang]
     script, style = ("\n" + template_text(f"lesson.{kind}") for kind in ("js", "css"))
     values = {
         "lang": table.lang,
         "words": words,
         "title": writer.escape(title),
-        "heading": set_text(table.caption),
+        "heading": writer.label(table.caption, mark),
         "drawing": inline(_numbered(svg, parts), "drawing", title, own_page=True),
-        "steps": [set_text(one) for one in steps],
+        "steps": [writer.label(one, mark) for one in steps],
         "table": panelled(render(replace(table, caption=words["lengths"]), "html", decimal=decimal)),
         "style": style,
         "script": script,

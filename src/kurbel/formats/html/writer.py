@@ -328,11 +328,8 @@ def measures(panel: PagePanel, lang: str) -> Widths:
 
 def _whole(text: str) -> float:
     """Return the width of a text on one line."""
-    return max(_ems(line) for line in _plain(text).split("\n"))
-
-
-def _ems(text: str) -> float:
-    return added(WIDTHS.get(character, OTHERS) for character in text)
+    lines = _plain(text).split("\n")
+    return max(added(WIDTHS.get(character, OTHERS) for character in line) for line in lines)
 
 
 def _longest(text: str) -> str:

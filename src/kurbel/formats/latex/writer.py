@@ -237,7 +237,7 @@ class TexLayout(NamedTuple):
                 for place, (whole, own) in enumerate(zip(room.columns, room.cells, strict=True))
             ),
             stacked=stacked,
-            pages=(_lines(ready) + _lines_around(plain)) * LEADING / TYPE_HEIGHT,
+            pages=_lines(plain, ready) * LEADING / TYPE_HEIGHT,
         )
 
     @staticmethod
@@ -347,23 +347,14 @@ class PlainLayout(TexLayout):
         return cell.text
 
 
-def _lines(page: Page) -> float:
-    heads = sum(2 * len(panel.spanners) + len(panel.heading_lines) + 1 for panel in page.panels)
-    groups = [group for panel in page.panels for group in panel.groups]
-    return heads + sum(
-        sum(map(_row_lines, group.rows)) + (2 if group.label else 1) + 0.4 * len(group.pauses)
-        for group in groups
-    )
-
-
-def _lines_around(page: Page) -> float:
-    """Return about how many lines of figures the caption and the notes take."""
-    texts = [*(note.text for note in page.notes), page.source]
-    return 4 + sum(math.ceil(em(text) * SMALLEST / TYPE_WIDTH) for text in texts) * 1.2
-
-
-def _row_lines(row: Sequence[PageCell]) -> int:
-    return 2 if any("\\displaystyle" in cell.text for cell in row) else 1
+def _lines(plain: Page, ready: Page) -> float:
+    """Return about how many lines of figures a page takes, with its caption and its notes."""
+    lines = sum(2 * len(panel.spanners) + len(panel.heading_lines) + 1.0 for panel in ready.panels)
+    for group in (group for panel in ready.panels for group in panel.groups):
+        high = sum(any("\\displaystyle" in cell.text for cell in row) for row in group.rows)
+        lines += len(group.rows) + high + (2 if group.label else 1) + 0.4 * len(group.pauses)
+    texts = [*(note.text for note in plain.notes), plain.source]
+    return lines + 4 + 1.2 * sum(math.ceil(em(text) * SMALLEST / TYPE_WIDTH) for text in texts)
 
 
 def _trim(side: str, times: float, em: float) -> str:

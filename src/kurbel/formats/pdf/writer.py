@@ -37,7 +37,8 @@ def with_row_headers(made: bytes) -> bytes:
 
     What it says of suspects is left out: "false", the default, is what some readers take for a mistake.
     """
-    edits = sorted([*_suspects(made), *_row_headers(made)])
+    suspects = (Edit(*found.span(), b"") for found in _SUSPECTS.finditer(made))
+    edits = sorted([*suspects, *_row_headers(made)])
     return _edited(made, edits)
 
 
@@ -51,10 +52,6 @@ _CELL = re.compile(
 _ROW = re.compile(rb"^[0-9]+ 0 obj\n<</Type/StructElem/S/TR/P [0-9]+ 0 R/K\[([^]]*)\]", re.MULTILINE)
 _NAMES = re.compile(rb"/IDTree<</Names\[()")
 _KID = re.compile(rb"([0-9]+) 0 R")
-
-
-def _suspects(made: bytes) -> Iterator[Edit]:
-    yield from (Edit(*found.span(), b"") for found in _SUSPECTS.finditer(made))
 
 
 def _row_headers(made: bytes) -> Iterator[Edit]:
