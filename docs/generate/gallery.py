@@ -16,8 +16,7 @@ from kurbel.cli.app import command_of
 from kurbel.cli.asking import asked
 from kurbel.commands.shown import Drawing, Table
 from kurbel.page.labels import plain as without_formulas
-from kurbel.page.layouts import layout, layout_names
-from kurbel.page.subjects import SUBJECTS
+from kurbel.page.layouts import SUBJECTS, layout, layout_names
 
 FOLDER, PICTURES = "gallery", "_static/pictures"
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -13,9 +13,8 @@ from kurbel.motion.drives import condition_names
 from kurbel.motion.evaluation import METHODS
 from kurbel.motion.mechanism import mechanism, uncomputed
 from kurbel.page.labels import plain
-from kurbel.page.layouts import layout, layout_names
+from kurbel.page.layouts import SUBJECTS, layout, layout_names
 from kurbel.page.subject import subject
-from kurbel.page.subjects import SUBJECTS
 from kurbel.plot.style import FORMATS as DRAWINGS
 from kurbel.reading.notation import ratio_text, ratios
 

@@ -24,24 +24,20 @@ from kurbel.errors import KurbelError
 # That of typing, which to load is half of what `kurbel --help` takes.
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from kurbel.commands.balance import balance
+    from kurbel.commands.balance import balance, firing
     from kurbel.commands.books import collate, example
     from kurbel.commands.construct import construct, plot_construction
-    from kurbel.commands.dead_centres import deadcentres
     from kurbel.commands.engine import delta, turning
-    from kurbel.commands.firing import firing
     from kurbel.commands.flywheel import flywheel
     from kurbel.commands.forces import forces
     from kurbel.commands.harmonics import harmonics
     from kurbel.commands.inertia import inertia
-    from kurbel.commands.locomotive import locomotive
-    from kurbel.commands.motion import table
-    from kurbel.commands.numbers import certified, compute, typeset
+    from kurbel.commands.motion import deadcentres, table
+    from kurbel.commands.numbers import certified, compute
     from kurbel.commands.plot import plot_mechanism
-    from kurbel.commands.power import power
-    from kurbel.commands.pressures import pressures
-    from kurbel.commands.rotor import rotor
-    from kurbel.commands.shown import Drawing, Table
+    from kurbel.commands.power import power, pressures
+    from kurbel.commands.rotor import locomotive, rotor
+    from kurbel.commands.shown import Drawing, Table, typeset
     from kurbel.commands.solve import solve
     from kurbel.engine.irregularity import compute_delta
     from kurbel.formats.pdf.writer import typeset_pdf
@@ -81,24 +77,20 @@ __all__ = [
     "typeset_pdf",
 ]
 _MODULES = {
-    "kurbel.commands.balance": ("balance",),
-    "kurbel.commands.locomotive": ("locomotive",),
-    "kurbel.commands.rotor": ("rotor",),
+    "kurbel.commands.balance": ("balance", "firing"),
+    "kurbel.commands.rotor": ("locomotive", "rotor"),
     "kurbel.commands.books": ("collate", "example"),
-    "kurbel.commands.power": ("power",),
-    "kurbel.commands.pressures": ("pressures",),
-    "kurbel.commands.firing": ("firing",),
+    "kurbel.commands.power": ("power", "pressures"),
     "kurbel.commands.harmonics": ("harmonics",),
     "kurbel.commands.engine": ("delta", "turning"),
     "kurbel.commands.flywheel": ("flywheel",),
     "kurbel.commands.forces": ("forces",),
     "kurbel.commands.construct": ("construct", "plot_construction"),
     "kurbel.commands.inertia": ("inertia",),
-    "kurbel.commands.dead_centres": ("deadcentres",),
-    "kurbel.commands.motion": ("table",),
-    "kurbel.commands.numbers": ("certified", "compute", "typeset"),
+    "kurbel.commands.motion": ("deadcentres", "table"),
+    "kurbel.commands.numbers": ("certified", "compute"),
     "kurbel.commands.plot": ("plot_mechanism",),
-    "kurbel.commands.shown": ("Drawing", "Table"),
+    "kurbel.commands.shown": ("Drawing", "Table", "typeset"),
     "kurbel.commands.solve": ("solve",),
     "kurbel.engine.irregularity": ("compute_delta",),
     "kurbel.formats.pdf.writer": ("typeset_pdf",),

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from kurbel.formats.registry import FORMATS
 from kurbel.reading import units
-from kurbel.reading.extras import how_to_install
+from kurbel.reading.environment import how_to_install
 
 WHEEL = ("flywheel", "--speed=120/min", "--delta=1:100", "--eps=4")
 WRONG = (

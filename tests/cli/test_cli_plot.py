@@ -16,7 +16,7 @@ from golden import assert_golden
 from programs import Programs
 from tools import require_library
 
-from kurbel.reading.extras import how_to_install
+from kurbel.reading.environment import how_to_install
 
 
 @pytest.fixture

@@ -20,7 +20,7 @@ from places import CARDS
 
 from kurbel import KurbelError, delta
 from kurbel.reading import csv_file, units
-from kurbel.reading.extras import how_to_install
+from kurbel.reading.environment import how_to_install
 
 SHARES = (0.0, 0.04, 0.1, 0.22, 0.36, 0.5, 0.61, 0.74, 0.88, 0.95, 1.0)
 NAMES = ("position", "p_forward", "p_return")

@@ -26,7 +26,7 @@ from verapdf import validate
 import kurbel
 from kurbel.formats.pdf import STANDARDS, writer
 from kurbel.formats.pdf.writer import FONTS, LETTERS, compile_typst, offline
-from kurbel.reading.extras import how_to_install
+from kurbel.reading.environment import how_to_install
 
 require_library("typst")
 HELP = "see kurbel table --help"

@@ -27,7 +27,7 @@ from kurbel.formats.registry import FORMATS, WorkbookFormat
 from kurbel.formats.sheet import LONGEST_NAME, sheet_name
 from kurbel.formats.workbook import records_sheet
 from kurbel.page.table import Field, Records
-from kurbel.reading.extras import how_to_install
+from kurbel.reading.environment import how_to_install
 
 BOOKS = [form for form in FORMATS.values() if isinstance(form, WorkbookFormat)]
 each_book = pytest.mark.parametrize("form", BOOKS, ids=lambda form: form.name)

@@ -21,6 +21,7 @@ from kurbel.page.layout_check import check
 from kurbel.page.layouts import (
     KIND,
     LANGUAGES,
+    SUBJECTS,
     LayoutFile,
     layout,
     layout_file,
@@ -28,7 +29,6 @@ from kurbel.page.layouts import (
     template_folder,
 )
 from kurbel.page.subject import subject
-from kurbel.page.subjects import SUBJECTS
 from kurbel.reading.toml_file import TomlFile
 
 FIELDS = [field.name for field in dataclasses.fields(LayoutFile)]

@@ -14,8 +14,7 @@ from hypothesis import strategies as st
 import kurbel
 from kurbel.exact.numerals import degrees_text
 from kurbel.reading import notation
-from kurbel.reading.notation import Progression
-from kurbel.reading.shares import share
+from kurbel.reading.notation import Progression, share
 
 positive = st.fractions(min_value=Fraction(1, 1000), max_value=1000, max_denominator=1000)
 # Text that nearly is notation finds more than arbitrary text.

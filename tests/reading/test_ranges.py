@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 import kurbel
 from kurbel.reading import notation
-from kurbel.reading.ranges import respelled
-from kurbel.reading.shares import share
+from kurbel.reading.foreign import respelled
+from kurbel.reading.notation import share
 
 # Spellings of a range with a step and of one without, and of a list.
 WITH_STEP = (

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 import kurbel
 from kurbel.reading import units
-from kurbel.reading.extras import how_to_install
-from kurbel.reading.unit_text import plain_unit
+from kurbel.reading.amounts import plain_unit
+from kurbel.reading.environment import how_to_install
 
 SPEED_HELP = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
 

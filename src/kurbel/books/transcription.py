@@ -30,6 +30,7 @@ from kurbel.motion.quantities import registry
 from kurbel.page.quantity import bare, words
 from kurbel.reading.csv_file import Head, Kind, place, read_rows, shown, whole_head
 from kurbel.reading.given import choose, meant
+from kurbel.reading.names import otherwise
 from kurbel.reading.notation import ratio, ratio_text
 
 _METHODS = (*METHODS, "weisbach", "approximate")
@@ -197,9 +198,7 @@ class _Read:
         keys = (*registry(), *keys_by(self.axis))
         if head in keys:
             return known_quantity(head)
-        from kurbel.reading.names import meant as in_other_words
-
-        found = in_other_words(head, keys) if self.quantity is None else None
+        found = otherwise(head, keys) if self.quantity is None else None
         return known_quantity(found) if found else None
 
     def row(self, texts: list[str], head: Head, line: int) -> None:

@@ -33,7 +33,7 @@ COMMANDS = {
         "Print tangential force and excess energy over the crank angle.",
     ),
     "pressures": (
-        "kurbel.commands.pressures:pressures",
+        "kurbel.commands.power:pressures",
         "Print the acceleration pressure beside that on the piston.",
     ),
     "power": (
@@ -45,7 +45,7 @@ COMMANDS = {
         "Print the flywheel that keeps an engine or a machine even.",
     ),
     "deadcentres": (
-        "kurbel.commands.dead_centres:deadcentres",
+        "kurbel.commands.motion:deadcentres",
         "Print the dead centres of a beam engine or a crank drive.",
     ),
     "harmonics": (
@@ -58,11 +58,11 @@ COMMANDS = {
         "Print the unbalance of rotating masses, and what balances it.",
     ),
     "locomotive": (
-        "kurbel.commands.locomotive:locomotive",
+        "kurbel.commands.rotor:locomotive",
         "Print hammer blow, swaying couple and balance of a locomotive.",
     ),
     "firing": (
-        "kurbel.commands.firing:firing",
+        "kurbel.commands.balance:firing",
         "Print firing orders, or the cranks that one needs.",
     ),
     "sweep": ("kurbel.cli.sweep", "Compute a table at every combination, into a file of columns."),
@@ -70,12 +70,12 @@ COMMANDS = {
     "verify": ("kurbel.cli.verify", "Compute the numbers of a page a second time."),
     "sources": ("kurbel.cli.books", "List the books that can be collated."),
     "example": ("kurbel.cli.books", "Print a worked example of a book, as printed and recomputed."),
-    "plot": ("kurbel.cli.plot", "Draw a mechanism to scale, paths of points, and how it moves."),
-    "construct": ("kurbel.cli.construct", "Draw a construction of the books, and print its lengths."),
+    "plot": ("kurbel.cli.drawn", "Draw a mechanism to scale, paths of points, and how it moves."),
+    "construct": ("kurbel.cli.drawn", "Draw a construction of the books, and print its lengths."),
     "handbook": ("kurbel.cli.handbook", "Build, check or watch a whole appendix from its manifest."),
     "inject": ("kurbel.cli.inject", "Refresh the tables at marked places of your own documents."),
-    "layouts": ("kurbel.cli.lists", "List the page layouts."),
-    "quantities": ("kurbel.cli.lists", "List the quantities that columns can show."),
+    "layouts": ("kurbel.cli.listing", "List the page layouts."),
+    "quantities": ("kurbel.cli.listing", "List the quantities that columns can show."),
     "help": ("kurbel.cli.help", "Say what there is for what one wants, or search for a word."),
 }
 

@@ -15,14 +15,20 @@ from click.core import ParameterSource, augment_usage_errors
 
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
+from kurbel.cli.astray import one_line
 from kurbel.cli.options import MACHINE, Document, FileName, Given, Type, defaults_by_machine
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
 from kurbel.formats.registry import DRAWINGS, DRAWN, FORMATS, BytesFormat, DocumentFormat, WorkbookFormat
+from kurbel.formats.render import as_one_page, render
+from kurbel.formats.workbook import page_sheet
+from kurbel.handbook.binder import kept
+from kurbel.handbook.matter import terse
+from kurbel.handbook.pages import PAGE, SHEET
 from kurbel.handbook.pool import About, Made, Task
+from kurbel.page.labels import plain, unprompted
 from kurbel.page.table import Note, Table
-from kurbel.reading.given import File, meant
-from kurbel.reading.inside import HANDBOOK
+from kurbel.reading.given import HANDBOOK, File, meant
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
@@ -108,8 +114,6 @@ def asked(
         with augment_usage_errors(context):
             made, code = command.made(Given(context))
     except click.ClickException as error:
-        from kurbel.cli.astray import one_line
-
         raise ProblemError(one_line(error, words)) from None
     if isinstance(made, Table):
         made = _unprompted(made)
@@ -120,7 +124,6 @@ def asked(
 
 def _unprompted(table: Table) -> Table:
     """Return a table of a document, whose readers have no options."""
-    from kurbel.page.labels import unprompted
 
     def quiet(notes: Iterable[Note]) -> tuple[Note, ...]:
         return tuple(note._replace(text=unprompted(note.text)) for note in notes)
@@ -168,8 +171,6 @@ def make_part(task: Task) -> Made:
 
     It is made in the manifest's folder, beside which the files lie that its command names.
     """
-    from kurbel.page.table import Table
-
     part = task.part
     options = {**part.options, "label": part.name}
     inside = "" if task.outside else HANDBOOK
@@ -190,8 +191,6 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
     told = table.told and (part.caption or table.told[0], table.told[1])
     data = replace(named, caption=caption, told=told)
     named = replace(named, caption=_caption(task, table.caption, table.lang), steps=_steps(task, table))
-    from kurbel.formats.render import as_one_page
-
     with as_one_page(task.templates or table.templates):
         files = {
             f"tables/{part.name}{FORMATS[name].suffixes[0]}": _text(
@@ -201,8 +200,6 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
             if not isinstance(FORMATS[name], BytesFormat)
         }
         files |= _waiting(task, named, answer.decimal)
-    from kurbel.page.labels import plain
-
     about = About("table", named.caption, named.lang, named.letters(), plain(named.source), answer.rounding)
     return Made(files, answer.files, about)
 
@@ -219,17 +216,12 @@ def _steps(task: Task, table: Table) -> Steps | None:
 
 def _waiting(task: Task, table: Table, decimal: str | None) -> dict[str, bytes]:
     """Return what the workbooks of the handbook, and its document of Word, are made of."""
-    from kurbel.handbook.pages import PAGE, SHEET
-
     files = {}
     for form in (FORMATS[name] for name in task.formats):
         if isinstance(form, DocumentFormat):
             content = form.writer.kept(table, decimal, task.templates).encode()
             files[PAGE.format(task.part.name)] = content
         elif isinstance(form, WorkbookFormat) and not any(name.endswith(".json") for name in files):
-            from kurbel.formats.workbook import page_sheet
-            from kurbel.handbook.binder import kept
-
             sheet = page_sheet(table, form.decimal_mark(table.lang, decimal), "")
             files[SHEET.format(task.part.name)] = kept(sheet)
     return files
@@ -239,14 +231,10 @@ def _caption(task: Task, own: Label, lang: str) -> Label:
     """Return the caption in a handbook: its own words, or what the command says."""
     if task.part.caption or not task.terse:
         return task.part.caption or own
-    from kurbel.handbook.matter import terse
-
     return terse(own, lang)
 
 
 def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> bytes:
-    from kurbel.formats.render import render
-
     if FORMATS[name].kind == "records":
         # Data keep the point, so that programs need not know the language of the page.
         return render(table, name, templates=templates).encode()

@@ -14,11 +14,14 @@ from typing import Any
 import click
 
 from kurbel.cli import COMMANDS
+from kurbel.cli.app import command_of
 from kurbel.commands.options import Choice, Columns, Kind, LayoutName
 from kurbel.errors import KurbelError
-from kurbel.reading import notation
-from kurbel.reading.given import did_you_mean
-from kurbel.reading.unit_text import plain_unit
+from kurbel.formats.registry import FORMATS
+from kurbel.reading import notation, units
+from kurbel.reading.amounts import plain_unit
+from kurbel.reading.foreign import command, line, ours
+from kurbel.reading.names import did_you_mean, enumerated
 
 # What has methods side by side, by the command.
 SIDE_BY_SIDE = {
@@ -84,8 +87,6 @@ def one_line(error: click.ClickException, words: Sequence[str]) -> str:
 
 def _no_option(error: click.NoSuchOption, words: Sequence[str]) -> str:
     """Return the sentence about an option that there is not: which is meant, or which command has it."""
-    from kurbel.reading.foreign import line
-
     name, command = error.option_name, error.ctx.command if error.ctx else None
     options = _flags(command)
     begun = f"there is no option {notation.quoted(name)}"
@@ -123,10 +124,6 @@ def _value_of(name: str, words: Sequence[str]) -> str:
 
 def _owners(flag: str, value: str = "") -> str:
     """Return which commands have an option that this one has not, or one of that meaning; nothing if none."""
-    from kurbel.cli import COMMANDS
-    from kurbel.cli.app import command_of
-    from kurbel.reading.foreign import ours
-
     flags = {name: _flags(command_of(name)) for name in COMMANDS}
     name = flag.lstrip("-")
     found = (
@@ -137,21 +134,19 @@ def _owners(flag: str, value: str = "") -> str:
     owners = [command for command, own in flags.items() if found in own]
     if not owners:
         return ""
-    *first, last = [*owners[:_OWNERS], *(["others"] if len(owners) > _OWNERS else [])]
-    which = "it" if found == name else f"--{found}"
-    return f"; kurbel {', '.join(first)} and {last} have {which}" if first else f"; kurbel {last} has {which}"
+    listed = enumerated([*owners[:_OWNERS], *(["others"] if len(owners) > _OWNERS else [])])
+    return f"; kurbel {listed} {'have' if owners[1:] else 'has'} {'it' if found == name else f'--{found}'}"
 
 
 def _missing(error: click.MissingParameter) -> str:
     """Return the sentence about all that a command cannot do without, with the first line of its help."""
     assert error.ctx is not None
     needed = [one for one in error.ctx.command.params if one.required]
-    *first, last = [
+    listed = enumerated(
         one.opts[-1] if isinstance(one, click.Option) else one.make_metavar(error.ctx) for one in needed
-    ]
+    )
     path = error.ctx.command_path
     example = re.search(rf"^\s*({path} .*)$", error.ctx.command.help or "", re.MULTILINE)
-    listed = f"{', '.join(first)} and {last}" if first else last
     return f"{path} needs {listed}{f', as in {example[1]}' if example else ''}"
 
 
@@ -253,17 +248,12 @@ def instead_of(text: str) -> str:
         return f"write kurbel table --ratio {_as_typed(text)}"
     if _is_condition(text):
         return f"write kurbel solve --ratio 1:5 --where {_as_typed(text)}"
-    from kurbel.reading.foreign import command
-
     found = command(text)
     return f"write kurbel {found}" if found else GONE.get(text, "")
 
 
 def _names(text: str, options: Mapping[str, click.Option]) -> Iterable[str]:
     """Yield the names of the options that the value can be for, the likeliest first."""
-    from kurbel.formats.registry import FORMATS
-    from kurbel.reading import units
-
     if text.lower().endswith(".toml"):
         yield "machine"
     if any(text.lower().endswith(suffix) for one in FORMATS.values() for suffix in one.suffixes):
@@ -279,7 +269,7 @@ def _names(text: str, options: Mapping[str, click.Option]) -> Iterable[str]:
         yield "ratio"
     if ".." in text and _reads(notation.angles, [text]):
         yield "angle"
-    for name, read in (("speed", units.speed), ("stroke", _length), ("force", _force)):
+    for name, read in (("speed", units.speed), ("stroke", units.length), ("force", units.force)):
         if units.is_measure(text) and _reads(read, text):
             yield name
 
@@ -294,18 +284,6 @@ def _knows(kind: Kind | None, text: str) -> bool:
 def _is_condition(text: str) -> bool:
     left, equals, right = text.partition("=")
     return bool(left.strip() and equals and right.strip()) and not text.startswith("-")
-
-
-def _length(text: str) -> Any:
-    from kurbel.reading import units
-
-    return units.length(text, "stroke")
-
-
-def _force(text: str) -> Any:
-    from kurbel.reading import units
-
-    return units.force(text)
 
 
 def _reads(read: Callable[[Any], Any], text: str | Sequence[str]) -> bool:

@@ -7,13 +7,23 @@ from typing import Any
 
 import click
 
-from kurbel.cli.listing import Entry, Heading, Listing, list_format, list_formats, plain_lines, show_list
+from kurbel.books.examples.source import example as worked
+from kurbel.books.examples.source import numbers_of, source, source_keys
+from kurbel.books.source import books
+from kurbel.cli.listing import (
+    Entry,
+    Heading,
+    Listing,
+    form_of_list,
+    list_format,
+    plain_lines,
+    show_list,
+)
 from kurbel.cli.options import Given, Option, click_option, lang_option
 from kurbel.cli.tables import CollateCommand, Printing, TableCommand
 from kurbel.commands import books as pages
 from kurbel.commands import motion
 from kurbel.errors import ProblemError
-from kurbel.formats.registry import DEFAULT
 from kurbel.reading.given import File
 
 # Of what a source says about itself, and the heads of the lists.
@@ -37,8 +47,6 @@ _OF_COLLATION = {one.name: one for one in pages.collate.command.parameters.value
 @click.command(params=[click_option(_OF_COLLATION["sources"]), list_format(), lang_option("list")])
 def sources(sources: File | None, form: str, lang: str) -> None:
     """List the books that kurbel knows, with their tables."""
-    from kurbel.books.source import books
-
     # All are read before any is listed.
     known = tuple(books(sources))
     entries: list[Entry | Heading] = []
@@ -61,10 +69,12 @@ class ExampleCommand(TableCommand):
     def run(self, given: Given) -> int:
         if given.values["number"] is not None:
             return super().run(given)
-        keys = _keys(given.values["book"])
-        _refuse_options(given)
-        form = given.values["format"] if given.typed("format") else DEFAULT
-        _print_list(keys, given.values["lang"], form)
+        key, lang = given.values["book"], given.values["lang"]
+        keys = source_keys() if key is None else [source(key).key]
+        form = form_of_list(given, ("book", "number", "lang"), "the page of an example", "blau 33")
+        rows = [row for one in keys for row in _rows(one, lang)]
+        own = ("source", "number", "title", "options")
+        show_list(Listing("examples", lang, own, rows, HEADS["example"][lang], rows), form, plain_lines(rows))
         return 0
 
     def made(self, given: Given) -> Any:
@@ -77,38 +87,9 @@ class ExampleCommand(TableCommand):
         printing.print(self.made_by.built(question, given))
 
 
-def _keys(key: str | None) -> Sequence[str]:
-    """Return the source of that key alone, or all."""
-    from kurbel.books.examples.source import source, source_keys
-
-    return source_keys() if key is None else [source(key).key]
-
-
-def _refuse_options(given: Given) -> None:
-    """Raise ProblemError for an option that the list of the examples has no use for."""
-    listed = ["book", "number", "lang"]
-    if given.values["format"] in list_formats():
-        listed.append("format")
-    for name in given.values:
-        if name not in listed and given.typed(name):
-            raise ProblemError(
-                f"--{name} is for the page of an example, and none is named; name one, such as blau 33, or"
-                f" leave --{name} out for the list"
-            )
-
-
-def _print_list(keys: Sequence[str], lang: str, form: str) -> None:
-    """Print the examples of sources."""
-    rows = [row for one in keys for row in _rows(one, lang)]
-    own = ("source", "number", "title", "options")
-    show_list(Listing("examples", lang, own, rows, HEADS["example"][lang], rows), form, plain_lines(rows))
-
-
 def _rows(key: str, lang: str) -> Iterator[tuple[str, ...]]:
-    from kurbel.books.examples.source import example, numbers_of
-
     for number in numbers_of(key):
-        one = example(key, number)
+        one = worked(key, number)
         yield key, number, one.page.title[lang], " ".join(f"--{name}" for name in one.page.takes)
 
 

@@ -38,7 +38,7 @@ def drawing_format(given: Given) -> str:
     Raises UsageError for what says nothing on the one or the other.
     """
     named, output, moves = given.values["format"], given.values["output"] or "-", given.values["animate"]
-    suffix = _suffix(given)
+    suffix = suffix_of(given)
     by_name = given.typed("format") or output == "-" or given.in_document
     name = (named if by_name else suffix) or ""
     if name == DRAWN:
@@ -59,14 +59,15 @@ def drawing_format(given: Given) -> str:
     return str(name)
 
 
-def _suffix(given: Given) -> str:
+def suffix_of(given: Given) -> str:
+    """Return the suffix of the file that is written, nothing for standard output."""
     suffix = os.path.splitext(given.values["output"] or "")[1].lower()[1:]
     return "html" if suffix == "htm" else suffix
 
 
 def check_undrawn(given: Given) -> None:
     """Raise UsageError for a drawing of a page that has none."""
-    name = given.values["format"] if given.typed("format") else _suffix(given)
+    name = given.values["format"] if given.typed("format") else suffix_of(given)
     if name in (*DRAWINGS, DRAWN):
         raise click.UsageError(f"{name} is a drawing, and this page is not drawn; take text, latex or others")
 
@@ -104,7 +105,7 @@ def _check_page(given: Given, name: str) -> None:
 
 def drawn(question: Any, given: Given) -> Drawing:
     """Return what is asked for as a drawing. Raises KurbelError."""
-    from kurbel.commands.drawn import drawing_of
+    from kurbel.commands.shown import drawing_of
 
     return drawing_of(question, Pictured(given), given.values["decimal"])
 

@@ -26,7 +26,7 @@ from kurbel.handbook.check import check as checked
 from kurbel.handbook.folder import Folder, Seen, as_built, glance_at
 from kurbel.handbook.manifest import Manifest, Part, manifest_path, read_manifest, write_first_manifest
 from kurbel.handbook.pool import by_whom
-from kurbel.page.wrap import lines_of
+from kurbel.page.labels import lines_of
 from kurbel.sweeps.hands import MOST_JOBS, cores
 
 # How often the files are looked at, in seconds.

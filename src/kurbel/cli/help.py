@@ -76,10 +76,6 @@ def _write_wants(formatter: click.HelpFormatter) -> None:
     formatter.write_text("kurbel help WORD, for what you have or want:")
     with formatter.indentation():
         formatter.write_dl([(want.name, want.sentence) for want in WANTS])
-    _write_more(formatter)
-
-
-def _write_more(formatter: click.HelpFormatter) -> None:
     with formatter.section("More"):
         formatter.write_dl(MORE, 40)
 

@@ -18,7 +18,7 @@ from kurbel.documents.inject import Kind, Place, content, difference, filled, pl
 from kurbel.errors import KurbelError, LayoutError, MarkerError
 from kurbel.formats.registry import PageFormat, kind_of
 from kurbel.page.table import Table
-from kurbel.reading.inside import DOCUMENT
+from kurbel.reading.given import DOCUMENT
 
 
 class Document(NamedTuple):

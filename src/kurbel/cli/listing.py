@@ -1,22 +1,29 @@
-"""Lists of what there is: with heads on a terminal, plain in a pipe, as records for programs."""
+"""Lists of what there is, as layouts and quantities: with heads on a terminal, plain in a pipe, as records
+for programs."""
 
 from __future__ import annotations
 
+import os
 import shlex
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import zip_longest
 from typing import NamedTuple
 
 import click
 
-from kurbel.cli import screen
+from kurbel.cli import say, screen
 from kurbel.cli.app import show
-from kurbel.cli.options import Option, Type
+from kurbel.cli.options import Given, Option, Type, click_option, lang_option
 from kurbel.commands.options import Choice
+from kurbel.commands.part import flag_of
+from kurbel.commands.parts.sheet import Layouts
 from kurbel.formats.registry import DEFAULT, FORMATS, RecordsFormat
-from kurbel.page.wrap import fitted, lines_of, longest_word
+from kurbel.page.axes import PHI, RATIO
+from kurbel.page.labels import fitted, lines_of, longest_word
+from kurbel.page.layouts import SUBJECTS, Layout, layout, layout_file, layout_names
+from kurbel.reading.given import File
 
 GAP = 2
 RULE = "─"
@@ -24,6 +31,21 @@ RULE = "─"
 INDENT = 4
 # So much room a column of names has at the least.
 NAME = 16
+LANG = lang_option("list")
+HEADS: Mapping[str, Mapping[str, Sequence[str]]] = {
+    "layouts": {
+        "de": ("Layout", "Seite, und der Befehl, der sie druckt"),
+        "en": ("layout", "page, and the command that prints it"),
+    },
+    "quantities": {
+        "de": ("Spalte", "Größe", "Einheit", "Befehl"),
+        "en": ("column", "quantity", "unit", "command"),
+    },
+}
+COPY = click.Option(
+    ["--copy"], nargs=2, metavar="LAYOUT DIR",
+    help="Write a layout and the templates of its pages into a folder, to be changed.",
+)  # fmt: skip
 
 
 class Shell(str):
@@ -70,6 +92,20 @@ def list_format() -> click.Parameter:
     )
 
 
+def form_of_list(given: Given, kept: Collection[str], page: str, example: str) -> str:
+    """Return the format of the list that a command prints where no page is named. Raises UsageError for
+    another option than those `kept`, which the list has no use for."""
+    form = given.values["format"] if given.typed("format") else DEFAULT
+    for name in given.values:
+        if given.typed(name) and name not in kept and not (name == "format" and form in list_formats()):
+            flag = flag_of(name)
+            raise click.UsageError(
+                f"{flag} is for {page}, and none is named; name one, such as {example}, or leave {flag} out"
+                " for the list"
+            )
+    return str(form)
+
+
 def show_list(listing: Listing, form: str, plain: Iterable[str]) -> None:
     """Print a list in a format; as text with heads on a terminal, elsewhere as the plain lines."""
     chosen, width = FORMATS[form], screen.width()
@@ -104,7 +140,11 @@ def _records(listing: Listing, form: RecordsFormat) -> Iterator[str]:
 def set_list(heads: Sequence[str], entries: Sequence[Entry | Heading], width: int) -> Iterator[str]:
     """Yield the lines of a list on a terminal: cells side by side, or the last one below the longest, or all
     below the first."""
-    rows = [[_texts(cell) for cell in one] for one in entries if not isinstance(one, Heading)]
+    rows = [
+        [[cell] if isinstance(cell, str) else cell for cell in one]
+        for one in entries
+        if not isinstance(one, Heading)
+    ]
     cells: list[Sequence[Texts]] = [[[head] for head in heads], *rows]
     widths = _widths(cells, width)
     if widths is None and len(heads) > 2:
@@ -161,10 +201,6 @@ def _below(parts: Iterable[tuple[int, Texts]], width: int) -> Iterator[str]:
             yield from (" " * left + line for line in _wrapped(text, max(width - left, 1)))
 
 
-def _texts(cell: Cell) -> Texts:
-    return [cell] if isinstance(cell, str) else cell
-
-
 def _least(text: str) -> int:
     if isinstance(text, Shell):
         return max(len(shlex.quote(word)) for word in shlex.split(text)) + len(_FURTHER) + len(_ON)
@@ -188,3 +224,44 @@ def _wrapped(text: str, room: int) -> list[str]:
             lines.append("")
         lines[-1] = before + word
     return lines
+
+
+@click.command(params=[click_option(Layouts.layouts), COPY, list_format(), LANG])
+def layouts(layouts: File | None, copy: tuple[str, str] | None, form: str, lang: str) -> None:
+    """List the page layouts, each with a command that prints it, or copy one."""
+    if copy is not None:
+        from kurbel.formats.templates import copied
+
+        name, folder = copy
+        say(
+            f"{copied(name, folder)} is a copy; --layouts {shlex.quote(folder)} takes it in place of kurbel's"
+        )
+        return
+    found = [layout(name, layouts) for name in layout_names(layouts)]
+    rows = [(one.key, one.title[lang], Shell(printing(one, layouts))) for one in found]
+    entries = [(key, (title, command)) for key, title, command in rows]
+    keys = ("layout", "title", "command")
+    listing = Listing("layouts", lang, keys, rows, HEADS["layouts"][lang], entries)
+    show_list(listing, form, plain_lines(rows))
+
+
+def printing(layout: Layout, folder: File | None) -> str:
+    """Return what prints the layout."""
+    own = ("--layouts", str(folder)) if folder and os.path.exists(layout_file(folder, layout.key)) else ()
+    sample = SUBJECTS[layout.subject].sample.partition(" --layout ")[0]
+    return shlex.join(("kurbel", *sample.split(), *own, "--layout", layout.key))
+
+
+@click.command(params=[list_format(), LANG])
+def quantities(form: str, lang: str) -> None:
+    """List the quantities that columns can show, with their units and the commands that print them."""
+    from kurbel.page.subject import subject
+
+    rows = [("ratio", RATIO[lang], "", "table"), ("phi", PHI[lang], "°", "table")]
+    for about in map(subject, SUBJECTS):
+        for one, command in about.entries():
+            rows.append((one.key, about.name_of(one, lang), one.plain_unit(lang), command))
+    keys = ("key", "name", "unit", "command")
+    show_list(
+        Listing("quantities", lang, keys, rows, HEADS["quantities"][lang], rows), form, plain_lines(rows)
+    )

@@ -16,7 +16,7 @@ from kurbel.commands.parts.sheet import Plain
 from kurbel.errors import NotationError
 from kurbel.exact.numerals import DECIMALS
 from kurbel.formats.registry import FORMATS, format_names
-from kurbel.reading.given import File
+from kurbel.reading.given import File, check_below
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -74,8 +74,6 @@ class FileName(click.Path):
             raise NotationError(f"{option}the name of a file has a NUL, which no file can have")
         super().convert(os.fspath(file), param, ctx)
         if file.inside:
-            from kurbel.reading.inside import check_below
-
             check_below(os.fspath(file), file.folder, file.name, file.inside)
         return file
 
@@ -238,7 +236,7 @@ def machine_option() -> click.Option:
 
 def defaults_by_machine(command: click.Command, file: File) -> dict[str, Any]:
     """Return what a machine's file says of the options of a command."""
-    from kurbel.commands.machine_file import machine_defaults
+    from kurbel.commands.subject import machine_defaults
 
     return machine_defaults(
         command.name or "", {one.name or "": one.multiple for one in command.params}, file

@@ -15,7 +15,7 @@ from kurbel.cli.sweep import own_options, running, running_options, sweep_option
 from kurbel.cli.sweep_file import FILE
 from kurbel.commands.part import Origin, Values, flag_of
 from kurbel.commands.subject import Command
-from kurbel.reading.extras import need
+from kurbel.reading.environment import need
 
 if TYPE_CHECKING:
     from kurbel.sweeps.plan import Plan

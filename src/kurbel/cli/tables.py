@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 from click.core import augment_usage_errors
 
-from kurbel.cli import say
+from kurbel.cli import say, screen
 from kurbel.cli.app import show
 from kurbel.cli.drawings import UNDRAWN, check_undrawn, drawing_format, drawing_options, drawn, write
 from kurbel.cli.manual.command import TopicCommand
@@ -28,8 +28,11 @@ from kurbel.cli.options import (
 )
 from kurbel.commands.subject import Command
 from kurbel.errors import ProblemError
+from kurbel.exact.numerals import ROUNDINGS
 from kurbel.formats.registry import DEFAULT, FORMATS, BytesFormat, Format, RecordsFormat, for_suffix
+from kurbel.formats.render import render, whole_file
 from kurbel.page.table import Table
+from kurbel.reading.names import enumerated
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
@@ -106,7 +109,7 @@ class TableCommand(MakingCommand):
 
     def stepped(self, given: Given) -> Table:
         """Return the table of an interactive page, with those of its steps. Raises KurbelError."""
-        from kurbel.commands.steps.stepped import NOTHING, stepped
+        from kurbel.commands.stepped import NOTHING, stepped
 
         page = stepped(self.made_by, given)
         if page.steps is None and given.typed("interactive"):
@@ -146,8 +149,6 @@ class CollateCommand(TableCommand):
     """`kurbel collate`, which may end with 1, and takes neither digits nor rounding."""
 
     def question(self, given: Given) -> Any:
-        from kurbel.exact.numerals import ROUNDINGS
-
         if given.values["digits"] is not None:
             raise ProblemError(
                 "--digits has no use here: a value is recomputed to as many places as are printed"
@@ -189,8 +190,7 @@ class Printing(NamedTuple):
     @classmethod
     def chosen(cls, given: Given) -> Printing:
         """Return what the options say, checked."""
-        names = ("output", "decimal", "standalone", "longtable", "siunitx", "plain", "excel")
-        return cls(_format(given), *(given.values[name] for name in names))
+        return cls(_format(given), *(given.values[name] for name in cls._fields[1:]))
 
     @staticmethod
     def interactive(given: Given) -> bool:
@@ -206,34 +206,19 @@ class Printing(NamedTuple):
         _write(self._rendered(table), self.output, 0)
 
     def _rendered(self, table: Table) -> Iterator[bytes]:
-        form, output, decimal, standalone, longtable, siunitx, plain, excel = self
+        form = self.format
         if isinstance(form, BytesFormat):
             # How much it takes is of use before it begins.
             for remark in form.remarks(table, True):
                 say(remark)
-            yield form.content(table, decimal)
+            yield form.content(table, self.decimal)
             return
-        from kurbel.formats.render import render
-
         width, colours = None, False
-        if output == "-" and (sys.stdout.isatty() or not FORCED.isdisjoint(os.environ)):
-            from kurbel.cli import screen
-
+        if self.output == "-" and (sys.stdout.isatty() or not FORCED.isdisjoint(os.environ)):
             width, colours = screen.width(), screen.has_colours()
-        text = render(
-            table,
-            form.name,
-            decimal=decimal,
-            standalone=standalone,
-            longtable=longtable,
-            siunitx=siunitx,
-            plain=plain,
-            excel=excel,
-            width=width,
-            colours=colours,
-        )
-        yield text.encode()
-        for remark in form.remarks(table, standalone or longtable):
+        wishes = {name: value for name, value in self._asdict().items() if name not in ("format", "output")}
+        yield render(table, form.name, width=width, colours=colours, **wishes).encode()
+        for remark in form.remarks(table, self.standalone or self.longtable):
             say(remark)
 
 
@@ -257,10 +242,8 @@ def _format(given: Given) -> Format:
         if not is_set_by_template(chosen):
             raise click.UsageError(f"--templates sets no {chosen.name}, which has no template; leave it out.")
     if given.typed("standalone") and not of_bytes and not chosen.standalone:
-        *documents, last = (name for name, entry in FORMATS.items() if entry.standalone)
-        raise click.UsageError(
-            f"--standalone is for {', '.join(documents)} and {last}; {chosen.name} has no documents."
-        )
+        documents = enumerated(name for name, entry in FORMATS.items() if entry.standalone)
+        raise click.UsageError(f"--standalone is for {documents}; {chosen.name} has no documents.")
     _check_able(given, chosen, "longtable", "breaks")
     for option in ("siunitx", "plain", "excel"):
         _check_able(given, chosen, option, option)
@@ -291,8 +274,6 @@ def _check_able(given: Given, chosen: Format, option: str, fact: str) -> None:
 
 
 def _write(pieces: Iterator[bytes], output: str, rows: int) -> None:
-    from kurbel.formats.render import whole_file
-
     # The first piece is made before the file is opened, so that bad input leaves no trace; that of records
     # is their heads alone.
     first = next(pieces)
@@ -330,8 +311,6 @@ def _numbers_counted() -> AbstractContextManager[None]:
     """A bar on the terminal where the numbers of a page take long."""
     if not sys.stderr.isatty():
         return nullcontext()
-    from kurbel.cli import screen
-
     return screen.counted()
 
 

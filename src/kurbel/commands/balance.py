@@ -1,30 +1,33 @@
-"""What engines leave unbalanced."""
+"""What engines leave unbalanced, and their firing orders."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
+from kurbel.balancing.angles.extremes import ExtremesRequest
+from kurbel.balancing.angles.page import AngleRequest
+from kurbel.balancing.arrangement import usual
+from kurbel.balancing.firing import read_order
+from kurbel.balancing.firing_page import FiringRequest, asked
 from kurbel.balancing.harmonics import MOST_ORDERS
-from kurbel.commands.firing import Arranged
-from kurbel.commands.options import Choice, Count, Option, measure, word
+from kurbel.balancing.newtons import Weighed
+from kurbel.balancing.page import BalanceRequest, arranged
+from kurbel.commands.options import Choice, Count, Option, alone, measure, word
 from kurbel.commands.part import CommandOptions, Part, Rivals, Values, flag_of
 from kurbel.commands.parts.angles import Angles
 from kurbel.commands.parts.drive import Linked, OnMachine, Speed
 from kurbel.commands.parts.masses import Masses, MovingRod
-from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
+from kurbel.commands.parts.sheet import Layouts, Plain, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
 from kurbel.drive.crank import Crank, Described, known
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import mechanism
 from kurbel.page.layouts import Layout
 from kurbel.page.subject import Question
-from kurbel.reading.given import Exact, as_angles, as_length, as_number, as_places, as_share
-from kurbel.reading.measures import as_masses, as_measures
-
-if TYPE_CHECKING:
-    from kurbel.balancing.newtons import Weighed
+from kurbel.reading.given import Exact, as_angles, as_crank_angles, as_length, as_number, as_places, as_share
+from kurbel.reading.units import displacement, is_measure, mass
 
 NEWTONS = ("stroke", "speed")
 AT_ANGLES = "balance at angles"
@@ -32,11 +35,80 @@ EXTREMES = "balance extremes"
 SUBJECTS = ("balance", AT_ANGLES, EXTREMES)
 
 
+class Arranged(Part):
+    """An engine with several cranks."""
+
+    engine = word(
+        "inline-1, inline-2-180, inline-2-360, inline-3 to inline-6, v2-90, v6-90, v8-90, v12-60,"
+        " boxer-2, boxer-4; default: inline-4, with masses inline-1.",
+        kind=Choice("engine", usual),
+    )
+    cranks: Option[Sequence[Fraction]] = Option(
+        "Another engine: the crank of every cylinder, '0;180;180;0'.", "ANGLES", unit="degrees",
+        read=alone(as_crank_angles), whole=True,
+    )  # fmt: skip
+    banks: Option[Sequence[Fraction]] = Option(
+        "Directions of its cylinders, counted as the cranks: '-45;45'; default 0.", "ANGLES", unit="degrees",
+        read=alone(as_crank_angles), whole=True,
+    )  # fmt: skip
+
+
+class FiringOptions(Arranged, Layouts, Plain, CommandOptions):
+    """Print the firing orders that an engine's cranks allow; with --order the cranks that it needs.
+
+    \b
+    kurbel firing --cranks '0;180;180;0'
+    kurbel firing --engine v8-90
+    kurbel firing --order 1-5-3-6-2-4
+    kurbel firing --order 1-2 --banks '0;45' --intervals '405;315'
+    \f
+    >>> import kurbel
+    >>> page = kurbel.firing(cranks="0;180;180;0", columns="firing_order")
+    >>> print(kurbel.typeset(page, "csv"), end="")
+    number,firing_order
+    1,1-2-4-3
+    2,1-3-4-2
+    """
+
+    unnamed = "engine"
+    sequence = "cranks banks order intervals strokes columns"
+
+    order = word("Firing order whose cranks are sought, or of these cranks: 1-3-4-2.", "ORDER", whole=True)
+    intervals = measure(
+        alone(as_crank_angles),
+        "With --order: the angles from each firing to the next, '315;405'; default: equal ones.", "ANGLES",
+        unit="degrees", whole=True,
+    )  # fmt: skip
+    strokes: Option[int] = Option(
+        "Strokes of a cycle: 4 (default) or 2.", "N", Count("number of strokes", 2, 4), default=4
+    )
+    columns = columns_option("firing-orders", "number,firing_order,longest")
+    layout = layout_option("firing orders", "firing")
+
+    def question(self) -> Question:
+        order, strokes = self.order, self.strokes
+        sought = () if order is None else read_order(order)
+        page = self.page("firing" if order else "firing-orders", "firing orders", "firing")
+        name, arrangement = asked(
+            self.engine, self.cranks or (), self.banks or (), sought, strokes, self.intervals or ()
+        )
+        return FiringRequest(
+            arrangement=arrangement,
+            strokes=strokes,
+            order=sought,
+            engine=name,
+            **self.on_page(page, "firing_order" if order is None else "crank,fires_at"),
+        )
+
+
+firing = function(FiringOptions, "firing")
+
+
 class Revolving(Part):
     """Masses that turn with the cranks, and their counterweights."""
 
     revolving = measure(
-        as_masses,
+        mass.each,
         "Mass that turns with each crank at its radius: 1.5kg, or '1.5;2kg'; default: balanced apart.",
         "MASSES", unit="kg", what="revolving mass", whole=True,
     )  # fmt: skip
@@ -107,7 +179,7 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
     )  # fmt: skip
     angle = Angles.angle.but(help="Angles of the shaft at which forces are printed: 30, '0;30', 0..180:10.")
     reciprocating = measure(
-        as_masses,
+        mass.each,
         "Mass of piston and crosshead of a cylinder: 2kg; or of each: '2;2.5kg'. Masses need --stroke and"
         " --speed.",
         "MASSES", unit="kg", what="reciprocating mass", whole=True,
@@ -123,8 +195,6 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
         Linked.settle(values)
 
     def question(self) -> Question:
-        from kurbel.balancing.page import arranged
-
         angles = self.angle
         page = self.page("balance" if angles is None else "balance-angle", *SUBJECTS)
         if angles is not None and page.subject != AT_ANGLES:
@@ -147,20 +217,13 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
         asked: dict[str, Any] = {}
         request: type[Any]
         if page.subject == AT_ANGLES:
-            from kurbel.balancing.angles.page import AngleRequest
-
             request = AngleRequest
             asked["angles"] = as_angles(page.angles) if angles is None else angles
         elif page.subject == EXTREMES:
-            from kurbel.balancing.angles.extremes import ExtremesRequest
-
             request = ExtremesRequest
         else:
-            from kurbel.balancing.page import BalanceRequest
-
             request = BalanceRequest
         found: Question = request(
-            layout=page,
             **asked,
             about=centre,
             metres=in_metres,
@@ -169,9 +232,8 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
             engine=name,
             last_order=self.orders,
             method=self.method,
-            columns=self.names("order,along"),
             weighed=weights,
-            **self.printed(),
+            **self.on_page(page, "order,along"),
         )
         return found
 
@@ -198,8 +260,6 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
         """Return what makes newtons, None where what is given does not say enough."""
         if not self._is_heavy() or not all(map(self.says, NEWTONS)):
             return None
-        from kurbel.balancing.newtons import Weighed
-
         cranks = Described(self.ratio, self.stroke, self.rod).cranks(page.ratios)
         masses = self.reciprocating or ()
         first = Masses(self.values.instead({"reciprocating": masses[0] if masses else None}))
@@ -256,8 +316,6 @@ balance = function(BalanceOptions, "balance")
 
 def positions_of(positions: Any) -> tuple[tuple[Fraction, ...], bool]:
     """Return the positions, and whether they were given as lengths and are in metres."""
-    from kurbel.reading.units import is_measure
-
     if positions is None:
         return (), False
     if isinstance(positions, str):
@@ -265,14 +323,14 @@ def positions_of(positions: Any) -> tuple[tuple[Fraction, ...], bool]:
     else:
         parts = [*positions] if isinstance(positions, Iterable) else [positions]
     if any(isinstance(part, str) and is_measure(part) for part in parts):
-        return as_measures(positions, "displacement", "position"), True
+        return displacement.each(positions, "position"), True
     return tuple(as_places(positions, "position")), False
 
 
 def position_of(about: Exact, in_metres: bool) -> Fraction:
     """Return one position in the unit of the others."""
     if in_metres:
-        (position,) = as_measures(about, "displacement", "about")
+        (position,) = displacement.each(about, "about")
         return position
     if positions_of(about)[1]:
         raise ProblemError(f"--about {about} is a length, and the positions are numbers; give both alike")

@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from kurbel.books.collate_page import CollateRequest
+from kurbel.books.examples.page import ExampleRequest
+from kurbel.books.examples.source import numbers_of, source_keys
+from kurbel.books.formulas.page import FormulaRequest
+from kurbel.books.formulas.table import FormulaTable
 from kurbel.books.printed_value import ONLY
+from kurbel.books.transcription import collated_table
 from kurbel.commands.options import FILE, Choice, Columns, Kind, Option, alone, measure, word
 from kurbel.commands.part import CommandOptions
 from kurbel.commands.parts.angles import Angles
@@ -25,18 +31,11 @@ from kurbel.reading.given import (
     as_share,
 )
 
-if TYPE_CHECKING:
-    from kurbel.books.collate_page import CollateRequest
-    from kurbel.books.examples.page import ExampleRequest
-    from kurbel.books.formulas.page import FormulaRequest
-
 
 class Source(Kind):
     """The key of a source; the page itself refuses a wrong one."""
 
     def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
-        from kurbel.books.examples.source import source_keys
-
         return source_keys()
 
 
@@ -44,8 +43,6 @@ class ExampleNumber(Kind):
     """The number of an example; which there are depends on the source."""
 
     def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
-        from kurbel.books.examples.source import numbers_of, source_keys
-
         return numbers_of(typed["book"]) if typed.get("book") in source_keys() else ()
 
 
@@ -93,10 +90,6 @@ class CollateOptions(Layouts, Worded, CommandOptions):
     layout = layout_option("collation")
 
     def question(self) -> CollateRequest | FormulaRequest:
-        from kurbel.books.collate_page import CollateRequest
-        from kurbel.books.formulas.table import FormulaTable
-        from kurbel.books.transcription import collated_table
-
         if self.says("csv") and self.says("table"):
             raise ProblemError("--csv is a table of your own, and one of a book is named too; leave one out")
         found, collated = collated_table(
@@ -112,8 +105,6 @@ class CollateOptions(Layouts, Worded, CommandOptions):
         name = self.layout or "collation"
         if not isinstance(found, FormulaTable):
             return CollateRequest(layout=self.page(name, "collation"), **asked)
-        from kurbel.books.formulas.page import FormulaRequest
-
         own = "formulas" if name == "collation" else name
         return FormulaRequest(layout=layout_of(own, ("formulas",), self.layouts), **asked)
 
@@ -156,8 +147,6 @@ class ExampleOptions(Worded, CommandOptions):
     force = measure(alone(as_force), "Piston force, for newtons: 10kN.", "FORCE", unit="N")
 
     def question(self) -> ExampleRequest:
-        from kurbel.books.examples.page import ExampleRequest
-
         book, number = self.book, self.number
         if book is None or number is None:
             raise ProblemError("name an example by its book and its number, as kurbel example lists them")

@@ -2,33 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from kurbel.books.constructions.model import Construction
 from kurbel.books.constructions.page import ConstructionRequest
 from kurbel.books.constructions.placed import ALONE, CENTRE, GYRATION, TAKEN, Beside
 from kurbel.books.constructions.registry import construction, construction_names, unfound
-from kurbel.commands.options import FILE, Choice, Count, Kind, Option, measure, word
+from kurbel.commands.options import FILE, Count, Kind, Option, measure, word
 from kurbel.commands.part import CommandOptions
-from kurbel.commands.parts.drawing import Sized
+from kurbel.commands.parts.drawing import DECIMAL, Sized
 from kurbel.commands.parts.drive import AnyDrive
 from kurbel.commands.parts.loads import Loads
 from kurbel.commands.parts.masses import MovingRod
 from kurbel.commands.parts.sheet import Layouts, Plain, Sheet, columns_option, layout_option
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import function
+from kurbel.drive.rod import Rod
+from kurbel.engine.engine import Steam
 from kurbel.errors import ChoiceError, ProblemError
 from kurbel.exact.kind import floats
-from kurbel.exact.numerals import DECIMALS, exact_text
+from kurbel.exact.numerals import exact_text
+from kurbel.motion.points.point import points_of
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.reading.given import File, as_angle, as_share, as_share_or_length, meant
+from kurbel.reading.names import enumerated
 from kurbel.reading.notation import about
-
-if TYPE_CHECKING:
-    from kurbel.drive.rod import Rod
-    from kurbel.engine.engine import Steam
 
 # How far beyond its pins a rod is drawn, in its lengths.
 FARTHEST = 1
@@ -109,10 +109,9 @@ class Constructed(AnyDrive, CommandOptions):
         """Return what is asked for. Raises ProblemError where the construction does not hold of the drive."""
         shown, held = self.chosen, self.held()
         if held.drive().name not in shown.holds:
-            *first, last = shown.holds
-            others = f"{', '.join(first)} and {last}" if first else last
             raise ProblemError(
-                shown.refusal or f"construction {self.name} holds for the {others} crank alone"
+                shown.refusal
+                or f"construction {self.name} holds for the {enumerated(shown.holds)} crank alone"
             )
         chosen, described = held.described(leaving=() if held.is_sized() else ("stroke", "rod"))
         drives = chosen.drives(described, page.ratios)
@@ -181,9 +180,10 @@ class Constructed(AnyDrive, CommandOptions):
                     "--back is for steam that expands; add its expansion ratio, such as --eps 4"
                 )
             return None
-        from kurbel.engine.engine import Steam
-
-        return Steam(_only(self.eps or (), "expansion ratio"), self.back)
+        ratios = self.eps or ()
+        if len(ratios) != 1:
+            raise ProblemError(f"a construction is of one expansion ratio; {len(ratios)} are given")
+        return Steam(ratios[0], self.back)
 
 
 class ConstructionOptions(Constructed, Layouts, Sheet):
@@ -223,10 +223,7 @@ class DrawnConstruction(Constructed, Sized):
         Count("steps", 1, MOST_STEPS, "is no step"),
     )
     lang = Plain.lang.but()
-    decimal = word(
-        "comma or point; default: by the language.", kind=Choice("decimal mark", DECIMALS),
-        environment="KURBEL_DECIMAL", last=True,
-    )  # fmt: skip
+    decimal = DECIMAL.but()
 
     def question(self) -> Drawing:
         from kurbel.plot.construct import construction_drawing, construction_page
@@ -248,8 +245,6 @@ class DrawnConstruction(Constructed, Sized):
 
 
 def _point(given: Any, drive: Any) -> Fraction:
-    from kurbel.motion.points.point import points_of
-
     points = points_of(given, [drive.crank])
     if len(points) != 1:
         raise ProblemError(f"a construction is of one point of the rod; {len(points)} are given")
@@ -265,8 +260,6 @@ def _point(given: Any, drive: Any) -> Fraction:
 def _rod(centre: Any, gyration: Any, drive: Any) -> Rod | None:
     if centre is None and gyration is None:
         return None
-    from kurbel.drive.rod import Rod
-
     crank = drive.crank
     length = None if crank.radius is None else crank.radius / crank.ratio
 
@@ -276,12 +269,6 @@ def _rod(centre: Any, gyration: Any, drive: Any) -> Rod | None:
     return Rod.from_crosshead(
         share(centre, "centre of mass", CENTRE), share(gyration, "radius of gyration", GYRATION)
     )
-
-
-def _only(values: Sequence[Fraction], what: str) -> Fraction:
-    if len(values) != 1:
-        raise ProblemError(f"a construction is of one {what}; {len(values)} are given")
-    return values[0]
 
 
 construct = function(ConstructionOptions, "construct")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 from kurbel.commands.options import Choice, Option, flag, measure, word
 from kurbel.commands.part import CommandOptions, Part, Rivals, flag_of
@@ -17,15 +17,13 @@ from kurbel.commands.parts.loads import KINDS
 from kurbel.commands.parts.masses import Masses
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
+from kurbel.drive.wheel import CONSTANT, Wheel
+from kurbel.engine.request import EngineRequest
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import Layout
 from kurbel.page.subject import Question
 from kurbel.reading import notation
 from kurbel.reading.given import as_angle, as_angles, as_inertia, as_number, as_power, as_ratios, as_speed
-
-if TYPE_CHECKING:
-    from kurbel.drive.wheel import Wheel
-    from kurbel.engine.request import EngineRequest
 
 EXAMPLE, DETAIL = "epsilon,delta", "delta-detail"
 WITH_MASSES = "with masses the power follows from pressure, bore, stroke and speed; leave --power out"
@@ -81,8 +79,6 @@ class Flywheel(Part):
 
         With masses, where the engine is `heavy`, its power follows from the pressures. Raises KurbelError.
         """
-        from kurbel.drive.wheel import CONSTANT, Wheel
-
         if not self.has_wheel():
             return None
         number, inertia, speed = self.flywheel, self.inertia, self.raw("speed")
@@ -234,8 +230,6 @@ class DeltaOptions(EngineWithWheel):
     layout = layout_option(*DELTA)
 
     def question(self) -> Question:
-        from kurbel.engine.request import EngineRequest
-
         names = self.names(EXAMPLE)
         if self.detail and self.layout not in (None, DETAIL):
             raise ProblemError(
@@ -303,8 +297,6 @@ class TurningOptions(EngineWithWheel, Diagram):
     def question(self) -> Question:
         if self.is_diagram() or self.layout in (TORQUES, AREAS):
             return self._diagram()
-        from kurbel.engine.request import EngineRequest
-
         if not self.is_engine():
             # What acts on the piston would be missing first.
             self.refuse("turns", "area_scale")
@@ -341,26 +333,21 @@ class TurningOptions(EngineWithWheel, Diagram):
         page, speed = self.page(subject, subject), self.raw("speed")
         inertia, mean = self.inertia, None if speed is None else as_speed(speed)
         if subject == AREAS:
-            names = self.names("point,excess_energy")
             return AreasRequest(
-                layout=page,
                 areas=self.whole_areas(),
-                columns=names,
                 inertia=inertia,
                 speed=mean,
-                **self.printed(),
+                **self.on_page(page, "point,excess_energy"),
             )
         excess = self.excess()
         return TorquesRequest(
-            layout=page,
             excess=excess,
             angles=self._angles(excess.cycle),
             constant=self.constant(),
             cranks=self.crank_angles(),
-            columns=self.names("phi,excess_energy"),
             inertia=inertia,
             speed=mean,
-            **self.printed(),
+            **self.on_page(page, "phi,excess_energy"),
         )
 
     def _angles(self, cycle: Fraction, page: Layout | None = None) -> Sequence[Fraction]:

@@ -31,6 +31,7 @@ from kurbel.exact.product import Product
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.given import as_speed
+from kurbel.reading.names import enumerated
 
 ENGINE, SIZING = "flywheel", "flywheel sizing"
 PAGE_OF_SIZES = "flywheel-sizing"
@@ -152,8 +153,7 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
         sized = self.says("stroke", "rod")
         missing = [name for name in self.weighing() if not self.says(name)]
         if not sized or missing:
-            *first, last = map(flag_of, (*([] if sized else ["stroke"]), *missing))
-            sizes = f"{', '.join(first)} and {last}" if first else last
+            sizes = enumerated(map(flag_of, (*([] if sized else ["stroke"]), *missing)))
             raise ProblemError(
                 "a flywheel needs the power of the engine; add --power, for example --power 50kW, or"
                 f" {sizes}, from which it follows"
@@ -183,12 +183,10 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
         if engines != 1 or len(engine.methods) > 1:
             raise ProblemError(f"a rim is that of one engine by one method; {engines} engines were given")
         return WheelRequest(
-            layout=page,
             wheels=tuple(self._rim(engine, one) for one in engine.flywheels),
             targets=tuple(one.irregularity for one in engine.flywheels),
             engine=(caption(engine), *engine_notes(engine)),
-            columns=self.names(EXAMPLE),
-            **self.printed(),
+            **self.on_page(page, EXAMPLE),
         )
 
     def _rim(self, engine: EngineRequest, wheel: Flywheel) -> Sizing:
@@ -199,7 +197,7 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
 
     def _alone(self) -> WheelRequest:
         """Return what is asked for without an engine, one flywheel for each irregularity to keep."""
-        page, names = self.page(PAGE_OF_SIZES, ENGINE, SIZING), self.names(EXAMPLE)
+        page = self.page(PAGE_OF_SIZES, ENGINE, SIZING)
         diagram = self.fluctuation() if self.is_diagram() else None
         of_diagram = _of_diagram(diagram) if diagram else ()
         figures = gathered((*self.figures(), *self.of_press(), *of_diagram))
@@ -215,14 +213,12 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
             for target in targets
         ] or [sized(figures, limit)]
         return WheelRequest(
-            layout=page,
             wheels=tuple(wheels),
             targets=tuple(targets),
             known_from=self._source(),
             fluctuation=diagram,
             press=(share.working, share.rest) if share else None,
-            columns=names,
-            **self.printed(),
+            **self.on_page(page, EXAMPLE),
         )
 
     def _source(self) -> str:

@@ -8,7 +8,7 @@ from kurbel.commands.motion import OverPath
 from kurbel.commands.options import Choice, LayoutName, Option, word
 from kurbel.commands.part import CommandOptions, flag_of
 from kurbel.commands.parts.angles import ENDS, FORCES_OVER_PATH, FULL_TURN, OVER_PATH, PATH
-from kurbel.commands.parts.drive import Turning
+from kurbel.commands.parts.drive import OF_MASSES, Turning
 from kurbel.commands.parts.effort import PINNED, PRESSING, Effort, PinFriction
 from kurbel.commands.parts.engine import Engine, FromOne
 from kurbel.commands.parts.loads import FURTHER, KINDS
@@ -78,10 +78,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         kind=Choice("position", (TANGENT,)),
     )
     speed = Turning.speed.but(help="Speed, for the masses: 120/min, 12.5rad/s.")
-    method = Turning.method.but(
-        help="Of moving masses: exact (default), series (accelerated to first order, the rod at its true"
-        " angle) or infinite (rod of infinite length)."
-    )
+    method = OF_MASSES.but()
     layout = word(
         "Page layout; default: forces, with weight, friction or pressures forces-effort;"
         " with --eps or --card engine-forces, with masses machine-forces,"
@@ -111,11 +108,9 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         question = chosen.question(
             self.pushed(chosen, self.weighed(chosen, chosen.drives(described, page.ratios))),
             self.method if self.is_heavy() else None,
-            layout=page,
             angles=self.angles(page),
-            columns=self.names(chosen.examples["forces"]),
             zero=self.zero_angle,
-            **self.printed(),
+            **self.on_page(page, chosen.examples["forces"]),
         )
         return self.over_strokes(question)
 
@@ -198,10 +193,9 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         assert self.at in (None, TANGENT)
         page = self.page("forces-tangent", TANGENT)
         _, described = self.described(None, ("stroke", "force"), ("speed", "acceleration", "method"))
-        names = self.names("phi,rod_force")
         return TangentRequest(
-            layout=page, drives=described.cranks(page.ratios), columns=names, zero=self.zero_angle,
-            **self.printed(),
+            drives=described.cranks(page.ratios), zero=self.zero_angle,
+            **self.on_page(page, "phi,rod_force"),
         )  # fmt: skip
 
     def _coupled(self) -> Question:
@@ -212,13 +206,11 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         page = self.page("forces-coupled", COUPLED)
         chosen, described = self._described()
         return CoupledRequest(
-            layout=page,
             drives=tuple(chosen.drives(described, page.ratios)),
             axles=axles_of(self.axles, self.driven),
             angles=self.angles(page),
-            columns=self.names(chosen.examples["forces"]),
             zero=self.zero_angle,
-            **self.printed(),
+            **self.on_page(page, chosen.examples["forces"]),
         )
 
     def _engine(self) -> Question:

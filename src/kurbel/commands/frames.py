@@ -92,7 +92,7 @@ def _array(frame: Frame) -> np.ndarray[Any, Any]:
 
 
 def to_numpy(table: Table) -> np.ndarray[Any, Any]:
-    """Return a structured array, a field a column: floats, NaN for missing ones, and text."""
+    """Return the records as a structured array, whose fields are their keys; missing numbers are NaN."""
     import numpy as np
 
     columns = {frame.key: _array(frame) for frame in frames(table, as_float)}
@@ -103,8 +103,8 @@ def to_numpy(table: Table) -> np.ndarray[Any, Any]:
     return made
 
 
-def to_pandas(table: Table, exact: bool) -> Any:
-    """Return a DataFrame; what its columns mean is in `attrs`."""
+def to_pandas(table: Table, *, exact: bool = False) -> Any:
+    """Return the records as a pandas DataFrame; what their columns mean is in its `attrs`."""
     pandas = library("pandas")
     made = frames(table, as_decimal if exact else as_float)
     kinds = {True: object if exact else "float64", False: "str"}
@@ -113,8 +113,8 @@ def to_pandas(table: Table, exact: bool) -> Any:
     return frame
 
 
-def to_polars(table: Table, exact: bool) -> Any:
-    """Return a DataFrame."""
+def to_polars(table: Table, *, exact: bool = False) -> Any:
+    """Return the records as a polars DataFrame."""
     polars = library("polars")
     made = frames(table, as_decimal if exact else as_float)
     kind = polars.Decimal if exact else polars.Float64
@@ -141,7 +141,7 @@ def library(name: str, extra: str = "") -> Any:
     try:
         return import_module(name)
     except ImportError:
-        from kurbel.reading.extras import missing_extra, missing_library
+        from kurbel.reading.environment import missing_extra, missing_library
 
         distribution = name.partition(".")[0]
         sentence = f"this needs {distribution}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from kurbel.balancing.harmonics import HARMONICS, MOST_ORDERS
+from kurbel.balancing.harmonics_page import HarmonicsRequest
 from kurbel.commands.balance import BalanceOptions
 from kurbel.commands.options import Choice, Count, Option, word
 from kurbel.commands.part import CommandOptions, flag_of
@@ -13,6 +14,7 @@ from kurbel.commands.parts.engine import Engine
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
 from kurbel.drive.crank import Described
+from kurbel.engine.harmonics.page import TorqueRequest
 from kurbel.errors import ProblemError
 from kurbel.page.subject import Question
 from kurbel.reading.given import as_speed
@@ -67,8 +69,6 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
     def question(self) -> Question:
         if self.of_torque():
             return self._torque()
-        from kurbel.balancing.harmonics_page import HarmonicsRequest
-
         if self.says("offset"):
             raise ProblemError(
                 "the crank is offset; harmonics of the motion are known for the straight crank, without"
@@ -103,8 +103,6 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
 
     def _torque(self) -> Question:
         """Return what is asked for of the torque of an engine. Raises KurbelError."""
-        from kurbel.engine.harmonics.page import TorqueRequest
-
         page, names = self.page("torque-harmonics", *OF_TORQUE), self.names("order,amplitude")
         if self.method == "infinite":
             raise ProblemError("the torque of an infinite rod is that of --ratio 1:∞; leave --method out")

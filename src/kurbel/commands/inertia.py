@@ -10,12 +10,16 @@ from typing import Any
 from kurbel.commands.options import Option
 from kurbel.commands.part import CommandOptions, flag_of
 from kurbel.commands.parts.angles import Angles
-from kurbel.commands.parts.drive import AnyDrive, Turning
+from kurbel.commands.parts.drive import OF_MASSES, AnyDrive, Turning
 from kurbel.commands.parts.masses import MovingRod, Weight
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_over_angle, layout_option
 from kurbel.commands.subject import function
 from kurbel.errors import ProblemError
+from kurbel.linkage.arc.inertia import RockerInertiaRequest
+from kurbel.motion.inertia_page import ErrorsRequest
 from kurbel.motion.mechanism import Mechanism
+from kurbel.motion.page import Request
+from kurbel.motion.rod_masses import RodMassesRequest
 from kurbel.page.layouts import Layout
 from kurbel.page.subject import Question
 from kurbel.reading.given import as_length, as_ratios, as_speed
@@ -53,10 +57,7 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
 
     columns = columns_over_angle("inertia", "phi,inertia_guide,inertia_pin")
     speed = Turning.speed.but(help="Speed, for columns in N and N m: 120/min, 12.5rad/s.")
-    method = Turning.method.but(
-        help="Of moving masses: exact (default), series (accelerated to first order, the rod at its true"
-        " angle) or infinite (rod of infinite length)."
-    )
+    method = OF_MASSES.but()
     layout = layout_option(*INERTIA, ROCKER_INERTIA)
     gravity = Weight.gravity.but(help="Acceleration of gravity, for --pendulum: 9.81; default 9.80665m/s².")
 
@@ -77,8 +78,6 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
             replace(crank, rod=self.moving_rod(crank.rod_length)) for crank in described.cranks(page.ratios)
         )
         if page.subject == ERRORS:
-            from kurbel.motion.inertia_page import ErrorsRequest
-
             self.check_whole(page)
             for name in ("method", "acceleration"):
                 if self.says(name):
@@ -86,18 +85,13 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
                         f"layout {page.key} is of a whole even turn, by the exact formulas; leave --{name}"
                         " out, or use --layout inertia"
                     )
-            names = self.names("greatest,error_percent")
-            return ErrorsRequest(layout=page, drives=cranks, columns=names, **self.printed())
-        from kurbel.motion.page import Request
-
+            return ErrorsRequest(drives=cranks, **self.on_page(page, "greatest,error_percent"))
         question = Request(
-            layout=page,
             drives=cranks,
             angles=self.angles(page),
-            columns=self.names("phi,x,c,p"),
             method=self.method,
             zero=self.zero_angle,
-            **self.printed(),
+            **self.on_page(page, "phi,x,c,p"),
         )
         return self.over_strokes(question)
 
@@ -121,13 +115,10 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
 
     def _masses(self, page: Layout) -> Question:
         """Return what is asked for of the masses that stand in for the rod, at rest."""
-        from kurbel.motion.rod_masses import RodMassesRequest
-
         self.check_whole(page)
         length = self._length()
-        names = self.names("model,crosshead_mass")
         return RodMassesRequest(
-            layout=page, rod=self.moving_rod(length), length=length, columns=names, **self.printed()
+            rod=self.moving_rod(length), length=length, **self.on_page(page, "model,crosshead_mass")
         )
 
     def _length(self) -> Fraction | None:
@@ -141,27 +132,23 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
 
     def _rocker(self, chosen: Mechanism) -> Question:
         """Return what is asked for of the rod that moves a rocker."""
-        from kurbel.linkage.arc.inertia import RockerInertiaRequest
-
         page = self.page("inertia-rocker", ROCKER_INERTIA)
         _, described = self.described(beside=("stroke",), leaving=("speed",))
-        speed = self.speed
+        speed = None if self.speed is None else as_speed(self.speed)
         drives = []
         for drive in chosen.drives(described, page.ratios):
             crank = chosen.crank(drive)
             rod = self.moving_rod(crank.rod_length)
-            turns = None if speed is None else as_speed(speed)
-            drives.append(drive.of(replace(crank, rod=rod, speed=turns)))
-        names = self.names("phi,inertia_guide")
-        for name in names:
+            drives.append(drive.of(replace(crank, rod=rod, speed=speed)))
+        printed = self.on_page(page, "phi,inertia_guide")
+        for name in printed["columns"]:
             if name.startswith("inertia_mollier"):
                 raise ProblemError(
                     f"column {name} is a force along a slide, and {chosen.title} has none; leave it out"
                 )
         return RockerInertiaRequest(
-            layout=page, drives=tuple(drives), angles=self.angles(page), columns=names,
-            zero=self.zero_angle, **self.printed(),
-        )  # fmt: skip
+            drives=tuple(drives), angles=self.angles(page), zero=self.zero_angle, **printed
+        )
 
 
 inertia = function(InertiaOptions, "inertia")

@@ -1,4 +1,4 @@
-"""Certified digits and arrays of floats, without a page; and pages in a format."""
+"""Certified digits and arrays of floats, without a page."""
 
 from __future__ import annotations
 
@@ -9,15 +9,21 @@ from typing import TYPE_CHECKING, Any
 
 from kurbel.drive.crank import LARGEST_ANGLE, Crank, check_angles
 from kurbel.errors import ChoiceError, NotationError, ProblemError
-from kurbel.formats.registry import DEFAULT
 from kurbel.motion.evaluation import METHODS
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Quantity, bare
 from kurbel.page.subject import check_rounding
-from kurbel.page.table import Table
 from kurbel.reading import notation
-from kurbel.reading.given import Exact, as_angle, as_fraction, as_names, as_ratio, as_ratio_array, meant
-from kurbel.reading.keywords import checks_keywords
+from kurbel.reading.given import (
+    Exact,
+    as_angle,
+    as_fraction,
+    as_names,
+    as_ratio,
+    as_ratio_array,
+    meant,
+)
+from kurbel.reading.names import checks_keywords
 
 if TYPE_CHECKING:
     import numpy as np
@@ -104,7 +110,7 @@ def compute(
     def rows(one: Fraction | None, at: NDArray[np.float64]) -> Iterable[NDArray[np.float64]]:
         if is_plain:
             return _of_motion(keys, at, one, method, offset)
-        from kurbel.commands.arrays.asked import arrays
+        from kurbel.commands.arrays import arrays
 
         _check_degrees(at)
         told = {
@@ -151,45 +157,6 @@ def _of_motion(
     return evaluate(functions, degrees, check=_check_degrees)
 
 
-@checks_keywords
-def typeset(
-    page: Table,
-    format: str = DEFAULT,
-    *,
-    decimal: str | None = None,
-    standalone: bool = False,
-    longtable: bool = False,
-    siunitx: bool = False,
-    plain: bool = False,
-    excel: bool = False,
-) -> str:
-    """Return the page in a format: text, markdown, latex, html, typst, csv, dat or json; no PDF or workbook.
-
-    `decimal` is "comma" or "point", by default the mark of the page's language (point in CSV and JSON);
-    `standalone` gives a whole document (LaTeX, HTML, Typst), `longtable` a LaTeX longtable, `siunitx` leaves
-    the numbers to that package and `plain` is what an author would type, in LaTeX, and `excel` gives CSV as
-    Excel opens it. Raises KurbelError.
-
-    >>> from kurbel import table
-    >>> print(typeset(table("1:4", layout="blau-kolbenwege", angle=90), "markdown").splitlines()[-3])
-    |     90 |         1,125 |             0,563 |
-    """
-    from kurbel.formats.render import render as rendered
-
-    if not isinstance(page, Table):
-        raise ProblemError(f"a {type(page).__name__} cannot be set; make a page, such as kurbel.table()")
-    return rendered(
-        page,
-        format,
-        decimal=decimal,
-        standalone=standalone,
-        longtable=longtable,
-        siunitx=siunitx,
-        plain=plain,
-        excel=excel,
-    )
-
-
 def _method(method: str, order: int | None) -> str:
     from kurbel.commands.part import Values
     from kurbel.commands.parts.drive import Series
@@ -199,7 +166,8 @@ def _method(method: str, order: int | None) -> str:
 
 
 def _quantity(key: str) -> Quantity:
-    return registry()[meant(key, _plain(), "quantity")]
+    known = [name for name, quantity in registry().items() if not quantity.needs]
+    return registry()[meant(key, known, "quantity")]
 
 
 def _is_plain(key: str) -> bool:
@@ -208,10 +176,6 @@ def _is_plain(key: str) -> bool:
         return key is None or bool(_quantity(key))
     except ChoiceError:
         return False
-
-
-def _plain() -> list[str]:
-    return [name for name, quantity in registry().items() if not quantity.needs]
 
 
 def _degrees(angles: ArrayLike) -> NDArray[np.float64]:

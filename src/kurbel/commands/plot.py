@@ -8,17 +8,15 @@ from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from kurbel.commands.drawn import carrying, drawing_of, paged, spoken, staged
 from kurbel.commands.motion import some
-from kurbel.commands.options import Choice, Option, alone, measure, word
+from kurbel.commands.options import Option, alone, measure
 from kurbel.commands.part import CommandOptions
-from kurbel.commands.parts.drawing import Filmed, Pictured, Sized
+from kurbel.commands.parts.drawing import DECIMAL, Filmed, Pictured, Sized
 from kurbel.commands.parts.drive import AnyDrive
 from kurbel.commands.parts.sheet import Plain, Sheet
-from kurbel.commands.shown import Drawing, mark_of
+from kurbel.commands.shown import Drawing, carrying, drawing_of, mark_of, paged, spoken, staged
 from kurbel.commands.subject import function
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import DECIMALS
 from kurbel.motion.evaluation import is_known
 from kurbel.motion.mechanism import Mechanism
 from kurbel.motion.points.page import SUBJECT, PointsRequest
@@ -69,10 +67,7 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
         help="Units of the numbers beside what moves: metric, imperial or a list, 'cm;kN'. Default: metric;"
         " of what is given in imperial units alone these."
     )
-    decimal = word(
-        "comma or point; default: by the language.", kind=Choice("decimal mark", DECIMALS),
-        environment="KURBEL_DECIMAL", last=True,
-    )  # fmt: skip
+    decimal = DECIMAL.but()
 
     def question(self) -> Drawing:
         if not (self.says("positions", "point") or self.animate):

@@ -1,23 +1,24 @@
-"""Rotating masses: what they leave unbalanced, and what balances them."""
+"""Rotating masses and locomotives: what they leave unbalanced, and what balances them."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
-from kurbel.commands.options import Option, alone, measure
-from kurbel.commands.part import CommandOptions, flag_of
-from kurbel.commands.parts.drive import Speed
+from kurbel.balancing.locomotives.locomotive import Crank, Locomotive, Run
+from kurbel.balancing.locomotives.page import LocomotiveRequest
+from kurbel.balancing.rotors.page import RotorRequest
+from kurbel.balancing.rotors.rotor import Mass, Places, Rotor
+from kurbel.commands.options import Count, Option, alone, measure
+from kurbel.commands.part import CommandOptions, Values, flag_of
+from kurbel.commands.parts.drive import Linked, Speed, settle_sizes
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
 from kurbel.errors import NotationError, ProblemError
 from kurbel.page.subject import Question
-from kurbel.reading.given import as_speed
-from kurbel.reading.measures import as_angles_or_unknown, as_measures, as_measures_or_unknown
-
-if TYPE_CHECKING:
-    from kurbel.balancing.rotors.rotor import Mass, Places
+from kurbel.reading.given import as_crank_angles, as_force, as_length, as_shares, as_speed, as_velocity
+from kurbel.reading.units import as_angles_or_unknown, displacement, length, mass
 
 # One of each mass, None for what is asked for.
 Sought: TypeAlias = Sequence[Fraction | None]
@@ -25,7 +26,7 @@ MOST_PLANES = 2
 
 
 def _planes(given: Any, what: str) -> tuple[Fraction, ...]:
-    planes = as_measures(given, "displacement", "plane")
+    planes = displacement.each(given, "plane")
     if len(planes) > MOST_PLANES:
         raise ProblemError(f"{len(planes)} planes of {what} were given; two are enough")
     return planes
@@ -39,7 +40,7 @@ def _bearings(given: Any, what: str) -> tuple[Fraction, ...]:
 
 
 def _place(given: Any, what: str) -> Fraction:
-    lengths = as_measures(given, "displacement", what)
+    lengths = displacement.each(given, what)
     if len(lengths) != 1:
         raise NotationError(f"{what} is a list of {len(lengths)}; give one length")
     return lengths[0]
@@ -72,11 +73,11 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
 
     masses: Option[Sought] = Option(
         "The masses: '200kg;300kg', or '200;300kg'; a ? for one that is asked for.", "MASSES", unit="kg",
-        required=True, read=lambda given, what: as_measures_or_unknown(given, "mass", what), what="mass",
+        required=True, read=mass.each_or_unknown, what="mass",
         whole=True,
     )  # fmt: skip
     radii = measure(
-        lambda given, what: as_measures(given, "length", what),
+        length.each,
         "Radii of their centres of mass: '200;150mm', or one for all.", "LENGTHS", unit="m", what="radius",
         whole=True,
     )  # fmt: skip
@@ -86,7 +87,7 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
     )  # fmt: skip
     planes: Option[Sought | None] = Option(
         "Their planes along the shaft: '0;400;800mm'; a ? for what is asked.", "LENGTHS", unit="m",
-        read=lambda given, what: as_measures_or_unknown(given, "displacement", what), what="plane",
+        read=displacement.each_or_unknown, what="plane",
         whole=True,
     )  # fmt: skip
     balance_planes: Option[tuple[Fraction, ...]] = Option(
@@ -94,7 +95,7 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
         what="balancing masses", whole=True,
     )  # fmt: skip
     balance_radii = measure(
-        lambda given, what: as_measures(given, "length", what),
+        length.each,
         "Radii of the balancing masses: 100mm; without them m r is printed.", "LENGTHS", unit="m", whole=True,
     )  # fmt: skip
     bearings: Option[tuple[Fraction, ...]] = Option(
@@ -113,25 +114,18 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
     layout = layout_option("rotor")
 
     def question(self) -> Question:
-        from kurbel.balancing.rotors.page import RotorRequest
-        from kurbel.balancing.rotors.rotor import Rotor
-
         page, masses = self.page("rotor", "rotor"), self._masses()
         along = self.says("planes")
         about = self.about if along else None
         return RotorRequest(
-            layout=page,
             rotor=Rotor(masses, about or Fraction(0)),
             places=self._places(),
             speed=self.speed,
             planar=not along,
-            columns=self.names("line,unbalance_kgm,angle"),
-            **self.printed(),
+            **self.on_page(page, "line,unbalance_kgm,angle"),
         )
 
     def _masses(self) -> tuple[Mass, ...]:
-        from kurbel.balancing.rotors.rotor import Mass
-
         masses, directions = self.masses, self.angles
         count = len(masses)
         radii, planes = self.radii, self.planes
@@ -147,8 +141,6 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
 
     def _places(self) -> Places:
         """Return where what balances and what holds the shaft lies; in one plane nothing does."""
-        from kurbel.balancing.rotors.rotor import Places
-
         if not self.says("planes"):
             return Places((), (), ())
         planes = self.balance_planes or ()
@@ -178,3 +170,138 @@ rotor = function(RotorOptions, "rotor")
 def _for_all(values: Sequence[Fraction], count: int) -> Sequence[Fraction]:
     """Return one value as that of all."""
     return (values[0],) * count if len(values) == 1 else values
+
+
+class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
+    """Print balancing masses in the wheels, hammer blow, swaying couple and variation of tractive force.
+
+    By the share of the reciprocating masses that is balanced; with --wheel-load the speed at which wheels
+    lift, and the largest share.
+
+    \b
+    kurbel locomotive --spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg --speed 300/min
+    kurbel locomotive --spacing 2m --gauge 1.5m --crank 30cm --reciprocating 240kg --share 2/3
+    \f
+    >>> import kurbel
+    >>> page = kurbel.locomotive(
+    ...     spacing=0.6, gauge=1.5, stroke=0.6, reciprocating=300, speed=5, share="2/3",
+    ...     columns="pull_n,sway_nm",
+    ... )
+    >>> print(kurbel.typeset(page, "csv"), end="")
+    pull_n,sway_nm
+    41873,12562
+    """
+
+    sequence = (
+        "cranks spacing positions gauge stroke crank reciprocating revolving share axles balance_radius speed"
+        " velocity wheel wheel_load hammer_blow"
+    )
+
+    cranks: Option[Sequence[Fraction]] = Option(
+        "Angles of the cranks: '0;90', or '0;120;240'.", "ANGLES", unit="degrees", default="0;90",
+        read=alone(as_crank_angles), whole=True,
+    )  # fmt: skip
+    spacing = measure(
+        as_length, "Distance of the centre lines of neighbouring cylinders: 0.7m.", "LENGTH", unit="m"
+    )
+    positions = measure(
+        displacement.each,
+        "Their places from the middle in place of that: '-0.4;0.4m'.", "LENGTHS", unit="m", what="position",
+        whole=True,
+    )  # fmt: skip
+    gauge: Option[Fraction] = Option(
+        "Distance of the planes of the wheels: 1.5m.", "LENGTH", unit="m", required=True, read=as_length
+    )
+    stroke = Linked.stroke.but(read=as_length)
+    crank = Linked.crank
+    reciprocating: Option[tuple[Fraction, ...]] = Option(
+        "Mass that goes to and fro in a cylinder: 300kg, or each.", "MASSES", unit="kg", required=True,
+        read=mass.each, what="reciprocating mass", whole=True,
+    )  # fmt: skip
+    revolving = measure(
+        mass.each, "Mass that turns with a crank at its radius: 160kg, or each.", "MASSES", unit="kg",
+        what="revolving mass", whole=True,
+    )  # fmt: skip
+    axles: Option[int] = Option(
+        "Coupled axles that balance equal parts of the share, 1 to 12.", "N", Count("axles", 1, 12), default=1
+    )
+    share: Option[Sequence[Fraction]] = Option(
+        "Shares of the reciprocating masses that are balanced: 2/3, '0.5;0.6'.", "SHARES",
+        default="0;1/2;2/3;1", read=as_shares, whole=True,
+    )  # fmt: skip
+    balance_radius = measure(as_length, "Radius of the balancing masses: 600mm.", "LENGTH", unit="m")
+    speed = Speed.speed.but(help="Speed of the axle: 300/min, 31rad/s.", read=alone(as_speed))
+    velocity = measure(
+        as_velocity, "Speed of the train in its place, with --wheel: 96km/h.", "SPEED", unit="m/s"
+    )
+    wheel = measure(as_length, "Diameter of the wheels: 1.8m.", "LENGTH", unit="m")
+    wheel_load = measure(as_force, "Load of a wheel at rest: 30kN.", "FORCE", unit="N")
+    hammer_blow = measure(
+        as_force, "Hammer blow that is allowed: 40kN; default: the load.", "FORCE", unit="N"
+    )
+    columns = columns_option("locomotive", "share,blow_left_n,sway_nm")
+    layout = layout_option("locomotive")
+
+    @classmethod
+    def settle(cls, values: Values) -> None:
+        settle_sizes(values)
+
+    def question(self) -> Question:
+        speed, wheel = self.speed, self.wheel
+        velocity = self.velocity if speed is None else None
+        if velocity is not None and wheel is None:
+            raise ProblemError(
+                "--velocity needs the diameter of the wheels to turn the axle; add --wheel 1.8m"
+            )
+        page, cranks, stroke = self.page("locomotive", "locomotive"), self._cranks(), self.stroke
+        if stroke is None:
+            raise ProblemError(
+                "the masses turn at the radius of the crank; add --stroke 600mm or --crank 300mm"
+            )
+        return LocomotiveRequest(
+            engine=Locomotive(cranks, stroke / 2, self.gauge, self.axles),
+            run=Run(
+                speed=speed,
+                velocity=velocity,
+                wheel=wheel,
+                load=self.wheel_load,
+                limit=self.hammer_blow,
+                radius=self.balance_radius,
+            ),
+            shares=tuple(self.share),
+            **self.on_page(page, "share,blow_left_n"),
+        )
+
+    def _cranks(self) -> tuple[Crank, ...]:
+        angles, places = self.cranks, self.positions
+        count = len(angles)
+        if places is None:
+            distance = self.spacing
+            if distance is None:
+                raise ProblemError(
+                    "couples need the places of the cylinders; add their distance, --spacing 0.7m, or"
+                    " --positions"
+                )
+            places = tuple(distance * Fraction(2 * number - count + 1, 2) for number in range(count))
+        moved, turned = (
+            masses * count if len(masses) == 1 else masses
+            for masses in (self.reciprocating, self.revolving or (Fraction(0),))
+        )
+        for what, values in (
+            ("positions", places),
+            ("reciprocating masses", moved),
+            ("revolving masses", turned),
+        ):
+            if len(values) != count:
+                raise ProblemError(
+                    f"the number of {what} is {len(values)} and that of cranks {count}; give one of each"
+                )
+        return tuple(map(Crank, angles, places, moved, turned))
+
+    def unread(self, option: Option[Any]) -> str:
+        if option.name == "spacing":
+            return "--positions has the places of the cylinders; leave --spacing out"
+        return "--speed is that of the axle and --velocity that of the train; leave one out"
+
+
+locomotive = function(LocomotiveOptions, "locomotive")

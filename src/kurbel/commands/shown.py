@@ -1,26 +1,75 @@
-"""What the functions return: a table and a drawing that show themselves, and can be saved."""
+"""What the functions return: a table and a drawing that show themselves, and can be saved; and how pages and
+mechanisms become drawings, which may move with their printed numbers beside them."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
-from typing import TYPE_CHECKING, Any
+from fractions import Fraction
+from functools import partial
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.commands import frames
+from kurbel.commands.part import Origin, Values
+from kurbel.commands.parts.drawing import Pictured
+from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, ProblemError
-from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
+from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS, Label
 from kurbel.formats.registry import DEFAULT, DRAWINGS, BytesFormat, for_suffix
-from kurbel.page.labels import plain
+from kurbel.formats.render import in_notebook, render, whole_file
+from kurbel.page import labels
+from kurbel.page.build import shown_at
+from kurbel.page.quantity import letter
+from kurbel.page.steps import MOST_COLUMNS
 from kurbel.page.table import Table as Page
-from kurbel.reading.given import choose
+from kurbel.reading.given import choose, found_at
+from kurbel.reading.names import checks_keywords, unknown
 
 if TYPE_CHECKING:
-    import numpy as np
-
-    from kurbel.exact.numerals import Label
+    from kurbel.page.quantity import Column
+    from kurbel.page.steps import Scene
+    from kurbel.page.table import Value
+    from kurbel.plot.animated import Shot, Staged
     from kurbel.plot.drawings import Drawing as Drawn
     from kurbel.plot.film import Film
+
+
+@checks_keywords
+def typeset(
+    page: Page,
+    format: str = DEFAULT,
+    *,
+    decimal: str | None = None,
+    standalone: bool = False,
+    longtable: bool = False,
+    siunitx: bool = False,
+    plain: bool = False,
+    excel: bool = False,
+) -> str:
+    """Return the page in a format: text, markdown, latex, html, typst, csv, dat or json; no PDF or workbook.
+
+    `decimal` is "comma" or "point", by default the mark of the page's language (point in CSV and JSON);
+    `standalone` gives a whole document (LaTeX, HTML, Typst), `longtable` a LaTeX longtable, `siunitx` leaves
+    the numbers to that package and `plain` is what an author would type, in LaTeX, and `excel` gives CSV as
+    Excel opens it. Raises KurbelError.
+
+    >>> from kurbel import table
+    >>> print(typeset(table("1:4", layout="blau-kolbenwege", angle=90), "markdown").splitlines()[-3])
+    |     90 |         1,125 |             0,563 |
+    """
+    if not isinstance(page, Page):
+        raise ProblemError(f"a {type(page).__name__} cannot be set; make a page, such as kurbel.table()")
+    return render(
+        page,
+        format,
+        decimal=decimal,
+        standalone=standalone,
+        longtable=longtable,
+        siunitx=siunitx,
+        plain=plain,
+        excel=excel,
+    )
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -34,6 +83,13 @@ class Table(Page):
     """
 
     asked: Any = None
+    typeset = typeset
+    to_numpy = frames.to_numpy
+    to_pandas = frames.to_pandas
+    to_polars = frames.to_polars
+    __len__ = frames.count
+    __iter__ = frames.rows
+    __getitem__ = frames.column
 
     @classmethod
     def of(cls, page: Page, asked: Any = None) -> Table:
@@ -45,8 +101,6 @@ class Table(Page):
         Options are width and height in mm, polar, over_path, infinite, animate and seconds, as the command
         line has them. Raises KurbelError for what cannot be drawn.
         """
-        from kurbel.commands.drawn import plotted
-
         if self.asked is None:
             raise ProblemError("this page was not made by a command of kurbel, so it has nothing to draw")
         return plotted(self.asked, options, decimal)
@@ -55,32 +109,7 @@ class Table(Page):
         return self.typeset()
 
     def __repr__(self) -> str:
-        return f"<kurbel.Table {self.key}: {plain(self.caption)}>"
-
-    def typeset(
-        self,
-        format: str = DEFAULT,
-        *,
-        decimal: str | None = None,
-        standalone: bool = False,
-        longtable: bool = False,
-        siunitx: bool = False,
-        plain: bool = False,
-        excel: bool = False,
-    ) -> str:
-        """Return the page in a format, as `kurbel.typeset`."""
-        from kurbel.formats.render import render
-
-        return render(
-            self,
-            format,
-            decimal=decimal,
-            standalone=standalone,
-            longtable=longtable,
-            siunitx=siunitx,
-            plain=plain,
-            excel=excel,
-        )
+        return f"<kurbel.Table {self.key}: {labels.plain(self.caption)}>"
 
     def save(
         self,
@@ -97,8 +126,6 @@ class Table(Page):
 
         An interactive one is a whole document; .svg, .png and .pgf are its drawing. Raises KurbelError.
         """
-        from kurbel.formats.render import whole_file
-
         if os.path.splitext(os.fspath(path))[1].lower()[1:] in DRAWINGS:
             self.plot(decimal=decimal).save(path)
             return
@@ -119,21 +146,10 @@ class Table(Page):
         with whole_file(os.fspath(path)) as stream:
             stream.write(content)
 
-    def __len__(self) -> int:
-        return frames.count(self)
-
     def __bool__(self) -> bool:
         return True
 
-    def __iter__(self) -> Iterator[Any]:
-        return frames.rows(self)
-
-    def __getitem__(self, key: str) -> np.ndarray[Any, Any]:
-        return frames.column(self, key)
-
     def _repr_html_(self) -> str:
-        from kurbel.formats.render import in_notebook
-
         # A notebook runs no script of a page.
         return in_notebook(replace(self, steps=None))
 
@@ -142,18 +158,6 @@ class Table(Page):
 
     def _repr_markdown_(self) -> str:
         return self.typeset("markdown")
-
-    def to_numpy(self) -> np.ndarray[Any, Any]:
-        """Return the records as a structured array, whose fields are their keys."""
-        return frames.to_numpy(self)
-
-    def to_pandas(self, *, exact: bool = False) -> Any:
-        """Return the records as a pandas DataFrame; what their columns mean is in its `attrs`."""
-        return frames.to_pandas(self, exact)
-
-    def to_polars(self, *, exact: bool = False) -> Any:
-        """Return the records as a polars DataFrame."""
-        return frames.to_polars(self, exact)
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
         """Hand the records to any library that takes Arrow; needs the extra `arrow`."""
@@ -186,7 +190,7 @@ class Drawing:
     @property
     def plain_title(self) -> str:
         """The title without formulas' marks, for readers that do not see the drawing."""
-        return plain(self.title, self.mark)
+        return labels.plain(self.title, self.mark)
 
     def image(self, format: str = "svg", *, text: bool = False) -> bytes:
         """Return the drawing as a file of the format svg, png, pdf or pgf; of SVG with `text` letters stay
@@ -196,7 +200,7 @@ class Drawing:
         """
         if self.page and format == "html" and (self.film or not text):
             return self.page(self.image(text=text).decode()).encode()
-        about = plain(self.about, self.mark)
+        about = labels.plain(self.about, self.mark)
         if self.film is None:
             from kurbel.plot.style import image
 
@@ -230,7 +234,6 @@ class Drawing:
 
         With `text` the letters of SVG stay text, which can be searched and edited. Raises KurbelError.
         """
-        from kurbel.formats.render import whole_file
         from kurbel.plot.style import format_of
 
         name = os.fspath(path)
@@ -247,3 +250,95 @@ class Drawing:
 def mark_of(lang: str, decimal: str | None) -> str:
     """Return the decimal mark of that name, by default that of the language."""
     return DECIMALS[decimal or DECIMAL_OF_LANGUAGE[lang]]
+
+
+class Spoken(NamedTuple):
+    """A quantity beside a drawing: its name, symbol and unit, and its printed numbers, degree by degree."""
+
+    name: Label
+    symbol: Label
+    unit: Label
+    values: tuple[Value, ...]
+
+
+def drawing_of(question: Any, options: Pictured, decimal: str | None = None) -> Drawing:
+    """Return what is asked for as a drawing: the columns of its page over their axis. Raises KurbelError."""
+    from kurbel.plot.picture import drawn, picture
+
+    mark, turn, wish = mark_of(question.lang, decimal), options.turn, options.wish
+    found = picture(question, wish)
+    shot = None if turn is None else shot_of(turn, found.question)
+    made = drawn(found, mark, options.size, shot)
+    page = None if shot is None else paged(made, question.lang, mark, spoken(found.question, found.columns))
+    return Drawing.of(made, question.lang, mark, page)
+
+
+def plotted(question: Any, options: Mapping[str, Any], decimal: str | None) -> Drawing:
+    """Return the same by options in the words of Python. Raises KurbelError."""
+    known = Pictured.options()
+    for name in options:
+        if name not in known:
+            raise unknown("Table.plot", name, known, "kurbel forces --help drawing lists them")
+    given = {name: known[name].taken(value) for name, value in options.items() if value is not None}
+    values = {name: one.default for name, one in known.items()} | given
+    return drawing_of(question, Pictured(Values(values, dict.fromkeys(given, Origin.TYPED))), decimal)
+
+
+def shot_of(seconds: float, question: Any) -> Shot:
+    """Return how the drawing of a question is to move, with the mechanism of a single drive."""
+    from kurbel.plot.animated import Shot
+
+    span = float(question.angles[-1] - question.angles[0])
+    seconds *= max(1.0, span / 360)
+    # A diagram of torques has no drive, and of several cranks none is that of the drawing.
+    moving, first = question.moving, getattr(question, "first", None)
+    several = (getattr(question, "ratios", ()), getattr(question, "cranks", ()), getattr(first, "parts", ()))
+    alone = all(len(one) < 2 for one in several)
+    if moving is None or not alone:
+        return Shot(seconds)
+    return Shot(seconds, partial(carrying, question, staged(moving[0], moving[1])))
+
+
+def staged(name: str, drive: Any) -> Staged:
+    """Return what a mechanism of this name looks like at crank angles."""
+    from kurbel.motion.mechanism import mechanism
+
+    # What acts on a drive is nothing to its way.
+    bare = drive.of(Crank(drive.crank.ratio, drive.crank.offset))
+    return partial(found_at(mechanism(name).moving), bare)
+
+
+def carrying(question: Any, show: Staged, *angles: Sequence[float]) -> Scene | None:
+    """Return what moves with what a question shows of it besides."""
+    found: Scene | None = question.carrying(show(*angles), show)
+    return found
+
+
+def spoken(question: Any, columns: Sequence[Column] = ()) -> tuple[Spoken, ...]:
+    """Return the printed numbers of a question at whole degrees of its run; none of several drives. Their
+    names and units may be those of other columns, one for each of its own."""
+    if any(axis.size > 1 for name, axis in question.axes.items() if name not in ("angle", "column")):
+        return ()
+    first, last = question.angles[0], question.angles[-1]
+    angles = tuple(Fraction(angle) for angle in range(int(first), int(last) + 1))
+    asked = replace(question, angles=angles)
+    none = dict.fromkeys(asked.axes, 0)
+    found = []
+    for number, column in enumerate(asked.page_columns[:MOST_COLUMNS]):
+        one = columns[number].quantity if columns else column.quantity
+        places = ({**none, "angle": place, "column": number} for place in range(len(angles)))
+        values = tuple(shown_at(asked, column, place) for place in places)
+        said = letter(one, asked.lang)
+        found.append(Spoken(said.name, said.symbol, one.unit_beside(asked.lang), values))
+    return tuple(found)
+
+
+def paged(drawn: Drawn, lang: str, mark: str, numbers: tuple[Spoken, ...]) -> Callable[[str], str]:
+    """Return what makes an HTML page of the SVG file of a drawing that moves, with numbers beside it."""
+
+    def page(svg: str) -> str:
+        from kurbel.formats.html.live import film_page
+
+        return film_page(svg, drawn.title, lang, mark, numbers)
+
+    return page

@@ -16,9 +16,12 @@ from kurbel.commands.parts.loads import KINDS
 from kurbel.commands.parts.masses import Masses, Weight
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
+from kurbel.conditions.page import SolveRequest
+from kurbel.conditions.solve import read_on
 from kurbel.errors import NotationError, ProblemError
 from kurbel.motion.mechanism import Mechanism
 from kurbel.page.subject import Question
+from kurbel.reading.where import read_condition
 
 # What conditions on the motion are about, of any crank drive.
 OF_MOTION = (
@@ -107,9 +110,6 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
             values.drop(unknown)
 
     def question(self) -> Question:
-        from kurbel.conditions.page import SolveRequest
-        from kurbel.conditions.solve import read_on
-
         if self.unknown is not None:
             return self._unknown(self.unknown)
         if self.of_engine():
@@ -122,11 +122,9 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
             drives = self._moving(chosen, drives)
         solved = chosen.solved(drives, self.series())
         return SolveRequest(
-            layout=page,
             drives=solved,
             conditions=tuple(dict.fromkeys(read_on(solved[0], text) for text in self.conditions)),
-            columns=self.names("stroke,phi,x"),
-            **self.printed(),
+            **self.on_page(page, "stroke,phi,x"),
         )
 
     @property
@@ -210,7 +208,6 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
         """Return what is asked of the forces of an engine."""
         from kurbel.conditions.load_page import LoadedRequest
         from kurbel.conditions.loaded import MEASURED, NAMES
-        from kurbel.reading.where import read_condition
 
         self.refuse("force", "order", *PRESSING)
         page = self.page("solve-load", "loaded roots")
@@ -239,9 +236,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
                 f"--unknown takes one condition, and {len(self.conditions)} were given; write one --where"
             )
         asked = (OfRatio if unknown == "ratio" else Sized)(unknown, self.angle, self.conditions[0], self)
-        question = UnknownRequest(
-            layout=page, unknown=unknown, asked=asked, columns=self.names("speed"), **self.printed()
-        )
+        question = UnknownRequest(unknown=unknown, asked=asked, **self.on_page(page, "speed"))
         if not question.asked.found:
             raise nowhere(unknown, str(asked.condition))
         return question

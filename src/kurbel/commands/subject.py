@@ -1,24 +1,22 @@
 """A command as a function in the words of the command line: called it makes the table, and `question` is what
-it asks."""
+it asks; what a machine's file says of its options, and how Python shows it."""
 
 from __future__ import annotations
 
 import inspect
 import re
-from abc import ABC, abstractmethod
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from functools import cached_property, partial
 from os import fspath
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
-from kurbel.commands.in_python import described, plain_signature
 from kurbel.commands.options import FILE, TEXT, Option, is_given
 from kurbel.commands.part import CommandOptions, Origin, Values
-from kurbel.errors import ProblemError
-from kurbel.page.table import Request
+from kurbel.errors import MachineError, ProblemError
+from kurbel.page.table import Request, own_words
 from kurbel.reading.given import File, found_at
-from kurbel.reading.keywords import bound
+from kurbel.reading.names import bound
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Table
@@ -26,8 +24,6 @@ if TYPE_CHECKING:
     from kurbel.page.table import Variant
     from kurbel.reading.amounts import Units
 
-# From the values of all options to the sentences that refuse some of them.
-Refusals = Callable[[Mapping[str, Any]], Mapping[str, str]]
 # Units that follow a number; of time there is one kind.
 _MARK = r"(?<=[\d. *·/])(?:%s)(?![A-Za-z])"
 _IMPERIAL = _MARK % "in|inch|inches|Zoll|ft|foot|feet|lbs?|lbf?(?:ft)?|psi|hp|mph"
@@ -45,19 +41,41 @@ MACHINE = "machine"
 _FIGURES = r"[A-Za-z0-9.,:;/% -]*"
 _MINUS = r"(?<![\w.])-(?=[0-9.])"
 _PARTS = r"[^A-Za-z0-9.]+"
-_PLACED, _NAMED = inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY
 # Options that stand for another, the stroke.
 SPELLED = ("crank", "true_stroke", "time_ratio")
+# What those commands are about that a list of unlike cylinders says nothing to.
+_ALIKE = {"pressures": "one", "construct": "one", "power": "cylinders alike", "balance": "cylinders alike"}
+# Lines of the command line, which stand behind a \\b.
+_COMMAND_LINES = re.compile(r"\n*\x08\n(?:.+\n?)*")
 
 
-class Command(ABC):
-    """What stands behind a function: its options, what is asked for by their values, what is made of that."""
+class Command:
+    """What stands behind a function: its parts, their options in the order of its parameters, what is asked
+    for by their values, and what is made of that."""
 
-    name: str
-    doc: str
-    signature: inspect.Signature
-    parameters: Mapping[str, Option[Any]]
-    builder = ""
+    def __init__(self, asks: type[CommandOptions], name: str) -> None:
+        self.asks, self.name, self.doc, self.builder = asks, name, inspect.getdoc(asks) or "", asks.builder
+        ranks = {key: rank for rank, key in enumerate(asks.sequence.split())}
+        first = asks.unnamed.split()
+
+        def place(one: tuple[str, Option[Any]]) -> tuple[bool, bool, int]:
+            return one[0] not in first, one[1].last, ranks.get(one[0], len(ranks))
+
+        parameters = dict(sorted(asks.options().items(), key=place))
+        self.signature = inspect.Signature(
+            [
+                inspect.Parameter(
+                    key,
+                    inspect.Parameter.POSITIONAL_OR_KEYWORD
+                    if key in first
+                    else inspect.Parameter.KEYWORD_ONLY,
+                    default=inspect.Parameter.empty if one.required else one.default,
+                    annotation=one,
+                )
+                for key, one in parameters.items()
+            ]
+        )
+        self.parameters = {key: one for key, one in parameters.items() if key != MACHINE}
 
     @property
     def machine(self) -> bool:
@@ -73,14 +91,34 @@ class Command(ABC):
     def defaults(self) -> Mapping[str, Any]:
         return {name: one.default for name, one in self.options.items()}
 
-    @abstractmethod
     def settle(self, values: Values) -> None:
         """Settle the values with one another: what was typed outdoes what comes from elsewhere. Raises
         KurbelError."""
+        for name, default in self.defaults.items():
+            value = values.values.get(name)
+            # What may be repeated and was not given.
+            if isinstance(value, tuple) and not value and not values.origins.get(name):
+                values.values[name] = default
+        for one in self.options.values():
+            if one.required and not values.says(one.name):
+                raise ProblemError(f"{one.flag} is missing, without which there is nothing to compute")
+        for part in self.asks.parts():
+            values.outdo(part.rivals)
+            if "settle" in vars(part):
+                part.settle(values)
+        if values.says(*OWN_WORDS):
+            values.values.update(own_words(values.values))
+        if "units" in values.values:
+            values.values["units"] = self._units(values.values["units"], values.written)
 
-    @abstractmethod
     def question(self, values: Values) -> Any:
         """Return what is asked for, or drawn, by values that are settled. Raises KurbelError."""
+        asked = self.asks(values)
+        question = asked.question()
+        for name, one in self.options.items():
+            if name not in values.read and values.typed(name) and values.says(name):
+                raise ProblemError(asked.refusal(one))
+        return question
 
     def ask(self, values: Values) -> Any:
         """Return what is asked for by these values, which it settles. Raises KurbelError."""
@@ -103,22 +141,6 @@ class Command(ABC):
         }
         return Request(self.name, counted)
 
-    def _with_defaults(self, values: Values) -> None:
-        """Give the default to what may be repeated and was not given."""
-        for name, default in self.defaults.items():
-            value = values.values.get(name)
-            if isinstance(value, tuple) and not value and not values.origins.get(name):
-                values.values[name] = default
-
-    def _settle_words(self, values: Values) -> None:
-        """Give the page's own words and its units as it takes them."""
-        if values.says(*OWN_WORDS):
-            from kurbel.page.wording import own_words
-
-            values.values.update(own_words(values.values))
-        if "units" in values.values:
-            values.values["units"] = self._units(values.values["units"], values.written)
-
     def _units(self, asked: Any, values: Mapping[str, Any]) -> Units | None:
         """Return the units that are asked for, else imperial ones where all measures are given in such."""
         names = {name for name, one in self.options.items() if one.unit or one.kind is TEXT}
@@ -132,57 +154,6 @@ class Command(ABC):
         from kurbel.reading.amounts import IMPERIAL, read_units
 
         return read_units(asked) if is_given(asked) else read_units(IMPERIAL)._replace(data=False)
-
-
-class PartsCommand(Command):
-    """A command that is made of parts."""
-
-    def __init__(self, asks: type[CommandOptions], name: str) -> None:
-        self.asks, self.name, self.doc, self.builder = asks, name, inspect.getdoc(asks) or "", asks.builder
-        self.signature = self._signature()
-        self.parameters = {
-            key: one.annotation for key, one in self.signature.parameters.items() if key != MACHINE
-        }
-
-    def _signature(self) -> inspect.Signature:
-        ranks = {name: rank for rank, name in enumerate(self.asks.sequence.split())}
-        first = self.asks.unnamed.split()
-
-        def place(one: tuple[str, Option[Any]]) -> tuple[bool, bool, int]:
-            return one[0] not in first, one[1].last, ranks.get(one[0], len(ranks))
-
-        return inspect.Signature(
-            [
-                inspect.Parameter(
-                    name,
-                    inspect.Parameter.POSITIONAL_OR_KEYWORD
-                    if name in first
-                    else inspect.Parameter.KEYWORD_ONLY,
-                    default=inspect.Parameter.empty if one.required else one.default,
-                    annotation=one,
-                )
-                for name, one in sorted(self.asks.options().items(), key=place)
-            ]
-        )
-
-    def settle(self, values: Values) -> None:
-        self._with_defaults(values)
-        for one in self.options.values():
-            if one.required and not values.says(one.name):
-                raise ProblemError(f"{one.flag} is missing, without which there is nothing to compute")
-        for part in self.asks.parts():
-            values.outdo(part.rivals)
-            if "settle" in vars(part):
-                part.settle(values)
-        self._settle_words(values)
-
-    def question(self, values: Values) -> Any:
-        asked = self.asks(values)
-        question = asked.question()
-        for name, one in self.options.items():
-            if name not in values.read and values.typed(name) and values.says(name):
-                raise ProblemError(asked.refusal(one))
-        return question
 
 
 class Function(Protocol):
@@ -201,10 +172,8 @@ class Function(Protocol):
 
 def function(asks: type[CommandOptions], name: str, drawn: bool = False) -> Function:
     """Return the function of a command that is made of parts."""
-    return _function(PartsCommand(asks, name), name, asks.__module__, drawn)
+    command = Command(asks, name)
 
-
-def _function(command: Command, name: str, module: str, drawn: bool = False) -> Function:
     def question(*args: Any, **options: Any) -> Any:
         return command.ask(_values(command, args, options))
 
@@ -214,7 +183,7 @@ def _function(command: Command, name: str, module: str, drawn: bool = False) -> 
         return _table(command.built(asked, values), asked)
 
     def interactive(*args: Any, **options: Any) -> Table:
-        from kurbel.commands.steps.stepped import NOTHING, stepped
+        from kurbel.commands.stepped import NOTHING, stepped
 
         page = stepped(command, _values(command, args, options))
         if page.steps is None:
@@ -223,7 +192,7 @@ def _function(command: Command, name: str, module: str, drawn: bool = False) -> 
 
     found = question if drawn else make
     found.__name__ = found.__qualname__ = name
-    found.__module__ = module
+    found.__module__ = asks.__module__
     found.__doc__ = described(command.doc, command.signature)
     vars(found).update(
         command=command,
@@ -256,8 +225,6 @@ def _table(page: Page, asked: Any = None) -> Table:
 
 def of_machine(command: Command, file: Any) -> dict[str, Any]:
     """Return the options of the command that a machine's file gives. Raises KurbelError."""
-    from kurbel.commands.machine_file import machine_defaults
-
     many = {name: one.many for name, one in command.options.items()}
     named = File(fspath(FILE.taken(file, MACHINE)))
     found = machine_defaults(command.name, many, named)
@@ -297,3 +264,74 @@ def _text(value: Any) -> str:
     if isinstance(value, str) or not isinstance(value, Collection):
         return str(value)
     return ";".join(map(_text, value))
+
+
+def machine_defaults(command: str, options: Mapping[str, bool], file: File) -> dict[str, Any]:
+    """Return what the file says of the options of the command, by their names, with whether each may be
+    repeated."""
+    from kurbel.drive.machine import read_machine, with_ratio
+
+    machine = read_machine(file)
+    if "rod" not in options:
+        machine = with_ratio(machine)
+    for name in ("offset", "mechanism"):
+        if machine.get(name, "straight") != "straight" and name not in options:
+            raise MachineError(
+                f"{file}: crank.{name} is {machine[name]}, and kurbel {command} is about the"
+                f" straight crank; leave the {name} out of the machine"
+            )
+    if machine.get("cylinder") and "cylinder" not in options and (alike := _ALIKE.get(command)):
+        raise MachineError(
+            f"{file}: the machine has a list of cylinders, and kurbel {command} is about {alike}; take"
+            " the list out, and write what one of them has into the sections, as bore into [steam] and"
+            " reciprocating into [masses]"
+        )
+    # What may be repeated is a list, though the machine has one of it.
+    return {
+        name: [value] if options[name] and isinstance(value, str) else value
+        for name, value in machine.items()
+        if name in options
+    }
+
+
+class _Brief(inspect.Signature):
+    """A signature of many parameters, which is printed without those that have names; `help` lists them."""
+
+    def __str__(self) -> str:
+        placed = [one for one in self.parameters.values() if one.kind is not one.KEYWORD_ONLY]
+        shown = [one.name if one.default is one.empty else f"{one.name}={one.default!r}" for one in placed]
+        return f"({', '.join([*shown, '**options'])}) -> {self.return_annotation}"
+
+    def format(self, **_: Any) -> str:
+        return str(self)
+
+
+def plain_signature(signature: inspect.Signature, returned: str) -> inspect.Signature:
+    """Return the signature with the plain types of its parameters."""
+    plain = [one.replace(annotation=plain_type(one.annotation)) for one in signature.parameters.values()]
+    return _Brief(plain, return_annotation=returned)
+
+
+def plain_type(option: Option[Any]) -> str:
+    """Return what an option takes in a few words, "str | float | list"."""
+    return f"{option.kind.python} | list" if option.many else option.kind.python
+
+
+def described(text: str, signature: inspect.Signature) -> str:
+    """Return the docstring for Python of a function whose docstring is the help of a command.
+
+    Examples of the command line stand behind a \\b there, those of Python behind a \\f.
+    """
+    about, _, examples = inspect.cleandoc(text).partition("\f")
+    lines = [
+        _COMMAND_LINES.sub("", about).rstrip(),
+        "",
+        "Values are text as on the command line, or numbers, lists of them, and arrays.",
+        "",
+    ]
+    for name, one in signature.parameters.items():
+        option: Option[Any] = one.annotation
+        unit = f" A bare number is in {option.unit}." if option.unit else ""
+        usual = "" if one.default in (None, False, "", (), one.empty) else f" = {one.default!r}"
+        lines.append(f"{name} ({plain_type(one.annotation)}{usual}): {option.help}{unit}")
+    return "\n".join([*lines, examples.rstrip()]) + "\n"

@@ -8,12 +8,31 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
 
-from kurbel.commands.motion import some
+from kurbel.commands.forces import ForcesOptions
+from kurbel.commands.motion import MotionOptions, some
 from kurbel.commands.solve import SolveOptions
+from kurbel.conditions.captions import condition_label
+from kurbel.conditions.loaded import ASKED, MEASURED, NAMES, measured
+from kurbel.conditions.solve import MEASURES, TORQUE, read_on, solve, target_of
+from kurbel.conditions.unknown import UNKNOWNS, Polynomial, of_ratio
+from kurbel.conditions.unknown_page import WORDS
+from kurbel.drive.at import At
+from kurbel.drive.load import figure
+from kurbel.engine.quantities import value
 from kurbel.errors import ProblemError
+from kurbel.exact.certify import ball, half_turn_circle
+from kurbel.exact.course import Target
+from kurbel.exact.kind import balls
+from kurbel.exact.numerals import exact_text, figures, nearest
+from kurbel.exact.place import fraction
+from kurbel.motion.evaluation import NEEDS, kernel_of
+from kurbel.motion.evaluation import value as at
+from kurbel.page.axes import angle_text
 from kurbel.page.layouts import layout
+from kurbel.page.quantity import words
+from kurbel.reading import units
 from kurbel.reading.given import as_angles
-from kurbel.reading.where import MAX, VALUE, Condition
+from kurbel.reading.where import MAX, VALUE, Condition, read_condition
 
 GREATEST_RATIO = Fraction(999, 1000)
 MASSES = ("reciprocating", "rod_mass", "rotating", "rod_file")
@@ -54,8 +73,6 @@ class Angle:
 
     @classmethod
     def _greatest(cls, text: str, asked: SolveOptions) -> Angle:
-        from kurbel.conditions.solve import read_on, solve
-
         chosen, described = asked.described(beside=("force",), leaving=("speed", "method"))
         ratios = layout(chosen.layout, asked.raw("layouts")).ratios
         drive = chosen.solved(some(chosen.drives(described, ratios)), "exact")[0]
@@ -68,16 +85,11 @@ class Angle:
         return cls(place.degrees, text, place.half_turns)
 
     def circle(self, kind: Any) -> Any:
-        from kurbel.exact.certify import half_turn_circle
-
         if self.degrees is not None or self.half_turns is None:
             return kind.circle(self.degrees)
         return half_turn_circle(self.half_turns())
 
     def label(self, lang: str) -> str:
-        from kurbel.page.axes import angle_text
-        from kurbel.page.quantity import words
-
         if self.degrees is not None:
             return f"$φ = {angle_text(self.degrees)}$"
         quantity = self.text.partition("=")[0].strip()
@@ -88,9 +100,6 @@ class OfRatio:
     """The crank ratio of the straight or offset crank, its crosshead's motion known by formulas."""
 
     def __init__(self, unknown: str, angle: Any, text: str, asked: SolveOptions) -> None:
-        from kurbel.conditions.solve import MEASURES, read_on
-        from kurbel.motion.evaluation import NEEDS
-
         self.asked, self.place = (unknown, angle, text, asked), Angle.read(angle, unknown, asked)
         if asked.is_engine() or asked.says("force", "rod", *MASSES):
             raise ProblemError(
@@ -129,13 +138,6 @@ class OfRatio:
     def found(self) -> list[Any]:
         from dataclasses import replace
 
-        from kurbel.conditions.solve import target_of
-        from kurbel.conditions.unknown import of_ratio
-        from kurbel.drive.at import At
-        from kurbel.exact.course import Target
-        from kurbel.exact.kind import balls
-        from kurbel.motion.evaluation import kernel_of
-
         drive, condition = self.drive, self.condition
         if condition.kind == MAX:
             # The acceleration is zero once on the outstroke, where the velocity is greatest.
@@ -158,14 +160,9 @@ class OfRatio:
         return of_ratio(formula, target.ball, self.greatest)
 
     def label(self, lang: str) -> str:
-        from kurbel.conditions.captions import condition_label
-
         return condition_label(self.condition, self.drive, lang)
 
     def lines(self, lang: str) -> list[str]:
-        from kurbel.conditions.unknown_page import WORDS
-        from kurbel.drive.load import figure
-
         return [WORDS["ratio"][lang].format(greatest=f"${figure(self.greatest)}$")]
 
 
@@ -173,8 +170,6 @@ class Sized:
     """A speed, a force, a pressure, a mass or a length that a force or the motion is a polynomial of."""
 
     def __init__(self, unknown: str, angle: Any, text: str, asked: SolveOptions) -> None:
-        from kurbel.conditions.unknown import UNKNOWNS
-
         self.asked = (unknown, angle, text, asked)
         self.place = Angle.read(angle, unknown, asked)
         self.unknown, self.values, self.about = unknown, asked.values, UNKNOWNS[unknown]
@@ -204,14 +199,9 @@ class Sized:
 
     def _read(self, text: str) -> tuple[Condition, str]:
         """Return the condition and the column that shows what it is about, in N, N m or a unit of motion."""
-        from kurbel.conditions.loaded import ASKED, MEASURED, NAMES
-        from kurbel.reading.where import read_condition
-
         if self.loaded:
             found = read_condition(text, NAMES, MEASURED, "torque and the forces of the crank drive")
             return self._valued(found, ASKED[found.quantity].measured)
-        from kurbel.conditions.solve import MEASURES, TORQUE
-
         names = {name: name for name in (*MEASURES, *FORCES, *MAGNITUDES, TORQUE)}
         found = read_condition(text, names, names, "motion and forces")
         if found.quantity in MEASURES:
@@ -234,9 +224,6 @@ class Sized:
 
     def _question(self, value: Fraction) -> Any:
         """Return the question of the drive with a value of the unknown, at the angle."""
-        from kurbel.commands.forces import ForcesOptions
-        from kurbel.commands.motion import MotionOptions
-
         moved = not self.loaded and self.column.endswith(("_mm", "_mps", "_mps2"))
         angle = Fraction(0) if self.place.degrees is None else self.place.degrees
         own = {"angle": [angle], "columns": [self.column], "layout": None, "units": None}
@@ -248,22 +235,14 @@ class Sized:
         question = self.question(number)
         column = question.page_columns[0]
         if self.loaded:
-            from kurbel.engine.quantities import value
-
             turn = question.turn(0, 0, "exact")
             place = {name: 0 for name in question.axes}
             return value(column.quantity, turn, question.where(place))
-        from kurbel.exact.kind import balls
-        from kurbel.motion.evaluation import value as at
-
         kind = balls()
         return at(column.quantity, column.method, question.cranks[0], self.place.circle(kind), kind)
 
     @cached_property
     def found(self) -> list[Any]:
-        from kurbel.conditions.unknown import Polynomial
-        from kurbel.exact.certify import ball
-
         square = self.condition.quantity in MAGNITUDES
         if square and self.condition.value < 0:
             raise ProblemError(f'condition "{self.condition}" is of a magnitude, which is not below 0')
@@ -279,9 +258,6 @@ class Sized:
         """Raise ProblemError for a value that no drive has, or one with which the formula is another."""
         import flint
 
-        from kurbel.exact.certify import ball
-        from kurbel.exact.place import fraction
-
         with flint.ctx.workprec(CHECKED_BITS):
             near = fraction(root().mid())
             apart = self.value(near) - ball(self._target())
@@ -294,9 +270,6 @@ class Sized:
                 )
 
     def _target(self) -> Fraction:
-        from kurbel.conditions.loaded import measured
-        from kurbel.conditions.solve import MEASURES, TORQUE
-
         if not self.condition.unit:
             return Fraction(0)
         if self.condition.quantity in MEASURES:
@@ -304,9 +277,6 @@ class Sized:
             return one.parts * one.metres(self.condition)
         if self.loaded or self.condition.quantity != TORQUE:
             return measured(self.condition)
-        from kurbel.exact.numerals import exact_text
-        from kurbel.reading import units
-
         return units.signed_torque(f"{exact_text(self.condition.value)} {self.condition.unit}", TORQUE)
 
     def _power(self) -> int:
@@ -316,8 +286,6 @@ class Sized:
         return 2 if self.unknown == "stroke" and self.condition.quantity == "torque" else 1
 
     def label(self, lang: str) -> str:
-        from kurbel.exact.numerals import exact_text
-
         symbol = self.question(self.about.probe).page_columns[0].quantity.symbol.strip("$")
         unit = f' "{self.condition.unit}"' if self.condition.unit else ""
         unit = unit.replace('²"', '"^2').replace('m^2"', 'm"^2')
@@ -326,10 +294,6 @@ class Sized:
     def lines(self, lang: str) -> list[str]:
         """Return what the page of the force or the motion says, with the first value that was found."""
         import flint
-
-        from kurbel.conditions.unknown_page import WORDS
-        from kurbel.exact.numerals import figures, nearest
-        from kurbel.exact.place import fraction
 
         with flint.ctx.workprec(CHECKED_BITS):
             near = fraction(self.found[0]().mid()) / self.about.size

@@ -62,7 +62,7 @@ class Steam:
 
     def __post_init__(self) -> None:
         if self.expansion < 1:
-            from kurbel.reading.shares import too_small
+            from kurbel.reading.notation import too_small
 
             raise ProblemError(too_small(self.expansion))
         if self.expansion > LARGEST_EXPANSION:

@@ -16,7 +16,7 @@ from kurbel.kernel.fast.worth import pays
 from kurbel.kernel.irregularity.extremes import BY_NUMPY, METHODS, Arithmetic
 from kurbel.kernel.irregularity.load import load
 from kurbel.reading.given import as_ratio_array, choose
-from kurbel.reading.keywords import checks_keywords
+from kurbel.reading.names import checks_keywords
 
 Floats: TypeAlias = NDArray[np.float64]
 Reader: TypeAlias = Callable[[slice], Any]

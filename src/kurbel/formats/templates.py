@@ -17,7 +17,8 @@ from jinja2.sandbox import ImmutableSandboxedEnvironment
 from kurbel.errors import KurbelError, LayoutError, OutputError
 from kurbel.formats.registry import Format, PageFormat, RecordsFormat, by_name
 from kurbel.page.layouts import layout_file, layout_names, template_folder
-from kurbel.reading.given import choose, did_you_mean
+from kurbel.reading.given import choose
+from kurbel.reading.names import did_you_mean
 
 BASE, SUFFIX = "base", ".jinja"
 # What is around a page: a document of its own, sliders.

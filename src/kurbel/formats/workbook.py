@@ -31,7 +31,7 @@ from kurbel.formats.sheet import (
 from kurbel.formats.spacing import shared, spans, widest
 from kurbel.page.labels import plain
 from kurbel.page.table import Cell, Group, HeadCell, Panel, Records, Row, Table, Value
-from kurbel.reading.dates import source_date_epoch
+from kurbel.reading.environment import source_date_epoch
 
 # In points: a line of the text, of notes and of the caption, and the space before rows that are set apart.
 LINE, SMALL_LINE, CAPTION_LINE = 15.0, 12.5, 17.0

@@ -42,8 +42,8 @@ from kurbel.handbook.model import (
     slug,
 )
 from kurbel.handbook.problems import problems_of
-from kurbel.reading.given import did_you_mean
-from kurbel.reading.inside import HANDBOOK, is_inside
+from kurbel.reading.given import HANDBOOK, is_inside
+from kurbel.reading.names import did_you_mean
 from kurbel.reading.toml_file import Place, TomlFile, TomlKind, shown
 
 NAME = "handbook.toml"

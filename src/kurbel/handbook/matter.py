@@ -19,7 +19,7 @@ from kurbel.documents.markdown import parse_prose
 from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS, Label
 from kurbel.page.labels import Mark, Prose, parse, plain, primed
 from kurbel.page.quantity import Letter, words
-from kurbel.reading.dates import source_date_epoch
+from kurbel.reading.environment import source_date_epoch
 
 if TYPE_CHECKING:
     from kurbel.handbook.manifest import Manifest

@@ -18,8 +18,8 @@ from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
 from kurbel.handbook.model import COMPILED
 from kurbel.handbook.pool import PDF_PATIENCE, About, Made
 from kurbel.page.labels import primed
-from kurbel.reading.given import File, did_you_mean
-from kurbel.reading.inside import HANDBOOK
+from kurbel.reading.given import HANDBOOK, File
+from kurbel.reading.names import did_you_mean
 
 WORDS = {"de": "Fehlt", "en": "Missing"}
 # Where the sheet of a table waits for its workbook, and its page for a document of Word.

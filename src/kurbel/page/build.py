@@ -51,9 +51,9 @@ def enlarged(question: Question) -> Question:
     """Return the question with larger units where its page has long numbers."""
     if not any(column.quantity.unit["en"].partition(",")[0] in LARGER for column in question.page_columns):
         return question
-    from kurbel.page import larger
+    from kurbel.page import units
 
-    return larger.enlarged(question)
+    return units.enlarged(question)
 
 
 def _in_units(question: Question, pages: bool, whole: bool) -> Table:
@@ -136,8 +136,7 @@ def own_grid(question: Question) -> tuple[Layout, Grid]:
         return Cell(shown, marks, about.tone(question, column, place))
 
     def unit(place: Place) -> Label:
-        quantity = columns[place["column"]].quantity
-        return "" if quantity.minutes else quantity.unit[question.lang]
+        return columns[place["column"]].quantity.unit_beside(question.lang)
 
     exists = partial(about.exists, question)
     return layout, Grid(question.axes, question.lang, cell, unit if layout.unit else None, exists)

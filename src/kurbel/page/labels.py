@@ -3,14 +3,17 @@
 Kolbenweg $x/R$          a formula in prose, in the grammar of `formula.py`
 Hingang[^a]              a mark that points to the note a
 5 \\$                     a dollar sign in prose
+
+And words in columns: how wide each column may be, and the lines of a text in so much room.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import lru_cache
 from itertools import groupby
+from textwrap import wrap
 from typing import NamedTuple
 
 from kurbel.errors import LayoutError
@@ -204,3 +207,29 @@ def _small(nodes: tree.Nodes, sign: str, small: dict[str, str], mark: str) -> st
     if all(character in small for character in text):
         return "".join(small[character] for character in text)
     return f"{sign}{text}" if len(text) == 1 else f"{sign}({text})"
+
+
+def fitted(widths: Sequence[int], least: Sequence[int], room: int) -> list[int] | None:
+    """Return widths that have room together; the widest give way first, none below its least.
+
+    None if not even the least widths have room.
+    """
+    fitting = list(widths)
+    for _ in range(sum(widths) - room):
+        places = [place for place, width in enumerate(fitting) if width > least[place]]
+        if not places:
+            return None
+        # Of columns alike the last gives way, which is the one with the longest texts.
+        fitting[max(places, key=lambda place: (fitting[place], place))] -= 1
+    return fitting
+
+
+def lines_of(text: str, room: int, further: str = "") -> list[str]:
+    """Return the lines of a text, of which no word is broken; the second and later ones begin anew."""
+    room = max(room, 1)
+    return wrap(text, room, subsequent_indent=further, break_on_hyphens=False, break_long_words=False) or [""]
+
+
+def longest_word(text: str) -> int:
+    """Return the least room that a text needs."""
+    return max(map(len, text.split(" ")))

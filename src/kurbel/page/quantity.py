@@ -76,6 +76,10 @@ class Quantity(NamedTuple):
 
         return plain(self.unit[lang])
 
+    def unit_beside(self, lang: str) -> Label:
+        """Return the unit that stands beside a number; degrees and minutes have theirs within."""
+        return "" if self.minutes else self.unit[lang]
+
     def full_name(self, lang: str) -> str:
         """Return the name with what sets it apart."""
         return f"{self.name[lang]}, {self.part[lang]}" if self.part else self.name[lang]

@@ -17,6 +17,8 @@ Point: TypeAlias = tuple[float, float]
 # A place of a drawing in units of R from the shaft: one that stays, or those of a turn at equal steps of the
 # crank angle, from φ = 0 on.
 Joint: TypeAlias = tuple[Point, ...]
+# So many quantities are read beside a drawing.
+MOST_COLUMNS = 8
 
 
 class Slider(NamedTuple):

@@ -12,12 +12,11 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeAlias
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label, Number
 from kurbel.page.axes import Axis, Grid, PageAxis, Place
-from kurbel.page.layouts import Layout, LayoutColumn
+from kurbel.page.layouts import SUBJECTS, Layout, LayoutColumn
 from kurbel.page.quantity import Column, Known, Quantity, is_short, known_at
-from kurbel.page.subjects import SUBJECTS
-from kurbel.page.table import Field, Note, Records, Tone, Value, check_label
-from kurbel.page.wording import Worded
+from kurbel.page.table import Field, Note, Records, Tone, Value, Worded, check_label
 from kurbel.reading.given import Given, choose, found_at, meant
+from kurbel.reading.names import others
 from kurbel.reading.notation import MOST_ROWS
 
 if TYPE_CHECKING:
@@ -257,8 +256,8 @@ class Question(Worded, Given):
         if not self.columns:
             return ()
         # The axes of the question may have other keys than its subject states.
-        others = self.subject.column_keys(self.layout)[len(self.subject.axis_keys) :]
-        allowed = dict.fromkeys((*self.axis_keys, *others))
+        further = self.subject.column_keys(self.layout)[len(self.subject.axis_keys) :]
+        allowed = dict.fromkeys((*self.axis_keys, *further))
         return tuple(dict.fromkeys(self._meant(name, allowed) for name in self.columns))
 
     def _meant(self, name: str, allowed: Collection[str]) -> str:
@@ -266,8 +265,6 @@ class Question(Worded, Given):
         key = meant(name, allowed, "column")
         if key in self.axis_keys or not self._is_missing(key):
             return key
-        from kurbel.reading.names import others
-
         known = (one for one in others(key, allowed) if one not in self.axis_keys)
         return next((one for one in known if not self._is_missing(one)), key)
 

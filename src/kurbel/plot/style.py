@@ -132,7 +132,7 @@ def style(more: Mapping[Any, Any] = MappingProxyType({})) -> Iterator[None]:
     try:
         import matplotlib
     except ImportError:
-        from kurbel.reading.extras import missing_extra
+        from kurbel.reading.environment import missing_extra
 
         raise missing_extra("drawings need matplotlib", "plot") from None
     with _LOCK, matplotlib.rc_context():

@@ -1,7 +1,10 @@
-"""Amounts as pages print them: in metric units, or in those that were typed or asked for.
+"""Units as people write them, in one spelling: kg*m*m of kg m^2, /min of min⁻¹, N/mm/mm of N·mm⁻²; and
+amounts as pages print them: in metric units, or in those that were typed or asked for.
 
 Every factor is an exact rational number, so that a converted digit is as certain as another.
 """
+
+from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -28,6 +31,24 @@ POUND_FORCE = POUND * Fraction("9.80665")
 METRIC, IMPERIAL = "metric", "imperial"
 # Of a column with forces in some rows and moments in others.
 BOTH = "N, N m"
+_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻−", "0123456789+--")
+_FACTOR = (
+    r"\s*(?P<name>[A-Za-zµμ_]+)"
+    r"(?:\s*(?:\^|\*\*)\s*(?P<power>\(\s*[+-]?[1-9]\s*\)|[+-]?[1-9])(?!\d)|(?P<behind>[+-]?[1-9])(?!\d))?"
+)
+_SIGN = r"\s*([*·×⋅/]|-(?=[A-Za-z])|)\s*"
+_OVER = frozenset(("/", "per", "je", "pro"))
+# Two units written as one, of which only the last has the power.
+_JOINED = r"([kMm]?N|kg)(m)|(lbf?)(ft)"
+# Umdrehungen and Pferdestärken, as German data sheets write them: pint's U is the unit of enzymes, and its PS
+# are petasiemens.
+_NAMES = {
+    "μm": "µm", "U": "turn", "Umdr": "turn", "rev": "turn", "PS": "metric_horsepower", "Zoll": "in",
+    "sec": "s", "sek": "s", "Sek": "s", "Upm": "rpm", "UPM": "rpm", "RPM": "rpm", "r": "turn",
+}  # fmt: skip
+_WHOLE = {"turn/min": "rpm", "turn/s": "/s"}
+# Longer ones are not written; their powers are multiplied out.
+_MOST = 12
 
 
 class Unit(NamedTuple):
@@ -165,8 +186,6 @@ def _both(force: Unit, torque: Unit) -> Unit:
 
 def read_units(text: str) -> Units:
     """Return the units of a system, metric or imperial, or those of a list: in; ft/s; lbf."""
-    from kurbel.reading.unit_text import plain_unit
-
     written = {plain_unit(symbol): symbol for symbol in UNITS}
     listed = OF_SYSTEM.get(text.strip().lower(), text)
     chosen: dict[str, Unit] = {}
@@ -224,16 +243,13 @@ def digits(value: Fraction, times: Fraction, shown: Callable[[Fraction], str] = 
     text = shown(value)
     if times == 1:
         return text
-    if _is_power_of_ten(times) and "/" not in text:
+    is_power_of_ten = times == Fraction(1, 10 ** (len(str(1 / times)) - 1))
+    if is_power_of_ten and "/" not in text:
         return moved(text, times, exact=Fraction(text) == value)
     value *= times
     exact = finite_decimals(value)
     decimals = exact if exact is not None and exact <= 6 else max(3, figures(float(value)) - FIGURES + 3)
     return number_text(nearest(value, decimals))
-
-
-def _is_power_of_ten(times: Fraction) -> bool:
-    return times == Fraction(1, 10 ** (len(str(1 / times)) - 1))
 
 
 def moved(text: str, times: Fraction, exact: bool) -> str:
@@ -263,3 +279,47 @@ def _is_own(symbol: str) -> bool:
     """Whether no unit was asked for in place of a metric one."""
     units, dimension = _OF_PAGE.get(), UNITS[symbol].dimension
     return units is None or dimension not in units.chosen or dimension in units.taken
+
+
+def plain_unit(text: str) -> str | None:
+    """Return a unit as factors without powers, N/mm/mm, or None for what is no product of units.
+
+    A stroke is over the next factor only.
+    """
+    above: list[str] = []
+    below: list[str] = []
+    try:
+        for name, power in _factors(text.translate(_SUPERSCRIPTS).strip()):
+            (above if power > 0 else below).extend([name] * abs(power))
+    except ValueError:
+        return None
+    if not 0 < len(above) + len(below) <= _MOST:
+        return None
+    found = "*".join(above) + "".join(f"/{name}" for name in below)
+    return _WHOLE.get(found, found)
+
+
+def _factors(text: str) -> Iterator[tuple[str, int]]:
+    """Yield the names and their powers; raise ValueError for anything else."""
+    rest, sign = re.sub(r"^1\s*(?=/)", "", text), 1
+    if rest.startswith("/"):
+        rest, sign = rest[1:], -1
+    while rest:
+        match = re.match(_FACTOR, rest)
+        if match is None:
+            raise ValueError(text)
+        name, rest = match["name"], rest[match.end() :]
+        if name in _OVER:
+            sign = -1
+            continue
+        power = sign * int((match["power"] or match["behind"] or "1").strip("() "))
+        joined = re.fullmatch(_JOINED, name)
+        first, last = [one for one in joined.groups() if one] if joined else ("", name)
+        if first:
+            yield first, sign
+        yield _NAMES.get(last, last), power
+        between = re.match(_SIGN, rest)
+        assert between is not None
+        sign, rest = -1 if between[1] in _OVER else 1, rest[between.end() :]
+        if between[1] and not rest:
+            raise ValueError(text)

@@ -1,22 +1,41 @@
-"""Options and commands as books and other programs call them, and how they are written here.
+"""Options, commands, ranges and lists as books and other programs write them, and how they are written here.
 
-Loaded where there is no option or command of a name. An option that kurbel has stands here, too, where it is
-taken for another, as --cut-off of steam.
+Loaded where there is no option or command of a name, and where a text is no number and no range, or has a
+comma. An option that kurbel has stands here, too, where it is taken for another, as --cut-off of steam.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from kurbel.errors import KurbelError
+from kurbel.errors import KurbelError, NotationError
 from kurbel.exact.numerals import exact_text
-from kurbel.reading.notation import in_shell
+from kurbel.reading.names import spelled
+from kurbel.reading.notation import angle, clipped, in_shell, quoted, share
 
 _BARE = re.compile(r"[+−-]?[\d.,]+(?:\s*/\s*[\d.,]+)?")
 _LONGEST = 60
+# A number, or an angle with its marks.
+_NUMBER = r"\d+(?:[.,]\d+)?"
+_ONE = rf"[+−-]?{_NUMBER}(?:/{_NUMBER})?(?:\s*(?:°|deg\b)(?:\s*{_NUMBER}\s*['′’])?)?"
+_TO = r"\s*(?:\.{2,}|…|[-–—]|\b(?:to|bis|until|through)\b)\s*"
+_BY = r"\s*(?:\.{2,}|…|:|,|;|\b(?:by|in steps of|steps? of|step|in Schritten von|Schritt|alle)\b)\s*"
+_FROM_TO = re.compile(rf"({_ONE}){_TO}({_ONE})(?:{_BY}({_ONE}))?", re.IGNORECASE)
+_COLONS = re.compile(rf"({_ONE})\s*:\s*({_ONE})(?:\s*:\s*({_ONE}))?")
+_MEMBER = rf"(?:1[:/])?{_ONE}"
+_LIST = re.compile(rf"{_MEMBER}(?:(?:\s+|\s*\|\s*){_MEMBER})+|{_MEMBER}(?:\s*[-–—]\s*{_MEMBER}){{2,}}")
+_TWO = re.compile(rf"{_ONE}\s*[-–—]\s*{_ONE}")
+_BETWEEN = re.compile(r"\s*[-–—|]\s*|\s+")
+_CALL = re.compile(r"(?:\w+\.)?(linspace|arange|range)\s*\(([^()]*)\)")
+_IN_BRACKETS = re.compile(r"[\[({]\s*(.*?)\s*[\])}]")
+# Of a ratio the second part ranges; 1: may stand before its end, too.
+_RATIO = re.compile(r"(1\s*[:/])\s*(.*)")
+_AGAIN = re.compile(r"((?:\.{2,}|…|[-–—]|\bto\b|\bbis\b)\s*)1\s*[:/]\s*")
+_LONGEST_RANGE = 120
+_WHOLE = re.compile(r"[+-]?\d+", re.ASCII)
 
 
 def _with(unit: str) -> Callable[[str], str]:
@@ -128,9 +147,9 @@ COMMANDS = {
 def ours(name: str, value: str, options: Collection[str]) -> tuple[str, str]:
     """Return the option of ours that is meant, among these, and its value as it is written here, both empty
     where none is known; a value that is not given is an example."""
-    asked = _spelled(name)
+    asked = spelled(name.lstrip("-"))
     for one in OPTIONS:
-        if asked in one.words.split() and one.option in options and asked != _spelled(one.option):
+        if asked in one.words.split() and one.option in options and asked != spelled(one.option):
             written = one.read(value.strip()) if value else one.example
             if written:
                 return one.option, written
@@ -146,14 +165,12 @@ def line(name: str, value: str, options: Collection[str]) -> str:
 
 def command(name: str) -> str:
     """Return the command of ours that is meant, nothing if none is known."""
-    asked = _spelled(name)
+    asked = spelled(name.lstrip("-"))
     return next((one for one, words in COMMANDS.items() if asked in words.split()), "")
 
 
 def cut_off(value: str) -> Fraction | None:
     """Return the share of the stroke before a cut-off, None for what is none."""
-    from kurbel.reading.shares import share
-
     try:
         found = share(value)
     except KurbelError:
@@ -161,7 +178,97 @@ def cut_off(value: str) -> Fraction | None:
     return found if 0 < found < 1 else None
 
 
-def _spelled(name: str) -> str:
-    from kurbel.reading.names import spelled
+def respelled(text: str, ratios: bool = False, lists: bool = False) -> str:
+    """Return a range or list of another spelling in kurbel's, nothing for a text that is neither.
 
-    return spelled(name.lstrip("-"))
+    Two numbers with a dash are a range, or one of the `lists`.
+    """
+    text = text.strip()
+    if len(text) > _LONGEST_RANGE:
+        return ""
+    if called := _CALL.fullmatch(text):
+        return _of_call(called[1], [part.strip() for part in called[2].split(",")])
+    bracketed = _IN_BRACKETS.fullmatch(text)
+    inner = bracketed[1] if bracketed else text
+    if lists and _TWO.fullmatch(inner):
+        return ";".join(_BETWEEN.split(inner))
+    if ratios and (start := _RATIO.fullmatch(inner)):
+        found = _range(_AGAIN.sub(r"\1", start[2]), colons=False)
+        found = f"{start[1]}{found}" if found else ""
+    else:
+        found = _range(inner, colons=not ratios)
+    if not found and _LIST.fullmatch(inner):
+        return ";".join(_BETWEEN.split(inner))
+    if not found and bracketed and re.search("[,;]", inner):
+        return ";".join(part.strip() for part in re.split("[,;]", inner))
+    return found
+
+
+def check_commas(text: str, read: Callable[[str], Fraction], what: str) -> None:
+    """Raise NotationError if commas could part a list: 2,3 or 1:4,1:5; in 1:4,5 they cannot."""
+    parts = [part.strip() for part in text.split(",")]
+    if len(parts) == 1 or not all(_is_read(part, read) for part in parts):
+        return
+    listed = in_shell(clipped(";".join(parts)))
+    if not _is_read(text, read):
+        raise NotationError(
+            f"{what} {quoted(text)} has commas between its values; write the list as {listed}"
+        )
+    if all(_WHOLE.fullmatch(part) for part in parts):
+        decimal = ".".join(parts)
+        raise NotationError(
+            f"{what} {quoted(text)} can be read as the number {decimal} or the list {listed};"
+            f" write {decimal} or {listed}"
+        )
+
+
+def _is_read(text: str, read: Callable[[str], Fraction]) -> bool:
+    try:
+        read(text)
+    except NotationError:
+        return False
+    return True
+
+
+def _range(text: str, colons: bool) -> str:
+    match = _FROM_TO.fullmatch(text)
+    if match is None and colons and (match := _COLONS.fullmatch(text)):
+        first, middle, last = match.groups()
+        if last is None:
+            # 3:1 is a ratio.
+            return f"{first}..{middle}" if _steps("0", first, middle) else ""
+        return _written(first, last, middle) if _steps(first, middle, last) else _written(first, middle, last)
+    return _written(*match.groups()) if match else ""
+
+
+def _written(first: str, last: str, step: str | None) -> str:
+    if step is None and "/" in last and "/" not in first:
+        # The step of 0-180/10.
+        last, step = last.split("/")
+    found = f"{first.strip()}..{last.strip()}"
+    return f"{found}:{step.strip()}" if step else found
+
+
+def _steps(first: str, step: str, last: str) -> bool:
+    """Whether the middle of three numbers is the step: 0:10:180, but not 0:180:10."""
+    try:
+        return angle(step) <= angle(last) - angle(first)
+    except NotationError:
+        return True
+
+
+def _of_call(name: str, parts: Sequence[str]) -> str:
+    """Return the range of linspace(first, last, count), or of arange(first, beyond, step)."""
+    try:
+        numbers = [Fraction(part) for part in parts]
+        if name == "linspace" and len(numbers) == 3:
+            first, last, count = numbers
+            return _written(parts[0], parts[1], exact_text((last - first) / (count - 1)))
+        if name != "linspace" and len(numbers) in (2, 3):
+            first, beyond = numbers[:2]
+            step = numbers[2] if len(numbers) == 3 else Fraction(1)
+            whole = first + step * (-(-(beyond - first) // step) - 1)
+            return _written(parts[0], exact_text(whole), exact_text(step))
+    except (ValueError, ZeroDivisionError):
+        return ""
+    return ""

@@ -16,8 +16,9 @@ from importlib import import_module
 from itertools import chain
 from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeAlias, cast
 
-from kurbel.errors import ChoiceError, NotationError
+from kurbel.errors import ChoiceError, NotationError, OutsideError
 from kurbel.reading import notation
+from kurbel.reading.names import did_you_mean, otherwise
 
 if TYPE_CHECKING:
     import numpy as np
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
 # A float is read by its shortest decimal, so that 0.2 is 1/5; text as on the command line.
 Exact: TypeAlias = str | int | float | Fraction | Decimal
 P = ParamSpec("P")
+# Whose folder it is in which files have to lie.
+HANDBOOK, DOCUMENT = "handbook", "document"
 _EITHER_WAY = r"\s*(?:±|\+/?[-−])\s*(?=[\d.,])"
 
 
@@ -55,8 +58,6 @@ class File(os.PathLike[str]):
     def __fspath__(self) -> str:
         path = os.path.join(self.folder, self.name)
         if self.inside:
-            from kurbel.reading.inside import check_inside
-
             check_inside(path, self.folder, self.name, self.inside)
         return path
 
@@ -78,6 +79,29 @@ class File(os.PathLike[str]):
         return File(name, self.folder, self.inside)
 
 
+def is_inside(path: str, folder: str) -> bool:
+    """Tell whether a file lies in a folder."""
+    home = os.path.join(os.path.realpath(folder or "."), "")
+    return os.path.join(os.path.realpath(path), "").startswith(home)
+
+
+def check_inside(path: str, folder: str, name: str, whose: str = HANDBOOK) -> None:
+    """Raise OutsideError for a file that lies outside of the folder; `name` is what it was called.
+
+    `whose` the folder is: that of a handbook or of a document.
+    """
+    if not is_inside(path, folder):
+        raise OutsideError(name, whose)
+
+
+def check_below(path: str, folder: str, name: str, whose: str) -> None:
+    """Raise the same for a folder that has something in it which leads out; a file has nothing in it."""
+    for way, folders, files in os.walk(path):
+        for one in (*folders, *files):
+            file = os.path.join(way, one)
+            check_inside(file, folder, os.path.join(name, os.path.relpath(file, path)), whose)
+
+
 def found_at(place: str) -> Any:
     """Return what stands at a place as registries have it, "module:name"."""
     module, _, name = place.partition(":")
@@ -93,9 +117,7 @@ def meant(name: str, allowed: Iterable[str], what: str) -> str:
     """Return the name that is meant, which may be written with capitals or by another word for it."""
     names = [*allowed]
     if isinstance(name, str) and name not in names:
-        from kurbel.reading.names import meant as found
-
-        name = found(name, names) or name
+        name = otherwise(name, names) or name
     return _chosen(name, names, what, words=True)
 
 
@@ -106,16 +128,6 @@ def _chosen(name: str, names: Sequence[str], what: str, words: bool = False) -> 
         return name
     near = did_you_mean(name, names, words)
     raise ChoiceError(f'there is no {what} "{name[:60]}"{near}; choose from {", ".join(names)}')
-
-
-def did_you_mean(name: str, names: Iterable[str], words: bool = False) -> str:
-    """Return a question with the nearest of the names, or nothing if none is near."""
-    from kurbel.reading.names import near
-
-    found = near(name, [*names], words)
-    *first, last = found or [""]
-    listed = f"{', '.join(first)} or {last}" if first else last
-    return f" (did you mean {listed}?)" if found else ""
 
 
 def read_values(
@@ -154,9 +166,7 @@ def as_numbers(given: Exact | Iterable[Exact], what: str) -> tuple[Fraction, ...
 
 def as_shares(given: Exact | Iterable[Exact], what: str = "share") -> tuple[Fraction, ...]:
     """Read shares, each once."""
-    from kurbel.reading.shares import shares
-
-    return tuple(read_values(given, lambda texts: shares(texts, what), as_fraction))
+    return tuple(read_values(given, lambda texts: notation.shares(texts, what), as_fraction))
 
 
 def as_expansions(given: Exact | Iterable[Exact]) -> tuple[Fraction, ...]:
@@ -164,9 +174,7 @@ def as_expansions(given: Exact | Iterable[Exact]) -> tuple[Fraction, ...]:
     try:
         return as_numbers(given, "expansion ratio")
     except NotationError:
-        from kurbel.reading.shares import refuse_cut_off
-
-        refuse_cut_off(given)
+        notation.refuse_cut_off(given)
         raise
 
 
@@ -202,7 +210,7 @@ def _irregularity(text: str) -> Fraction:
     if either_way:
         return 2 * _irregularity(text[either_way.end() :])
     try:
-        return _share(text) if text.strip().endswith("%") else notation.ratio(text)
+        return notation.share(text) if text.strip().endswith("%") else notation.ratio(text)
     except NotationError:
         raise NotationError(
             f"degree of irregularity {notation.quoted(text)} cannot be read; write it as 1:100, 0.01 or 1%"
@@ -226,12 +234,6 @@ def as_names(given: str | Iterable[str] | None, example: str = "phi,x,c,p") -> t
     return tuple(dict.fromkeys(chain.from_iterable(parts.values())))
 
 
-def _share(text: str, what: str = "share") -> Fraction:
-    from kurbel.reading.shares import share
-
-    return share(text, what)
-
-
 def as_fraction(value: Exact) -> Fraction:
     return Fraction(value) if isinstance(value, (int, Fraction)) else notation.number(str(value))
 
@@ -248,7 +250,7 @@ def _exactly(read: Callable[Concatenate[str, P], Fraction]) -> Callable[Concaten
 as_ratio = _exactly(notation.ratio)
 as_angle = _exactly(notation.angle)
 as_number = _exactly(notation.number)
-as_share = _exactly(_share)
+as_share = _exactly(notation.share)
 
 
 def _measured(name: str) -> Callable[..., Fraction]:

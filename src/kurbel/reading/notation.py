@@ -7,12 +7,16 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from kurbel.errors import NotationError
+from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import about as about
+from kurbel.exact.numerals import exact_text
 from kurbel.exact.numerals import plain as plain
 from kurbel.exact.numerals import ratio_text as ratio_text
+
+if TYPE_CHECKING:
+    from kurbel.reading.given import Exact
 
 LONGEST_NUMBER = 60
 # A range is three numbers; a longer text would keep the patterns of ranges busy for minutes.
@@ -36,6 +40,10 @@ _ANGLE = (
 # Before another ratio, and between its crank and its rod.
 _COMMA, _COLON = r",\s*(?=\d+(?:\.\d+)?\s*[:∶])", "[:∶]"
 _INFINITE = {"∞", "inf", "oo"}
+_PERCENT = re.compile(r"(.*?)\s*(%|‰|percent|per cent|Prozent|v\. ?H\.)", re.DOTALL | re.IGNORECASE)
+_PER_MILLE = "‰"
+# The comma of a decimal: of few lists of shares the second is a whole number.
+_ZERO_COMMA = re.compile(r"(?<![\d.,])0,(?=\d)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,7 +230,7 @@ def _read(
     try:
         return several(part) if ".." in part else [one(part)]
     except NotationError:
-        from kurbel.reading.ranges import respelled
+        from kurbel.reading.foreign import respelled
 
         spelled = respelled(part, one is ratio, lists)
         if spelled in ("", part):
@@ -246,7 +254,7 @@ def parts_of(texts: Iterable[str], read: Callable[[str], Fraction], what: str) -
     """Yield the parts of lists, each of which is one value or a range."""
     for text in texts:
         if "," in text:
-            from kurbel.reading.ranges import check_commas
+            from kurbel.reading.foreign import check_commas
 
             check_commas(text, read, what)
         parts = [part.strip() for part in text.split(";")]
@@ -315,3 +323,48 @@ def quoted(text: str) -> str:
 
 def clipped(text: str) -> str:
     return text if len(text) <= LONGEST_NUMBER else f"{text[:20]}..."
+
+
+def share(text: str, what: str = "share") -> Fraction:
+    """Return a share: "0.05", "0,05", "1/20", "1:20", "5%", "5 %"."""
+    stripped = text.strip()
+    part = _PERCENT.fullmatch(stripped)
+    above, colon, below = stripped.partition(":")
+    try:
+        if part:
+            return number(part[1], what) / (1000 if part[2] == _PER_MILLE else 100)
+        if colon:
+            return number(above, what) / number(below, what)
+    except (NotationError, ZeroDivisionError):
+        raise NotationError(
+            f"{what} {quoted(text)} is not a share; write it as 0.05, 5%, 1/20 or 1:20"
+        ) from None
+    return number(stripped, what)
+
+
+def shares(texts: Iterable[str], what: str = "share") -> tuple[Fraction, ...]:
+    """Return the shares of lists and ranges, each once: "2/3", "50%;60%", "0..1:0.1", "0,5"."""
+    decimals = (_ZERO_COMMA.sub("0.", text) for text in texts)
+    return tuple(dict.fromkeys(each_number(decimals, what, partial(share, what=what))))
+
+
+def refuse_cut_off(given: Exact | Iterable[Exact]) -> None:
+    """Raise ProblemError for an expansion ratio that is the share of the stroke before the cut-off."""
+    values = [given] if isinstance(given, str) or not isinstance(given, Iterable) else given
+    for text in (part for value in values for part in str(value).split(";")):
+        try:
+            # Of 2:6 a range is more likely to be meant.
+            found = share(text) if ":" not in text or text.strip().startswith("1:") else Fraction(1)
+        except NotationError:
+            continue
+        if 0 < found < 1:
+            raise ProblemError(too_small(found))
+
+
+def too_small(expansion: Fraction) -> str:
+    """Return the sentence that refuses an expansion ratio below 1."""
+    meant = f": after {exact_text(expansion)} of it, ε = {exact_text(1 / expansion)}" if expansion > 0 else ""
+    return (
+        f"expansion ratio ε is {about(expansion)}; it must be 1 (no expansion) or more,"
+        f" for the cut-off comes after the share 1/ε of the stroke{meant}"
+    )

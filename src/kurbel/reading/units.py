@@ -1,4 +1,4 @@
-"""Lengths, speeds and powers with their units, exact: 600mm, 3/8 in, 120/min, 12.5 rad/s, 50kW.
+"""Lengths, speeds and powers with their units, exact: 600mm, 3/8 in, 120/min, 12.5 rad/s; lists of them.
 
 The units of everyday are known; all others need the extra `units`, whose registry takes a second to load.
 """
@@ -6,7 +6,7 @@ The units of everyday are known; all others need the extra `units`, whose regist
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
@@ -14,9 +14,9 @@ from typing import Any
 
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import exact_text
-from kurbel.reading.amounts import FOOT, INCH, POUND, POUND_FORCE
+from kurbel.reading.amounts import FOOT, INCH, POUND, POUND_FORCE, plain_unit
+from kurbel.reading.given import Exact, as_angle, as_crank_angles, as_fraction
 from kurbel.reading.notation import about, number, quoted
-from kurbel.reading.unit_text import plain_unit
 
 
 def _scaled(units: Mapping[str, int | str]) -> Mapping[str, Fraction]:
@@ -30,6 +30,9 @@ _MEASURE = rf"\s*({BEFORE_UNIT})\s*((?:(?:1\s*)?/\s*)?[A-Za-zµμ].*?)?\s*"
 # 2' 6", 24", 2ft 6in
 _FEET = r"""(?:(\d+)\s*(?:'|′|’|ft|feet)\s*)?(?:([\d./ ]*\d)\s*(?:"|″|”|''|in|inch|inches))?"""
 _LONGEST = 80
+# Lists of more characters are not written by hand; what is asked for in one.
+LONGEST_LIST = 10_000
+UNKNOWN = "?"
 # With which pint answers what is no unit; an unknown one with an AttributeError of its own.
 PINT_ERRORS = (AttributeError, ValueError, TypeError, AssertionError)
 _LARGEST = 10**9
@@ -119,6 +122,25 @@ class Measure:
         if value is None:
             value = Fraction(_quantity(text, what, self.example, self.dimension).to(self.unit).magnitude)
         return _checked(value, text, what, self.unit, self.most) if self.most else value
+
+    def each(self, given: Exact | Iterable[Exact], what: str) -> tuple[Fraction, ...]:
+        """Return the values of a list, as a book has them: 200kg;300kg, or 0;400;800mm.
+
+        Where the last value that is given is the only one with a unit, it is that of all. Raises
+        NotationError for a value that is asked for with a ?.
+        """
+        found = self.each_or_unknown(given, what)
+        known = tuple(value for value in found if value is not None)
+        if len(known) < len(found):
+            raise NotationError(f"{what} has a ?, but it is not found from the others; give it")
+        return known
+
+    def each_or_unknown(self, given: Exact | Iterable[Exact], what: str) -> tuple[Fraction | None, ...]:
+        """Return the same, None where a ? stands."""
+        parts = _entries(given, what)
+        if isinstance(given, str):
+            parts = _with_unit(parts, self.unit)
+        return tuple(_entry(part, lambda text: self(text, what)) for part in parts)
 
 
 # "600mm", "0,6 m", "23.5 inch"; "-20mm"
@@ -303,7 +325,47 @@ def registry() -> Any:
     try:
         import pint
     except ImportError:
-        from kurbel.reading.extras import missing_extra
+        from kurbel.reading.environment import missing_extra
 
         raise missing_extra("quantities with units need pint", "units") from None
     return pint.UnitRegistry(non_int_type=Fraction)
+
+
+def as_angles_or_unknown(given: Exact | Iterable[Exact]) -> tuple[Fraction | None, ...]:
+    """Return angles in degrees, several of which may be equal, None where a ? stands."""
+    if isinstance(given, str) and UNKNOWN not in given:
+        return tuple(as_crank_angles(given))
+    return tuple(_entry(part, as_angle) for part in _entries(given, "angle"))
+
+
+def _entries(given: Exact | Iterable[Exact], what: str) -> list[Any]:
+    if not isinstance(given, str):
+        return [*given] if isinstance(given, Iterable) else [given]
+    if len(given) > LONGEST_LIST:
+        raise NotationError(
+            f"{what} {quoted(given)} has {len(given)} characters; at most {LONGEST_LIST} are read"
+        )
+    parts = [part.strip() for part in given.split(";")]
+    if not all(parts):
+        raise NotationError(f"{what} {quoted(given)} has an empty place; write a list as '2;3;4'")
+    return parts
+
+
+def _with_unit(parts: list[str], zero: str) -> list[str]:
+    """Return the parts with the unit of the last, 4kg or ?kg, where it is the only one; 0 needs none."""
+    asked = parts[-1].removeprefix(UNKNOWN).strip() if parts[-1].startswith(UNKNOWN) else ""
+    if asked:
+        parts = [*parts[:-1], UNKNOWN]
+    known = [part for part in parts if part != UNKNOWN]
+    unit = asked
+    if measured := [part for part in known if is_measure(part)]:
+        last = known[-1].lstrip("+-−0123456789., ")
+        unit = last if measured == known[-1:] and asked in ("", last) else ""
+    named = [part + unit if part != UNKNOWN and not is_measure(part) else part for part in parts]
+    return [f"0{zero}" if part == "0" else part for part in named]
+
+
+def _entry(part: Any, read: Callable[[str], Fraction]) -> Fraction | None:
+    if not isinstance(part, str):
+        return as_fraction(part)
+    return None if part.strip() == UNKNOWN else read(part)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import kurbel
-from kurbel.commands.steps.several import Written
+from kurbel.commands.sliders import Written
 from kurbel.exact.numerals import exact_text
 from kurbel.motion.captions import formula_lines
 from kurbel.motion.page import Request

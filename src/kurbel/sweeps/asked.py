@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from kurbel.commands.options import TEXT, Option, is_given
 from kurbel.commands.part import Values, flag_of
-from kurbel.commands.steps.several import figures, parted, several
+from kurbel.commands.sliders import figures, parted, several
 from kurbel.commands.subject import SPELLED, Command
 from kurbel.errors import KurbelError, NotationError, ProblemError
 from kurbel.motion.page import AngleQuestion, is_beyond

@@ -19,7 +19,7 @@ from time import monotonic, sleep
 from typing import Any, TypeVar
 
 from kurbel.errors import ChoiceError, FailedError
-from kurbel.reading.extras import missing_extra
+from kurbel.reading.environment import missing_extra
 from kurbel.sweeps.versions import LIBRARIES, NONE, content_of, makers, other
 
 try:

@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 
 from kurbel.commands.options import TEXT, Option
-from kurbel.commands.steps.several import Written, parted
+from kurbel.commands.sliders import Written, parted
 from kurbel.errors import KurbelError, NotationError
 from kurbel.motion.bulk import float_angles
 from kurbel.reading import notation, units
+from kurbel.reading.amounts import plain_unit
 from kurbel.reading.given import as_fraction, as_share
 from kurbel.reading.notation import Progression
-from kurbel.reading.unit_text import plain_unit
 from kurbel.sweeps.plan import Axis, Places, Plan, Points, text_of
 
 # Units of the SI by what pint calls their dimension.

@@ -18,7 +18,7 @@ from kurbel.commands.options import Option, is_given
 from kurbel.commands.part import Origin, Values
 from kurbel.commands.subject import MACHINE, Command, of_machine
 from kurbel.errors import ChoiceError, KeywordError, NotationError, ProblemError
-from kurbel.reading.extras import need
+from kurbel.reading.environment import need
 from kurbel.reading.given import meant
 from kurbel.sweeps.about import cf_of, cf_of_file
 from kurbel.sweeps.asked import planned

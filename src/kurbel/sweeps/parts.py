@@ -22,7 +22,7 @@ import pyarrow as pa
 import pyarrow.compute as compute
 
 from kurbel.errors import ChoiceError, OutputError
-from kurbel.reading.extras import need
+from kurbel.reading.environment import need
 from kurbel.reading.given import meant
 from kurbel.sweeps.arrow import REASON, own_batch_of, with_options
 from kurbel.sweeps.columns import MISSING

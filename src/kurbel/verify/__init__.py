@@ -10,7 +10,7 @@ from __future__ import annotations
 from importlib.util import find_spec
 
 if find_spec("mpmath") is None:  # pragma: no cover
-    from kurbel.reading.extras import missing_extra
+    from kurbel.reading.environment import missing_extra
 
     raise missing_extra("a second computation needs mpmath", "verify")
 

@@ -33,9 +33,9 @@ from kurbel.page.table import (
     Row,
     Table,
     Value,
+    Worded,
     check_label,
 )
-from kurbel.page.wording import Worded
 from kurbel.reading.given import choose
 from kurbel.reading.notation import about, plain, ratio_text
 

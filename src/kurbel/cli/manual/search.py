@@ -18,7 +18,7 @@ from kurbel.cli.manual.help import GAP, folded
 from kurbel.cli.manual.topics import flag_of, options_of, topics_of
 from kurbel.cli.manual.wants import WANTS
 from kurbel.errors import ChoiceError, OutputError
-from kurbel.reading.given import did_you_mean
+from kurbel.reading.names import did_you_mean
 
 # What others call it, and what is searched for then.
 SYNONYMS: Mapping[str, Sequence[str]] = {
@@ -167,8 +167,8 @@ def _options() -> Iterator[Found]:
 
 
 def _quantities() -> Iterator[Found]:
+    from kurbel.page.layouts import SUBJECTS
     from kurbel.page.subject import subject
-    from kurbel.page.subjects import SUBJECTS
 
     for about in map(subject, SUBJECTS):
         for one, command in about.entries():
@@ -178,7 +178,7 @@ def _quantities() -> Iterator[Found]:
 
 
 def _layouts() -> Iterator[Found]:
-    from kurbel.cli.lists import printing
+    from kurbel.cli.listing import printing
     from kurbel.page.layouts import layout, layout_names
 
     for one in map(layout, layout_names()):

@@ -5,9 +5,10 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from kurbel.commands.options import FLAG, Option, measure
+from kurbel.commands.options import FLAG, Choice, Option, measure, word
 from kurbel.commands.part import Part
 from kurbel.errors import ProblemError
+from kurbel.exact.numerals import DECIMALS
 from kurbel.reading.given import as_length, as_number
 
 if TYPE_CHECKING:
@@ -44,6 +45,11 @@ def as_seconds(given: Any, what: str) -> float:
     return found
 
 
+# The decimal mark of a drawing by itself; that of a page stands with its formats.
+DECIMAL = word(
+    "comma or point; default: by the language.", kind=Choice("decimal mark", DECIMALS),
+    environment="KURBEL_DECIMAL", last=True,
+)  # fmt: skip
 flag = partial(Option, kind=FLAG, default=False, last=True)
 
 

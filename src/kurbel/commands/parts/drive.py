@@ -167,6 +167,12 @@ class Turning(Speed, Method):
     )  # fmt: skip
 
 
+OF_MASSES = Turning.method.but(
+    help="Of moving masses: exact (default), series (accelerated to first order, the rod at its true"
+    " angle) or infinite (rod of infinite length)."
+)
+
+
 class Series(Method):
     """The same, of a series with its order."""
 

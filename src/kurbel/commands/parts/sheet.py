@@ -58,6 +58,13 @@ class Printed(Words, total=False):
     units: Units | None
 
 
+class OnPage(Printed):
+    """The same, with the layout and the columns of the question."""
+
+    layout: Layout
+    columns: tuple[str, ...]
+
+
 class Layouts(Part):
     """Which page of those that a command has."""
 
@@ -151,6 +158,10 @@ class Plain(Worded):
     def printed(self) -> Printed:
         """Return how the page is to be printed."""
         return {**self.worded(), "digits": self.digits, "rounding": self.rounding, "units": None}
+
+    def on_page(self, page: Layout, example: str) -> OnPage:
+        """Return the same with the layout and the columns that are asked for."""
+        return {"layout": page, "columns": self.names(example), **self.printed()}
 
 
 class Sheet(Plain):

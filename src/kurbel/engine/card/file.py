@@ -57,7 +57,7 @@ from kurbel.reading.csv_file import (
     read_rows,
     shown,
 )
-from kurbel.reading.given import did_you_mean
+from kurbel.reading.names import did_you_mean
 
 KIND = Kind("card", "point", CardError)
 LEAST_POINTS = 8
@@ -191,7 +191,7 @@ def pressure_unit(text: str) -> float:
 
 def _pascals(unit: str) -> float | None:
     """Return the unit in Pa, None if pint does not know it or it is no pressure."""
-    from kurbel.reading.unit_text import plain_unit
+    from kurbel.reading.amounts import plain_unit
     from kurbel.reading.units import unit_in
 
     plain = plain_unit(unit)

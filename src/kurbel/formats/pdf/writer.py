@@ -22,8 +22,8 @@ from kurbel.errors import LayoutError, OutputError, ProblemError
 from kurbel.formats.pdf import STANDARDS, Standard
 from kurbel.formats.writer import CompiledWriter
 from kurbel.page.table import Table
-from kurbel.reading.dates import source_date_epoch
-from kurbel.reading.keywords import checks_keywords
+from kurbel.reading.environment import source_date_epoch
+from kurbel.reading.names import checks_keywords
 
 
 class Edit(NamedTuple):
@@ -268,7 +268,7 @@ def _mistakes_as_sentences(folder: str, lines_before: int) -> Iterator[None]:
     try:
         from typst import TypstError
     except ImportError:
-        from kurbel.reading.extras import missing_extra
+        from kurbel.reading.environment import missing_extra
 
         raise missing_extra("PDF needs typst", "pdf") from None
     try:

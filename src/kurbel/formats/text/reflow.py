@@ -13,9 +13,8 @@ from typing import NamedTuple
 from kurbel.formats.page import Page, PageCell, PageGroup, PageNote, PagePanel
 from kurbel.formats.spacing import widest
 from kurbel.formats.text.writer import TIGHTEST, Measure, grid_with, grids_of, measured
-from kurbel.page.labels import mark_text
+from kurbel.page.labels import fitted, lines_of, longest_word, mark_text
 from kurbel.page.table import UNIT, Column, Group, Panel, Row, Table
-from kurbel.page.wrap import fitted, lines_of, longest_word
 
 # A column of words is not squeezed below that.
 NARROWEST = 14

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from kurbel.exact.numerals import Number, number_text
 from kurbel.formats.sheet import Look, Sheet, SheetCell, Workbook, bare, runs
 from kurbel.formats.writer import WorkbookWriter
-from kurbel.reading.extras import missing_extra
+from kurbel.reading.environment import missing_extra
 
 if TYPE_CHECKING:
     from xlsxwriter.format import Format

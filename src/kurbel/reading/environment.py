@@ -1,4 +1,4 @@
-"""What installs a library that is missing: the checkout kurbel came from, with its extra."""
+"""Where kurbel runs: the date for what is made, SOURCE_DATE_EPOCH, and what installs a library."""
 
 from __future__ import annotations
 
@@ -6,11 +6,26 @@ import json
 import os
 import shlex
 import sys
-from importlib.metadata import PackageNotFoundError, distribution
 from importlib.util import find_spec
 from typing import Any
 
-from kurbel.errors import MissingExtraError
+from kurbel.errors import MissingExtraError, NotationError
+
+EPOCH = "SOURCE_DATE_EPOCH"
+# The last second of the year 9999, with which dates in a PDF end.
+LAST = 253402300799
+
+
+def source_date_epoch() -> int | None:
+    """Return the date that the environment sets for what is made, in seconds since 1970, if it does."""
+    text = os.environ.get(EPOCH, "")
+    if not text:
+        return None
+    if not (text.isascii() and text.isdigit() and int(text[:20]) <= LAST):
+        raise NotationError(
+            f'{EPOCH} is "{text[:40]}"; it must be a number of seconds from 1970 up to the year 9999'
+        )
+    return int(text)
 
 
 def missing_extra(sentence: str, extra: str) -> MissingExtraError:
@@ -40,6 +55,9 @@ def how_to_install(extra: str) -> str:
 
 
 def _wanted(extra: str) -> list[str]:
+    # Nothing else asks what is installed.
+    from importlib.metadata import PackageNotFoundError, distribution
+
     try:
         installed = distribution("kurbel")
     except PackageNotFoundError:

@@ -1,22 +1,24 @@
-"""Which options of a page are sliders, and what their steps are."""
+"""The values of an option that is given several, and which options of a page are sliders, by which steps."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 from math import prod
 from typing import Any, NamedTuple
 
-from kurbel.commands.options import Option, is_given
-from kurbel.commands.steps.several import figures, is_measured, parted, values_of
-from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Label, ratio_text
+from kurbel.commands.options import TEXT, Option, is_given
+from kurbel.errors import NotationError, ProblemError
+from kurbel.exact.numerals import Label, finite_decimals, ratio_text
 from kurbel.page.build import MOST_CELLS
 from kurbel.page.quantity import Words, words
 from kurbel.page.steps import Slider
+from kurbel.reading import notation
 from kurbel.reading.given import as_ratios
-from kurbel.reading.notation import check_length, number
+from kurbel.reading.notation import Progression, check_length, number, plain, progression, quoted
 
 # Two hundred pages of the usual size are some seconds and about half a megabyte.
 MOST_STEPS = 1000
@@ -44,6 +46,9 @@ WORDS: Mapping[str, Words] = {
     "acceleration": words("Winkelbeschleunigung der Kurbel|Angular acceleration of the crank"),
     "flywheel": words("Schwungrad|Flywheel"),
 }
+LONGEST = 10**6
+_MEASURE = re.compile(r"([-−+]?[\d.,]+(?:[eE][+-]?\d+)?(?:/\d+)?)\s*(.*)")
+_RANGE = re.compile(r"(.+?)\.\.([^:]+)(?::(.+))?")
 
 
 class Choice(NamedTuple):
@@ -137,3 +142,94 @@ def _written(text: str) -> Label:
         return text.replace("$", "")
     space = " " if unit and not unit.startswith(("/", "°")) else ""
     return f"${figures(number(shown))}${space}{unit.replace('$', '')}"
+
+
+@dataclass(frozen=True, slots=True)
+class Written(Sequence[str]):
+    """Equally spaced numbers as one types them, with the unit of their range: 100/min, 120/min."""
+
+    numbers: Progression
+    unit: str
+
+    def __len__(self) -> int:
+        return self.numbers.size
+
+    def __getitem__(self, index: Any) -> Any:
+        if isinstance(index, slice):
+            return Written(self.numbers[index], self.unit)
+        return f"{figures(self.numbers[index])}{self.unit}"
+
+
+def several(option: Option[Any], texts: Iterable[Any]) -> Sequence[Any]:
+    """Return the values that the texts list, each once, as the command takes them one at a time.
+
+    A range is never written out. Raises NotationError.
+    """
+    name, given = option.name, list(texts)
+    if option.whole:
+        return tuple(dict.fromkeys(given))
+    if not all(isinstance(one, str) for one in given):
+        return tuple(dict.fromkeys(given))
+    if name == "ratio":
+        return notation.ratios(given, LONGEST)
+    if option.unit == "degrees":
+        return notation.angles(given) if any(";" in one or ".." in one for one in given) else tuple(given)
+    values = values_of(name, given)
+    if option.kind is TEXT:
+        return values
+    return tuple(dict.fromkeys(option.kind.read(one, {}) for one in values))
+
+
+def values_of(name: str, texts: Sequence[str]) -> Sequence[str]:
+    """Return the values of lists and ranges of numbers with or without units, each once."""
+    parts = [part.strip() for text in texts for part in text.split(";")]
+    if len(parts) > 1 and not all(parts):
+        raise NotationError(f"{name} {quoted(';'.join(texts))} has an empty place; write a list as '2;3;4'")
+    parts = _in_one_unit(parts)
+    if len(parts) == 1:
+        return _range(parts[0], name) if ".." in parts[0] else tuple(parts)
+    found: list[str] = []
+    for part in parts:
+        values: Sequence[str] = _range(part, name) if ".." in part else (part,)
+        check_length(len(found) + len(values), LONGEST, f"values of --{name.replace('_', '-')}")
+        found += values
+    return tuple(dict.fromkeys(found))
+
+
+def _in_one_unit(parts: list[str]) -> list[str]:
+    """Return the parts with the unit that stands behind the last one alone: 100;120/min."""
+    unit = parted(parts[-1])[1]
+    bare = all(not parted(one)[1] and is_measured(one) for one in parts[:-1])
+    if len(parts) == 1 or not bare or not unit or unit in ("%", "°") or ".." in parts[-1]:
+        return parts
+    return [*(f"{one}{unit}" for one in parts[:-1]), parts[-1]]
+
+
+def _range(text: str, name: str) -> Written:
+    """Return the values of a range, whose unit may stand at each of its parts or once: 100..140:20/min."""
+    match = _RANGE.fullmatch(text)
+    if match is None:
+        raise NotationError(f"{name} {quoted(text)} is not a range; write it as 2..6 or 2..6:0.5")
+    parts = [parted(part) for part in match.groups("1")]
+    units = dict.fromkeys(unit for _, unit in parts if unit)
+    if len(units) > 1:
+        raise NotationError(
+            f"{name} {quoted(text)} has the units {' and '.join(units)}; give its ends and its step in one"
+        )
+    first, last, step = (number(shown, name) for shown, _ in parts)
+    return Written(progression(first, last, step, name), next(iter(units), ""))
+
+
+def parted(text: str) -> tuple[str, str]:
+    """Return the figures of a value, and its unit; what has no figures is all figures."""
+    match = _MEASURE.fullmatch(text.strip())
+    return (match[1], match[2]) if match else (text, "")
+
+
+def is_measured(text: str) -> bool:
+    """Whether the text begins with figures."""
+    return _MEASURE.fullmatch(text) is not None
+
+
+def figures(value: Fraction) -> str:
+    return str(value) if finite_decimals(value) is None else plain(value)

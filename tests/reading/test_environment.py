@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import pytest
 from places import ROOT
 
-from kurbel.reading import extras
+from kurbel.reading import environment
 
 
 @dataclass
@@ -47,20 +47,20 @@ class Installed:
 def test_the_hint_names_where_kurbel_came_from(
     noted: object, words: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(extras, "distribution", lambda name: Installed(noted))
-    assert extras.how_to_install("pdf") == f"{sys.executable} -m pip install {words}"
+    monkeypatch.setattr("importlib.metadata.distribution", lambda name: Installed(noted))
+    assert environment.how_to_install("pdf") == f"{sys.executable} -m pip install {words}"
 
 
 def test_without_pip_it_is_uv(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(extras, "find_spec", lambda name: None)
-    monkeypatch.setattr(extras, "distribution", lambda name: Installed(None))
-    assert extras.how_to_install("units") == f"uv pip install --python {sys.executable} 'pint>=0.24'"
+    monkeypatch.setattr(environment, "find_spec", lambda name: None)
+    monkeypatch.setattr("importlib.metadata.distribution", lambda name: Installed(None))
+    assert environment.how_to_install("units") == f"uv pip install --python {sys.executable} 'pint>=0.24'"
 
 
 def test_windows_has_double_quotes(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("kurbel.reading.extras.os.name", "nt")
-    assert extras._quoted("C:\\Program Files\\kurbel[pdf]") == '"C:\\Program Files\\kurbel[pdf]"'
-    assert extras._quoted("--editable") == "--editable"
+    monkeypatch.setattr("kurbel.reading.environment.os.name", "nt")
+    assert environment._quoted("C:\\Program Files\\kurbel[pdf]") == '"C:\\Program Files\\kurbel[pdf]"'
+    assert environment._quoted("--editable") == "--editable"
 
 
 def test_nothing_tells_to_install_the_bare_name() -> None:

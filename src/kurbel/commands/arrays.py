@@ -21,7 +21,7 @@ from kurbel.exact.kind import floats
 from kurbel.motion.page import AngleQuestion
 from kurbel.page.quantity import Quantity
 from kurbel.page.subject import Question
-from kurbel.reading.keywords import unknown
+from kurbel.reading.names import unknown
 
 if TYPE_CHECKING:
     from kurbel.commands.subject import Function

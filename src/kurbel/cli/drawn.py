@@ -1,9 +1,8 @@
-"""`kurbel construct`: a construction as a drawing where the file is one, else as the table of its lengths."""
+"""The commands that draw what has no page: `kurbel plot`, and `kurbel construct`, a construction as a drawing
+where the file is one, else as the table of its lengths."""
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -11,14 +10,27 @@ import click
 
 from kurbel.books.constructions.model import Construction
 from kurbel.books.constructions.registry import construction, construction_names
-from kurbel.cli.listing import Listing, list_formats, plain_lines, show_list
-from kurbel.cli.options import FormatName, Given, Option, Type, click_option
-from kurbel.cli.tables import TableCommand
+from kurbel.cli.drawings import check_moving, check_terminal, suffix_of, write
+from kurbel.cli.listing import Listing, form_of_list, plain_lines, show_list
+from kurbel.cli.options import (
+    FormatName,
+    Given,
+    Option,
+    Type,
+    click_option,
+    help_of,
+    machine_option,
+    output_option,
+)
+from kurbel.cli.tables import MakingCommand, TableCommand
 from kurbel.commands import construct as pages
+from kurbel.commands.options import Choice
+from kurbel.commands.parts.drawing import Pictured
+from kurbel.commands.plot import plot_mechanism
 from kurbel.commands.shown import Drawing
 from kurbel.errors import ChoiceError, ProblemError
-from kurbel.formats.registry import DEFAULT, FORMATS
 from kurbel.formats.registry import DRAWN as DRAWING
+from kurbel.formats.registry import FORMATS
 from kurbel.page.layouts import Folder
 from kurbel.page.table import Table
 from kurbel.reading.given import choose, found_at, meant
@@ -50,6 +62,7 @@ HEADS: Mapping[str, Sequence[str]] = {
     "de": ("Konstruktion", "was sie zeigt", "Getriebe"),
     "en": ("construction", "what it shows", "mechanisms"),
 }
+LAST = ("animate", "seconds", "width", "height", "lang", "units", "decimal")
 
 
 class AnyFormat(FormatName):
@@ -93,20 +106,16 @@ class ConstructCommand(TableCommand):
         return self._drawn(given), 0
 
     def run(self, given: Given) -> int:
-        from kurbel.formats.render import whole_file
-
         if given.values["name"] is None:
             _print_list(given)
             return 0
-        name, output = _drawing_format(given), given.values["output"]
+        name = _drawing_format(given)
         if given.values["table"] or not name:
             _check_table(given)
             return super().run(given)
-        if output == "-" and name != "html" and sys.stdout.isatty():
-            raise click.UsageError(f"a terminal shows no drawings; name a file, such as -o kurbel.{name}")
-        drawn = self._drawn(given).image(name, text=given.values["text"])
-        with whole_file(output) as stream:
-            stream.write(drawn)
+        if name != "html":
+            check_terminal(given.values["output"], name)
+        write(self._drawn(given), name, given)
         return 0
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
@@ -114,9 +123,10 @@ class ConstructCommand(TableCommand):
             formatter.write_dl([(key, one.title["en"]) for key, one in _constructions()], col_max=26)
 
     def _drawn(self, given: Given) -> Drawing:
-        _check_drawn(given)
-        command = pages.plot_construction.command
-        drawing: Drawing = command.ask(given)
+        for name in OF_TABLES:
+            if given.typed(name):
+                raise ProblemError(f"--{name} is for the table; add --table, or leave it out")
+        drawing: Drawing = pages.plot_construction.command.ask(given)
         return drawing
 
 
@@ -131,12 +141,12 @@ def _format_option() -> click.Option:
 
 def _drawing_format(given: Given) -> str:
     """Return the format of a drawing that is asked for, nothing for a table."""
-    suffix = os.path.splitext(given.values["output"])[1].lower()[1:]
+    suffix = suffix_of(given)
     by_name = given.typed("format") or given.values["output"] == "-"
-    named = given.values["format"] if by_name else "html" if suffix == "htm" else suffix
+    named = given.values["format"] if by_name else suffix
     drawn = (*found_at(DRAWN), "html")
     known = [f".{one}" for one in drawn] + [one for form in FORMATS.values() for one in form.suffixes]
-    if not given.typed("format") and given.values["output"] != "-" and f".{suffix}" not in known:
+    if not by_name and f".{suffix}" not in known:
         raise ChoiceError(
             f'the file name "{given.values["output"][-60:]}" names neither a drawing nor a table; its suffix'
             f" must be one of {', '.join(dict.fromkeys(known))}"
@@ -154,23 +164,10 @@ def _check_table(given: Given) -> None:
         choose(given.values["format"], FORMATS, "format")
 
 
-def _check_drawn(given: Given) -> None:
-    for name in OF_TABLES:
-        if given.typed(name):
-            raise ProblemError(f"--{name} is for the table; add --table, or leave it out")
-
-
 def _print_list(given: Given) -> None:
     """Print the constructions; raise an error for options that the list has no use for."""
-    known = ["lang", "constructions"]
-    known += ["format"] if given.values["format"] in list_formats() else []
-    for name in given.values:
-        if name not in known and given.typed(name):
-            raise click.UsageError(
-                f"--{name.replace('_', '-')} is for a construction, and none is named; name one, such as"
-                f" blau-9, or leave --{name.replace('_', '-')} out for the list"
-            )
-    lang, form = given.values["lang"], given.values["format"] if given.typed("format") else DEFAULT
+    form = form_of_list(given, ("lang", "constructions"), "a construction", "blau-9")
+    lang = given.values["lang"]
     rows = [
         (key, one.title[lang], " ".join(one.holds))
         for key, one in _constructions(given.values["constructions"])
@@ -185,3 +182,57 @@ def _constructions(folder: Folder | None = None) -> Iterator[tuple[str, Construc
 
 
 construct = ConstructCommand()
+
+
+class PlotCommand(MakingCommand):
+    """The command, whose options are those of the function and of its files."""
+
+    def __init__(self) -> None:
+        super().__init__("plot", params=_params(), help=help_of(plot_mechanism.command))
+
+    def made(self, given: Given) -> tuple[Drawing, int]:
+        """Return the drawing, and the exit code of the command."""
+        drawing: Drawing = plot_mechanism.command.ask(given)
+        return drawing, 0
+
+    def run(self, given: Given) -> int:
+        name = _format(given)
+        drawing, code = self.made(given)
+        write(drawing, name, given)
+        return code
+
+
+def _format(given: Given) -> str:
+    """Return the format of -f or of the file's suffix; raise an error for one that cannot move, or that is
+    only for what moves, and for a terminal, which takes none."""
+    name, output = given.values["format"], given.values["output"]
+    if not output:
+        raise click.UsageError("--output names no file; - is standard output.")
+    check_terminal(output, "svg")
+    if output == "-" and name is None:
+        raise click.UsageError("no file was named; add -o kurbel.svg, or -f svg for standard output")
+    if output != "-" and not given.typed("format"):
+        from kurbel.plot.style import format_of
+
+        name = format_of(output, moves=given.values["animate"])
+    check_moving(name, given.values["animate"])
+    return str(name)
+
+
+def _params() -> list[click.Parameter]:
+    own = {one.name: click_option(one) for one in plot_mechanism.command.parameters.values()}
+    output = [
+        Option(["format", "-f", "--format"], metavar="FORMAT",
+               type=Type(Choice("drawing format", "kurbel.plot.style:FILES")),
+               help="svg, png, pdf or pgf, of drawings that move html, svg or gif; default: by the suffix of"
+               " -o."),
+        output_option(
+            "File to write, whole or not at all; - is standard output, unless a terminal.", default="-"
+        ),
+        click_option(Pictured.text),
+    ]  # fmt: skip
+    first = (param for name, param in own.items() if name not in LAST)
+    return [machine_option(), *first, *output, *(own[name] for name in LAST)]
+
+
+plot = PlotCommand()

@@ -1,1 +1,0 @@
-"""Values without a page, at arrays of crank angles."""

@@ -1,1 +1,0 @@
-"""Pages in steps: which options are sliders, and the page of every step."""
