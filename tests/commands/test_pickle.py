@@ -8,6 +8,7 @@ import importlib
 import pickle
 import pkgutil
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -57,9 +58,10 @@ def test_a_table_and_what_it_asks_are_the_same_elsewhere(name: str) -> None:
     again = elsewhere(table)
     assert type(again) is type(table)
     assert (str(again), again.anchor, again.letters()) == (str(table), table.anchor, table.letters())
-    # What was found meanwhile is not carried along.
+    assert kurbel.typeset(again, "json") == kurbel.typeset(table, "json")
+    # What was found meanwhile is not carried along; which options a question was made of, the table says.
     built = build(elsewhere(question))
-    again = elsewhere(built)
+    again = replace(elsewhere(built), request=table.request)
     assert type(again) is type(built)
     assert kurbel.typeset(again, "json") == kurbel.typeset(table, "json")
 
