@@ -14,7 +14,7 @@ from mpmath import mp, mpf
 
 from kurbel.exact.certify import ball
 from kurbel.exact.continued import Continued, half_turn_circle
-from kurbel.exact.roots import crossing
+from kurbel.exact.search import crossing
 from kurbel.exact.taylor import Taylor, bounded, expanded, exponential
 
 LOW, HIGH = Fraction(3, 10), Fraction(2, 5)

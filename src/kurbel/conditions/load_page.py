@@ -13,9 +13,9 @@ from kurbel.conditions.loaded import ASKED, Loaded, measured
 from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.engine import captions as engine_captions
 from kurbel.engine.axes import LoadAxis
-from kurbel.engine.course.search import At
 from kurbel.engine.quantities import engine_registry
 from kurbel.engine.request import EngineRequest
+from kurbel.engine.segments import At
 from kurbel.engine.ties import turn_ties
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError

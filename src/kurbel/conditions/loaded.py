@@ -15,15 +15,25 @@ import flint
 from flint import arb
 
 from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
-from kurbel.engine.course.search import At, extreme_value, extremes, is_level, zeros
-from kurbel.engine.course.segments import Segment, cranks_of, jet_of, segments
 from kurbel.engine.cylinder import Cylinder
-from kurbel.engine.turn import EQUAL_BITS, Turn
+from kurbel.engine.segments import (
+    At,
+    Segment,
+    cranks_of,
+    extreme_value,
+    extremes,
+    is_level,
+    jet_of,
+    segments,
+    zeros,
+)
+from kurbel.engine.turn import Turn
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import ball
 from kurbel.exact.jet import Jet
 from kurbel.exact.numerals import exact_text, nearest, number_text
 from kurbel.exact.place import fraction
+from kurbel.exact.search import EQUAL_BITS
 from kurbel.reading import units
 from kurbel.reading.where import MAX, MIN, Condition
 

@@ -3,7 +3,7 @@
 A force at an angle is a polynomial of the piston force, the pressure, a mass or the speed, of degree 1 in
 itself or in its square, and so is a velocity; the torque is one of degree 2 in the stroke. A few values of
 the formula therefore tell it for all. The crank ratio enters with roots: there all zeros of the formula are
-enclosed by interval arithmetic (exact/roots).
+enclosed by interval arithmetic (exact/search).
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from flint import arb
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import ball
 from kurbel.exact.jet import Jet
-from kurbel.exact.roots import isolate, refined
+from kurbel.exact.search import isolate
 from kurbel.page.quantity import Words, words
 
 # At which a formula is evaluated to find its polynomial, in times of the probe of an unknown.
@@ -163,10 +163,10 @@ def of_ratio(formula: Callable[[Any], Any], target: Callable[[], arb], greatest:
 
     least = greatest / 2**20
     found = []
-    for root in isolate(function, slope, least, greatest):
-        if root.rising is None:
+    for zero in isolate(function, slope, least, greatest):
+        if zero.rising is None:
             raise ProblemError("the condition holds at more ratios than can be told apart; alter its value")
-        found.append(lambda root=root: refined(function, slope, root))
+        found.append(zero.place)
     return found
 
 

@@ -23,15 +23,12 @@ from kurbel.engine.engine import Engine, Steam
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, ball_circle, half_turn_circle
 from kurbel.exact.kind import balls
-from kurbel.exact.roots import ISOLATING_BITS, Function, Root, interval, isolate, refined
+from kurbel.exact.search import EQUAL_BITS, ISOLATING_BITS, Function, Zero, greatest, interval, isolate
 from kurbel.kernel.circle import Circle, Number
 
 if TYPE_CHECKING:
     from kurbel.engine.assembly import Assembly
 
-# Two speeds that agree to so many bits are taken for equal, as on the two strokes of the infinite rod; so
-# is an angle and that of a dead centre.
-EQUAL_BITS = 200
 # So near are the numbers between which a dead centre lies.
 GAP_BITS = 100
 
@@ -56,12 +53,10 @@ class Piece(NamedTuple):
 
 
 class Extremum(NamedTuple):
-    """A place at which the speed is least or greatest: a zero of a function of which the slope is known."""
+    """A place at which the speed is least or greatest."""
 
     piece: Piece
-    root: Root
-    function: Function
-    slope: Function
+    zero: Zero
 
 
 class Turn(AnyTurn):
@@ -150,7 +145,7 @@ class Turn(AnyTurn):
 
         begin, end = self._ends_of(part, stroke)
         (low, _), (_, high) = _ends(begin), _ends(end)
-        return refined(lacking, speed, Root(low, high, True))
+        return Zero(lacking, speed, low, high).place()
 
     def corners(self) -> Iterator[Fraction]:
         """Yield the half turns, as floats are, of all corners of the forces, over a cycle in any order."""
@@ -227,31 +222,23 @@ class Turn(AnyTurn):
         return stationary(piece, partial(self.excess, piece), partial(self.slope, piece))
 
     def peaks(self, greatest: bool, stroke: int | None = None) -> list[Peak]:
-        found = [(one, place(one)) for one in self._extremes(greatest, stroke)]
-        return [Peak(at, self.energy(one.piece, at), one.piece.stroke) for one, at in found]
+        return [
+            Peak(one.zero.place(), self._energy_at(one), one.piece.stroke)
+            for one in self._extremes(greatest, stroke)
+        ]
 
-    def _choose(self, greatest: bool, stroke: int | None) -> list[Extremum]:
+    def _energy_at(self, extremum: Extremum) -> Number:
+        return self.energy(extremum.piece, extremum.zero.place())
+
+    def _choose(self, most: bool, stroke: int | None) -> list[Extremum]:
         """Return the extremum of greatest or least energy; several only if they cannot be told apart."""
         within = [one for one in self.extrema if stroke in (None, one.piece.stroke)]
         # The speed is greatest where the excess falls.
-        left = [one for one in within if one.root.rising is not greatest]
-        sign = -1 if greatest else 1
-        for bits in (ISOLATING_BITS, EQUAL_BITS):
-            if len(left) > 1:
-                with flint.ctx.workprec(bits):
-                    places = [place(one) for one in left]
-                    energies = [
-                        sign * self.energy(one.piece, at) for one, at in zip(left, places, strict=True)
-                    ]
-                found = zip(left, places, energies, strict=True)
-                left = [
-                    _narrowed(one, at)
-                    for one, at, energy in found
-                    if not any(other < energy for other in energies)
-                ]
-        if any(one.root.rising is None for one in left):
+        turning = [one for one in within if one.zero.rising is not most]
+        found = greatest(turning, self._energy_at, 1 if most else -1)
+        if any(one.zero.rising is None for one in found):
             raise ProblemError("the speed rests where it should turn; its extremes cannot be told apart")
-        return left
+        return found
 
 
 def turn_of(engine: Engine | Assembly, method: str) -> AnyTurn:
@@ -281,22 +268,8 @@ def turn_of(engine: Engine | Assembly, method: str) -> AnyTurn:
     return WeisbachTurn(engine, method)
 
 
-def place(extremum: Extremum) -> Number:
-    """Return where the extremum lies, in half turns, as narrow as the precision in force allows."""
-    return refined(extremum.function, extremum.slope, extremum.root)
-
-
-def _narrowed(extremum: Extremum, found: Number) -> Extremum:
-    """Return the extremum with what is known of its place, from where a higher precision goes on."""
-    root = extremum.root
-    if root.rising is None or not found.rad() > 0:
-        return extremum
-    return extremum._replace(root=Root(*_ends(found), root.rising))
-
-
 def stationary(piece: Piece, function: Function, slope: Function) -> list[Extremum]:
-    found = isolate(function, slope, piece.start, piece.end)
-    return [Extremum(piece, zero, function, slope) for zero in found]
+    return [Extremum(piece, zero) for zero in isolate(function, slope, piece.start, piece.end)]
 
 
 def _ends(number: Number, begun: Fraction = Fraction(0)) -> tuple[Fraction, Fraction]:

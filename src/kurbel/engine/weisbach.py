@@ -7,8 +7,9 @@ from functools import partial
 import flint
 
 from kurbel.engine.cylinder import SIGNS
-from kurbel.engine.turn import EQUAL_BITS, Extremum, Piece, Turn, circle, stationary
+from kurbel.engine.turn import Extremum, Piece, Turn, circle, stationary
 from kurbel.exact.certify import ball
+from kurbel.exact.search import EQUAL_BITS
 from kurbel.kernel import steam
 from kurbel.kernel.circle import Number
 

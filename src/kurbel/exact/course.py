@@ -29,11 +29,9 @@ from kurbel.exact.place import (
     recognised,
     unsettled,
 )
-from kurbel.exact.roots import Function, Root, interval, refined
+from kurbel.exact.search import Function, Zero, greatest
 from kurbel.exact.surd import Surd
 
-# A middle at which no round angle lies.
-CUT = Fraction(5, 11)
 # Equal values at both dead centres are 0 or 1.
 ROUND = 1000
 
@@ -99,13 +97,12 @@ class Course:
 
     def greatest(self, sign: int = 1, measure: Callable[[arb], arb] = lambda value: value) -> list[Place]:
         """Return where the quantity, or a measure of it, is greatest or, with sign -1, least."""
+        found: Sequence[Place] = self.places
         for bits in PRECISIONS:
+            found = greatest(found, lambda place: measure(self.value(place.half_turns())), sign, (bits,))
             with flint.ctx.workprec(bits):
-                values = {place: sign * measure(self.value(place.half_turns())) for place in self.places}
-                least = max(value.lower() for value in values.values())
-                found = [place for place, value in values.items() if not value.upper() < least]
                 if len(found) == 1 or self._are_level(found):
-                    return found
+                    return [*found]
         raise unsettled("where the quantity is greatest or least")
 
     def _are_level(self, places: Sequence[Place]) -> bool:
@@ -140,43 +137,13 @@ class Course:
         def function(half_turns: arb) -> arb:
             return self.value(half_turns) - target.ball()
 
-        root = _bracket(function, self.slope, low, high, rising)
-        place = Place(lambda: refined(function, self.slope, root), low.centre, polynomial)
+        with flint.ctx.workprec(FIRST_BITS):
+            ends = fraction(low.half_turns().lower()), fraction(high.half_turns().upper())
+        place = Place(Zero(function, self.slope, *ends, rising).place, low.centre, polynomial)
         is_exactly, wanted = self.is_exactly, target.exact
         if is_exactly is None or wanted is None:
             return recognised(place)
         return recognised(place, lambda half_turns: is_exactly(half_turns, wanted))
-
-
-def _bracket(function: Function, slope: Function, low: Place, high: Place, rising: bool) -> Root:
-    """Return an interval with the zero, over which the slope is not zero."""
-    side = 1 if rising else -1
-    for bits in PRECISIONS:
-        with flint.ctx.workprec(bits):
-            start, end = fraction(low.half_turns().upper()), fraction(high.half_turns().lower())
-            least = Fraction(1, 2**bits)
-            while end - start > least:
-                if not slope(interval(start, end)).contains(0) and _is_crossed(function, start, end, side):
-                    return Root(start, end, rising)
-                value, cut = _cut(function, start, end)
-                if value.contains(0):
-                    break
-                start, end = (cut, end) if side * value < 0 else (start, cut)
-    raise unsettled("where a value is had")
-
-
-def _cut(function: Function, start: Fraction, end: Fraction) -> tuple[arb, Fraction]:
-    """Return the value at a cut; if the zero seems to lie there, at another one."""
-    width = end - start
-    cut = start + width * CUT
-    value = function(ball(cut))
-    if not value.contains(0):
-        return value, cut
-    return function(ball(end - width * CUT)), end - width * CUT
-
-
-def _is_crossed(function: Function, start: Fraction, end: Fraction, side: int) -> bool:
-    return bool(side * function(ball(start)) < 0 and side * function(ball(end)) > 0)
 
 
 def _zeros(slope: Surd, begin: Place, end: Place) -> Iterator[Place]:
@@ -194,12 +161,11 @@ def _zeros(slope: Surd, begin: Place, end: Place) -> Iterator[Place]:
 
 
 def _root_place(polynomial: fmpz_poly, found: arb, centre: Centre) -> Place:
-    derivative = polynomial.derivative()
     low, high = fraction(found.lower()), fraction(found.upper())
     rising = polynomial(flint.fmpq(high.numerator, high.denominator)) > 0
+    zero = Zero(polynomial, polynomial.derivative(), low, high, rising if low < high else None)
 
     def half_turns() -> arb:
-        t = ball(low) if low == high else refined(polynomial, derivative, Root(low, high, rising))
-        return centre.half_turns() + 2 * t.atan() / pi()
+        return centre.half_turns() + 2 * zero.place().atan() / pi()
 
     return Place(half_turns, centre, polynomial)

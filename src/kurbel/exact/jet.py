@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 from flint import arb
 
-from kurbel.exact.certify import half_turn_circle
+from kurbel.exact.certify import half_turn_circle, pi
 from kurbel.kernel.circle import Circle
 
 
@@ -91,3 +92,17 @@ def jets(circle: Circle[Any]) -> Circle[Jet]:
 def ball_jets(half_turns: arb) -> Circle[Jet]:
     """Return the same of an angle in half turns, a ball."""
     return jets(half_turn_circle(half_turns))
+
+
+def slopes(jet: Callable[[arb], Jet]) -> tuple[Callable[[arb], arb], Callable[[arb], arb]]:
+    """Return the slope and the bend, over half turns, of what has slopes over the angle in radians."""
+
+    def slope(half_turns: arb) -> arb:
+        found: arb = jet(half_turns).slope * pi()
+        return found
+
+    def bend(half_turns: arb) -> arb:
+        found: arb = jet(half_turns).bend * pi() * pi()
+        return found
+
+    return slope, bend

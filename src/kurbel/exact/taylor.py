@@ -18,7 +18,7 @@ from flint import acb, arb, arb_poly, arb_series
 
 from kurbel.exact.certify import ball
 from kurbel.exact.continued import Continued
-from kurbel.exact.roots import interval
+from kurbel.exact.search import interval
 
 Formula = Callable[[Continued], Continued]
 

@@ -21,15 +21,14 @@ from kurbel.exact.certify import (
     NEVER_TIES,
     TieBits,
     half_turn_circle,
-    pi,
     rounded,
 )
 from kurbel.exact.course import Course
-from kurbel.exact.jet import Jet, ball_jets, jets
+from kurbel.exact.jet import Jet, ball_jets, jets, slopes
 from kurbel.exact.kind import Kind, balls, surds
-from kurbel.exact.level import level_places
 from kurbel.exact.numerals import Label
 from kurbel.exact.place import SQUARE, Centre, Place, exact_place
+from kurbel.exact.search import between
 from kurbel.exact.surd import Field, SecondRootError, Surd
 from kurbel.kernel.circle import Circle
 from kurbel.motion.captions import Formulated
@@ -229,23 +228,17 @@ class Drive(ABC):
         def jet(half_turns: arb) -> Any:
             return self.value(quantity, ball_jets(half_turns), balls())
 
-        def slope(half_turns: arb) -> Any:
-            return jet(half_turns).slope * pi()
-
-        def bend(half_turns: arb) -> Any:
-            return jet(half_turns).bend * pi() * pi()
-
-        return at, slope, bend
+        return at, *slopes(jet)
 
     def by_balls(self, quantity: Quantity, stroke: int, *at_rest: str) -> Course:
         """Return the course of a quantity, proved by balls where it rises and falls: all zeros of its slope
         are enclosed. At dead centres those `at_rest` are known to be zero, and what balls know to be so."""
         at, slope, bend = self._slopes(quantity)
-        begin, end = self.ends(stroke)
+        ends = self.ends(stroke)
         zero = quantity.key in at_rest
-        first, last = (Fraction(0) if zero or at(place.half_turns()) == 0 else None for place in (begin, end))
-        inner = tuple(level_places(slope, bend, begin, end))
-        return Course(at, slope, begin, end, ends=(first, last), inner=inner)
+        first, last = (Fraction(0) if zero or at(place.half_turns()) == 0 else None for place in ends)
+        inner = tuple(place for place in between(slope, bend, *ends, proved=True) if place not in ends)
+        return Course(at, slope, *ends, ends=(first, last), inner=inner)
 
 
 def ties_at(place: Place, surd: Surd | None, times: Fraction = ONE) -> TieBits | None:

@@ -1,6 +1,6 @@
 """The greatest magnitude of a rod's force over the turn, enclosed with proof.
 
-The force is greatest at a zero of a slope, and all zeros are enclosed (`roots.isolate`), so that none is
+The force is greatest at a zero of a slope, and all zeros are enclosed (`search.isolate`), so that none is
 missed. The quarters of the turn, where many of them lie, are settled exactly: there values are algebraic
 numbers of known degree and can be proved to lie on a rounding boundary.
 """
@@ -21,7 +21,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import GUARD_BITS, MOST_BITS, ball, ball_circle, half_turn_circle, pi, vanishes
 from kurbel.exact.jet import Jet, ball_jets, jets
 from kurbel.exact.kind import Kind
-from kurbel.exact.roots import ISOLATING_BITS, Root, interval, isolate, refined
+from kurbel.exact.search import ISOLATING_BITS, Summit, Zero, greatest, interval, isolate
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.exact.terms import algebraic
 from kurbel.kernel.circle import Circle
@@ -47,11 +47,9 @@ class Peak:
         self.force = force
         self.crank = crank
         self.masses = masses
-        # The greatest magnitude so far: what lies below it everywhere is not searched.
-        self._reached = flint.arb(0)
+        self._summit = Summit(self._magnitude)
         self._moved = _places(crank)
         self._balls: dict[int, Masses[arb]] = {}
-        self._refined: dict[Root, tuple[int, arb]] = {}
         self._last: tuple[arb | None, int, Jet] = (None, 0, Jet(0, 0, 0))
 
     @cached_property
@@ -65,26 +63,19 @@ class Peak:
         return not any(self.force.changes(self.masses, not self.crank.ratio))
 
     @cached_property
-    def places(self) -> tuple[Root, ...]:
+    def places(self) -> tuple[Zero, ...]:
         """Where it is greatest, in half turns, exact places first: several only if they differ by nothing
         measurable."""
         if self.is_level:
-            return (Root(Fraction(0), Fraction(0)),)
-        with flint.ctx.workprec(CONTENDING_BITS):
-            found = list(self._candidates())
-            values = [self._value_at(place) for place in found]
-        least = max(value.abs_lower() for value in values)
-        contenders = {place for place, value in zip(found, values, strict=True) if not value < least}
-        return tuple(sorted(contenders, key=lambda place: (not place.is_exact, place)))
+            return (self._zero(Fraction(0), Fraction(0)),)
+        found = greatest(self._candidates(), self._value_at, precisions=(CONTENDING_BITS,))
+        return tuple(sorted(found, key=lambda place: (place.low < place.high, place.low)))
 
     def value(self) -> arb:
         """Return the magnitude in units of M R ω², a ball at the precision in force."""
         if self.vanishes:
             return ball(0)
-        first, *others = (self._value_at(place) for place in self.places)
-        for other in others:
-            first = first.max(other)
-        return first
+        return reduce(arb.max, (self._value_at(place) for place in self.places))
 
     def on(self, numbers: Kind) -> Any:
         """Return the magnitude on balls or on Terms."""
@@ -93,11 +84,11 @@ class Peak:
     @property
     def exact_degrees(self) -> Fraction | None:
         """Where it is greatest if that is at a quarter of the turn."""
-        return 180 * self.places[0].low if self.places[0].is_exact else None
+        return 180 * self.places[0].low if _is_exact(self.places[0]) else None
 
     def degrees(self) -> arb:
         """Return where it is greatest, from 0° to 180° or, of an offset crank, 360°; the first such place."""
-        return 180 * self._half_turns(self.places[0])
+        return 180 * self.places[0].place()
 
     def share_of(self, whole: Peak) -> Fraction | None:
         """Return how many times the other's magnitude this is, throughout, if they are in proportion."""
@@ -113,7 +104,7 @@ class Peak:
         """Return the bound of the magnitude where it is an algebraic number of known degree, else None."""
         if self.vanishes:
             return Separation.rational(0)
-        if not all(place.is_exact for place in self.places):
+        if not all(map(_is_exact, self.places)):
             return None
         bounds = [self._bound(180 * place.low) for place in self.places]
         return reduce(Separation.union, bounds)
@@ -168,38 +159,29 @@ class Peak:
     def _bend(self, half_turns: arb) -> Any:
         return self._smooth(half_turns).bend * pi()
 
-    def _candidates(self) -> Iterator[Root]:
+    def _candidates(self) -> Iterator[Zero]:
         """Yield the quarters of the turn and all zeros of the slope between them.
 
-        With an infinite rod the torque is greatest at the eighths, where values are algebraic too.
+        With an infinite rod the torque is greatest at the eighths, where values are algebraic too. Beside
+        the peak of a rod as long as the crank the slope of what is left, a millionth of it, is told from zero
+        in millions of pieces, of which none matters.
         """
         turn, parts = (2 if self.crank.offset else 1), (2 if self.crank.ratio else 4)
         quarters = [Fraction(quarter, parts) for quarter in range(parts * turn + 1)]
         for quarter in quarters:
-            self._reach(ball(quarter))
-            yield Root(quarter, quarter)
+            self._summit.reach(ball(quarter))
+            yield self._zero(quarter, quarter)
         for low, high in pairwise(quarters):
             first, last = self._cleared(low, high), self._cleared(high, low)
             for edge, end in ((low, first), (last, high)):
                 if edge != end and not self._is_single(edge, end):
-                    yield Root(edge, end)
+                    yield self._zero(edge, end)
             cut = first + (last - first) * CUT
             for start, end in ((first, cut), (cut, last)):
-                yield from isolate(self._slope, self._bend, start, end, self._contends)
+                yield from isolate(self._slope, self._bend, start, end, self._summit.concerns)
 
-    def _contends(self, piece: arb) -> bool:
-        """Whether the force may be greatest within a piece of the turn.
-
-        Beside the peak of a rod as long as the crank the slope of what is left, a millionth of it, is told
-        from zero in millions of pieces, of which none matters.
-        """
-        self._reach(piece.mid())
-        return not self._magnitude(piece) < self._reached
-
-    def _reach(self, half_turns: arb) -> None:
-        least = self._magnitude(half_turns).abs_lower()
-        if least > self._reached:
-            self._reached = least
+    def _zero(self, low: Fraction, high: Fraction) -> Zero:
+        return Zero(self._slope, self._bend, low, high, None)
 
     def _magnitude(self, half_turns: arb) -> arb:
         magnitude: arb = abs(self._at(self.force.formula, half_turn_circle, half_turns))
@@ -229,21 +211,11 @@ class Peak:
         with flint.ctx.workprec(ISOLATING_BITS):
             return not self._bend(interval(start, end)).contains(0)
 
-    def _half_turns(self, place: Root) -> arb:
-        if place.is_exact:
-            return ball(place.low)
-        precision, found = self._refined.get(place, (0, None))
-        # One that is known to more bits does as well.
-        if found is None or precision < flint.ctx.prec:
-            found = refined(self._slope, self._bend, place)
-            self._refined[place] = flint.ctx.prec, found
-        return found
-
-    def _value_at(self, place: Root) -> arb:
-        at = self._half_turns(place)
-        found = self._at(self.force.formula, _exact, place.low) if place.is_exact else self._magnitude(at)
+    def _value_at(self, place: Zero) -> arb:
+        at = place.place()
+        found = self._at(self.force.formula, _exact, place.low) if _is_exact(place) else self._magnitude(at)
         value: arb = abs(found)
-        if place.is_exact or place.rising is not None:
+        if _is_exact(place) or place.rising is not None:
             return value
         nearer = abs(self._around(at))
         # A magnitude has no slope where it is zero.
@@ -271,6 +243,10 @@ def _loaded(crank: Crank, circle: Circle[Any], of: Any) -> Loaded:
     """Return the crank's drive, without masses."""
     offset = of(crank.offset) if crank.offset else None
     return Loaded(circle, of(crank.ratio), Masses(0, 0, 0), offset)
+
+
+def _is_exact(place: Zero) -> bool:
+    return place.low == place.high
 
 
 def _exact(half_turns: Fraction) -> Circle[arb]:

@@ -11,7 +11,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from kurbel.engine.diagram.captions import places
-from kurbel.engine.diagram.excess import CHOOSING_BITS, EQUAL_BITS, Excess
+from kurbel.engine.diagram.excess import Excess
 from kurbel.engine.diagram.fluctuation import Extreme
 from kurbel.engine.diagram.torque import TURN, Line, Torque
 from kurbel.engine.diagram.waves import Waves
@@ -81,7 +81,7 @@ def _of_lines(lines: Sequence[Line], sign: int, excess: Excess) -> Peak:
 
 
 def _of_waves(waves: Waves, sign: int, cycle: Fraction) -> Peak | None:
-    import flint
+    from kurbel.exact.search import greatest
 
     slope, period = waves.slope, TURN / waves.base
     found = zeros(Torque(slope, (Line(Fraction(0), cycle, Fraction(0)),)))
@@ -90,11 +90,7 @@ def _of_waves(waves: Waves, sign: int, cycle: Fraction) -> Peak | None:
         value = waves_at(waves, zero, slope, kind)
         return value if sign > 0 else kind.of(Fraction(0)) - value
 
-    for bits in (CHOOSING_BITS, EQUAL_BITS):
-        with flint.ctx.workprec(bits):
-            values = [torque(one, balls()) for one in found]
-            pairs = zip(found, values, strict=True)
-            found = [one for one, value in pairs if not any(other > value for other in values)]
+    found = greatest(found, lambda one: torque(one, balls()))
     if any(one.root is not None and one.root.rising is None for one in found):
         return None
     shifts = [period * number for number in range(int(cycle / period))]

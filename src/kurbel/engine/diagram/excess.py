@@ -21,9 +21,6 @@ from kurbel.exact.kind import Kind, balls, floats
 from kurbel.reading.given import Given
 from kurbel.reading.notation import about
 
-# Two energies that agree to so many bits are taken for equal, as at φ and -φ.
-CHOOSING_BITS, EQUAL_BITS = 64, 200
-
 
 @dataclass(frozen=True)
 class Excess(Given):
@@ -151,18 +148,13 @@ class Excess(Given):
 
     def _choose(self, sign: int) -> Sequence[Zero]:
         """Return where the energy, times the sign, is greatest; several only if they cannot be told apart."""
-        import flint
+        from kurbel.exact.search import greatest as greatest_of
 
         left = self._candidates
         if not self.excess.waves:
             areas = [sign * (self._area(one) or 0) for one in left]
             return [one for one, area in zip(left, areas, strict=True) if area == max(areas)]
-        for bits in (CHOOSING_BITS, EQUAL_BITS):
-            with flint.ctx.workprec(bits):
-                kind = balls()
-                energies = [sign * self._energy(one, kind) for one in left]
-                pairs = zip(left, energies, strict=True)
-                left = [one for one, energy in pairs if not any(other > energy for other in energies)]
+        left = greatest_of(left, lambda one: self._energy(one, balls()), sign)
         if any(one.root is not None and one.root.rising is None for one in left):
             raise ProblemError(
                 "the speed rests where it should turn; its extremes cannot be told apart; give slightly other"

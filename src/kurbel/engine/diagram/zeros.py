@@ -53,10 +53,7 @@ class Zero:
         return kind.enclosed(self._ball)
 
     def _ball(self) -> Any:
-        from kurbel.exact.roots import refined
-
-        assert self.excess is not None
-        return refined(*functions(self.excess, self.line, self.unit), self.root) * self.unit
+        return self.root.place() * self.unit
 
     @property
     def begun(self) -> Fraction:
@@ -159,12 +156,12 @@ def _distinct(found: Iterable[Zero]) -> list[Zero]:
 def _on_line(
     excess: Torque, number: int, start: Fraction, end: Fraction, unit: int = UNITS[0]
 ) -> Iterator[Zero]:
-    from kurbel.exact.roots import LEAST_WIDTH, isolate
+    from kurbel.exact.search import LEAST_WIDTH, isolate
 
     torque, slope = functions(excess, number, unit)
     counted = _counted(torque, len(excess.waves.amplitudes))
-    for root in _merged(isolate(counted, slope, start / unit, end / unit)):
-        zero = Zero(None, number, root, excess, unit)
+    for root in isolate(counted, slope, start / unit, end / unit):
+        zero = Zero(None, number, root.of(torque, slope), excess, unit)
         exact = _recognised(zero)
         is_open = exact is None and root.rising is None and unit != UNITS[-1]
         if is_open and root.high - root.low <= MOST_OPEN * LEAST_WIDTH:
@@ -186,18 +183,6 @@ def _counted(torque: Any, waves: int) -> Any:
         return torque(units)
 
     return asked
-
-
-def _merged(roots: Iterable[Any]) -> list[Any]:
-    """Return roots of which neighbours that are not told apart are one interval."""
-    found: list[Any] = []
-    for root in roots:
-        before = found[-1] if found else root
-        if before is not root and before.rising is root.rising is None and before.high == root.low:
-            found[-1] = before._replace(high=root.high)
-        else:
-            found.append(root)
-    return found
 
 
 def _recognised(zero: Zero) -> Fraction | None:
@@ -223,7 +208,7 @@ def _is_alone(zero: Zero, place: Fraction) -> bool:
     """
     import flint
 
-    from kurbel.exact.roots import ISOLATING_BITS, interval
+    from kurbel.exact.search import ISOLATING_BITS, interval
 
     assert zero.excess is not None
     waves, line = zero.excess.waves, zero.excess.lines[zero.line]

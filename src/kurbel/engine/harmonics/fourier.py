@@ -25,7 +25,7 @@ from kurbel.engine.turn import Turn
 from kurbel.exact.certify import ball
 from kurbel.exact.continued import Continued, continued, half_turn_circle
 from kurbel.exact.kind import balls, floats
-from kurbel.exact.roots import interval
+from kurbel.exact.search import interval
 from kurbel.kernel.balance import Star
 from kurbel.kernel.circle import Number
 

@@ -19,7 +19,7 @@ import flint
 from flint import acb, arb
 
 from kurbel.exact.certify import ball
-from kurbel.exact.roots import interval
+from kurbel.exact.search import interval
 
 # The ellipses that are tried around a panel, the ρ of each.
 ELLIPSES = (Fraction(2), Fraction(3), Fraction(4), Fraction(6))

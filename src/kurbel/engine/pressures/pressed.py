@@ -150,7 +150,7 @@ def _searched(moved: Moved, way: int, share: Any) -> Any:
     from flint import arb
 
     from kurbel.exact.certify import half_turn_circle
-    from kurbel.exact.roots import Root, refined
+    from kurbel.exact.search import Zero
 
     def lacking(angle: Any) -> Any:
         return moved.path(way, half_turn_circle(angle)) / moved.length - share
@@ -159,7 +159,7 @@ def _searched(moved: Moved, way: int, share: Any) -> Any:
         return moved.velocity(way, half_turn_circle(angle)) / moved.length * arb.pi()
 
     begin, end = Fraction(float(moved.dead_centre(way))), Fraction(float(moved.dead_centre(1 - way)))
-    return refined(lacking, speed, Root(begin, 1 + end, True))
+    return Zero(lacking, speed, begin, 1 + end).place()
 
 
 def is_carded(pressed: Pressed) -> bool:

@@ -17,8 +17,17 @@ import flint
 from flint import arb
 
 from kurbel.drive.crank_forces import CrankForce
-from kurbel.engine.course.search import At, Part, extreme_value, extremes, parts
-from kurbel.engine.course.segments import Segment, cranks_of, jet_of, segments
+from kurbel.engine.segments import (
+    At,
+    Part,
+    Segment,
+    cranks_of,
+    extreme_value,
+    extremes,
+    jet_of,
+    parts,
+    segments,
+)
 from kurbel.engine.turn import Turn
 from kurbel.exact.jet import Jet
 from kurbel.kernel.steam import larger, smaller

@@ -22,7 +22,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball
 from kurbel.exact.continued import Continued, continued, half_turn_circle
 from kurbel.exact.place import fraction
-from kurbel.exact.roots import interval
+from kurbel.exact.search import interval
 from kurbel.exact.taylor import Formula, Taylor, bounded, expanded
 from kurbel.kernel.circle import Number
 

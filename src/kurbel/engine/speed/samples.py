@@ -12,7 +12,7 @@ import flint
 
 from kurbel.engine.speed.run import above
 from kurbel.errors import ProblemError
-from kurbel.exact.roots import ISOLATING_BITS
+from kurbel.exact.search import ISOLATING_BITS
 
 if TYPE_CHECKING:
     from kurbel.engine.speed.course import Course

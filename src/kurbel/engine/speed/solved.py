@@ -34,7 +34,7 @@ from kurbel.engine.speed.samples import first_lag, first_start
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, kept
-from kurbel.exact.roots import ISOLATING_BITS, Function, Root, crossing, interval, isolate, refined
+from kurbel.exact.search import ISOLATING_BITS, Function, Zero, crossing, interval, isolate
 from kurbel.exact.taylor import Taylor, exponential
 from kurbel.kernel.circle import Number, root
 from kurbel.kernel.steam import larger, smaller
@@ -50,7 +50,7 @@ class Stationary(NamedTuple):
     """Where the speed is least or greatest: within the section about a place."""
 
     middle: Fraction
-    root: Root
+    zero: Zero
 
 
 class SolvedRun(AnyRun):
@@ -121,9 +121,9 @@ class SolvedRun(AnyRun):
         """Return the places where the speed may be greatest or least, and its squares there."""
         sign, found = 1 if greatest else -1, []
         for one in self._found:
-            if one.root.rising is not greatest:
+            if one.zero.rising is not greatest:
                 section = squares.around(one.middle)
-                at = refined(*_slopes(section), one.root)
+                at = one.zero.of(*_slopes(section)).place()
                 if not (at < section.start or at > section.end):
                     found.append((at, section.function.at(at)))
         return [one for one in found if not any(sign * one[1] < sign * other for _, other in found)]

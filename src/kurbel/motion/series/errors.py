@@ -17,24 +17,22 @@ All three have the same magnitude at 180° - φ, 180° + φ and 360° - φ, and 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 import flint
-from flint import arb
 
-from kurbel.exact.certify import half_turn_circle, pi
-from kurbel.exact.jet import ball_jets
+from kurbel.exact.certify import half_turn_circle
+from kurbel.exact.jet import ball_jets, slopes
 from kurbel.exact.kind import Kind, balls
-from kurbel.exact.roots import Root, refined
+from kurbel.exact.search import Zero
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.series import motion
 
 QUARTER = Fraction(90)
-# Between these half turns the velocity errs most.
-WITHIN = Root(Fraction(0), Fraction(1, 2), rising=False)
 # The exact formula and that of an order, by their quantities.
 FORMULAS: Mapping[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
     "x": (kinematics.piston_path, motion.piston_path),
@@ -47,29 +45,29 @@ ROUGH_BITS, MOST_ROUGH_BITS = 40, 1 << 16
 
 @dataclass(frozen=True)
 class Greatest:
-    """The greatest errors of one order, of a finite rod; the places found are kept by their precision."""
+    """The greatest errors of one order, of a finite rod."""
 
     ratio: Fraction
     order: int
-    places: dict[int, arb] = field(default_factory=dict, compare=False)
 
     def value(self, key: str, kind: Kind) -> Any:
         """Return the greatest |series - exact| of x, c or p in units of R, v, v²/R; of c on balls alone."""
-        circle = half_turn_circle(self.half_turns()) if key == "c" else kind.circle(QUARTER)
+        circle = half_turn_circle(self.zero.place()) if key == "c" else kind.circle(QUARTER)
         error = self._error(key, circle, kind)
         # The series of p is above at 90°, those of x and c are below.
         return -error if key == "p" else error
 
-    def half_turns(self) -> arb:
-        """Return where the velocity errs most, between 0 and a half, at the precision in force."""
-        precision = flint.ctx.prec
-        if precision not in self.places:
-            self.places[precision] = refined(
-                lambda at: self._error("p", half_turn_circle(at), balls()),
-                lambda at: self._error("p", ball_jets(at), balls()).slope * pi(),
-                WITHIN,
-            )
-        return self.places[precision]
+    @cached_property
+    def zero(self) -> Zero:
+        """Where the velocity errs most, in half turns."""
+        slope, _ = slopes(lambda half_turns: self._error("p", ball_jets(half_turns), balls()))
+        return Zero(
+            lambda half_turns: self._error("p", half_turn_circle(half_turns), balls()),
+            slope,
+            Fraction(0),
+            Fraction(1, 2),
+            rising=False,
+        )
 
     def rough(self, key: str) -> float:
         """Return the value as a float, however small it is."""

@@ -96,7 +96,7 @@ def _of(letter: str) -> Callable[..., Any]:
 
 def _where(letter: str) -> Callable[..., Any]:
     """Return where an error is greatest: at 90° exactly, or a ball in degrees."""
-    return lambda greatest: 180 * greatest.half_turns() if letter == "c" else QUARTER
+    return lambda greatest: 180 * greatest.zero.place() if letter == "c" else QUARTER
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)

@@ -1,6 +1,8 @@
 """The segments of a turn: what lies between two neighbouring dead centres or corners of the forces.
 
 Over a segment every force of every crank is one smooth formula, which also goes on beyond both of its edges.
+A quantity is a jet of a segment and a place in it; at an edge it has the limits from both sides, which
+differ where it jumps. Where it has a value, and where it is greatest or least, is enclosed with proof.
 Angles are half turns of the first crank's φ.
 """
 
@@ -9,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from itertools import pairwise
 from math import floor
 from typing import Any, NamedTuple
@@ -18,15 +20,17 @@ import flint
 from flint import arb
 
 from kurbel.engine.cylinder import Cylinder, Standing
-from kurbel.engine.turn import EQUAL_BITS, Turn, circle
+from kurbel.engine.turn import Turn, circle
 from kurbel.exact.branch import Branched
 from kurbel.exact.certify import ball
-from kurbel.exact.jet import Jet, ball_jets
-from kurbel.exact.place import Place, fraction
-from kurbel.exact.roots import ISOLATING_BITS
+from kurbel.exact.jet import Jet, ball_jets, slopes
+from kurbel.exact.place import PRECISIONS, Place, fraction, unsettled
+from kurbel.exact.search import EQUAL_BITS, ISOLATING_BITS, Function, between, greatest
 from kurbel.kernel.turning import Stroke
 
 PRECISIONS_KEPT = 32
+# Shares of a segment at which nothing is likely to be zero.
+ANYWHERE = (Fraction(3, 17), Fraction(5, 11), Fraction(23, 29))
 
 
 class Crank(NamedTuple):
@@ -92,6 +96,106 @@ def _on_jets(cylinder: Cylinder, stroke: int, angle: Fraction) -> Cylinder:
     witness = cylinder.share(stroke, circle(angle))
     strokes: Any = tuple(_Pinned(one, witness) for one in cylinder.strokes)
     return cylinder._replace(strokes=strokes, circle=ball_jets)
+
+
+Quantity = Callable[[Segment, arb], Jet]
+
+
+class At(NamedTuple):
+    """A place in a segment, or the limit at one of its edges."""
+
+    segment: Segment
+    place: Place
+
+    def value(self, quantity: Quantity) -> arb:
+        """Return the quantity as a ball at the precision in force."""
+        value: arb = quantity(self.segment, self.place.half_turns()).value
+        return value
+
+
+class Part(NamedTuple):
+    """A part of a segment over which a quantity is above zero, 1, below it, -1, or zero throughout, 0."""
+
+    start: Place
+    end: Place
+    sign: int
+
+
+def zeros(segment: Segment, quantity: Quantity, value: Function) -> list[Place]:
+    """Return where in a segment the quantity has a value, its edges included.
+
+    A quantity that is constant there has no such place, nor one that only comes near; where it touches the
+    value, the place is known to 2e-10 of half a turn.
+    """
+
+    def apart(half_turns: arb) -> arb:
+        found: arb = quantity(segment, half_turns).value
+        return found - value(half_turns)
+
+    if is_level(segment, quantity):
+        return []
+    slope, _ = slopes(partial(quantity, segment))
+    return [*between(apart, slope, segment.start, segment.end)]
+
+
+def stationary(segment: Segment, quantity: Quantity) -> list[Place]:
+    """Return where within a segment the slope of the quantity is zero, the edges left out."""
+    if is_level(segment, quantity):
+        return []
+    edges = segment.start, segment.end
+    return [place for place in between(*slopes(partial(quantity, segment)), *edges) if place not in edges]
+
+
+def is_level(segment: Segment, quantity: Quantity) -> bool:
+    """Whether the quantity is constant over a segment: its slope is zero to EQUAL_BITS at places of no
+    meaning, as no smooth formula's is by chance."""
+    with flint.ctx.workprec(2 * EQUAL_BITS):
+        low, high = (fraction(place.half_turns().mid()) for place in (segment.start, segment.end))
+        rates = [quantity(segment, ball(low + (high - low) * part)).slope for part in ANYWHERE]
+        least = ball(2) ** -EQUAL_BITS
+        return all(bool(abs(arb(rate)) < least) for rate in rates)
+
+
+def extremes(segments: Sequence[Segment], quantity: Quantity, sign: int = 1) -> list[At]:
+    """Return where the quantity is greatest or, with sign -1, least, in order.
+
+    Several only if they cannot be told apart, as on both strokes of the infinite rod.
+    """
+    places = [
+        At(segment, place)
+        for segment in segments
+        for place in (segment.start, *stationary(segment, quantity), segment.end)
+    ]
+    return greatest(places, lambda one: one.value(quantity), sign)
+
+
+def extreme_value(found: Sequence[At], quantity: Quantity, sign: int = 1) -> arb:
+    """Return the value that all of these places may have, a ball at the precision in force."""
+    first, *others = (sign * one.value(quantity) for one in found)
+    for other in others:
+        first = first.max(other)
+    return sign * first
+
+
+def parts(segment: Segment, quantity: Quantity) -> Iterator[Part]:
+    """Yield the parts of a segment in order, at each of which the quantity has one sign."""
+    inner = zeros(segment, quantity, lambda half_turns: ball(0))
+    edges = (segment.start, segment.end)
+    places = [segment.start, *(place for place in inner if place not in edges), segment.end]
+    for start, end in pairwise(places):
+        yield Part(start, end, _sign_between(segment, quantity, start, end))
+
+
+def _sign_between(segment: Segment, quantity: Quantity, start: Place, end: Place) -> int:
+    for bits in PRECISIONS:
+        with flint.ctx.workprec(bits):
+            middle = ball(fraction(((start.half_turns() + end.half_turns()) / 2).mid()))
+            value = quantity(segment, middle).value
+            if not value.contains(0):
+                return 1 if value > 0 else -1
+            if bits > EQUAL_BITS and is_level(segment, quantity):
+                return 0
+    raise unsettled("which sign a force has")
 
 
 def jet_of(value: Any) -> Jet:
