@@ -21,8 +21,8 @@ from flint import arb
 
 from kurbel.engine.cylinder import Cylinder, Standing
 from kurbel.engine.turn import Turn, circle
-from kurbel.exact.branch import Branched
 from kurbel.exact.certify import ball
+from kurbel.exact.continued import Continued
 from kurbel.exact.jet import Jet, ball_jets, slopes
 from kurbel.exact.place import PRECISIONS, Place, fraction, unsettled
 from kurbel.exact.search import EQUAL_BITS, ISOLATING_BITS, Function, between, greatest
@@ -41,15 +41,15 @@ class Crank(NamedTuple):
 
 
 class _Pinned(NamedTuple):
-    """A stroke by the branch of its formula that holds where the piston has gone the share `witness`."""
+    """A stroke by the branch of its formula that holds where the piston has gone the share `at`."""
 
     stroke: Stroke
-    witness: arb
+    at: float
 
     def force(self, share: Any) -> Any:
         """Return the force at a share of the stroke, of a jet as a jet."""
-        found: Any = self.stroke.force(Branched(share, self.witness))
-        return found.number if isinstance(found, Branched) else found
+        found: Any = self.stroke.force(Continued(share, self.at))
+        return found.ball if isinstance(found, Continued) else found
 
 
 class Acting(NamedTuple):
@@ -93,8 +93,8 @@ class Segment:
 
 
 def _on_jets(cylinder: Cylinder, stroke: int, angle: Fraction) -> Cylinder:
-    witness = cylinder.share(stroke, circle(angle))
-    strokes: Any = tuple(_Pinned(one, witness) for one in cylinder.strokes)
+    at = float(cylinder.share(stroke, circle(angle)))
+    strokes: Any = tuple(_Pinned(one, at) for one in cylinder.strokes)
     return cylinder._replace(strokes=strokes, circle=ball_jets)
 
 

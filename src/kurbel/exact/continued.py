@@ -1,9 +1,9 @@
-"""Formulas continued from between two corners: into the complex plane, or as a power series.
+"""Formulas continued from between two corners: beyond them, into the complex plane, or as a power series.
 
 A formula of the house may be of another shape on both sides of a corner, as the force of steam is at cut-off.
-Between two corners only one of these shapes holds, and that one is continued, to complex balls on which an
-integrand or a series is bounded: a number carries what it is at a point between the same corners, and
-comparisons are of these.
+Between two corners only one of these shapes holds, and that one is continued, to balls that reach over a
+corner, where a slope of both shapes would tell nothing, or to complex ones on which an integrand or a series
+is bounded: a number carries what it is at a point between the same corners, and comparisons are of these.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ NEAREST = 1e-13
 
 
 class Continued:
-    """A complex ball, a power series or, of a constant, a real ball, and the float that the same formula has
-    at the point that stands for its piece."""
+    """A complex ball, a power series, a jet or, of a constant, a real ball, and the float that the same
+    formula has at the point that stands for its piece."""
 
     __slots__ = ("at", "ball")
 

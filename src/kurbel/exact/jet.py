@@ -61,13 +61,16 @@ class Jet:
     def __pow__(self, exponent: Any) -> Jet:
         """Return the power to a number, of a positive value but for whole exponents."""
         if exponent == 0.5:
-            value = self.value**exponent
-            slope = self.slope / (2 * value)
-            return Jet(value, slope, (self.bend / 2 - slope * slope) / value)
+            return self.sqrt()
         value = self.value**exponent
         rate = exponent * value / self.value
         rise = (exponent - 1) * rate / self.value
         return Jet(value, rate * self.slope, rate * self.bend + rise * self.slope * self.slope)
+
+    def sqrt(self) -> Jet:
+        value = self.value**0.5
+        slope = self.slope / (2 * value)
+        return Jet(value, slope, (self.bend / 2 - slope * slope) / value)
 
     def __abs__(self) -> Jet:
         """Return the magnitude; about a zero its slope is a ball with both signs, and its bend any number."""
