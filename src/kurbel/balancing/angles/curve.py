@@ -148,8 +148,3 @@ def left(residuals: Sequence[tuple[int, Residual, Callable[[], Any]]]) -> tuple[
         for order, residual, factor in residuals
         if not (residual.forward.vanishes() and residual.backward.vanishes())
     )
-
-
-def midpoint(value: arb) -> arb:
-    """Return the ball's middle alone."""
-    return flint.arb(value.mid())
