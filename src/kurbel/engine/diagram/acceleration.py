@@ -13,9 +13,9 @@ from typing import Any, NamedTuple
 from kurbel.engine.diagram.captions import places
 from kurbel.engine.diagram.excess import Excess
 from kurbel.engine.diagram.fluctuation import Extreme
-from kurbel.engine.diagram.torque import TURN, Line, Torque
+from kurbel.engine.diagram.torque import Line, Torque
 from kurbel.engine.diagram.waves import Waves
-from kurbel.engine.diagram.zeros import Zero, is_plain, waves_at, zeros
+from kurbel.engine.diagram.zeros import Zero, is_plain, over_cycle, waves_at, zeros
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Label, number_text
 from kurbel.exact.product import Product
@@ -83,41 +83,27 @@ def _of_lines(lines: Sequence[Line], sign: int, excess: Excess) -> Peak:
 def _of_waves(waves: Waves, sign: int, cycle: Fraction) -> Peak | None:
     from kurbel.exact.search import greatest
 
-    slope, period = waves.slope, TURN / waves.base
-    found = zeros(Torque(slope, (Line(Fraction(0), cycle, Fraction(0)),)))
+    slope = waves.slope
+    steepness = Torque(slope, (Line(Fraction(0), cycle, Fraction(0)),))
 
     def torque(zero: Zero, kind: Kind) -> Any:
         value = waves_at(waves, zero, slope, kind)
         return value if sign > 0 else kind.of(Fraction(0)) - value
 
-    found = greatest(found, lambda one: torque(one, balls()))
-    if any(one.root is not None and one.root.rising is None for one in found):
+    found = greatest(zeros(steepness), lambda one: torque(one, balls()))
+    if any(one.is_open for one in found):
         return None
-    shifts = [period * number for number in range(int(cycle / period))]
-    extremes = sorted((_shifted(one, shift, cycle) for one in found for shift in shifts), key=_place)
-    return Peak(Product.reduced(_of(torque, found[0])), [(one, one) for one in extremes])
+    return Peak(
+        Product.reduced(_of(torque, found[0])), [(one, one) for one in over_cycle(found, steepness, cycle)]
+    )
 
 
 def _of(torque: Callable[[Zero, Kind], Any], zero: Zero) -> Callable[[Kind], Any]:
     return lambda kind: torque(zero, kind)
 
 
-def _shifted(zero: Zero, shift: Fraction, cycle: Fraction) -> Extreme:
-    if zero.exact is not None:
-        return _exact((zero.exact + shift) % cycle)
-    behind = shift - cycle if zero.begun + shift >= cycle else shift
-    return Extreme(degrees=lambda kind: zero.degrees(kind) + kind.of(behind))
-
-
 def _exact(angle: Fraction) -> Extreme:
     return Extreme(degrees=lambda kind: kind.of(angle), exact=angle)
-
-
-def _place(extreme: Extreme) -> float:
-    from kurbel.exact.kind import floats
-
-    assert extreme.degrees is not None
-    return float(extreme.degrees(floats()))
 
 
 def _listed(peak: Peak, lang: str) -> Iterator[Label]:

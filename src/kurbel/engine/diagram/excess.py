@@ -15,7 +15,7 @@ from typing import Any
 from kurbel.engine.diagram.fluctuation import Extreme, work_of
 from kurbel.engine.diagram.torque import TURN, Line, Torque, common_cycle
 from kurbel.engine.diagram.waves import QUARTER, Waves
-from kurbel.engine.diagram.zeros import Zero, is_plain, waves_at, zeros
+from kurbel.engine.diagram.zeros import Zero, is_plain, over_cycle, waves_at, zeros
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats
 from kurbel.reading.given import Given
@@ -106,37 +106,15 @@ class Excess(Given):
 
     def extreme_energy(self, kind: Kind, *, greatest: bool) -> Any:
         """Return the greatest or the least excess energy in J."""
-        return self._energy(self._zeros_of(greatest)[0], kind)
+        return self._energy((self._greatest if greatest else self._least)[0], kind)
 
     def extremes(self, *, greatest: bool) -> tuple[Extreme, ...]:
         """Return the places within a cycle, in order."""
-        found = [(zero, times) for zero in self._zeros_of(greatest) for times in range(self._times)]
-        return tuple(sorted((self._extreme(*one) for one in found), key=_place))
-
-    @property
-    def _period(self) -> Fraction:
-        return TURN / self.excess.waves.base if is_plain(self.excess) else self.cycle
-
-    @property
-    def _times(self) -> int:
-        return int(self.cycle / self._period)
-
-    def _extreme(self, zero: Zero, times: int) -> Extreme:
-        shift = self._period * times
-        if zero.exact is not None:
-            exact = (zero.exact + shift) % self.cycle
-            return Extreme(degrees=lambda kind: kind.of(exact), exact=exact)
-        # The search of a period begins a little behind 0°, and ends so far behind its end.
-        beyond = zero.begun + shift >= self.cycle
-        shift -= self.cycle if beyond else 0
-        return Extreme(degrees=lambda kind: zero.degrees(kind) + kind.of(shift))
+        return over_cycle(self._greatest if greatest else self._least, self.excess, self.cycle)
 
     @cached_property
     def _candidates(self) -> list[Zero]:
         return zeros(self.excess)
-
-    def _zeros_of(self, greatest: bool) -> Sequence[Zero]:
-        return self._greatest if greatest else self._least
 
     @cached_property
     def _greatest(self) -> Sequence[Zero]:
@@ -155,7 +133,7 @@ class Excess(Given):
             areas = [sign * (self._area(one) or 0) for one in left]
             return [one for one, area in zip(left, areas, strict=True) if area == max(areas)]
         left = greatest_of(left, lambda one: self._energy(one, balls()), sign)
-        if any(one.root is not None and one.root.rising is None for one in left):
+        if any(one.is_open for one in left):
             raise ProblemError(
                 "the speed rests where it should turn; its extremes cannot be told apart; give slightly other"
                 " numbers"
@@ -211,8 +189,3 @@ def _without_nothing(waves: Waves) -> Waves:
         if several and all(own.vanishes(place) for place in (Fraction(0), QUARTER / order)):
             found -= own
     return found
-
-
-def _place(extreme: Extreme) -> float:
-    assert extreme.degrees is not None
-    return float(extreme.degrees(floats()))

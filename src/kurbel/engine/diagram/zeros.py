@@ -13,10 +13,11 @@ from fractions import Fraction
 from math import lcm, log2
 from typing import Any
 
+from kurbel.engine.diagram.fluctuation import Extreme
 from kurbel.engine.diagram.torque import TURN, Line, Torque
 from kurbel.engine.diagram.waves import Waves
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import Kind, balls
+from kurbel.exact.kind import Kind, balls, floats
 from kurbel.exact.separation import Separation
 from kurbel.exact.terms import algebraic
 
@@ -56,9 +57,18 @@ class Zero:
         return self.root.place() * self.unit
 
     @property
-    def begun(self) -> Fraction:
-        """An angle in degrees shortly before it."""
-        return Fraction(self.root.low * self.unit)
+    def is_open(self) -> bool:
+        """Whether it possibly is none, or several."""
+        return self.exact is None and self.root.rising is None
+
+    def shifted(self, shift: Fraction, cycle: Fraction) -> Extreme:
+        """Return the place so many degrees behind it, within a cycle."""
+        if self.exact is not None:
+            exact = (self.exact + shift) % cycle
+            return Extreme(degrees=lambda kind: kind.of(exact), exact=exact)
+        # The search of a period begins a little behind 0°, and ends so far behind its end.
+        behind = shift - cycle if self.root.low * self.unit + shift >= cycle else shift
+        return Extreme(degrees=lambda kind: self.degrees(kind) + kind.of(behind))
 
     def bounded_cosine(self, order: Fraction, phase: Fraction, base: Fraction, key: Polynomial) -> Separation:
         """Return the bound of cos(kφ + α) here, by that of e^(iφ k₀) for the base order k₀."""
@@ -137,6 +147,18 @@ def zeros(excess: Torque) -> list[Zero]:
     for number, one in enumerate(excess.lines):
         found += _on_line(excess, number, one.start, one.end)
     return _distinct(found)
+
+
+def over_cycle(found: Iterable[Zero], excess: Torque, cycle: Fraction) -> tuple[Extreme, ...]:
+    """Return the places of zeros over a cycle in order, those of waves alone in each of their periods."""
+    period = TURN / excess.waves.base if is_plain(excess) else cycle
+    shifts = [period * times for times in range(int(cycle / period))]
+    return tuple(sorted((one.shifted(shift, cycle) for one in found for shift in shifts), key=_angle))
+
+
+def _angle(extreme: Extreme) -> float:
+    assert extreme.degrees is not None
+    return float(extreme.degrees(floats()))
 
 
 def _straight(lines: Iterable[Line]) -> Iterator[Fraction]:
