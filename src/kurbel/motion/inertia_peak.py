@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import cached_property, lru_cache, reduce
-from itertools import pairwise
 from typing import Any
 
 import flint
@@ -21,17 +20,13 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import GUARD_BITS, MOST_BITS, ball, ball_circle, half_turn_circle, pi, vanishes
 from kurbel.exact.jet import Jet, ball_jets, jets
 from kurbel.exact.kind import Kind
-from kurbel.exact.search import ISOLATING_BITS, Summit, Zero, greatest, interval, isolate
+from kurbel.exact.search import BEFORE, BEHIND, SHARP_BITS, Summit, Zero, greatest, isolate
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.exact.terms import algebraic
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.rod import Loaded, Masses
 from kurbel.motion.inertia import RodForce
 
-# Halving from here reaches neither a quarter nor an eighth of a turn, where zeros would lie on the cut.
-CUT = Fraction(5, 11)
-# Nearer to a triple zero the slope has none of the bits of `isolate`.
-HALVINGS = 20
 CONTENDING_BITS = 256
 # Of a crank, at which its motion is kept.
 MOST_PLACES = 10_000
@@ -171,14 +166,14 @@ class Peak:
         for quarter in quarters:
             self._summit.reach(ball(quarter))
             yield self._zero(quarter, quarter)
-        for low, high in pairwise(quarters):
-            first, last = self._cleared(low, high), self._cleared(high, low)
-            for edge, end in ((low, first), (last, high)):
-                if edge != end and not self._is_single(edge, end):
-                    yield self._zero(edge, end)
-            cut = first + (last - first) * CUT
-            for start, end in ((first, cut), (cut, last)):
-                yield from isolate(self._slope, self._bend, start, end, self._summit.concerns)
+        ends = -BEFORE, turn + BEHIND
+        for zero in isolate(self._slope, self._bend, *ends, self._summit.concerns, SHARP_BITS):
+            near = [quarter for quarter in quarters if zero.low <= quarter <= zero.high]
+            # The one zero in an interval is that of the quarter, if it has one; beyond both ends of the
+            # search all comes again.
+            is_quarter = zero.rising is not None and any(map(self._is_level, near))
+            if not (is_quarter or zero.place() < 0 or zero.place() > turn):
+                yield zero
 
     def _zero(self, low: Fraction, high: Fraction) -> Zero:
         return Zero(self._slope, self._bend, low, high, None)
@@ -187,29 +182,10 @@ class Peak:
         magnitude: arb = abs(self._at(self.force.formula, half_turn_circle, half_turns))
         return magnitude
 
-    def _cleared(self, quarter: Fraction, other: Fraction) -> Fraction:
-        """Return up to where no zero of the slope follows that of the quarter, if it has one.
-
-        Or so close that it matters for very many decimals only, if that cannot be told.
-        """
-        if not self._is_level(quarter):
-            return quarter
-        end = other
-        for _ in range(HALVINGS):
-            end = quarter + (end - quarter) / 2
-            if self._is_single(quarter, end):
-                break
-        return end
-
     def _is_level(self, quarter: Fraction) -> bool:
         """Whether the slope at a quarter of the turn is zero, proved by its separation bound."""
         bits = self._bounded(self.force.smooth, 180 * quarter, jets, _constant).slope.bits()
         return vanishes(lambda: self._slope(ball(quarter)), float(bits))
-
-    def _is_single(self, start: Fraction, end: Fraction) -> bool:
-        """Whether the slope is zero once at most."""
-        with flint.ctx.workprec(ISOLATING_BITS):
-            return not self._bend(interval(start, end)).contains(0)
 
     def _value_at(self, place: Zero) -> arb:
         at = place.place()
