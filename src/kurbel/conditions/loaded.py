@@ -1,7 +1,7 @@
 """Conditions on the forces of an engine: all crank angles of its cycle at which they hold, with proof.
 
 Between two neighbouring dead centres or corners of the load a force is smooth; there all its zeros and
-extremes are enclosed (engine/course). Angles are half turns from the inner dead centre of the first crank.
+extremes are enclosed (engine/segments). Angles are half turns from the inner dead centre of the first crank.
 """
 
 from __future__ import annotations
