@@ -62,32 +62,43 @@ class Zero:
         if self.rising is None:
             return interval(self.low, self.high)
         if self._found is None or self._bits < flint.ctx.prec:
-            known = interval(self.low, self.high) if self._found is None else self._found
-            self._bits, self._found = flint.ctx.prec, self._narrowed(known)
+            found = interval(self.low, self.high) if self._found is None else self._found
+            if self.slope(found).contains(0):
+                self._halve()
+                found = interval(self.low, self.high)
+            self._bits, self._found = flint.ctx.prec, self._narrowed(found)
         return self._found
 
     def _narrowed(self, found: arb) -> arb:
         while True:
             middle = found.mid()
             better = middle - self.function(middle) / self.slope(found)
-            # Over a steep bend the slope may be anything; there halves are found by the sign.
-            narrower = better.is_finite() and better.overlaps(found)
-            better = better.intersection(found) if narrower else self._half(found)
+            if not better.is_finite():
+                return found
+            better = better.intersection(found)
             if not better.rad() < 0.75 * found.rad():
                 return better
             found = better
 
-    def _half(self, found: arb) -> arb:
-        """Return the part of the interval in which the function changes its sign, down to the last bit."""
-        ends = found.lower(), found.upper()
-        # In the middle the zero itself may lie.
-        cuts = found.mid(), ((6 * ends[0] + 5 * ends[1]) / 11).mid()
-        for cut in cuts if found.rad() > arb(2) ** -flint.ctx.prec else ():
-            value = self.function(cut)
-            if not value.contains(0):
-                above = bool(value > 0) == self.rising
-                return ends[0].union(cut) if above else cut.union(ends[1])
-        return found
+    def _halve(self) -> None:
+        """Halve the interval by signs, down to the last bit, until the slope over it is not zero.
+
+        In rational numbers, for the ends of a ball are rounded, and beyond them may be other zeros.
+        """
+        least = Fraction(1, 2**flint.ctx.prec)
+        while self.high - self.low > least and self.slope(interval(self.low, self.high)).contains(0):
+            # In the middle the zero itself may lie.
+            for share in (Fraction(1, 2), Fraction(5, 11)):
+                cut = self.low + (self.high - self.low) * share
+                value = self.function(ball(cut))
+                if not value.contains(0):
+                    break
+            else:
+                return
+            if bool(value > 0) == self.rising:
+                self.high = cut
+            else:
+                self.low = cut
 
 
 def _everywhere(piece: arb) -> bool:
