@@ -279,9 +279,10 @@ def plotted(question: Any, options: Mapping[str, Any], decimal: str | None) -> D
     for name in options:
         if name not in known:
             raise unknown("Table.plot", name, known, "kurbel forces --help drawing lists them")
-    given = {name: known[name].taken(value) for name, value in options.items() if value is not None}
-    values = {name: one.default for name, one in known.items()} | given
-    return drawing_of(question, Pictured(Values(values, dict.fromkeys(given, Origin.TYPED))), decimal)
+    with spelling_keywords(dict):
+        given = {name: known[name].taken(value) for name, value in options.items() if value is not None}
+        values = {name: one.default for name, one in known.items()} | given
+        return drawing_of(question, Pictured(Values(values, dict.fromkeys(given, Origin.TYPED))), decimal)
 
 
 def shot_of(seconds: float, question: Any) -> Shot:
