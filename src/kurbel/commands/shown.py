@@ -24,7 +24,7 @@ from kurbel.page.quantity import letter
 from kurbel.page.steps import MOST_COLUMNS
 from kurbel.page.table import Table as Page
 from kurbel.reading.given import choose, found_at
-from kurbel.reading.names import checks_keywords, unknown
+from kurbel.reading.names import checks_keywords, spelling_keywords, unknown
 
 if TYPE_CHECKING:
     from kurbel.page.quantity import Column

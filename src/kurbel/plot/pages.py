@@ -60,6 +60,8 @@ def over_axes(question: Question, wish: Wish) -> Picture:
 
 def deviations(question: Question, wish: Wish) -> Picture:
     """Return what is drawn of a collation: the differences of the printed values, place by place."""
+    if question.columns:
+        raise ProblemError("a drawing of a collation has its deviations; leave --columns out")
     return _drawn(question, wish, ("difference",))
 
 
