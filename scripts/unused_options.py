@@ -1,15 +1,15 @@
-"""Tell which options are accepted and change nothing: "read" is not "used".
+"""Tell which options are accepted and change nothing: what is read is not yet used.
 
     .venv/bin/python scripts/unused_options.py [--only REGEX] [--sample N]
 
-Each option of each command is tried beside each of the command's cases (`cases` of corpus/pairs.toml, and those of
-corpus/unused.toml), on the page and, if it is one of pages or of drawings, on the drawing. Where two of its values are
-accepted, what is printed must differ; where one is, or it is a flag, it must differ from what is printed without it. What
-does not, stands in corpus/unused.toml with its reason. It ends with 1 for a pair that stands not there, for an entry of the
-whole list that finds no pair, and for a traceback.
+Each option of each command is tried beside each of the command's cases (`cases` of corpus/pairs.toml, and
+those of corpus/unused.toml), on the page and, if it is one of looks, on the drawing. Where two of its values
+are accepted, what is printed must differ; where one is, or it is a flag, it must differ from what is printed
+without it. What does not, stands in corpus/unused.toml with its reason. It ends with 1 for a pair that does
+not stand there, for a reason without a pair, and for a traceback.
 
-The values are those of corpus/pairs.toml or the examples of the option's help, names of which there are few, and numbers
-beside them. A new option is tried without a line here.
+Values are those of corpus/pairs.toml or the examples of the option's help, names of which there are few, and
+numbers beside them. A new option is tried without a line here.
 """
 
 from __future__ import annotations
@@ -235,23 +235,12 @@ def params_of(pair: Pair) -> Mapping[str, Any]:
 def beside(text: str) -> Iterator[str]:
     """Yield the text with another number in place of one of them, or with a letter more."""
     numbers = [*_NUMBER.finditer(text)]
-    for change in (_more, _one_more, _less):
+    for times, more in ((1.25, 0), (1, 1), (2, 0), (0.5, 0)):
         for number in dict.fromkeys(numbers[-1:] + numbers[:1]):
-            yield text[: number.start()] + change(number[0]) + text[number.end() :]
+            changed = f"{float(number[0].replace(',', '.')) * times + more:.6g}"
+            yield text[: number.start()] + changed + text[number.end() :]
     if not numbers:
         yield f"{text}b"
-
-
-def _more(number: str) -> str:
-    return f"{float(number.replace(',', '.')) * 1.25:.6g}"
-
-
-def _one_more(number: str) -> str:
-    return f"{float(number.replace(',', '.')) + 1:.6g}"
-
-
-def _less(number: str) -> str:
-    return f"{float(number.replace(',', '.')) / 2:.6g}"
 
 
 if __name__ == "__main__":

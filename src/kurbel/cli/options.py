@@ -252,7 +252,7 @@ class Given(Values):
         except KurbelError as error:
             for param in self._context.command.params:
                 value, origin = self.written.get(param.name or ""), self.origins.get(param.name or "")
-                several = value if param.multiple else [value]
+                several = (value or ()) if param.multiple else [value]
                 if origin is Origin.ENVIRONMENT and any(f'"{one}"' in str(error) for one in several):
                     with naming_variable(self._context, param):
                         raise
