@@ -20,6 +20,7 @@ from cli import printed, refusal
 from completion import PRINTING, described
 
 import kurbel
+from kurbel.reading.keywords import as_keywords
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TABLES: dict[str, Callable[..., Any]] = {
@@ -120,7 +121,7 @@ MACHINES = ("engine.toml", "blower.toml", "gas-engine.toml", "pump.toml", "machi
     ids=lambda one: Path(one).stem,
 )
 def test_a_machine_gives_what_is_not_given_by_hand(file: str) -> None:
-    """Each function makes the page of its command, or says the same sentence."""
+    """Each function makes the page of its command, or says the same sentence, with keywords for options."""
     pages = 0
     for name, function in TABLES.items():
         if function.command.machine:  # type: ignore[attr-defined]
@@ -132,7 +133,8 @@ def test_a_machine_gives_what_is_not_given_by_hand(file: str) -> None:
             try:
                 page = str(function(machine=file, **({"stroke": "610mm"} if typed else {})))
             except kurbel.KurbelError as error:
-                assert line.err == f"kurbel: {error}\n", name
+                words = function.command.keywords()  # type: ignore[attr-defined]
+                assert as_keywords(line.err, words) == f"kurbel: {error}\n", name
             else:
                 assert page == line.out, name
                 pages += 1
