@@ -289,9 +289,13 @@ def test_other_values_give_other_names_for_references() -> None:
     ],
 )  # fmt: skip
 def test_what_cannot_be_is_refused_in_the_words_of_the_command_line(call: Any, words: str) -> None:
+    """The sentences are those of the command line, with keywords for its options."""
     with pytest.raises(kurbel.KurbelError) as raised:
         call()
-    assert str(raised.value) == refusal(*words.split(" "), code=raised.value.exit_code)
+    name, *options = words.split(" ")
+    sentence = refusal(name, *options, code=raised.value.exit_code)
+    function = getattr(kurbel, "plot_mechanism" if name == "plot" else name)
+    assert str(raised.value) == as_keywords(sentence, function.command.keywords())
 
 
 def test_a_question_is_what_would_be_made() -> None:
