@@ -20,7 +20,7 @@ from cli import printed, refusal
 from completion import PRINTING, described
 
 import kurbel
-from kurbel.reading.keywords import as_keywords
+from kurbel.reading.names import as_keywords
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TABLES: dict[str, Callable[..., Any]] = {
