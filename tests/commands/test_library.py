@@ -20,6 +20,7 @@ from cli import printed, refusal
 from completion import PRINTING, described
 
 import kurbel
+from kurbel.reading.names import as_keywords
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TABLES: dict[str, Callable[..., Any]] = {
@@ -120,7 +121,7 @@ MACHINES = ("engine.toml", "blower.toml", "gas-engine.toml", "pump.toml", "machi
     ids=lambda one: Path(one).stem,
 )
 def test_a_machine_gives_what_is_not_given_by_hand(file: str) -> None:
-    """Each function makes the page of its command, or says the same sentence."""
+    """Each function makes the page of its command, or says the same sentence, with keywords for options."""
     pages = 0
     for name, function in TABLES.items():
         if function.command.machine:  # type: ignore[attr-defined]
@@ -132,7 +133,8 @@ def test_a_machine_gives_what_is_not_given_by_hand(file: str) -> None:
             try:
                 page = str(function(machine=file, **({"stroke": "610mm"} if typed else {})))
             except kurbel.KurbelError as error:
-                assert line.err == f"kurbel: {error}\n", name
+                words = function.command.keywords()  # type: ignore[attr-defined]
+                assert as_keywords(line.err, words) == f"kurbel: {error}\n", name
             else:
                 assert page == line.out, name
                 pages += 1
@@ -287,9 +289,13 @@ def test_other_values_give_other_names_for_references() -> None:
     ],
 )  # fmt: skip
 def test_what_cannot_be_is_refused_in_the_words_of_the_command_line(call: Any, words: str) -> None:
+    """The sentences are those of the command line, with keywords for its options."""
     with pytest.raises(kurbel.KurbelError) as raised:
         call()
-    assert str(raised.value) == refusal(*words.split(" "), code=raised.value.exit_code)
+    name, *options = words.split(" ")
+    sentence = refusal(name, *options, code=raised.value.exit_code)
+    function = getattr(kurbel, "plot_mechanism" if name == "plot" else name)
+    assert str(raised.value) == as_keywords(sentence, function.command.keywords())
 
 
 def test_a_question_is_what_would_be_made() -> None:

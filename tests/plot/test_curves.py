@@ -29,6 +29,10 @@ CURVES = {
     "ratios": ("table", "--ratio=1:4;1:5;1:∞ --columns=x,rod_force,guide_force", ""),
     "machine": ("table", "--stroke=600mm --rod=1500mm --speed=120/min", "x_mm,c_mps,p_mps2"),
     "forces": ("forces", "--force=10kN --stroke=600mm --columns=rod_force_n,torque_nm", ""),
+    "moving masses": (
+        "forces", "--stroke=600mm --speed=120/min --reciprocating=200kg"
+        " --columns=crosshead_load_n,rod_force_n,tangential_force_n", "",
+    ),
     "arc": ("table", "--mechanism=arc --rocker=3 --ratio=1:5;1:4 --columns=path,velocity,rod", ""),
     "beam": ("table", "--mechanism=beam --beam=3", "path,velocity,acceleration,rocker,rod"),
     "parallel": (
@@ -280,3 +284,13 @@ def test_what_is_named_over_the_path_is_what_conditions_find() -> None:
         "Return",
     ):
         assert text in said
+
+
+@pytest.mark.parametrize("load", ["--pressure-ratio=3;4", "--compression=6;7 --heat=10"])
+def test_a_unit_with_words_is_written_out_at_its_axis(load: str) -> None:
+    assert "je Kolbenfläche" in printed("delta", *load.split(), "-f", "svg", "--text").out
+
+
+@pytest.mark.parametrize("line", ["table --over=path", "table --over-path", "forces --over=path"])
+def test_a_caption_of_ones_own_is_that_of_the_drawing(line: str) -> None:
+    assert "<title>Eigenes</title>" in printed(*line.split(), "--caption=Eigenes", "-f", "svg").out

@@ -103,6 +103,11 @@ def _no_option(error: click.NoSuchOption, words: Sequence[str]) -> str:
         return f"there is no option {notation.quoted(single)}; write -{single}"
     if command is not None and command.name == "plot" and name in DRAWN:
         return f"{begun}, for drawings of pages are a format of them; write kurbel {DRAWN[name]}"
+    swept = command.name if command is not None and getattr(command, "swept", False) else ""
+    if swept and name.lstrip("-") in _flags(command_of(swept)):
+        return (
+            f"{begun} in a sweep, which has columns of numbers and neither pages nor drawings; leave it out"
+        )
     hint = did_you_mean(name, [f"--{one}" for one in options])
     return begun + (elsewhere(getattr(error.ctx, "command_path", ""), name) or hint or _owners(name, value))
 

@@ -22,8 +22,8 @@ UNDRAWN = ("example", "firing", "rotor", "construct")
 ALSO_PAGES = ("pdf", "html")
 # What says how a page is written or what its rows are, and nothing on a drawing.
 OF_PAGES = (
-    "standalone", "interactive", "longtable", "siunitx", "plain", "excel", "digits", "rounding", "note",
-    "source", "templates", "zero", "shares",
+    "standalone", "interactive", "longtable", "siunitx", "plain", "excel", "digits", "rounding", "label",
+    "note", "source", "templates", "zero", "shares",
 )  # fmt: skip
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import inspect
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -13,7 +14,7 @@ from click.core import ParameterSource
 from kurbel.commands import options as kinds
 from kurbel.commands.part import Origin, Values
 from kurbel.commands.parts.sheet import Plain
-from kurbel.errors import NotationError
+from kurbel.errors import KurbelError, NotationError
 from kurbel.exact.numerals import DECIMALS
 from kurbel.formats.registry import FORMATS, format_names
 from kurbel.reading.given import File, check_below
@@ -124,6 +125,28 @@ class Option(click.Option):
     def resolve_envvar_value(self, ctx: click.Context) -> str | None:
         return None if ctx.find_object(Document) else super().resolve_envvar_value(ctx)
 
+    def process_value(self, ctx: click.Context, value: Any) -> Any:
+        if ctx.get_parameter_source(self.name or "") is not ParameterSource.ENVIRONMENT:
+            return super().process_value(ctx, value)
+        with naming_variable(ctx, self):
+            return super().process_value(ctx, value)
+
+
+@contextmanager
+def naming_variable(context: click.Context, option: click.Parameter) -> Iterator[None]:
+    """Have the sentence that refuses the value of an option name the variable in which it stands."""
+    several = [option.envvar] if isinstance(option.envvar, str) else [*(option.envvar or ())]
+    variables = [*several, f"{context.auto_envvar_prefix}_{(option.name or '').upper()}"]
+    variable = next((one for one in variables if os.environ.get(one)), variables[-1])
+    try:
+        yield
+    except KurbelError as error:
+        error.args = (f"{variable}: {error}",)
+        raise
+    except click.BadParameter:
+        value, flag = os.environ[variable][:40], max(option.opts, key=len)
+        raise NotationError(f'{variable} is "{value}"; write 1 for {flag}, or 0 to go without') from None
+
 
 def click_option(option: kinds.Option[Any]) -> click.Parameter:
     """Return an option of a command as click's."""
@@ -216,9 +239,24 @@ class Given(Values):
     """What was given to a command of click."""
 
     def __init__(self, context: click.Context) -> None:
+        self._context = context
         sources = {name: context.get_parameter_source(name) for name in context.params}
         super().__init__(context.params, {name: _ORIGINS.get(one) for name, one in sources.items()})
         self.in_document = context.find_object(Document) is not None
+
+    @contextmanager
+    def naming_variables(self) -> Iterator[None]:
+        """Have a sentence that quotes the value of an option name the variable in which it stands."""
+        try:
+            yield
+        except KurbelError as error:
+            for param in self._context.command.params:
+                value, origin = self.written.get(param.name or ""), self.origins.get(param.name or "")
+                several = (value or ()) if param.multiple else [value]
+                if origin is Origin.ENVIRONMENT and any(f'"{one}"' in str(error) for one in several):
+                    with naming_variable(self._context, param):
+                        raise
+            raise
 
 
 # Where a context keeps the name of the file.

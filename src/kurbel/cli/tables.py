@@ -69,8 +69,9 @@ class MakingCommand(TopicCommand, ABC):
         return left
 
     def invoke(self, ctx: click.Context) -> int:
-        with augment_usage_errors(ctx):
-            return self.run(Given(ctx))
+        given = Given(ctx)
+        with augment_usage_errors(ctx), given.naming_variables():
+            return self.run(given)
 
 
 class TableCommand(MakingCommand):

@@ -220,7 +220,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         if self.is_over_path():
             raise ProblemError(
                 "forces of an engine are not set over the path; kurbel pressures sets its pressures over the"
-                " stroke, and --over-path -o forces.svg draws the forces over it"
+                " stroke, and a drawing with --over-path has the forces over it"
             )
         self.refuse("force", *PRESSING, *PINNED)
         page = self.page("machine-forces" if self.is_heavy() else "engine-forces", *OF_ENGINES)

@@ -62,6 +62,8 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
     gravity = Weight.gravity.but(help="Acceleration of gravity, for --pendulum: 9.81; default 9.80665m/s².")
 
     def question(self) -> Question:
+        if self.layout_subject in MASSES:
+            self.refuse("mechanism")
         chosen = self.drive()
         if not (chosen.crosshead or "rocker_inertia" in chosen.takes):
             raise ProblemError(

@@ -27,6 +27,12 @@ class Origin(Enum):
     MACHINE = "machine"
 
 
+PLACES: Mapping[Origin | None, str] = {
+    Origin.ENVIRONMENT: "environment",
+    Origin.MACHINE: "machine's file",
+}
+
+
 class Values:
     """The values of a command's options by their names, where they come from, and which of them were read."""
 
@@ -144,6 +150,11 @@ class Part:
     def says(self, *names: str) -> bool:
         """Whether one of the options says anything, by which none of them counts as read."""
         return self.values.says(*names)
+
+    def called(self, name: str) -> str:
+        """Return what a sentence calls an option that is given: --rod-mass, and where it stands elsewhere."""
+        place = PLACES.get(self.values.origins.get(name))
+        return f"{name} of the {place}" if place else flag_of(self.values.spelled(name))
 
     def raw(self, name: str) -> Any:
         """Return the value of an option as it was given, and note that it was read."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from kurbel.commands.motion import some
 from kurbel.commands.options import Option, alone, measure
-from kurbel.commands.part import CommandOptions
+from kurbel.commands.part import CommandOptions, flag_of
 from kurbel.commands.parts.drawing import DECIMAL, Filmed, Pictured, Sized
 from kurbel.commands.parts.drive import AnyDrive
 from kurbel.commands.parts.sheet import Plain, Sheet
@@ -85,6 +85,8 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
                 f"--{flag} draws one crank drive, and {len(drives)} ratios were given; choose one"
             )
         angles = as_angles(POSITION) if self.positions is None else self.positions
+        if not (self.animate or (self.says("stroke") and self.says("rod"))):
+            self.refuse("stroke", "rod")
         return self._mechanism(chosen, drives[0], angles)
 
     def _mechanism(self, chosen: Mechanism, drive: Any, angles: Sequence[Fraction]) -> Drawing:
@@ -112,7 +114,15 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
 
     def unread(self, option: Option[Any]) -> str:
         """Return the sentence that refuses what is read beside a drawing that moves."""
-        return "--units are of the numbers beside what moves; leave it out" if option.name == "units" else ""
+        if option.name == "units":
+            return "--units are of the numbers beside what moves; leave it out"
+        if option.name in ("stroke", "rod"):
+            other = "rod" if option.name == "stroke" else "stroke"
+            flag = flag_of(self.values.spelled(option.name))
+            return (
+                f"{flag} gives the ratio of a drawing to scale with --{other}; add that, or leave {flag} out"
+            )
+        return ""
 
 
 plot_mechanism = function(PlotOptions, "plot_mechanism", drawn=True)

@@ -13,6 +13,7 @@ from kurbel.commands.parts.drive import Linked, OnMachine
 from kurbel.commands.parts.engine import Cylinder
 from kurbel.commands.parts.engine import Engine as EnginePart
 from kurbel.commands.parts.loads import KINDS, Loads
+from kurbel.commands.parts.masses import Masses
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
 from kurbel.drive.crank import Crank
@@ -351,6 +352,8 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
     def _pressed(self, page: Layout) -> Pressed:
         """Return the one cylinder that is described, with its masses, its load or both."""
         if self.load_names():
+            if self.says("card") and not self.is_heavy():
+                self.refuse("bore")
             engines = self.engines(layout("engine-forces"))
             about = EngineRequest(layout=layout("engine-forces"), **engines)
             _check_one(about.steams, "loads")
@@ -364,6 +367,9 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
         drives = self.weighed(chosen, chosen.drives(described, page.ratios), "bore", even=True)
         _check_one(drives, "crank ratios")
         return Pressed(drives[0], self.bore)
+
+    def unread(self, option: Option[Any]) -> str:
+        return f"--bore is for {Masses.title}; add {Masses.add}" if option.name == "bore" else ""
 
     def is_sized(self) -> bool:
         return self.compares_lengths() or self.is_heavy()

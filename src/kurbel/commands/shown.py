@@ -24,7 +24,7 @@ from kurbel.page.quantity import letter
 from kurbel.page.steps import MOST_COLUMNS
 from kurbel.page.table import Table as Page
 from kurbel.reading.given import choose, found_at
-from kurbel.reading.names import checks_keywords, unknown
+from kurbel.reading.names import checks_keywords, spelling_keywords, unknown
 
 if TYPE_CHECKING:
     from kurbel.page.quantity import Column
@@ -279,9 +279,10 @@ def plotted(question: Any, options: Mapping[str, Any], decimal: str | None) -> D
     for name in options:
         if name not in known:
             raise unknown("Table.plot", name, known, "kurbel forces --help drawing lists them")
-    given = {name: known[name].taken(value) for name, value in options.items() if value is not None}
-    values = {name: one.default for name, one in known.items()} | given
-    return drawing_of(question, Pictured(Values(values, dict.fromkeys(given, Origin.TYPED))), decimal)
+    with spelling_keywords(dict):
+        given = {name: known[name].taken(value) for name, value in options.items() if value is not None}
+        values = {name: one.default for name, one in known.items()} | given
+        return drawing_of(question, Pictured(Values(values, dict.fromkeys(given, Origin.TYPED))), decimal)
 
 
 def shot_of(seconds: float, question: Any) -> Shot:

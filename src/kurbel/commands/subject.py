@@ -11,12 +11,12 @@ from functools import cached_property, partial
 from os import fspath
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
-from kurbel.commands.options import FILE, TEXT, Option, is_given
+from kurbel.commands.options import FILE, TEXT, Choice, Option, is_given
 from kurbel.commands.part import CommandOptions, Origin, Values
 from kurbel.errors import MachineError, ProblemError
 from kurbel.page.table import Request, own_words
 from kurbel.reading.given import File, found_at
-from kurbel.reading.names import bound
+from kurbel.reading.names import bound, spelling_keywords
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Table
@@ -86,6 +86,16 @@ class Command:
     def options(self) -> Mapping[str, Option[Any]]:
         """The options by their names on the command line, with underscores."""
         return {one.name: one for one in self.parameters.values()}
+
+    def keywords(self) -> Mapping[str, Collection[str]]:
+        """Return the keywords of the function, each with those of its values that are words."""
+        words = {
+            key: [*one.kind.names] if isinstance(one.kind, Choice) else []
+            for key, one in self.parameters.items()
+        }
+        from kurbel.commands.parts.drawing import Pictured
+
+        return {**dict.fromkeys(Pictured.options(), ()), MACHINE: (), "interactive": (), **words}
 
     @cached_property
     def defaults(self) -> Mapping[str, Any]:
@@ -175,20 +185,23 @@ def function(asks: type[CommandOptions], name: str, drawn: bool = False) -> Func
     command = Command(asks, name)
 
     def question(*args: Any, **options: Any) -> Any:
-        return command.ask(_values(command, args, options))
+        with spelling_keywords(command.keywords):
+            return command.ask(_values(command, args, options))
 
     def make(*args: Any, **options: Any) -> Table:
-        values = _values(command, args, options)
-        asked = command.ask(values)
-        return _table(command.built(asked, values), asked)
+        with spelling_keywords(command.keywords):
+            values = _values(command, args, options)
+            asked = command.ask(values)
+            return _table(command.built(asked, values), asked)
 
     def interactive(*args: Any, **options: Any) -> Table:
         from kurbel.commands.stepped import NOTHING, stepped
 
-        page = stepped(command, _values(command, args, options))
-        if page.steps is None:
-            raise ProblemError(NOTHING)
-        return _table(page)
+        with spelling_keywords(command.keywords):
+            page = stepped(command, _values(command, args, options))
+            if page.steps is None:
+                raise ProblemError(NOTHING)
+            return _table(page)
 
     found = question if drawn else make
     found.__name__ = found.__qualname__ = name

@@ -140,6 +140,7 @@ class Parallel(LinkageMechanism):
     title = "the parallel crank"
     layout = "parallel"
     forces_layout = "forces-parallel"
+    heavy = False
     rod = "kurbel.linkage.parallel:rod_ends"
 
     def drives(self, said: Described, ratios: Sequence[str]) -> tuple[ParallelCrank, ...]:

@@ -133,7 +133,9 @@ class Drive(ABC):
         """Return the column that shows a quantity of conditions."""
         if quantity in self.pushed:
             return quantity
-        return next(key for key, entry in self.entries.items() if entry.names[:1] == (quantity,))
+        named = (key for key, entry in self.entries.items() if entry.names[:1] == (quantity,))
+        # The force on a pin has no share of the piston force beside it.
+        return next(named, None) or self.in_newtons[quantity]
 
     def digits(
         self, column: str, stroke: int, place: Place, decimals: int, rounding: str, times: Fraction = ONE

@@ -32,7 +32,8 @@ class Mechanism(ABC):
     is drawn unless columns are named: each quantity, and what stands for it where its unit is known.
     `examples` are columns for messages, by command. `drawing` makes the drawing to scale, of a drive, angles,
     language, decimal mark and size, `moving` what moves on interactive pages, of a drive. A drive with a
-    `crosshead` has its pages of forces in common with engines, and a polar diagram. `rod` finds the ends of
+    `crosshead` has its pages of forces in common with engines, and a polar diagram; of one that is `heavy`
+    the forces of moving masses are computed. `rod` finds the ends of
     its connecting rod, for points on that.
     """
 
@@ -48,6 +49,7 @@ class Mechanism(ABC):
     drawing: ClassVar[str]
     moving: ClassVar[str]
     crosshead: ClassVar[bool] = False
+    heavy: ClassVar[bool] = True
     rod: ClassVar[str] = ""
 
     @property

@@ -64,6 +64,7 @@ def over_path(question: PathRequest, wish: Wish) -> Picture:
         layout=drawing_layout(chosen.forces_layout if forces else chosen.layout),
         angles=smooth((Fraction(0), Fraction(360))),
         lang=question.lang,
+        caption=question.caption,
         units=question.units,
         columns=names_over(chosen, drives, columns_of(question), bool(question.columns)),
     )

@@ -23,6 +23,12 @@ from kurbel.plot.ticks import Across, Ticks, axis_label, over_angle, plain_ticks
 
 # What a page is drawn over where it has several places of it, in this order; then what has most places.
 FIRST = ("angle", "share", "order", "expansion")
+# How several places of an axis are typed, or several loads of a kind.
+SEVERAL = {
+    "ratio": "--ratio '1:4;1:5'", "steam": "--eps 2..6", "compressor": "--pressure-ratio 2..6",
+    "gas": "--compression 4..8", "target": "--delta '1:100;1:50'", "share": "--share '1/3;1/2'",
+    "arm": "--beam '2;3'",
+}  # fmt: skip
 # What has no place between two of its own, and is drawn as lines from 0.
 APART = ("order", "place")
 # What pages have beside the same in other words.
@@ -54,6 +60,8 @@ def over_axes(question: Question, wish: Wish) -> Picture:
 
 def deviations(question: Question, wish: Wish) -> Picture:
     """Return what is drawn of a collation: the differences of the printed values, place by place."""
+    if question.columns:
+        raise ProblemError("a drawing of a collation has its deviations; leave --columns out")
     return _drawn(question, wish, ("difference",))
 
 
@@ -74,10 +82,10 @@ def _across(asked: Question) -> _Across:
     axes = {name: axis for name, axis in asked.axes.items() if name != "column" and axis.size > 1}
     known = {name: found for name, axis in axes.items() if (found := _numbers(asked, name, axis))}
     if not known:
-        several = next(iter(asked.axes)) if asked.axes else ""
+        several = [SEVERAL[one] for one in (*asked.axes, *_loads(asked)) if one in SEVERAL]
+        instead = f"give several values, {' or '.join(several)}" if several else "print it, as text or LaTeX"
         raise ProblemError(
-            "a drawing needs an axis with several places, and this page has one of each; give several values"
-            f" {'of what stands at its left, ' if several else ''}such as --ratio '1:4;1:5' or --eps 2..6"
+            f"a drawing needs an axis with several places, and this page has one of each; {instead}"
         )
     name = next((one for one in FIRST if one in known), max(known, key=lambda one: len(known[one])))
     lang = asked.lang
@@ -90,6 +98,12 @@ def _across(asked: Question) -> _Across:
         field = axis.field() if isinstance(axis, Axis) else None
         label = axis_label(f"{field.name} {field.symbol}", field.unit) if field else axis.stub_heading()
     return _Across(name, known[name], Across(label, _whole_ticks if name in APART else plain_ticks))
+
+
+def _loads(asked: Any) -> Iterator[str]:
+    """Yield the kind of the loads, if the page has an axis of these."""
+    loads = getattr(asked, "steams", getattr(asked, "loads", ())) if "expansion" in asked.axes else ()
+    yield from (one.name for one in loads[:1])
 
 
 def _numbers(asked: Any, name: str, axis: PageAxis) -> list[float]:

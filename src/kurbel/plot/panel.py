@@ -191,10 +191,11 @@ def axis_name(quantity: Quantity, lang: str) -> tuple[str, Label, Label]:
     """Return what an axis calls a quantity, Kolbenweg and $x/R$, and its unit; a share has none.
 
     The heading is that of a column without a unit that the axis can have: $x$ of $x$ in mm. A unit in letters
-    is part of it: $F/Q$ of $F$ in $Q$.
+    is part of it: $F/Q$ of $F$ in $Q$, unless there are words beside them.
     """
     name, heading, unit = quantity.name[lang], quantity.heading[lang], quantity.unit[lang]
-    if "/(" in unit and heading == f"{quantity.symbol} in {unit}":
+    worded = unit.startswith("$") and not unit.endswith("$")
+    if ("/(" in unit or worded) and heading == f"{quantity.symbol} in {unit}":
         return name, quantity.symbol, unit
     if unit.startswith("$") and heading == f"{quantity.symbol} in {unit}":
         letter, letters = (f"({one})" if " " in one else one for one in (quantity.symbol[1:-1], unit[1:-1]))

@@ -6,10 +6,11 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from functools import wraps
 from typing import Any, ParamSpec, TypeVar
 
-from kurbel.errors import KeywordError
+from kurbel.errors import KeywordError, KurbelError
 
 # Words for the same, also before _return, _mm and the like: those that names have, then those that none has.
 # Capitals, accents and signs between words do not count, and a number is a word.
@@ -62,6 +63,12 @@ _LETTERS = str.maketrans(
 )  # fmt: skip
 _UNIT = re.compile(r"\s*\[.*")
 _NUMBER = re.compile(r"[0-9]+")
+# A line of a shell, or an option with what may be its value.
+_OPTION = re.compile(
+    r"kurbel [a-z]+ -[^;,]*|--([a-z][a-z-]*)(?:([ =])('[^']*'|\"[^\"]*\"|[^\s,;]*[^\s,;.]))?"
+)
+_VALUE = re.compile(r"['\"]|[+−-]?\d|\w+=")
+_PLAIN_NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 _SIGNS = re.compile(r"[\W_]+|(?<=[^\W\d_])(?=\d)")
 # What stands behind a locale: en_GB.UTF-8.
 _ENCODING = re.compile(r"\.(?:utf-?8|iso-?8859.*)$")
@@ -225,13 +232,47 @@ def checks_keywords(function: Callable[Words, Answer]) -> Callable[Words, Answer
 
     @wraps(function)
     def called(*args: Words.args, **kwargs: Words.kwargs) -> Answer:
+        signature = inspect.signature(function)
         try:
-            return function(*args, **kwargs)
+            with spelling_keywords(lambda: dict.fromkeys(signature.parameters, ())):
+                return function(*args, **kwargs)
         except TypeError:
-            bound(function.__name__, inspect.signature(function), args, kwargs)
+            bound(function.__name__, signature, args, kwargs)
             raise
 
     return called
+
+
+@contextmanager
+def spelling_keywords(names: Callable[[], Mapping[str, Collection[str]]]) -> Iterator[None]:
+    """Have a sentence name a function's values as Python does, where it has options of the command line.
+
+    `names` are the keywords, each with those of its values that are words; of none, all options are such.
+    """
+    try:
+        yield
+    except KurbelError as error:
+        error.args = (as_keywords(str(error), names()), *error.args[1:])
+        raise
+
+
+def as_keywords(sentence: str, names: Mapping[str, Collection[str]]) -> str:
+    """Return the sentence with pin_friction=0.06 for --pin-friction 0.06, lines of a shell as they stand."""
+    known = {name.rstrip("_").replace("_", "-"): name for name in names}
+
+    def spelled(found: re.Match[str]) -> str:
+        flag, between, value = found.groups()
+        if flag is None or (names and flag not in known):
+            return found[0]
+        keyword = known.get(flag, flag.replace("-", "_"))
+        if value is None:
+            return keyword
+        if not (_VALUE.match(value) or value in names.get(keyword, ())):
+            return f"{keyword}{between}{value}"
+        text = value.strip("'\"")
+        return f"{keyword}={text}" if _PLAIN_NUMBER.fullmatch(text) else f'{keyword}="{text}"'
+
+    return _OPTION.sub(spelled, sentence)
 
 
 def bound(

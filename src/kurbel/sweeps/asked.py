@@ -244,6 +244,11 @@ def _grouped(axes: Sequence[Axis], linked: Iterable[str | Sequence[str]]) -> tup
     by_name = {axis.option: axis for axis in axes}
     groups: dict[str, tuple[Axis, ...]] = {axis.option: (axis,) for axis in axes}
     for text in linked:
+        if not by_name:
+            raise ProblemError(
+                "no option has several values, so that there is nothing to link; leave --zip out, or give"
+                " several, --eps '2;3;4'"
+            )
         names = text.replace(";", ",").split(",") if isinstance(text, str) else text
         plain = (name.strip().replace("-", "_") for name in names)
         found = [meant(name, by_name, "option with several values") for name in plain]

@@ -20,6 +20,7 @@ from kurbel.commands.subject import MACHINE, Command, of_machine
 from kurbel.errors import ChoiceError, KeywordError, NotationError, ProblemError
 from kurbel.reading.environment import need
 from kurbel.reading.given import meant
+from kurbel.reading.names import spelling_keywords
 from kurbel.sweeps.about import cf_of, cf_of_file
 from kurbel.sweeps.asked import planned
 from kurbel.sweeps.columns import Column, Part
@@ -121,17 +122,19 @@ def sweep(
                 "jobs, scheduler, resume and restart are for an output; Dask says what computes a dataset"
             )
     asking = _command(command)
-    plan = planned(
-        f"{asking.__module__}:{asking.__name__}",
-        _values_of(asking.command, options.pop(MACHINE, None), options),
-        linked=_linked(zip),
-        digits=digits,
-        bounds=bounds,
-        strict=strict,
-        only=only,
-        sample=sample,
-        seed=seed,
-    )
+    own = ("digits", "bounds", "zip", "only", "sample", "seed", "strict", "output", "resume", "restart")
+    with spelling_keywords(lambda: {**asking.command.keywords(), **dict.fromkeys(own, ())}):
+        plan = planned(
+            f"{asking.__module__}:{asking.__name__}",
+            _values_of(asking.command, options.pop(MACHINE, None), options),
+            linked=_linked(zip),
+            digits=digits,
+            bounds=bounds,
+            strict=strict,
+            only=only,
+            sample=sample,
+            seed=seed,
+        )
     if output is not None:
         need("a file of columns", "scale", "pyarrow")
         from kurbel.sweeps.run import Running, run

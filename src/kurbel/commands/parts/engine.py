@@ -72,6 +72,10 @@ class OneCylinder(Kind):
             if key in entries:
                 raise NotationError(f"{key} of a cylinder is given twice; leave one out")
             entries[key] = value if equals else True
+        if not entries:
+            raise NotationError(
+                f"a cylinder has no entries; write it as '{EXAMPLE}', or leave --cylinder out"
+            )
         return _checked(entries)
 
     def taken(self, value: Any, name: str) -> Mapping[str, Any]:

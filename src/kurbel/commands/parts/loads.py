@@ -267,7 +267,9 @@ class Loads(Piston):
             kind = SINGLE
         ring = self.small_area
         if ring is not None and kind != DIFFERENTIAL:
-            raise ProblemError("--small-area is for --pump differential, which has a ring")
+            raise ProblemError(
+                "--small-area is for --pump differential, which has a ring; write that, or leave it out"
+            )
         # Where newtons are not asked for, a double-acting pump, whose ends work alike, compares no pressures.
         counts = self.says("bore") or (kind != DOUBLE and self.says("suction_pressure"))
         suction, delivery = (self.suction_pressure, self.delivery_pressure) if counts else (None, None)
@@ -371,7 +373,7 @@ class Loads(Piston):
             return "--pressure is that of ideal steam, and a card has its own; leave it out"
         if not set(named) & set(owners):
             title, steam = LOADS[KINDS[named[0]].load].title, steam if named == ["eps"] else ""
-            return f"{flag_of(name)} does not belong to {title}; it is for {_titles(owners)}{steam}"
+            return f"{flag_of(name)} is for {_titles(owners)}, not for {title}; leave it out{steam}"
         if name.endswith("pressure") and not self.says("bore"):
             return f"{flag_of(name)} makes newtons of the load only with --bore; add that"
         return ""

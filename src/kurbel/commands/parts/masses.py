@@ -172,6 +172,10 @@ class Masses(MovingRod, Weight):
         names = {*Masses.masses()}
         return self.says(*names) or any(names & {*one} for one in entries)
 
+    def a_mass(self) -> str:
+        """Return the first of the masses that are given."""
+        return next(name for name in Masses.masses() if self.says(name))
+
     def weighed(
         self, chosen: Mechanism, drives: Sequence[Any], *beside: str, even: bool = False
     ) -> list[Any]:
@@ -181,6 +185,11 @@ class Masses(MovingRod, Weight):
         """
         if not self.is_heavy():
             return list(drives)
+        if not chosen.heavy:
+            raise ProblemError(
+                f"the forces of moving masses in {chosen.title} are not computed; leave"
+                f" {self.called(self.a_mass())} out, or --mechanism {chosen.name}"
+            )
         foreign = of_other_mechanisms(chosen, [name for name in Masses.masses() if self.says(name)])
         for sentence in foreign.values():
             raise ProblemError(sentence)
@@ -189,8 +198,9 @@ class Masses(MovingRod, Weight):
         if any(crank.radius is None for crank in cranks):
             missing.insert(0, "--stroke")
         if missing:
-            first = next(name for name in Masses.masses() if self.says(name))
-            raise ProblemError(f"{flag_of(first)} needs {', '.join(missing)} to become a force")
+            *others, last = missing
+            needed = f"{', '.join(others)} and {last}" if others else last
+            raise ProblemError(f"{self.called(self.a_mass())} needs {needed} to become a force")
         from kurbel.drive.rod import Moving
 
         # One rod for all ratios has a length of its own only if there is one ratio.

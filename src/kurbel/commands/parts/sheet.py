@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from os import PathLike
 from typing import TYPE_CHECKING, Any, TypedDict
 
 from kurbel.commands.options import FILE, PROSE, Choice, Columns, Count, LayoutName, Option, word
 from kurbel.commands.part import Part
+from kurbel.errors import ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS
 from kurbel.page.layouts import LANGUAGES, Layout, layout, layout_of
 from kurbel.reading.given import as_names
@@ -15,6 +17,9 @@ if TYPE_CHECKING:
     from kurbel.page.table import Note
     from kurbel.reading.amounts import Units
 
+# Units that are of the drive itself, and what has units in its text or its file.
+UNITLESS = ("", "degrees", "R", "rod lengths")
+MEASURED = ("areas", "area_scale", "card", "cylinder", "hole", "rod_file", "torque_file", "load_torque_file")
 LISTED = "; `kurbel quantities` lists them. What tells rows apart is always among them."
 
 
@@ -178,4 +183,15 @@ class Sheet(Plain):
     )
 
     def printed(self) -> Printed:
+        if self.values.typed("units") and not self.says(*self._measured()):
+            raise ProblemError(
+                "--units are those of lengths, forces and speeds, and without any the page is in units of its"
+                " drive; give one, such as --stroke 600mm, or leave --units out"
+            )
         return {**super().printed(), "units": self.units}
+
+    def _measured(self) -> Iterator[str]:
+        """Yield the options whose values have units."""
+        for option in self.options().values():
+            if option.unit not in UNITLESS or option.name in MEASURED:
+                yield option.name
