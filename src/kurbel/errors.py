@@ -32,6 +32,10 @@ class ProblemError(KurbelError):
     """A crank drive that cannot be built or cannot turn."""
 
 
+class UnsettledError(ProblemError):
+    """The greatest precision does not tell numbers apart."""
+
+
 class NoRootError(FailedError):
     """A condition that holds at no crank angle."""
 

@@ -294,3 +294,15 @@ def test_a_unit_with_words_is_written_out_at_its_axis(load: str) -> None:
 @pytest.mark.parametrize("line", ["table --over=path", "table --over-path", "forces --over=path"])
 def test_a_caption_of_ones_own_is_that_of_the_drawing(line: str) -> None:
     assert "<title>Eigenes</title>" in printed(*line.split(), "--caption=Eigenes", "-f", "svg").out
+
+
+def test_a_curve_with_two_greatest_places_that_no_ball_tells_apart_is_drawn() -> None:
+    effort = (
+        "--bore=300mm",
+        "--head-pressure=2bar",
+        "--stroke=600mm",
+        "--crank-pin=80mm",
+        "--pin-friction=0.1",
+    )
+    paper = printed("forces", *effort, "--columns=rod_force_n", "-f", "svg").out
+    assert "Stangenkraft" in paper

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import flint
 from flint import arb, fmpz_poly
 
-from kurbel.errors import ProblemError
+from kurbel.errors import UnsettledError
 from kurbel.exact.certify import ball, kept, pi
 from kurbel.exact.surd import Surd, squarefree
 
@@ -156,6 +156,6 @@ def fraction(exact: arb) -> Fraction:
     return Fraction(int(rational.p), int(rational.q))
 
 
-def unsettled(what: str) -> ProblemError:
+def unsettled(what: str) -> UnsettledError:
     """Return the error of a question that the greatest precision leaves open."""
-    return ProblemError(f"{what} is not settled by {MOST_BITS} bits; give slightly other numbers")
+    return UnsettledError(f"{what} is not settled by {MOST_BITS} bits; give slightly other numbers")

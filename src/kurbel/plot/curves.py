@@ -14,7 +14,7 @@ import numpy as np
 
 from kurbel.conditions.solve import MEASURES, Root, solve
 from kurbel.drive.crank import Crank, ends
-from kurbel.errors import NoRootError, ProblemError
+from kurbel.errors import NoRootError, ProblemError, UnsettledError
 from kurbel.exact.numerals import Label, Number, degrees_text, figures, number_text
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import LOADED, OUT, RETURN, STROKES, is_known
@@ -73,12 +73,15 @@ def spots(
 
     The values are in the units of its axis, those of its page divided by a power of ten; they are so many
     `times` those of a metric page. A value of 0 has no name. Of a quantity that conditions do not know there
-    are none.
+    are none, and none where two places are not told apart.
     """
     asked = _conditions(drive).get(quantity.key)
     if asked is None or not _is_solved(drive, asked) or drive.course(asked, OUT).is_constant:
         return []
-    roots = (root for kind in (MAX, MIN) for root in solve(drive, Condition(asked, kind)))
+    try:
+        roots = [root for kind in (MAX, MIN) for root in solve(drive, Condition(asked, kind))]
+    except UnsettledError:
+        return []
     found = [one for root in roots for one in _on_curve(root, quantity, values, times)]
     near = NEAR * max((abs(one.value) for one in found), default=0.0)
     named: list[Spot] = []
