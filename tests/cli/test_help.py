@@ -43,7 +43,7 @@ NEEDED = {
     "flywheel": "--power 50kW --speed 120/min --delta 1:100 --eps 4",
 }
 SCHEMAS = {
-    "machine.toml": "drive/machine.schema.json",
+    "machine.toml": "commands/machine.schema.json",
     "layout.toml": "page/layout.schema.json",
     "sweep.toml": "sweeps/sweep.schema.json",
     "handbook.toml": "handbook/handbook.schema.json",

@@ -223,6 +223,9 @@ class Option(Generic[Value]):
     values of a list are `numbers`, unless it says otherwise.
 
     `unit` is that of bare numbers in Python; `many` options may be repeated. A positional one has no dashes.
+    `machine` are the sections of a machine's file in which it stands, "steam compressor", with the key behind
+    a dot where that is not its name: "masses.rod"; `usual` is the unit in which it mostly stands there.
+
     `environment` is a variable for all commands, beside that of the command's own option. What is `first` is
     parsed before the others, which need it; what is `last` stands behind the command's own. Without a value,
     and True in Python, an option is `bare`. `what` it is called in sentences, if not by its name.
@@ -254,11 +257,14 @@ class Option(Generic[Value]):
         numbers: bool = True,
         read: Callable[[Any, str], Any] | None = None,
         what: str = "",
+        machine: str = "",
+        usual: str = "",
     ) -> None:
         self.help, self.metavar, self.kind, self.short, self.unit = help, metavar, kind, short, unit
         self.many, self.positional, self.environment, self.first = many, positional, environment, first
         self.default, self.last, self.bare, self.required = default, last, bare, required
         self.read, self.what, self.whole, self.numbers = read, what, whole, numbers
+        self.machine, self.usual = machine, usual
 
     def but(self, **changes: Any) -> Self:
         """Return the same option with another help, another default: as it is in one command."""

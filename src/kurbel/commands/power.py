@@ -14,6 +14,7 @@ from kurbel.commands.parts.engine import Cylinder
 from kurbel.commands.parts.engine import Engine as EnginePart
 from kurbel.commands.parts.loads import KINDS, Loads
 from kurbel.commands.parts.masses import Masses
+from kurbel.commands.parts.performance import Losses
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
 from kurbel.drive.crank import Crank
@@ -32,7 +33,6 @@ from kurbel.page.subject import Question
 from kurbel.reading.given import (
     as_angles,
     as_crank_angles,
-    as_density,
     as_length,
     as_number,
     as_power,
@@ -40,7 +40,6 @@ from kurbel.reading.given import (
     as_ratios,
     as_share,
     as_shares,
-    as_specific_volume,
     as_speed,
     as_velocity,
 )
@@ -57,7 +56,7 @@ OF_STEAM = ("specific_volume", "steam_density")
 PRESSURES, ABOUT = ("pressures", "pressures-turn"), ("pressures", "pressures over the angle")
 
 
-class PowerOptions(OnMachine, Loads, Layouts, Sheet, CommandOptions):
+class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     """Print the mean effective pressure and the power of an engine, a compressor or a pump, or the bore,
     stroke or speed that a power asks for, and the steam taken.
 
@@ -114,17 +113,6 @@ class PowerOptions(OnMachine, Loads, Layouts, Sheet, CommandOptions):
         as_velocity, "Mean piston speed in place of the stroke or the speed: 3m/s.", "VELOCITY", unit="m/s"
     )
     cylinders: Option[Any] = Option("Number of cylinders alike; default 1.", "NUMBER")
-    diagram_factor: Option[Any] = Option(
-        "Area of the real card in that of the ideal one: 0.8, or ? to find it from a power; default 1, the"
-        " ideal card.",
-        "SHARE",
-    )
-    efficiency = measure(as_share, "Mechanical efficiency, for the power at the shaft: 85%.", "SHARE")
-    specific_volume = measure(
-        as_specific_volume, "Of the steam before cut-off, for the steam taken: '0.24 m3/kg'.", "VOLUME",
-        unit="m³/kg",
-    )  # fmt: skip
-    steam_density = measure(as_density, "In its place the density: '4.16 kg/m3'.", "DENSITY", unit="kg/m³")
     columns = columns_option("power", "mean_pressure,indicated_power")
     layout = layout_option("power").but(default="power")
 

@@ -47,42 +47,45 @@ class Linked(OnMachine):
 
     ratio: Option[Any] = Option(
         "Crank ratio: 1:5, 1:4,5, 0.2; lists '1:4;1:5' and ranges 1:3..6:0.5; 1:∞ is the infinite rod.",
-        "R:L", short="-r", many=True,
+        "R:L", short="-r", many=True, machine="crank",
     )  # fmt: skip
     offset: Option[Any] = Option(
-        "Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R"
+        "Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R", machine="crank"
     )
     stroke: Option[Any] = Option(
-        "2R: 600mm; of an offset crank, too, whose piston goes further.", "LENGTH", unit="m"
+        "2R: 600mm; of an offset crank, too, whose piston goes further.", "LENGTH", unit="m", machine="crank"
     )
-    crank: Option[Any] = Option("R, in place of --stroke: 300mm.", "LENGTH", unit="m")
+    crank: Option[Any] = Option("R, in place of --stroke: 300mm.", "LENGTH", unit="m", machine="crank.radius")
     true_stroke: Option[Any] = Option(
         "Way of the piston, in place of --stroke; of an offset crank R follows from it, with --rod or"
         " --ratio: 600mm.",
-        "LENGTH", unit="m",
+        "LENGTH", unit="m", machine="crank",
     )  # fmt: skip
     time_ratio: Option[Any] = Option(
         "With --true-stroke and --offset as a length: time of the outstroke over that of the return, from"
         " which R and L follow: 1.2.",
-        "Q",
+        "Q", machine="crank",
     )  # fmt: skip
     rod: Option[Any] = Option(
-        "Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m"
+        "Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m", machine="crank"
     )
-    mechanism = word(registered.described(), kind=Choice("mechanism", MECHANISMS))
+    mechanism = word(registered.described(), kind=Choice("mechanism", MECHANISMS), machine="crank")
     rocker: Option[Any] = Option(
-        "Arc crank: length of the rocker in units of R, or a length with --crank.", "B", unit="R"
+        "Arc crank: length of the rocker in units of R, or a length with --crank.",
+        "B",
+        unit="R",
+        machine="crank",
     )
     pivot: Option[Any] = Option(
         "Arc crank: the rocker's pivot along and across the slide, in units of R or as lengths; default:"
         " as far as the rod is long, and B above the slide line. With 'D;0' angles count from the line of"
         " centres, as of a four-bar.",
-        "D;H", unit="R", whole=True,
+        "D;H", unit="R", whole=True, machine="crank",
     )  # fmt: skip
     circuit: Option[Any] = Option(
         "Arc crank: 1 or -1, the two ways to assemble the links; default 1. Of a four-bar with its pivot at"
         " 'D;0' the open one is -1.",
-        "WAY",
+        "WAY", machine="crank",
     )  # fmt: skip
 
     @classmethod
@@ -134,7 +137,9 @@ class Linked(OnMachine):
 class AnyDrive(Linked):
     """Any crank drive, the beam engine among them."""
 
-    beam: Option[Any] = Option("Beam engine: arm of the beam in units of R, or a length.", "A", unit="R")
+    beam: Option[Any] = Option(
+        "Beam engine: arm of the beam in units of R, or a length.", "A", unit="R", machine="crank"
+    )
 
 
 class Speed(Part):
@@ -143,7 +148,10 @@ class Speed(Part):
     topic = "crank"
 
     speed: Option[Any] = Option(
-        "Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.", "SPEED", unit="turns a second"
+        "Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.",
+        "SPEED",
+        unit="turns a second",
+        machine="crank",
     )
 
 

@@ -42,29 +42,31 @@ class MovingRod(Part):
         *((name, "gyration") for name in ("pendulum", "pendulum_from")),
     )
 
-    rod_mass = measure(as_mass, "Mass of the connecting rod: 150kg.", "MASS", unit="kg")
+    rod_mass = measure(as_mass, "Mass of the connecting rod: 150kg.", "MASS", unit="kg", machine="masses.rod")
     centre: Option[Any] = Option(
         "Centre of mass of the rod from the crosshead pin, in rod lengths: 0.6, 60%; or a length, where that"
         " of the rod is known.",
-        "A", unit="rod lengths",
+        "A", unit="rod lengths", machine="masses",
     )  # fmt: skip
     gyration: Option[Any] = Option(
         "Radius of gyration about the centre of mass, in rod lengths: 0.3; or a length.", "K",
-        unit="rod lengths",
+        unit="rod lengths", machine="masses",
     )  # fmt: skip
     pendulum = measure(
         as_duration,
         "In place of --gyration the time of a full swing, to and fro, about the pin that --pendulum-from"
         " names: 1.8s.",
-        "TIME", unit="s", what="time of a swing",
+        "TIME", unit="s", what="time of a swing", machine="masses",
     )  # fmt: skip
     pendulum_from = word(
-        "The pin about which the rod swung: crosshead or crank.", kind=Choice("pin", "kurbel.drive.rod:PINS")
+        "The pin about which the rod swung: crosshead or crank.",
+        kind=Choice("pin", "kurbel.drive.rod:PINS"),
+        machine="masses",
     )
     rod_file: Option[Any] = Option(
         "The rod's masses from a CSV file in place of these: from, to, mass or position, mass, counted from"
         " the crank pin.",
-        "FILE", FILE,
+        "FILE", FILE, machine="masses.file",
     )  # fmt: skip
 
     def moving_rod(self, length: Fraction | None) -> Rod:
@@ -91,16 +93,18 @@ class Weight(Part):
     title, add = "the weight of moving masses", "--reciprocating or a rod, --rod-mass"
     topic = "masses"
 
-    vertical = flag("The cylinder stands above the shaft: piston, crosshead and rod have a weight.")
+    vertical = flag(
+        "The cylinder stands above the shaft: piston, crosshead and rod have a weight.", machine="crank"
+    )
     slope = measure(
         as_angle,
         "Angle by which the slide rises from the shaft to the cylinder: 30; 90 is --vertical, -90 below the"
         " shaft. It counts in the sense of rotation: 180-30 with the crank pin below on the outstroke.",
-        "ANGLE", unit="degrees",
+        "ANGLE", unit="degrees", machine="crank",
     )  # fmt: skip
     gravity = measure(
         alone(as_gravity), "Acceleration of gravity, for the weight: 9.81; default 9.80665m/s².", "G",
-        unit="m/s²",
+        unit="m/s²", machine="crank",
     )  # fmt: skip
 
     def stands(self) -> bool:
@@ -141,7 +145,7 @@ class Rotating(Part):
         as_signed_mass,
         "Mass of the crank itself at its pin, for the main bearing: 60kg; -40kg if counterweights outweigh"
         " it.",
-        "MASS", unit="kg", what="rotating mass",
+        "MASS", unit="kg", what="rotating mass", machine="masses",
     )  # fmt: skip
 
 
@@ -155,10 +159,14 @@ class Masses(MovingRod, Weight):
         as_mass,
         "Mass of piston and crosshead: 200kg. Masses need --stroke and --speed, and beside steam --bore and"
         " --pressure.",
-        "MASS", unit="kg", what="reciprocating mass",
+        "MASS", unit="kg", what="reciprocating mass", machine="masses",
     )  # fmt: skip
     rocker_inertia = measure(
-        as_inertia, "Moment of inertia of the rocker about its pivot: '20kg m²'.", "INERTIA", unit="kg m²"
+        as_inertia,
+        "Moment of inertia of the rocker about its pivot: '20kg m²'.",
+        "INERTIA",
+        unit="kg m²",
+        machine="masses.rocker",
     )
 
     @classmethod

@@ -70,10 +70,14 @@ class Body(Part):
     least_speed: Option[Any] = Option("Least speed: 200/min.", "SPEED", unit="turns a second")
     inertia = measure(
         as_inertia, "Moment of inertia of the flywheel: 1200kgm2.", "J", unit="kg m²",
-        what="moment of inertia",
+        what="moment of inertia", machine="flywheel",
     )  # fmt: skip
     mass = measure(
-        as_mass, "Mass of the flywheel, which with --radius gives the inertia: 6.5t.", "MASS", unit="kg"
+        as_mass,
+        "Mass of the flywheel, which with --radius gives the inertia: 6.5t.",
+        "MASS",
+        unit="kg",
+        machine="flywheel",
     )
 
 
@@ -81,7 +85,12 @@ class Rim(Part):
     """The rim that makes the moment of inertia, or a disc."""
 
     rim_diameter = measure(
-        as_length, "Mean diameter of the rim: 2m.", "LENGTH", unit="m", what="mean diameter of the rim"
+        as_length,
+        "Mean diameter of the rim: 2m.",
+        "LENGTH",
+        unit="m",
+        what="mean diameter of the rim",
+        machine="flywheel",
     )
     rim_speed = measure(
         as_velocity,
@@ -92,30 +101,43 @@ class Rim(Part):
         "Section of the rim: breadth to thickness, 2:1, both, '400mm x 200mm', or 800cm².",
         "SECTION",
         whole=True,
+        machine="flywheel",
     )
     rim_breadth = measure(
         as_length, "Breadth of the rim, along the shaft: 300mm.", "LENGTH", unit="m",
-        what="breadth of the rim",
+        what="breadth of the rim", machine="flywheel",
     )  # fmt: skip
     rim_thickness = measure(
         as_length, "Thickness of the rim, along the radius: 150mm.", "LENGTH", unit="m",
-        what="thickness of the rim",
+        what="thickness of the rim", machine="flywheel",
     )  # fmt: skip
-    density = measure(as_density, "Density of rim or disc: 7200kg/m³.", "DENSITY", unit="kg/m³")
+    density = measure(
+        as_density, "Density of rim or disc: 7200kg/m³.", "DENSITY", unit="kg/m³", machine="flywheel"
+    )
     hoop_stress = measure(
         as_stress,
         "Hoop stress ρ v² that the rim may have: 6MPa; without --rim-diameter the greatest is found.",
-        "STRESS", unit="Pa",
+        "STRESS", unit="Pa", machine="flywheel", usual="MPa",
     )  # fmt: skip
     rim_share = measure(
         as_share, "Share of the rim in the moment of inertia, beside arms and hub: 92%.", "SHARE",
-        what="share of the rim",
+        what="share of the rim", machine="flywheel",
     )  # fmt: skip
     disc_diameter = measure(
-        as_length, "Solid disc: its diameter, 600mm.", "LENGTH", unit="m", what="diameter of the disc"
+        as_length,
+        "Solid disc: its diameter, 600mm.",
+        "LENGTH",
+        unit="m",
+        what="diameter of the disc",
+        machine="flywheel",
     )
     disc_thickness = measure(
-        as_length, "Solid disc: its thickness, 80mm.", "LENGTH", unit="m", what="thickness of the disc"
+        as_length,
+        "Solid disc: its thickness, 80mm.",
+        "LENGTH",
+        unit="m",
+        what="thickness of the disc",
+        machine="flywheel",
     )
 
 
@@ -133,16 +155,17 @@ class Wheel(Swing, Press, Body, Rim, Speed):
     power = measure(
         as_power,
         "Power of the engine: 50kW, 68PS; left out, it follows from pressure, bore, stroke and speed.",
-        "POWER", unit="W",
+        "POWER", unit="W", machine="flywheel",
     )  # fmt: skip
     speed = Speed.speed.but(help="Speed: 120/min, 12.5rad/s; without an engine also 200..225/min.")
     delta: Option[Sequence[Fraction] | None] = measure(
         alone(as_irregularities),
         "Degree of irregularity to keep: 1:100, 0.01, ±0.5%; lists '1:50;1:100'.", "δ", many=True,
+        machine="flywheel",
     )  # fmt: skip
     radius = measure(
         as_length, "Radius at which the mass of the rim is wanted, or the radius of gyration: 1.5m.",
-        "LENGTH", unit="m",
+        "LENGTH", unit="m", machine="flywheel",
     )  # fmt: skip
 
     def figures(self, *only: str) -> Iterator[tuple[str, Known]]:
