@@ -177,6 +177,8 @@ class DeltaOptions(EngineWithWheel):
     4,-0.8825,1.423
     """
 
+    topic = "question"
+
     unnamed = "eps"
     sequence = f"{ENGINE_ORDER} {LOAD_ORDER} flywheel inertia power resistance speed detail columns"
 

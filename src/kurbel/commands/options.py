@@ -226,6 +226,8 @@ class Option(Generic[Value]):
     `machine` are the sections of a machine's file in which it stands, "steam compressor", with the key behind
     a dot where that is not its name: "masses.rod"; `usual` is the unit in which it mostly stands there.
 
+    In the help it stands in the topic of its part, or in an own `topic`.
+
     `environment` is a variable for all commands, beside that of the command's own option. What is `first` is
     parsed before the others, which need it; what is `last` stands behind the command's own. Without a value,
     and True in Python, an option is `bare`. `what` it is called in sentences, if not by its name.
@@ -259,12 +261,13 @@ class Option(Generic[Value]):
         what: str = "",
         machine: str = "",
         usual: str = "",
+        topic: str = "",
     ) -> None:
         self.help, self.metavar, self.kind, self.short, self.unit = help, metavar, kind, short, unit
         self.many, self.positional, self.environment, self.first = many, positional, environment, first
         self.default, self.last, self.bare, self.required = default, last, bare, required
         self.read, self.what, self.whole, self.numbers = read, what, whole, numbers
-        self.machine, self.usual = machine, usual
+        self.machine, self.usual, self.topic = machine, usual, topic
 
     def but(self, **changes: Any) -> Self:
         """Return the same option with another help, another default: as it is in one command."""
@@ -276,7 +279,7 @@ class Option(Generic[Value]):
         # In Python a name that is a keyword has a line behind it.
         self.name = name.rstrip("_")
         if self.home is None:
-            self.home = owner
+            self.home, self.topic = owner, self.topic or owner.topic
 
     @property
     def flag(self) -> str:

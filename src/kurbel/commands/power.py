@@ -76,6 +76,8 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     4.0000,15.080
     """
 
+    topic = "work"
+
     unnamed = "eps"
     sequence = (
         "mean_pressure working_strokes pressure back exponent clearance single_acting card ratio bore"
@@ -96,10 +98,12 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         "NUMBER",
     )
     ratio = Linked.ratio.but(help="Crank ratio, for a card over the crank angle: 1:5.")
-    stroke = measure(as_length, "Stroke of the piston: 450mm.", "LENGTH", unit="m")
+    stroke = measure(as_length, "Stroke of the piston: 450mm.", "LENGTH", unit="m", topic="crank")
     crank = Linked.crank.but()
     cranks = EnginePart.cranks.but()
-    speed = measure(alone(as_speed), "Speed: 120/min, 12.5rad/s.", "SPEED", unit="turns a second")
+    speed = measure(
+        alone(as_speed), "Speed: 120/min, 12.5rad/s.", "SPEED", unit="turns a second", topic="crank"
+    )
     power = measure(
         alone(as_power), "Indicated power, to find the sizes or the speed: 75kW, 100PS.", "POWER", unit="W"
     )
@@ -112,7 +116,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     piston_speed = measure(
         as_velocity, "Mean piston speed in place of the stroke or the speed: 3m/s.", "VELOCITY", unit="m/s"
     )
-    cylinders: Option[Any] = Option("Number of cylinders alike; default 1.", "NUMBER")
+    cylinders: Option[Any] = Option("Number of cylinders alike; default 1.", "NUMBER", topic="cylinders")
     columns = columns_option("power", "mean_pressure,indicated_power")
     layout = layout_option("power").but(default="power")
 
@@ -307,12 +311,12 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
     shares = measure(
         as_shares,
         "Shares of the stroke: 0.25, lists '0;0.5;1', ranges; default 0..1:0.1.", "SHARES", many=True,
-        what=SHARE,
+        what=SHARE, topic="angles",
     )  # fmt: skip
     angle = measure(
         alone(as_angles),
         "Crank angles in place of these, with layout pressures-turn: 0..360:10.", "ANGLES", unit="degrees",
-        many=True,
+        many=True, topic="angles",
     )  # fmt: skip
     layout = layout_option(*ABOUT)
 

@@ -69,23 +69,26 @@ class Linked(OnMachine):
     rod: Option[Any] = Option(
         "Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m", machine="crank"
     )
-    mechanism = word(registered.described(), kind=Choice("mechanism", MECHANISMS), machine="crank")
+    mechanism = word(
+        registered.described(), kind=Choice("mechanism", MECHANISMS), machine="crank", topic="linkage"
+    )
     rocker: Option[Any] = Option(
         "Arc crank: length of the rocker in units of R, or a length with --crank.",
         "B",
         unit="R",
         machine="crank",
+        topic="linkage",
     )
     pivot: Option[Any] = Option(
         "Arc crank: the rocker's pivot along and across the slide, in units of R or as lengths; default:"
         " as far as the rod is long, and B above the slide line. With 'D;0' angles count from the line of"
         " centres, as of a four-bar.",
-        "D;H", unit="R", whole=True, machine="crank",
+        "D;H", unit="R", whole=True, machine="crank", topic="linkage",
     )  # fmt: skip
     circuit: Option[Any] = Option(
         "Arc crank: 1 or -1, the two ways to assemble the links; default 1. Of a four-bar with its pivot at"
         " 'D;0' the open one is -1.",
-        "WAY", machine="crank",
+        "WAY", machine="crank", topic="linkage",
     )  # fmt: skip
 
     @classmethod
@@ -138,7 +141,11 @@ class AnyDrive(Linked):
     """Any crank drive, the beam engine among them."""
 
     beam: Option[Any] = Option(
-        "Beam engine: arm of the beam in units of R, or a length.", "A", unit="R", machine="crank"
+        "Beam engine: arm of the beam in units of R, or a length.",
+        "A",
+        unit="R",
+        machine="crank",
+        topic="linkage",
     )
 
 

@@ -203,6 +203,7 @@ class Engine(Cylinder):
     method: Option[Any] = Option(
         "exact (default), series (first order) or weisbach (his equations of § 150).",
         kind=Choice("method", "kurbel.engine.quantities:ENGINE_METHODS"), many=True, default=(),
+        topic="crank",
     )  # fmt: skip
 
     def is_several(self) -> bool:
@@ -341,7 +342,7 @@ class FromOne(Part):
     of: Option[Fraction | None] = measure(
         as_number,
         "Of several cylinders unlike: the one whose forces these are; default 1, the first.", "NUMBER",
-        what="cylinder",
+        what="cylinder", topic="question",
     )  # fmt: skip
 
 

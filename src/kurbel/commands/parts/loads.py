@@ -62,12 +62,12 @@ NEEDED = (
 )
 
 
-def _share(help: str, machine: str) -> Option[Fraction | None]:
-    return measure(as_share, help, "SHARE", machine=machine)
+def _share(help: str, load: str) -> Option[Fraction | None]:
+    return measure(as_share, help, "SHARE", machine=load, topic=load)
 
 
 def _in_units_of_suction(help: str) -> Option[Any]:
-    return Option(help, "RATIO", machine="gas")
+    return Option(help, "RATIO", machine="gas", topic="gas")
 
 
 class Loads(Piston):
@@ -113,12 +113,13 @@ class Loads(Piston):
     other_side = measure(
         as_pressure,
         "With --single-acting and --card or --pressure-ratio: pressure on the piston's other face, 1bar.",
-        "PRESSURE", unit="Pa", machine="steam compressor",
+        "PRESSURE", unit="Pa", machine="steam compressor", topic="piston",
     )  # fmt: skip
     single_acting = flag(
         "One end works: steam on the outstroke only, and on the return both faces have the back pressure; a"
         " compressor sucks on the outstroke and delivers on the return.",
         machine="steam compressor",
+        topic="piston",
     )
     pressure = measure(
         as_pressure,
@@ -131,6 +132,7 @@ class Loads(Piston):
         "Π",
         many=True,
         machine="compressor",
+        topic="compressor",
     )
     suction_loss = _share(
         "Compressor: loss of the suction valves, a share of the suction pressure: 4%.", "compressor"
@@ -144,27 +146,29 @@ class Loads(Piston):
         Choice("pump", "kurbel.engine.loads.pump:KINDS"),
         bare="double",
         machine="pump.kind",
+        topic="pump",
     )
     small_area = _share("Differential pump: its ring as a share of the piston's area; default 1/2.", "pump")
     suction_pressure = measure(
         as_pressure,
         "Suction pressure of a compressor or gas engine: 1bar; of a pump above that on the other face:"
         " -0.3bar.",
-        "PRESSURE", unit="Pa", machine="compressor pump gas",
+        "PRESSURE", unit="Pa", machine="compressor pump gas", topic="compressor",
     )  # fmt: skip
     delivery_pressure = measure(
         as_pressure,
         "Delivery pressure of a pump, above that on the other face: 6bar.", "PRESSURE", unit="Pa",
-        machine="pump",
+        machine="pump", topic="pump",
     )  # fmt: skip
     compression = measure(
         as_shares, "Gas engine: compression ratio: 6; lists '5;6;7', ranges 5..8.", "ε", many=True,
-        what="compression ratio", machine="gas",
+        what="compression ratio", machine="gas", topic="gas",
     )  # fmt: skip
     cycle = word(
         "Gas engine: otto (default), diesel or dual cycle.",
         kind=Choice("cycle", "kurbel.engine.loads.gas:CYCLES"),
         machine="gas",
+        topic="gas",
     )
     peak_pressure = _in_units_of_suction(
         "Otto and dual cycle: greatest pressure in suction pressures, 30, or beside --suction-pressure"
@@ -173,16 +177,24 @@ class Loads(Piston):
     cut_off = measure(
         as_number,
         "Diesel and dual cycle: volume when the heat is supplied, in least volumes: 2.", "RATIO",
-        machine="gas",
+        machine="gas", topic="gas",
     )  # fmt: skip
     heat = measure(
-        as_number, "Gas engine: heat supplied in R T₁, for a kilogram: 10.", "RATIO", machine="gas"
+        as_number,
+        "Gas engine: heat supplied in R T₁, for a kilogram: 10.",
+        "RATIO",
+        machine="gas",
+        topic="gas",
     )
     expansion_exponent = measure(
-        as_number, "Gas engine: n of the expansion; default that of --exponent, 1.4.", "N", machine="gas"
+        as_number,
+        "Gas engine: n of the expansion; default that of --exponent, 1.4.",
+        "N",
+        machine="gas",
+        topic="gas",
     )
     exhaust_pressure = _in_units_of_suction("Gas engine: exhaust pressure in suction pressures; default 1.")
-    two_stroke = flag("Gas engine: in two strokes.", machine="gas")
+    two_stroke = flag("Gas engine: in two strokes.", machine="gas", topic="gas")
 
     @classmethod
     def settle(cls, values: Values) -> None:

@@ -141,6 +141,8 @@ class Weight(Part):
 class Rotating(Part):
     """The mass of the crank itself."""
 
+    topic = "masses"
+
     rotating = measure(
         as_signed_mass,
         "Mass of the crank itself at its pin, for the main bearing: 60kg; -40kg if counterweights outweigh"

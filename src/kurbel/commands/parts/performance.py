@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 class Flywheel(Part):
     """A flywheel of an engine, and what it turns against."""
 
+    topic = "wheel"
+
     title, add = "a flywheel", "--flywheel or --inertia"
     rivals: ClassVar[Rivals] = (("flywheel", "inertia"), ("inertia", "flywheel"))
 
@@ -39,7 +41,9 @@ class Flywheel(Part):
         " pressure.",
         "J", unit="kg m²", what="moment of inertia",
     )  # fmt: skip
-    power = measure(as_power, "Power of the engine, for --inertia: 50kW, 68PS.", "POWER", unit="W")
+    power = measure(
+        as_power, "Power of the engine, for --inertia: 50kW, 68PS.", "POWER", unit="W", topic="work"
+    )
     resistance = word(
         "Torque that the engine turns against: constant (default), or square of the speed.",
         kind=Choice("resistance", "kurbel.drive.wheel:RESISTANCES"),
@@ -74,6 +78,8 @@ class Flywheel(Part):
 
 class Losses(Part):
     """How an engine falls short of its ideal card, at the shaft, and by the steam that it takes."""
+
+    topic = "work"
 
     diagram_factor: Option[Any] = Option(
         "Area of the real card in that of the ideal one: 0.8, or ? to find it from a power; default 1, the"

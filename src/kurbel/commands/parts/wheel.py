@@ -47,6 +47,8 @@ _SQUARE = re.compile(r"(?<=[a-z])2$")
 class Swing(Part):
     """What the energy swing is known from."""
 
+    topic = "wheel"
+
     swing = measure(
         as_energy, "Energy swing, from the least speed to the greatest: 5kJ.", "ENERGY", unit="J",
         what="energy swing",
@@ -57,12 +59,14 @@ class Swing(Part):
     )  # fmt: skip
     work = measure(
         as_energy, "Work of a cycle, of a press that of a stroke: 10kJ.", "ENERGY", unit="J",
-        what="work of a cycle",
+        what="work of a cycle", topic="press",
     )  # fmt: skip
 
 
 class Body(Part):
     """The flywheel itself, and how it turns."""
+
+    topic = "wheel"
 
     greatest_speed: Option[Any] = Option(
         "Greatest speed: 225/min; --speed 200..225/min has both.", "SPEED", unit="turns a second"
@@ -83,6 +87,8 @@ class Body(Part):
 
 class Rim(Part):
     """The rim that makes the moment of inertia, or a disc."""
+
+    topic = "rim"
 
     rim_diameter = measure(
         as_length,
@@ -130,6 +136,7 @@ class Rim(Part):
         unit="m",
         what="diameter of the disc",
         machine="flywheel",
+        topic="disc",
     )
     disc_thickness = measure(
         as_length,
@@ -138,11 +145,14 @@ class Rim(Part):
         unit="m",
         what="thickness of the disc",
         machine="flywheel",
+        topic="disc",
     )
 
 
 class Wheel(Swing, Press, Body, Rim, Speed):
     """A flywheel by all that sizes it; what is given of it are figures of its relations, in SI units."""
+
+    topic = "wheel"
 
     # It is given by its inertia, its mass or its sizes, or is to keep an irregularity.
     rivals: ClassVar[Rivals] = (
@@ -155,7 +165,7 @@ class Wheel(Swing, Press, Body, Rim, Speed):
     power = measure(
         as_power,
         "Power of the engine: 50kW, 68PS; left out, it follows from pressure, bore, stroke and speed.",
-        "POWER", unit="W", machine="flywheel",
+        "POWER", unit="W", machine="flywheel", topic="work",
     )  # fmt: skip
     speed = Speed.speed.but(help="Speed: 120/min, 12.5rad/s; without an engine also 200..225/min.")
     delta: Option[Sequence[Fraction] | None] = measure(
