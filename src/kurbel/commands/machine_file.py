@@ -41,11 +41,7 @@ from kurbel.reading.given import File as NamedFile
 from kurbel.reading.toml_file import MOST_BITS, Fault, Place, TomlFile, TomlKind, about
 
 KIND = TomlKind(
-    "machine",
-    MachineError,
-    20_000,
-    "a machine has sections with entries",
-    "--machine engine.toml",
+    "machine", MachineError, 20_000, "a machine has sections with entries", "--machine engine.toml"
 )
 # What acts on the piston.
 LOADS = ("steam", "compressor", "pump", "gas")
@@ -85,26 +81,19 @@ class Joined(Several):
     """Several values, which their option takes in one text."""
 
 
-class File(One):
-    """A file beside the machine's."""
-
-    @classmethod
-    def read(cls, given: Any, name: str) -> Several:
-        return _of_files(super().read(given, name))
-
-
 class Files(Several):
     """Files beside the machine's."""
 
     @classmethod
     def read(cls, given: Any, name: str) -> Several:
-        return _of_files(super().read(given, name))
+        found = super().read(given, name)
+        if any("\0" in one for one in found):
+            raise Fault("the name of a file, and none has a NUL in it")
+        return found
 
 
-def _of_files(names: Several) -> Several:
-    if any("\0" in one for one in names):
-        raise Fault("the name of a file, and none has a NUL in it")
-    return names
+class File(Files, One):
+    """One of them."""
 
 
 def _is_value(given: Any) -> bool:
@@ -259,9 +248,9 @@ def _options(machine: NamedFile, given: Mapping[str, Any]) -> dict[str, Any]:
 
 def _option(machine: NamedFile, value: Any) -> Any:
     """Return a value as its option takes it; files beside the machine's."""
-    if isinstance(value, File | Files):
+    if isinstance(value, Files):
         beside = [machine.beside(name) for name in value]
-        return beside if isinstance(value, Files) else beside[0]
+        return beside[0] if isinstance(value, File) else beside
     if not isinstance(value, Several):
         return value
     return ";".join(value) if isinstance(value, One | Joined) else [*value]

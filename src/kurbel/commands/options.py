@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from kurbel.commands.part import Part
 
 Value = TypeVar("Value")
+# In a machine's file an option stands in the section of its part, if it names none.
+OF_PART = "of the part"
 
 
 class Kind:
@@ -259,7 +261,7 @@ class Option(Generic[Value]):
         numbers: bool = True,
         read: Callable[[Any, str], Any] | None = None,
         what: str = "",
-        machine: str = "",
+        machine: str = OF_PART,
         usual: str = "",
         topic: str = "",
     ) -> None:
@@ -280,6 +282,8 @@ class Option(Generic[Value]):
         self.name = name.rstrip("_")
         if self.home is None:
             self.home, self.topic = owner, self.topic or owner.topic
+            if self.machine == OF_PART:
+                self.machine = vars(owner).get("section", "")
 
     @property
     def flag(self) -> str:

@@ -108,12 +108,15 @@ class Part:
     In the help its options stand in its `topic`, but for those with an own one. It is made `without` some
     options of its parts.
 
+    In a machine's file the options that it declares stand in its `section`, but for those with an own one.
+
     `rivals` are options of which one that is typed outdoes the other where that comes from elsewhere.
     """
 
     title: ClassVar[str] = ""
     add: ClassVar[str] = ""
     topic: ClassVar[str] = ""
+    section: ClassVar[str] = ""
     without: ClassVar[Collection[str]] = ()
     rivals: ClassVar[Rivals] = ()
 

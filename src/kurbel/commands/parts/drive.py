@@ -41,54 +41,52 @@ class Linked(OnMachine):
     """A crank drive."""
 
     topic = "crank"
+    section = "crank"
 
     # Where no mechanism is named, a layout about one of these names it if it is of one alone.
     abouts: ClassVar[Sequence[str]] = (*MOTIONS, OVER_PATH, POINTS, *APPROXIMATE)
 
     ratio: Option[Any] = Option(
         "Crank ratio: 1:5, 1:4,5, 0.2; lists '1:4;1:5' and ranges 1:3..6:0.5; 1:∞ is the infinite rod.",
-        "R:L", short="-r", many=True, machine="crank",
+        "R:L", short="-r", many=True,
     )  # fmt: skip
     offset: Option[Any] = Option(
-        "Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R", machine="crank"
+        "Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R"
     )
     stroke: Option[Any] = Option(
-        "2R: 600mm; of an offset crank, too, whose piston goes further.", "LENGTH", unit="m", machine="crank"
+        "2R: 600mm; of an offset crank, too, whose piston goes further.", "LENGTH", unit="m"
     )
     crank: Option[Any] = Option("R, in place of --stroke: 300mm.", "LENGTH", unit="m", machine="crank.radius")
     true_stroke: Option[Any] = Option(
         "Way of the piston, in place of --stroke; of an offset crank R follows from it, with --rod or"
         " --ratio: 600mm.",
-        "LENGTH", unit="m", machine="crank",
+        "LENGTH", unit="m",
     )  # fmt: skip
     time_ratio: Option[Any] = Option(
         "With --true-stroke and --offset as a length: time of the outstroke over that of the return, from"
         " which R and L follow: 1.2.",
-        "Q", machine="crank",
+        "Q",
     )  # fmt: skip
     rod: Option[Any] = Option(
-        "Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m", machine="crank"
+        "Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m"
     )
-    mechanism = word(
-        registered.described(), kind=Choice("mechanism", MECHANISMS), machine="crank", topic="linkage"
-    )
+    mechanism = word(registered.described(), kind=Choice("mechanism", MECHANISMS), topic="linkage")
     rocker: Option[Any] = Option(
         "Arc crank: length of the rocker in units of R, or a length with --crank.",
         "B",
         unit="R",
-        machine="crank",
         topic="linkage",
     )
     pivot: Option[Any] = Option(
         "Arc crank: the rocker's pivot along and across the slide, in units of R or as lengths; default:"
         " as far as the rod is long, and B above the slide line. With 'D;0' angles count from the line of"
         " centres, as of a four-bar.",
-        "D;H", unit="R", whole=True, machine="crank", topic="linkage",
+        "D;H", unit="R", whole=True, topic="linkage",
     )  # fmt: skip
     circuit: Option[Any] = Option(
         "Arc crank: 1 or -1, the two ways to assemble the links; default 1. Of a four-bar with its pivot at"
         " 'D;0' the open one is -1.",
-        "WAY", machine="crank", topic="linkage",
+        "WAY", topic="linkage",
     )  # fmt: skip
 
     @classmethod

@@ -78,10 +78,7 @@ class Loads(Piston):
 
     title, add = "the load of an engine", "--eps or --card"
     topic = "steam"
-    rivals: ClassVar[Rivals] = (
-        *((name, "card") for name in (*IDEAL, "pressure")),
-        ("card", "eps"),
-    )
+    rivals: ClassVar[Rivals] = (*((name, "card") for name in (*IDEAL, "pressure")), ("card", "eps"))
 
     eps = measure(
         lambda value, what: as_expansions(value),

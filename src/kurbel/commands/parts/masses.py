@@ -35,6 +35,7 @@ class MovingRod(Part):
 
     title, add = "a rod with a mass", "--rod-mass"
     topic = "masses"
+    section = "masses"
     rivals: ClassVar[Rivals] = (
         *((name, "rod_file") for name in ("rod_mass", "centre", "gyration", "pendulum", "pendulum_from")),
         *(("rod_file", name) for name in ("centre", "gyration", "pendulum")),
@@ -46,22 +47,20 @@ class MovingRod(Part):
     centre: Option[Any] = Option(
         "Centre of mass of the rod from the crosshead pin, in rod lengths: 0.6, 60%; or a length, where that"
         " of the rod is known.",
-        "A", unit="rod lengths", machine="masses",
+        "A", unit="rod lengths",
     )  # fmt: skip
     gyration: Option[Any] = Option(
         "Radius of gyration about the centre of mass, in rod lengths: 0.3; or a length.", "K",
-        unit="rod lengths", machine="masses",
+        unit="rod lengths",
     )  # fmt: skip
     pendulum = measure(
         as_duration,
         "In place of --gyration the time of a full swing, to and fro, about the pin that --pendulum-from"
         " names: 1.8s.",
-        "TIME", unit="s", what="time of a swing", machine="masses",
+        "TIME", unit="s", what="time of a swing",
     )  # fmt: skip
     pendulum_from = word(
-        "The pin about which the rod swung: crosshead or crank.",
-        kind=Choice("pin", "kurbel.drive.rod:PINS"),
-        machine="masses",
+        "The pin about which the rod swung: crosshead or crank.", kind=Choice("pin", "kurbel.drive.rod:PINS")
     )
     rod_file: Option[Any] = Option(
         "The rod's masses from a CSV file in place of these: from, to, mass or position, mass, counted from"
@@ -92,19 +91,18 @@ class Weight(Part):
 
     title, add = "the weight of moving masses", "--reciprocating or a rod, --rod-mass"
     topic = "masses"
+    section = "crank"
 
-    vertical = flag(
-        "The cylinder stands above the shaft: piston, crosshead and rod have a weight.", machine="crank"
-    )
+    vertical = flag("The cylinder stands above the shaft: piston, crosshead and rod have a weight.")
     slope = measure(
         as_angle,
         "Angle by which the slide rises from the shaft to the cylinder: 30; 90 is --vertical, -90 below the"
         " shaft. It counts in the sense of rotation: 180-30 with the crank pin below on the outstroke.",
-        "ANGLE", unit="degrees", machine="crank",
+        "ANGLE", unit="degrees",
     )  # fmt: skip
     gravity = measure(
         alone(as_gravity), "Acceleration of gravity, for the weight: 9.81; default 9.80665m/s².", "G",
-        unit="m/s²", machine="crank",
+        unit="m/s²",
     )  # fmt: skip
 
     def stands(self) -> bool:

@@ -89,45 +89,38 @@ class Rim(Part):
     """The rim that makes the moment of inertia, or a disc."""
 
     topic = "rim"
+    section = "flywheel"
 
     rim_diameter = measure(
-        as_length,
-        "Mean diameter of the rim: 2m.",
-        "LENGTH",
-        unit="m",
-        what="mean diameter of the rim",
-        machine="flywheel",
+        as_length, "Mean diameter of the rim: 2m.", "LENGTH", unit="m", what="mean diameter of the rim"
     )
     rim_speed = measure(
         as_velocity,
         "Speed of the rim at its mean diameter: 25m/s, or 26..28m/s; with δ its mass needs no --speed.",
-        "VELOCITY", unit="m/s", what="speed of the rim",
+        "VELOCITY", unit="m/s", what="speed of the rim", machine="",
     )  # fmt: skip
     rim_section: Option[Any] = Option(
         "Section of the rim: breadth to thickness, 2:1, both, '400mm x 200mm', or 800cm².",
         "SECTION",
         whole=True,
-        machine="flywheel",
     )
     rim_breadth = measure(
         as_length, "Breadth of the rim, along the shaft: 300mm.", "LENGTH", unit="m",
-        what="breadth of the rim", machine="flywheel",
+        what="breadth of the rim",
     )  # fmt: skip
     rim_thickness = measure(
         as_length, "Thickness of the rim, along the radius: 150mm.", "LENGTH", unit="m",
-        what="thickness of the rim", machine="flywheel",
+        what="thickness of the rim",
     )  # fmt: skip
-    density = measure(
-        as_density, "Density of rim or disc: 7200kg/m³.", "DENSITY", unit="kg/m³", machine="flywheel"
-    )
+    density = measure(as_density, "Density of rim or disc: 7200kg/m³.", "DENSITY", unit="kg/m³")
     hoop_stress = measure(
         as_stress,
         "Hoop stress ρ v² that the rim may have: 6MPa; without --rim-diameter the greatest is found.",
-        "STRESS", unit="Pa", machine="flywheel", usual="MPa",
+        "STRESS", unit="Pa", usual="MPa",
     )  # fmt: skip
     rim_share = measure(
         as_share, "Share of the rim in the moment of inertia, beside arms and hub: 92%.", "SHARE",
-        what="share of the rim", machine="flywheel",
+        what="share of the rim",
     )  # fmt: skip
     disc_diameter = measure(
         as_length,
@@ -135,7 +128,6 @@ class Rim(Part):
         "LENGTH",
         unit="m",
         what="diameter of the disc",
-        machine="flywheel",
         topic="disc",
     )
     disc_thickness = measure(
@@ -144,7 +136,6 @@ class Rim(Part):
         "LENGTH",
         unit="m",
         what="thickness of the disc",
-        machine="flywheel",
         topic="disc",
     )
 
