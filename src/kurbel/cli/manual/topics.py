@@ -139,7 +139,8 @@ def topics_of(command: click.Command) -> Iterator[tuple[Topic, Sequence[click.Op
     first = FIRST.get(command.name or "", "").partition(" ")[0]
     found = []
     for topic in TOPICS:
-        names = [name for name, one in options.items() if _topic(one) == topic.name]
+        # What click has of its own is about the output.
+        names = [name for name, one in options.items() if getattr(one, "topic", "output") == topic.name]
         leading = [name for name in topic.leading.split() if name in names]
         if names:
             found.append((topic, [options[name] for name in dict.fromkeys((*leading, *names))]))
@@ -171,11 +172,6 @@ def flag_of(option: click.Option) -> str:
 
 def _is_option(one: click.Parameter) -> TypeGuard[click.Option]:
     return isinstance(one, click.Option)
-
-
-def _topic(option: click.Option) -> str:
-    """Return the topic in which an option stands; what click has of its own is about the output."""
-    return getattr(option, "topic", "output")
 
 
 def is_sweep(command: click.Command) -> bool:
