@@ -48,7 +48,7 @@ def as_seconds(given: Any, what: str) -> float:
 # The decimal mark of a drawing by itself; that of a page stands with its formats.
 DECIMAL = word(
     "comma or point; default: by the language.", kind=Choice("decimal mark", DECIMALS),
-    environment="KURBEL_DECIMAL", last=True,
+    environment="KURBEL_DECIMAL", last=True, topic="page",
 )  # fmt: skip
 flag = partial(Option, kind=FLAG, default=False, last=True)
 
