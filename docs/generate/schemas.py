@@ -12,7 +12,7 @@ from msgspec import inspect
 import kurbel
 from kurbel.cli.asking import option_names
 from kurbel.cli.sweep_file import SweepFile
-from kurbel.drive.sections import Machine
+from kurbel.commands.machine_file import machine_model
 from kurbel.handbook.model import SCHEMA, HandbookKeys
 from kurbel.page.layouts import LayoutFile
 from kurbel.reading.toml_model import left
@@ -29,7 +29,7 @@ def main() -> None:
 def schemas() -> dict[Path, dict[str, Any]]:
     """Return the JSON Schemas by their files."""
     return {
-        PACKAGE / "drive" / "machine.schema.json": schema_of(Machine, "A machine for kurbel"),
+        PACKAGE / "commands" / "machine.schema.json": schema_of(machine_model(), "A machine for kurbel"),
         PACKAGE / "page" / "layout.schema.json": schema_of(LayoutFile, "A page layout for kurbel"),
         PACKAGE / "sweeps" / "sweep.schema.json": schema_of(SweepFile, "A sweep for kurbel"),
         PACKAGE / "handbook" / SCHEMA: handbook_schema(option_names()),

@@ -43,7 +43,7 @@ NEEDED = {
     "flywheel": "--power 50kW --speed 120/min --delta 1:100 --eps 4",
 }
 SCHEMAS = {
-    "machine.toml": "drive/machine.schema.json",
+    "machine.toml": "commands/machine.schema.json",
     "layout.toml": "page/layout.schema.json",
     "sweep.toml": "sweeps/sweep.schema.json",
     "handbook.toml": "handbook/handbook.schema.json",
@@ -108,7 +108,7 @@ def test_no_table_of_the_help_names_an_option_that_is_none() -> None:
     # The names of Python's keywords are other ones on the command line.
     every = {"zip_"} | {name for names in known.values() for name in names}
     for topic in topics.TOPICS:
-        for name in f"{topic.options} {topic.also}".split():
+        for name in f"{topic.leading} {topic.also}".split():
             assert name.rpartition(".")[2] in every, (topic.name, name)
     for command, first in topics.FIRST.items():
         assert {*first.split()} <= known[(command,)], command

@@ -6,7 +6,12 @@ from pathlib import Path
 
 import pytest
 from cli import printed, records, refusal
+from completion import PRINTING
 from places import CARDS
+
+from kurbel.cli.app import command_of
+from kurbel.cli.tables import TableCommand
+from kurbel.commands.machine_file import machine_keys
 
 MACHINE = """
 [crank]
@@ -185,3 +190,13 @@ def test_a_machine_of_the_greatest_size_is_read(tmp_path: Path) -> None:
     path.write_bytes(b"[steam]\neps = 4\n" + b"#" * 19_984)
     assert path.stat().st_size == 20_000
     assert printed("delta", "--machine", str(path)).out == printed("delta", "--eps", "4").out
+
+
+@pytest.mark.parametrize("name", PRINTING)
+def test_every_option_that_is_declared_for_the_file_stands_there(name: str) -> None:
+    command = command_of(name)
+    assert isinstance(command, TableCommand)
+    known = {(home, one.name) for home, keys in machine_keys().items() for one in keys.values()}
+    for option in command.made_by.options.values():
+        homes = {place.partition(".")[0] for place in option.machine.split()}
+        assert {(home, option.name) for home in homes} <= known

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 import kurbel
 from kurbel.books.source import source_tables
-from kurbel.drive.machine import read_machine
+from kurbel.commands.machine_file import read_machine
 from kurbel.handbook.manifest import read_manifest
 
 MACHINE = (Path(__file__).parents[2] / "examples" / "engine.toml").read_text(encoding="utf-8")

@@ -98,7 +98,11 @@ collate = CollateCommand(
     "collate",
     pages.collate.command,
     {
-        "columns": [Option(["--strict"], is_flag=True, help="Exit with 1 if a printed value deviates.")],
+        "columns": [
+            Option(
+                ["--strict"], is_flag=True, topic="question", help="Exit with 1 if a printed value deviates."
+            )
+        ],
         "": [click_option(_OF_TABLES[name]) for name in ("digits", "rounding")],
     },
 )

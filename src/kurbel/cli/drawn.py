@@ -90,8 +90,15 @@ class ConstructCommand(TableCommand):
             if param.name == "format":
                 self.params[place] = _format_option()
         self.params += [
-            Option(["--table"], is_flag=True, help="The table of the lengths, also as PDF."),
-            Option(["--text"], is_flag=True, help="SVG: letters stay text, to be searched and edited."),
+            Option(
+                ["--table"], is_flag=True, topic="question", help="The table of the lengths, also as PDF."
+            ),
+            Option(
+                ["--text"],
+                is_flag=True,
+                topic="drawing",
+                help="SVG: letters stay text, to be searched and edited.",
+            ),
             own["steps"],
             own["width"],
             own["height"],

@@ -95,7 +95,13 @@ class Document:
 
 
 class Option(click.Option):
-    """An option that has no default from the environment where a document asks, and one value at the most."""
+    """An option that has no default from the environment where a document asks, and one value at the most.
+
+    In the help it stands in its topic, that of the option of a command where it is one."""
+
+    def __init__(self, *args: Any, topic: str = "output", **more: Any) -> None:
+        super().__init__(*args, **more)
+        self.topic = topic
 
     def add_to_parser(self, parser: Any, ctx: click.Context) -> None:
         if self.multiple or self.is_flag:
@@ -157,7 +163,7 @@ def click_option(option: kinds.Option[Any]) -> click.Parameter:
         return click.Argument([option.name], type=kind, required=False)
     names = [option.name, option.flag, *filter(None, [option.short])]
     if option.kind is kinds.FLAG:
-        return Option(names, is_flag=True, help=option.help)
+        return Option(names, is_flag=True, help=option.help, topic=option.topic)
     own: dict[str, Any] = {} if option.many or default is None else {"default": default}
     if option.bare:
         own |= {"is_flag": False, "flag_value": option.bare}
@@ -168,6 +174,7 @@ def click_option(option: kinds.Option[Any]) -> click.Parameter:
         multiple=option.many,
         required=option.required,
         help=option.help,
+        topic=option.topic,
         show_default=default not in (None, "", ()),
         envvar=option.environment or None,
         is_eager=option.first,
@@ -187,7 +194,8 @@ def printing_options(command: str, own: Mapping[str, click.Parameter]) -> list[c
                " and pdf with -f drawing."),
         output_option("File to write, whole or not at all; - is standard output.", default="-"),
         own["lang"],
-        Option(["--decimal"], type=Type(kinds.Choice("decimal mark", DECIMALS)), envvar="KURBEL_DECIMAL",
+        Option(["--decimal"], type=Type(kinds.Choice("decimal mark", DECIMALS)),
+               envvar="KURBEL_DECIMAL", topic="page",
                help="comma or point; default: by the language, point in CSV and JSON."),
         *(own[name] for name in OF_PAGES if name in own),
         Option(["--standalone"], is_flag=True,
@@ -267,6 +275,7 @@ def machine_option() -> click.Option:
     """Return --machine, which gives defaults to those options that the command has."""
     return Option(
         ["--machine"], metavar="FILE", type=FileName(), is_eager=True, expose_value=False, callback=_load,
+        topic="crank",
         help="Machine in a TOML file: [crank], [steam] or [compressor], [pump], [gas], [masses], [flywheel];"
         " what is typed outdoes it.",
     )  # fmt: skip

@@ -64,6 +64,7 @@ def _swept(option: kinds.Option[Any]) -> click.Parameter:
         metavar=option.metavar,
         multiple=True,
         help=option.help,
+        topic=option.topic,
         envvar=option.environment or None,
         **more,
     )
@@ -76,21 +77,23 @@ def sweep_options() -> list[click.Parameter]:
                help="parquet, arrow, csv, netcdf or zarr; default: by the suffix of -o, a folder such as out/"
                " for Parquet in partitions."),
         output_option("File to write, whole or not at all: sweep.parquet."),
-        Option(["zip_", "--zip"], multiple=True, metavar="NAMES",
+        Option(["zip_", "--zip"], topic="combinations", multiple=True, metavar="NAMES",
                help="Options that go through their values together, not each with each: eps,back."),
-        Option(["--only"], multiple=True, metavar="CONDITION",
+        Option(["--only"], topic="combinations", multiple=True, metavar="CONDITION",
                help="Combinations to compute, the others are left out: 'eps*back < 1', 'ratio < 1/4'."),
-        Option(["--sample"], metavar="DESIGN",
+        Option(["--sample"], topic="combinations", metavar="DESIGN",
                help="Points between the ends of ranges in place of a grid: random:1000, sobol:1024,"
                " halton:1000, or lhs:1000, the Latin hypercube."),
-        Option(["--seed"], type=Type(kinds.Count("seed", 0, MOST_SEED, "is no seed")), metavar="N",
+        Option(["--seed"], topic="combinations", type=Type(kinds.Count("seed", 0, MOST_SEED, "is no seed")),
+               metavar="N",
                help="Of the sample: other points for another number; default 0."),
-        Option(["--digits"], metavar="N",
+        Option(["--digits"], topic="page", metavar="N",
                type=Type(kinds.Count("digits", 0, MOST_DIGITS, "cannot be stored")),
                help="Certified decimals in place of floats, the very digits of the single command."),
-        Option(["--bounds"], is_flag=True,
+        Option(["--bounds"], topic="combinations", is_flag=True,
                help="Beside each float how far from the true value it may lie at the most."),
-        Option(["--strict"], is_flag=True, help="End at the first combination that is refused."),
+        Option(["--strict"], topic="combinations", is_flag=True,
+               help="End at the first combination that is refused."),
         Option(["--dry-run"], is_flag=True,
                help="Say how many rows, which columns, how large and how long, and write nothing."),
     ]  # fmt: skip
@@ -99,12 +102,14 @@ def sweep_options() -> list[click.Parameter]:
 def running_options() -> list[click.Parameter]:
     """Return the options that say who computes, and what becomes of an earlier run."""
     return [
-        Option(["--scheduler"], metavar="ADDRESS",
+        Option(["--scheduler"], topic="run", metavar="ADDRESS",
                help="Dask cluster that computes: tcp://HOST:8786, tls://HOST:8786, or scheduler.json."),
-        Option(["-j", "--jobs"], type=Type(Count("jobs", 1, MOST_JOBS)), metavar="N",
+        Option(["-j", "--jobs"], topic="run", type=Type(Count("jobs", 1, MOST_JOBS)), metavar="N",
                help="Processes or threads at once on this machine; default: one for each core."),
-        Option(["--resume"], is_flag=True, help="Go on with the finished parts of a run that was ended."),
-        Option(["--restart"], is_flag=True, help="Begin anew, and remove the finished parts of such a run."),
+        Option(["--resume"], topic="run", is_flag=True,
+               help="Go on with the finished parts of a run that was ended."),
+        Option(["--restart"], topic="run", is_flag=True,
+               help="Begin anew, and remove the finished parts of such a run."),
     ]  # fmt: skip
 
 

@@ -38,6 +38,8 @@ SUBJECTS = ("balance", AT_ANGLES, EXTREMES)
 class Arranged(Part):
     """An engine with several cranks."""
 
+    topic = "cylinders"
+
     engine = word(
         "inline-1, inline-2-180, inline-2-360, inline-3 to inline-6, v2-90, v6-90, v8-90, v12-60,"
         " boxer-2, boxer-4; default: inline-4, with masses inline-1.",
@@ -70,6 +72,8 @@ class FiringOptions(Arranged, Layouts, Plain, CommandOptions):
     2,1-3-4-2
     """
 
+    topic = "question"
+
     unnamed = "engine"
     sequence = "cranks banks order intervals strokes columns"
 
@@ -80,7 +84,11 @@ class FiringOptions(Arranged, Layouts, Plain, CommandOptions):
         unit="degrees", whole=True,
     )  # fmt: skip
     strokes: Option[int] = Option(
-        "Strokes of a cycle: 4 (default) or 2.", "N", Count("number of strokes", 2, 4), default=4
+        "Strokes of a cycle: 4 (default) or 2.",
+        "N",
+        Count("number of strokes", 2, 4),
+        default=4,
+        topic="cylinders",
     )
     columns = columns_option("firing-orders", "number,firing_order,longest")
     layout = layout_option("firing orders", "firing")
@@ -107,10 +115,12 @@ firing = function(FiringOptions, "firing")
 class Revolving(Part):
     """Masses that turn with the cranks, and their counterweights."""
 
+    topic = "counterweights"
+
     revolving = measure(
         mass.each,
         "Mass that turns with each crank at its radius: 1.5kg, or '1.5;2kg'; default: balanced apart.",
-        "MASSES", unit="kg", what="revolving mass", whole=True,
+        "MASSES", unit="kg", what="revolving mass", whole=True, topic="masses",
     )  # fmt: skip
     revolving_share = measure(
         as_share, "Share of it that counterweights balance: 1, 50%; default 0.", "SHARE"
@@ -146,6 +156,8 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
     moment,2,0,0
     """
 
+    topic = "cylinders"
+
     unnamed = "engine"
     sequence = (
         "cranks positions about banks share angle ratio orders method reciprocating rod_mass centre gyration"
@@ -166,23 +178,23 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
     )  # fmt: skip
     share: Option[Fraction] = Option(
         "Share of each reciprocating mass that counterweights balance: 0.5, 50%.", "SHARE", default="0",
-        read=as_share,
+        read=as_share, topic="counterweights",
     )  # fmt: skip
     ratio = Linked.ratio.but(help="Crank ratio: 1:5; lists '1:4;1:5' and ranges 1:3..6:0.5.")
     orders: Option[int] = Option(
         f"Orders up to N, 1 to {MOST_ORDERS}; odd ones above 1 are 0 and left out.", "N",
-        Count("orders", 1, MOST_ORDERS, "does not say up to which one"), default=2,
+        Count("orders", 1, MOST_ORDERS, "does not say up to which one"), default=2, topic="question",
     )  # fmt: skip
     method = word(
         "exact, series (first order in λ) or infinite (rod of infinite length).",
-        kind=Choice("method", "kurbel.motion.evaluation:METHODS"), default="exact",
+        kind=Choice("method", "kurbel.motion.evaluation:METHODS"), default="exact", topic="crank",
     )  # fmt: skip
     angle = Angles.angle.but(help="Angles of the shaft at which forces are printed: 30, '0;30', 0..180:10.")
     reciprocating = measure(
         mass.each,
         "Mass of piston and crosshead of a cylinder: 2kg; or of each: '2;2.5kg'. Masses need --stroke and"
         " --speed.",
-        "MASSES", unit="kg", what="reciprocating mass", whole=True,
+        "MASSES", unit="kg", what="reciprocating mass", whole=True, topic="masses",
     )  # fmt: skip
     stroke, crank, rod = Linked.stroke, Linked.crank, Linked.rod
     speed = Speed.speed.but(help="Speed, for the masses: 120/min, 12.5rad/s.")

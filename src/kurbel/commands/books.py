@@ -71,6 +71,8 @@ class CollateOptions(Layouts, Worded, CommandOptions):
     x_45,"0,356","0,355",last_place
     """
 
+    topic = "question"
+
     unnamed = "table"
     sequence = "csv quantity ratio method only columns sources"
 
@@ -79,12 +81,16 @@ class CollateOptions(Layouts, Worded, CommandOptions):
         "Your own transcription: phi, epsilon or arm, and printed values.", "FILE", FILE
     )
     quantity = word("With --csv: what is printed, such as x, c, p or delta.", "KEY")
-    ratio = measure(as_ratio_text, "With --csv: crank ratio, such as 1:4,5.", "R:L", short="-r")
-    method = word("With --csv: exact (default), series, infinite, weisbach, approximate.", "METHOD")
+    ratio = measure(
+        as_ratio_text, "With --csv: crank ratio, such as 1:4,5.", "R:L", short="-r", topic="crank"
+    )
+    method = word(
+        "With --csv: exact (default), series, infinite, weisbach, approximate.", "METHOD", topic="crank"
+    )
     only = word("all, or deviations: what is not right.", kind=Choice("choice", ONLY), default="all")
     columns: Option[Any] = Option(
         "Keys of CSV and JSON and their order: place,printed,recomputed,verdict.", "NAMES",
-        Columns("collation"), many=True, default=(),
+        Columns("collation"), many=True, default=(), topic="page",
     )  # fmt: skip
     sources: Option[Any] = Option("A folder with books of your own, a folder each.", "DIR", FILE)
     layout = layout_option("collation")
@@ -127,6 +133,8 @@ class ExampleOptions(Worded, CommandOptions):
     ,"cos α = −5/2, unbrauchbar",other,cos α,−5/2,−5/2,
     """
 
+    topic = "question"
+
     builder = "kurbel.books.examples.page:build_example"
     unnamed = "book number"
     sequence = "ratio angle beam eps back force"
@@ -138,13 +146,24 @@ class ExampleOptions(Worded, CommandOptions):
         help="Crank angles in degrees, where the example starts from them: 60, lists '30;60'."
     )
     beam = measure(
-        as_numbers, "Arm of the beam in crank radii: 3; lists '3;4'.", "A:R", many=True, what="beam arm"
+        as_numbers,
+        "Arm of the beam in crank radii: 3; lists '3;4'.",
+        "A:R",
+        many=True,
+        what="beam arm",
+        topic="linkage",
     )
-    eps = measure(alone(as_expansions), "Expansion ratio ε: 4; lists '2;4', ranges 2..6.", "ε", many=True)
+    eps = measure(
+        alone(as_expansions), "Expansion ratio ε: 4; lists '2;4', ranges 2..6.", "ε", many=True, topic="steam"
+    )
     back = measure(
-        as_share, "Back pressure R/Q: 0.1, 10%; default: the best, 1/ε.", "B", what="back pressure"
+        as_share,
+        "Back pressure R/Q: 0.1, 10%; default: the best, 1/ε.",
+        "B",
+        what="back pressure",
+        topic="steam",
     )
-    force = measure(alone(as_force), "Piston force, for newtons: 10kN.", "FORCE", unit="N")
+    force = measure(alone(as_force), "Piston force, for newtons: 10kN.", "FORCE", unit="N", topic="piston")
 
     def question(self) -> ExampleRequest:
         book, number = self.book, self.number

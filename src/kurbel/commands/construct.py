@@ -57,6 +57,8 @@ class _Name(Kind):
 class Constructed(AnyDrive, CommandOptions):
     """A construction of a crank drive at one crank angle, and what some take beside it."""
 
+    topic = "question"
+
     unnamed = "name"
 
     constructions: Option[Any] = Option(
@@ -64,7 +66,7 @@ class Constructed(AnyDrive, CommandOptions):
         environment="KURBEL_CONSTRUCTIONS", first=True,
     )  # fmt: skip
     angle: Option[Any] = Option(
-        "Crank angle from the inner dead centre, in degrees: 50.", "ANGLE", unit="degrees"
+        "Crank angle from the inner dead centre, in degrees: 50.", "ANGLE", unit="degrees", topic="angles"
     )
     point: Option[Any] = Option(
         "Ensslin's Figs. 2 and 4: the point of the rod, in rod lengths from the crosshead pin: 0.5, 50%, or a"
@@ -83,7 +85,7 @@ class Constructed(AnyDrive, CommandOptions):
     )
     back = measure(
         as_share, "Back pressure as a share of the steam pressure: 0.1; default: the best.", "B",
-        what="back pressure",
+        what="back pressure", topic="steam",
     )  # fmt: skip
     name: Option[str] = word(
         f"The construction: {', '.join(construction_names())}.", kind=_Name(), default="", positional=True,
@@ -216,6 +218,8 @@ class DrawnConstruction(Constructed, Sized):
     >>> drawing.about.split(";")[0]
     'R = 17.5 mm'
     """
+
+    topic = "question"
 
     steps: Option[int | None] = Option(
         "The drawing up to its step N, on the same page as the whole: 3. Default: all steps.",

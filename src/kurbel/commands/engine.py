@@ -6,8 +6,8 @@ from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, ClassVar
 
-from kurbel.commands.options import Choice, Option, flag, measure, word
-from kurbel.commands.part import CommandOptions, Part, Rivals, flag_of
+from kurbel.commands.options import Option, flag
+from kurbel.commands.part import CommandOptions, flag_of
 from kurbel.commands.parts.angles import FULL_TURN, STEP, Angles
 from kurbel.commands.parts.diagram import DIAGRAMS, Diagram
 from kurbel.commands.parts.drive import Speed
@@ -15,15 +15,16 @@ from kurbel.commands.parts.effort import RODS
 from kurbel.commands.parts.engine import Engine
 from kurbel.commands.parts.loads import KINDS
 from kurbel.commands.parts.masses import Masses
+from kurbel.commands.parts.performance import Flywheel
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
-from kurbel.drive.wheel import CONSTANT, Wheel
+from kurbel.drive.wheel import Wheel
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import Layout
 from kurbel.page.subject import Question
 from kurbel.reading import notation
-from kurbel.reading.given import as_angle, as_angles, as_inertia, as_number, as_power, as_ratios, as_speed
+from kurbel.reading.given import as_angle, as_angles, as_ratios, as_speed
 
 EXAMPLE, DETAIL = "epsilon,delta", "delta-detail"
 WITH_MASSES = "with masses the power follows from pressure, bore, stroke and speed; leave --power out"
@@ -50,49 +51,6 @@ NEEDS = {
     "load": (), "stroke": ("stroke",), "torque": ("stroke",), "power": ("stroke", "speed"),
     "flow": ("stroke", "speed"),
 }  # fmt: skip
-
-
-class Flywheel(Part):
-    """A flywheel of an engine, and what it turns against."""
-
-    title, add = "a flywheel", "--flywheel or --inertia"
-    rivals: ClassVar[Rivals] = (("flywheel", "inertia"), ("inertia", "flywheel"))
-
-    flywheel = measure(as_number, "Flywheel, for the speed over the turn: its number m₁v₁²/(P r), 50.", "M")
-    inertia = measure(
-        as_inertia,
-        "The same by its moment of inertia: 1200kgm2. It needs --speed, and --power or the bore and the"
-        " pressure.",
-        "J", unit="kg m²", what="moment of inertia",
-    )  # fmt: skip
-    power = measure(as_power, "Power of the engine, for --inertia: 50kW, 68PS.", "POWER", unit="W")
-    resistance = word(
-        "Torque that the engine turns against: constant (default), or square of the speed.",
-        kind=Choice("resistance", "kurbel.drive.wheel:RESISTANCES"),
-    )
-
-    def has_wheel(self) -> bool:
-        return self.says("flywheel", "inertia")
-
-    def wheel(self, heavy: bool) -> Wheel | None:
-        """Return the flywheel, None if none is given.
-
-        With masses, where the engine is `heavy`, its power follows from the pressures. Raises KurbelError.
-        """
-        if not self.has_wheel():
-            return None
-        number, inertia, speed = self.flywheel, self.inertia, self.raw("speed")
-        if number is not None and inertia is not None:
-            raise ProblemError("--flywheel and --inertia both describe the flywheel; leave one out")
-        if inertia is not None and speed is None:
-            raise ProblemError("--inertia needs the mean speed; add --speed, for example --speed 120/min")
-        return Wheel(
-            number,
-            inertia,
-            None if speed is None else as_speed(speed),
-            None if heavy or inertia is None else self.power,
-            self.resistance or CONSTANT,
-        )
 
 
 class EngineWithWheel(Flywheel, Engine, Layouts, Sheet, CommandOptions):
@@ -218,6 +176,8 @@ class DeltaOptions(EngineWithWheel):
     3,-0.6994,1.374
     4,-0.8825,1.423
     """
+
+    topic = "question"
 
     unnamed = "eps"
     sequence = f"{ENGINE_ORDER} {LOAD_ORDER} flywheel inertia power resistance speed detail columns"

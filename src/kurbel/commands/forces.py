@@ -54,6 +54,8 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
     1.0172,0.9967
     """
 
+    topic = "question"
+
     unnamed = "ratio"
     sequence = (
         "angle from_ to step zero over shares columns offset stroke crank true_stroke time_ratio rod"
@@ -71,8 +73,11 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         " effort: '14;15;14'.",
         "WEIGHTS",
         whole=True,
+        topic="linkage",
     )
-    driven: Option[Any] = Option("With --axles: which of them the force F drives; default 1, the first.", "N")
+    driven: Option[Any] = Option(
+        "With --axles: which of them the force F drives; default 1, the first.", "N", topic="linkage"
+    )
     at = word(
         "tangent: a sheet of the position in which the rod touches the crank circle, with closed forms.",
         kind=Choice("position", (TANGENT,)),
@@ -85,6 +90,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         " and rod-load for extremes and reversal of the rod's load;"
         f" of the {' or '.join(LINKAGES)} crank {', '.join(f'forces-{name}' for name in LINKAGES)}.",
         kind=LayoutName((*OF_DRIVES, *OF_ENGINES, TANGENT, *SUBJECTS, COUPLED, FORCES_OVER_PATH, OVER_PATH)),
+        topic="page",
     )
 
     def question(self) -> Question:

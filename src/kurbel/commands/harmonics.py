@@ -40,6 +40,8 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
     4,1:5,-0.002062
     """
 
+    topic = "question"
+
     unnamed = "ratio"
     sequence = (
         "quantity orders method pressure_ratio suction_loss delivery_loss pump small_area suction_pressure"

@@ -93,6 +93,8 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
     0.5,84.2608,1.0153,1.0153
     """
 
+    topic = "question"
+
     unnamed = "ratio"
     sequence = (
         "point angle from_ to step zero over shares columns offset stroke crank true_stroke time_ratio rod"
@@ -220,6 +222,8 @@ class DeadCentresOptions(Linked, Speed, Layouts, Sheet, CommandOptions):
     5.739,189.594,1.0438
     """
 
+    topic = "question"
+
     unnamed = "beam"
     sequence = (
         "ratio exact mechanism offset rocker pivot circuit stroke crank true_stroke time_ratio rod speed"
@@ -228,7 +232,7 @@ class DeadCentresOptions(Linked, Speed, Layouts, Sheet, CommandOptions):
 
     beam: Option[Sequence[Fraction] | None] = measure(
         as_numbers, "Arm of the beam in crank radii: 3; lists '3;4', ranges 3..6:0.5.", "A:R", many=True,
-        what="beam arm",
+        what="beam arm", topic="linkage",
     )  # fmt: skip
     ratio = Linked.ratio.but(help="Crank ratio: 1:5; lists and ranges 1:3..6.")
     exact = flag("From the true geometry of the linkage; default: the formulas of § 149.")

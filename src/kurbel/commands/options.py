@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from kurbel.commands.part import Part
 
 Value = TypeVar("Value")
+# In a machine's file an option stands in the section of its part, if it names none.
+OF_PART = "of the part"
 
 
 class Kind:
@@ -223,6 +225,11 @@ class Option(Generic[Value]):
     values of a list are `numbers`, unless it says otherwise.
 
     `unit` is that of bare numbers in Python; `many` options may be repeated. A positional one has no dashes.
+    `machine` are the sections of a machine's file in which it stands, "steam compressor", with the key behind
+    a dot where that is not its name: "masses.rod"; `usual` is the unit in which it mostly stands there.
+
+    In the help it stands in the topic of its part, or in an own `topic`.
+
     `environment` is a variable for all commands, beside that of the command's own option. What is `first` is
     parsed before the others, which need it; what is `last` stands behind the command's own. Without a value,
     and True in Python, an option is `bare`. `what` it is called in sentences, if not by its name.
@@ -254,11 +261,15 @@ class Option(Generic[Value]):
         numbers: bool = True,
         read: Callable[[Any, str], Any] | None = None,
         what: str = "",
+        machine: str = OF_PART,
+        usual: str = "",
+        topic: str = "",
     ) -> None:
         self.help, self.metavar, self.kind, self.short, self.unit = help, metavar, kind, short, unit
         self.many, self.positional, self.environment, self.first = many, positional, environment, first
         self.default, self.last, self.bare, self.required = default, last, bare, required
         self.read, self.what, self.whole, self.numbers = read, what, whole, numbers
+        self.machine, self.usual, self.topic = machine, usual, topic
 
     def but(self, **changes: Any) -> Self:
         """Return the same option with another help, another default: as it is in one command."""
@@ -270,7 +281,9 @@ class Option(Generic[Value]):
         # In Python a name that is a keyword has a line behind it.
         self.name = name.rstrip("_")
         if self.home is None:
-            self.home = owner
+            self.home, self.topic = owner, self.topic or owner.topic
+            if self.machine == OF_PART:
+                self.machine = vars(owner).get("section", "")
 
     @property
     def flag(self) -> str:

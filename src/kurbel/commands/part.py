@@ -105,8 +105,10 @@ class Values:
 class Part:
     """Options that stand together. `title` is what they describe, and `add` what one types to have it.
 
-    In the help its options stand in a `topic`, if no topic names them. It is made `without` some options of
-    its parts.
+    In the help its options stand in its `topic`, but for those with an own one. It is made `without` some
+    options of its parts.
+
+    In a machine's file the options that it declares stand in its `section`, but for those with an own one.
 
     `rivals` are options of which one that is typed outdoes the other where that comes from elsewhere.
     """
@@ -114,6 +116,7 @@ class Part:
     title: ClassVar[str] = ""
     add: ClassVar[str] = ""
     topic: ClassVar[str] = ""
+    section: ClassVar[str] = ""
     without: ClassVar[Collection[str]] = ()
     rivals: ClassVar[Rivals] = ()
 

@@ -51,6 +51,8 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
     kurbel plot --animate --ratio 1:4 -o drehung.html
     """
 
+    topic = "question"
+
     unnamed = "positions"
 
     positions = measure(

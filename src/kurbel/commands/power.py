@@ -14,6 +14,7 @@ from kurbel.commands.parts.engine import Cylinder
 from kurbel.commands.parts.engine import Engine as EnginePart
 from kurbel.commands.parts.loads import KINDS, Loads
 from kurbel.commands.parts.masses import Masses
+from kurbel.commands.parts.performance import Losses
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
 from kurbel.drive.crank import Crank
@@ -32,7 +33,6 @@ from kurbel.page.subject import Question
 from kurbel.reading.given import (
     as_angles,
     as_crank_angles,
-    as_density,
     as_length,
     as_number,
     as_power,
@@ -40,7 +40,6 @@ from kurbel.reading.given import (
     as_ratios,
     as_share,
     as_shares,
-    as_specific_volume,
     as_speed,
     as_velocity,
 )
@@ -57,7 +56,7 @@ OF_STEAM = ("specific_volume", "steam_density")
 PRESSURES, ABOUT = ("pressures", "pressures-turn"), ("pressures", "pressures over the angle")
 
 
-class PowerOptions(OnMachine, Loads, Layouts, Sheet, CommandOptions):
+class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     """Print the mean effective pressure and the power of an engine, a compressor or a pump, or the bore,
     stroke or speed that a power asks for, and the steam taken.
 
@@ -76,6 +75,8 @@ class PowerOptions(OnMachine, Loads, Layouts, Sheet, CommandOptions):
     mean_pressure,indicated_power
     4.0000,15.080
     """
+
+    topic = "work"
 
     unnamed = "eps"
     sequence = (
@@ -97,10 +98,12 @@ class PowerOptions(OnMachine, Loads, Layouts, Sheet, CommandOptions):
         "NUMBER",
     )
     ratio = Linked.ratio.but(help="Crank ratio, for a card over the crank angle: 1:5.")
-    stroke = measure(as_length, "Stroke of the piston: 450mm.", "LENGTH", unit="m")
+    stroke = measure(as_length, "Stroke of the piston: 450mm.", "LENGTH", unit="m", topic="crank")
     crank = Linked.crank.but()
     cranks = EnginePart.cranks.but()
-    speed = measure(alone(as_speed), "Speed: 120/min, 12.5rad/s.", "SPEED", unit="turns a second")
+    speed = measure(
+        alone(as_speed), "Speed: 120/min, 12.5rad/s.", "SPEED", unit="turns a second", topic="crank"
+    )
     power = measure(
         alone(as_power), "Indicated power, to find the sizes or the speed: 75kW, 100PS.", "POWER", unit="W"
     )
@@ -113,18 +116,7 @@ class PowerOptions(OnMachine, Loads, Layouts, Sheet, CommandOptions):
     piston_speed = measure(
         as_velocity, "Mean piston speed in place of the stroke or the speed: 3m/s.", "VELOCITY", unit="m/s"
     )
-    cylinders: Option[Any] = Option("Number of cylinders alike; default 1.", "NUMBER")
-    diagram_factor: Option[Any] = Option(
-        "Area of the real card in that of the ideal one: 0.8, or ? to find it from a power; default 1, the"
-        " ideal card.",
-        "SHARE",
-    )
-    efficiency = measure(as_share, "Mechanical efficiency, for the power at the shaft: 85%.", "SHARE")
-    specific_volume = measure(
-        as_specific_volume, "Of the steam before cut-off, for the steam taken: '0.24 m3/kg'.", "VOLUME",
-        unit="m³/kg",
-    )  # fmt: skip
-    steam_density = measure(as_density, "In its place the density: '4.16 kg/m3'.", "DENSITY", unit="kg/m³")
+    cylinders: Option[Any] = Option("Number of cylinders alike; default 1.", "NUMBER", topic="cylinders")
     columns = columns_option("power", "mean_pressure,indicated_power")
     layout = layout_option("power").but(default="power")
 
@@ -319,12 +311,12 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
     shares = measure(
         as_shares,
         "Shares of the stroke: 0.25, lists '0;0.5;1', ranges; default 0..1:0.1.", "SHARES", many=True,
-        what=SHARE,
+        what=SHARE, topic="angles",
     )  # fmt: skip
     angle = measure(
         alone(as_angles),
         "Crank angles in place of these, with layout pressures-turn: 0..360:10.", "ANGLES", unit="degrees",
-        many=True,
+        many=True, topic="angles",
     )  # fmt: skip
     layout = layout_option(*ABOUT)
 

@@ -68,6 +68,8 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
     unbalance,0.50000,53.13
     """
 
+    topic = "masses"
+
     unnamed = "masses"
     sequence = "masses radii angles planes balance_planes balance_radii bearings speed about"
 
@@ -92,11 +94,12 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
     )  # fmt: skip
     balance_planes: Option[tuple[Fraction, ...]] = Option(
         "Planes of balancing masses, one or two: '100;1100mm'.", "LENGTHS", unit="m", read=_planes,
-        what="balancing masses", whole=True,
+        what="balancing masses", whole=True, topic="counterweights",
     )  # fmt: skip
     balance_radii = measure(
         length.each,
         "Radii of the balancing masses: 100mm; without them m r is printed.", "LENGTHS", unit="m", whole=True,
+        topic="counterweights",
     )  # fmt: skip
     bearings: Option[tuple[Fraction, ...]] = Option(
         "Places of the two bearings along the shaft: '0;1.8m'.",
@@ -105,7 +108,9 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
         read=_bearings,
         whole=True,
     )
-    speed = Speed.speed.but(help="Speed, for forces in N: 300/min, 12.5rad/s.", read=alone(as_speed))
+    speed = Speed.speed.but(
+        help="Speed, for forces in N: 300/min, 12.5rad/s.", read=alone(as_speed), topic="masses"
+    )
     about = measure(
         _place,
         "Plane about which moments are taken: 400mm; default: where planes count from.", "LENGTH", unit="m",
@@ -192,6 +197,8 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
     41873,12562
     """
 
+    topic = "axle"
+
     sequence = (
         "cranks spacing positions gauge stroke crank reciprocating revolving share axles balance_radius speed"
         " velocity wheel wheel_load hammer_blow"
@@ -212,25 +219,27 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
     gauge: Option[Fraction] = Option(
         "Distance of the planes of the wheels: 1.5m.", "LENGTH", unit="m", required=True, read=as_length
     )
-    stroke = Linked.stroke.but(read=as_length)
-    crank = Linked.crank
+    stroke = Linked.stroke.but(read=as_length, topic="axle")
+    crank = Linked.crank.but(topic="axle")
     reciprocating: Option[tuple[Fraction, ...]] = Option(
         "Mass that goes to and fro in a cylinder: 300kg, or each.", "MASSES", unit="kg", required=True,
-        read=mass.each, what="reciprocating mass", whole=True,
+        read=mass.each, what="reciprocating mass", whole=True, topic="masses",
     )  # fmt: skip
     revolving = measure(
         mass.each, "Mass that turns with a crank at its radius: 160kg, or each.", "MASSES", unit="kg",
-        what="revolving mass", whole=True,
+        what="revolving mass", whole=True, topic="masses",
     )  # fmt: skip
     axles: Option[int] = Option(
         "Coupled axles that balance equal parts of the share, 1 to 12.", "N", Count("axles", 1, 12), default=1
     )
     share: Option[Sequence[Fraction]] = Option(
         "Shares of the reciprocating masses that are balanced: 2/3, '0.5;0.6'.", "SHARES",
-        default="0;1/2;2/3;1", read=as_shares, whole=True,
+        default="0;1/2;2/3;1", read=as_shares, whole=True, topic="counterweights",
     )  # fmt: skip
-    balance_radius = measure(as_length, "Radius of the balancing masses: 600mm.", "LENGTH", unit="m")
-    speed = Speed.speed.but(help="Speed of the axle: 300/min, 31rad/s.", read=alone(as_speed))
+    balance_radius = measure(
+        as_length, "Radius of the balancing masses: 600mm.", "LENGTH", unit="m", topic="counterweights"
+    )
+    speed = Speed.speed.but(help="Speed of the axle: 300/min, 31rad/s.", read=alone(as_speed), topic="axle")
     velocity = measure(
         as_velocity, "Speed of the train in its place, with --wheel: 96km/h.", "SPEED", unit="m/s"
     )

@@ -68,6 +68,8 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
     return,100.7276,1.0896
     """
 
+    topic = "question"
+
     unnamed = "where"
     sequence = (
         "ratio columns offset stroke crank true_stroke time_ratio rod method order speed mechanism rocker"
@@ -98,6 +100,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
         " motion is greatest on the outstroke.",
         "ANGLE",
         unit="degrees",
+        topic="angles",
     )
     layout = layout_option("roots", "loaded roots", "unknown")
     method = Turning.method.but()

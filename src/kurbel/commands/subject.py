@@ -282,7 +282,7 @@ def _text(value: Any) -> str:
 def machine_defaults(command: str, options: Mapping[str, bool], file: File) -> dict[str, Any]:
     """Return what the file says of the options of the command, by their names, with whether each may be
     repeated."""
-    from kurbel.drive.machine import read_machine, with_ratio
+    from kurbel.commands.machine_file import read_machine, with_ratio
 
     machine = read_machine(file)
     if "rod" not in options:

@@ -127,14 +127,13 @@ def topic_text(context: click.Context, name: str) -> str:
 
 def _machine_keys(command: click.Command, options: Sequence[click.Option]) -> Iterator[tuple[str, str]]:
     """Yield the sections of a machine's file that have keys for these options, with those."""
-    from kurbel.drive.sections import SECTIONS
-
     if not any(one.name == "machine" for one in command.params):
         return
-    names = [one.name for one in options]
-    for title, section in SECTIONS.items():
-        keys = dict(zip(section.__struct_fields__, section.__struct_encode_fields__, strict=True))
-        if found := [keys[name] for name in names if name in keys]:
+    from kurbel.commands.machine_file import machine_keys
+
+    for title, section in machine_keys().items():
+        keys = {option.name: key for key, option in section.items()}
+        if found := [keys[one.name] for one in options if one.name in keys]:
             yield f"[{title}]", " ".join(found)
 
 

@@ -1,4 +1,6 @@
-"""The topics of a command's help, and what `-h` shows first: the one place that says where an option stands.
+"""The topics of a command's help in their order, and what `-h` shows first.
+
+In which topic an option stands, its declaration says, or its part.
 
 A topic has no command's name, for both are behind `kurbel help`.
 """
@@ -12,138 +14,61 @@ import click
 
 
 class Topic(NamedTuple):
-    """What belongs together: its name and its title, the names of its options, the most used first, and
-    those of other topics that go with them.
-
-    What another command has elsewhere by the same name has its command before it: "locomotive.stroke"; what
-    sweeps have elsewhere, "sweep".
-    """
+    """What belongs together: its name, its title, the names of the options that stand before its others, for
+    they are more used or one after another, and options of other topics that go with it."""
 
     name: str
     title: str
-    options: str
+    leading: str = ""
     also: str = ""
 
 
 TOPICS = (
-    Topic(
-        "question",
-        "What is asked",
-        "plot.positions point where unknown quantity orders order intervals"
-        " at of detail exact csv only strict sources table steps constructions",
-    ),
-    Topic(
-        "crank",
-        "The crank",
-        "ratio stroke rod speed machine method table.order solve.order offset crank true_stroke"
-        " time_ratio acceleration",
-        "mechanism",
-    ),
-    Topic(
-        "linkage",
-        "Other crank drives",
-        "mechanism rocker pivot circuit beam axles driven",
-        "ratio crank offset",
-    ),
-    Topic("angles", "The crank angles", "angle step from to zero over shares"),
-    Topic(
-        "steam",
-        "Steam",
-        "eps pressure back card clearance exponent",
-        "bore single_acting other_side cranks power",
-    ),
+    Topic("question", "What is asked", "positions point where unknown quantity table steps"),
+    Topic("crank", "The crank", "ratio stroke rod speed machine method order offset", "mechanism"),
+    Topic("linkage", "Other crank drives", "mechanism rocker pivot circuit", "ratio crank offset"),
+    Topic("angles", "The crank angles", "angle step"),
+    Topic("steam", "Steam", "eps pressure back card clearance", "bore single_acting other_side cranks power"),
     Topic(
         "compressor",
         "A compressor",
-        "pressure_ratio suction_pressure suction_loss delivery_loss",
+        "pressure_ratio suction_pressure",
         "bore clearance exponent single_acting other_side",
     ),
-    Topic("pump", "A pump", "pump delivery_pressure small_area", "suction_pressure bore"),
-    Topic(
-        "gas",
-        "A gas engine",
-        "compression cycle peak_pressure heat cut_off expansion_exponent exhaust_pressure two_stroke",
-        "suction_pressure exponent bore cylinder",
-    ),
-    Topic(
-        "piston",
-        "The piston",
-        "force bore single_acting other_side head_pressure crank_pressure pressure_difference piston_rod"
-        " tail_rod",
-        "pressure friction",
-    ),
-    Topic(
-        "cylinders",
-        "Several cylinders",
-        "engine cranks positions banks cylinder cylinders spacing about firing.strokes",
-        "of",
-    ),
+    Topic("pump", "A pump", "pump delivery_pressure", "suction_pressure bore"),
+    Topic("gas", "A gas engine", also="suction_pressure exponent bore cylinder"),
+    Topic("piston", "The piston", "force bore single_acting", "pressure friction"),
+    Topic("cylinders", "Several cylinders", "engine cranks positions banks", "of"),
     Topic(
         "masses",
         "Masses and weight",
-        "reciprocating rod_mass centre gyration rod_file pendulum pendulum_from rotating revolving"
-        " rocker_inertia vertical slope gravity masses radii angles planes bearings rotor.about"
-        " rotor.speed",
+        "reciprocating rod_mass centre gyration rod_file pendulum pendulum_from",
         "stroke speed",
     ),
-    Topic(
-        "counterweights",
-        "What balances",
-        "share balance_planes balance_radii balance_radius revolving_share",
-        "revolving",
-    ),
-    Topic(
-        "axle",
-        "The axle and its wheels",
-        "locomotive.cranks locomotive.spacing locomotive.positions gauge locomotive.stroke locomotive.crank"
-        " locomotive.speed velocity wheel wheel_load hammer_blow locomotive.axles",
-    ),
-    Topic("friction", "Friction", "friction pin_friction crosshead_pin crank_pin shaft", "bore"),
-    Topic(
-        "work",
-        "Power and work",
-        "power mean_pressure working_strokes brake_power efficiency stroke_bore piston_speed diagram_factor"
-        " specific_volume steam_density",
-        "bore stroke speed cylinders",
-    ),
+    Topic("counterweights", "What balances", also="revolving"),
+    Topic("axle", "The axle and its wheels"),
+    Topic("friction", "Friction", also="bore"),
+    Topic("work", "Power and work", "power mean_pressure working_strokes", "bore stroke speed cylinders"),
     Topic(
         "wheel",
         "The flywheel",
-        "delta flywheel inertia resistance mass radius swing energy_fluctuation greatest_speed least_speed",
+        "delta flywheel inertia mass radius",
         "power speed rim_diameter disc_diameter",
     ),
-    Topic(
-        "rim",
-        "Its rim",
-        "rim_diameter rim_speed rim_section rim_breadth rim_thickness density hoop_stress rim_share",
-        "delta swing",
-    ),
-    Topic("disc", "A disc for a wheel", "disc_diameter disc_thickness", "density inertia"),
-    Topic(
-        "press",
-        "A press",
-        "work flywheel.strokes flywheel.share duration hole shear_energy shear_strength",
-        "power efficiency speed radius",
-    ),
+    Topic("rim", "Its rim", also="delta swing"),
+    Topic("disc", "A disc for a wheel", also="density inertia"),
+    Topic("press", "A press", also="power efficiency speed radius"),
     Topic(
         "diagram",
         "A diagram without an engine",
-        "torque torque_file triangles areas area_scale load_torque load_torque_file turns",
+        "torque torque_file triangles areas area_scale",
         "speed inertia delta",
     ),
-    Topic("combinations", "The combinations", "zip_ sweep.only sample seed bounds sweep.strict"),
-    Topic("run", "The run", "scheduler jobs resume restart"),
-    Topic(
-        "page",
-        "The page",
-        "lang layout columns units decimal digits rounding caption note source label layouts templates",
-    ),
-    Topic("drawing", "The drawing", "width height polar over_path infinite text animate seconds", "output"),
-    Topic(
-        "output",
-        "The output",
-        "output format interactive standalone longtable siunitx plain excel dry_run help",
-    ),
+    Topic("combinations", "The combinations"),
+    Topic("run", "The run"),
+    Topic("page", "The page", "lang layout columns units decimal digits rounding"),
+    Topic("drawing", "The drawing", "width height", "output"),
+    Topic("output", "The output", "output format"),
 )
 # Of each command the ten or fifteen options that one needs first; the topic of the first one leads its help.
 FIRST: Mapping[str, str] = {
@@ -214,9 +139,11 @@ def topics_of(command: click.Command) -> Iterator[tuple[Topic, Sequence[click.Op
     first = FIRST.get(command.name or "", "").partition(" ")[0]
     found = []
     for topic in TOPICS:
-        listed = [options[name] for name in _names(topic, command) if name in options]
-        if listed:
-            found.append((topic, listed))
+        # What click has of its own is about the output.
+        names = [name for name, one in options.items() if getattr(one, "topic", "output") == topic.name]
+        leading = [name for name in topic.leading.split() if name in names]
+        if names:
+            found.append((topic, [options[name] for name in dict.fromkeys((*leading, *names))]))
     yield from sorted(found, key=lambda pair: options.get(first) not in pair[1])
 
 
@@ -245,26 +172,6 @@ def flag_of(option: click.Option) -> str:
 
 def _is_option(one: click.Parameter) -> TypeGuard[click.Option]:
     return isinstance(one, click.Option)
-
-
-def _names(topic: Topic, command: click.Command) -> Iterator[str]:
-    """Yield the names of the options that the command has in the topic."""
-    from kurbel.cli.tables import TableCommand
-
-    owners = {command.name, "sweep" if is_sweep(command) else command.name}
-    listed = {one for other in TOPICS if other is not topic for one in other.options.split()}
-    for name in topic.options.split():
-        owner, _, own = name.rpartition(".")
-        if owner in owners or (not owner and not any(f"{one}.{name}" in listed for one in owners)):
-            yield own
-    # What is named nowhere stands in the topic of its part.
-    declared = command.made_by.options.values() if isinstance(command, TableCommand) else ()
-    named = {name.rpartition(".")[2] for one in TOPICS for name in one.options.split()}
-    yield from (
-        one.name
-        for one in declared
-        if one.name not in named and one.home is not None and one.home.topic == topic.name
-    )
 
 
 def is_sweep(command: click.Command) -> bool:

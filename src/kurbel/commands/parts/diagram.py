@@ -26,6 +26,8 @@ DIAGRAMS = (*DRIVES, *LOADS, "areas")
 class Diagram(Part):
     """A turning-moment diagram that no engine makes."""
 
+    topic = "diagram"
+
     torque = word(
         "Diagram without an engine: torque over the crank angle, as a formula, '5000 + 1500 sin(3φ)', or"
         " points, '0:0; 60:90; 180:0' or 'every 30°: 0; 45; 90', which straight lines join.",

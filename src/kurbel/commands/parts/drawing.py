@@ -48,13 +48,15 @@ def as_seconds(given: Any, what: str) -> float:
 # The decimal mark of a drawing by itself; that of a page stands with its formats.
 DECIMAL = word(
     "comma or point; default: by the language.", kind=Choice("decimal mark", DECIMALS),
-    environment="KURBEL_DECIMAL", last=True,
+    environment="KURBEL_DECIMAL", last=True, topic="page",
 )  # fmt: skip
 flag = partial(Option, kind=FLAG, default=False, last=True)
 
 
 class Sized(Part):
     """How large a drawing is."""
+
+    topic = "drawing"
 
     width = measure(
         as_page_length,
@@ -80,6 +82,8 @@ class Sized(Part):
 class Filmed(Part):
     """Whether a drawing moves, and how fast."""
 
+    topic = "drawing"
+
     animate: Option[bool] = flag(
         "Let the drawing move through its turn: -o turn.html (with a slider), turn.svg or turn.gif."
     )
@@ -102,6 +106,8 @@ class Filmed(Part):
 
 class Pictured(Sized, Filmed):
     """A page as a drawing: its size, whether it moves, and how its curves are shown."""
+
+    topic = "drawing"
 
     polar: Option[bool] = flag("Draw a polar diagram, of the force on the crank pin or of free forces.")
     over_path: Option[bool] = flag(

@@ -41,6 +41,7 @@ class Linked(OnMachine):
     """A crank drive."""
 
     topic = "crank"
+    section = "crank"
 
     # Where no mechanism is named, a layout about one of these names it if it is of one alone.
     abouts: ClassVar[Sequence[str]] = (*MOTIONS, OVER_PATH, POINTS, *APPROXIMATE)
@@ -55,7 +56,7 @@ class Linked(OnMachine):
     stroke: Option[Any] = Option(
         "2R: 600mm; of an offset crank, too, whose piston goes further.", "LENGTH", unit="m"
     )
-    crank: Option[Any] = Option("R, in place of --stroke: 300mm.", "LENGTH", unit="m")
+    crank: Option[Any] = Option("R, in place of --stroke: 300mm.", "LENGTH", unit="m", machine="crank.radius")
     true_stroke: Option[Any] = Option(
         "Way of the piston, in place of --stroke; of an offset crank R follows from it, with --rod or"
         " --ratio: 600mm.",
@@ -69,20 +70,23 @@ class Linked(OnMachine):
     rod: Option[Any] = Option(
         "Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m"
     )
-    mechanism = word(registered.described(), kind=Choice("mechanism", MECHANISMS))
+    mechanism = word(registered.described(), kind=Choice("mechanism", MECHANISMS), topic="linkage")
     rocker: Option[Any] = Option(
-        "Arc crank: length of the rocker in units of R, or a length with --crank.", "B", unit="R"
+        "Arc crank: length of the rocker in units of R, or a length with --crank.",
+        "B",
+        unit="R",
+        topic="linkage",
     )
     pivot: Option[Any] = Option(
         "Arc crank: the rocker's pivot along and across the slide, in units of R or as lengths; default:"
         " as far as the rod is long, and B above the slide line. With 'D;0' angles count from the line of"
         " centres, as of a four-bar.",
-        "D;H", unit="R", whole=True,
+        "D;H", unit="R", whole=True, topic="linkage",
     )  # fmt: skip
     circuit: Option[Any] = Option(
         "Arc crank: 1 or -1, the two ways to assemble the links; default 1. Of a four-bar with its pivot at"
         " 'D;0' the open one is -1.",
-        "WAY",
+        "WAY", topic="linkage",
     )  # fmt: skip
 
     @classmethod
@@ -134,7 +138,13 @@ class Linked(OnMachine):
 class AnyDrive(Linked):
     """Any crank drive, the beam engine among them."""
 
-    beam: Option[Any] = Option("Beam engine: arm of the beam in units of R, or a length.", "A", unit="R")
+    beam: Option[Any] = Option(
+        "Beam engine: arm of the beam in units of R, or a length.",
+        "A",
+        unit="R",
+        machine="crank",
+        topic="linkage",
+    )
 
 
 class Speed(Part):
@@ -143,7 +153,10 @@ class Speed(Part):
     topic = "crank"
 
     speed: Option[Any] = Option(
-        "Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.", "SPEED", unit="turns a second"
+        "Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.",
+        "SPEED",
+        unit="turns a second",
+        machine="crank",
     )
 
 

@@ -30,14 +30,20 @@ class Piston(Part):
     title, add = "a piston on which a pressure acts", "--head-pressure or --crank-pressure"
     topic = "piston"
 
-    bore = measure(as_length, "Bore of the cylinder: 300mm.", "LENGTH", unit="m")
+    bore = measure(
+        as_length, "Bore of the cylinder: 300mm.", "LENGTH", unit="m", machine="steam compressor pump gas"
+    )
     piston_rod = measure(
         as_length,
         "Diameter of the piston rod, which lessens the area on the side of the crank: 50mm.", "LENGTH",
-        unit="m",
+        unit="m", machine="steam",
     )  # fmt: skip
     tail_rod = measure(
-        as_length, "The same of a rod through the cover, on the other side: 40mm.", "LENGTH", unit="m"
+        as_length,
+        "Diameter of a rod through the cover, on the other side: 40mm.",
+        "LENGTH",
+        unit="m",
+        machine="steam",
     )
 
     def piston_areas(self) -> efforts.Areas:
@@ -56,7 +62,11 @@ class Friction(Part):
     topic = "friction"
 
     friction = measure(
-        as_force, "Friction of piston and crosshead, against their motion: 500N.", "FORCE", unit="N"
+        as_force,
+        "Friction of piston and crosshead, against their motion: 500N.",
+        "FORCE",
+        unit="N",
+        machine="masses",
     )
 
 

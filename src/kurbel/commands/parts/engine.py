@@ -7,18 +7,18 @@ from copy import copy
 from dataclasses import replace
 from fractions import Fraction
 from os import PathLike
-from typing import TYPE_CHECKING, Any, TypedDict, cast, get_args, get_type_hints
+from typing import TYPE_CHECKING, Any, TypedDict, cast
 
-from kurbel.commands.options import Choice, Kind, Option, measure
+from kurbel.commands.options import FILE, FLAG, Choice, Kind, Option, measure
 from kurbel.commands.part import Part, flag_of
 from kurbel.commands.parts.drive import AnyDrive, Speed
 from kurbel.commands.parts.effort import RODS, Friction, with_effort
 from kurbel.commands.parts.loads import KINDS, Loads, on_page
-from kurbel.commands.parts.masses import OF_ROD, Masses
+from kurbel.commands.parts.masses import OF_ROD, Masses, Rotating, Weight
 from kurbel.errors import KurbelError, NotationError, ProblemError
 from kurbel.motion.mechanism import Mechanism, of_other_mechanisms, uncomputed
 from kurbel.page.layouts import Layout
-from kurbel.reading.given import as_angle, as_crank_angles, as_number, as_speed
+from kurbel.reading.given import as_angle, as_crank_angles, as_number, as_speed, choose
 from kurbel.reading.notation import about
 
 if TYPE_CHECKING:
@@ -28,12 +28,15 @@ if TYPE_CHECKING:
     from kurbel.engine.engine import Load
 
 EXAMPLE = "angle=90 bore=500mm pressure=3bar eps=2"
-# What is said or not, and how it is written in a text.
-FLAGS = ("single_acting", "two_stroke")
+# How what is said or not is written in a text.
 TRUTH: Mapping[Any, bool] = {"true": True, "false": False, True: True, False: False}
 LENGTHS = ("ratio", "stroke", "rod")
 # What sets the place of a cylinder.
-PLACE = ("angle", "bank", "fires")
+PLACE: Mapping[str, str] = {
+    "angle": "angle in degrees by which its crank follows the first",
+    "bank": "angle by which its axis leans, in the sense of rotation",
+    "fires": "its place in the firing order, 1 for the first",
+}
 
 
 class Engines(TypedDict, total=False):
@@ -88,31 +91,24 @@ class OneCylinder(Kind):
     def with_files(self, value: Mapping[str, Any], file: Any) -> Mapping[str, Any]:
         # A cylinder of a machine's file knows where it stands there.
         found: Any = copy(value)
-        for name in _files() & value.keys():
+        files = [name for name, one in Cylinder.entries().items() if one.kind is FILE and name in value]
+        for name in files:
             named = value[name]
             found[name] = file(named) if isinstance(named, str | PathLike) else [*map(file, named)]
         return cast("Mapping[str, Any]", found)
 
 
-def _files() -> set[str]:
-    """Return the entries that name files."""
-    from kurbel.drive.sections import Cylinder, File, Files
-
-    return {name for name, kind in get_type_hints(Cylinder).items() if {File, Files} & {*get_args(kind)}}
-
-
 def _checked(entries: dict[str, Any]) -> Mapping[str, Any]:
     """Return the entries if a cylinder has such ones."""
-    from kurbel.drive.sections import Cylinder
-    from kurbel.reading.given import choose
-
+    own = Cylinder.entries()
+    flags = [name for name, one in own.items() if one.kind is FLAG]
     for key, value in entries.items():
-        choose(key, Cylinder.__struct_fields__, "entry of a cylinder,")
-        if value is True and key not in FLAGS:
+        choose(key, (*PLACE, *own), "entry of a cylinder,")
+        if value is True and key not in flags:
             raise NotationError(f"{key} of a cylinder has no value; write it as {EXAMPLE}")
-        if key in FLAGS and value not in TRUTH:
+        if key in flags and value not in TRUTH:
             raise NotationError(f"{key} of a cylinder is {str(value)[:40]}; it must be true or false")
-    found = {key: TRUTH[value] if key in FLAGS else value for key, value in entries.items()}
+    found = {key: TRUTH[value] if key in flags else value for key, value in entries.items()}
     if "crank" not in found:
         return found
     from kurbel.drive.size import in_strokes
@@ -122,6 +118,13 @@ def _checked(entries: dict[str, Any]) -> Mapping[str, Any]:
 
 class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
     """One cylinder: its drive, its load, its masses."""
+
+    @classmethod
+    def entries(cls) -> Mapping[str, Option[Any]]:
+        """Return the options that may be a cylinder's own, and not of the shaft or of the whole engine."""
+        shared = Speed.options() | Weight.options()
+        options = cls.options() | Rotating.options()
+        return {name: one for name, one in options.items() if one.machine and name not in shared}
 
     def shared(self) -> Collection[str]:
         return ("stroke", "speed", "method", "acceleration")
@@ -190,7 +193,7 @@ class Engine(Cylinder):
 
     cranks: Option[Any] = Option(
         "Angles by which the cranks follow the first, with cylinders alike: '0;90' or '0;120;240'.", "ANGLES",
-        unit="degrees", whole=True,
+        unit="degrees", whole=True, machine="crank.angles",
     )  # fmt: skip
     cylinder: Option[Any] = Option(
         f"A cylinder of an engine of unlike ones, in the words of the options: '{EXAMPLE}'; beside it all"
@@ -200,6 +203,7 @@ class Engine(Cylinder):
     method: Option[Any] = Option(
         "exact (default), series (first order) or weisbach (his equations of § 150).",
         kind=Choice("method", "kurbel.engine.quantities:ENGINE_METHODS"), many=True, default=(),
+        topic="crank",
     )  # fmt: skip
 
     def is_several(self) -> bool:
@@ -338,7 +342,7 @@ class FromOne(Part):
     of: Option[Fraction | None] = measure(
         as_number,
         "Of several cylinders unlike: the one whose forces these are; default 1, the first.", "NUMBER",
-        what="cylinder",
+        what="cylinder", topic="question",
     )  # fmt: skip
 
 

@@ -62,12 +62,12 @@ NEEDED = (
 )
 
 
-def _share(help: str) -> Option[Fraction | None]:
-    return measure(as_share, help, "SHARE")
+def _share(help: str, load: str) -> Option[Fraction | None]:
+    return measure(as_share, help, "SHARE", machine=load, topic=load)
 
 
 def _in_units_of_suction(help: str) -> Option[Any]:
-    return Option(help, "RATIO")
+    return Option(help, "RATIO", machine="gas", topic="gas")
 
 
 class Loads(Piston):
@@ -78,70 +78,94 @@ class Loads(Piston):
 
     title, add = "the load of an engine", "--eps or --card"
     topic = "steam"
-    rivals: ClassVar[Rivals] = (
-        *((name, "card") for name in (*IDEAL, "pressure")),
-        ("card", "eps"),
-    )
+    rivals: ClassVar[Rivals] = (*((name, "card") for name in (*IDEAL, "pressure")), ("card", "eps"))
 
     eps = measure(
         lambda value, what: as_expansions(value),
         "Expansion ratio, cut-off after 1/ε of the stroke: 4; lists '2;3;4', ranges 2..6.", "ε", many=True,
+        machine="steam",
     )  # fmt: skip
     back: Option[Any] = Option(
         "Back pressure as a share of the steam pressure: 0.1, 10%, or beside --pressure as a pressure, both"
         " above vacuum: 1.1bar; default: the best, to which the steam expands.",
         "B",
+        machine="steam",
     )
-    exponent = measure(as_number, "n of p Vⁿ = const.; default 1, Mariotte's law, of gas engines 1.4.", "N")
-    clearance = measure(as_share, "Clearance as a share of the swept volume: 0.05, 5%.", "C")
+    exponent = measure(
+        as_number,
+        "n of p Vⁿ = const.; default 1, Mariotte's law, of gas engines 1.4.",
+        "N",
+        machine="steam compressor gas",
+    )
+    clearance = measure(
+        as_share, "Clearance as a share of the swept volume: 0.05, 5%.", "C", machine="steam compressor"
+    )
     card: Option[Any] = Option(
         "Indicator card: CSV with position, p_forward [bar], p_return [bar], or angle, p [bar].",
         "FILE",
         FILE,
         many=True,
+        machine="steam",
     )
     other_side = measure(
         as_pressure,
         "With --single-acting and --card or --pressure-ratio: pressure on the piston's other face, 1bar.",
-        "PRESSURE", unit="Pa",
+        "PRESSURE", unit="Pa", machine="steam compressor", topic="piston",
     )  # fmt: skip
     single_acting = flag(
         "One end works: steam on the outstroke only, and on the return both faces have the back pressure; a"
-        " compressor sucks on the outstroke and delivers on the return."
+        " compressor sucks on the outstroke and delivers on the return.",
+        machine="steam compressor",
+        topic="piston",
     )
     pressure = measure(
         as_pressure,
         "Steam pressure before cut-off: 8bar; an indicator card has its own.", "PRESSURE", unit="Pa",
+        machine="steam",
     )  # fmt: skip
     pressure_ratio = measure(
-        as_shares, "Compressor: pressure ratio p₂/p₁: 4; lists '2;3;4', ranges 2..6.", "Π", many=True
+        as_shares,
+        "Compressor: pressure ratio p₂/p₁: 4; lists '2;3;4', ranges 2..6.",
+        "Π",
+        many=True,
+        machine="compressor",
+        topic="compressor",
     )
-    suction_loss = _share("Compressor: loss of the suction valves, a share of the suction pressure: 4%.")
-    delivery_loss = _share("Compressor: loss of the delivery valves, a share of the delivery pressure: 5%.")
+    suction_loss = _share(
+        "Compressor: loss of the suction valves, a share of the suction pressure: 4%.", "compressor"
+    )
+    delivery_loss = _share(
+        "Compressor: loss of the delivery valves, a share of the delivery pressure: 5%.", "compressor"
+    )
     pump = word(
         "Pump: double (by itself), single or differential.",
         "KIND",
         Choice("pump", "kurbel.engine.loads.pump:KINDS"),
         bare="double",
+        machine="pump.kind",
+        topic="pump",
     )
-    small_area = _share("Differential pump: its ring as a share of the piston's area; default 1/2.")
+    small_area = _share("Differential pump: its ring as a share of the piston's area; default 1/2.", "pump")
     suction_pressure = measure(
         as_pressure,
         "Suction pressure of a compressor or gas engine: 1bar; of a pump above that on the other face:"
         " -0.3bar.",
-        "PRESSURE", unit="Pa",
+        "PRESSURE", unit="Pa", machine="compressor pump gas", topic="compressor",
     )  # fmt: skip
     delivery_pressure = measure(
         as_pressure,
         "Delivery pressure of a pump, above that on the other face: 6bar.", "PRESSURE", unit="Pa",
+        machine="pump", topic="pump",
     )  # fmt: skip
     compression = measure(
         as_shares, "Gas engine: compression ratio: 6; lists '5;6;7', ranges 5..8.", "ε", many=True,
-        what="compression ratio",
+        what="compression ratio", machine="gas", topic="gas",
     )  # fmt: skip
     cycle = word(
         "Gas engine: otto (default), diesel or dual cycle.",
         kind=Choice("cycle", "kurbel.engine.loads.gas:CYCLES"),
+        machine="gas",
+        topic="gas",
     )
     peak_pressure = _in_units_of_suction(
         "Otto and dual cycle: greatest pressure in suction pressures, 30, or beside --suction-pressure"
@@ -150,13 +174,24 @@ class Loads(Piston):
     cut_off = measure(
         as_number,
         "Diesel and dual cycle: volume when the heat is supplied, in least volumes: 2.", "RATIO",
+        machine="gas", topic="gas",
     )  # fmt: skip
-    heat = measure(as_number, "Gas engine: heat supplied in R T₁, for a kilogram: 10.", "RATIO")
-    expansion_exponent = measure(
-        as_number, "Gas engine: n of the expansion; default that of --exponent, 1.4.", "N"
+    heat = measure(
+        as_number,
+        "Gas engine: heat supplied in R T₁, for a kilogram: 10.",
+        "RATIO",
+        machine="gas",
+        topic="gas",
     )
-    exhaust_pressure = _in_units_of_suction("Gas engine: exhaust pressure likewise; default 1.")
-    two_stroke = flag("Gas engine: in two strokes.")
+    expansion_exponent = measure(
+        as_number,
+        "Gas engine: n of the expansion; default that of --exponent, 1.4.",
+        "N",
+        machine="gas",
+        topic="gas",
+    )
+    exhaust_pressure = _in_units_of_suction("Gas engine: exhaust pressure in suction pressures; default 1.")
+    two_stroke = flag("Gas engine: in two strokes.", machine="gas", topic="gas")
 
     @classmethod
     def settle(cls, values: Values) -> None:

@@ -35,6 +35,7 @@ class MovingRod(Part):
 
     title, add = "a rod with a mass", "--rod-mass"
     topic = "masses"
+    section = "masses"
     rivals: ClassVar[Rivals] = (
         *((name, "rod_file") for name in ("rod_mass", "centre", "gyration", "pendulum", "pendulum_from")),
         *(("rod_file", name) for name in ("centre", "gyration", "pendulum")),
@@ -42,7 +43,7 @@ class MovingRod(Part):
         *((name, "gyration") for name in ("pendulum", "pendulum_from")),
     )
 
-    rod_mass = measure(as_mass, "Mass of the connecting rod: 150kg.", "MASS", unit="kg")
+    rod_mass = measure(as_mass, "Mass of the connecting rod: 150kg.", "MASS", unit="kg", machine="masses.rod")
     centre: Option[Any] = Option(
         "Centre of mass of the rod from the crosshead pin, in rod lengths: 0.6, 60%; or a length, where that"
         " of the rod is known.",
@@ -64,7 +65,7 @@ class MovingRod(Part):
     rod_file: Option[Any] = Option(
         "The rod's masses from a CSV file in place of these: from, to, mass or position, mass, counted from"
         " the crank pin.",
-        "FILE", FILE,
+        "FILE", FILE, machine="masses.file",
     )  # fmt: skip
 
     def moving_rod(self, length: Fraction | None) -> Rod:
@@ -90,6 +91,7 @@ class Weight(Part):
 
     title, add = "the weight of moving masses", "--reciprocating or a rod, --rod-mass"
     topic = "masses"
+    section = "crank"
 
     vertical = flag("The cylinder stands above the shaft: piston, crosshead and rod have a weight.")
     slope = measure(
@@ -137,11 +139,13 @@ class Weight(Part):
 class Rotating(Part):
     """The mass of the crank itself."""
 
+    topic = "masses"
+
     rotating = measure(
         as_signed_mass,
         "Mass of the crank itself at its pin, for the main bearing: 60kg; -40kg if counterweights outweigh"
         " it.",
-        "MASS", unit="kg", what="rotating mass",
+        "MASS", unit="kg", what="rotating mass", machine="masses",
     )  # fmt: skip
 
 
@@ -155,10 +159,14 @@ class Masses(MovingRod, Weight):
         as_mass,
         "Mass of piston and crosshead: 200kg. Masses need --stroke and --speed, and beside steam --bore and"
         " --pressure.",
-        "MASS", unit="kg", what="reciprocating mass",
+        "MASS", unit="kg", what="reciprocating mass", machine="masses",
     )  # fmt: skip
     rocker_inertia = measure(
-        as_inertia, "Moment of inertia of the rocker about its pivot: '20kg m²'.", "INERTIA", unit="kg m²"
+        as_inertia,
+        "Moment of inertia of the rocker about its pivot: '20kg m²'.",
+        "INERTIA",
+        unit="kg m²",
+        machine="masses.rocker",
     )
 
     @classmethod

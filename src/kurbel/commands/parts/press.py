@@ -38,6 +38,8 @@ class Share(NamedTuple):
 class Press(Part):
     """A press, between whose strokes the motor makes good what they took of the flywheel."""
 
+    topic = "press"
+
     strokes: Option[Any] = Option("Press: working strokes, 30/min.", "SPEED", unit="strokes a second")
     share = measure(
         as_share, "Press: share of the cycle in which it works, 1/4; 0 for a blow.", "SHARE",
@@ -59,7 +61,9 @@ class Press(Part):
         as_stress, "Press: strength of the plate, for --hole, whose work is ½ π d t² τ: 300MPa.", "STRESS",
         unit="Pa",
     )  # fmt: skip
-    efficiency = measure(as_share, "Press: efficiency from the motor, whose power is --power: 95%.", "SHARE")
+    efficiency = measure(
+        as_share, "Press: efficiency from the motor, whose power is --power: 95%.", "SHARE", topic="work"
+    )
 
     def of_press(self) -> Iterator[tuple[str, Known]]:
         """Yield the figures of the press, but for the share of its swing. Raises KurbelError."""

@@ -32,6 +32,7 @@ def columns_option(usual: str, example: str, more: str = LISTED) -> Option[Any]:
         many=True,
         default=(),
         whole=True,
+        topic="page",
     )
 
 
@@ -41,7 +42,7 @@ def columns_over_angle(usual: str, example: str) -> Option[Any]:
 
 
 def layout_option(*subjects: str) -> Option[str | None]:
-    return word("Page layout; `kurbel layouts` lists them.", kind=LayoutName(subjects))
+    return word("Page layout; `kurbel layouts` lists them.", kind=LayoutName(subjects), topic="page")
 
 
 class Words(TypedDict, total=False):

@@ -47,6 +47,8 @@ _SQUARE = re.compile(r"(?<=[a-z])2$")
 class Swing(Part):
     """What the energy swing is known from."""
 
+    topic = "wheel"
+
     swing = measure(
         as_energy, "Energy swing, from the least speed to the greatest: 5kJ.", "ENERGY", unit="J",
         what="energy swing",
@@ -57,12 +59,14 @@ class Swing(Part):
     )  # fmt: skip
     work = measure(
         as_energy, "Work of a cycle, of a press that of a stroke: 10kJ.", "ENERGY", unit="J",
-        what="work of a cycle",
+        what="work of a cycle", topic="press",
     )  # fmt: skip
 
 
 class Body(Part):
     """The flywheel itself, and how it turns."""
+
+    topic = "wheel"
 
     greatest_speed: Option[Any] = Option(
         "Greatest speed: 225/min; --speed 200..225/min has both.", "SPEED", unit="turns a second"
@@ -70,15 +74,22 @@ class Body(Part):
     least_speed: Option[Any] = Option("Least speed: 200/min.", "SPEED", unit="turns a second")
     inertia = measure(
         as_inertia, "Moment of inertia of the flywheel: 1200kgm2.", "J", unit="kg m²",
-        what="moment of inertia",
+        what="moment of inertia", machine="flywheel",
     )  # fmt: skip
     mass = measure(
-        as_mass, "Mass of the flywheel, which with --radius gives the inertia: 6.5t.", "MASS", unit="kg"
+        as_mass,
+        "Mass of the flywheel, which with --radius gives the inertia: 6.5t.",
+        "MASS",
+        unit="kg",
+        machine="flywheel",
     )
 
 
 class Rim(Part):
     """The rim that makes the moment of inertia, or a disc."""
+
+    topic = "rim"
+    section = "flywheel"
 
     rim_diameter = measure(
         as_length, "Mean diameter of the rim: 2m.", "LENGTH", unit="m", what="mean diameter of the rim"
@@ -86,7 +97,7 @@ class Rim(Part):
     rim_speed = measure(
         as_velocity,
         "Speed of the rim at its mean diameter: 25m/s, or 26..28m/s; with δ its mass needs no --speed.",
-        "VELOCITY", unit="m/s", what="speed of the rim",
+        "VELOCITY", unit="m/s", what="speed of the rim", machine="",
     )  # fmt: skip
     rim_section: Option[Any] = Option(
         "Section of the rim: breadth to thickness, 2:1, both, '400mm x 200mm', or 800cm².",
@@ -105,22 +116,34 @@ class Rim(Part):
     hoop_stress = measure(
         as_stress,
         "Hoop stress ρ v² that the rim may have: 6MPa; without --rim-diameter the greatest is found.",
-        "STRESS", unit="Pa",
+        "STRESS", unit="Pa", usual="MPa",
     )  # fmt: skip
     rim_share = measure(
         as_share, "Share of the rim in the moment of inertia, beside arms and hub: 92%.", "SHARE",
         what="share of the rim",
     )  # fmt: skip
     disc_diameter = measure(
-        as_length, "Solid disc: its diameter, 600mm.", "LENGTH", unit="m", what="diameter of the disc"
+        as_length,
+        "Solid disc: its diameter, 600mm.",
+        "LENGTH",
+        unit="m",
+        what="diameter of the disc",
+        topic="disc",
     )
     disc_thickness = measure(
-        as_length, "Solid disc: its thickness, 80mm.", "LENGTH", unit="m", what="thickness of the disc"
+        as_length,
+        "Solid disc: its thickness, 80mm.",
+        "LENGTH",
+        unit="m",
+        what="thickness of the disc",
+        topic="disc",
     )
 
 
 class Wheel(Swing, Press, Body, Rim, Speed):
     """A flywheel by all that sizes it; what is given of it are figures of its relations, in SI units."""
+
+    topic = "wheel"
 
     # It is given by its inertia, its mass or its sizes, or is to keep an irregularity.
     rivals: ClassVar[Rivals] = (
@@ -133,16 +156,17 @@ class Wheel(Swing, Press, Body, Rim, Speed):
     power = measure(
         as_power,
         "Power of the engine: 50kW, 68PS; left out, it follows from pressure, bore, stroke and speed.",
-        "POWER", unit="W",
+        "POWER", unit="W", machine="flywheel", topic="work",
     )  # fmt: skip
     speed = Speed.speed.but(help="Speed: 120/min, 12.5rad/s; without an engine also 200..225/min.")
     delta: Option[Sequence[Fraction] | None] = measure(
         alone(as_irregularities),
         "Degree of irregularity to keep: 1:100, 0.01, ±0.5%; lists '1:50;1:100'.", "δ", many=True,
+        machine="flywheel",
     )  # fmt: skip
     radius = measure(
         as_length, "Radius at which the mass of the rim is wanted, or the radius of gyration: 1.5m.",
-        "LENGTH", unit="m",
+        "LENGTH", unit="m", machine="flywheel",
     )  # fmt: skip
 
     def figures(self, *only: str) -> Iterator[tuple[str, Known]]:
