@@ -28,6 +28,7 @@ PAGES = {
     "table --layout verfahren --step 90": 5 * 9,
     "table --point 1/3 --angle 40": 10,
     "table --mechanism parallel --angle 40": 6,
+    "deadcentres --mechanism arc --rocker 3 --stroke 1m --speed 2/s --columns outstroke_time,return_time": 2,
     "deadcentres --mechanism arc --rocker 3 --pivot '4;1.5'": 8,
     "forces --force 5kN --crank 300mm --step 90": 3 * 10,
     f"forces --stroke 600mm --speed 2/s {MASSES.partition('bar ')[2]} --head-pressure 2bar --friction 500N"

@@ -118,7 +118,9 @@ def test_wide_tables_stand_on_turned_pages() -> None:
     # Figures and signs have at most 0.56 em in Times, Arial and Cambria.
     points = [int(one) / 20 for one in of(broad, "gridCol", "w")]
     size = int(of(broad, "tc/p/r/rPr/sz")[-1]) / 2
-    assert min(points[1:]) > len("−1,00000") * 0.56 * size
+    needed = len("−1,00000") * 0.56 * size
+    assert needed < min(points[1:])
+    assert max(points[1:]) < 2 * needed
 
 
 def test_a_table_that_no_page_has_room_for_is_a_sentence() -> None:

@@ -157,6 +157,15 @@ def test_numbers_are_packed_in_netcdf(folder: Path) -> None:
         assert {one.encoding["zlib"] for one in (data["delta"], data["delta_bound"])} == {True}
 
 
+@pytest.mark.parametrize("name", ["a.nc", "a.zarr"])
+def test_whole_numbers_of_reasons_have_their_sentences_as_flags(folder: Path, name: str) -> None:
+    opened = xarray.open_zarr(folder / name) if name.endswith("zarr") else xarray.open_dataset(folder / name)
+    with opened as data:
+        about = data["reason"].attrs
+        assert [*about["flag_values"]] == [*range(len(about["flag_values"]))]
+        assert len(about["flag_meanings"].split()) == len(about["flag_values"]) > 1
+
+
 def test_what_a_file_says_of_its_inputs_makes_it_again(folder: Path, tmp_path: Path) -> None:
     inputs = json.loads(pyarrow.parquet.read_schema(folder / "a.parquet").metadata[b"kurbel"])["inputs"]
     assert inputs.pop("bounds")

@@ -44,7 +44,8 @@ class ProsePrinter(ABC):
     """Sets blocks and inlines; each format says how.
 
     `emphasised` and `strong` are what stands before and behind such words, `quoted` before and behind a
-    quotation; `rule` is a line across the page, `line_end` the end of a line that the author asked for.
+    quotation; `rule` is a line across the page, `line_end` the end of a line that the author asked for,
+    `between` what stands between blocks.
     """
 
     emphasised: ClassVar[tuple[str, str]] = ("", "")
@@ -52,6 +53,7 @@ class ProsePrinter(ABC):
     quoted: ClassVar[tuple[str, str]] = ("", "")
     rule: str
     line_end: str = "\n"
+    between: str = "\n\n"
 
     def __init__(self, writer: PageWriter, mark: str, refer: Find, level: int) -> None:
         self.writer = writer
@@ -69,9 +71,9 @@ class ProsePrinter(ABC):
         """Return the whole text."""
         return self.blocks(blocks) + "\n" if blocks else ""
 
-    def blocks(self, blocks: prose.Blocks, between: str = "\n\n") -> str:
+    def blocks(self, blocks: prose.Blocks, between: str | None = None) -> str:
         """Return blocks below each other."""
-        return between.join(self.block(block) for block in blocks)
+        return (between or self.between).join(self.block(block) for block in blocks)
 
     def block(self, block: prose.Block) -> str:
         """Return one block, without the end of its last line."""

@@ -27,13 +27,10 @@ KIND = Kind(
 class Printer(ProsePrinter):
     emphasised, strong = ("<em>", "</em>"), ("<strong>", "</strong>")
     quoted = ("<blockquote>\n", "\n</blockquote>")
-    rule, line_end = "<hr>", "<br>\n"
+    rule, line_end, between = "<hr>", "<br>\n", "\n"
 
     def paragraph(self, content: prose.Inlines) -> str:
         return f"<p>{beside(self.inlines(content))}</p>"
-
-    def blocks(self, blocks: prose.Blocks, between: str = "\n") -> str:
-        return super().blocks(blocks, between)
 
     def heading(self, level: int, content: prose.Inlines) -> str:
         level = min(level, 6)

@@ -147,7 +147,7 @@ class Printer(ProsePrinter):
         lines = (line.strip(" ") for line in self.inlines(content).split("\n"))
         return _START.sub(_escaped, "\n".join(lines))
 
-    def blocks(self, blocks: prose.Blocks, between: str = "\n\n") -> str:
+    def blocks(self, blocks: prose.Blocks, between: str | None = None) -> str:
         pieces: list[str] = []
         lists = 0
         for before, block in zip((None, *blocks), blocks, strict=False):
@@ -155,7 +155,7 @@ class Printer(ProsePrinter):
             # Without an empty line between them two quotations would be one.
             apart = between == "\n" and isinstance(before, prose.Quote) and isinstance(block, prose.Quote)
             pieces.append("<!-- -->\n" * apart + self.but(lists=lists).block(block))
-        return between.join(pieces)
+        return (between or self.between).join(pieces)
 
     def heading(self, level: int, content: prose.Inlines) -> str:
         return f"{'#' * max(1, min(level, 6))} {_LAST_HASH.sub(_escaped, self._line(content))}"

@@ -34,13 +34,13 @@ class Printer(ProsePrinter):
     def document(self, blocks: prose.Blocks) -> str:
         return super().document(blocks).translate(_SEPARATORS)
 
-    def blocks(self, blocks: prose.Blocks, between: str = "\n\n") -> str:
+    def blocks(self, blocks: prose.Blocks, between: str | None = None) -> str:
         pieces: list[str] = []
         for before, block in zip((None, *blocks), blocks, strict=False):
             if _would_join(before, block):
                 pieces.append(_COMMENT)
             pieces.append(self.block(block))
-        return between.join(pieces)
+        return (between or self.between).join(pieces)
 
     def paragraph(self, content: prose.Inlines) -> str:
         text = self.inlines(content)
