@@ -143,7 +143,7 @@ def machine(tmp_path: Path) -> str:
     ("kind", "typed"),
     [
         (("table",), (*CRANK, "--speed=120/min")),
-        (("plot", "--positions=30"), CRANK),
+        (("plot", "--positions=30"), CRANK[:1]),
         (("forces",), (*OF_FILE, "--cranks=0;90")),
         (("forces", "--polar"), (*OF_FILE, "--cranks=0;90")),
         (("turning",), (*OF_FILE, "--cranks=0;90")),

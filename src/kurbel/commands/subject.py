@@ -145,7 +145,7 @@ class Command:
         """Return what counted of the values of a question, as they were written."""
         written = values.written
         counted = {
-            name: written[name]
+            name: _alone(written[name])
             for name, one in self.options.items()
             if name in values.read - UNTOLD and _is_other(one, written)
         }
@@ -264,6 +264,11 @@ def _variant_name(key: str, name: str, said: str) -> str:
     from hashlib import sha256
 
     return f"{key}{name[:LONGEST].rstrip('-.')}-{sha256(said.encode()).hexdigest()[:6]}"
+
+
+def _alone(value: Any) -> Any:
+    """Return the one value of a list of one, which the command line makes of options that may be repeated."""
+    return value[0] if isinstance(value, list | tuple) and len(value) == 1 else value
 
 
 def _is_other(one: Option[Any], values: Mapping[str, Any]) -> bool:
