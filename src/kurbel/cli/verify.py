@@ -40,7 +40,7 @@ def verify(files: Sequence[str], strict: bool, form: str) -> int:
     \b
     kurbel forces --eps 4 -o page.json
     kurbel verify page.json
-    kurbel verify --strict tables/*.json
+    kurbel verify --strict page.json
     """
     from kurbel.commands.verified import checked, read_page
 
