@@ -88,8 +88,8 @@ same: $(DEV) ## compare what the command lines of scripts/corpus print with the 
 	$(BIN)/python scripts/same_bytes.py record build/now.jsonl --only '$(ONLY)'
 	$(BIN)/python scripts/same_bytes.py compare build/base.jsonl build/now.jsonl
 
-certify: $(DEV) ## compute N=100000 printed numbers a second time, drawn by SEED=1
-	$(BIN)/python scripts/certify.py $(or $(N),100000) --seed $(or $(SEED),1)
+certify: $(DEV) ## compute N=10000 printed numbers a second time, drawn by SEED=1
+	$(BIN)/python scripts/certify.py $(or $(N),10000) --seed $(or $(SEED),1)
 
 mutants: $(DEV) ## put N=300 faults into the code, drawn by SEED=1, and tell which of them no test sees
 	$(BIN)/python scripts/mutants.py $(or $(N),300) --seed $(or $(SEED),1)

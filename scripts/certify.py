@@ -1,6 +1,6 @@
 """Printed numbers, drawn over all commands, drives, loads and layouts, computed a second time.
 
-    make certify N=100000 SEED=1
+    make certify N=10000 SEED=1
 
 draws command lines of scripts/corpus that print a page, and lets `kurbel verify` compute the numbers of its
 JSON once more, until N cells were looked at. Prints for each command how many are confirmed, wrong and not
