@@ -7,8 +7,11 @@ import json
 import re
 import shlex
 import sys
+from collections.abc import Iterator
 from fractions import Fraction
 from pathlib import Path
+from random import Random
+from typing import Any
 from unittest import mock
 
 import numpy as np
@@ -156,7 +159,7 @@ def test_a_long_page_says_it_too(tmp_path: Path) -> None:
         ('{"rows": [], "columns": []}', "does not say what was asked for; write the page anew"),
         ('{"rows": [], "columns": {}, "request": {}}', "is damaged: its columns"),
         ('{"rows": [{}], "columns": [{"key": "x", "unit": "", "method": "exact"}],'
-         ' "request": {"command": "table", "options": {}}}', "a row has not the keys of its columns"),
+         ' "request": {"command": "table", "options": {}}}', "what was asked for lack something"),
         ("\udcff", "cannot be read"),
     ],
 )  # fmt: skip
@@ -183,3 +186,51 @@ def test_without_mpmath_one_sentence_says_what_installs_it(tmp_path: Path) -> No
     assert found.code in (1, 2)
     assert "a second computation needs mpmath" in found.err
     assert "verify" in found.err.partition("install it with")[2]
+
+
+STRANGE: list[Any] = [
+    *(None, True, 0, -1, 1e9, "", "x", "1:0", "nan", "-5", "1/0", "9" * 60, [], ["a", "b"], {}, "∞", "60°")
+]
+DAMAGED = (
+    "table --ratio 1:5 --angle 60 --stroke 600mm --speed 2/s",
+    "table --mechanism arc --rocker 6 --pivot '5;6' --angle 60",
+    "table --point 0.5 --angle 60",
+    f"forces --eps 4 {MASSES} --angle 50",
+    "turning --compression 6 --peak-pressure 30 --angle 200",
+    "delta --eps 4 --detail",
+)
+
+
+def places_of(value: Any, above: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+    """Yield where values of a page stand, what stands in others too."""
+    inner = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, one in inner:
+        yield (*above, key)
+        yield from places_of(one, (*above, key))
+
+
+@pytest.mark.parametrize("line", DAMAGED, ids=str)
+def test_whatever_stands_in_a_page_is_computed_or_a_sentence(line: str, tmp_path: Path) -> None:
+    path = page_of(line, tmp_path)
+    whole, chance = path.read_text(encoding="utf-8"), Random(line)
+    for _ in range(40):
+        page = json.loads(whole)
+        *above, last = chance.choice(
+            [one for one in places_of(page) if one[0] in ("request", "columns", "rows")]
+        )
+        place = page
+        for key in above:
+            place = place[key]
+        place[last] = chance.choice(STRANGE)
+        path.write_text(json.dumps(page), encoding="utf-8")
+        found = kurbel("verify", str(path))
+        assert found.code in (0, 1, 2)
+        assert len(found.err.splitlines()) <= 1, found.err
+
+
+def test_a_text_in_place_of_a_number_is_not_passed_over(tmp_path: Path) -> None:
+    path = page_of("table --angle 60", tmp_path)
+    path.write_text(path.read_text(encoding="utf-8").replace('"x": 0.5756', '"x": "0,58?"'), encoding="utf-8")
+    code, columns, _ = verified(path, "--strict")
+    assert code == 1
+    assert (columns[0]["column"], columns[0]["confirmed"], columns[0]["uncomputed"]) == ("x", "0", "1")

@@ -29,14 +29,15 @@ from kurbel.reading.given import (
     as_crank_angles,
     as_expansions,
     as_force,
+    as_number,
     as_pressure,
     as_share_or_length,
     as_share_or_pressure,
-    as_shares,
 )
-from kurbel.reading.notation import ratio_text
+from kurbel.reading.notation import number, ratio_text
 from kurbel.verify import UNDECIDED, WRONG, Number, Value
 from kurbel.verify.loads import disc
+from kurbel.verify.zeros import TOO_WIDE
 
 # Unit of a key that is not one of the second computation, and that in which it computes.
 OWN = {"length": "mm", "velocity": "mps", "acceleration": "mps2", "force": "n", "torque": "nm"}
@@ -60,6 +61,8 @@ KNOWN = frozenset(
         *("decimal", "quantity", "templates"),
     )
 )
+# Farther no axis goes.
+FARTHEST = 10**9
 # Columns that say which load a row is of.
 LOADED = ("epsilon", "pressure_ratio", "pump", "compression")
 SHAPE = {"request": dict, "columns": list, "rows": list}
@@ -99,30 +102,38 @@ def read_page(path: str) -> dict[str, Any]:
     if wrong := next((key for key, kind in SHAPE.items() if not isinstance(page.get(key), kind)), ""):
         raise ProblemError(f"{name} is damaged: its {wrong} are missing or of another kind")
     if not _is_whole(page):
-        raise ProblemError(f"{name} is damaged: a row has not the keys of its columns")
+        raise ProblemError(f"{name} is damaged: its columns, a row or what was asked for lack something")
     return page
 
 
 def _is_whole(page: Mapping[str, Any]) -> bool:
-    """Whether every row has a value for every column, and the request its command and its options."""
+    """Whether every row has a text, a number or nothing for every column, and the request its command and
+    its options."""
     request, columns, rows = page["request"], page["columns"], page["rows"]
-    described = all(isinstance(one, dict) and {"key", "unit", "method"} <= one.keys() for one in columns)
-    if not described or not isinstance(request.get("options"), dict) or "command" not in request:
+    described = all(
+        isinstance(one, dict) and all(isinstance(one.get(name), str) for name in ("key", "unit", "method"))
+        for one in columns
+    )
+    if not described or not isinstance(request.get("options"), dict):
         return False
     keys = {one["key"] for one in columns}
-    return all(isinstance(row, dict) and keys <= row.keys() for row in rows)
+    return isinstance(request.get("command"), str) and all(
+        isinstance(row, dict) and keys <= row.keys() and all(isinstance(row[key], str | None) for key in keys)
+        for row in rows
+    )
 
 
 def checked(page: Mapping[str, Any]) -> Iterator[Cell]:
     """Yield the cells of a page with numbers, each computed a second time. Raises KurbelError."""
     second = Second(page["request"]["command"], page["request"]["options"], str(page.get("table")))
     columns = {column["key"]: column for column in page["columns"]}
-    for number, row in enumerate(page["rows"], 1):
-        place = {key: row[key] for key, one in columns.items() if not one["method"] and row[key]}
+    for line, whole in enumerate(page["rows"], 1):
+        row = {key: whole[key] for key in columns if whole[key] is not None}
+        place = {key: one for key, one in row.items() if not columns[key]["method"]}
         for key, column in columns.items():
-            if column["method"] and isinstance(row[key], Figure):
+            if column["method"] and key in row:
                 verdict, told = second.verdict(key, column, row)
-                yield Cell(number, place, key, row[key], verdict, told)
+                yield Cell(line, place, key, row[key], verdict, told)
 
 
 class Asked(OverPath, Engine, Effort, PinFriction, Turning):
@@ -134,8 +145,12 @@ class Second:
 
     def __init__(self, command: str, options: Mapping[str, Any], key: str) -> None:
         self.command, self.key = command, key
-        self.options = {name: _given(value) for name, value in options.items()}
-        values = Values({**dict.fromkeys(Asked.options()), **self.options}, {})
+        known = {one.name: one for one in Asked.options().values()}
+        self.options = {
+            name: known[name].taken(_given(value)) if name in known else value
+            for name, value in options.items()
+        }
+        values = Values({**dict.fromkeys(known), **self.options}, {})
         for part in Asked.parts():
             if "settle" in vars(part):
                 part.settle(values)
@@ -155,6 +170,9 @@ class Second:
             return WRONG, value.digits(len(printed.partition(".")[2]), rounding)
         except KurbelError as error:
             return UNDECIDED, str(error)
+        except TOO_WIDE as error:
+            # Links that do not close, or numbers that no precision tells apart.
+            return UNDECIDED, f"the second computation meets {error}"
 
     def value(self, key: str, column: Mapping[str, Any], row: Mapping[str, Any]) -> Value:
         """Return the value of a cell. Raises KurbelError for what is not computed a second time."""
@@ -183,7 +201,7 @@ class Second:
         if method != "exact" or drive.parallel:
             raise ProblemError("points of such a rod are not known to the second computation")
         share, _, beside = row["point"].partition(",")
-        return drive.value(key, degrees, method, point=(share, beside or "0"))
+        return drive.value(key, degrees, method, point=(number(share), number(beside or "0")))
 
     def _loaded(self, key: str, degrees: Fraction, row: Mapping[str, Any]) -> Value:
         """A force where the load of an engine acts on the piston."""
@@ -285,7 +303,7 @@ class Second:
             place = str(raw("pivot")).split(";") if raw("pivot") else None
             pivot = place and tuple(radii(one, "pivot", radius) for one in place)
             links |= {"rocker": radii(raw("rocker"), "rocker", radius), "pivot": pivot}
-            links |= {"circuit": int(raw("circuit") or 1)}
+            links |= {"circuit": int(number(str(raw("circuit") or 1)))}
         return verify.drive(crank.ratio, crank.offset, **links, **size)
 
     def _turn(self, method: str, row: Mapping[str, Any], alone: bool = False) -> verify.Turn:
@@ -310,12 +328,12 @@ class Second:
             return {own: getattr(asked, name) for name, own in names.items() if asked.says(name)}
 
         def of_row(key: str, given: Sequence[Fraction] | None) -> Fraction:
+            listed = as_expansions(self._layout.expansions) if given is None else given
             if key in row:
-                return nearest(row[key], given or ())
-            given = as_expansions(self._layout.expansions) if given is None else given
-            if len(given) != 1:
+                return nearest(row[key], listed)
+            if len(listed) != 1:
                 raise ProblemError(f"the row does not say its load; add {key} to the columns")
-            return given[0]
+            return listed[0]
 
         if asked.says("pressure_ratio"):
             return verify.compressor(of_row("pressure_ratio", asked.pressure_ratio), **of(AIR))
@@ -350,11 +368,14 @@ def in_own_unit(key: str, symbol: str) -> tuple[str, Fraction]:
 
 
 def nearest(printed: str, asked: Sequence[Fraction]) -> Fraction:
-    """Return what was asked for where it is printed so, else what is printed."""
-    shown = Fraction(printed)
+    """Return what was asked for and is printed so; where nothing was listed, what is printed. Raises
+    KurbelError."""
+    shown = number(printed)
     half = Fraction(1, 2 * 10 ** len(printed.partition(".")[2]))
-    found = {one for one in asked if abs(one - shown) <= half}
-    return found.pop() if len(found) == 1 else shown
+    found = {one for one in asked if abs(one - shown) <= half} if asked else {shown}
+    if len(found) != 1 or abs(shown) > FARTHEST:
+        raise ProblemError(f"{printed[:40]} is not what was asked for")
+    return found.pop()
 
 
 def _of_rod(value: Any, rod: Fraction | None) -> Fraction | None:
@@ -365,7 +386,7 @@ def _in(value: Any, name: str, suction: Fraction | None) -> Fraction:
     """Return a pressure in suction pressures."""
     if suction and isinstance(value, str) and any(map(str.isalpha, value)):
         return as_pressure(value, name) / suction
-    return as_shares(value, name)[0]
+    return as_number(value, name)
 
 
 def _given(value: Any) -> Any:
