@@ -44,6 +44,7 @@ PAGES = {
     "turning --pump single --suction-pressure -0.3bar --delivery-pressure 6bar --angle 30": 4,
     "delta --eps 3 --single-acting --detail": 6,
     "delta --eps 3 --detail": 2 * 5 + 6,
+    "delta --eps 3 --method exact --method series --columns delta_exact,delta_series": 2,
 }  # fmt: skip
 
 

@@ -145,7 +145,8 @@ class Second:
 
     def __init__(self, command: str, options: Mapping[str, Any], key: str) -> None:
         self.command, self.key = command, key
-        known = {one.name: one for one in Asked.options().values()}
+        # By which method it is computed each column says itself.
+        known = {one.name: one for one in Asked.options().values() if one.name != "method"}
         self.options = {
             name: known[name].taken(_given(value)) if name in known else value
             for name, value in options.items()
