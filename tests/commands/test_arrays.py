@@ -23,7 +23,7 @@ MACHINES: tuple[dict[str, Any], ...] = (
     {"eps": 4, "cranks": "0;90", "single_acting": True},
     {"eps": 3, "mechanism": "beam", "beam": 3},
     {"offset": "0.4", **STEAM},
-    {"vertical": True, "friction": 500, "piston_rod": 0.05, **STEAM},
+    {"slope": "vertical", "friction": 500, "piston_rod": 0.05, **STEAM},
     {"pressure_ratio": 4, "clearance": "5%"},
     {"compression": 6, "heat": 10},
 )

@@ -71,13 +71,14 @@ def test_the_help_of_python_describes_every_parameter(function: Any) -> None:
 def test_types_are_plain_and_every_number_may_be_a_float() -> None:
     parameters = inspect.signature(kurbel.forces).parameters
     found = {
-        name: parameters[name].annotation for name in ("ratio", "columns", "stroke", "vertical", "digits")
+        name: parameters[name].annotation
+        for name in ("ratio", "columns", "stroke", "single_acting", "digits")
     }
     assert found == {
         "ratio": "str | float | list",
         "columns": "str | list",
         "stroke": "str | float",
-        "vertical": "bool",
+        "single_acting": "bool",
         "digits": "int",
     }
     assert parameters["machine"].annotation == parameters["layouts"].annotation == "str | Path"

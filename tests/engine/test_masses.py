@@ -67,8 +67,8 @@ def test_energy_and_torque_over_the_turn_are_those_of_the_bodies_and_their_heigh
 
 def test_a_bank_leans_by_its_angle_from_the_slope() -> None:
     common: dict[str, Any] = {**MACHINES["steam"], "gravity": "9.81", "columns": "torque_nm", "digits": 4}
-    both = kurbel.turning(**common, vertical=True, cylinder=["angle=0", "bank=60"], angle="25;140")
-    first = kurbel.turning(**common, vertical=True, angle="25;140")
+    both = kurbel.turning(**common, slope="vertical", cylinder=["angle=0", "bank=60"], angle="25;140")
+    first = kurbel.turning(**common, slope="vertical", angle="25;140")
     # The crank reaches the leaning axis by 60° later.
     second = kurbel.turning(**common, slope=150, angle="325;80")
     whole, *parts = (figures(page, ("torque_nm",)) for page in (both, first, second))

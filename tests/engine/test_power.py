@@ -78,7 +78,9 @@ def test_power_and_steam_of_a_double_acting_engine() -> None:
         "steam_per_kwh": 3.6e6 * steam / watts, "steam_per_brake_kwh": 3.6e6 * steam / watts / 0.85,
     }  # fmt: skip
     assert {key: found[key] for key in expected} == pytest.approx(expected, rel=1e-8)
-    assert record(*words, f"--steam-density={1 / 0.24:.20f} kg/m3")["steam"] == pytest.approx(found["steam"])
+    assert record(*words, f"--specific-volume={1 / 0.24:.20f} kg/m3")["steam"] == pytest.approx(
+        found["steam"]
+    )
 
 
 @pytest.mark.parametrize(

@@ -102,7 +102,7 @@ def test_the_problem_of_a_vertical_double_acting_engine() -> None:
     centre 30 kN/m² above and 1.5 kN/m² below. Textbooks print 3021.6 N m of first order."""
     page = kurbel.forces(
         bore="300mm", stroke="450mm", rod="1.2m", piston_rod="50mm", reciprocating="225kg",
-        speed="200/min", vertical=True, gravity="9.81", head_pressure="30kPa", crank_pressure="1.5kPa",
+        speed="200/min", slope="vertical", gravity="9.81", head_pressure="30kPa", crank_pressure="1.5kPa",
         angle=125, columns="torque_nm",
     )  # fmt: skip
     torque = float(kurbel.typeset(page, "csv").split()[-1])

@@ -19,7 +19,7 @@ LOADED = MOVED | {
     "rod_mass": "120kg",
     "centre": "0,35",
     "gyration": "0,4",
-    "vertical": True,
+    "slope": "vertical",
 }
 FORCES = (
     *("rod_force_n", "guide_force_return_n", "radial_force_n", "crank_pin_force_n", "bearing_force_return_n"),

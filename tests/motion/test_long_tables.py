@@ -18,7 +18,7 @@ PAGES = {
     # A force alone is as large as the masses' together, and masses as large as their counterweights. Of some
     # hundred newtons floats have the twelfth decimal only now and then.
     f"{HEAVY} --rotating=40kg": "_nm?$",
-    f"{HEAVY} --rotating=40kg --force=812N --vertical=1 --friction=70N": "_nm?$",
+    f"{HEAVY} --rotating=40kg --force=812N --slope=vertical --friction=70N": "_nm?$",
     f"{HEAVY} --rotating=-772kg": "_nm?$",
     "table --ratio=1:4 --stroke=600mm --speed=2/s --digits=12": "",
     "table --ratio=1:4 --point=0.3,0.1": "^path|^velocity_across$|^acceleration$",
@@ -51,7 +51,7 @@ def columns_of(words: str) -> list[str]:
 def test_long_tables_have_the_digits_of_short_ones(words: str) -> None:
     columns = columns_of(words)
     assert len(columns) > 3
-    asked = (*words.replace("--vertical=1", "--vertical").split(), f"--columns=phi,{','.join(columns)}")
+    asked = (*words.split(), f"--columns=phi,{','.join(columns)}")
     step = Fraction(180 * len(columns) // 25, 1000)
     long = records(*asked, "--to=180", f"--step={float(step)}")
     assert len(long) * len(columns) > 20_000

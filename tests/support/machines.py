@@ -327,8 +327,8 @@ def _masses(options: Options, drive: Drive, radius: float) -> Masses:
     if isinstance(drive, Rocker):
         rocker = scale * number(options.get("rocker_inertia")) / (drive.rocker * radius) ** 2
     gravity = 0j
-    if "slope" in options or options.get("vertical"):
-        steep = math.radians(number(options.get("slope"), 90.0))
+    if "slope" in options:
+        steep = math.radians(90.0 if options["slope"] == "vertical" else number(options["slope"]))
         pull = number(options.get("gravity"), 9.80665) / (radius * omega**2)
         gravity = -pull * complex(math.sin(steep), math.cos(steep))
     centre, gyration = number(options.get("centre"), 0.5), number(options.get("gyration"), 0.3)

@@ -9,7 +9,7 @@ import sys
 import pytest
 from small_parts import SmallParts, Sweep, plan_of
 
-from kurbel.cli.sweep import running
+from kurbel.cli.sweep import SweepRequest, running
 
 
 class Screen(io.StringIO):
@@ -20,7 +20,7 @@ class Screen(io.StringIO):
 
 
 CODES = re.compile("\x1b\\[[?0-9]*[a-zA-Z]")
-ASKED = {"scheduler": None, "jobs": None, "resume": False, "restart": False, "output": "delta.parquet"}
+ASKED = SweepRequest.of({"output": "delta.parquet"})
 
 
 def test_a_terminal_shows_how_far_a_sweep_is(monkeypatch: pytest.MonkeyPatch) -> None:

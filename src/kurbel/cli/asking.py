@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import click
 from click.core import ParameterSource, augment_usage_errors
@@ -80,7 +80,7 @@ def option_names() -> frozenset[str]:
 
 def asked(
     words: Sequence[str],
-    defaults: Mapping[str, Any],
+    defaults: Mapping[str, object],
     machine: str | None = None,
     format: str | None = None,
     folder: str = "",
@@ -133,10 +133,12 @@ def _unprompted(table: Table) -> Table:
     return replace(table, notes=quiet(table.notes), told=told, steps=steps)
 
 
-def _defaults(command: click.Command, defaults: Mapping[str, Any], machine: File | None) -> dict[str, Any]:
+def _defaults(
+    command: click.Command, defaults: Mapping[str, object], machine: File | None
+) -> dict[str, object]:
     params = {one.name: one for one in command.params if isinstance(one, click.Option)}
     allowed = set(params) if "machine" in params else OF_THE_PAGE & set(params)
-    given: dict[str, Any] = {}
+    given: dict[str, object] = {}
     if machine is not None and "machine" in params:
         given |= defaults_by_machine(command, machine)
     for name, value in defaults.items():
@@ -145,7 +147,7 @@ def _defaults(command: click.Command, defaults: Mapping[str, Any], machine: File
     return given
 
 
-def _value(param: click.Option, value: Any) -> Any:
+def _value(param: click.Option, value: object) -> object:
     """Return a default as click takes it: a list for an option that may be repeated."""
     if isinstance(value, bool):
         return value
@@ -156,7 +158,7 @@ def _value(param: click.Option, value: Any) -> Any:
 
 def _files(context: click.Context, machine: File | None) -> tuple[str, ...]:
     """Return the files and folders that the options name, as they are named."""
-    found = [str(machine)] if machine else []
+    found: list[object] = [machine] if machine else []
     found += [context.meta[MACHINE]] if MACHINE in context.meta else []
     for param in context.command.params:
         value = context.params.get(param.name or "")
@@ -234,7 +236,7 @@ def _caption(task: Task, own: Label, lang: str) -> Label:
     return terse(own, lang)
 
 
-def _text(table: Any, name: str, decimal: str | None, templates: str | None) -> bytes:
+def _text(table: Table, name: str, decimal: str | None, templates: str | None) -> bytes:
     if FORMATS[name].kind == "records":
         # Data keep the point, so that programs need not know the language of the page.
         return render(table, name, templates=templates).encode()

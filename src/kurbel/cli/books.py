@@ -69,8 +69,8 @@ class ExampleCommand(TableCommand):
     def run(self, given: Given) -> int:
         if given.values["number"] is not None:
             return super().run(given)
-        key, lang = given.values["book"], given.values["lang"]
-        keys = source_keys() if key is None else [source(key).key]
+        key, lang = given.text("book"), given.text("lang")
+        keys = source_keys() if not key else [source(key).key]
         form = form_of_list(given, ("book", "number", "lang"), "the page of an example", "blau 33")
         rows = [row for one in keys for row in _rows(one, lang)]
         own = ("source", "number", "title", "options")
@@ -79,7 +79,7 @@ class ExampleCommand(TableCommand):
 
     def made(self, given: Given) -> Any:
         if given.values["number"] is None:
-            words = " ".join(filter(None, ("example", given.values["book"])))
+            words = " ".join(filter(None, ("example", given.text("book"))))
             raise ProblemError(f'"{words[:60]}" prints a list; a document needs a table')
         return super().made(given)
 

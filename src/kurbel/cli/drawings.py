@@ -37,10 +37,10 @@ def drawing_format(given: Given) -> str:
 
     Raises UsageError for what says nothing on the one or the other.
     """
-    named, output, moves = given.values["format"], given.values["output"] or "-", given.values["animate"]
+    named, output, moves = given.text("format"), given.text("output") or "-", given.says("animate")
     suffix = suffix_of(given)
     by_name = given.typed("format") or output == "-" or given.in_document
-    name = (named if by_name else suffix) or ""
+    name = named if by_name else suffix
     if name == DRAWN:
         if any(f".{suffix}" in one.suffixes for one in FORMATS.values()) and suffix not in ALSO_PAGES:
             raise click.UsageError(
@@ -56,18 +56,18 @@ def drawing_format(given: Given) -> str:
             raise click.UsageError(f"--{option} is for pages, and {name} is a drawing; leave it out")
     if not given.in_document:
         check_terminal(output, name)
-    return str(name)
+    return name
 
 
 def suffix_of(given: Given) -> str:
     """Return the suffix of the file that is written, nothing for standard output."""
-    suffix = os.path.splitext(given.values["output"] or "")[1].lower()[1:]
+    suffix = os.path.splitext(given.text("output"))[1].lower()[1:]
     return "html" if suffix == "htm" else suffix
 
 
 def check_undrawn(given: Given) -> None:
     """Raise UsageError for a drawing of a page that has none."""
-    name = given.values["format"] if given.typed("format") else suffix_of(given)
+    name = given.text("format") if given.typed("format") else suffix_of(given)
     if name in (*DRAWINGS, DRAWN):
         raise click.UsageError(f"{name} is a drawing, and this page is not drawn; take text, latex or others")
 
@@ -107,13 +107,13 @@ def drawn(question: Any, given: Given) -> Drawing:
     """Return what is asked for as a drawing. Raises KurbelError."""
     from kurbel.commands.shown import drawing_of
 
-    return drawing_of(question, Pictured(given), given.values["decimal"])
+    return drawing_of(question, Pictured(given), given.text("decimal") or None)
 
 
 def write(drawing: Drawing, name: str, given: Given) -> None:
     """Write a drawing to the file, whole or not at all."""
     from kurbel.formats.render import whole_file
 
-    content = drawing.image(name, text=bool(given.values["text"]))
-    with whole_file(given.values["output"]) as stream:
+    content = drawing.image(name, text=given.says("text"))
+    with whole_file(given.text("output")) as stream:
         stream.write(content)

@@ -4,7 +4,6 @@ where the file is one, else as the table of its lengths."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any
 
 import click
 
@@ -33,7 +32,7 @@ from kurbel.formats.registry import DRAWN as DRAWING
 from kurbel.formats.registry import FORMATS
 from kurbel.page.layouts import Folder
 from kurbel.page.table import Table
-from kurbel.reading.given import choose, found_at, meant
+from kurbel.reading.given import File, choose, found_at, meant
 
 HELP = """\
 Draw a construction of the books to scale, or print the lengths that it gives beside their true values.
@@ -68,7 +67,7 @@ LAST = ("animate", "seconds", "width", "height", "lang", "units", "decimal")
 class AnyFormat(FormatName):
     """A format of tables or of drawings."""
 
-    def read(self, text: str, typed: Mapping[str, Any]) -> str:
+    def read(self, text: str, typed: Mapping[str, object]) -> str:
         if text in (*found_at(DRAWN), DRAWING):
             return text
         try:
@@ -76,7 +75,7 @@ class AnyFormat(FormatName):
         except ChoiceError:
             return meant(text, self.known(typed), self.name)
 
-    def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
+    def known(self, typed: Mapping[str, object]) -> Iterable[str]:
         return dict.fromkeys((*super().known(typed), *found_at(DRAWN), DRAWING))
 
 
@@ -121,7 +120,7 @@ class ConstructCommand(TableCommand):
             _check_table(given)
             return super().run(given)
         if name != "html":
-            check_terminal(given.values["output"], name)
+            check_terminal(given.text("output"), name)
         write(self._drawn(given), name, given)
         return 0
 
@@ -149,13 +148,13 @@ def _format_option() -> click.Option:
 def _drawing_format(given: Given) -> str:
     """Return the format of a drawing that is asked for, nothing for a table."""
     suffix = suffix_of(given)
-    by_name = given.typed("format") or given.values["output"] == "-"
-    named = given.values["format"] if by_name else suffix
+    by_name = given.typed("format") or given.text("output") == "-"
+    named = given.text("format") if by_name else suffix
     drawn = (*found_at(DRAWN), "html")
     known = [f".{one}" for one in drawn] + [one for form in FORMATS.values() for one in form.suffixes]
     if not by_name and f".{suffix}" not in known:
         raise ChoiceError(
-            f'the file name "{given.values["output"][-60:]}" names neither a drawing nor a table; its suffix'
+            f'the file name "{given.text("output")[-60:]}" names neither a drawing nor a table; its suffix'
             f" must be one of {', '.join(dict.fromkeys(known))}"
         )
     if named == DRAWING:
@@ -167,18 +166,16 @@ def _check_table(given: Given) -> None:
     for name in OF_DRAWINGS:
         if given.typed(name):
             raise ProblemError(f"--{name} is for the drawing; name a file for it, such as -o kurbel.svg")
-    if given.values["format"]:
-        choose(given.values["format"], FORMATS, "format")
+    if given.text("format"):
+        choose(given.text("format"), FORMATS, "format")
 
 
 def _print_list(given: Given) -> None:
     """Print the constructions; raise an error for options that the list has no use for."""
     form = form_of_list(given, ("lang", "constructions"), "a construction", "blau-9")
-    lang = given.values["lang"]
-    rows = [
-        (key, one.title[lang], " ".join(one.holds))
-        for key, one in _constructions(given.values["constructions"])
-    ]
+    lang, folder = given.text("lang"), given.values["constructions"]
+    assert isinstance(folder, File | None)
+    rows = [(key, one.title[lang], " ".join(one.holds)) for key, one in _constructions(folder)]
     listing = Listing("constructions", lang, ("construction", "title", "mechanisms"), rows, HEADS[lang], rows)
     show_list(listing, form, plain_lines([row[:2] for row in rows]))
 
@@ -212,18 +209,18 @@ class PlotCommand(MakingCommand):
 def _format(given: Given) -> str:
     """Return the format of -f or of the file's suffix; raise an error for one that cannot move, or that is
     only for what moves, and for a terminal, which takes none."""
-    name, output = given.values["format"], given.values["output"]
+    name, output = given.text("format"), given.text("output")
     if not output:
         raise click.UsageError("--output names no file; - is standard output.")
     check_terminal(output, "svg")
-    if output == "-" and name is None:
+    if output == "-" and not name:
         raise click.UsageError("no file was named; add -o kurbel.svg, or -f svg for standard output")
     if output != "-" and not given.typed("format"):
         from kurbel.plot.style import format_of
 
-        name = format_of(output, moves=given.values["animate"])
-    check_moving(name, given.values["animate"])
-    return str(name)
+        name = format_of(output, moves=given.says("animate"))
+    check_moving(name, given.says("animate"))
+    return name
 
 
 def _params() -> list[click.Parameter]:

@@ -41,7 +41,7 @@ class Type(click.ParamType):  # type: ignore[type-arg]
 
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         read = self.kind.read(value, ctx.params if ctx else {})
-        return self.kind.with_files(read, lambda name: FileName().convert(name, param, ctx))
+        return self.kind.with_files(read, lambda name: FileName().convert(str(name), param, ctx))
 
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
@@ -54,7 +54,7 @@ class Type(click.ParamType):  # type: ignore[type-arg]
 class FormatName(kinds.Choice):
     """A format by its name or by a suffix: latex, tex."""
 
-    def read(self, text: str, typed: Mapping[str, Any]) -> str:
+    def read(self, text: str, typed: Mapping[str, object]) -> str:
         suffixes = {suffix[1:]: name for name, entry in FORMATS.items() for suffix in entry.suffixes}
         return super().read(suffixes.get(text.lower(), text), typed)
 
@@ -154,7 +154,7 @@ def naming_variable(context: click.Context, option: click.Parameter) -> Iterator
         raise NotationError(f'{variable} is "{value}"; write 1 for {flag}, or 0 to go without') from None
 
 
-def click_option(option: kinds.Option[Any]) -> click.Parameter:
+def click_option(option: kinds.Option[object]) -> click.Parameter:
     """Return an option of a command as click's."""
     default = option.default
     plain = option.kind in (kinds.TEXT, kinds.FLAG)
@@ -164,7 +164,7 @@ def click_option(option: kinds.Option[Any]) -> click.Parameter:
     names = [option.name, option.flag, *filter(None, [option.short])]
     if option.kind is kinds.FLAG:
         return Option(names, is_flag=True, help=option.help, topic=option.topic)
-    own: dict[str, Any] = {} if option.many or default is None else {"default": default}
+    own: dict[str, object] = {} if option.many or default is None else {"default": default}
     if option.bare:
         own |= {"is_flag": False, "flag_value": option.bare}
     return Option(
@@ -252,6 +252,11 @@ class Given(Values):
         super().__init__(context.params, {name: _ORIGINS.get(one) for name, one in sources.items()})
         self.in_document = context.find_object(Document) is not None
 
+    def text(self, name: str) -> str:
+        """Return the text of an option, nothing where it is not given."""
+        value = self.values.get(name)
+        return "" if value is None else str(value)
+
     @contextmanager
     def naming_variables(self) -> Iterator[None]:
         """Have a sentence that quotes the value of an option name the variable in which it stands."""
@@ -260,7 +265,7 @@ class Given(Values):
         except KurbelError as error:
             for param in self._context.command.params:
                 value, origin = self.written.get(param.name or ""), self.origins.get(param.name or "")
-                several = (value or ()) if param.multiple else [value]
+                several = value if isinstance(value, Sequence) and param.multiple else [value]
                 if origin is Origin.ENVIRONMENT and any(f'"{one}"' in str(error) for one in several):
                     with naming_variable(self._context, param):
                         raise
@@ -276,12 +281,12 @@ def machine_option() -> click.Option:
     return Option(
         ["--machine"], metavar="FILE", type=FileName(), is_eager=True, expose_value=False, callback=_load,
         topic="crank",
-        help="Machine in a TOML file: [crank], [steam] or [compressor], [pump], [gas], [masses], [flywheel];"
-        " what is typed outdoes it.",
+        help=f"Machine in a TOML file, with {', '.join(f'[{one}]' for one in kinds.SECTIONS)}; what is typed"
+        " outdoes it.",
     )  # fmt: skip
 
 
-def defaults_by_machine(command: click.Command, file: File) -> dict[str, Any]:
+def defaults_by_machine(command: click.Command, file: File) -> dict[str, object]:
     """Return what a machine's file says of the options of a command."""
     from kurbel.commands.subject import machine_defaults
 

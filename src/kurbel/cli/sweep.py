@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
@@ -34,7 +34,7 @@ class _Listed(kinds.Kind):
         self.one = one
         self.name = one.name
 
-    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
+    def offered(self, begun: str, typed: Mapping[str, object]) -> Iterable[str]:
         before, mark, last = begun.rpartition(";")
         return (before + mark + text for text in self.one.offered(last, typed))
 
@@ -53,7 +53,7 @@ def own_options(command: Command) -> list[click.Parameter]:
     return params + [_swept(one) for one in command.parameters.values() if one.name not in PAGES]
 
 
-def _swept(option: kinds.Option[Any]) -> click.Parameter:
+def _swept(option: kinds.Option[object]) -> click.Parameter:
     if option.kind is kinds.FLAG or option.last or option.first or isinstance(option.kind, kinds.LayoutName):
         return click_option(option)
     kind: Any = FileName() if option.kind is kinds.FILE else Type(_Listed(option.kind))
@@ -113,27 +113,50 @@ def running_options() -> list[click.Parameter]:
     ]  # fmt: skip
 
 
+class SweepRequest(NamedTuple):
+    """What the options of sweeps say, by their names."""
+
+    format: str | None
+    output: str | None
+    zip_: Sequence[str]
+    only: Sequence[str]
+    sample: str | None
+    seed: int | None
+    digits: int | None
+    bounds: bool
+    strict: bool
+    dry_run: bool
+    scheduler: str | None
+    jobs: int | None
+    resume: bool
+    restart: bool
+
+    @classmethod
+    def of(cls, values: Mapping[str, object]) -> SweepRequest:
+        """Return the request of the values that click read."""
+        return cls._make(map(values.get, cls._fields))
+
+
 @contextmanager
-def running(values: Mapping[str, Any], sweep: Sweep) -> Iterator[Running]:
-    """Give how to run a sweep by the values of these options; on a terminal a bar tells of it."""
+def running(asked: SweepRequest, sweep: Sweep) -> Iterator[Running]:
+    """Give how to run a sweep by these options; on a terminal a bar tells of it."""
     from kurbel.errors import ChoiceError
     from kurbel.sweeps.run import Running
 
-    if values["resume"] and values["restart"]:
+    if asked.resume and asked.restart:
         raise ChoiceError(
             "--resume goes on with finished parts and --restart removes them; give one of the two"
         )
-    if values["scheduler"] and values["jobs"]:
+    if asked.scheduler and asked.jobs:
         raise ChoiceError(
             "--jobs is of this machine, and with --scheduler others compute; give one of the two"
         )
-    if values["scheduler"] == "":
+    if asked.scheduler == "":
         raise ChoiceError(
             "--scheduler is empty; give an address, tcp://HOST:8786, or leave it out for this machine"
         )
-    names = {name: values[name] for name in ("scheduler", "jobs", "resume", "restart")}
-    with _bar(sweep, values["output"]) as watch:
-        yield Running(**names, watch=watch)
+    with _bar(sweep, asked.output or "-") as watch:
+        yield Running(asked.scheduler, asked.jobs, asked.resume, asked.restart, watch)
 
 
 @contextmanager

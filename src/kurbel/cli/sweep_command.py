@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import click
 from click.core import augment_usage_errors
@@ -11,7 +11,7 @@ from click.core import augment_usage_errors
 from kurbel.cli import say
 from kurbel.cli.manual.command import TopicCommand
 from kurbel.cli.options import Given, help_of
-from kurbel.cli.sweep import own_options, running, running_options, sweep_options
+from kurbel.cli.sweep import SweepRequest, own_options, running, running_options, sweep_options
 from kurbel.cli.sweep_file import FILE
 from kurbel.commands.part import Origin, Values, flag_of
 from kurbel.commands.subject import Command
@@ -60,9 +60,10 @@ class SweepCommand(TopicCommand):
         """Write the file, and return the exit code."""
         from kurbel.sweeps.rows import Sweep
 
-        sweep, output, form = Sweep(self.plan(given, order)), given.values["output"], given.values["format"]
+        asked = SweepRequest.of(given.values)
+        sweep, output, form = Sweep(self.plan(given, order)), asked.output, asked.format
         need("a file of columns", "scale", "pyarrow")
-        if given.values["dry_run"]:
+        if asked.dry_run:
             show_estimate(sweep, output, form)
             return 0
         if not output:
@@ -71,7 +72,7 @@ class SweepCommand(TopicCommand):
             )
         from kurbel.sweeps.run import run
 
-        with running(given.values, sweep) as how:
+        with running(asked, sweep) as how:
             outcome = run(sweep, output, how, form)
         if output != "-" or outcome.refused:
             say(_told(output, outcome))
@@ -83,22 +84,25 @@ class SweepCommand(TopicCommand):
         from kurbel.sweeps.asked import planned
 
         values, file = given.values, click.get_current_context().meta.get(FILE, {})
+        asked = SweepRequest.of(values)
         flags = {name: several for name, several in file.items() if several}
         options = {
             name: flags.get(name, values[name])
             for name in dict.fromkeys((*file, *order, *values))
             if name in values
         }
+        if asked.seed is not None and not asked.sample:
+            raise click.UsageError("--seed is of a sample; add one, such as --sample sobol:1024")
         return planned(
             self.place,
             Values(options, given.origins | dict.fromkeys(flags, Origin.TYPED)),
-            linked=values["zip_"],
-            digits=values["digits"],
-            bounds=values["bounds"],
-            strict=values["strict"],
-            only=joined(values["only"]),
-            sample=_sample(values),
-            seed=values["seed"] or 0,
+            linked=asked.zip_,
+            digits=asked.digits,
+            bounds=asked.bounds,
+            strict=asked.strict,
+            only=joined(asked.only),
+            sample=asked.sample or "",
+            seed=asked.seed or 0,
         )
 
 
@@ -125,13 +129,6 @@ def _counted(rows: int) -> str:
 def joined(conditions: Sequence[str]) -> str:
     """Return several conditions as one."""
     return conditions[0] if len(conditions) == 1 else " and ".join(f"({one})" for one in conditions)
-
-
-def _sample(values: Mapping[str, Any]) -> str:
-    sample: str | None = values["sample"]
-    if values["seed"] is not None and not sample:
-        raise click.UsageError("--seed is of a sample; add one, such as --sample sobol:1024")
-    return sample or ""
 
 
 TIMES = ((86400, "days"), (3600, "hours"), (60, "minutes"), (1, "seconds"))

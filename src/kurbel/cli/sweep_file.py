@@ -29,7 +29,7 @@ KIND = TomlKind(
     "sweep.toml",
 )
 SECTIONS = ("axes", "options")
-VALUE: Mapping[str, Any] = {"type": ["string", "number", "boolean"]}
+VALUE: Mapping[str, object] = {"type": ["string", "number", "boolean"]}
 
 
 class Command(Choice, what="command that can be swept", allowed=TABLES):
@@ -39,7 +39,9 @@ class Command(Choice, what="command that can be swept", allowed=TABLES):
 class Given(tuple[Any, ...]):
     """One value or several: texts as they would be typed, numbers, or true and false."""
 
-    SCHEMA: ClassVar[Mapping[str, Any]] = {"anyOf": [VALUE, {"type": "array", "items": VALUE, "minItems": 1}]}
+    SCHEMA: ClassVar[Mapping[str, object]] = {
+        "anyOf": [VALUE, {"type": "array", "items": VALUE, "minItems": 1}]
+    }
 
     @classmethod
     def read(cls, given: Any, _: str) -> Given:
@@ -96,7 +98,7 @@ class ReadFile:
         """Return the name of a file, which counts from where this one lies."""
         return os.path.join(self.folder, name)
 
-    def values(self, known: Mapping[str, Option[Any]]) -> dict[str, Given]:
+    def values(self, known: Mapping[str, Option[object]]) -> dict[str, Given]:
         """Return the options by their names, the axes first, in the order of the file.
 
         Raises FailedError for one that the command does not have, or a value that cannot be read.

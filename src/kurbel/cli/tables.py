@@ -161,7 +161,7 @@ class CollateCommand(TableCommand):
         return super().question(given)
 
     def exit_code(self, given: Given, question: Any) -> int:
-        return int(given.values["strict"] and bool(question.deviations))
+        return int(given.says("strict") and bool(question.deviations))
 
 
 def _params(
@@ -191,7 +191,7 @@ class Printing(NamedTuple):
     @classmethod
     def chosen(cls, given: Given) -> Printing:
         """Return what the options say, checked."""
-        return cls(_format(given), *(given.values[name] for name in cls._fields[1:]))
+        return cls._make((_format(given), *(given.values[name] for name in cls._fields[1:])))
 
     @staticmethod
     def interactive(given: Given) -> bool:
@@ -225,7 +225,7 @@ class Printing(NamedTuple):
 
 def _format(given: Given) -> Format:
     """Return the format named by -f, or by the file's suffix, or by the environment, or text."""
-    named, output = given.values["format"], given.values["output"]
+    named, output = given.text("format"), given.text("output")
     if not output:
         raise click.UsageError("--output names no file; - is standard output.")
     check_undrawn(given)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,7 +31,7 @@ Floats = NDArray[np.float64]
 PAGES: tuple[Function, ...] = (table, forces, inertia, turning)
 
 
-def arrays(columns: Sequence[str], degrees: Floats, given: Mapping[str, Any]) -> list[Floats]:
+def arrays(columns: Sequence[str], degrees: Floats, given: Mapping[str, object]) -> list[Floats]:
     """Return each quantity at these angles, by the options of a page that shows it. Raises KurbelError."""
     asked = {key: _asked(key, given) for key in columns}
     together: dict[Function, list[str]] = {}
@@ -50,7 +50,7 @@ def arrays(columns: Sequence[str], degrees: Floats, given: Mapping[str, Any]) ->
     return [np.broadcast_to(found[key], degrees.shape) for key in columns]
 
 
-def _asked(key: str, given: Mapping[str, Any]) -> tuple[Function, Question]:
+def _asked(key: str, given: Mapping[str, object]) -> tuple[Function, Question]:
     """Return the first page that takes the options and has the quantity, and its question."""
     takers = [page for page in PAGES if set(given) <= set(page.command.signature.parameters)]
     if not takers:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from fractions import Fraction
-from typing import Any, ClassVar
+from functools import partial
+from typing import ClassVar
 
 from kurbel.balancing.angles.extremes import ExtremesRequest
 from kurbel.balancing.angles.page import AngleRequest
@@ -26,7 +28,7 @@ from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import mechanism
 from kurbel.page.layouts import Layout
 from kurbel.page.subject import Question
-from kurbel.reading.given import Exact, as_angles, as_crank_angles, as_length, as_number, as_places, as_share
+from kurbel.reading.given import as_angles, as_crank_angles, as_length, as_number, as_places, as_share
 from kurbel.reading.units import displacement, is_measure, mass
 
 NEWTONS = ("stroke", "speed")
@@ -168,11 +170,11 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
         *((name, "engine") for name in ("cranks", "positions", "banks")),
     )
 
-    positions: Option[Any] = Option(
+    positions: Option[object] = Option(
         "Where its cylinders lie along the shaft: '0;1;2;3', which is the default, or '0;400;800mm'.",
         "NUMBERS", unit="a unit of your own", whole=True,
     )  # fmt: skip
-    about: Option[Any] = Option(
+    about: Option[object] = Option(
         "Position about which moments are taken: 1, 400mm; default: the middle.", "NUMBER",
         unit="that of the positions",
     )  # fmt: skip
@@ -226,17 +228,12 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
             self.share,
             centre,
         )
-        asked: dict[str, Any] = {}
-        request: type[Any]
+        request: Callable[..., Question] = BalanceRequest
         if page.subject == AT_ANGLES:
-            request = AngleRequest
-            asked["angles"] = as_angles(page.angles) if angles is None else angles
+            request = partial(AngleRequest, angles=as_angles(page.angles) if angles is None else angles)
         elif page.subject == EXTREMES:
             request = ExtremesRequest
-        else:
-            request = BalanceRequest
-        found: Question = request(
-            **asked,
+        return request(
             about=centre,
             metres=in_metres,
             arrangement=arrangement if weights is None else weights.on(arrangement),
@@ -247,7 +244,6 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
             weighed=weights,
             **self.on_page(page, "order,along"),
         )
-        return found
 
     def _check_known(self) -> None:
         """Raise ProblemError for what is asked for by a ?, with the command that finds it."""
@@ -262,7 +258,7 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
 
     def _straight(self, page: Layout) -> tuple[Crank, ...]:
         """Return the cranks by their ratios, as given or of stroke and rod, or by the layout's own."""
-        lengths: Iterable[Any] = (self.stroke, self.rod) if self.says("rod") and self.says("stroke") else ()
+        lengths = (self.stroke, self.rod) if self.says("rod") and self.says("stroke") else ()
         return tuple(Described(self.ratio, *lengths).cranks(page.ratios))
 
     def _is_heavy(self) -> bool:
@@ -279,26 +275,21 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
         if in_metres and self.says("spacing"):
             raise ProblemError("the positions are lengths, and --spacing gives their unit; leave one out")
         unit = Fraction(1) if in_metres else self.spacing
-        return Weighed(crank, unit, **self._unlike(crank, masses))
-
-    def _unlike(self, crank: Crank, masses: tuple[Fraction, ...]) -> dict[str, Any]:
-        """Return what sets cylinders apart from the one whose crank this is, as `Weighed` takes it."""
         joined = known(crank.moving).joined
-        found: dict[str, Any] = {}
+        weighed = Weighed(crank, unit)
         if len(masses) > 1:
             share = joined.crosshead - masses[0]
-            found["each"] = tuple(mass + share for mass in masses)
+            weighed = replace(weighed, each=tuple(mass + share for mass in masses))
         if not self.says("reciprocating", "rod_mass"):
-            return found
+            return weighed
         if (turning := self.revolving) is not None:
-            found["revolving"] = tuple(mass + joined.pin for mass in turning)
-            if (balanced := self.revolving_share) is not None:
-                found["revolving_share"] = balanced
-        if (self.share or self.says("revolving_share")) and (radius := self.balance_radius) is not None:
-            found["balance_radius"] = radius
-        return found
+            turning = tuple(mass + joined.pin for mass in turning)
+            weighed = replace(weighed, revolving=turning, revolving_share=self.revolving_share or Fraction(0))
+        if self.share or self.says("revolving_share"):
+            weighed = replace(weighed, balance_radius=self.balance_radius)
+        return weighed
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         name, heavy = option.name, self._is_heavy()
         flag = flag_of(self.values.spelled(name))
         if name == "about":
@@ -326,20 +317,19 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
 balance = function(BalanceOptions, "balance")
 
 
-def positions_of(positions: Any) -> tuple[tuple[Fraction, ...], bool]:
+def positions_of(positions: object) -> tuple[tuple[Fraction, ...], bool]:
     """Return the positions, and whether they were given as lengths and are in metres."""
     if positions is None:
         return (), False
-    if isinstance(positions, str):
-        parts: list[Any] = positions.split(";")
-    else:
-        parts = [*positions] if isinstance(positions, Iterable) else [positions]
-    if any(isinstance(part, str) and is_measure(part) for part in parts):
+    parts = positions.split(";") if isinstance(positions, str) else positions
+    if any(
+        isinstance(part, str) and is_measure(part) for part in (parts if isinstance(parts, Iterable) else ())
+    ):
         return displacement.each(positions, "position"), True
     return tuple(as_places(positions, "position")), False
 
 
-def position_of(about: Exact, in_metres: bool) -> Fraction:
+def position_of(about: object, in_metres: bool) -> Fraction:
     """Return one position in the unit of the others."""
     if in_metres:
         (position,) = displacement.each(about, "about")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Any
 
 from kurbel.books.collate_page import CollateRequest
 from kurbel.books.examples.page import ExampleRequest
@@ -12,7 +11,7 @@ from kurbel.books.formulas.page import FormulaRequest
 from kurbel.books.formulas.table import FormulaTable
 from kurbel.books.printed_value import ONLY
 from kurbel.books.transcription import collated_table
-from kurbel.commands.options import FILE, Choice, Columns, Kind, Option, alone, measure, word
+from kurbel.commands.options import Choice, Columns, Kind, Option, alone, file, measure, word
 from kurbel.commands.part import CommandOptions
 from kurbel.commands.parts.angles import Angles
 from kurbel.commands.parts.drive import Linked
@@ -35,18 +34,18 @@ from kurbel.reading.given import (
 class Source(Kind):
     """The key of a source; the page itself refuses a wrong one."""
 
-    def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
+    def known(self, typed: Mapping[str, object]) -> Iterable[str]:
         return source_keys()
 
 
 class ExampleNumber(Kind):
     """The number of an example; which there are depends on the source."""
 
-    def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
+    def known(self, typed: Mapping[str, object]) -> Iterable[str]:
         return numbers_of(typed["book"]) if typed.get("book") in source_keys() else ()
 
 
-def as_ratio_text(given: Any, what: str) -> str:
+def as_ratio_text(given: object, what: str) -> str:
     """Return a crank ratio as it is written. Raises KurbelError."""
     return given if isinstance(given, str) else notation.ratio_text(as_fraction(given))
 
@@ -77,9 +76,7 @@ class CollateOptions(Layouts, Worded, CommandOptions):
     sequence = "csv quantity ratio method only columns sources"
 
     table = word("A table of a book, as `kurbel sources` lists it.", positional=True)
-    csv: Option[Any] = Option(
-        "Your own transcription: phi, epsilon or arm, and printed values.", "FILE", FILE
-    )
+    csv = file("Your own transcription: phi, epsilon or arm, and printed values.")
     quantity = word("With --csv: what is printed, such as x, c, p or delta.", "KEY")
     ratio = measure(
         as_ratio_text, "With --csv: crank ratio, such as 1:4,5.", "R:L", short="-r", topic="crank"
@@ -88,11 +85,11 @@ class CollateOptions(Layouts, Worded, CommandOptions):
         "With --csv: exact (default), series, infinite, weisbach, approximate.", "METHOD", topic="crank"
     )
     only = word("all, or deviations: what is not right.", kind=Choice("choice", ONLY), default="all")
-    columns: Option[Any] = Option(
+    columns: Option[object] = Option(
         "Keys of CSV and JSON and their order: place,printed,recomputed,verdict.", "NAMES",
         Columns("collation"), many=True, default=(), topic="page",
     )  # fmt: skip
-    sources: Option[Any] = Option("A folder with books of your own, a folder each.", "DIR", FILE)
+    sources = file("A folder with books of your own, a folder each.", "DIR")
     layout = layout_option("collation")
 
     def question(self) -> CollateRequest | FormulaRequest:
@@ -101,18 +98,17 @@ class CollateOptions(Layouts, Worded, CommandOptions):
         found, collated = collated_table(
             self.table, self.csv, self.quantity, self.ratio, self.method, self.sources
         )
-        asked: Mapping[str, Any] = {
-            "table": found,
-            "collated": collated,
-            "only": self.only,
-            "columns": as_names(self.columns, "place,printed,recomputed"),
-            **self.worded(),
-        }
+        columns, words = as_names(self.columns, "place,printed,recomputed"), self.worded()
         name = self.layout or "collation"
         if not isinstance(found, FormulaTable):
-            return CollateRequest(layout=self.page(name, "collation"), **asked)
-        own = "formulas" if name == "collation" else name
-        return FormulaRequest(layout=layout_of(own, ("formulas",), self.layouts), **asked)
+            page = self.page(name, "collation")
+            return CollateRequest(
+                layout=page, columns=columns, table=found, collated=collated, only=self.only, **words
+            )
+        page = layout_of("formulas" if name == "collation" else name, ("formulas",), self.layouts)
+        return FormulaRequest(
+            layout=page, columns=columns, table=found, collated=collated, only=self.only, **words
+        )
 
 
 collate = function(CollateOptions, "collate")
@@ -140,8 +136,8 @@ class ExampleOptions(Worded, CommandOptions):
     sequence = "ratio angle beam eps back force"
 
     book = word("The book, as `kurbel example` lists it.", kind=Source(), positional=True)
-    number: Option[Any] = Option("The number of the example.", kind=ExampleNumber(), positional=True)
-    ratio = Linked.ratio.but(read=alone(as_ratios))
+    number: Option[object] = Option("The number of the example.", kind=ExampleNumber(), positional=True)
+    ratio = Linked.ratio.read_as(alone(as_ratios))
     angle = Angles.angle.but(
         help="Crank angles in degrees, where the example starts from them: 60, lists '30;60'."
     )

@@ -10,7 +10,7 @@ from kurbel.books.constructions.model import Construction
 from kurbel.books.constructions.page import ConstructionRequest
 from kurbel.books.constructions.placed import ALONE, CENTRE, GYRATION, TAKEN, Beside
 from kurbel.books.constructions.registry import construction, construction_names, unfound
-from kurbel.commands.options import FILE, Count, Kind, Option, measure, word
+from kurbel.commands.options import Count, Kind, Option, file, measure, word
 from kurbel.commands.part import CommandOptions
 from kurbel.commands.parts.drawing import DECIMAL, Sized
 from kurbel.commands.parts.drive import AnyDrive
@@ -42,13 +42,13 @@ class _Name(Kind):
 
     name, python = "construction", "str"
 
-    def read(self, text: str, typed: Mapping[str, Any]) -> str:
+    def read(self, text: str, typed: Mapping[str, object]) -> str:
         names = self.known(typed)
         if text not in names and (sentence := unfound(text)):
             raise ChoiceError(sentence)
         return meant(text, names, self.name)
 
-    def known(self, typed: Mapping[str, Any]) -> tuple[str, ...]:
+    def known(self, typed: Mapping[str, object]) -> tuple[str, ...]:
         # While it parses, click has a mark of its own for what was not given.
         folder = typed.get("constructions")
         return construction_names(folder if isinstance(folder, File) else None)
@@ -61,14 +61,14 @@ class Constructed(AnyDrive, CommandOptions):
 
     unnamed = "name"
 
-    constructions: Option[Any] = Option(
-        "Folder with constructions of your own: DIR/<name>.toml.", "DIR", FILE,
+    constructions = file(
+        "Folder with constructions of your own: DIR/<name>.toml.", "DIR",
         environment="KURBEL_CONSTRUCTIONS", first=True,
     )  # fmt: skip
-    angle: Option[Any] = Option(
+    angle: Option[object] = Option(
         "Crank angle from the inner dead centre, in degrees: 50.", "ANGLE", unit="degrees", topic="angles"
     )
-    point: Option[Any] = Option(
+    point: Option[object] = Option(
         "Ensslin's Figs. 2 and 4: the point of the rod, in rod lengths from the crosshead pin: 0.5, 50%, or a"
         " length.",
         "SHARE",
@@ -143,7 +143,7 @@ class Constructed(AnyDrive, CommandOptions):
         measured = any(isinstance(one, str) and any(map(str.isalpha, one)) for one in compared)
         return measured or self.says("stroke") == self.says("rod") or self.compares_lengths()
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         name = option.name
         if name in TAKEN:
             return f"construction {self.name} takes no --{name}; leave it out"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from kurbel.commands.options import Option, flag
 from kurbel.commands.part import CommandOptions, flag_of
@@ -31,7 +31,7 @@ WITH_MASSES = "with masses the power follows from pressure, bore, stroke and spe
 # The order of what engines have in common, before other loads and behind them.
 ENGINE_ORDER = (
     "ratio back exponent clearance card other_side single_acting cranks method reciprocating rod_mass centre"
-    " gyration rod_file vertical slope gravity friction stroke crank true_stroke time_ratio rod"
+    " gyration rod_file slope gravity friction stroke crank true_stroke time_ratio rod"
     " bore pressure piston_rod tail_rod offset mechanism rocker pivot circuit beam rocker_inertia"
 )
 LOAD_ORDER = (
@@ -121,7 +121,7 @@ class EngineWithWheel(Flywheel, Engine, Layouts, Sheet, CommandOptions):
         found = [[flag_of(one) for one in each if not self.says(one)] for each in needs if name in each]
         return min(found, key=len, default=[])
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         name, flag = option.name, flag_of(option.name)
         if name in ("flywheel", "inertia"):
             return f"{flag} says nothing on this page; {self._of_wheel()}"
@@ -272,7 +272,7 @@ class TurningOptions(EngineWithWheel, Diagram):
             )
         )
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         if found := Diagram.unread(self, option):
             return found
         if not self.is_diagram():

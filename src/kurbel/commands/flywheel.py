@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import Any
 
 from kurbel.commands.engine import ENGINE_ORDER, EXAMPLE, LOAD_ORDER, WITH_MASSES
 from kurbel.commands.options import Option
@@ -89,10 +88,10 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
     def is_driven(self) -> bool:
         return super().is_driven() or (self.is_diagram() and not self.says("areas"))
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         return self._beside_engine(option) if self.is_engine() else self._without_engine(option)
 
-    def _beside_engine(self, option: Option[Any]) -> str:
+    def _beside_engine(self, option: Option[object]) -> str:
         name, flag = option.name, flag_of(option.name)
         if option.home in ALONE:
             return (
@@ -107,7 +106,7 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
             return f"{flag_of(self.values.spelled(name))} {why}"
         return ""
 
-    def _without_engine(self, option: Option[Any]) -> str:
+    def _without_engine(self, option: Option[object]) -> str:
         name = option.name
         if name == "turns":
             return (

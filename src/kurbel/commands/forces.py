@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from kurbel.commands.motion import OverPath
 from kurbel.commands.options import Choice, LayoutName, Option, word
 from kurbel.commands.part import CommandOptions, flag_of
@@ -61,21 +59,21 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         "angle from_ to step zero over shares columns offset stroke crank true_stroke time_ratio rod"
         " mechanism rocker pivot circuit beam axles driven force at eps back exponent clearance card"
         " other_side single_acting cranks bore pressure reciprocating rod_mass centre gyration rod_file"
-        " rotating rocker_inertia vertical slope gravity head_pressure crank_pressure pressure_difference"
+        " rotating rocker_inertia slope gravity head_pressure crank_pressure pressure_difference"
         " piston_rod tail_rod friction pin_friction crosshead_pin crank_pin shaft speed acceleration method"
     )
     # A force that is typed outdoes the load of a machine.
     rivals = tuple((key, "force") for key in ("eps", "card", *FURTHER))
 
     columns = columns_over_angle("forces", "phi,rod_force,guide_force,torque")
-    axles: Option[Any] = Option(
+    axles: Option[object] = Option(
         "Parallel crank: so many coupled axles alike, 3, or the weights on them, by which they share the"
         " effort: '14;15;14'.",
         "WEIGHTS",
         whole=True,
         topic="linkage",
     )
-    driven: Option[Any] = Option(
+    driven: Option[object] = Option(
         "With --axles: which of them the force F drives; default 1, the first.", "N", topic="linkage"
     )
     at = word(
@@ -142,7 +140,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
             "the steam of an engine, --eps or --card" if self.says("eps", "card") else "the load of an engine"
         )
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         name, flag = option.name, flag_of(option.name)
         if name == "at":
             chosen = self.drive(self._layout_of_drive())

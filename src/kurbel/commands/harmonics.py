@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from kurbel.balancing.harmonics import HARMONICS, MOST_ORDERS
 from kurbel.balancing.harmonics_page import HarmonicsRequest
 from kurbel.commands.balance import BalanceOptions
@@ -47,7 +45,7 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
         "quantity orders method pressure_ratio suction_loss delivery_loss pump small_area suction_pressure"
         " delivery_pressure compression cycle peak_pressure cut_off heat expansion_exponent exhaust_pressure"
         " two_stroke back exponent clearance card other_side single_acting bore pressure cranks cylinder"
-        " rod_mass centre gyration pendulum pendulum_from rod_file vertical slope gravity piston_rod tail_rod"
+        " rod_mass centre gyration pendulum pendulum_from rod_file slope gravity piston_rod tail_rod"
         " friction offset stroke crank true_stroke time_ratio rod mechanism rocker pivot circuit beam eps"
         " reciprocating rocker_inertia speed columns"
     )
@@ -77,10 +75,10 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
                 " --offset"
             )
         page = self.page("harmonics", "harmonics")
-        lengths = [None if self.lone_lengths() else self.raw(name) for name in ("stroke", "rod")]
+        stroke, rod = (None, None) if self.lone_lengths() else (self.stroke, self.rod)
         return HarmonicsRequest(
             layout=page,
-            ratios=tuple(one.ratio for one in Described(self.ratio, *lengths).cranks(page.ratios)),
+            ratios=tuple(one.ratio for one in Described(self.ratio, stroke, rod).cranks(page.ratios)),
             quantity=self.quantity or "",
             last_order=self.orders,
             method=self.method,
@@ -94,7 +92,7 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
     def is_sized(self) -> bool:
         return self.of_torque() and super().is_sized()
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         if self.of_torque():
             return ""
         if option.name in ("stroke", "rod"):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
 
 from kurbel.commands.options import Option
 from kurbel.commands.part import CommandOptions, flag_of
@@ -100,7 +99,7 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
     def shared(self) -> Collection[str]:
         return ("stroke", "speed")
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         name = option.name
         if name == "gravity":
             return "--gravity is for the time of a swing; add --pendulum, or leave it out"

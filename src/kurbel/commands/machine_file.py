@@ -34,31 +34,29 @@ from msgspec import Struct, defstruct
 from msgspec.structs import asdict
 
 from kurbel.commands import parts
-from kurbel.commands.options import FILE, FLAG, Option
+from kurbel.commands.options import FILE, FLAG, LOADS, SECTIONS, Option
 from kurbel.commands.part import Part
 from kurbel.errors import KurbelError, MachineError
 from kurbel.reading.given import File as NamedFile
+from kurbel.reading.given import as_length
 from kurbel.reading.toml_file import MOST_BITS, Fault, Place, TomlFile, TomlKind, about
 
 KIND = TomlKind(
     "machine", MachineError, 20_000, "a machine has sections with entries", "--machine engine.toml"
 )
-# What acts on the piston.
-LOADS = ("steam", "compressor", "pump", "gas")
-SECTIONS = ("crank", *LOADS, "masses", "flywheel")
 # Of options that are nothing without a unit, by that of bare numbers, one that they may have.
 UNITS = {
     "m": "mm", "turns a second": "/min", "Pa": "bar", "kg": "kg", "N": "N", "W": "kW", "s": "s",
-    "kg m²": "kgm²", "kg/m³": "kg/m³", "m³/kg": "m³/kg",
+    "kg m²": "kgm²", "m³/kg": "m³/kg",
 }  # fmt: skip
-ONE: Mapping[str, Any] = {"type": ["string", "number"]}
+ONE: Mapping[str, object] = {"type": ["string", "number"]}
 
 
 class Several(tuple[str, ...]):
     """One value or several, as they would be typed."""
 
     MUST = 'text such as "600mm", a number or a list'
-    SCHEMA: ClassVar[Mapping[str, Any]] = {"anyOf": [ONE, {"type": "array", "items": ONE, "minItems": 1}]}
+    SCHEMA: ClassVar[Mapping[str, object]] = {"anyOf": [ONE, {"type": "array", "items": ONE, "minItems": 1}]}
 
     @classmethod
     def read(cls, given: Any, _: str) -> Several:
@@ -107,9 +105,9 @@ class Section(Struct, forbid_unknown_fields=True):
 
 
 @cache
-def machine_keys() -> Mapping[str, Mapping[str, Option[Any]]]:
+def machine_keys() -> Mapping[str, Mapping[str, Option[object]]]:
     """Return the sections of the file with their keys, each the option that its part declares so."""
-    found: dict[str, dict[str, Option[Any]]] = {section: {} for section in SECTIONS}
+    found: dict[str, dict[str, Option[object]]] = {section: {} for section in SECTIONS}
     for module in iter_modules(parts.__path__, f"{parts.__name__}."):
         for part in vars(import_module(module.name)).values():
             if isinstance(part, type) and issubclass(part, Part):
@@ -133,7 +131,9 @@ def machine_model() -> type[Any]:
     return defstruct("Machine", fields, bases=(Section,), namespace={"NOUN": "section"}, module=__name__)
 
 
-def _section(name: str, options: Mapping[str, Option[Any]], places: Mapping[str, str] | None = None) -> Any:
+def _section(
+    name: str, options: Mapping[str, Option[object]], places: Mapping[str, str] | None = None
+) -> Any:
     """Return a section by its keys and the options behind them; of a cylinder also what sets its place."""
     keys = {option.name: key for key, option in options.items()}
     fields: list[tuple[str, Any, Any]] = [
@@ -150,7 +150,7 @@ def _described(kind: Any, text: str) -> Any:
     return Annotated[kind | None, about(text)]
 
 
-def _kind(option: Option[Any]) -> type:
+def _kind(option: Option[object]) -> type:
     """Return what stands in the file for an option."""
     if option.kind is FLAG:
         return bool
@@ -161,7 +161,7 @@ def _kind(option: Option[Any]) -> type:
     return Several if option.many else Joined if joined else One
 
 
-def _help(option: Option[Any], keys: Mapping[str, str]) -> str:
+def _help(option: Option[object], keys: Mapping[str, str]) -> str:
     """Return what the file says of an option, for editors: other options by their keys."""
 
     def key(flag: re.Match[str]) -> str:
@@ -172,15 +172,15 @@ def _help(option: Option[Any], keys: Mapping[str, str]) -> str:
     return f"{text} Its path counts from this file's folder." if option.kind is FILE else text
 
 
-class Listed(dict[str, Any]):
+class Listed(dict[str, object]):
     """The entries of a cylinder by their names, and where its table stands, for the start of a sentence."""
 
-    def __init__(self, entries: Mapping[str, Any], where: str) -> None:
+    def __init__(self, entries: Mapping[str, object], where: str) -> None:
         super().__init__(entries)
         self.where = where
 
 
-def read_machine(path: str | NamedFile) -> dict[str, Any]:
+def read_machine(path: str | NamedFile) -> dict[str, object]:
     """Return the options that the file gives, by their names: text or a file, several of them, or whether.
 
     Raises MachineError with the file's name for anything that is no machine.
@@ -230,7 +230,7 @@ def _check_units(file: TomlFile, home: Place, section: Section | None) -> None:
             raise file.error((*home, key), said)
 
 
-def _sized(options: dict[str, Any], where: str) -> dict[str, Any]:
+def _sized(options: dict[str, object], where: str) -> dict[str, object]:
     """Return the options with the stroke, which a crank radius gives, too."""
     if "crank" not in options:
         return options
@@ -242,7 +242,7 @@ def _sized(options: dict[str, Any], where: str) -> dict[str, Any]:
         raise MachineError(f"{where}: {error}") from None
 
 
-def _options(machine: NamedFile, given: Mapping[str, Any]) -> dict[str, Any]:
+def _options(machine: NamedFile, given: Mapping[str, object]) -> dict[str, object]:
     return {name: _option(machine, value) for name, value in given.items() if value is not None}
 
 
@@ -256,11 +256,9 @@ def _option(machine: NamedFile, value: Any) -> Any:
     return ";".join(value) if isinstance(value, One | Joined) else [*value]
 
 
-def with_ratio(options: Mapping[str, Any]) -> dict[str, Any]:
+def with_ratio(options: Mapping[str, object]) -> dict[str, object]:
     """Return the options with the ratio that stroke and rod give, for a command that takes neither."""
     if "ratio" in options or not {"stroke", "rod"} <= set(options):
         return dict(options)
-    from kurbel.reading.units import length
-
-    share = length(options["stroke"], "stroke") / 2 / length(options["rod"], "rod")
+    share = as_length(options["stroke"], "stroke") / 2 / as_length(options["rod"], "rod")
     return {**options, "ratio": [f"{share.numerator}:{share.denominator}"]}

@@ -104,7 +104,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
 
     columns = columns_over_angle("kinematics", "phi,x,c,p")
     layout = layout_option(*MOTIONS, OVER_PATH, POINTS, *APPROXIMATE)
-    point: Option[Any] = Option(
+    point: Option[object] = Option(
         "Points of the rod by their share from the crosshead pin to the crank pin: 0.5, beyond the ends -0.2;"
         " beside its axis 0.5,0.1 in rod lengths; with --rod 150mm; lists '0;0.5;1', ranges 0..1:0.25.",
         "POINTS", many=True, numbers=False,
@@ -288,7 +288,7 @@ class DeadCentresOptions(Linked, Speed, Layouts, Sheet, CommandOptions):
             )
         return first
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         name = option.name
         if not self._of_beam():
             of_beam = name in ("beam", "exact")

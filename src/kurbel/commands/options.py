@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from copy import copy
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Generic, Self, TypeVar, cast, overload
+from typing import TYPE_CHECKING, Any, Generic, Self, TypeAlias, TypeVar, cast, overload
 
 from kurbel.errors import NotationError
 from kurbel.reading import given
@@ -22,6 +22,11 @@ if TYPE_CHECKING:
     from kurbel.commands.part import Part
 
 Value = TypeVar("Value")
+Made = TypeVar("Made", covariant=True)
+Path: TypeAlias = str | PathLike[str]
+# The sections of a machine's file, of which some are loads.
+LOADS = ("steam", "compressor", "pump", "gas")
+SECTIONS = ("crank", *LOADS, "masses", "flywheel")
 # In a machine's file an option stands in the section of its part, if it names none.
 OF_PART = "of the part"
 
@@ -35,25 +40,25 @@ class Kind:
     name = "text"
     python = "str | float"
 
-    def read(self, text: str, typed: Mapping[str, Any]) -> Any:
+    def read(self, text: str, typed: Mapping[str, object]) -> object:
         """Return what was typed as a value. Raises KurbelError."""
         return text
 
-    def taken(self, value: Any, name: str) -> Any:
+    def taken(self, value: object, name: str) -> object:
         """Return what Python gave as a value of the option with this name. Raises KurbelError."""
         if isinstance(value, bytes):
             raise NotationError(f"{name} is bytes; give text or numbers")
         return value
 
-    def with_files(self, value: Any, file: Callable[[Any], Any]) -> Any:
+    def with_files(self, value: object, file: Callable[[object], object]) -> object:
         """Return a value with what `file` makes of each file that it names."""
         return value
 
-    def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
+    def known(self, typed: Mapping[str, object]) -> Iterable[str]:
         """Return the texts that shells offer."""
         return ()
 
-    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
+    def offered(self, begun: str, typed: Mapping[str, object]) -> Iterable[str]:
         """Return those of them that begin so."""
         return (text for text in self.known(typed) if text.startswith(begun))
 
@@ -75,7 +80,7 @@ class Flag(Kind):
 
     python = "bool"
 
-    def taken(self, value: Any, name: str) -> Any:
+    def taken(self, value: object, name: str) -> object:
         if not isinstance(value, bool):
             raise NotationError(f"{name} is {str(value)[:40]}; it must be True or False")
         return value
@@ -89,13 +94,13 @@ class File(Kind):
 
     python = "str | Path"
 
-    def taken(self, value: Any, name: str) -> Any:
+    def taken(self, value: object, name: str) -> object:
         if not isinstance(value, str | PathLike) or "\0" in str(value):
             said = str(value)[:40].replace("\0", "\\0")
             raise NotationError(f"{name} is {said}, which is not the name of a file or a folder")
         return value
 
-    def with_files(self, value: Any, file: Callable[[Any], Any]) -> Any:
+    def with_files(self, value: object, file: Callable[[object], object]) -> object:
         return file(value)
 
 
@@ -118,13 +123,13 @@ class Choice(Kind):
             found = cast("Iterable[str]", found_at(found))
         return found() if callable(found) else found
 
-    def read(self, text: str, typed: Mapping[str, Any]) -> str:
+    def read(self, text: str, typed: Mapping[str, object]) -> str:
         return meant(text, self.names, self.name)
 
-    def taken(self, value: Any, name: str) -> Any:
-        return self.read(value, {})
+    def taken(self, value: object, name: str) -> object:
+        return self.read(value if isinstance(value, str) else meant(value, self.names, self.name), {})
 
-    def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
+    def known(self, typed: Mapping[str, object]) -> Iterable[str]:
         return self.names
 
 
@@ -139,14 +144,14 @@ class Count(Kind):
         self.allowed = {str(count): count for count in range(least, most + 1)}
         self.bounds = f"{least} to {most}"
 
-    def read(self, text: str, typed: Mapping[str, Any]) -> int:
+    def read(self, text: str, typed: Mapping[str, object]) -> int:
         if str(text) not in self.allowed:
             raise NotationError(
                 f'{self.what} "{text[:40]}" {self.wrong}; write a whole number from {self.bounds}'
             )
         return self.allowed[str(text)]
 
-    def taken(self, value: Any, name: str) -> Any:
+    def taken(self, value: object, name: str) -> object:
         # Others are refused where they are used.
         return self.allowed.get(str(value), value)
 
@@ -160,27 +165,27 @@ class Columns(Kind):
     def __init__(self, layout: str, of_mechanisms: str = "") -> None:
         self.layout, self.of_mechanisms = layout, of_mechanisms
 
-    def offered(self, begun: str, typed: Mapping[str, Any]) -> Iterable[str]:
+    def offered(self, begun: str, typed: Mapping[str, object]) -> Iterable[str]:
         from kurbel.page.layouts import layout
         from kurbel.page.subject import subject
 
         before, comma, last = begun.rpartition(",")
         chosen = before.split(",")
-        page = layout(typed.get("layout") or self._default(typed), _folder(typed))
+        page = layout(str(typed.get("layout") or self._default(typed)), _folder(typed))
         keys = subject(page.subject).column_keys(page)
         return (before + comma + key for key in keys if key.startswith(last) and key not in chosen)
 
-    def _default(self, typed: Mapping[str, Any]) -> str:
+    def _default(self, typed: Mapping[str, object]) -> str:
         """The layout that the other options choose."""
         if typed.get("point"):
             return "rod-points"
         if mechanism := typed.get("mechanism"):
             from kurbel.motion.mechanism import mechanism as mechanism_of
 
-            return self.of_mechanisms or mechanism_of(mechanism).layout
+            return self.of_mechanisms or mechanism_of(str(mechanism)).layout
         from kurbel.commands.parts.loads import KINDS
 
-        if typed.get("forces") and any(map(typed.get, KINDS)):
+        if self.layout == "forces" and any(map(typed.get, KINDS)):
             return "engine-forces"
         return "delta-detail" if typed.get("detail") else self.layout
 
@@ -193,31 +198,31 @@ class LayoutName(Kind):
     def __init__(self, subjects: tuple[str, ...]) -> None:
         self.subjects = subjects
 
-    def read(self, text: str, typed: Mapping[str, Any]) -> str:
+    def read(self, text: str, typed: Mapping[str, object]) -> str:
         from kurbel.page.layouts import layout_names
 
         return text if text in layout_names(_folder(typed)) else meant(text, self.known(typed), self.name)
 
-    def taken(self, value: Any, name: str) -> Any:
+    def taken(self, value: object, name: str) -> object:
         if not isinstance(value, str):
             raise NotationError(f"{name} is {str(value)[:40]}, which is not the name of a layout")
         return value
 
-    def known(self, typed: Mapping[str, Any]) -> Iterable[str]:
+    def known(self, typed: Mapping[str, object]) -> Iterable[str]:
         from kurbel.page.layouts import layout, layout_names
 
         folder = _folder(typed)
         return [name for name in layout_names(folder) if layout(name, folder).subject in self.subjects]
 
 
-def _folder(typed: Mapping[str, Any]) -> given.File | None:
+def _folder(typed: Mapping[str, object]) -> given.File | None:
     """Return the folder of --layouts."""
     # While it parses, click has a mark of its own for what was not given.
     folder = typed.get("layouts")
     return folder if isinstance(folder, given.File) else None
 
 
-class Option(Generic[Value]):
+class Option(Generic[Made]):
     """An option: a sentence of help, what stands for the value there, what kind of value it is, and how that
     is read.
 
@@ -253,13 +258,13 @@ class Option(Generic[Value]):
         positional: bool = False,
         environment: str = "",
         first: bool = False,
-        default: Any = None,
+        default: object = None,
         last: bool = False,
         bare: str = "",
         required: bool = False,
         whole: bool = False,
         numbers: bool = True,
-        read: Callable[[Any, str], Any] | None = None,
+        read: Callable[[object, str], object] | None = None,
         what: str = "",
         machine: str = OF_PART,
         usual: str = "",
@@ -277,6 +282,10 @@ class Option(Generic[Value]):
         vars(found).update(changes)
         return found
 
+    def read_as(self, read: Callable[[object, str], Value], **changes: Any) -> Option[Value | None]:
+        """Return the same, read in another way, None where it is not given."""
+        return cast("Option[Value | None]", self.but(read=read, **changes))
+
     def __set_name__(self, owner: type[Part], name: str) -> None:
         # In Python a name that is a keyword has a line behind it.
         self.name = name.rstrip("_")
@@ -289,40 +298,40 @@ class Option(Generic[Value]):
     def flag(self) -> str:
         return f"--{self.name.replace('_', '-')}"
 
-    def taken(self, value: Any) -> Any:
+    def taken(self, value: object) -> object:
         """Return what Python gave, an iterator as a list. Raises KurbelError for another kind."""
         if isinstance(value, Iterator):
             value = tuple(value)
-        elif getattr(value, "shape", None) == ():
+        elif getattr(value, "shape", None) == () and (item := getattr(value, "item", None)):
             # An array of no dimension is a number.
-            value = value.item()
+            value = item()
         if value is None or value is False:
             return value
         if value is True and self.bare:
             return self.bare
-        kind, one = self.kind, isinstance(value, str | bytes | PathLike | Mapping)
-        one = one or not isinstance(value, Iterable)
+        kind = self.kind
+        one = isinstance(value, str | bytes | PathLike | Mapping) or not isinstance(value, Iterable)
         if not self.many or (one and kind is TEXT):
             return kind.taken(value, self.name)
-        several = [value] if one else value
+        several = [value] if one or not isinstance(value, Iterable) else value
         return several if kind is TEXT else [kind.taken(each, self.name) for each in several]
 
     @overload
     def __get__(self, part: None, owner: type[Part]) -> Self: ...
     @overload
-    def __get__(self, part: Part, owner: type[Part]) -> Value: ...
-    def __get__(self, part: Part | None, owner: type[Part]) -> Any:
+    def __get__(self, part: Part, owner: type[Part]) -> Made: ...
+    def __get__(self, part: Part | None, owner: type[Part]) -> object:
         return self if part is None else part.values.parsed(self)
 
 
 def measure(
-    read: Callable[[Any, str], Value], help: str, metavar: str | None = None, **more: Any
+    read: Callable[[object, str], Value], help: str, metavar: str | None = None, **more: Any
 ) -> Option[Value | None]:
     """Return an option that is read, None where it is not given; `read` takes it, and what it is called."""
     return Option(help, metavar, read=read, **more)
 
 
-def alone(read: Callable[[Any], Value]) -> Callable[[Any, str], Value]:
+def alone(read: Callable[[object], Value]) -> Callable[[object, str], Value]:
     """Return a reader that needs not to know what the value is called."""
     return lambda value, what: read(value)
 
@@ -333,9 +342,14 @@ def word(
 ) -> Option[str]: ...
 @overload
 def word(help: str, metavar: str | None = ..., kind: Kind = ..., **more: Any) -> Option[str | None]: ...
-def word(help: str, metavar: str | None = None, kind: Kind = TEXT, **more: Any) -> Option[Any]:
+def word(help: str, metavar: str | None = None, kind: Kind = TEXT, **more: Any) -> Option[object]:
     """Return an option that is a name or a text, as it stands."""
     return Option(help, metavar, kind, **more)
+
+
+def file(help: str, metavar: str = "FILE", **more: Any) -> Option[Path | None]:
+    """Return an option that is a file or a folder."""
+    return Option(help, metavar, FILE, **more)
 
 
 def flag(help: str, **more: Any) -> Option[bool]:
@@ -343,7 +357,7 @@ def flag(help: str, **more: Any) -> Option[bool]:
     return Option(help, kind=FLAG, default=False, **more)
 
 
-def is_given(value: Any) -> bool:
+def is_given(value: object) -> bool:
     """Whether a value says anything."""
     if value is None or value is False:
         return False

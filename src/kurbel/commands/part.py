@@ -36,16 +36,16 @@ PLACES: Mapping[Origin | None, str] = {
 class Values:
     """The values of a command's options by their names, where they come from, and which of them were read."""
 
-    def __init__(self, values: Mapping[str, Any], origins: Mapping[str, Origin | None]) -> None:
+    def __init__(self, values: Mapping[str, object], origins: Mapping[str, Origin | None]) -> None:
         self.values, self.origins = dict(values), dict(origins)
         # As it was written, before one option took the place of another.
         self.written = dict(values)
         self.read: set[str] = set()
         self.own: frozenset[str] = frozenset()
         self._spellings: dict[str, str] = {}
-        self._parsed: dict[str, Any] = {}
+        self._parsed: dict[str, object] = {}
 
-    def __getitem__(self, name: str) -> Any:
+    def __getitem__(self, name: str) -> object:
         """Return the value of an option as it was given, and note that it was read."""
         if name not in self.own:
             self.read.add(name)
@@ -55,7 +55,7 @@ class Values:
         """Whether one of the options says anything, by which none of them counts as read."""
         return any(is_given(self.values.get(name)) for name in names)
 
-    def parsed(self, option: Option[Any]) -> Any:
+    def parsed(self, option: Option[object]) -> object:
         """Return the value of an option as it is read, once. Raises KurbelError."""
         value, name = self[option.name], option.name
         if value is None or value is False:
@@ -93,7 +93,7 @@ class Values:
             if name in self.values and not self.typed(name) and self.typed(other):
                 self.drop(name)
 
-    def instead(self, values: Mapping[str, Any], own: bool = False) -> Values:
+    def instead(self, values: Mapping[str, object], own: bool = False) -> Values:
         """Return the same with others in place of some. What is read of them counts as read here, too, but of
         those that are `own`, as the entries of a cylinder are."""
         found = Values({**self.values, **values}, self.origins)
@@ -124,7 +124,7 @@ class Part:
         self.values = values
 
     @classmethod
-    def options(cls) -> dict[str, Option[Any]]:
+    def options(cls) -> dict[str, Option[object]]:
         """Return the options by their attributes: those of its parts in their order, then its own."""
         found = {
             name: one
@@ -159,7 +159,7 @@ class Part:
         place = PLACES.get(self.values.origins.get(name))
         return f"{name} of the {place}" if place else flag_of(self.values.spelled(name))
 
-    def raw(self, name: str) -> Any:
+    def raw(self, name: str) -> object:
         """Return the value of an option as it was given, and note that it was read."""
         return self.values[name]
 
@@ -167,7 +167,7 @@ class Part:
         """Return the same values as another part."""
         return part(self.values)
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         """Return the sentence that refuses one of its options, which was typed and was not read; nothing
         where it depends on the command alone."""
         others = [name for name in self.named_by() if name != option.name]
@@ -208,11 +208,11 @@ class CommandOptions(Part):
             if option.name in names and self.values.typed(option.name) and self.says(option.name):
                 raise ProblemError(self.refusal(option))
 
-    def refusal(self, option: Option[Any]) -> str:
+    def refusal(self, option: Option[object]) -> str:
         """Return the sentence that refuses an option that was typed, and that the question did not read."""
         return self._sentence(option).replace("--stroke", flag_of(self.values.spelled("stroke")))
 
-    def _sentence(self, option: Option[Any]) -> str:
+    def _sentence(self, option: Option[object]) -> str:
         knowing = [part for part in type(self).__mro__ if issubclass(part, Part) and "unread" in vars(part)]
         for part in knowing[:-1]:
             if sentence := part.unread(self, option):

@@ -60,12 +60,12 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
         "Draw the mechanism to scale at these crank angles: 30, or '30;90;150'.", "ANGLES", unit="degrees",
         many=True,
     )  # fmt: skip
-    point: Option[Any] = Option(
+    point: Option[object] = Option(
         "Draw the paths of points of the rod beside the mechanism: 0.5, 0.5,0.1, '0;0.5;1'.", "POINTS",
         many=True, numbers=False,
     )  # fmt: skip
     lang: Option[str] = Plain.lang.but(help="Language of the labels: de or en.")
-    units: Option[Any] = Sheet.units.but(
+    units = Sheet.units.but(
         help="Units of the numbers beside what moves: metric, imperial or a list, 'cm;kN'. Default: metric;"
         " of what is given in imperial units alone these."
     )
@@ -114,7 +114,7 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
         found = drawn._replace(figure=made[0], film=made[1])
         return Drawing.of(found, lang, mark, paged(found, lang, mark, spoken(question)))
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         """Return the sentence that refuses what is read beside a drawing that moves."""
         if option.name == "units":
             return "--units are of the numbers beside what moves; leave it out"

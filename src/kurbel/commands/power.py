@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from kurbel.commands.options import Option, alone, measure
@@ -51,7 +52,6 @@ NEEDED = (
 # What makes a power of the mean pressure.
 SIZES = ("power", "brake_power", "bore", "stroke", "speed", "stroke_bore", "piston_speed")
 # What tells how much steam is taken.
-OF_STEAM = ("specific_volume", "steam_density")
 # The layouts over the stroke and over the crank angle, and what they are about.
 PRESSURES, ABOUT = ("pressures", "pressures-turn"), ("pressures", "pressures over the angle")
 
@@ -82,10 +82,10 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     sequence = (
         "mean_pressure working_strokes pressure back exponent clearance single_acting card ratio bore"
         " piston_rod tail_rod stroke crank speed power brake_power stroke_bore piston_speed cylinders"
-        " diagram_factor efficiency specific_volume steam_density"
+        " diagram_factor efficiency specific_volume"
     )
 
-    mean_pressure: Option[Any] = Option(
+    mean_pressure: Option[object] = Option(
         "The mean effective pressure itself, with --working-strokes: 5bar; '3.5bar;3.2bar' of the ends at the"
         " cover and at the crank.",
         "PRESSURE",
@@ -116,7 +116,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     piston_speed = measure(
         as_velocity, "Mean piston speed in place of the stroke or the speed: 3m/s.", "VELOCITY", unit="m/s"
     )
-    cylinders: Option[Any] = Option("Number of cylinders alike; default 1.", "NUMBER", topic="cylinders")
+    cylinders: Option[object] = Option("Number of cylinders alike; default 1.", "NUMBER", topic="cylinders")
     columns = columns_option("power", "mean_pressure,indicated_power")
     layout = layout_option("power").but(default="power")
 
@@ -129,12 +129,12 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             **self.on_page(page, "mean_pressure,indicated_power"),
         )
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         name, flag = option.name, flag_of(option.name)
         load, sized = any(map(self.says, KINDS)), self.says(*SIZES)
-        if name in OF_STEAM and not self.says("eps"):
+        if name == "specific_volume" and not self.says("eps"):
             return f"{flag} is for the steam that an ideal card takes; add --eps"
-        if name in OF_STEAM:
+        if name == "specific_volume":
             return (
                 f"{flag} is for the steam taken, and nothing tells how much; add --pressure, or bore, stroke"
                 " and speed"
@@ -172,20 +172,20 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         factor = self.diagram_factor
         asked = factor == "?"
         cylinders = self._count() if self.says(*SIZES) else 1
-        given: dict[str, Any] = {
-            "bore": self.bore, "stroke": self.stroke, "speed": self.speed, "power": self.power,
-            "brake_power": self.brake_power, "stroke_bore": self.stroke_bore,
-            "piston_speed": self.piston_speed, "cylinders": cylinders, "piston_rod": self.piston_rod,
-            "tail_rod": self.tail_rod, "factor_asked": asked, "efficiency": self.efficiency,
-            "diagram_factor": Fraction(1) if factor is None or asked else as_share(factor, "diagram factor"),
-            "specific_volume": self._volume() if self.says("eps") else None,
-        }  # fmt: skip
+        duty = partial(
+            Duty, bore=self.bore, stroke=self.stroke, speed=self.speed, power=self.power,
+            brake_power=self.brake_power, stroke_bore=self.stroke_bore, piston_speed=self.piston_speed,
+            cylinders=cylinders, piston_rod=self.piston_rod, tail_rod=self.tail_rod, factor_asked=asked,
+            efficiency=self.efficiency,
+            diagram_factor=Fraction(1) if factor is None or asked else as_share(factor, "diagram factor"),
+            specific_volume=self._volume() if self.says("eps") else None,
+        )  # fmt: skip
         if self.says("mean_pressure"):
             ends = self.mean_pressure
             parts = ends.split(";") if isinstance(ends, str) else [ends]
             if len(parts) > 2:
                 raise ProblemError(f"{len(parts)} mean pressures were given; a piston has two ends")
-            return Duty(ends=tuple(_above_zero(one, "mean pressure") for one in parts), **given)
+            return duty(ends=tuple(_above_zero(one, "mean pressure") for one in parts))
         names = [name for name in self.weighing() if name != "bore"]
         name = names[0] if names else "pressure"
         pressure = as_pressure(self.raw(name), name.replace("_", " ")) if names and self.says(name) else None
@@ -193,7 +193,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             pressure -= self.suction_pressure or 0
         if pressure is not None and pressure <= 0:
             raise ProblemError(f"{flag_of(name)} is {self.raw(name)}; it must be above 0")
-        return Duty(pressure=pressure, pressure_option=flag_of(name), **given)
+        return duty(pressure=pressure, pressure_option=flag_of(name))
 
     def _count(self) -> int:
         """Return how many cylinders there are, one for each crank where these are given."""
@@ -214,13 +214,10 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         """Return the specific volume of the steam, if there is anything that tells how much is taken."""
         if not self.says("pressure", *SIZES):
             return None
-        volume, density = self.specific_volume, self.steam_density
-        if volume is not None and density is not None:
-            raise ProblemError("--specific-volume and --steam-density say the same; leave one out")
-        for value in (volume, density):
-            if value is not None and value <= 0:
-                raise ProblemError("the specific volume and the density of steam must be above 0")
-        return volume if density is None else 1 / density
+        volume = self.specific_volume
+        if volume is not None and volume <= 0:
+            raise ProblemError("the specific volume of steam must be above 0")
+        return volume
 
     def _sources(self, page: Layout, duty: Duty) -> Sequence[Acting | GivenPressure]:
         """Return where the mean pressures come from."""
@@ -260,7 +257,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         return Engine(Crank(ratios[0]), load, double, load=size)
 
 
-def _above_zero(pressure: Any, what: str) -> Fraction:
+def _above_zero(pressure: object, what: str) -> Fraction:
     found = as_pressure(pressure, what)
     if found <= 0:
         raise ProblemError(f"the {what} is {str(pressure)[:40]}; it must be above 0")
@@ -297,7 +294,7 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
     # What the acceleration pressure has nothing of.
     without = (
         *("friction", "piston_rod", "tail_rod", "rotating", "rocker_inertia"),
-        *("vertical", "slope", "gravity"),
+        *("slope", "gravity"),
     )
     unnamed = "ratio"
     sequence = (
@@ -360,7 +357,7 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
         _check_one(drives, "crank ratios")
         return Pressed(drives[0], self.bore)
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         return f"--bore is for {Masses.title}; add {Masses.add}" if option.name == "bore" else ""
 
     def is_sized(self) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from kurbel.balancing.locomotives.locomotive import Crank, Locomotive, Run
 from kurbel.balancing.locomotives.page import LocomotiveRequest
@@ -25,21 +25,21 @@ Sought: TypeAlias = Sequence[Fraction | None]
 MOST_PLANES = 2
 
 
-def _planes(given: Any, what: str) -> tuple[Fraction, ...]:
+def _planes(given: object, what: str) -> tuple[Fraction, ...]:
     planes = displacement.each(given, "plane")
     if len(planes) > MOST_PLANES:
         raise ProblemError(f"{len(planes)} planes of {what} were given; two are enough")
     return planes
 
 
-def _bearings(given: Any, what: str) -> tuple[Fraction, ...]:
+def _bearings(given: object, what: str) -> tuple[Fraction, ...]:
     held = _planes(given, what)
     if len(held) == 1:
         raise ProblemError("one bearing was given; the forces are shared by two, --bearings '0;1.8m'")
     return held
 
 
-def _place(given: Any, what: str) -> Fraction:
+def _place(given: object, what: str) -> Fraction:
     lengths = displacement.each(given, what)
     if len(lengths) != 1:
         raise NotationError(f"{what} is a list of {len(lengths)}; give one length")
@@ -108,8 +108,8 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
         read=_bearings,
         whole=True,
     )
-    speed = Speed.speed.but(
-        help="Speed, for forces in N: 300/min, 12.5rad/s.", read=alone(as_speed), topic="masses"
+    speed = Speed.speed.read_as(
+        alone(as_speed), help="Speed, for forces in N: 300/min, 12.5rad/s.", topic="masses"
     )
     about = measure(
         _place,
@@ -159,7 +159,7 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
             )
         return Places(planes, tuple(radii), self.bearings or ())
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         if option.name == "balance_radii":
             return (
                 "--balance-radii is of the masses in --balance-planes; add these, such as --balance-planes"
@@ -219,7 +219,7 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
     gauge: Option[Fraction] = Option(
         "Distance of the planes of the wheels: 1.5m.", "LENGTH", unit="m", required=True, read=as_length
     )
-    stroke = Linked.stroke.but(read=as_length, topic="axle")
+    stroke = Linked.stroke.read_as(as_length, topic="axle")
     crank = Linked.crank.but(topic="axle")
     reciprocating: Option[tuple[Fraction, ...]] = Option(
         "Mass that goes to and fro in a cylinder: 300kg, or each.", "MASSES", unit="kg", required=True,
@@ -239,7 +239,7 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
     balance_radius = measure(
         as_length, "Radius of the balancing masses: 600mm.", "LENGTH", unit="m", topic="counterweights"
     )
-    speed = Speed.speed.but(help="Speed of the axle: 300/min, 31rad/s.", read=alone(as_speed), topic="axle")
+    speed = Speed.speed.read_as(alone(as_speed), help="Speed of the axle: 300/min, 31rad/s.", topic="axle")
     velocity = measure(
         as_velocity, "Speed of the train in its place, with --wheel: 96km/h.", "SPEED", unit="m/s"
     )
@@ -307,7 +307,7 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
                 )
         return tuple(map(Crank, angles, places, moved, turned))
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         if option.name == "spacing":
             return "--positions has the places of the cylinders; leave --spacing out"
         return "--speed is that of the axle and --velocity that of the train; leave one out"

@@ -273,7 +273,7 @@ def drawing_of(question: Any, options: Pictured, decimal: str | None = None) -> 
     return Drawing.of(made, question.lang, mark, page)
 
 
-def plotted(question: Any, options: Mapping[str, Any], decimal: str | None) -> Drawing:
+def plotted(question: Any, options: Mapping[str, object], decimal: str | None) -> Drawing:
     """Return the same by options in the words of Python. Raises KurbelError."""
     known = Pictured.options()
     for name in options:

@@ -65,7 +65,7 @@ class Choice(NamedTuple):
         return Slider(self.name, label, self.texts, self.start)
 
 
-def choices(options: Mapping[str, Option[Any]], values: Mapping[str, Any]) -> list[Choice]:
+def choices(options: Mapping[str, Option[object]], values: Mapping[str, object]) -> list[Choice]:
     """Return the sliders of a command's values: the options that have several. Raises KurbelError for what
     cannot be read.
 
@@ -110,7 +110,7 @@ def check_numbers(numbers: int, found: Sequence[Choice]) -> None:
         )
 
 
-def steps(found: Sequence[Choice]) -> Iterator[tuple[dict[str, Any], str]]:
+def steps(found: Sequence[Choice]) -> Iterator[tuple[dict[str, object], str]]:
     """Yield the values of each step by their options, and the step in words."""
     for places in product(*(range(len(one.values)) for one in found)):
         chosen = list(zip(found, places, strict=True))
@@ -122,7 +122,7 @@ def _of_ratios(ratios: Sequence[Fraction]) -> Choice:
     return Choice("ratio", tuple(ratios), tuple(f"${ratio_text(one)}$" for one in ratios))
 
 
-def _choice(name: str, known: Mapping[str, Option[Any]], given: Any) -> Choice | None:
+def _choice(name: str, known: Mapping[str, Option[object]], given: Any) -> Choice | None:
     """Return a slider, nothing for one value."""
     if name == "ratio":
         ratios = as_ratios(given)
@@ -160,7 +160,7 @@ class Written(Sequence[str]):
         return f"{figures(self.numbers[index])}{self.unit}"
 
 
-def several(option: Option[Any], texts: Iterable[Any]) -> Sequence[Any]:
+def several(option: Option[object], texts: Iterable[Any]) -> Sequence[Any]:
     """Return the values that the texts list, each once, as the command takes them one at a time.
 
     A range is never written out. Raises NotationError.

@@ -74,11 +74,11 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
     sequence = (
         "ratio columns offset stroke crank true_stroke time_ratio rod method order speed mechanism rocker"
         " pivot circuit beam force eps back exponent clearance card other_side single_acting cranks bore"
-        " pressure reciprocating rod_mass centre gyration rod_file rotating rocker_inertia vertical slope"
+        " pressure reciprocating rod_mass centre gyration rod_file rotating rocker_inertia slope"
         " gravity"
     )
 
-    where: Option[Any] = Option(
+    where: Option[object] = Option(
         'Condition: p=0, s=25% (share of the stroke), x=1.1, "x = 200 mm", "c = 3 m/s", c=max, p=min,'
         ' "p = 1/6 of dead centre", psi=5; of an engine torque=max, tangential=0.5, "rod_force = 10 kN";'
         " repeated for several.",
@@ -95,7 +95,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
         " stroke or ratio; with --angle and one condition.",
         kind=Choice("unknown", "kurbel.conditions.unknown:UNKNOWNS"),
     )
-    angle: Option[Any] = Option(
+    angle: Option[object] = Option(
         "With --unknown the crank angle at which the condition holds: 30, or c=max, where a quantity of the"
         " motion is greatest on the outstroke.",
         "ANGLE",
@@ -109,7 +109,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
     def settle(cls, values: Values) -> None:
         """Drop what is asked for as --unknown, where it comes from elsewhere."""
         unknown = values.values.get("unknown")
-        if unknown and not values.typed(unknown):
+        if isinstance(unknown, str) and not values.typed(unknown):
             values.drop(unknown)
 
     def question(self) -> Question:
@@ -149,7 +149,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
         """Whether a condition is about forces."""
         return any(text.partition("=")[0].strip() not in OF_MOTION for text in self.conditions)
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         name, flag = option.name, flag_of(option.name)
         if self.unknown is not None:
             return self._unread_of_unknown(option)
@@ -176,7 +176,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
             return f"{flag} is for conditions on forces, such as torque=max; leave it out"
         return ""
 
-    def _unread_of_unknown(self, option: Option[Any]) -> str:
+    def _unread_of_unknown(self, option: Option[object]) -> str:
         """Return the sentence that refuses an option beside --unknown: that of the page of the forces."""
         name, flag = option.name, flag_of(option.name)
         if self.unknown == "ratio":

@@ -87,7 +87,7 @@ class _Asking:
     values: Values
     choices: tuple[Choice, ...]
 
-    def question(self, chosen: Mapping[str, Any]) -> Question:
+    def question(self, chosen: Mapping[str, object]) -> Question:
         """Return what is asked for by these values."""
         question: Question = self.command.question(self.values.instead(chosen))
         return question
@@ -129,7 +129,7 @@ class _Asking:
                 raise type(error)(f"{error}; this is of the step {said}") from None
 
     def page(
-        self, chosen: Mapping[str, Any], first: Table, run: Run | None, scenes: dict[Any, Scene | None]
+        self, chosen: Mapping[str, object], first: Table, run: Run | None, scenes: dict[Any, Scene | None]
     ) -> Step:
         question = self.question(chosen)
         table = self.command.built(question, self.values.instead(chosen))
@@ -137,7 +137,7 @@ class _Asking:
         tracks, units = run.tracks(question, self.along(chosen, run)) if run else ((), ())
         return Step(table, tracks, units, _scene(question, scenes))
 
-    def along(self, chosen: Mapping[str, Any], run: Run) -> Question | None:
+    def along(self, chosen: Mapping[str, object], run: Run) -> Question | None:
         """Return the same question at the angles that a page runs through, where it runs through these."""
         if not run.angles:
             return None

@@ -8,7 +8,6 @@ import re
 from collections.abc import Collection, Mapping
 from dataclasses import replace
 from functools import cached_property, partial
-from os import fspath
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from kurbel.commands.options import FILE, TEXT, Choice, Option, is_given
@@ -58,7 +57,7 @@ class Command:
         ranks = {key: rank for rank, key in enumerate(asks.sequence.split())}
         first = asks.unnamed.split()
 
-        def place(one: tuple[str, Option[Any]]) -> tuple[bool, bool, int]:
+        def place(one: tuple[str, Option[object]]) -> tuple[bool, bool, int]:
             return one[0] not in first, one[1].last, ranks.get(one[0], len(ranks))
 
         parameters = dict(sorted(asks.options().items(), key=place))
@@ -83,7 +82,7 @@ class Command:
         return MACHINE in self.signature.parameters
 
     @cached_property
-    def options(self) -> Mapping[str, Option[Any]]:
+    def options(self) -> Mapping[str, Option[object]]:
         """The options by their names on the command line, with underscores."""
         return {one.name: one for one in self.parameters.values()}
 
@@ -98,7 +97,7 @@ class Command:
         return {**dict.fromkeys(Pictured.options(), ()), MACHINE: (), "interactive": (), **words}
 
     @cached_property
-    def defaults(self) -> Mapping[str, Any]:
+    def defaults(self) -> Mapping[str, object]:
         return {name: one.default for name, one in self.options.items()}
 
     def settle(self, values: Values) -> None:
@@ -151,7 +150,7 @@ class Command:
         }
         return Request(self.name, counted)
 
-    def _units(self, asked: Any, values: Mapping[str, Any]) -> Units | None:
+    def _units(self, asked: Any, values: Mapping[str, object]) -> Units | None:
         """Return the units that are asked for, else imperial ones where all measures are given in such."""
         names = {name for name, one in self.options.items() if one.unit or one.kind is TEXT}
         read = (names | {"cylinder"}) - UNTOLD - UNMEASURED
@@ -215,7 +214,7 @@ def function(asks: type[CommandOptions], name: str, drawn: bool = False) -> Func
     return cast("Function", found)
 
 
-def _values(command: Command, args: tuple[Any, ...], options: Mapping[str, Any]) -> Values:
+def _values(command: Command, args: tuple[Any, ...], options: Mapping[str, object]) -> Values:
     """Return what is given by hand, and what a machine's file says."""
     by_hand = bound(command.name, command.signature, args, options).arguments
     machine = by_hand.pop(MACHINE, None)
@@ -236,15 +235,17 @@ def _table(page: Page, asked: Any = None) -> Table:
     return Table.of(page, asked)
 
 
-def of_machine(command: Command, file: Any) -> dict[str, Any]:
+def of_machine(command: Command, file: Any) -> dict[str, object]:
     """Return the options of the command that a machine's file gives. Raises KurbelError."""
     many = {name: one.many for name, one in command.options.items()}
-    named = File(fspath(FILE.taken(file, MACHINE)))
+    named = File(str(FILE.taken(file, MACHINE)))
     found = machine_defaults(command.name, many, named)
     return {name: command.options[name].taken(value) for name, value in found.items()}
 
 
-def variant(key: str, parameters: Mapping[str, Option[Any]], values: Mapping[str, Any]) -> Variant | None:
+def variant(
+    key: str, parameters: Mapping[str, Option[object]], values: Mapping[str, object]
+) -> Variant | None:
     """Return what gives the page its name, such as "kinematics-ratio-1-4" or "kinematics-method-series"; None
     for one with its defaults, or with a label of the author's own."""
     if values.get("label"):
@@ -271,7 +272,7 @@ def _alone(value: Any) -> Any:
     return value[0] if isinstance(value, list | tuple) and len(value) == 1 else value
 
 
-def _is_other(one: Option[Any], values: Mapping[str, Any]) -> bool:
+def _is_other(one: Option[object], values: Mapping[str, object]) -> bool:
     value = values.get(one.name)
     return is_given(value) and (not is_given(one.default) or _text(value) != _text(one.default))
 
@@ -284,7 +285,7 @@ def _text(value: Any) -> str:
     return ";".join(map(_text, value))
 
 
-def machine_defaults(command: str, options: Mapping[str, bool], file: File) -> dict[str, Any]:
+def machine_defaults(command: str, options: Mapping[str, bool], file: File) -> dict[str, object]:
     """Return what the file says of the options of the command, by their names, with whether each may be
     repeated."""
     from kurbel.commands.machine_file import read_machine, with_ratio
@@ -330,7 +331,7 @@ def plain_signature(signature: inspect.Signature, returned: str) -> inspect.Sign
     return _Brief(plain, return_annotation=returned)
 
 
-def plain_type(option: Option[Any]) -> str:
+def plain_type(option: Option[object]) -> str:
     """Return what an option takes in a few words, "str | float | list"."""
     return f"{option.kind.python} | list" if option.many else option.kind.python
 
@@ -348,7 +349,7 @@ def described(text: str, signature: inspect.Signature) -> str:
         "",
     ]
     for name, one in signature.parameters.items():
-        option: Option[Any] = one.annotation
+        option: Option[object] = one.annotation
         unit = f" A bare number is in {option.unit}." if option.unit else ""
         usual = "" if one.default in (None, False, "", (), one.empty) else f" = {one.default!r}"
         lines.append(f"{name} ({plain_type(one.annotation)}{usual}): {option.help}{unit}")

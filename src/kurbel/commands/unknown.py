@@ -74,7 +74,7 @@ class Angle:
     @classmethod
     def _greatest(cls, text: str, asked: SolveOptions) -> Angle:
         chosen, described = asked.described(beside=("force",), leaving=("speed", "method"))
-        ratios = layout(chosen.layout, asked.raw("layouts")).ratios
+        ratios = layout(chosen.layout, asked.layouts).ratios
         drive = chosen.solved(some(chosen.drives(described, ratios)), "exact")[0]
         condition = read_on(drive, text)
         if condition.kind != MAX:

@@ -13,10 +13,11 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias, TypedDict, TypeGuard
 
 from kurbel import verify
 from kurbel.commands.motion import OverPath
+from kurbel.commands.options import Option
 from kurbel.commands.part import Values, flag_of
 from kurbel.commands.parts.drive import Turning
 from kurbel.commands.parts.effort import PRESSING, Effort, PinFriction
@@ -33,6 +34,7 @@ from kurbel.reading.given import (
     as_pressure,
     as_share_or_length,
     as_share_or_pressure,
+    of_given,
 )
 from kurbel.reading.notation import number, ratio_text
 from kurbel.verify import UNDECIDED, WRONG, Number, Value
@@ -41,20 +43,17 @@ from kurbel.verify.zeros import TOO_WIDE
 
 # Unit of a key that is not one of the second computation, and that in which it computes.
 OWN = {"length": "mm", "velocity": "mps", "acceleration": "mps2", "force": "n", "torque": "nm"}
-# Of each load its options, as the second computation calls them.
-STEAM = {"exponent": "exponent", "clearance": "clearance", "single_acting": "single_acting"}
-AIR = {**STEAM, "suction_loss": "suction_loss", "delivery_loss": "delivery_loss"}
-GAS = {
-    "cycle": "cycle", "exponent": "exponent", "expansion_exponent": "expansion_exponent", "heat": "heat",
-    "cut_off": "cut_off", "two_stroke": "two_stroke",
-}  # fmt: skip
+# Of each load its options, which the second computation calls likewise.
+STEAM = ("exponent", "clearance", "single_acting")
+AIR = (*STEAM, "suction_loss", "delivery_loss")
+GAS = ("cycle", "exponent", "expansion_exponent", "heat", "cut_off", "two_stroke")
 # Options that the second computation knows, and those of looks, of which there is nothing to know.
 KNOWN = frozenset(
     (
         *("ratio", "stroke", "crank", "rod", "offset", "mechanism", "rocker", "pivot", "circuit", "beam"),
         *("speed", "method", "order", "point", "force", "friction", *PRESSING, "bore", "piston_rod"),
         *("tail_rod", "reciprocating", "rod_mass", "centre", "gyration", "rotating", "rocker_inertia"),
-        *("vertical", "slope", "gravity", "eps", "back", "pressure", "pressure_ratio", "suction_pressure"),
+        *("slope", "gravity", "eps", "back", "pressure", "pressure_ratio", "suction_pressure"),
         *("delivery_pressure", "small_area", "pump", "compression", "peak_pressure", "exhaust_pressure"),
         *("cranks", "detail", *STEAM, *AIR, *GAS),
         *("angle", "from", "to", "step", "zero", "columns", "digits", "rounding", "units", "layout"),
@@ -85,7 +84,35 @@ class Figure(str):
     """A number of a file as it is written there."""
 
 
-def read_page(path: str) -> dict[str, Any]:
+class Head(TypedDict):
+    """A column of a page in JSON."""
+
+    key: str
+    unit: str
+    method: str
+
+
+class Request(TypedDict):
+    """What a page in JSON was made of."""
+
+    command: str
+    options: dict[str, object]
+
+
+class Page(TypedDict):
+    """A page in JSON, as far as it is computed a second time."""
+
+    table: str
+    request: Request
+    columns: list[Head]
+    rows: list[dict[str, str | None]]
+
+
+# A row without what it has nothing of.
+Row: TypeAlias = Mapping[str, str]
+
+
+def read_page(path: str) -> Page:
     """Return the page of a JSON file, of standard input for "-". Raises KurbelError."""
     name = "standard input" if path == "-" else path
     try:
@@ -106,7 +133,7 @@ def read_page(path: str) -> dict[str, Any]:
     return page
 
 
-def _is_whole(page: Mapping[str, Any]) -> bool:
+def _is_whole(page: Mapping[str, Any]) -> TypeGuard[Page]:
     """Whether every row has a text, a number or nothing for every column, and the request its command and
     its options."""
     request, columns, rows = page["request"], page["columns"], page["rows"]
@@ -123,12 +150,12 @@ def _is_whole(page: Mapping[str, Any]) -> bool:
     )
 
 
-def checked(page: Mapping[str, Any]) -> Iterator[Cell]:
+def checked(page: Page) -> Iterator[Cell]:
     """Yield the cells of a page with numbers, each computed a second time. Raises KurbelError."""
     second = Second(page["request"]["command"], page["request"]["options"], str(page.get("table")))
     columns = {column["key"]: column for column in page["columns"]}
     for line, whole in enumerate(page["rows"], 1):
-        row = {key: whole[key] for key in columns if whole[key] is not None}
+        row = {key: text for key in columns if (text := whole[key]) is not None}
         place = {key: one for key, one in row.items() if not columns[key]["method"]}
         for key, column in columns.items():
             if column["method"] and key in row:
@@ -137,15 +164,16 @@ def checked(page: Mapping[str, Any]) -> Iterator[Cell]:
 
 
 class Asked(OverPath, Engine, Effort, PinFriction, Turning):
-    """All options that the second computation knows."""
+    """All options that the second computation knows; by which method it computes each column says itself."""
+
+    method: Option[Any] = Engine.method
 
 
 class Second:
     """What was asked for, computed a second time."""
 
-    def __init__(self, command: str, options: Mapping[str, Any], key: str) -> None:
+    def __init__(self, command: str, options: Mapping[str, object], key: str) -> None:
         self.command, self.key = command, key
-        # By which method it is computed each column says itself.
         known = {one.name: one for one in Asked.options().values() if one.name != "method"}
         self.options = {
             name: known[name].taken(_given(value)) if name in known else value
@@ -159,7 +187,7 @@ class Second:
         self._kept: dict[Any, verify.Bodies] = {}
         self._turns: dict[Any, verify.Turn] = {}
 
-    def verdict(self, key: str, column: Mapping[str, Any], row: Mapping[str, Any]) -> tuple[str, str]:
+    def verdict(self, key: str, column: Head, row: Row) -> tuple[str, str]:
         """Return whether a cell is confirmed, and else its right digits, or why it is not computed."""
         rounding = str(self.options.get("rounding", "half-away"))
         printed = row[key]
@@ -175,7 +203,7 @@ class Second:
             # Links that do not close, or numbers that no precision tells apart.
             return UNDECIDED, f"the second computation meets {error}"
 
-    def value(self, key: str, column: Mapping[str, Any], row: Mapping[str, Any]) -> Value:
+    def value(self, key: str, column: Head, row: Row) -> Value:
         """Return the value of a cell. Raises KurbelError for what is not computed a second time."""
         if self.command not in COMMANDS:
             raise ProblemError(f"pages of {self.command} are not computed a second time")
@@ -184,7 +212,7 @@ class Second:
         own, times = in_own_unit(key.removesuffix(f"_{column['method']}"), column["unit"])
         return self._value(own, column["method"], row) * times
 
-    def _value(self, key: str, method: str, row: Mapping[str, Any]) -> Value:
+    def _value(self, key: str, method: str, row: Row) -> Value:
         degrees, asked = self._degrees(row), self.asked
         if asked.is_engine() or self.command in ("turning", "delta"):
             if self.command != "forces":
@@ -204,7 +232,7 @@ class Second:
         share, _, beside = row["point"].partition(",")
         return drive.value(key, degrees, method, point=(number(share), number(beside or "0")))
 
-    def _loaded(self, key: str, degrees: Fraction, row: Mapping[str, Any]) -> Value:
+    def _loaded(self, key: str, degrees: Fraction, row: Row) -> Value:
         """A force where the load of an engine acts on the piston."""
         turn = self._turn("exact", row, alone=True)
         bore, pressure = self._unit()
@@ -248,7 +276,9 @@ class Second:
         force = (bore**2 - tail**2) * head - (bore**2 - rod**2) * crank
         return lambda _: disc(1) * force
 
-    def _bodies(self, drive: verify.Drive, force: Any, row: Mapping[str, Any]) -> verify.Bodies:
+    def _bodies(
+        self, drive: verify.Drive, force: Fraction | Callable[[Fraction], Number], row: Row
+    ) -> verify.Bodies:
         key = (drive, force == 0, *(str(row.get(name)) for name in LOADED))
         if key not in self._kept:
             asked, rod = self.asked, drive.radius / drive.ratio if drive.ratio else None
@@ -256,14 +286,14 @@ class Second:
                 "reciprocating": asked.reciprocating, "rod_mass": asked.rod_mass, "rotating": asked.rotating,
                 "inertia": asked.rocker_inertia, "friction": asked.friction, "gravity": asked.gravity,
                 "centre": _of_rod(asked.raw("centre"), rod), "gyration": _of_rod(asked.raw("gyration"), rod),
-                "slope": Fraction(90) if asked.vertical else asked.slope,
+                "slope": asked.slope,
             }  # fmt: skip
             if asked.raw("acceleration") is not None:
                 raise ProblemError("an accelerated crank is not known to the second computation")
             self._kept[key] = verify.bodies(drive, force=force, **known)
         return self._kept[key]
 
-    def _degrees(self, row: Mapping[str, Any]) -> Fraction:
+    def _degrees(self, row: Row) -> Fraction:
         """The crank angle of a row, as exactly as it was asked for."""
         if "phi" in row:
             return nearest(row["phi"], self._listed) + self.asked.zero_angle
@@ -282,7 +312,7 @@ class Second:
     def _listed(self) -> Sequence[Fraction]:
         return self.asked.angle or ()
 
-    def _drive(self, row: Mapping[str, Any]) -> verify.Drive:
+    def _drive(self, row: Row) -> verify.Drive:
         raw = self.asked.raw
         parallel = "parallel" in (self.asked.mechanism, raw("layout"))
         printed = row.get("ratio", "1:∞" if parallel else "")
@@ -292,41 +322,49 @@ class Second:
         if len(found) != 1:
             raise ProblemError("the row does not say its crank ratio as it was asked for")
         crank, radius = found[0], found[0].radius
-        size: dict[str, Any] = {} if radius is None else {"radius": radius}
-        if crank.speed is not None:
-            size |= {"speed": crank.speed.value, "turns": crank.speed.turns}
-        beam = raw("beam")
-        links: dict[str, Any] = {
-            "beam": None if beam is None else radii(beam, "beam", radius),
-            "parallel": parallel,
-        }
-        if raw("rocker") is not None:
-            place = str(raw("pivot")).split(";") if raw("pivot") else None
-            pivot = place and tuple(radii(one, "pivot", radius) for one in place)
-            links |= {"rocker": radii(raw("rocker"), "rocker", radius), "pivot": pivot}
-            links |= {"circuit": int(number(str(raw("circuit") or 1)))}
-        return verify.drive(crank.ratio, crank.offset, **links, **size)
+        place = str(raw("pivot")).split(";") if raw("pivot") else None
+        return of_given(
+            verify.drive,
+            crank.ratio,
+            crank.offset,
+            radius=radius,
+            speed=crank.speed and crank.speed.value,
+            turns=crank.speed and crank.speed.turns,
+            parallel=parallel,
+            circuit=int(number(str(raw("circuit") or 1))),
+            pivot=place and tuple(radii(one, "pivot", radius) for one in place),
+            **{
+                name: radii(length, name, radius)
+                for name in ("beam", "rocker")
+                if (length := raw(name)) is not None
+            },
+        )
 
-    def _turn(self, method: str, row: Mapping[str, Any], alone: bool = False) -> verify.Turn:
+    def _turn(self, method: str, row: Row, alone: bool = False) -> verify.Turn:
         """The turn of the page, or that of one crank `alone`, without its masses."""
         asked, drive, load = self.asked, self._drive(row), self._load(row)
         key = (drive, method, alone, *(str(row.get(name)) for name in LOADED))
         if key not in self._turns:
             cranks = as_crank_angles(asked.raw("cranks") or "0")
-            more: dict[str, Any] = {} if alone else {"cranks": tuple(cranks), "method": method}
             if asked.says("friction") and not alone:
                 raise ProblemError("turns with friction are not computed a second time")
-            if asked.is_heavy() and not alone:
+            if alone:
+                self._turns[key] = verify.turn(drive, load)
+            elif not asked.is_heavy():
+                self._turns[key] = verify.turn(drive, load, cranks=tuple(cranks), method=method)
+            else:
                 bore, pressure = self._unit()
-                more |= {"bodies": self._bodies(drive, 0, row), "bore": bore, "pressure": pressure}
-            self._turns[key] = verify.turn(drive, load, **more)
+                self._turns[key] = verify.turn(
+                    drive, load, cranks=tuple(cranks), method=method, bore=bore, pressure=pressure,
+                    bodies=self._bodies(drive, Fraction(0), row),
+                )  # fmt: skip
         return self._turns[key]
 
-    def _load(self, row: Mapping[str, Any]) -> verify.Load:
+    def _load(self, row: Row) -> verify.Load:
         asked, raw = self.asked, self.asked.raw
 
-        def of(names: Mapping[str, str]) -> dict[str, Any]:
-            return {own: getattr(asked, name) for name, own in names.items() if asked.says(name)}
+        def of(names: Sequence[str]) -> Mapping[str, object]:
+            return {name: getattr(asked, name) for name in names if asked.says(name)}
 
         def of_row(key: str, given: Sequence[Fraction] | None) -> Fraction:
             listed = as_expansions(self._layout.expansions) if given is None else given
@@ -337,25 +375,28 @@ class Second:
             return listed[0]
 
         if asked.says("pressure_ratio"):
-            return verify.compressor(of_row("pressure_ratio", asked.pressure_ratio), **of(AIR))
+            ratio = of_row("pressure_ratio", asked.pressure_ratio)
+            return of_given(verify.compressor, ratio, **of(AIR))
         if asked.says("pump"):
-            pressures = {"suction": asked.suction_pressure, "delivery": asked.delivery_pressure}
-            known = {name: one for name, one in pressures.items() if one is not None}
-            kind = "single" if asked.single_acting else asked.pump or "double"
-            return verify.pump(kind, **known, **of({"small_area": "small_area"}))
+            return of_given(
+                verify.pump,
+                "single" if asked.single_acting else asked.pump or "double",
+                suction=asked.suction_pressure,
+                delivery=asked.delivery_pressure,
+                small_area=asked.small_area,
+            )
         if asked.says("compression"):
-            peaks = {"peak": raw("peak_pressure"), "exhaust": raw("exhaust_pressure")}
-            suction = asked.suction_pressure
-            shares: dict[str, Any] = {
-                name: _in(one, name, suction) for name, one in peaks.items() if one is not None
+            peaks = {
+                name: _in(given, name, asked.suction_pressure)
+                for name in ("peak", "exhaust")
+                if (given := raw(f"{name}_pressure")) is not None
             }
-            return verify.gas(of_row("compression", asked.compression), **shares, **of(GAS))
+            return of_given(verify.gas, of_row("compression", asked.compression), **peaks, **of(GAS))
         back = raw("back")
         if back is not None:
             back = as_share_or_pressure(back, "back pressure", raw("pressure"))
-        piston = of({"bore": "bore", "piston_rod": "piston_rod", "tail_rod": "tail_rod"})
-        rest = {} if back is None else {"back": back}
-        return verify.steam(of_row("epsilon", asked.eps), **rest, **of(STEAM), **piston)
+        own = of((*STEAM, "bore", "piston_rod", "tail_rod"))
+        return of_given(verify.steam, of_row("epsilon", asked.eps), back=back, **own)
 
 
 def in_own_unit(key: str, symbol: str) -> tuple[str, Fraction]:
@@ -379,18 +420,18 @@ def nearest(printed: str, asked: Sequence[Fraction]) -> Fraction:
     return found.pop()
 
 
-def _of_rod(value: Any, rod: Fraction | None) -> Fraction | None:
+def _of_rod(value: object, rod: Fraction | None) -> Fraction | None:
     return None if value is None else as_share_or_length(value, "share", rod, "the rod's is not")
 
 
-def _in(value: Any, name: str, suction: Fraction | None) -> Fraction:
+def _in(value: object, name: str, suction: Fraction | None) -> Fraction:
     """Return a pressure in suction pressures."""
     if suction and isinstance(value, str) and any(map(str.isalpha, value)):
         return as_pressure(value, name) / suction
     return as_number(value, name)
 
 
-def _given(value: Any) -> Any:
+def _given(value: object) -> object:
     """Return the value of an option as Python gives it."""
     if isinstance(value, Figure):
         return Fraction(value)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import asin, degrees
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 from kurbel.drive.load import PistonForce, read_force
 from kurbel.errors import NotationError, ProblemError
 from kurbel.kernel import kinematics
-from kurbel.reading.given import Exact, as_fraction, as_length, as_number, as_ratios, as_share, as_speed
+from kurbel.reading.given import as_fraction, as_length, as_number, as_ratios, as_share, as_speed
 from kurbel.reading.notation import Progression, about, ratio_text
 
 if TYPE_CHECKING:
@@ -238,26 +238,27 @@ class Described(NamedTuple):
     """What was said of a crank drive, None where nothing was: its options as they were given, in the order
     in which one too many is refused; the force as it was read."""
 
-    ratio: Exact | Iterable[Exact] | None = None
-    stroke: Exact | None = None
-    rod: Exact | None = None
-    speed: Exact | None = None
+    ratio: object = None
+    stroke: object = None
+    rod: object = None
+    speed: object = None
     method: str | None = None
-    offset: Exact | None = None
-    rocker: Exact | None = None
-    pivot: str | tuple[Exact, Exact] | None = None
-    circuit: Exact | None = None
-    beam: Exact | None = None
-    rocker_inertia: Exact | None = None
+    offset: object = None
+    rocker: object = None
+    pivot: object = None
+    circuit: object = None
+    beam: object = None
+    rocker_inertia: object = None
     force: PistonForce | None = None
-    acceleration: Exact | None = None
+    acceleration: object = None
 
     @classmethod
-    def of(cls, given: Mapping[str, Any], **more: Any) -> Described:
-        """Return what is given by the names of options, and what stands beside it."""
-        known = {name: given[name] for name in cls._fields if name in given} | more
-        force = known.get("force")
-        return cls(**known | {"force": None if force is None else read_force(force)})
+    def of(cls, given: Mapping[str, object]) -> Described:
+        """Return what is given by the names of options. Raises KurbelError."""
+        known = {name: given[name] for name in cls._fields if name in given}
+        force, method = known.pop("force", None), known.pop("method", None)
+        read = None if force is None else read_force(force)
+        return cls(**known, method=method if isinstance(method, str) else None, force=read)
 
     def ratios(self, default: Sequence[str]) -> tuple[Fraction, ...]:
         """Return the crank ratios, or those of a layout."""
@@ -324,7 +325,7 @@ class Described(NamedTuple):
         return displacement / radius
 
 
-def radii(value: Exact, what: str, radius: Fraction | None) -> Fraction:
+def radii(value: object, what: str, radius: Fraction | None) -> Fraction:
     """Return a length of a drive in units of R, which is so many metres if it is known: 6, 6R, 900mm."""
     if not isinstance(value, str):
         return as_fraction(value)

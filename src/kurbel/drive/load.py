@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.exact.numerals import figure as figure
-from kurbel.reading.given import Exact, as_force, found_at
+from kurbel.reading.given import as_force, found_at
 from kurbel.reading.notation import about
 
 if TYPE_CHECKING:
@@ -70,7 +70,7 @@ class PistonForce:
             )
 
     @classmethod
-    def read(cls, given: Exact) -> PistonForce | None:
+    def read(cls, given: object) -> PistonForce | None:
         """Return the load that is written so, None if none of these is."""
         return cls(as_force(given))
 
@@ -90,7 +90,7 @@ class PistonForce:
         return f"$F = {amount(self.first, 'N')}$"
 
 
-def read_force(given: Exact) -> PistonForce:
+def read_force(given: object) -> PistonForce:
     """Return the load that --force describes: the one registered last that is written so."""
     found = (one.read(given) for one in reversed([*piston_forces()]))
     return next(one for one in found if one is not None)

@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 from math import isqrt
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import about, exact_text, nearest, number_text
-from kurbel.reading.given import Exact, as_fraction, as_length, as_ratios, as_share
+from kurbel.reading.given import as_fraction, as_length, as_ratios, as_share
 from kurbel.reading.notation import number
 from kurbel.reading.units import split
 
@@ -22,7 +22,7 @@ from kurbel.reading.units import split
 NEAR = Fraction(1, 10**30)
 
 
-def in_strokes(given: Mapping[str, Any]) -> dict[str, Any]:
+def in_strokes(given: Mapping[str, object]) -> dict[str, object]:
     """Return the options with the stroke 2R that another option makes in place of that: the crank radius, in
     its unit, or the true stroke, with the rod where the time ratio makes it.
 
@@ -45,7 +45,7 @@ def in_strokes(given: Mapping[str, Any]) -> dict[str, Any]:
     return {**left, "stroke": 2 * radius, **({} if rod is None else {"rod": rod})}
 
 
-def _agreed(stroke: Exact | None, crank: Exact) -> Exact:
+def _agreed(stroke: object, crank: object) -> Fraction | str:
     """Return the stroke that the crank radius makes, if no other one is given."""
     radius = as_length(crank, "crank radius")
     if radius <= 0:
@@ -58,14 +58,14 @@ def _agreed(stroke: Exact | None, crank: Exact) -> Exact:
     return _doubled(crank)
 
 
-def _doubled(length: Exact) -> Exact:
+def _doubled(length: object) -> Fraction | str:
     if not isinstance(length, str):
         return 2 * as_fraction(length)
     value, unit = split(length)
     return f"{exact_text(2 * value)}{unit}"
 
 
-def _shown(length: Exact) -> str:
+def _shown(length: object) -> str:
     return length.strip() if isinstance(length, str) else f"{about(as_fraction(length))} m"
 
 
@@ -80,7 +80,7 @@ class Offset(NamedTuple):
     share: Fraction = Fraction(0)
 
 
-def found(given: Mapping[str, Any]) -> tuple[Fraction, Fraction | None]:
+def found(given: Mapping[str, object]) -> tuple[Fraction, Fraction | None]:
     """Return R, and L if the time ratio makes it, in metres, of the options of a crank drive.
 
     Raises ProblemError for what no crank does, or what is not enough to find one.
@@ -91,7 +91,7 @@ def found(given: Mapping[str, Any]) -> tuple[Fraction, Fraction | None]:
     return radius, rod
 
 
-def _sizes(given: Mapping[str, Any]) -> tuple[Fraction, Fraction | None]:
+def _sizes(given: Mapping[str, object]) -> tuple[Fraction, Fraction | None]:
     stroke, offset = as_length(given["true_stroke"], "true stroke"), _offset(given.get("offset"))
     if given.get("mechanism") not in (None, "straight", "offset"):
         raise ProblemError("--true-stroke is for the straight and the offset crank; give --crank or --stroke")
@@ -208,7 +208,7 @@ def _tangent(degrees: Fraction) -> Fraction:
         return Fraction(str(middle.str(60, radius=False)))
 
 
-def _offset(given: Any) -> Offset:
+def _offset(given: object) -> Offset:
     if given is None:
         return Offset(None)
     from kurbel.reading import units

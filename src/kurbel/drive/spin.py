@@ -13,7 +13,6 @@ from kurbel.reading.given import as_angular_acceleration
 if TYPE_CHECKING:
     from kurbel.drive.crank import Crank
     from kurbel.exact.kind import Kind
-    from kurbel.reading.given import Exact
     from kurbel.reading.units import Speed
 
 # The angles within ±90° of a rational number of degrees that have a rational sine (Niven).
@@ -59,7 +58,7 @@ def turn_time(crank: Crank, numbers: Kind) -> Any:
     return time if speed.turns else time * numbers.pi
 
 
-def acceleration_of(given: Exact, speed: Speed | None) -> Fraction:
+def acceleration_of(given: object, speed: Speed | None) -> Fraction:
     """Return α in rad/s². Raises ProblemError without a speed."""
     if speed is None:
         raise ProblemError(

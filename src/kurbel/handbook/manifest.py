@@ -26,7 +26,7 @@ import os
 import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from importlib.util import find_spec
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from msgspec.structs import asdict
 
@@ -73,7 +73,7 @@ class Part(NamedTuple):
     file: str = ""
     caption: str = ""
     problems: str = ""
-    options: Mapping[str, Any] = {}
+    options: Mapping[str, object] = {}
 
     @property
     def shown(self) -> str:
@@ -170,7 +170,7 @@ class _Reader:
             self.torn.add(place[:-1])
         if not given.title.strip():
             self.lacking((), 'the handbook has no title; write title = "..." at the top', "title")
-        defaults: dict[str, Any] = {"lang": given.lang, "decimal": given.decimal, "layouts": given.layouts}
+        defaults: dict[str, object] = {"lang": given.lang, "decimal": given.decimal, "layouts": given.layouts}
         defaults = {name: value for name, value in defaults.items() if value is not None}
         defaults |= self.options(("defaults",), given.defaults)
         self.check_apart("layouts", given.layouts, given.output)
@@ -190,7 +190,7 @@ class _Reader:
         if own and (f"{output}/".startswith(f"{own}/") or f"{own}/".startswith(f"{output}/")):
             self.wrong((key,), f"{key} {own} and output {output} lie in one another; part them")
 
-    def chapters(self, given: Sequence[ChapterKeys], defaults: Mapping[str, Any]) -> Iterator[ChapterPlan]:
+    def chapters(self, given: Sequence[ChapterKeys], defaults: Mapping[str, object]) -> Iterator[ChapterPlan]:
         for number, one in enumerate(given):
             place: Place = ("chapter", number)
             name = one.name or slug(one.title)
@@ -200,9 +200,11 @@ class _Reader:
                 self.lacking(place, 'a chapter has no title; write title = "..."')
             own = {**defaults, "lang": one.lang or defaults["lang"]}
             own |= self.options((*place, "defaults"), one.defaults)
-            yield ChapterPlan(one.title, name, own["lang"], tuple(self.parts(place, one.part, own)))
+            yield ChapterPlan(one.title, name, str(own["lang"]), tuple(self.parts(place, one.part, own)))
 
-    def parts(self, chapter: Place, given: Sequence[PartKeys], defaults: Mapping[str, Any]) -> Iterator[Part]:
+    def parts(
+        self, chapter: Place, given: Sequence[PartKeys], defaults: Mapping[str, object]
+    ) -> Iterator[Part]:
         for number, one in enumerate(given):
             place: Place = (*chapter, "part", number)
             contents = [key for key in ("run", "text", "file", "problems") if getattr(one, key) is not None]
@@ -224,7 +226,7 @@ class _Reader:
                 yield Part(line, text=one.text or "", file=one.file or "", options=options)
 
     def problems(
-        self, place: Place, inside: str, given: PartKeys, options: Mapping[str, Any]
+        self, place: Place, inside: str, given: PartKeys, options: Mapping[str, object]
     ) -> Iterator[Part]:
         """Yield the texts of problems, and the pages that answer them."""
         line = self.line((*place, "problems"))
@@ -234,7 +236,7 @@ class _Reader:
             self.wrong((*place, "problems"), OutsideError(inside, HANDBOOK))
             return
         try:
-            problems = [*problems_of(path, options["lang"], given.variant or 1, mark)]
+            problems = [*problems_of(path, str(options["lang"]), given.variant or 1, mark)]
         except HandbookError as error:
             self.mistakes.append((line, str(error)))
             return
@@ -247,7 +249,7 @@ class _Reader:
                 self.check_name((*place, "problems"), name, self.part_names)
                 yield Part(line, name, one.words, problems=inside, options=options)
 
-    def table(self, place: Place, run: str, given: PartKeys, options: Mapping[str, Any]) -> Iterator[Part]:
+    def table(self, place: Place, run: str, given: PartKeys, options: Mapping[str, object]) -> Iterator[Part]:
         place_of_run = (*place, "run")
         try:
             words = tuple(shlex.split(run))
@@ -279,7 +281,7 @@ class _Reader:
         else:
             taken[name.lower()] = self.line(place)
 
-    def options(self, place: Place, given: Mapping[str, Any]) -> dict[str, Any]:
+    def options(self, place: Place, given: Mapping[str, object]) -> dict[str, object]:
         """Return defaults of options by their names, with underscores."""
         options = {}
         for key, value in given.items():

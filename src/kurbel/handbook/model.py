@@ -33,8 +33,7 @@ def default_options() -> tuple[str, ...]:
     To ask the commands themselves would take the time in which a handbook without changes is done.
     """
     with open(os.path.join(os.path.dirname(__file__), SCHEMA), encoding="utf-8") as file:
-        published: dict[str, Any] = json.load(file)
-    return tuple(published["properties"]["defaults"]["properties"])
+        return tuple(json.load(file)["properties"]["defaults"]["properties"])
 
 
 FORMATS_OF_A_HANDBOOK = sorted(
@@ -55,7 +54,7 @@ class Choices(tuple[str, ...]):
     """Texts that must be some of a few."""
 
     one: ClassVar[type[Choice]]
-    SCHEMA: ClassVar[Mapping[str, Any]]
+    SCHEMA: ClassVar[Mapping[str, object]]
 
     def __init_subclass__(cls, what: str, allowed: Iterable[str]) -> None:
         cls.one = type(what, (Choice,), {}, what=what, allowed=allowed)
@@ -88,7 +87,7 @@ class Matter(Choices, what="matter of a book", allowed=("notation", "symbols", "
 class Day(date):
     """A day, as 2026-11-22."""
 
-    SCHEMA: ClassVar[Mapping[str, Any]] = {"type": "string", "format": "date"}
+    SCHEMA: ClassVar[Mapping[str, object]] = {"type": "string", "format": "date"}
 
     @classmethod
     def read(cls, given: Any, name: str) -> Day:
@@ -104,7 +103,7 @@ class Day(date):
 class Heading(str):
     """A text in which formulas stand between dollar signs."""
 
-    SCHEMA: ClassVar[Mapping[str, Any]] = {"type": "string"}
+    SCHEMA: ClassVar[Mapping[str, object]] = {"type": "string"}
 
     @classmethod
     def read(cls, given: Any, name: str) -> Heading:
@@ -126,7 +125,7 @@ class Heading(str):
 class Inside(str):
     """A path to something in the manifest's folder."""
 
-    SCHEMA: ClassVar[Mapping[str, Any]] = {"type": "string"}
+    SCHEMA: ClassVar[Mapping[str, object]] = {"type": "string"}
 
     @classmethod
     def read(cls, given: Any, name: str) -> Inside:

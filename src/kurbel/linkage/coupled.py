@@ -7,7 +7,7 @@ its own share of F. Rötscher names the drive (coupled axles of locomotives, Abb
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -27,7 +27,7 @@ from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, filled, words
 from kurbel.page.subject import OVER_AXES
 from kurbel.page.table import Field
-from kurbel.reading.given import Exact, as_number, as_places
+from kurbel.reading.given import as_number, as_places
 from kurbel.reading.notation import about, plain
 
 MOST_AXLES = 12
@@ -99,7 +99,7 @@ class Axles:
         return self.beyond(axle) if key in COUPLING else self.shares[axle]
 
 
-def axles_of(given: Exact | Iterable[Exact] | None, driven: Exact | None) -> Axles:
+def axles_of(given: object, driven: object) -> Axles:
     """Return what options say of the axles, by default two alike of which the first is driven."""
     weights = (Fraction(2),) if given is None else as_places(given, "weight on an axle")
     first = Fraction(1) if driven is None else as_number(driven, "driven axle")

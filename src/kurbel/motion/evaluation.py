@@ -32,7 +32,7 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "force": ("--force",),
     "torque": ("--force", "--stroke"),
     "masses": ("--reciprocating", "--stroke", "--speed"),
-    "weight": ("--vertical", "--reciprocating", "--stroke", "--speed"),
+    "weight": ("--slope", "--reciprocating", "--stroke", "--speed"),
     "friction": ("--friction",),
     "pins": ("--pin-friction", "--crank-pin", "--stroke"),
     "rod": ("--centre", "--gyration"),

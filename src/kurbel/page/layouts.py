@@ -92,7 +92,7 @@ Folder: TypeAlias = str | os.PathLike[str]
 KIND = TomlKind("layout", LayoutError, 200_000, "a layout has axes and columns", "pages/mine/layout.toml")
 
 
-def _of_languages(entry: Mapping[str, Any]) -> Mapping[str, Any]:
+def _of_languages(entry: Mapping[str, object]) -> Mapping[str, object]:
     """Return the JSON Schema of a table that has such an entry in each language."""
     return {
         "type": "object",
@@ -106,7 +106,9 @@ class Words(dict[str, Label]):
     """A text in each language, in a file { de = "...", en = "..." }, or one for both."""
 
     MUST = 'a text, or { de = "...", en = "..." }'
-    SCHEMA: ClassVar[Mapping[str, Any]] = {"anyOf": [{"type": "string"}, _of_languages({"type": "string"})]}
+    SCHEMA: ClassVar[Mapping[str, object]] = {
+        "anyOf": [{"type": "string"}, _of_languages({"type": "string"})]
+    }
 
     @classmethod
     def read(cls, given: Any, _: str) -> Words:
@@ -137,7 +139,7 @@ class Head(Words):
 class Notes(tuple[Words, ...]):
     """Lines below the table, in a file { de = ["..."], en = ["..."] }."""
 
-    SCHEMA: ClassVar[Mapping[str, Any]] = _of_languages({"type": "array", "items": {"type": "string"}})
+    SCHEMA: ClassVar[Mapping[str, object]] = _of_languages({"type": "array", "items": {"type": "string"}})
 
     @classmethod
     def read(cls, given: Any, name: str) -> Notes:

@@ -129,7 +129,7 @@ class Request(NamedTuple):
     """What a page was made of: its command and the options that count, as they were given."""
 
     command: str
-    options: Mapping[str, Any]
+    options: Mapping[str, object]
 
 
 class Records(NamedTuple):
@@ -344,7 +344,7 @@ class Worded:
         )
 
 
-def own_words(values: Mapping[str, Any]) -> Mapping[str, Any]:
+def own_words(values: Mapping[str, object]) -> Mapping[str, object]:
     """Return the options `caption`, `note` and `source` as a page takes them. Raises ProblemError."""
     caption, source, notes = values["caption"], values["source"], values["note"]
     if caption is not None and not _said(caption, "caption"):

@@ -6,8 +6,9 @@ import json
 import os
 import shlex
 import sys
+from collections.abc import Mapping
 from importlib.util import find_spec
-from typing import Any
+from typing import TypedDict
 
 from kurbel.errors import MissingExtraError, NotationError
 
@@ -72,7 +73,15 @@ def _wanted(extra: str) -> list[str]:
     ]
 
 
-def _from_source(noted: dict[str, Any], extra: str) -> list[str]:
+class Noted(TypedDict, total=False):
+    """What pip notes of a library that came from a checkout or from a repository."""
+
+    url: str
+    vcs_info: Mapping[str, str]
+    dir_info: Mapping[str, bool]
+
+
+def _from_source(noted: Noted, extra: str) -> list[str]:
     url = noted["url"]
     if "vcs_info" in noted:
         vcs = noted["vcs_info"]

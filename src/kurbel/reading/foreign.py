@@ -99,6 +99,8 @@ OPTIONS = (
     Ours("revolving", "200kg", _with("kg"), "rotating revolving_mass"),
     Ours("swing", "5kJ", _with("kJ"), "energy fluctuation_of_energy excess_energy"),
     Ours("mechanism", "arc", _always("arc"), "four_bar fourbar four_bar_linkage"),
+    Ours("slope", "90°", _always("90°"), "vertical upright"),
+    Ours("specific-volume", "0.24m3/kg", _with("kg/m3"), "steam_density"),
     Ours("quantity", "x", _same, "quantities column"),
     Ours("columns", "phi,x,c,p", _same, "cols column fields quantity quantities show"),
     Ours("where", "p=0", _same, "condition when find solve"),

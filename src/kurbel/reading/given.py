@@ -14,7 +14,7 @@ from decimal import Decimal
 from fractions import Fraction
 from importlib import import_module
 from itertools import chain
-from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeAlias, cast
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeAlias, TypeVar, cast
 
 from kurbel.errors import ChoiceError, NotationError, OutsideError
 from kurbel.reading import notation
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 # A float is read by its shortest decimal, so that 0.2 is 1/5; text as on the command line.
 Exact: TypeAlias = str | int | float | Fraction | Decimal
 P = ParamSpec("P")
+Made = TypeVar("Made")
 # Whose folder it is in which files have to lie.
 HANDBOOK, DOCUMENT = "handbook", "document"
 _EITHER_WAY = r"\s*(?:±|\+/?[-−])\s*(?=[\d.,])"
@@ -37,7 +38,7 @@ _EITHER_WAY = r"\s*(?:±|\+/?[-−])\s*(?=[\d.,])"
 class Given:
     """A frozen dataclass that is pickled and copied as what was given; what it found since is found again."""
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         return {field.name: getattr(self, field.name) for field in fields(cast("Any", self))}
 
 
@@ -108,12 +109,17 @@ def found_at(place: str) -> Any:
     return getattr(import_module(module), name)
 
 
+def of_given(make: Callable[..., Made], *args: object, **given: object) -> Made:
+    """Return what is made of what is given; what is None the maker has by itself."""
+    return make(*args, **{name: value for name, value in given.items() if value is not None})
+
+
 def choose(name: str, allowed: Iterable[str], what: str) -> str:
     """Return the name if it is allowed, else raise ChoiceError with the nearest name and the list."""
     return _chosen(name, [*allowed], what)
 
 
-def meant(name: str, allowed: Iterable[str], what: str) -> str:
+def meant(name: object, allowed: Iterable[str], what: str) -> str:
     """Return the name that is meant, which may be written with capitals or by another word for it."""
     names = [*allowed]
     if isinstance(name, str) and name not in names:
@@ -121,7 +127,7 @@ def meant(name: str, allowed: Iterable[str], what: str) -> str:
     return _chosen(name, names, what, words=True)
 
 
-def _chosen(name: str, names: Sequence[str], what: str, words: bool = False) -> str:
+def _chosen(name: object, names: Sequence[str], what: str, words: bool = False) -> str:
     if not isinstance(name, str):
         raise ChoiceError(f"{what} is {name!r}; choose from {', '.join(names)}")
     if name in names:
@@ -131,9 +137,9 @@ def _chosen(name: str, names: Sequence[str], what: str, words: bool = False) -> 
 
 
 def read_values(
-    given: Exact | Iterable[Exact],
+    given: object,
     texts: Callable[[Iterable[str]], Sequence[Fraction]],
-    one: Callable[[Exact], Fraction],
+    one: Callable[[object], Fraction],
 ) -> Sequence[Fraction]:
     """Read one value or many; text may hold lists and ranges, as on the command line."""
     values = [given] if isinstance(given, str) or not isinstance(given, Iterable) else list(given)
@@ -141,7 +147,7 @@ def read_values(
     return texts(as_text) if len(as_text) == len(values) else tuple(dict.fromkeys(map(one, values)))
 
 
-def as_ratios(given: Exact | Iterable[Exact]) -> tuple[Fraction, ...]:
+def as_ratios(given: object) -> tuple[Fraction, ...]:
     return tuple(read_values(given, notation.ratios, as_ratio))
 
 
@@ -156,20 +162,20 @@ def as_ratio_array(given: Any) -> NDArray[np.object_]:
     return np.array(np.frompyfunc(as_ratio, 1, 1)(values), dtype=object)
 
 
-def as_angles(given: Exact | Iterable[Exact]) -> Sequence[Fraction]:
+def as_angles(given: object) -> Sequence[Fraction]:
     return read_values(given, notation.angles, as_angle)
 
 
-def as_numbers(given: Exact | Iterable[Exact], what: str) -> tuple[Fraction, ...]:
+def as_numbers(given: object, what: str) -> tuple[Fraction, ...]:
     return tuple(read_values(given, lambda texts: notation.numbers(texts, what), as_fraction))
 
 
-def as_shares(given: Exact | Iterable[Exact], what: str = "share") -> tuple[Fraction, ...]:
+def as_shares(given: object, what: str = "share") -> tuple[Fraction, ...]:
     """Read shares, each once."""
     return tuple(read_values(given, lambda texts: notation.shares(texts, what), as_fraction))
 
 
-def as_expansions(given: Exact | Iterable[Exact]) -> tuple[Fraction, ...]:
+def as_expansions(given: object) -> tuple[Fraction, ...]:
     """Read expansion ratios; the share of the stroke before the cut-off is answered with the ratio it is."""
     try:
         return as_numbers(given, "expansion ratio")
@@ -178,21 +184,21 @@ def as_expansions(given: Exact | Iterable[Exact]) -> tuple[Fraction, ...]:
         raise
 
 
-def as_crank_angles(given: Exact | Iterable[Exact]) -> Sequence[Fraction]:
+def as_crank_angles(given: object) -> Sequence[Fraction]:
     """Read the angles of cranks, several of which may be equal."""
     return notation.angles([given], repeated=True) if isinstance(given, str) else _each(given, as_angle)
 
 
-def as_places(given: Exact | Iterable[Exact], what: str) -> Sequence[Fraction]:
+def as_places(given: object, what: str) -> Sequence[Fraction]:
     """Read numbers, several of which may be equal."""
     return notation.each_number([given], what) if isinstance(given, str) else _each(given, as_fraction)
 
 
-def _each(given: Exact | Iterable[Exact], one: Callable[[Exact], Fraction]) -> tuple[Fraction, ...]:
+def _each(given: object, one: Callable[[object], Fraction]) -> tuple[Fraction, ...]:
     return tuple(map(one, given if isinstance(given, Iterable) else [given]))
 
 
-def as_irregularities(given: Exact | Iterable[Exact]) -> Sequence[Fraction]:
+def as_irregularities(given: object) -> Sequence[Fraction]:
     """Read degrees of irregularity: "1:100", "0.01;1/150", "1%"; "±1%" of the mean is one of 2%."""
     return read_values(given, _irregularities, as_ratio)
 
@@ -217,7 +223,7 @@ def _irregularity(text: str) -> Fraction:
         ) from None
 
 
-def as_names(given: str | Iterable[str] | None, example: str = "phi,x,c,p") -> tuple[str, ...]:
+def as_names(given: object, example: str = "phi,x,c,p") -> tuple[str, ...]:
     """Read the names of columns, each once."""
     if given is None:
         return ()
@@ -234,14 +240,14 @@ def as_names(given: str | Iterable[str] | None, example: str = "phi,x,c,p") -> t
     return tuple(dict.fromkeys(chain.from_iterable(parts.values())))
 
 
-def as_fraction(value: Exact) -> Fraction:
+def as_fraction(value: object) -> Fraction:
     return Fraction(value) if isinstance(value, (int, Fraction)) else notation.number(str(value))
 
 
-def _exactly(read: Callable[Concatenate[str, P], Fraction]) -> Callable[Concatenate[Exact, P], Fraction]:
+def _exactly(read: Callable[Concatenate[str, P], Fraction]) -> Callable[Concatenate[object, P], Fraction]:
     """Return the reader of a value of either kind that reads text so."""
 
-    def either(value: Exact, /, *what: P.args, **more: P.kwargs) -> Fraction:
+    def either(value: object, /, *what: P.args, **more: P.kwargs) -> Fraction:
         return read(value, *what, **more) if isinstance(value, str) else as_fraction(value)
 
     return either
@@ -285,7 +291,7 @@ as_area = _measured("area")
 as_energy_an_area = _measured("energy_an_area")
 
 
-def as_share_or_pressure(value: Exact, what: str, whole: Exact | None) -> Fraction:
+def as_share_or_pressure(value: object, what: str, whole: object) -> Fraction:
     """Return a share, or what a pressure is of the whole one, which is written likewise."""
     from kurbel.reading import units
 
@@ -304,7 +310,7 @@ def as_share_or_pressure(value: Exact, what: str, whole: Exact | None) -> Fracti
     return measured / steam if steam else measured
 
 
-def as_gravity(value: Exact) -> Fraction:
+def as_gravity(value: object) -> Fraction:
     """Return an acceleration in m/s², which of text needs no unit."""
     if isinstance(value, str):
         from kurbel.reading import units
@@ -314,14 +320,14 @@ def as_gravity(value: Exact) -> Fraction:
     return as_number(value, "gravity")
 
 
-def as_speed(value: Exact) -> Speed:
+def as_speed(value: object) -> Speed:
     """Return a speed of rotation; a bare number counts turns a second."""
     from kurbel.reading import units
 
     return units.speed(value) if isinstance(value, str) else units.Speed(as_fraction(value))
 
 
-def as_share_or_length(value: Exact, what: str, whole: Fraction | None, unknown: str) -> Fraction:
+def as_share_or_length(value: object, what: str, whole: Fraction | None, unknown: str) -> Fraction:
     """Return a share, or what a length is of the whole in metres; `unknown` says how to make that known."""
     from kurbel.reading import units
 

@@ -276,7 +276,7 @@ def as_keywords(sentence: str, names: Mapping[str, Collection[str]]) -> str:
 
 
 def bound(
-    name: str, signature: inspect.Signature, args: Sequence[Any], kwargs: Mapping[str, Any]
+    name: str, signature: inspect.Signature, args: Sequence[Any], kwargs: Mapping[str, object]
 ) -> inspect.BoundArguments:
     """Return the values by the names of a function's parameters. Raises KeywordError."""
     try:
@@ -294,11 +294,18 @@ def unknown(function: str, keyword: str, known: Collection[str], listed: str = "
             f" kurbel.typeset(page, {value}), or page.save"
         )
     near = did_you_mean(keyword, known, words=True)
+    if not near:
+        from kurbel.reading.foreign import ours
+
+        option, written = ours(keyword, "", [one.replace("_", "-") for one in known])
+        near = f'; write {option.replace("-", "_")}="{written}"' if option else ""
     listed = listed or f"help(kurbel.{function}) lists its keywords"
     return KeywordError(f'kurbel.{function} has no keyword "{keyword[:60]}"{near}; {listed}')
 
 
-def _sentence(name: str, signature: inspect.Signature, args: Sequence[Any], kwargs: Mapping[str, Any]) -> str:
+def _sentence(
+    name: str, signature: inspect.Signature, args: Sequence[Any], kwargs: Mapping[str, object]
+) -> str:
     parameters = signature.parameters
     wrong = next((one for one in kwargs if one not in parameters), None)
     if wrong is not None:

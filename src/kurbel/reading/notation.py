@@ -16,7 +16,7 @@ from kurbel.exact.numerals import plain as plain
 from kurbel.exact.numerals import ratio_text as ratio_text
 
 if TYPE_CHECKING:
-    from kurbel.reading.given import Exact
+    pass
 
 LONGEST_NUMBER = 60
 # A range is three numbers; a longer text would keep the patterns of ranges busy for minutes.
@@ -348,7 +348,7 @@ def shares(texts: Iterable[str], what: str = "share") -> tuple[Fraction, ...]:
     return tuple(dict.fromkeys(each_number(decimals, what, partial(share, what=what))))
 
 
-def refuse_cut_off(given: Exact | Iterable[Exact]) -> None:
+def refuse_cut_off(given: object) -> None:
     """Raise ProblemError for an expansion ratio that is the share of the stroke before the cut-off."""
     values = [given] if isinstance(given, str) or not isinstance(given, Iterable) else given
     for text in (part for value in values for part in str(value).split(";")):

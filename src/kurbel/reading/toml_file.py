@@ -54,7 +54,7 @@ class Choice(str):
 
     what: ClassVar[str]
     allowed: ClassVar[Sequence[str]]
-    SCHEMA: ClassVar[Mapping[str, Any]]
+    SCHEMA: ClassVar[Mapping[str, object]]
 
     def __init_subclass__(cls, what: str, allowed: Iterable[str]) -> None:
         cls.what, cls.allowed = what, [*allowed]
@@ -108,7 +108,7 @@ class TomlFile:
         return read_rest(self, model)
 
 
-def _parsed(path: str | os.PathLike[str], kind: TomlKind, text: str) -> dict[str, Any]:
+def _parsed(path: str | os.PathLike[str], kind: TomlKind, text: str) -> dict[str, object]:
     """Return what the text of the file says."""
     import tomllib
 

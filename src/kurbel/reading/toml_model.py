@@ -96,7 +96,7 @@ def _faults_in(given: Any, shape: inspect.Type, place: Place) -> Iterator[tuple[
                 yield place, f"{_name(place)} is {shown(given)}; {wanted}"
 
 
-def _of_keys(given: Mapping[str, Any], shape: KEYED, place: Place) -> Iterator[tuple[Place, str]]:
+def _of_keys(given: Mapping[str, object], shape: KEYED, place: Place) -> Iterator[tuple[Place, str]]:
     fields = {field.encode_name: field for field in shape.fields}
     for key, value in given.items():
         if gone := getattr(shape.cls, "GONE", {}).get(key):

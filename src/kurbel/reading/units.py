@@ -15,7 +15,7 @@ from typing import Any
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import exact_text
 from kurbel.reading.amounts import FOOT, INCH, POUND, POUND_FORCE, plain_unit
-from kurbel.reading.given import Exact, as_angle, as_crank_angles, as_fraction
+from kurbel.reading.given import as_angle, as_crank_angles, as_fraction
 from kurbel.reading.notation import about, number, quoted
 
 
@@ -123,7 +123,7 @@ class Measure:
             value = Fraction(_quantity(text, what, self.example, self.dimension).to(self.unit).magnitude)
         return _checked(value, text, what, self.unit, self.most) if self.most else value
 
-    def each(self, given: Exact | Iterable[Exact], what: str) -> tuple[Fraction, ...]:
+    def each(self, given: object, what: str) -> tuple[Fraction, ...]:
         """Return the values of a list, as a book has them: 200kg;300kg, or 0;400;800mm.
 
         Where the last value that is given is the only one with a unit, it is that of all. Raises
@@ -135,7 +135,7 @@ class Measure:
             raise NotationError(f"{what} has a ?, but it is not found from the others; give it")
         return known
 
-    def each_or_unknown(self, given: Exact | Iterable[Exact], what: str) -> tuple[Fraction | None, ...]:
+    def each_or_unknown(self, given: object, what: str) -> tuple[Fraction | None, ...]:
         """Return the same, None where a ? stands."""
         parts = _entries(given, what)
         if isinstance(given, str):
@@ -164,8 +164,7 @@ signed_torque = Measure("a torque such as 12kNm", "[force]*[length]", "N*m")
 energy = Measure("an energy such as 5kJ", "[energy]", "J")
 # "1.8s"
 duration = Measure("a time such as 1.8s", "[time]", "s", _LARGEST, "time")
-# "0.24 m³/kg", "4.2 kg/m³"
-specific_volume = Measure("a specific volume such as 0.24 m³/kg", "[length]**3/[mass]", "m**3/kg", _LARGEST)
+volume = Measure("a specific volume such as 0.24 m³/kg", "[length]**3/[mass]", "m**3/kg", _LARGEST)
 density = Measure("a density such as 4.2 kg/m³", "[mass]/[length]**3", "kg/m**3", _LARGEST)
 # "1.013bar"; below 0 where it counts from the atmosphere
 pressure = Measure("a pressure such as 1bar", "[pressure]", "Pa")
@@ -175,6 +174,13 @@ stress = Measure("a stress such as 6MPa", "[pressure]", "Pa", 10**12)
 energy_an_area = Measure("an energy of an area such as 7J/mm²", "[force]/[length]", "J/m**2", 10**12)
 # "800cm²"
 area = Measure("an area such as 800cm²", "[length]**2", "m**2", _LARGEST)
+
+
+def specific_volume(text: str, what: str) -> Fraction:
+    """Return a specific volume in m³/kg, of a density its reciprocal: "0.24 m³/kg", "4.2 kg/m³"."""
+    unit = _parts(text)[2]
+    dense = unit and not _has_dimension(unit, volume.dimension) and _has_dimension(unit, density.dimension)
+    return 1 / density(text, what) if dense else volume(text, what)
 
 
 def speed(text: str) -> Speed:
@@ -331,14 +337,14 @@ def registry() -> Any:
     return pint.UnitRegistry(non_int_type=Fraction)
 
 
-def as_angles_or_unknown(given: Exact | Iterable[Exact]) -> tuple[Fraction | None, ...]:
+def as_angles_or_unknown(given: object) -> tuple[Fraction | None, ...]:
     """Return angles in degrees, several of which may be equal, None where a ? stands."""
     if isinstance(given, str) and UNKNOWN not in given:
         return tuple(as_crank_angles(given))
     return tuple(_entry(part, as_angle) for part in _entries(given, "angle"))
 
 
-def _entries(given: Exact | Iterable[Exact], what: str) -> list[Any]:
+def _entries(given: object, what: str) -> list[Any]:
     if not isinstance(given, str):
         return [*given] if isinstance(given, Iterable) else [given]
     if len(given) > LONGEST_LIST:
@@ -365,7 +371,7 @@ def _with_unit(parts: list[str], zero: str) -> list[str]:
     return [f"0{zero}" if part == "0" else part for part in named]
 
 
-def _entry(part: Any, read: Callable[[str], Fraction]) -> Fraction | None:
+def _entry(part: object, read: Callable[[str], Fraction]) -> Fraction | None:
     if not isinstance(part, str):
         return as_fraction(part)
     return None if part.strip() == UNKNOWN else read(part)

@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import kurbel
@@ -42,7 +43,7 @@ class About:
         found = [*questions(sweep.plan, 0, 8)] or [next(questions(sweep.plan, 0))]
         return cls(sweep, (*found[:1], *found[1:][-1:]))
 
-    def file(self) -> dict[str, Any]:
+    def file(self) -> dict[str, object]:
         """Return what is said of the whole file."""
         said = {
             "title": self.title,
@@ -64,7 +65,7 @@ class About:
         axes = [one.key for one in self.sweep.columns if one.role == "axis"]
         return f"{'; '.join(names)} over {', '.join(axes)}"
 
-    def inputs(self) -> dict[str, Any]:
+    def inputs(self) -> dict[str, object]:
         """Return the exact inputs as they can be typed again."""
         plan = self.sweep.plan
         unsaid = plan.asking.defaults
@@ -127,7 +128,7 @@ def _note(column: Column) -> str:
     return DECIMALS.format(column.decimals) if column.kind == "decimal" else ""
 
 
-def _text(value: Any) -> Any:
+def _text(value: object) -> object:
     """Return a value, or several, as text that can be typed."""
     if isinstance(value, Written):
         return f"{_range(value.numbers)}{value.unit}"
@@ -139,7 +140,7 @@ def _text(value: Any) -> Any:
         return " ".join(f"{key}={text_of(one)}" for key, one in value.items())
     if isinstance(value, Sequence):
         return [_text(one) for one in value]
-    return exact_text(value) if hasattr(value, "numerator") else str(value)
+    return exact_text(value) if isinstance(value, Fraction) else str(value)
 
 
 def _range(values: Progression) -> str:
@@ -164,16 +165,16 @@ def cf_of_file(about: About) -> dict[str, str]:
     said = about.file()
     return {
         "Conventions": "CF-1.11",
-        "title": said["title"],
-        "source": f"kurbel {said['kurbel']}",
+        "title": about.title,
+        "source": f"kurbel {kurbel.__version__}",
         "kurbel": json.dumps(said, ensure_ascii=False),
     }
 
 
-def cf_of(about: About, column: Column) -> dict[str, Any]:
+def cf_of(about: About, column: Column) -> dict[str, str]:
     """Return the attributes of an array. `units` are those of udunits, "1" where the unit is one of the drive
     itself, such as R; `unit` is that as pages print it."""
-    said: dict[str, Any] = {**about.column(column)}
+    said = about.column(column)
     said.pop("role")
     if "name" in said:
         said["long_name"] = said.pop("name")

@@ -25,7 +25,7 @@ from kurbel.reading.given import as_angle, meant
 from kurbel.reading.notation import Progression
 from kurbel.sweeps.condition import Condition, named_axes
 from kurbel.sweeps.coordinates import is_readable
-from kurbel.sweeps.plan import MOST_ROWS, Axis, Plan, Setting
+from kurbel.sweeps.plan import MOST_ROWS, Axis, Plan
 from kurbel.sweeps.records import questions
 
 KINDS = ("random", "sobol", "halton", "lhs")
@@ -100,7 +100,7 @@ class _List(NamedTuple):
         return self.values[int(share * len(self.values))]
 
 
-def is_varied(option: Option[Any], given: Any) -> bool:
+def is_varied(option: Option[object], given: Any) -> bool:
     """Whether an option has several values, or a range without a step."""
     texts = given if isinstance(given, list | tuple) else [given]
     if option.whole:
@@ -108,7 +108,7 @@ def is_varied(option: Option[Any], given: Any) -> bool:
     return len(texts) > 1 or (isinstance(texts[0], str) and (";" in texts[0] or ".." in texts[0]))
 
 
-def _space(option: Option[Any], given: Any) -> _Range | _List:
+def _space(option: Option[object], given: Any) -> _Range | _List:
     texts = given if isinstance(given, list | tuple) else [given]
     one = texts[0]
     if len(texts) > 1 or not isinstance(one, str) or ";" in one or option.whole:
@@ -141,7 +141,7 @@ def _space(option: Option[Any], given: Any) -> _Range | _List:
 RUN = ("from", "to", "step")
 
 
-def left_of(command: Command, options: Values) -> dict[str, Setting]:
+def left_of(command: Command, options: Values) -> dict[str, object]:
     """Return what options are given that say something, in their order, but for what others outdo."""
     given = {
         name: value
@@ -160,7 +160,7 @@ def left_of(command: Command, options: Values) -> dict[str, Setting]:
     return {name: value for name, value in given.items() if name in SPELLED or trial.says(name)}
 
 
-def values_of(option: Option[Any], given: Any) -> Sequence[Any]:
+def values_of(option: Option[object], given: Any) -> Sequence[Any]:
     """Return the values that an option was given, each as the command takes it. Raises NotationError."""
     if isinstance(given, bool) or not is_given(given):
         return (given,)
@@ -225,7 +225,7 @@ def planned(
     return plan
 
 
-def _designed(plan: Plan, given: Mapping[str, Setting], design: Design) -> Plan:
+def _designed(plan: Plan, given: Mapping[str, object], design: Design) -> Plan:
     """Return the plan with the points of a design on those options that vary, but for the run of angles."""
     options = [plan.asking.options[name] for name in given]
     varied = [one for one in options if is_varied(one, given[one.name])]

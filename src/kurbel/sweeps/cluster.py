@@ -278,7 +278,7 @@ def checked(client: Client, scheduler: str, libraries: tuple[str, ...]) -> dict[
     return own
 
 
-def _packages(versions: Mapping[str, Any], libraries: tuple[str, ...]) -> dict[str, str]:
+def _packages(versions: Mapping[str, Mapping[str, str]], libraries: tuple[str, ...]) -> dict[str, str]:
     packages = versions["packages"]
     python = ".".join(packages["python"].split(".")[:2])
     return {"python": python} | {name: packages.get(name) or NONE for name in (*RUNNERS, *libraries)}

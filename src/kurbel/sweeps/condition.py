@@ -92,7 +92,9 @@ class Condition:
         found = [one for one in ast.walk(self.tree) if isinstance(one, ast.Name)]
         return list(dict.fromkeys(one.id for one in sorted(found, key=lambda one: one.col_offset)))
 
-    def holds(self, floats: Mapping[str, Any], exact: Callable[[int], Mapping[str, Any]], count: int) -> Mask:
+    def holds(
+        self, floats: Mapping[str, NDArray[Any]], exact: Callable[[int], Mapping[str, object]], count: int
+    ) -> Mask:
         """Return where it holds, by the values of the names at so many places: floats or texts in arrays,
         and exact ones at a place, for where floats do not tell. A division by zero holds nowhere, nor does
         a root of what is below zero."""
@@ -122,7 +124,7 @@ class _Float(NamedTuple):
     size: Any
 
 
-def _floats(node: ast.expr, values: Mapping[str, Any], doubtful: Mask) -> _Float:
+def _floats(node: ast.expr, values: Mapping[str, NDArray[Any]], doubtful: Mask) -> _Float:
     """Return the value in floats, and mark the places at which a comparison is too near."""
     match node:
         case ast.BoolOp(op=op, values=parts):
@@ -230,7 +232,7 @@ def _signed(op: ast.unaryop, value: Any) -> Any:
     return -value if isinstance(op, ast.USub) else value
 
 
-def _exact(node: ast.expr, values: Mapping[str, Any]) -> Any:
+def _exact(node: ast.expr, values: Mapping[str, object]) -> Any:
     """Return the value in exact numbers."""
     match node:
         case ast.BoolOp(op=ast.And(), values=parts):
@@ -331,7 +333,7 @@ def _holds(
     values = {name: values_at(plan, axis, places[name]) for name, (_, axis) in axes.items()}
     floats = {name: np.array(one, object) if isinstance(one, list) else one for name, one in values.items()}
 
-    def exact(row: int) -> Mapping[str, Any]:
+    def exact(row: int) -> Mapping[str, object]:
         return {name: exact_at(plan, axis, int(places[name][row])) for name, (_, axis) in axes.items()}
 
     return condition.holds(floats, exact, len(block))

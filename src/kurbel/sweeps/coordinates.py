@@ -35,7 +35,7 @@ LARGEST = 10**300
 
 
 def measured(
-    parameter: Option[Any], values: Sequence[Any], unit: str = ""
+    parameter: Option[object], values: Sequence[Any], unit: str = ""
 ) -> tuple[Sequence[Any], Any, str] | None:
     """Return exact numbers, what they are to be multiplied by and their unit, nothing for what are no
     numbers.
@@ -67,7 +67,7 @@ def into(si: str, unit: str) -> Fraction | None:
     return next((1 / known[plain] for known in dimensions if plain in known), None)
 
 
-def _in_si(parameter: Option[Any], values: Sequence[Any]) -> tuple[Sequence[Any], Any, str] | None:
+def _in_si(parameter: Option[object], values: Sequence[Any]) -> tuple[Sequence[Any], Any, str] | None:
     if parameter.kind is not TEXT:
         return None
     if isinstance(values, Progression):
@@ -84,7 +84,7 @@ def _in_si(parameter: Option[Any], values: Sequence[Any]) -> tuple[Sequence[Any]
     return [one[0] for one in found if one is not None], 1, known.pop()
 
 
-def _value(parameter: Option[Any], given: Any) -> tuple[Any, str] | None:
+def _value(parameter: Option[object], given: Any) -> tuple[Any, str] | None:
     if isinstance(given, bool):
         return None
     if not isinstance(given, str):
@@ -105,12 +105,12 @@ def _value(parameter: Option[Any], given: Any) -> tuple[Any, str] | None:
         return None
 
 
-def _own(parameter: Option[Any]) -> str:
+def _own(parameter: Option[object]) -> str:
     """Return the unit of a bare number."""
     return {"degrees": "°", "turns a second": TURNS}.get(parameter.unit, parameter.unit)
 
 
-def _factor(unit: str, parameter: Option[Any]) -> tuple[Any, str]:
+def _factor(unit: str, parameter: Option[object]) -> tuple[Any, str]:
     """Return what the unit is in that of the SI, and this one; 0 for one that is not known."""
     if not unit:
         return 1, _own(parameter)
@@ -131,7 +131,7 @@ def _factor(unit: str, parameter: Option[Any]) -> tuple[Any, str]:
     return 0, ""
 
 
-def is_readable(parameter: Option[Any], text: str) -> bool:
+def is_readable(parameter: Option[object], text: str) -> bool:
     """Whether a text that is to be a number may be one: it begins with figures."""
     return parted(text)[0] != text or _value(parameter, text) is not None
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from decimal import Context, Decimal
@@ -122,7 +123,7 @@ def sweep(
                 "jobs, scheduler, resume and restart are for an output; Dask says what computes a dataset"
             )
     asking = _command(command)
-    own = ("digits", "bounds", "zip", "only", "sample", "seed", "strict", "output", "resume", "restart")
+    own = inspect.signature(sweep).parameters
     with spelling_keywords(lambda: {**asking.command.keywords(), **dict.fromkeys(own, ())}):
         plan = planned(
             f"{asking.__module__}:{asking.__name__}",
@@ -135,11 +136,11 @@ def sweep(
             sample=sample,
             seed=seed,
         )
-    if output is not None:
-        need("a file of columns", "scale", "pyarrow")
-        from kurbel.sweeps.run import Running, run
+        if output is not None:
+            need("a file of columns", "scale", "pyarrow")
+            from kurbel.sweeps.run import Running, run
 
-        return run(Sweep(plan), str(output), Running(scheduler, jobs, resume, restart))
+            return run(Sweep(plan), str(output), Running(scheduler, jobs, resume, restart))
     return dataset_of(Sweep(plan))
 
 
@@ -157,7 +158,7 @@ def _command(command: Callable[..., Any] | str) -> Any:
     return command
 
 
-def _values_of(command: Command, machine: Any, options: Mapping[str, Any]) -> Values:
+def _values_of(command: Command, machine: Any, options: Mapping[str, object]) -> Values:
     """Return the options by their names on the command line, several values of one as a list, and behind them
     what a machine's file says."""
     known = {**command.options, **command.parameters}
@@ -172,7 +173,7 @@ def _values_of(command: Command, machine: Any, options: Mapping[str, Any]) -> Va
     return Values(typed | {name: value for name, value in found.items() if name not in typed}, origins)
 
 
-def _listed(option: Option[Any], value: Any) -> Any:
+def _listed(option: Option[object], value: Any) -> Any:
     if (dimensions := getattr(value, "ndim", 0)) > 1:
         raise NotationError(f"{option.name} is an array of {dimensions} dimensions; give a list of values")
     if hasattr(value, "tolist"):
@@ -225,7 +226,7 @@ def _at_once(sweep: Sweep) -> int:
     return FEW if sweep.rows_at_once == IN_BALLS else sweep.rows_at_once
 
 
-def _coordinates(grid: Grid) -> dict[str, Any]:
+def _coordinates(grid: Grid) -> dict[str, object]:
     along = {
         array.key: (array.dims, values(0, array.sizes[0]), array.attributes)
         for array, values in grid.coordinates()
@@ -233,7 +234,7 @@ def _coordinates(grid: Grid) -> dict[str, Any]:
     return along | {array.key: (array.dims, values, array.attributes) for array, values in grid.records()}
 
 
-def _all(sweep: Sweep, columns: list[Column]) -> dict[str, Any]:
+def _all(sweep: Sweep, columns: list[Column]) -> dict[str, object]:
     """Return all values, by their keys."""
     part = sweep.computed(0, len(sweep))
     rows = _structured(part, columns)
@@ -242,7 +243,7 @@ def _all(sweep: Sweep, columns: list[Column]) -> dict[str, Any]:
     return {key: array.reshape(sweep.shape) for key, array in found.items()}
 
 
-def _lazily(sweep: Sweep, columns: list[Column]) -> dict[str, Any]:
+def _lazily(sweep: Sweep, columns: list[Column]) -> dict[str, object]:
     """Return arrays that compute their values, chunk by chunk, each for all columns at once."""
     import dask.array as da
 

@@ -181,7 +181,7 @@ def _begin(work: Work, identity: Mapping[str, str], resume: bool, restart: bool)
     os.replace(temporary, os.path.join(work.path, IDENTITY))
 
 
-def _earlier(path: str) -> dict[str, Any] | None:
+def _earlier(path: str) -> dict[str, str] | None:
     """Return whose parts the folder has, or None if it has nothing of worth."""
     try:
         with open(os.path.join(path, IDENTITY), encoding="utf-8") as file:

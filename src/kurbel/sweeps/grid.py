@@ -12,6 +12,7 @@ from math import prod
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kurbel.errors import ProblemError
 from kurbel.sweeps.about import About, cf_of, cf_of_file
@@ -43,7 +44,7 @@ class Array(NamedTuple):
     dims: tuple[str, ...]
     sizes: tuple[int, ...]
     chunks: tuple[int, ...]
-    attributes: Mapping[str, Any]
+    attributes: Mapping[str, str]
 
 
 class Store(Protocol):
@@ -52,10 +53,10 @@ class Store(Protocol):
     def create(self, array: Array) -> Any:
         """Return an array that takes values at slices."""
 
-    def describe(self, attributes: Mapping[str, Any]) -> None:
+    def describe(self, attributes: Mapping[str, str]) -> None:
         """Say of the file what it is."""
 
-    def flags(self, key: str, attributes: Mapping[str, Any]) -> None:
+    def flags(self, key: str, attributes: Mapping[str, object]) -> None:
         """Say of an array what its numbers mean."""
 
 
@@ -141,7 +142,7 @@ class Grid:
         own = {one.key for one in found}
         return [self._over_all(one.key, one.kind, self._said(one, own)) for one in found]
 
-    def _said(self, column: Column, own: set[str]) -> dict[str, Any]:
+    def _said(self, column: Column, own: set[str]) -> dict[str, str]:
         said = cf_of(self.about, column)
         if (bound := f"{column.key}_bound") in own:
             said["ancillary_variables"] = bound
@@ -154,7 +155,7 @@ class Grid:
         """Return the array of which number of a sentence refused a place, 0 where nothing was refused."""
         return self._over_all(REASON, "whole", {"long_name": "why there is nothing", "units": "1"})
 
-    def _over_all(self, key: str, kind: str, attributes: Mapping[str, Any]) -> Array:
+    def _over_all(self, key: str, kind: str, attributes: Mapping[str, str]) -> Array:
         return Array(key, kind, self.dims, self.sizes, self.chunks, attributes)
 
     def places(self) -> Iterator[Place]:
@@ -214,7 +215,7 @@ def _records(store: Store, grid: Grid) -> Iterator[tuple[str, Any]]:
         yield array.key, values
 
 
-def _check_records(records: Mapping[str, Any], batch: pa.RecordBatch, first: int) -> None:
+def _check_records(records: Mapping[str, NDArray[Any]], batch: pa.RecordBatch, first: int) -> None:
     """Raise ProblemError where the records of a point are not those of the others."""
     for key, values in records.items():
         column = batch[key]

@@ -115,7 +115,7 @@ class OverAngle:
         if not has_arrays(self.asked.plan, question):
             raise ProblemError("there are no floats of this")
         degrees = float_angles(shifted(angles, question.zero))
-        found: dict[str, Any] = {}
+        found: dict[str, Floats | float] = {}
         for column, values in zip(question.page_columns, _curves(question, degrees), strict=True):
             found[column.key] = values
             if self.asked.plan.bounds and isinstance(question, Request):

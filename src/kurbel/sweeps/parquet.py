@@ -160,7 +160,7 @@ def _write(schema: pa.Schema, groups: Iterable[pa.RecordBatch], stream: BinaryIO
             writer.write_batch(group, row_group_size=GROUP)
 
 
-def _options(schema: pa.Schema) -> dict[str, Any]:
+def _options(schema: pa.Schema) -> dict[str, object]:
     """Return how columns are encoded.
 
     The bytes of floats are parted by their places, the first ones of all, then the second ones: three digits

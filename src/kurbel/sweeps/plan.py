@@ -9,7 +9,7 @@ from functools import cached_property
 from math import prod
 from pkgutil import resolve_name
 from shlex import quote
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,6 @@ from kurbel.commands.subject import SPELLED
 from kurbel.exact.numerals import exact_text, ratio_text
 from kurbel.motion.page import AngleQuestion
 from kurbel.page.subject import Question
-from kurbel.reading.given import File
 
 if TYPE_CHECKING:
     from kurbel.commands.subject import Command
@@ -28,8 +27,6 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 Places = NDArray[np.int64]
-# A value of an option as the command takes it, one of several at a time.
-Setting: TypeAlias = str | bool | float | Fraction | File | Sequence[Any] | Mapping[str, Any]
 # More rows than these nobody waits for.
 MOST_ROWS = 10**12
 
@@ -83,7 +80,7 @@ class Plan:
     """
 
     command: str
-    given: Mapping[str, Setting]
+    given: Mapping[str, object]
     groups: tuple[tuple[Axis, ...], ...]
     digits: int | None = None
     bounds: bool = False
@@ -126,13 +123,13 @@ class Plan:
 
         return kept_of(self)
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         # What follows from it is found again where it goes.
         return {one.name: getattr(self, one.name) for one in fields(self)}
 
-    def at(self, point: int) -> dict[str, Setting]:
+    def at(self, point: int) -> dict[str, object]:
         """Return the values of the options that vary, at a point."""
-        found: dict[str, Setting] = {}
+        found: dict[str, object] = {}
         for group, size in zip(reversed(self.groups), reversed(self.sizes), strict=True):
             point, place = divmod(point, size)
             found = {axis.option: axis.values[place] for axis in group} | found
@@ -143,7 +140,7 @@ class Plan:
         values = self.at(point).items()
         return " ".join(f"{flag_of(name)} {quote(text_of(value, name))}" for name, value in values)
 
-    def question(self, point: int, digits: int, **instead: Setting) -> Question:
+    def question(self, point: int, digits: int, **instead: object) -> Question:
         """Return what the command asks at a point, with other values `instead` of some.
 
         Raises KurbelError where it is refused.
@@ -164,6 +161,6 @@ class Plan:
         return found
 
     @cached_property
-    def _everywhere(self) -> Mapping[str, Setting | None]:
+    def _everywhere(self) -> Mapping[str, object]:
         # Files are in the language of --lang, else in English.
         return {**self.asking.defaults, "lang": "en", **dict.fromkeys(SPELLED), **self.given}

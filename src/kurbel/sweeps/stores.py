@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 LONGEST = 60_000
 _NUMBERS = {"number": np.dtype("f8"), "whole": np.dtype("i4")}
 _NOTHING = {"number": np.nan, "whole": None, "words": None}
-_PACKED: Mapping[str, Any] = {"compression": "gzip", "compression_opts": 1, "shuffle": True}
+_PACKED: Mapping[str, object] = {"compression": "gzip", "compression_opts": 1, "shuffle": True}
 
 
 def write_netcdf(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, scratch: str) -> None:
@@ -102,19 +102,19 @@ class _File:
         variable.attrs.update(array.attributes)
         return variable
 
-    def describe(self, attributes: Mapping[str, Any]) -> None:
+    def describe(self, attributes: Mapping[str, str]) -> None:
         for name, text in attributes.items():
             if len(text.encode()) <= LONGEST:
                 self._file.attrs[name] = text
             else:
                 self._file.create_variable(name, (), self._text)[...] = text
 
-    def flags(self, key: str, attributes: Mapping[str, Any]) -> None:
+    def flags(self, key: str, attributes: Mapping[str, object]) -> None:
         self._file.variables[key].attrs.update(attributes)
 
 
 _ABOUT, _CHUNK = "zarr.json", re.compile(r"c(/\d+)*")
-_FILLED: Mapping[str, Any] = {"number": np.nan, "whole": 0, "words": ""}
+_FILLED: Mapping[str, object] = {"number": np.nan, "whole": 0, "words": ""}
 
 
 def write_zarr(sweep: Sweep, batches: Iterable[pa.RecordBatch], target: str, scratch: str) -> None:
@@ -167,9 +167,9 @@ class _Folder:
             **packed,
         )
 
-    def describe(self, attributes: Mapping[str, Any]) -> None:
+    def describe(self, attributes: Mapping[str, str]) -> None:
         self._group.attrs.update(attributes)
 
-    def flags(self, key: str, attributes: Mapping[str, Any]) -> None:
+    def flags(self, key: str, attributes: Mapping[str, object]) -> None:
         plain = {name: one.tolist() if hasattr(one, "tolist") else one for name, one in attributes.items()}
         self._group[key].attrs.update(plain)

@@ -139,9 +139,11 @@ def _machine_keys(command: click.Command, options: Sequence[click.Option]) -> It
 
 def _beside(command: click.Command, topic: Topic) -> Sequence[tuple[str, str]]:
     """Return the options of other topics that go with those of one, by their topics."""
+    from kurbel.commands.machine_file import machine_keys
+
     homes = {one.name: other.name for other, listed in topics_of(command) for one in listed}
     options, parts = options_of(command), dict[str, str]()
-    for name in topic.also.split():
+    for name in (*topic.also.split(), *(one.name for one in machine_keys().get(topic.name, {}).values())):
         if homes.get(name, topic.name) != topic.name:
             parts[homes[name]] = f"{parts.get(homes[name], '')} {flag_of(options[name])}".strip()
     return [*parts.items()]

@@ -15,7 +15,8 @@ import click
 
 class Topic(NamedTuple):
     """What belongs together: its name, its title, the names of the options that stand before its others, for
-    they are more used or one after another, and options of other topics that go with it."""
+    they are more used or one after another, and options of other topics that go with it, beside those that
+    the section of its name in a machine's file has."""
 
     name: str
     title: str
@@ -25,18 +26,13 @@ class Topic(NamedTuple):
 
 TOPICS = (
     Topic("question", "What is asked", "positions point where unknown quantity table steps"),
-    Topic("crank", "The crank", "ratio stroke rod speed machine method order offset", "mechanism"),
+    Topic("crank", "The crank", "ratio stroke rod speed machine method order offset"),
     Topic("linkage", "Other crank drives", "mechanism rocker pivot circuit", "ratio crank offset"),
     Topic("angles", "The crank angles", "angle step"),
-    Topic("steam", "Steam", "eps pressure back card clearance", "bore single_acting other_side cranks power"),
-    Topic(
-        "compressor",
-        "A compressor",
-        "pressure_ratio suction_pressure",
-        "bore clearance exponent single_acting other_side",
-    ),
-    Topic("pump", "A pump", "pump delivery_pressure", "suction_pressure bore"),
-    Topic("gas", "A gas engine", also="suction_pressure exponent bore cylinder"),
+    Topic("steam", "Steam", "eps pressure back card clearance", "cranks power"),
+    Topic("compressor", "A compressor", "pressure_ratio suction_pressure"),
+    Topic("pump", "A pump", "pump delivery_pressure"),
+    Topic("gas", "A gas engine", also="cylinder"),
     Topic("piston", "The piston", "force bore single_acting", "pressure friction"),
     Topic("cylinders", "Several cylinders", "engine cranks positions banks", "of"),
     Topic(

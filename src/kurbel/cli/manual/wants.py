@@ -77,7 +77,7 @@ WANTS = (
                 "its masses at the pins",
             ),
             (
-                "forces --stroke 600mm --speed 120/min --reciprocating 200kg --vertical --force 10kN",
+                "forces --stroke 600mm --speed 120/min --reciprocating 200kg --slope vertical --force 10kN",
                 "a vertical engine",
             ),
         ),

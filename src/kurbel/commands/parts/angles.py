@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from kurbel.commands.options import Choice, Option, alone, measure, word
 from kurbel.commands.part import Part, Rivals
@@ -44,17 +44,17 @@ class Angles(Part):
         "Crank angles in degrees: 22.5, 2°30', lists '0;45;90', ranges 0..180:10.", "ANGLES", unit="degrees",
         many=True,
     )  # fmt: skip
-    from_: Option[Any] = Option("First angle; default 0.", "ANGLE", unit="degrees")
-    to: Option[Any] = Option(
+    from_: Option[object] = Option("First angle; default 0.", "ANGLE", unit="degrees")
+    to: Option[object] = Option(
         "Last angle; default 360, the whole turn, and 180 where outstroke and return stand side by side."
         " Beyond 180 a page is of whole turns, with one column a quantity.",
         "ANGLE", unit="degrees",
     )  # fmt: skip
-    step: Option[Any] = Option(
+    step: Option[object] = Option(
         "Step of the angles; default 10. Without any of these options a layout has its own angles.", "ANGLE",
         unit="degrees",
     )  # fmt: skip
-    zero: Option[Any] = Option(
+    zero: Option[object] = Option(
         "Where the angles of the page count from, if not from φ = 0: an angle, or outer for the outer dead"
         " centre, φ = 180°.",
         "ANGLE", unit="degrees",
@@ -140,7 +140,7 @@ class Over(Angles):
         what=SHARE,
     )
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         if option.name == "shares":
             return "--shares are those of the stroke, with --over path; add that"
         if "shares" not in self.values.read or option.name not in (ANGLE, "zero"):

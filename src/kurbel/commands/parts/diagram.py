@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from kurbel.commands.options import FILE, Option, word
+from kurbel.commands.options import Option, file, word
 from kurbel.commands.part import Part, flag_of
 from kurbel.errors import ProblemError
 from kurbel.reading.given import as_crank_angles, as_energy, as_fraction, as_power, as_share, as_speed
@@ -33,10 +33,8 @@ class Diagram(Part):
         " points, '0:0; 60:90; 180:0' or 'every 30°: 0; 45; 90', which straight lines join.",
         "T", unit="N m", whole=True,
     )  # fmt: skip
-    torque_file: Option[Any] = Option(
-        "The same from a CSV file with the columns angle and torque [N m].", "FILE", FILE
-    )
-    triangles: Option[Any] = Option(
+    torque_file = file("The same from a CSV file with the columns angle and torque [N m].")
+    triangles: Option[object] = Option(
         "Diagram of triangles alike in width, as of the strokes of a gas engine, by their areas from the"
         " line of no torque: '-350;-1400;+3550;-500', with --turns and --area-scale, or --power and"
         " --speed.",
@@ -48,12 +46,12 @@ class Diagram(Part):
         " its mean.",
         "T", unit="N m", whole=True,
     )  # fmt: skip
-    load_torque_file: Option[Any] = Option("The same from a CSV file.", "FILE", FILE)
-    turns: Option[Any] = Option(
+    load_torque_file = file("The same from a CSV file.")
+    turns: Option[object] = Option(
         "Turns after which a diagram comes again: 1, 2, 1/3; default: as its formula, or to its last point.",
         "N",
     )
-    areas: Option[Any] = Option(
+    areas: Option[object] = Option(
         "Diagram by the areas between it and its mean line, in order, those above positive: '+52;-124;+72'.",
         "AREAS",
         whole=True,
@@ -111,7 +109,7 @@ class Diagram(Part):
             )
         return turns
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         name, flag = option.name, flag_of(option.name)
         if name == "area_scale" and not self.says("areas", "triangles"):
             return "--area-scale is for --areas or --triangles; add these, or leave it out"
@@ -134,7 +132,7 @@ class Diagram(Part):
             raise ProblemError(f"{' and '.join(map(flag_of, own))} give the {what} twice; leave one out")
         if own == ["triangles"]:
             return self._triangles(turns)
-        text, file = map(self.raw, names[:2])
+        text, file = self.raw(names[0]), self.torque_file if names is DRIVES else self.load_torque_file
         if file is not None:
             from kurbel.engine.diagram.points import read_points, torque_through
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from typing import Any, ClassVar
 
-from kurbel.commands.options import FILE, Choice, Option, measure, word
+from kurbel.commands.options import Choice, Option, file, measure, word
 from kurbel.commands.part import Origin, Part, Values, flag_of
 from kurbel.commands.parts.angles import OVER_PATH
+from kurbel.commands.parts.sheet import Layouts
 from kurbel.drive import mechanisms as registered
 from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import MECHANISMS, MOTIONS
@@ -31,9 +32,9 @@ SPELLED = ("crank", "true_stroke", "time_ratio")
 class OnMachine(Part):
     """What a machine's file may say."""
 
-    machine: Option[Any] = Option(
+    machine = file(
         "Machine in a TOML file: its crank, load, masses, flywheel; what is given beside it outdoes it.",
-        "FILE", FILE, last=True,
+        last=True,
     )  # fmt: skip
 
 
@@ -46,44 +47,46 @@ class Linked(OnMachine):
     # Where no mechanism is named, a layout about one of these names it if it is of one alone.
     abouts: ClassVar[Sequence[str]] = (*MOTIONS, OVER_PATH, POINTS, *APPROXIMATE)
 
-    ratio: Option[Any] = Option(
+    ratio: Option[object] = Option(
         "Crank ratio: 1:5, 1:4,5, 0.2; lists '1:4;1:5' and ranges 1:3..6:0.5; 1:∞ is the infinite rod.",
         "R:L", short="-r", many=True,
     )  # fmt: skip
-    offset: Option[Any] = Option(
+    offset: Option[object] = Option(
         "Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R"
     )
-    stroke: Option[Any] = Option(
+    stroke: Option[object] = Option(
         "2R: 600mm; of an offset crank, too, whose piston goes further.", "LENGTH", unit="m"
     )
-    crank: Option[Any] = Option("R, in place of --stroke: 300mm.", "LENGTH", unit="m", machine="crank.radius")
-    true_stroke: Option[Any] = Option(
+    crank: Option[object] = Option(
+        "R, in place of --stroke: 300mm.", "LENGTH", unit="m", machine="crank.radius"
+    )
+    true_stroke: Option[object] = Option(
         "Way of the piston, in place of --stroke; of an offset crank R follows from it, with --rod or"
         " --ratio: 600mm.",
         "LENGTH", unit="m",
     )  # fmt: skip
-    time_ratio: Option[Any] = Option(
+    time_ratio: Option[object] = Option(
         "With --true-stroke and --offset as a length: time of the outstroke over that of the return, from"
         " which R and L follow: 1.2.",
         "Q",
     )  # fmt: skip
-    rod: Option[Any] = Option(
+    rod: Option[object] = Option(
         "Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m"
     )
     mechanism = word(registered.described(), kind=Choice("mechanism", MECHANISMS), topic="linkage")
-    rocker: Option[Any] = Option(
+    rocker: Option[object] = Option(
         "Arc crank: length of the rocker in units of R, or a length with --crank.",
         "B",
         unit="R",
         topic="linkage",
     )
-    pivot: Option[Any] = Option(
+    pivot: Option[object] = Option(
         "Arc crank: the rocker's pivot along and across the slide, in units of R or as lengths; default:"
         " as far as the rod is long, and B above the slide line. With 'D;0' angles count from the line of"
         " centres, as of a four-bar.",
         "D;H", unit="R", whole=True, topic="linkage",
     )  # fmt: skip
-    circuit: Option[Any] = Option(
+    circuit: Option[object] = Option(
         "Arc crank: 1 or -1, the two ways to assemble the links; default 1. Of a four-bar with its pivot at"
         " 'D;0' the open one is -1.",
         "WAY", topic="linkage",
@@ -107,7 +110,7 @@ class Linked(OnMachine):
         """Return which crank drive is described: where it is not said, by the layout, else by the offset."""
         name = self.mechanism
         if not name and layout is not None:
-            about = layout_of(layout, self.abouts, self.raw("layouts")).subject
+            about = layout_of(layout, self.abouts, self.as_part(Layouts).layouts).subject
             fitting = [known for known, one in MECHANISMS.items() if one.subject == about]
             name = fitting[0] if len(fitting) == 1 else None
         return mechanism(name or ("offset" if self.says("offset") else "straight"))
@@ -130,7 +133,7 @@ class Linked(OnMachine):
         chosen.check(described)
         return chosen, described
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         found = of_other_mechanisms(self.drive(), [option.name], self.shared())
         return found.get(option.name, "")
 
@@ -138,7 +141,7 @@ class Linked(OnMachine):
 class AnyDrive(Linked):
     """Any crank drive, the beam engine among them."""
 
-    beam: Option[Any] = Option(
+    beam: Option[object] = Option(
         "Beam engine: arm of the beam in units of R, or a length.",
         "A",
         unit="R",
@@ -152,7 +155,7 @@ class Speed(Part):
 
     topic = "crank"
 
-    speed: Option[Any] = Option(
+    speed: Option[object] = Option(
         "Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.",
         "SPEED",
         unit="turns a second",
@@ -174,7 +177,7 @@ class Method(Part):
 class Turning(Speed, Method):
     """How the crank turns, and by which formulas its motion is computed."""
 
-    acceleration: Option[Any] = Option(
+    acceleration: Option[object] = Option(
         "Angular acceleration of the crank at these angles, at its --speed: 50rad/s², -20rad/s².", "ALPHA",
         unit="rad/s²",
     )  # fmt: skip
@@ -272,8 +275,8 @@ def _settle_lengths(values: Values) -> None:
 def _check_agreement(values: Values) -> None:
     ratio, stroke, rod = (values.values[name] for name in LENGTHS)
     share = as_length(stroke, "stroke") / 2 / as_length(rod, "rod")
-    if set(as_ratios(ratio)) != {share}:
+    if {*(ratios := as_ratios(ratio))} != {share}:
         raise ProblemError(
             f"stroke {stroke} and rod {rod} give R:L = {ratio_text(share)},"
-            f" and the ratio is {';'.join(ratio)}; leave one of the three out"
+            f" and the ratio is {';'.join(map(ratio_text, ratios))}; leave one of the three out"
         )

@@ -132,7 +132,7 @@ class PinFriction(Part):
 class Effort(Piston, Friction, Pressing, Masses, Rotating):
     """All that acts on piston and crosshead where no engine does: a force, pressures, friction, masses."""
 
-    force: Option[Any] = Option(
+    force: Option[object] = Option(
         f"Piston force, for columns in N and N m: {load.examples()}.", "FORCE", unit="N"
     )
 
@@ -199,7 +199,7 @@ class Effort(Piston, Friction, Pressing, Masses, Rotating):
         # It acts on the full area, which no rod lessens.
         return Pressures(Areas(bore), difference, Fraction(0), difference=True)
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         name = option.name
         if not self.says("pressure_difference") or name == "pressure_difference":
             return ""

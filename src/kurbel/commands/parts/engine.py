@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
 from fractions import Fraction
 from os import PathLike
-from typing import TYPE_CHECKING, Any, TypedDict, cast
+from typing import TYPE_CHECKING, Any, TypedDict
 
 from kurbel.commands.options import FILE, FLAG, Choice, Kind, Option, measure
 from kurbel.commands.part import Part, flag_of
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 EXAMPLE = "angle=90 bore=500mm pressure=3bar eps=2"
 # How what is said or not is written in a text.
-TRUTH: Mapping[Any, bool] = {"true": True, "false": False, True: True, False: False}
+TRUTH: Mapping[object, bool] = {"true": True, "false": False, True: True, False: False}
 LENGTHS = ("ratio", "stroke", "rod")
 # What sets the place of a cylinder.
 PLACE: Mapping[str, str] = {
@@ -65,11 +65,11 @@ class OneCylinder(Kind):
     name = "cylinder"
     python = "str | dict"
 
-    def read(self, text: Any, typed: Mapping[str, Any]) -> Mapping[str, Any]:
+    def read(self, text: object, typed: Mapping[str, object]) -> Mapping[str, object]:
         if isinstance(text, Mapping):
             return text
-        entries: dict[str, Any] = {}
-        for part in text.split():
+        entries: dict[str, object] = {}
+        for part in str(text).split():
             key, equals, value = part.partition("=")
             key = key.replace("-", "_")
             if key in entries:
@@ -81,24 +81,24 @@ class OneCylinder(Kind):
             )
         return _checked(entries)
 
-    def taken(self, value: Any, name: str) -> Mapping[str, Any]:
+    def taken(self, value: object, name: str) -> Mapping[str, object]:
         if isinstance(value, str):
             return self.read(value, {})
         if not isinstance(value, Mapping):
             raise NotationError(f"{name} is {str(value)[:40]}; give each as a mapping, or as {EXAMPLE}")
         return _checked(dict(value))
 
-    def with_files(self, value: Mapping[str, Any], file: Any) -> Mapping[str, Any]:
+    def with_files(self, value: object, file: Callable[[object], object]) -> object:
         # A cylinder of a machine's file knows where it stands there.
-        found: Any = copy(value)
-        files = [name for name, one in Cylinder.entries().items() if one.kind is FILE and name in value]
-        for name in files:
-            named = value[name]
-            found[name] = file(named) if isinstance(named, str | PathLike) else [*map(file, named)]
-        return cast("Mapping[str, Any]", found)
+        found = copy(value)
+        assert isinstance(found, dict)
+        for name, one in Cylinder.entries().items():
+            if one.kind is FILE and (named := found.get(name)) is not None:
+                found[name] = file(named) if isinstance(named, str | PathLike) else [*map(file, named)]
+        return found
 
 
-def _checked(entries: dict[str, Any]) -> Mapping[str, Any]:
+def _checked(entries: dict[str, object]) -> Mapping[str, object]:
     """Return the entries if a cylinder has such ones."""
     own = Cylinder.entries()
     flags = [name for name, one in own.items() if one.kind is FLAG]
@@ -120,7 +120,7 @@ class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
     """One cylinder: its drive, its load, its masses."""
 
     @classmethod
-    def entries(cls) -> Mapping[str, Option[Any]]:
+    def entries(cls) -> Mapping[str, Option[object]]:
         """Return the options that may be a cylinder's own, and not of the shaft or of the whole engine."""
         shared = Speed.options() | Weight.options()
         options = cls.options() | Rotating.options()
@@ -174,7 +174,7 @@ class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
         friction = self.friction or Fraction(0)
         return with_effort(chosen, drives, Effort(None, friction, self.piston_areas() if rods else None))
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         name = option.name
         if name in ("stroke", "rod") and self.lone_lengths():
             other = "rod" if name == "stroke" else "stroke"
@@ -191,16 +191,16 @@ class Engine(Cylinder):
 
     topic = "cylinders"
 
-    cranks: Option[Any] = Option(
+    cranks: Option[object] = Option(
         "Angles by which the cranks follow the first, with cylinders alike: '0;90' or '0;120;240'.", "ANGLES",
         unit="degrees", whole=True, machine="crank.angles",
     )  # fmt: skip
-    cylinder: Option[Any] = Option(
+    cylinder: Option[Sequence[Mapping[str, object]]] = Option(
         f"A cylinder of an engine of unlike ones, in the words of the options: '{EXAMPLE}'; beside it all"
         " options say what the cylinders have in common. Machines have them as [[cylinder]].",
         "ENTRIES", OneCylinder(), many=True, whole=True,
     )  # fmt: skip
-    method: Option[Any] = Option(
+    method: Option[Sequence[str] | str | None] = Option(
         "exact (default), series (first order) or weisbach (his equations of § 150).",
         kind=Choice("method", "kurbel.engine.quantities:ENGINE_METHODS"), many=True, default=(),
         topic="crank",
@@ -272,7 +272,7 @@ class Engine(Cylinder):
         turned = (replace(parts[one], lag=(parts[one].lag - parts[index].lag) % cycle) for one in order)
         return Assembly(tuple(turned)), tuple(one + 1 for one in order)
 
-    def _merged(self, own: Mapping[str, Any]) -> OfSeveral:
+    def _merged(self, own: Mapping[str, object]) -> OfSeveral:
         """Return a cylinder: what all have in common, without what its own entries outdo, and these."""
         dropped = [*self._other_loads(own), *self._other_lengths(own)]
         if "rod_file" in own:
@@ -284,7 +284,7 @@ class Engine(Cylinder):
         # By its bank the weight of a cylinder has another direction.
         return OfSeveral(self.values.instead({**left, **kept, "bank": own.get("bank")}, own=True))
 
-    def _other_loads(self, own: Mapping[str, Any]) -> list[str]:
+    def _other_loads(self, own: Mapping[str, object]) -> list[str]:
         """Return the options of loads that are not the cylinder's."""
         keys = [key for key in KINDS if own.get(key) not in (None, False, ())]
         if not keys:
@@ -292,13 +292,13 @@ class Engine(Cylinder):
         kept = {name for key in keys for name in (key, *KINDS[key].options)}
         return [name for key, kind in KINDS.items() for name in (key, *kind.options) if name not in kept]
 
-    def _other_lengths(self, own: Mapping[str, Any]) -> list[str]:
+    def _other_lengths(self, own: Mapping[str, object]) -> list[str]:
         """Return those of ratio, stroke and rod that two others of the cylinder's outdo."""
         if not all(name in own or self.says(name) for name in LENGTHS):
             return []
         return [name for name in ("ratio", "rod", "stroke") if name not in own][:1]
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         if not self.is_several():
             return ""
         why = f"{flag_of(option.name)} says nothing about the cylinders"
@@ -312,7 +312,7 @@ class Engine(Cylinder):
 class OfSeveral(Cylinder):
     """A cylinder of an engine of unlike ones."""
 
-    def made(self, title: str, page: Layout, own: Mapping[str, Any]) -> Part_:
+    def made(self, title: str, page: Layout, own: Mapping[str, object]) -> Part_:
         """Return the cylinder with its load. Raises KurbelError with its title."""
         from kurbel.engine.engine import Engine
 
@@ -346,13 +346,13 @@ class FromOne(Part):
     )  # fmt: skip
 
 
-def _title(number: int, own: Mapping[str, Any]) -> str:
+def _title(number: int, own: Mapping[str, object]) -> str:
     """Return what a cylinder is called in sentences, with the line of its file."""
     where = getattr(own, "where", "")
     return f"{where}: cylinder {number}" if where else f"cylinder {number}"
 
 
-def lags_of(cylinders: Sequence[Mapping[str, Any]], loads: Sequence[Any]) -> list[Fraction]:
+def lags_of(cylinders: Sequence[Mapping[str, object]], loads: Sequence[Any]) -> list[Fraction]:
     """Return the angles by which cylinders follow the first, from dead centre to dead centre.
 
     That of a crank and that by which its cylinder's axis leans add up; where all have a place in the firing
@@ -401,5 +401,5 @@ def _fired(
     return [angles[number] for number in range(1, len(turns) + 1)]
 
 
-def _angle(cylinder: Mapping[str, Any], name: str, title: str) -> Fraction:
+def _angle(cylinder: Mapping[str, object], name: str, title: str) -> Fraction:
     return as_angle(cylinder.get(name, 0), f"{title}: {name}")

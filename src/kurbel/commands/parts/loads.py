@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from os import PathLike
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
-from kurbel.commands.options import FILE, Choice, Option, flag, measure, word
+from kurbel.commands.options import FILE, Choice, Option, Path, flag, measure, word
 from kurbel.commands.part import Rivals, Values, flag_of
 from kurbel.commands.parts.effort import Piston
 from kurbel.drive.load import CARD, COMPRESSOR, GAS, LOADS, PUMP, STEAM
@@ -20,6 +21,7 @@ from kurbel.reading.given import (
     as_share,
     as_share_or_pressure,
     as_shares,
+    of_given,
 )
 
 if TYPE_CHECKING:
@@ -27,35 +29,9 @@ if TYPE_CHECKING:
     from kurbel.engine.engine import Load
 
 
-class Kind(NamedTuple):
-    """A kind of load, the options that describe it further, and the layout of its irregularity."""
-
-    load: str
-    options: tuple[str, ...]
-    layout: str = ""
-
-
-# By the option that names it.
-KINDS: Mapping[str, Kind] = {
-    "eps": Kind(STEAM, ("back", "exponent", "clearance", "single_acting", "pressure")),
-    "card": Kind(CARD, ("other_side", "single_acting")),
-    "pressure_ratio": Kind(
-        COMPRESSOR,
-        ("exponent", "clearance", "suction_loss", "delivery_loss", "suction_pressure", "other_side",
-         "single_acting"),
-        "compressor",
-    ),
-    "pump": Kind(PUMP, ("small_area", "suction_pressure", "delivery_pressure", "single_acting"), "pump"),
-    "compression": Kind(
-        GAS,
-        ("cycle", "peak_pressure", "cut_off", "heat", "exponent", "expansion_exponent", "exhaust_pressure",
-         "two_stroke", "suction_pressure"),
-        "gas-cycle",
-    ),
-}  # fmt: skip
 # What an ideal card is described by, and a measured one is not.
 IDEAL = ("eps", "back", "exponent", "clearance")
-FURTHER = tuple(key for key in KINDS if key not in ("eps", "card"))
+FURTHER = ("pressure_ratio", "pump", "compression")
 NEEDED = (
     "what acts on the piston is not known; add the expansion ratio of its steam, --eps 4, or --card,"
     " --pressure-ratio, --pump or --compression"
@@ -66,7 +42,7 @@ def _share(help: str, load: str) -> Option[Fraction | None]:
     return measure(as_share, help, "SHARE", machine=load, topic=load)
 
 
-def _in_units_of_suction(help: str) -> Option[Any]:
+def _in_units_of_suction(help: str) -> Option[object]:
     return Option(help, "RATIO", machine="gas", topic="gas")
 
 
@@ -85,7 +61,7 @@ class Loads(Piston):
         "Expansion ratio, cut-off after 1/ε of the stroke: 4; lists '2;3;4', ranges 2..6.", "ε", many=True,
         machine="steam",
     )  # fmt: skip
-    back: Option[Any] = Option(
+    back: Option[object] = Option(
         "Back pressure as a share of the steam pressure: 0.1, 10%, or beside --pressure as a pressure, both"
         " above vacuum: 1.1bar; default: the best, to which the steam expands.",
         "B",
@@ -100,7 +76,7 @@ class Loads(Piston):
     clearance = measure(
         as_share, "Clearance as a share of the swept volume: 0.05, 5%.", "C", machine="steam compressor"
     )
-    card: Option[Any] = Option(
+    card: Option[Sequence[Path] | Path] = Option(
         "Indicator card: CSV with position, p_forward [bar], p_return [bar], or angle, p [bar].",
         "FILE",
         FILE,
@@ -274,11 +250,8 @@ class Loads(Piston):
     def _compressors(self) -> Sequence[Acting]:
         from kurbel.engine.loads.compressor import Compressor
 
-        known = {
-            "exponent": self.exponent, "clearance": self.clearance, "suction_loss": self.suction_loss,
-            "delivery_loss": self.delivery_loss, "other_side": self.other_side,
-        }  # fmt: skip
-        if known["other_side"] is not None:
+        other = self.other_side
+        if other is not None:
             if not self.single_acting:
                 raise ProblemError(
                     "--other-side is for --single-acting; double-acting, the other end works as well"
@@ -287,10 +260,17 @@ class Loads(Piston):
                 raise ProblemError(
                     "--other-side is compared with the suction pressure; add --suction-pressure"
                 )
-            known["other_side"] /= _above_zero(suction)
-        ratios = self.pressure_ratio or ()
-        given: dict[str, Any] = {name: value for name, value in known.items() if value is not None}
-        return [Compressor(ratio, **given) for ratio in ratios]
+            other /= _above_zero(suction)
+        made = partial(
+            of_given,
+            Compressor,
+            exponent=self.exponent,
+            clearance=self.clearance,
+            suction_loss=self.suction_loss,
+            delivery_loss=self.delivery_loss,
+            other_side=other,
+        )
+        return [made(ratio) for ratio in self.pressure_ratio or ()]
 
     def _pump(self) -> Acting:
         from kurbel.engine.loads.pump import DIFFERENTIAL, DOUBLE, SINGLE, Pump
@@ -319,20 +299,25 @@ class Loads(Piston):
                 f"the delivery pressure {self.raw('delivery_pressure')} is not above the suction pressure"
                 f" {self.raw('suction_pressure') or 0}; a pump raises the pressure"
             )
-        own: dict[str, Any] = {} if ring is None else {"small_area": ring}
-        return Pump(kind, Fraction(0) if delivery is None else (suction or Fraction(0)) / makes, **own)
+        share = Fraction(0) if delivery is None else (suction or Fraction(0)) / makes
+        return Pump(kind, share) if ring is None else Pump(kind, share, ring)
 
     def _gas_cycles(self) -> Sequence[Acting]:
         from kurbel.engine.loads.gas import OTTO, GasCycle
 
-        known = {
-            "exponent": self.exponent, "expansion_exponent": self.expansion_exponent, "cut_off": self.cut_off,
-            "heat": self.heat, "peak": self._in_suctions("peak_pressure"),
-            "exhaust": self._in_suctions("exhaust_pressure"),
-        }  # fmt: skip
-        given: dict[str, Any] = {name: value for name, value in known.items() if value is not None}
-        cycle, two_stroke, ratios = self.cycle or OTTO, self.two_stroke, self.compression or ()
-        return [GasCycle(ratio, cycle, two_stroke=two_stroke, **given) for ratio in ratios]
+        made = partial(
+            of_given,
+            GasCycle,
+            cycle=self.cycle or OTTO,
+            exponent=self.exponent,
+            expansion_exponent=self.expansion_exponent,
+            cut_off=self.cut_off,
+            heat=self.heat,
+            peak=self._in_suctions("peak_pressure"),
+            exhaust=self._in_suctions("exhaust_pressure"),
+            two_stroke=self.two_stroke,
+        )
+        return [made(ratio) for ratio in self.compression or ()]
 
     def _in_suctions(self, name: str) -> Fraction | None:
         """Return a pressure in suction pressures, which is given so or as a measure."""
@@ -343,7 +328,7 @@ class Loads(Piston):
             return as_number(value, what)
         if (suction := self.suction_pressure) is None:
             raise ProblemError(
-                f"the {what} {value[:40]} is compared with the suction pressure; add --suction-pressure"
+                f"the {what} {str(value)[:40]} is compared with the suction pressure; add --suction-pressure"
             )
         return as_pressure(value, what) / _above_zero(suction)
 
@@ -394,7 +379,7 @@ class Loads(Piston):
         """Return the layout of the irregularity under the load, nothing for steam and cards."""
         return next((KINDS[key].layout for key in FURTHER if self.says(key)), "")
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         name, named = option.name, self.load_names()
         owners = [key for key, kind in KINDS.items() if name in kind.options]
         if name in KINDS or not owners:
@@ -414,7 +399,35 @@ class Loads(Piston):
         return ""
 
 
-def _is_measure(value: Any) -> bool:
+class Kind(NamedTuple):
+    """A kind of load, the options that describe it further, and the layout of its irregularity."""
+
+    load: str
+    options: tuple[str, ...]
+    layout: str = ""
+
+
+def _of(section: str, *without: str, also: str = "") -> tuple[str, ...]:
+    """Return the options that a section of a machine's file has of a load, without those that name one."""
+    own = {
+        one.name: {place.partition(".")[0] for place in one.machine.split()}
+        for one in vars(Loads).values()
+        if isinstance(one, Option) and one.name not in ("eps", "card", *FURTHER, *without)
+    }
+    return tuple(name for name, sections in own.items() if section in sections or name == also)
+
+
+# By the option that names it.
+KINDS: Mapping[str, Kind] = {
+    "eps": Kind(STEAM, _of("steam", "other_side")),
+    "card": Kind(CARD, _of("steam", *IDEAL, "pressure")),
+    "pressure_ratio": Kind(COMPRESSOR, _of("compressor"), "compressor"),
+    "pump": Kind(PUMP, _of("pump", also="single_acting"), "pump"),
+    "compression": Kind(GAS, _of("gas"), "gas-cycle"),
+}
+
+
+def _is_measure(value: object) -> bool:
     from kurbel.reading.units import is_measure
 
     return isinstance(value, str) and is_measure(value)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from kurbel.commands.options import FILE, Choice, Option, alone, flag, measure, word
+from kurbel.commands.options import Choice, Option, alone, file, measure, word
 from kurbel.commands.part import Part, Rivals, flag_of
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism, of_other_mechanisms
@@ -44,12 +44,12 @@ class MovingRod(Part):
     )
 
     rod_mass = measure(as_mass, "Mass of the connecting rod: 150kg.", "MASS", unit="kg", machine="masses.rod")
-    centre: Option[Any] = Option(
+    centre: Option[object] = Option(
         "Centre of mass of the rod from the crosshead pin, in rod lengths: 0.6, 60%; or a length, where that"
         " of the rod is known.",
         "A", unit="rod lengths",
     )  # fmt: skip
-    gyration: Option[Any] = Option(
+    gyration: Option[object] = Option(
         "Radius of gyration about the centre of mass, in rod lengths: 0.3; or a length.", "K",
         unit="rod lengths",
     )  # fmt: skip
@@ -62,10 +62,10 @@ class MovingRod(Part):
     pendulum_from = word(
         "The pin about which the rod swung: crosshead or crank.", kind=Choice("pin", "kurbel.drive.rod:PINS")
     )
-    rod_file: Option[Any] = Option(
+    rod_file = file(
         "The rod's masses from a CSV file in place of these: from, to, mass or position, mass, counted from"
         " the crank pin.",
-        "FILE", FILE, machine="masses.file",
+        machine="masses.file",
     )  # fmt: skip
 
     def moving_rod(self, length: Fraction | None) -> Rod:
@@ -82,8 +82,16 @@ class MovingRod(Part):
         swing = given_swing(self.pendulum, self.pendulum_from, self.as_part(Weight).gravity)
         return swung_rod(swing, centre, length, self.rod_mass)
 
-    def _part_of(self, length: Fraction | None, value: Any, what: str) -> Fraction | None:
+    def _part_of(self, length: Fraction | None, value: object, what: str) -> Fraction | None:
         return None if value is None else as_share_or_length(value, what, length, _UNKNOWN)
+
+
+def _slope(value: object, what: str) -> Fraction:
+    """Return the angle of a slope. Raises KurbelError."""
+    from kurbel.drive.slope import VERTICAL
+
+    is_word = isinstance(value, str) and value.strip().lower() == "vertical"
+    return VERTICAL if is_word else as_angle(value, what)
 
 
 class Weight(Part):
@@ -93,11 +101,11 @@ class Weight(Part):
     topic = "masses"
     section = "crank"
 
-    vertical = flag("The cylinder stands above the shaft: piston, crosshead and rod have a weight.")
     slope = measure(
-        as_angle,
-        "Angle by which the slide rises from the shaft to the cylinder: 30; 90 is --vertical, -90 below the"
-        " shaft. It counts in the sense of rotation: 180-30 with the crank pin below on the outstroke.",
+        _slope,
+        "Angle by which the slide rises from the shaft to the cylinder, for the weight of what moves: 30;"
+        " vertical is 90, above the shaft, and -90 below it. It counts in the sense of rotation: 180-30 with"
+        " the crank pin below on the outstroke.",
         "ANGLE", unit="degrees",
     )  # fmt: skip
     gravity = measure(
@@ -107,32 +115,28 @@ class Weight(Part):
 
     def stands(self) -> bool:
         """Whether it is said how the cylinder stands."""
-        return self.says("vertical", "slope")
+        return self.says("slope")
 
     def slope_of_slide(self) -> Slope | None:
         """Return how the slide rises, None where weight does not count; a cylinder of several leans by its
         `bank` from that."""
-        if not self.stands():
+        angle = self.slope
+        if angle is None:
             return None
-        from kurbel.drive.slope import STANDARD_GRAVITY, VERTICAL, Slope
+        from kurbel.drive.slope import STANDARD_GRAVITY, Slope
 
-        vertical, angle, gravity = self.vertical, self.slope, self.gravity
-        if vertical and angle not in (None, VERTICAL):
-            raise ProblemError(
-                f"--vertical is a slope of 90, and --slope says {self.raw('slope')}; leave one of the two out"
-            )
-        angle = VERTICAL if angle is None else angle
+        gravity = self.gravity
         found = Slope(angle, STANDARD_GRAVITY if gravity is None else gravity)
         lean = as_angle(self.values.values.get("bank") or 0, "bank")
         return Slope((angle + lean + 180) % 360 - 180, found.gravity) if lean else found
 
-    def unread(self, option: Option[Any]) -> str:
-        if option.name not in ("vertical", "slope", "gravity"):
+    def unread(self, option: Option[object]) -> str:
+        if option.name not in ("slope", "gravity"):
             return ""
         if not self.as_part(Masses).is_heavy():
             return f"--{option.name} is for {Weight.title}; add {Weight.add}"
         if option.name == "gravity" and not self.stands():
-            return "--gravity is for weights; add --vertical or --slope, by which the cylinder stands"
+            return "--gravity is for weights; add --slope, by which the cylinder stands"
         return ""
 
 
@@ -176,8 +180,8 @@ class Masses(MovingRod, Weight):
 
     def is_heavy(self) -> bool:
         """Whether any mass is given, or among the entries of cylinders."""
-        entries: Iterable[Any] = self.values.values.get("cylinder") or ()
-        names = {*Masses.masses()}
+        names, cylinders = {*Masses.masses()}, self.values.values.get("cylinder")
+        entries = cylinders if isinstance(cylinders, Sequence) else ()
         return self.says(*names) or any(names & {*one} for one in entries)
 
     def a_mass(self) -> str:
@@ -224,12 +228,13 @@ class Masses(MovingRod, Weight):
         if slope is not None and not chosen.crosshead:
             raise ProblemError(
                 f"{chosen.title} with the weight of its masses is not computed, for its rocker or axles have"
-                " weights that are not given; leave --vertical and --slope out"
+                " weights that are not given; leave --slope out"
             )
         speed = as_speed(self.raw("speed"))
-        about: dict[str, Any] = {"speed": speed, "moving": moving}
+        heavy = [replace(crank, speed=speed, moving=moving) for crank in cranks]
         if self.says("acceleration") and not even:
             from kurbel.drive.spin import acceleration_of
 
-            about["acceleration"] = acceleration_of(self.raw("acceleration"), speed)
-        return [drive.of(replace(crank, **about)) for drive, crank in zip(drives, cranks, strict=True)]
+            gain = acceleration_of(self.raw("acceleration"), speed)
+            heavy = [replace(crank, acceleration=gain) for crank in heavy]
+        return [drive.of(crank) for drive, crank in zip(drives, heavy, strict=True)]

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from kurbel.commands.options import Choice, Option, measure, word
 from kurbel.commands.part import Part, Rivals
 from kurbel.errors import ProblemError
 from kurbel.reading.given import (
-    as_density,
     as_inertia,
     as_number,
     as_power,
@@ -81,7 +80,7 @@ class Losses(Part):
 
     topic = "work"
 
-    diagram_factor: Option[Any] = Option(
+    diagram_factor: Option[object] = Option(
         "Area of the real card in that of the ideal one: 0.8, or ? to find it from a power; default 1, the"
         " ideal card.",
         "SHARE",
@@ -91,7 +90,8 @@ class Losses(Part):
         as_share, "Mechanical efficiency, for the power at the shaft: 85%.", "SHARE", machine="crank"
     )
     specific_volume = measure(
-        as_specific_volume, "Of the steam before cut-off, for the steam taken: '0.24 m3/kg'.", "VOLUME",
+        as_specific_volume,
+        "Of the steam before cut-off, for the steam taken: '0.24 m3/kg'; or its density, '4.16 kg/m3'.",
+        "VOLUME",
         unit="m³/kg", machine="steam",
     )  # fmt: skip
-    steam_density = measure(as_density, "In its place the density: '4.16 kg/m3'.", "DENSITY", unit="kg/m³")

@@ -40,7 +40,7 @@ class Press(Part):
 
     topic = "press"
 
-    strokes: Option[Any] = Option("Press: working strokes, 30/min.", "SPEED", unit="strokes a second")
+    strokes: Option[object] = Option("Press: working strokes, 30/min.", "SPEED", unit="strokes a second")
     share = measure(
         as_share, "Press: share of the cycle in which it works, 1/4; 0 for a blow.", "SHARE",
         what="share of the cycle",
@@ -49,7 +49,7 @@ class Press(Part):
         as_duration, "Press: how long a stroke takes, in place of the share: 1s.", "TIME", unit="s",
         what="duration of a stroke",
     )  # fmt: skip
-    hole: Option[Any] = Option(
+    hole: Option[object] = Option(
         "Press: diameter of the hole and thickness of the plate, whose work it does: '38mm x 32mm'.",
         "SIZES",
         whole=True,
@@ -105,7 +105,7 @@ class Press(Part):
             )
         return Share(part, Product.of(1).plus(part, -1), "--duration")
 
-    def unread(self, option: Option[Any]) -> str:
+    def unread(self, option: Option[object]) -> str:
         if option.name in ("shear_energy", "shear_strength"):
             return f"{flag_of(option.name)} is for the work of a --hole; add that, or give --work"
         if option.name == "efficiency":

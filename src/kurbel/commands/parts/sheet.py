@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from os import PathLike
-from typing import TYPE_CHECKING, Any, TypedDict
+from typing import TYPE_CHECKING, TypedDict
 
-from kurbel.commands.options import FILE, PROSE, Choice, Columns, Count, LayoutName, Option, word
+from kurbel.commands.options import PROSE, Choice, Columns, Count, LayoutName, Option, file, word
 from kurbel.commands.part import Part
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS
@@ -23,7 +23,7 @@ MEASURED = ("areas", "area_scale", "card", "cylinder", "hole", "rod_file", "torq
 LISTED = "; `kurbel quantities` lists them. What tells rows apart is always among them."
 
 
-def columns_option(usual: str, example: str, more: str = LISTED) -> Option[Any]:
+def columns_option(usual: str, example: str, more: str = LISTED) -> Option[object]:
     """Return --columns of a command, whose columns are by default those of a layout."""
     return Option(
         f"Columns and their order: {example}{more}",
@@ -36,7 +36,7 @@ def columns_option(usual: str, example: str, more: str = LISTED) -> Option[Any]:
     )
 
 
-def columns_over_angle(usual: str, example: str) -> Option[Any]:
+def columns_over_angle(usual: str, example: str) -> Option[object]:
     """Return the same of a command over the crank angle."""
     return columns_option(usual, example, f"{LISTED} Pages keep φ at the left.")
 
@@ -76,8 +76,8 @@ class Layouts(Part):
 
     topic = "page"
 
-    layouts: Option[Any] = Option(
-        "Folder with layouts of your own: DIR/<name>/layout.toml.", "DIR", FILE,
+    layouts = file(
+        "Folder with layouts of your own: DIR/<name>/layout.toml.", "DIR",
         environment="KURBEL_LAYOUTS", first=True,
     )  # fmt: skip
     layout: Option[str | None] = layout_option()
@@ -116,7 +116,7 @@ class Worded(Part):
         last=True,
         whole=True,
     )
-    note: Option[Any] = Option(
+    note: Option[tuple[Note, ...]] = Option(
         "A note of your own below those of the page; [^a] before it is its mark, also in captions.", "TEXT",
         PROSE, many=True, default=(), last=True, whole=True,
     )  # fmt: skip
@@ -127,10 +127,10 @@ class Worded(Part):
         last=True,
         whole=True,
     )
-    templates: Option[Any] = Option(
+    templates = file(
         "Folder with templates of your own: DIR/base/latex.jinja sets all pages in LaTeX,"
         " DIR/NAME/latex.jinja those of a layout.",
-        "DIR", FILE, environment="KURBEL_TEMPLATES", last=True,
+        "DIR", environment="KURBEL_TEMPLATES", last=True,
     )  # fmt: skip
 
     def worded(self) -> Words:
@@ -146,7 +146,7 @@ class Plain(Worded):
 
     topic = "page"
 
-    columns: Option[Any] = columns_option("", "")
+    columns: Option[object] = columns_option("", "")
     digits: Option[int | None] = Option(
         f"Decimals of every column, 0 to {MOST_DIGITS}.",
         "N",
@@ -175,7 +175,7 @@ class Sheet(Plain):
 
     topic = "page"
 
-    units: Option[Any] = Option(
+    units: Option[Units | None] = Option(
         "Units of pages and data: metric, imperial or a list, 'cm;kN'. Default: metric; pages of what is"
         " given in imperial units alone have these.",
         "UNITS",

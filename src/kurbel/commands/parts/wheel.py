@@ -68,10 +68,10 @@ class Body(Part):
 
     topic = "wheel"
 
-    greatest_speed: Option[Any] = Option(
+    greatest_speed: Option[object] = Option(
         "Greatest speed: 225/min; --speed 200..225/min has both.", "SPEED", unit="turns a second"
     )
-    least_speed: Option[Any] = Option("Least speed: 200/min.", "SPEED", unit="turns a second")
+    least_speed: Option[object] = Option("Least speed: 200/min.", "SPEED", unit="turns a second")
     inertia = measure(
         as_inertia, "Moment of inertia of the flywheel: 1200kgm2.", "J", unit="kg m²",
         what="moment of inertia", machine="flywheel",
@@ -99,7 +99,7 @@ class Rim(Part):
         "Speed of the rim at its mean diameter: 25m/s, or 26..28m/s; with δ its mass needs no --speed.",
         "VELOCITY", unit="m/s", what="speed of the rim", machine="",
     )  # fmt: skip
-    rim_section: Option[Any] = Option(
+    rim_section: Option[object] = Option(
         "Section of the rim: breadth to thickness, 2:1, both, '400mm x 200mm', or 800cm².",
         "SECTION",
         whole=True,
@@ -193,6 +193,7 @@ class Wheel(Swing, Press, Body, Rim, Speed):
         else:
             what = "number of turns of a cycle" if name == "turns" else option.what or name.replace("_", " ")
             number = (option.read or as_number)(value, what)
+            assert isinstance(number, Fraction)
             if name == "rim_share" and number > 1:
                 raise ProblemError(f"the {what} is {about(number)}; it must be at most 1, the whole flywheel")
             # What a motor gives is more than what the press takes.

@@ -150,7 +150,7 @@ class PowerRequest(Question):
         }
         needed = [lacks[one][0] for one in quantity.needs.split() if lacks[one][1]]
         if STEAMED in quantity.needs and not needed and duty.specific_volume is None:
-            needed = ["--specific-volume or --steam-density"]
+            needed = ["--specific-volume"]
         if not needed:
             needed = lacking(duty, quantity.formulas["exact"].kernel(self.found(0)))
         return f"column {quantity.key} needs {' and '.join(needed)}; leave it out, or give that" * bool(

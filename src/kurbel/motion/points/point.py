@@ -13,7 +13,7 @@ from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, Number, exact_text, finite_decimals, nearest
 from kurbel.kernel.coupler import Point as KernelPoint
 from kurbel.reading import notation
-from kurbel.reading.given import Exact, as_fraction, as_share_or_length
+from kurbel.reading.given import as_fraction, as_share_or_length
 from kurbel.reading.notation import about, plain, quoted
 
 # Farther from the rod than that nobody asks, in rod lengths.
@@ -76,7 +76,7 @@ def decimals_of(points: Sequence[Point]) -> int | None:
     return max(known) if len(known) == len(counts) else None
 
 
-def points_of(given: Exact | Iterable[Exact], cranks: Sequence[Crank]) -> tuple[Point, ...]:
+def points_of(given: object, cranks: Sequence[Crank]) -> tuple[Point, ...]:
     """Return the points of lists and ranges, each once; lengths count in that of the rod of these cranks."""
     found = tuple(dict.fromkeys(_each(given, _length_of(cranks))))
     notation.check_length(len(found), notation.LONGEST_LIST, "points")
@@ -85,7 +85,7 @@ def points_of(given: Exact | Iterable[Exact], cranks: Sequence[Crank]) -> tuple[
     return found
 
 
-def _each(given: Exact | Iterable[Exact], one: Callable[[Exact], Fraction]) -> Iterator[Point]:
+def _each(given: object, one: Callable[[object], Fraction]) -> Iterator[Point]:
     values = [given] if isinstance(given, str) or not isinstance(given, Iterable) else list(given)
     for value in values:
         if not isinstance(value, str):
@@ -95,7 +95,7 @@ def _each(given: Exact | Iterable[Exact], one: Callable[[Exact], Fraction]) -> I
             yield from _read(part, value, one)
 
 
-def _read(part: str, whole: str, one: Callable[[Exact], Fraction]) -> Iterator[Point]:
+def _read(part: str, whole: str, one: Callable[[object], Fraction]) -> Iterator[Point]:
     if not part.strip():
         raise NotationError(f"{_WHAT} {quoted(whole)} has an empty place; write a list as '0;0.5;1'")
     if ".." in part:
@@ -139,11 +139,11 @@ def _check_comma(part: str, share: str, beside: str) -> None:
         )
 
 
-def _length_of(cranks: Sequence[Crank]) -> Callable[[Exact], Fraction]:
+def _length_of(cranks: Sequence[Crank]) -> Callable[[object], Fraction]:
     """Return the reader of a share of the rod, or of a length."""
     lengths = {crank.rod_length for crank in cranks}
 
-    def read(given: Exact) -> Fraction:
+    def read(given: object) -> Fraction:
         from kurbel.reading import units
 
         if not isinstance(given, str):
