@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
@@ -140,23 +141,11 @@ class SweepRequest(NamedTuple):
 @contextmanager
 def running(asked: SweepRequest, sweep: Sweep) -> Iterator[Running]:
     """Give how to run a sweep by these options; on a terminal a bar tells of it."""
-    from kurbel.errors import ChoiceError
     from kurbel.sweeps.run import Running
 
-    if asked.resume and asked.restart:
-        raise ChoiceError(
-            "--resume goes on with finished parts and --restart removes them; give one of the two"
-        )
-    if asked.scheduler and asked.jobs:
-        raise ChoiceError(
-            "--jobs is of this machine, and with --scheduler others compute; give one of the two"
-        )
-    if asked.scheduler == "":
-        raise ChoiceError(
-            "--scheduler is empty; give an address, tcp://HOST:8786, or leave it out for this machine"
-        )
+    how = Running(asked.scheduler, asked.jobs, asked.resume, asked.restart)
     with _bar(sweep, asked.output or "-") as watch:
-        yield Running(asked.scheduler, asked.jobs, asked.resume, asked.restart, watch)
+        yield replace(how, watch=watch)
 
 
 @contextmanager

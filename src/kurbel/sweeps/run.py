@@ -59,6 +59,20 @@ class Running:
     restart: bool = False
     watch: Callable[[int], None] = lambda rows: None
 
+    def __post_init__(self) -> None:
+        if self.resume and self.restart:
+            raise ChoiceError(
+                "--resume goes on with finished parts and --restart removes them; give one of the two"
+            )
+        if self.scheduler and self.jobs:
+            raise ChoiceError(
+                "--jobs is of this machine, and with --scheduler others compute; give one of the two"
+            )
+        if self.scheduler == "":
+            raise ChoiceError(
+                "--scheduler is empty; give an address, tcp://HOST:8786, or leave it out for this machine"
+            )
+
 
 def run(sweep: Sweep, target: str, running: Running = Running(), format: str | None = None) -> Outcome:
     """Write the sweep to a file, in the form of its suffix unless its `format` is said.
