@@ -131,7 +131,7 @@ class Option(click.Option):
     def resolve_envvar_value(self, ctx: click.Context) -> str | None:
         return None if ctx.find_object(Document) else super().resolve_envvar_value(ctx)
 
-    def process_value(self, ctx: click.Context, value: Any) -> Any:
+    def process_value(self, ctx: click.Context, value: object) -> Any:
         if ctx.get_parameter_source(self.name or "") is not ParameterSource.ENVIRONMENT:
             return super().process_value(ctx, value)
         with naming_variable(ctx, self):

@@ -44,7 +44,7 @@ class Given(tuple[Any, ...]):
     }
 
     @classmethod
-    def read(cls, given: Any, _: str) -> Given:
+    def read(cls, given: object, _: str) -> Given:
         values = given if isinstance(given, list) else [given]
         if not values or not all(isinstance(one, str | int | float) for one in values):
             raise Fault('a text such as "1..10:0.5", a number, true or false, or a list of them')

@@ -248,7 +248,7 @@ class DrawnConstruction(Constructed, Sized):
         return Drawing.of(drawn, lang, mark, page)
 
 
-def _point(given: Any, drive: Any) -> Fraction:
+def _point(given: object, drive: Any) -> Fraction:
     points = points_of(given, [drive.crank])
     if len(points) != 1:
         raise ProblemError(f"a construction is of one point of the rod; {len(points)} are given")
@@ -261,13 +261,13 @@ def _point(given: Any, drive: Any) -> Fraction:
     return point.share
 
 
-def _rod(centre: Any, gyration: Any, drive: Any) -> Rod | None:
+def _rod(centre: object, gyration: object, drive: Any) -> Rod | None:
     if centre is None and gyration is None:
         return None
     crank = drive.crank
     length = None if crank.radius is None else crank.radius / crank.ratio
 
-    def share(value: Any, what: str, usual: Fraction) -> Fraction:
+    def share(value: object, what: str, usual: Fraction) -> Fraction:
         return usual if value is None else as_share_or_length(value, what, length, UNKNOWN)
 
     return Rod.from_crosshead(

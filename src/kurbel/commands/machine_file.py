@@ -59,7 +59,7 @@ class Several(tuple[str, ...]):
     SCHEMA: ClassVar[Mapping[str, object]] = {"anyOf": [ONE, {"type": "array", "items": ONE, "minItems": 1}]}
 
     @classmethod
-    def read(cls, given: Any, _: str) -> Several:
+    def read(cls, given: object, _: str) -> Several:
         values = given if isinstance(given, list) else [given]
         if not values or not all(map(_is_value, values)):
             raise Fault(cls.MUST)
@@ -83,7 +83,7 @@ class Files(Several):
     """Files beside the machine's."""
 
     @classmethod
-    def read(cls, given: Any, name: str) -> Several:
+    def read(cls, given: object, name: str) -> Several:
         found = super().read(given, name)
         if any("\0" in one for one in found):
             raise Fault("the name of a file, and none has a NUL in it")
@@ -94,7 +94,7 @@ class File(Files, One):
     """One of them."""
 
 
-def _is_value(given: Any) -> bool:
+def _is_value(given: object) -> bool:
     if isinstance(given, bool) or not isinstance(given, str | int | float):
         return False
     return not isinstance(given, int) or given.bit_length() < MOST_BITS
@@ -246,7 +246,7 @@ def _options(machine: NamedFile, given: Mapping[str, object]) -> dict[str, objec
     return {name: _option(machine, value) for name, value in given.items() if value is not None}
 
 
-def _option(machine: NamedFile, value: Any) -> Any:
+def _option(machine: NamedFile, value: object) -> Any:
     """Return a value as its option takes it; files beside the machine's."""
     if isinstance(value, Files):
         beside = [machine.beside(name) for name in value]

@@ -77,7 +77,7 @@ class Values:
             if name in self.values:
                 self.values[name] = False if self.values[name] is True else None
 
-    def spell(self, name: str, other: str, value: Any) -> None:
+    def spell(self, name: str, other: str, value: object) -> None:
         """Give an option its value by another one, which stands for it."""
         self.values[name], self.origins[name] = value, self.origins.get(other)
         self._spellings[name] = other

@@ -122,7 +122,7 @@ def _of_ratios(ratios: Sequence[Fraction]) -> Choice:
     return Choice("ratio", tuple(ratios), tuple(f"${ratio_text(one)}$" for one in ratios))
 
 
-def _choice(name: str, known: Mapping[str, Option[object]], given: Any) -> Choice | None:
+def _choice(name: str, known: Mapping[str, Option[object]], given: object) -> Choice | None:
     """Return a slider, nothing for one value."""
     if name == "ratio":
         ratios = as_ratios(given)

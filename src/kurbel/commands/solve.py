@@ -35,12 +35,13 @@ OF_LOADS = frozenset(
 OF_MASSES = frozenset((*Masses.masses(), *(one.name for one in Weight.options().values())))
 
 
-def as_conditions(where: Any, what: str) -> tuple[str, ...]:
+def as_conditions(where: object, what: str) -> tuple[str, ...]:
     """Return the conditions as they are written."""
-    texts = [where] if isinstance(where, str) or not isinstance(where, Iterable) else list(where)
-    if not all(isinstance(text, str) for text in texts):
+    given = [where] if isinstance(where, str) or not isinstance(where, Iterable) else [*where]
+    texts = tuple(text for text in given if isinstance(text, str))
+    if len(texts) < len(given):
         raise NotationError('a condition is text, such as "p = 0"')
-    return tuple(texts)
+    return texts
 
 
 class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptions):

@@ -235,7 +235,7 @@ def _table(page: Page, asked: Any = None) -> Table:
     return Table.of(page, asked)
 
 
-def of_machine(command: Command, file: Any) -> dict[str, object]:
+def of_machine(command: Command, file: object) -> dict[str, object]:
     """Return the options of the command that a machine's file gives. Raises KurbelError."""
     many = {name: one.many for name, one in command.options.items()}
     named = File(str(FILE.taken(file, MACHINE)))
@@ -267,7 +267,7 @@ def _variant_name(key: str, name: str, said: str) -> str:
     return f"{key}{name[:LONGEST].rstrip('-.')}-{sha256(said.encode()).hexdigest()[:6]}"
 
 
-def _alone(value: Any) -> Any:
+def _alone(value: object) -> Any:
     """Return the one value of a list of one, which the command line makes of options that may be repeated."""
     return value[0] if isinstance(value, list | tuple) and len(value) == 1 else value
 
@@ -277,7 +277,7 @@ def _is_other(one: Option[object], values: Mapping[str, object]) -> bool:
     return is_given(value) and (not is_given(one.default) or _text(value) != _text(one.default))
 
 
-def _text(value: Any) -> str:
+def _text(value: object) -> str:
     if value is True:
         return ""
     if isinstance(value, str) or not isinstance(value, Collection):

@@ -61,7 +61,7 @@ class Choices(tuple[str, ...]):
         cls.SCHEMA = {"type": "array", "items": cls.one.SCHEMA}
 
     @classmethod
-    def read(cls, given: Any, name: str) -> Self:
+    def read(cls, given: object, name: str) -> Self:
         if not isinstance(given, list) or not all(isinstance(one, str) for one in given):
             raise Fault("a list of texts")
         # Plain texts go to other processes.
@@ -90,7 +90,7 @@ class Day(date):
     SCHEMA: ClassVar[Mapping[str, object]] = {"type": "string", "format": "date"}
 
     @classmethod
-    def read(cls, given: Any, name: str) -> Day:
+    def read(cls, given: object, name: str) -> Day:
         try:
             day = date.fromisoformat(given) if isinstance(given, str) else given
         except ValueError:
@@ -106,7 +106,7 @@ class Heading(str):
     SCHEMA: ClassVar[Mapping[str, object]] = {"type": "string"}
 
     @classmethod
-    def read(cls, given: Any, name: str) -> Heading:
+    def read(cls, given: object, name: str) -> Heading:
         if not isinstance(given, str):
             raise Fault(A_TEXT)
         if control := next((one for one in given if category(one) == "Cc"), ""):
@@ -128,7 +128,7 @@ class Inside(str):
     SCHEMA: ClassVar[Mapping[str, object]] = {"type": "string"}
 
     @classmethod
-    def read(cls, given: Any, name: str) -> Inside:
+    def read(cls, given: object, name: str) -> Inside:
         if not isinstance(given, str):
             raise Fault(A_TEXT)
         parts = given.replace("\\", "/").split("/")

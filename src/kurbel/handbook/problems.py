@@ -115,7 +115,7 @@ class _Filled:
         self.file, self.place, self.keys = file, place, keys
         self.values = {name: self.value(name, given, variant) for name, given in keys.values.items()}
 
-    def value(self, name: str, given: Any, variant: int) -> str:
+    def value(self, name: str, given: object, variant: int) -> str:
         place = (*self.place, "values", name)
         several = given if isinstance(given, list) else [given]
         if not several or not all(isinstance(one, str) and one.strip() for one in several):

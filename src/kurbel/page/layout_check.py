@@ -166,7 +166,7 @@ def _unknown(place: Place, name: str, allowed: Iterable[str], what: str) -> Iter
     yield from _refused(place, lambda one: choose(one, allowed, what), name)
 
 
-def _refused(place: Place, read: Callable[[Any], Any], given: Any) -> Iterator[tuple[Place, str]]:
+def _refused(place: Place, read: Callable[[Any], Any], given: object) -> Iterator[tuple[Place, str]]:
     try:
         read(given)
     except KurbelError as error:

@@ -111,10 +111,10 @@ class Words(dict[str, Label]):
     }
 
     @classmethod
-    def read(cls, given: Any, _: str) -> Words:
+    def read(cls, given: object, _: str) -> Words:
         texts = cls.texts(given) if isinstance(given, str) else given
         kinds = {key: type(text) for key, text in texts.items()} if isinstance(texts, dict) else {}
-        if kinds != dict.fromkeys(LANGUAGES, str):
+        if not isinstance(texts, dict) or kinds != dict.fromkeys(LANGUAGES, str):
             raise Fault(cls.MUST)
         return cls(texts)
 
@@ -142,9 +142,9 @@ class Notes(tuple[Words, ...]):
     SCHEMA: ClassVar[Mapping[str, object]] = _of_languages({"type": "array", "items": {"type": "string"}})
 
     @classmethod
-    def read(cls, given: Any, name: str) -> Notes:
-        known = isinstance(given, dict) and len(given) == len(LANGUAGES)
-        lists: list[Any] = [given.get(one) for one in LANGUAGES] if known else [None]
+    def read(cls, given: object, name: str) -> Notes:
+        known = given if isinstance(given, dict) and len(given) == len(LANGUAGES) else {}
+        lists: list[Any] = [known.get(one) for one in LANGUAGES]
         if not all(isinstance(one, list) and all(isinstance(text, str) for text in one) for one in lists):
             raise Fault('lists of texts, de = ["..."] and en = ["..."]')
         if len({*map(len, lists)}) > 1:
@@ -359,7 +359,7 @@ def _values(given: Mapping[str, Any]) -> dict[str, Any]:
     return {key: _READ.get(key, _plain)(value) for key, value in given.items()}
 
 
-def _plain(value: Any) -> Any:
+def _plain(value: object) -> object:
     return tuple(value) if isinstance(value, list) else value
 
 
@@ -367,7 +367,7 @@ def _heads(given: Sequence[Any]) -> tuple[Words, ...]:
     return tuple(Head.read(one, "") for one in given)
 
 
-_READ: Mapping[str, Callable[[Any], Any]] = {
+_READ: Mapping[str, Callable[[Any], object]] = {
     "columns": lambda given: tuple(LayoutColumn(**_values(one)) for one in given),
     "notes": lambda given: Notes.read(given, ""),
     "stub_headings": lambda given: dict(zip(given, _heads([*given.values()]), strict=True)),

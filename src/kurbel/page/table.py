@@ -358,7 +358,7 @@ def own_words(values: Mapping[str, object]) -> Mapping[str, object]:
     }
 
 
-def _note(given: Any) -> Note:
+def _note(given: object) -> Note:
     if isinstance(given, Note):
         return given
     said = _said(given, "note")
@@ -369,7 +369,7 @@ def _note(given: Any) -> Note:
     return Note(text, mark)
 
 
-def _said(given: Any, name: str) -> Label:
+def _said(given: object, name: str) -> Label:
     """Return a text that can be set, white space as one space each."""
     if not isinstance(given, str):
         raise ProblemError(f"the {name} is {str(given)[:40]}; it must be text")

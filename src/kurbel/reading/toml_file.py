@@ -61,7 +61,7 @@ class Choice(str):
         cls.SCHEMA = {"type": "string", "enum": cls.allowed}
 
     @classmethod
-    def read(cls, given: Any, _: str) -> Self:
+    def read(cls, given: object, _: str) -> Self:
         if not isinstance(given, str):
             raise Fault(A_TEXT)
         return cls(meant(given, cls.allowed, cls.what))
@@ -156,7 +156,7 @@ def _text_of(path: str | os.PathLike[str], kind: TomlKind) -> str:
         ) from None
 
 
-def shown(value: Any) -> str:
+def shown(value: object) -> str:
     """What a value is, in the words of a TOML file."""
     if isinstance(value, bool):
         return str(value).lower()

@@ -69,7 +69,7 @@ def _leave_out(given: Any, place: Place) -> None:
         del given[place[last]]
 
 
-def _faults_in(given: Any, shape: inspect.Type, place: Place) -> Iterator[tuple[Place, str]]:
+def _faults_in(given: object, shape: inspect.Type, place: Place) -> Iterator[tuple[Place, str]]:
     """Yield where something is amiss, in the order of the file, and the sentence about it."""
     match shape:
         case inspect.Metadata():
@@ -133,7 +133,7 @@ def left(shape: inspect.UnionType) -> inspect.Type:
     return left
 
 
-def _made(kind: Any, value: Any, name: str = "") -> Any:
+def _made(kind: Any, value: object, name: str = "") -> Any:
     return kind.read(value, name)
 
 
@@ -143,7 +143,7 @@ def _example(shape: inspect.Type) -> str:
     return json.dumps(schema["examples"][0], ensure_ascii=False)
 
 
-def _wanted(given: Any, shape: inspect.Type, place: Place) -> str:
+def _wanted(given: object, shape: inspect.Type, place: Place) -> str:
     """Return what a value must be that is not of the type; nothing for one that is."""
     match shape:
         case inspect.StrType() if not isinstance(given, str):

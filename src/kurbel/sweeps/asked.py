@@ -100,7 +100,7 @@ class _List(NamedTuple):
         return self.values[int(share * len(self.values))]
 
 
-def is_varied(option: Option[object], given: Any) -> bool:
+def is_varied(option: Option[object], given: object) -> bool:
     """Whether an option has several values, or a range without a step."""
     texts = given if isinstance(given, list | tuple) else [given]
     if option.whole:
@@ -108,7 +108,7 @@ def is_varied(option: Option[object], given: Any) -> bool:
     return len(texts) > 1 or (isinstance(texts[0], str) and (";" in texts[0] or ".." in texts[0]))
 
 
-def _space(option: Option[object], given: Any) -> _Range | _List:
+def _space(option: Option[object], given: object) -> _Range | _List:
     texts = given if isinstance(given, list | tuple) else [given]
     one = texts[0]
     if len(texts) > 1 or not isinstance(one, str) or ";" in one or option.whole:
@@ -160,7 +160,7 @@ def left_of(command: Command, options: Values) -> dict[str, object]:
     return {name: value for name, value in given.items() if name in SPELLED or trial.says(name)}
 
 
-def values_of(option: Option[object], given: Any) -> Sequence[Any]:
+def values_of(option: Option[object], given: object) -> Sequence[Any]:
     """Return the values that an option was given, each as the command takes it. Raises NotationError."""
     if isinstance(given, bool) or not is_given(given):
         return (given,)

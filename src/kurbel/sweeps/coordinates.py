@@ -84,7 +84,7 @@ def _in_si(parameter: Option[object], values: Sequence[Any]) -> tuple[Sequence[A
     return [one[0] for one in found if one is not None], 1, known.pop()
 
 
-def _value(parameter: Option[object], given: Any) -> tuple[Any, str] | None:
+def _value(parameter: Option[object], given: object) -> tuple[Any, str] | None:
     if isinstance(given, bool):
         return None
     if not isinstance(given, str):

@@ -158,7 +158,7 @@ def _command(command: Callable[..., Any] | str) -> Any:
     return command
 
 
-def _values_of(command: Command, machine: Any, options: Mapping[str, object]) -> Values:
+def _values_of(command: Command, machine: object, options: Mapping[str, object]) -> Values:
     """Return the options by their names on the command line, several values of one as a list, and behind them
     what a machine's file says."""
     known = {**command.options, **command.parameters}
@@ -173,7 +173,7 @@ def _values_of(command: Command, machine: Any, options: Mapping[str, object]) ->
     return Values(typed | {name: value for name, value in found.items() if name not in typed}, origins)
 
 
-def _listed(option: Option[object], value: Any) -> Any:
+def _listed(option: Option[object], value: object) -> Any:
     if (dimensions := getattr(value, "ndim", 0)) > 1:
         raise NotationError(f"{option.name} is an array of {dimensions} dimensions; give a list of values")
     if hasattr(value, "tolist"):

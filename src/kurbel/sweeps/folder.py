@@ -47,10 +47,10 @@ def files_of(plan: Plan) -> dict[str, str]:
 def grounded(plan: Plan) -> Plan:
     """Return the plan with files that count from the folder of this process, wherever it goes."""
 
-    def absolute(value: Any) -> File:
+    def absolute(value: object) -> File:
         if isinstance(value, File):
             return File(value.name, os.path.abspath(value.folder), value.inside)
-        return File(os.fspath(value), os.getcwd())
+        return File(str(value), os.getcwd())
 
     return _with_files(plan, absolute)
 
@@ -59,7 +59,7 @@ def _with_files(plan: Plan, file: Callable[[Any], Any]) -> Plan:
     """Return the plan with what `file` makes of each file that its options name."""
     kinds = {name: one.kind for name, one in plan.asking.options.items()}
 
-    def named(name: str, value: Any) -> Any:
+    def named(name: str, value: object) -> Any:
         if isinstance(value, list | tuple):
             return [named(name, one) for one in value]
         return kinds[name].with_files(value, file) if value and name in kinds else value

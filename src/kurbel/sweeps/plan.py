@@ -41,7 +41,7 @@ class Axis(NamedTuple):
     values: Sequence[Any]
 
 
-def text_of(value: Any, option: str = "") -> str:
+def text_of(value: object, option: str = "") -> str:
     """Return a value of an option as text that the command line takes."""
     if option == "ratio" and isinstance(value, Fraction) and value >= 0:
         return ratio_text(value)

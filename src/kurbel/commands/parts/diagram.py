@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kurbel.commands.options import Option, file, word
 from kurbel.commands.part import Part, flag_of
@@ -212,5 +212,7 @@ class Diagram(Part):
         return as_power(power) * share * turns / mean.value
 
 
-def _texts(areas: Any) -> list[str]:
-    return [areas] if isinstance(areas, str) else [str(one) for one in areas]
+def _texts(areas: object) -> list[str]:
+    if isinstance(areas, str) or not isinstance(areas, Iterable):
+        return [str(areas)]
+    return [*map(str, areas)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kurbel.commands.options import FLAG, Choice, Option, measure, word
 from kurbel.commands.part import Part
@@ -21,7 +21,7 @@ LEAST, MOST = 20, 1000
 USUAL_SECONDS, LEAST_SECONDS, MOST_SECONDS = 6, 1, 120
 
 
-def as_page_length(given: Any, what: str) -> float:
+def as_page_length(given: object, what: str) -> float:
     """Return a length on the page in mm. Raises KurbelError beyond the limits."""
     from kurbel.reading.units import is_measure
 
@@ -34,7 +34,7 @@ def as_page_length(given: Any, what: str) -> float:
     return float(found)
 
 
-def as_seconds(given: Any, what: str) -> float:
+def as_seconds(given: object, what: str) -> float:
     """Return how long a turn takes. Raises KurbelError beyond the limits."""
     found = float(as_number(given, what))
     if not LEAST_SECONDS <= found <= MOST_SECONDS:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from kurbel.commands.options import Choice, Option, file, measure, word
 from kurbel.commands.part import Origin, Part, Values, flag_of
@@ -216,7 +216,7 @@ class Series(Method):
         return series_of(orders[0])
 
 
-def _orders(given: Any) -> tuple[int, ...]:
+def _orders(given: object) -> tuple[int, ...]:
     """Return the orders of series that are asked for. Raises KurbelError."""
     found = as_numbers(given, "order")
     for one in found:

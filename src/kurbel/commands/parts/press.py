@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.commands.options import Option, measure
 from kurbel.commands.part import Part, flag_of
@@ -152,7 +152,7 @@ class Press(Part):
         return Known(Product.of(strength * area * thickness * _HALF, 1), ("--hole", "--shear-strength"))
 
 
-def sides_of(sizes: Any) -> list[str]:
+def sides_of(sizes: object) -> list[str]:
     """Return the two lengths of "400mm x 200mm" or "400 x 200 mm", none of another text."""
     sides = re.split(r"[x×]", sizes) if isinstance(sizes, str) else []
     return in_one_unit(sides) if len(sides) == 2 else []

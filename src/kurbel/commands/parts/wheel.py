@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from kurbel.commands.options import Option, alone, measure
 from kurbel.commands.part import Part, Rivals, flag_of
@@ -207,7 +207,7 @@ def _above_zero(value: Fraction, name: str, unit: str) -> Product:
     return Product.of(value)
 
 
-def _ends(speed: Any) -> list[str]:
+def _ends(speed: object) -> list[str]:
     """Return the two speeds of "200..225/min", none of another text."""
     ends = _RANGE.fullmatch(speed) if isinstance(speed, str) else None
     return in_one_unit(ends.groups()) if ends else []
@@ -233,13 +233,13 @@ def _of_rim_speeds(ends: Sequence[str]) -> Iterator[tuple[str, Product]]:
     yield "delta", Product.of(2 * (high - low) / (low + high))
 
 
-def omega_of(speed: Any) -> Product:
+def omega_of(speed: object) -> Product:
     """Return ω in 1/s of a speed of rotation."""
     turns = as_speed(speed)
     return Product.of(2 * turns.value, 1) if turns.turns else Product.of(turns.value)
 
 
-def _section(section: Any) -> Iterator[tuple[str, Product]]:
+def _section(section: object) -> Iterator[tuple[str, Product]]:
     """Yield what the section of a rim gives: breadth and thickness, its area, or the ratio of both."""
     if section is None:
         return
@@ -254,7 +254,7 @@ def _section(section: Any) -> Iterator[tuple[str, Product]]:
         yield "proportion", _above_zero(_ratio(section), "ratio of breadth to thickness of the rim", "")
 
 
-def _ratio(section: Any) -> Fraction:
+def _ratio(section: object) -> Fraction:
     try:
         return as_ratio(section)
     except NotationError:
