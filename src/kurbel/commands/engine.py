@@ -24,7 +24,7 @@ from kurbel.errors import ProblemError
 from kurbel.page.layouts import Layout
 from kurbel.page.subject import Question
 from kurbel.reading import notation
-from kurbel.reading.given import as_angle, as_angles, as_ratios, as_speed
+from kurbel.reading.given import as_angles, as_ratios
 
 EXAMPLE, DETAIL = "epsilon,delta", "delta-detail"
 WITH_MASSES = "with masses the power follows from pressure, bore, stroke and speed; leave --power out"
@@ -290,8 +290,7 @@ class TurningOptions(EngineWithWheel, Diagram):
         if self.is_diagram():
             self.refuse(*KINDS, "cylinder")
         subject = AREAS if self.says("areas") or self.layout == AREAS else TORQUES
-        page, speed = self.page(subject, subject), self.raw("speed")
-        inertia, mean = self.inertia, None if speed is None else as_speed(speed)
+        page, mean, inertia = self.page(subject, subject), self.speed, self.inertia
         if subject == AREAS:
             return AreasRequest(
                 areas=self.whole_areas(),
@@ -321,9 +320,7 @@ class TurningOptions(EngineWithWheel, Diagram):
             return angles
         if step is None and page is not None and cycle <= FULL_TURN:
             return as_angles(page.angles)
-        return notation.progression(
-            Fraction(0), cycle, min(STEP, cycle) if step is None else as_angle(step, "step")
-        )
+        return notation.progression(Fraction(0), cycle, min(STEP, cycle) if step is None else step)
 
 
 turning = function(TurningOptions, "turning")

@@ -29,7 +29,6 @@ from kurbel.exact.kind import floats
 from kurbel.exact.product import Product
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.subject import Question
-from kurbel.reading.given import as_speed
 from kurbel.reading.names import enumerated
 
 ENGINE, SIZING = "flywheel", "flywheel sizing"
@@ -135,7 +134,8 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
         # With masses it follows from the load, against which they are weighed.
         power = None if heavy else self._power()
         self._refuse_sizes(power)
-        turns, radius = as_speed(self.speed), self.radius
+        turns, radius = self.speed, self.radius
+        assert turns is not None
         wheels = tuple(Flywheel(power, turns, each, radius) for each in self.delta or ())
         if self.says(*(one.name for one in Rim.options().values())):
             page = self.page(PAGE_OF_SIZES, SIZING)

@@ -21,7 +21,7 @@ from kurbel.motion.page import Request
 from kurbel.motion.rod_masses import RodMassesRequest
 from kurbel.page.layouts import Layout
 from kurbel.page.subject import Question
-from kurbel.reading.given import as_length, as_ratios, as_speed
+from kurbel.reading.given import as_length, as_ratios
 
 MASSES, ERRORS = ("rod masses", "pin masses"), "inertia errors"
 INERTIA, ROCKER_INERTIA = ("inertia", ERRORS, *MASSES), "rocker inertia"
@@ -135,7 +135,7 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
         """Return what is asked for of the rod that moves a rocker."""
         page = self.page("inertia-rocker", ROCKER_INERTIA)
         _, described = self.described(beside=("stroke",), leaving=("speed",))
-        speed = None if self.speed is None else as_speed(self.speed)
+        speed = self.speed
         drives = []
         for drive in chosen.drives(described, page.ratios):
             crank = chosen.crank(drive)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from copy import copy
+from dataclasses import dataclass, field
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Generic, Self, TypeAlias, TypeVar, cast, overload
 
@@ -222,6 +223,7 @@ def _folder(typed: Mapping[str, object]) -> given.File | None:
     return folder if isinstance(folder, given.File) else None
 
 
+@dataclass(eq=False)
 class Option(Generic[Made]):
     """An option: a sentence of help, what stands for the value there, what kind of value it is, and how that
     is read.
@@ -244,37 +246,28 @@ class Option(Generic[Made]):
     notes that it was read.
     """
 
-    name = ""
-    home: type[Part] | None = None
-
-    def __init__(
-        self,
-        help: str,
-        metavar: str | None = None,
-        kind: Kind = TEXT,
-        short: str = "",
-        unit: str = "",
-        many: bool = False,
-        positional: bool = False,
-        environment: str = "",
-        first: bool = False,
-        default: object = None,
-        last: bool = False,
-        bare: str = "",
-        required: bool = False,
-        whole: bool = False,
-        numbers: bool = True,
-        read: Callable[[object, str], object] | None = None,
-        what: str = "",
-        machine: str = OF_PART,
-        usual: str = "",
-        topic: str = "",
-    ) -> None:
-        self.help, self.metavar, self.kind, self.short, self.unit = help, metavar, kind, short, unit
-        self.many, self.positional, self.environment, self.first = many, positional, environment, first
-        self.default, self.last, self.bare, self.required = default, last, bare, required
-        self.read, self.what, self.whole, self.numbers = read, what, whole, numbers
-        self.machine, self.usual, self.topic = machine, usual, topic
+    help: str
+    metavar: str | None = None
+    kind: Kind = TEXT
+    short: str = ""
+    unit: str = ""
+    many: bool = False
+    positional: bool = False
+    environment: str = ""
+    first: bool = False
+    default: object = None
+    last: bool = False
+    bare: str = ""
+    required: bool = False
+    whole: bool = False
+    numbers: bool = True
+    read: Callable[[object, str], object] | None = None
+    what: str = ""
+    machine: str = OF_PART
+    usual: str = ""
+    topic: str = ""
+    name: str = field(default="", init=False)
+    home: type[Part] | None = field(default=None, init=False)
 
     def but(self, **changes: Any) -> Self:
         """Return the same option with another help, another default: as it is in one command."""

@@ -33,7 +33,6 @@ from kurbel.page.layouts import Layout, layout
 from kurbel.page.subject import Question
 from kurbel.reading.given import (
     as_angles,
-    as_crank_angles,
     as_length,
     as_number,
     as_power,
@@ -197,7 +196,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
 
     def _count(self) -> int:
         """Return how many cylinders there are, one for each crank where these are given."""
-        of_cranks = len(as_crank_angles(self.cranks)) if self.says("cranks") else None
+        of_cranks = len(self.cranks) if self.cranks else None
         cylinders = self.cylinders
         if cylinders is None:
             return of_cranks or 1

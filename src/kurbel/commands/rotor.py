@@ -17,7 +17,7 @@ from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_o
 from kurbel.commands.subject import function
 from kurbel.errors import NotationError, ProblemError
 from kurbel.page.subject import Question
-from kurbel.reading.given import as_crank_angles, as_force, as_length, as_shares, as_speed, as_velocity
+from kurbel.reading.given import as_crank_angles, as_force, as_length, as_shares, as_velocity
 from kurbel.reading.units import as_angles_or_unknown, displacement, length, mass
 
 # One of each mass, None for what is asked for.
@@ -108,9 +108,7 @@ class RotorOptions(Speed, Layouts, Sheet, CommandOptions):
         read=_bearings,
         whole=True,
     )
-    speed = Speed.speed.read_as(
-        alone(as_speed), help="Speed, for forces in N: 300/min, 12.5rad/s.", topic="masses"
-    )
+    speed = Speed.speed.but(help="Speed, for forces in N: 300/min, 12.5rad/s.", topic="masses")
     about = measure(
         _place,
         "Plane about which moments are taken: 400mm; default: where planes count from.", "LENGTH", unit="m",
@@ -239,7 +237,7 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
     balance_radius = measure(
         as_length, "Radius of the balancing masses: 600mm.", "LENGTH", unit="m", topic="counterweights"
     )
-    speed = Speed.speed.read_as(alone(as_speed), help="Speed of the axle: 300/min, 31rad/s.", topic="axle")
+    speed = Speed.speed.but(help="Speed of the axle: 300/min, 31rad/s.", topic="axle")
     velocity = measure(
         as_velocity, "Speed of the train in its place, with --wheel: 96km/h.", "SPEED", unit="m/s"
     )

@@ -27,7 +27,6 @@ from kurbel.errors import KurbelError, ProblemError
 from kurbel.page.layouts import Layout, layout
 from kurbel.reading.amounts import UNITS
 from kurbel.reading.given import (
-    as_crank_angles,
     as_expansions,
     as_force,
     as_number,
@@ -217,7 +216,7 @@ class Second:
         if asked.is_engine() or self.command in ("turning", "delta"):
             if self.command != "forces":
                 return self._turn(method, row).value(key, degrees, stroke=row.get("stroke", "turn"))
-            if method != "exact" or asked.raw("cranks"):
+            if method != "exact" or asked.cranks:
                 raise ProblemError("forces of several cranks, or of a series, are not computed a second time")
             return self._loaded(key, degrees, row)
         drive = self._drive(row)
@@ -345,17 +344,17 @@ class Second:
         asked, drive, load = self.asked, self._drive(row), self._load(row)
         key = (drive, method, alone, *(str(row.get(name)) for name in LOADED))
         if key not in self._turns:
-            cranks = as_crank_angles(asked.raw("cranks") or "0")
+            cranks = tuple(asked.cranks or (Fraction(0),))
             if asked.says("friction") and not alone:
                 raise ProblemError("turns with friction are not computed a second time")
             if alone:
                 self._turns[key] = verify.turn(drive, load)
             elif not asked.is_heavy():
-                self._turns[key] = verify.turn(drive, load, cranks=tuple(cranks), method=method)
+                self._turns[key] = verify.turn(drive, load, cranks=cranks, method=method)
             else:
                 bore, pressure = self._unit()
                 self._turns[key] = verify.turn(
-                    drive, load, cranks=tuple(cranks), method=method, bore=bore, pressure=pressure,
+                    drive, load, cranks=cranks, method=method, bore=bore, pressure=pressure,
                     bodies=self._bodies(drive, Fraction(0), row),
                 )  # fmt: skip
         return self._turns[key]

@@ -44,13 +44,15 @@ class Angles(Part):
         "Crank angles in degrees: 22.5, 2°30', lists '0;45;90', ranges 0..180:10.", "ANGLES", unit="degrees",
         many=True,
     )  # fmt: skip
-    from_: Option[object] = Option("First angle; default 0.", "ANGLE", unit="degrees")
-    to: Option[object] = Option(
+    from_ = measure(as_angle, "First angle; default 0.", "ANGLE", unit="degrees", what="first angle")
+    to = measure(
+        as_angle,
         "Last angle; default 360, the whole turn, and 180 where outstroke and return stand side by side."
         " Beyond 180 a page is of whole turns, with one column a quantity.",
-        "ANGLE", unit="degrees",
+        "ANGLE", unit="degrees", what="last angle",
     )  # fmt: skip
-    step: Option[object] = Option(
+    step = measure(
+        as_angle,
         "Step of the angles; default 10. Without any of these options a layout has its own angles.", "ANGLE",
         unit="degrees",
     )  # fmt: skip
@@ -83,9 +85,8 @@ class Angles(Part):
 
     def ends(self, turn: Fraction = FULL_TURN) -> tuple[Fraction, Fraction]:
         """Return the first and the last angle, by default those of the whole turn, or of so much of it."""
-        start, stop = self.from_, self.to
-        first = Fraction(0) if start is None else as_angle(start, "first angle")
-        return first, turn if stop is None else as_angle(stop, "last angle")
+        first, last = self.from_, self.to
+        return first or Fraction(0), turn if last is None else last
 
     def check_whole(self, page: Layout) -> None:
         """Raise ProblemError where crank angles are given to a page of the whole turn."""
@@ -120,7 +121,7 @@ class Angles(Part):
             )
         first, last = self.ends(turn)
         if (step := self.step) is not None:
-            return notation.progression(first, last, as_angle(step, "step"))
+            return notation.progression(first, last, step)
         return notation.progression(first, last, min(STEP, last - first) if last > first else STEP)
 
 

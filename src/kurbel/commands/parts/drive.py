@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from typing import ClassVar
 
-from kurbel.commands.options import Choice, Option, file, measure, word
+from kurbel.commands.options import Choice, Option, alone, file, measure, word
 from kurbel.commands.part import Origin, Part, Values, flag_of
 from kurbel.commands.parts.angles import OVER_PATH
 from kurbel.commands.parts.sheet import Layouts
@@ -16,7 +16,7 @@ from kurbel.errors import ProblemError
 from kurbel.motion.evaluation import REACH, series_of
 from kurbel.motion.mechanism import Mechanism, mechanism, of_other_mechanisms
 from kurbel.page.layouts import layout_of
-from kurbel.reading.given import as_length, as_numbers, as_ratios
+from kurbel.reading.given import as_length, as_numbers, as_ratios, as_speed
 from kurbel.reading.notation import plain, ratio_text
 
 # Of pages of approximations, and of pages about points of the rod.
@@ -155,7 +155,8 @@ class Speed(Part):
 
     topic = "crank"
 
-    speed: Option[object] = Option(
+    speed = measure(
+        alone(as_speed),
         "Speed, for columns in m/s and m/s²: 120/min, 12.5rad/s.",
         "SPEED",
         unit="turns a second",

@@ -9,7 +9,7 @@ from fractions import Fraction
 from os import PathLike
 from typing import TYPE_CHECKING, Any, TypedDict
 
-from kurbel.commands.options import FILE, FLAG, Choice, Kind, Option, measure
+from kurbel.commands.options import FILE, FLAG, Choice, Kind, Option, alone, measure
 from kurbel.commands.part import Part, flag_of
 from kurbel.commands.parts.drive import AnyDrive, Speed
 from kurbel.commands.parts.effort import RODS, Friction, with_effort
@@ -18,7 +18,7 @@ from kurbel.commands.parts.masses import OF_ROD, Masses, Rotating, Weight
 from kurbel.errors import KurbelError, NotationError, ProblemError
 from kurbel.motion.mechanism import Mechanism, of_other_mechanisms, uncomputed
 from kurbel.page.layouts import Layout
-from kurbel.reading.given import as_angle, as_crank_angles, as_number, as_speed, choose
+from kurbel.reading.given import as_angle, as_crank_angles, as_number, choose
 from kurbel.reading.notation import about
 
 if TYPE_CHECKING:
@@ -144,7 +144,7 @@ class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
         drives = self.rubbed(chosen, drives)
         sized = bool(drives) and chosen.crank(drives[0]).radius is not None
         if sized and not self.is_heavy() and self.has_speed():
-            speed = as_speed(self.raw("speed"))
+            speed = self.speed
             drives = [drive.of(replace(chosen.crank(drive), speed=speed)) for drive in drives]
         double = getattr(loads[0], "double", None) if loads else True
         return {
@@ -191,7 +191,8 @@ class Engine(Cylinder):
 
     topic = "cylinders"
 
-    cranks: Option[object] = Option(
+    cranks = measure(
+        alone(as_crank_angles),
         "Angles by which the cranks follow the first, with cylinders alike: '0;90' or '0;120;240'.", "ANGLES",
         unit="degrees", whole=True, machine="crank.angles",
     )  # fmt: skip
@@ -228,12 +229,7 @@ class Engine(Cylinder):
             "methods": tuple(dict.fromkeys((methods,) if isinstance(methods, str) else methods)),
         }
         if not self.is_several():
-            cranks = self.cranks
-            return {
-                **found,
-                **self.engines(page),
-                "cranks": as_crank_angles("0" if cranks is None else cranks),
-            }
+            return {**found, **self.engines(page), "cranks": self.cranks or (Fraction(0),)}
         assembly, numbers = self._seen(self.assembly(page))
         first, own = assembly.first, self.cylinder[numbers[0] - 1 if numbers else 0]
         return {

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from kurbel.commands.options import Choice, Option, alone, file, measure, word
 from kurbel.commands.part import Part, Rivals, flag_of
+from kurbel.commands.parts.drive import Speed
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism, of_other_mechanisms
 from kurbel.reading.given import (
@@ -19,7 +20,6 @@ from kurbel.reading.given import (
     as_mass,
     as_share_or_length,
     as_signed_mass,
-    as_speed,
 )
 
 if TYPE_CHECKING:
@@ -230,7 +230,7 @@ class Masses(MovingRod, Weight):
                 f"{chosen.title} with the weight of its masses is not computed, for its rocker or axles have"
                 " weights that are not given; leave --slope out"
             )
-        speed = as_speed(self.raw("speed"))
+        speed = self.as_part(Speed).speed
         heavy = [replace(crank, speed=speed, moving=moving) for crank in cranks]
         if self.says("acceleration") and not even:
             from kurbel.drive.spin import acceleration_of

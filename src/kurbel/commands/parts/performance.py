@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from kurbel.commands.options import Choice, Option, measure, word
 from kurbel.commands.part import Part, Rivals
+from kurbel.commands.parts.drive import Speed
 from kurbel.errors import ProblemError
 from kurbel.reading.given import (
     as_inertia,
@@ -13,7 +14,6 @@ from kurbel.reading.given import (
     as_power,
     as_share,
     as_specific_volume,
-    as_speed,
 )
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ class Flywheel(Part):
 
         if not self.has_wheel():
             return None
-        number, inertia, speed = self.flywheel, self.inertia, self.raw("speed")
+        number, inertia, speed = self.flywheel, self.inertia, self.as_part(Speed).speed
         if number is not None and inertia is not None:
             raise ProblemError("--flywheel and --inertia both describe the flywheel; leave one out")
         if inertia is not None and speed is None:
@@ -69,7 +69,7 @@ class Flywheel(Part):
         return Wheel(
             number,
             inertia,
-            None if speed is None else as_speed(speed),
+            speed,
             None if heavy or inertia is None else self.power,
             self.resistance or CONSTANT,
         )
