@@ -321,10 +321,9 @@ def positions_of(positions: object) -> tuple[tuple[Fraction, ...], bool]:
     """Return the positions, and whether they were given as lengths and are in metres."""
     if positions is None:
         return (), False
-    parts = positions.split(";") if isinstance(positions, str) else positions
-    if any(
-        isinstance(part, str) and is_measure(part) for part in (parts if isinstance(parts, Iterable) else ())
-    ):
+    several = positions if isinstance(positions, Iterable) else ()
+    parts = positions.split(";") if isinstance(positions, str) else several
+    if any(isinstance(part, str) and is_measure(part) for part in parts):
         return displacement.each(positions, "position"), True
     return tuple(as_places(positions, "position")), False
 

@@ -40,8 +40,6 @@ MACHINE = "machine"
 _FIGURES = r"[A-Za-z0-9.,:;/% -]*"
 _MINUS = r"(?<![\w.])-(?=[0-9.])"
 _PARTS = r"[^A-Za-z0-9.]+"
-# Options that stand for another, the stroke.
-SPELLED = ("crank", "true_stroke", "time_ratio")
 # What those commands are about that a list of unlike cylinders says nothing to.
 _ALIKE = {"pressures": "one", "construct": "one", "power": "cylinders alike", "balance": "cylinders alike"}
 # Lines of the command line, which stand behind a \\b.

@@ -7,16 +7,13 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import about as about
 from kurbel.exact.numerals import exact_text
 from kurbel.exact.numerals import plain as plain
 from kurbel.exact.numerals import ratio_text as ratio_text
-
-if TYPE_CHECKING:
-    pass
 
 LONGEST_NUMBER = 60
 # A range is three numbers; a longer text would keep the patterns of ranges busy for minutes.

@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 
 from kurbel.commands.options import TEXT, Option, is_given
 from kurbel.commands.part import Values, flag_of
+from kurbel.commands.parts.drive import SPELLED
 from kurbel.commands.sliders import figures, parted, several
-from kurbel.commands.subject import SPELLED, Command
+from kurbel.commands.subject import Command
 from kurbel.errors import KurbelError, NotationError, ProblemError
 from kurbel.motion.page import AngleQuestion, is_beyond
 from kurbel.page.axes import AngleAxis, shifted

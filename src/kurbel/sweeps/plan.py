@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from kurbel.commands.options import is_given
 from kurbel.commands.part import Origin, Values, flag_of
-from kurbel.commands.subject import SPELLED
+from kurbel.commands.parts.drive import SPELLED
 from kurbel.exact.numerals import exact_text, ratio_text
 from kurbel.motion.page import AngleQuestion
 from kurbel.page.subject import Question

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, TypedDict
 
 from kurbel.commands.options import FILE, FLAG, Choice, Kind, Option, alone, measure
 from kurbel.commands.part import Part, flag_of
-from kurbel.commands.parts.drive import AnyDrive, Speed
+from kurbel.commands.parts.drive import LENGTHS, AnyDrive, Speed
 from kurbel.commands.parts.effort import RODS, Friction, with_effort
 from kurbel.commands.parts.loads import KINDS, Loads, on_page
 from kurbel.commands.parts.masses import OF_ROD, Masses, Rotating, Weight
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
 EXAMPLE = "angle=90 bore=500mm pressure=3bar eps=2"
 # How what is said or not is written in a text.
 TRUTH: Mapping[object, bool] = {"true": True, "false": False, True: True, False: False}
-LENGTHS = ("ratio", "stroke", "rod")
 # What sets the place of a cylinder.
 PLACE: Mapping[str, str] = {
     "angle": "angle in degrees by which its crank follows the first",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from functools import partial
 from os import PathLike
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
@@ -261,16 +260,13 @@ class Loads(Piston):
                     "--other-side is compared with the suction pressure; add --suction-pressure"
                 )
             other /= _above_zero(suction)
-        made = partial(
-            of_given,
-            Compressor,
-            exponent=self.exponent,
-            clearance=self.clearance,
-            suction_loss=self.suction_loss,
-            delivery_loss=self.delivery_loss,
-            other_side=other,
-        )
-        return [made(ratio) for ratio in self.pressure_ratio or ()]
+        return [
+            of_given(
+                Compressor, ratio, exponent=self.exponent, clearance=self.clearance, other_side=other,
+                suction_loss=self.suction_loss, delivery_loss=self.delivery_loss,
+            )
+            for ratio in self.pressure_ratio or ()
+        ]  # fmt: skip
 
     def _pump(self) -> Acting:
         from kurbel.engine.loads.pump import DIFFERENTIAL, DOUBLE, SINGLE, Pump
@@ -305,19 +301,15 @@ class Loads(Piston):
     def _gas_cycles(self) -> Sequence[Acting]:
         from kurbel.engine.loads.gas import OTTO, GasCycle
 
-        made = partial(
-            of_given,
-            GasCycle,
-            cycle=self.cycle or OTTO,
-            exponent=self.exponent,
-            expansion_exponent=self.expansion_exponent,
-            cut_off=self.cut_off,
-            heat=self.heat,
-            peak=self._in_suctions("peak_pressure"),
-            exhaust=self._in_suctions("exhaust_pressure"),
-            two_stroke=self.two_stroke,
-        )
-        return [made(ratio) for ratio in self.compression or ()]
+        peak, exhaust = self._in_suctions("peak_pressure"), self._in_suctions("exhaust_pressure")
+        return [
+            of_given(
+                GasCycle, ratio, self.cycle or OTTO, exponent=self.exponent, cut_off=self.cut_off,
+                expansion_exponent=self.expansion_exponent, heat=self.heat, peak=peak, exhaust=exhaust,
+                two_stroke=self.two_stroke,
+            )
+            for ratio in self.compression or ()
+        ]  # fmt: skip
 
     def _in_suctions(self, name: str) -> Fraction | None:
         """Return a pressure in suction pressures, which is given so or as a measure."""
