@@ -228,7 +228,8 @@ class Engine(Cylinder):
             "methods": tuple(dict.fromkeys((methods,) if isinstance(methods, str) else methods)),
         }
         if not self.is_several():
-            return {**found, **self.engines(page), "cranks": self.cranks or (Fraction(0),)}
+            cranks = (Fraction(0),) if self.cranks is None else self.cranks
+            return {**found, **self.engines(page), "cranks": cranks}
         assembly, numbers = self._seen(self.assembly(page))
         first, own = assembly.first, self.cylinder[numbers[0] - 1 if numbers else 0]
         return {
