@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 
 from kurbel.commands.options import Option, file, word
 from kurbel.commands.part import Part, flag_of
-from kurbel.commands.parts.engine import Engine
 from kurbel.errors import ProblemError
-from kurbel.reading.given import as_energy, as_fraction, as_power, as_share, as_speed
+from kurbel.reading.given import as_crank_angles, as_energy, as_fraction, as_power, as_share, as_speed
 
 if TYPE_CHECKING:
     from kurbel.engine.diagram.areas import Areas
@@ -93,7 +92,7 @@ class Diagram(Part):
 
     def crank_angles(self) -> Sequence[Fraction]:
         """Return the angles of the cranks that have the torque, none where these were not given."""
-        return self.as_part(Engine).cranks or ()
+        return as_crank_angles(self.raw("cranks")) if self.says("cranks") else ()
 
     def constant(self) -> str:
         """Return which torque was not given and is the mean of the other, "load" or "drive"."""
