@@ -22,7 +22,7 @@ from kurbel.formats.html.live import lesson
 from kurbel.page.build import build
 from kurbel.page.labels import plain
 from kurbel.plot.drawings import Drawing
-from kurbel.plot.elements import DRAW, ROW, Board
+from kurbel.plot.elements import DOT, DRAW, ROW, Board
 from kurbel.plot.moving import LONGEST_ROD
 from kurbel.plot.sketch import LEAST, Point, laid_out, page_fitted
 from kurbel.plot.style import THIN, USUAL, WIDTH, Size, style
@@ -85,8 +85,8 @@ def hide_later(axes: Axes, shown: Construction, last: int) -> None:
         one.set_visible(step(str(one.get_gid() or "")) <= last)
 
 
-# In mm: the largest crank radius, what is left free about the drawing, and a point.
-LARGEST_RADIUS, MARGIN, DOT = 24.0, 7.0, 0.45
+# In mm: the largest crank radius, and what is left free about the drawing.
+LARGEST_RADIUS, MARGIN = 24.0, 7.0
 # Higher, in mm, it would not stand on a page with its caption.
 TALLEST = 160.0
 
@@ -137,7 +137,8 @@ def _board(
     mark: str,
 ) -> Board:
     low, high = extent(shown, points, curves)
-    levels = [one.level for step in shown.steps for one in step.drawn if isinstance(one, model.Measure)]
+    measures = [one for step in shown.steps for one in step.drawn if isinstance(one, model.Measure)]
+    levels = [one.level for one in measures]
     below, above = -min((0, *levels)) * ROW, max((0, *levels)) * ROW
     margin = (MARGIN, MARGIN)
 
@@ -160,7 +161,7 @@ def _board(
     sketch = laid_out(lower, upper, mm)
     lengths = {one.letters: one for one in shown.lengths}
     turning = -1 if shown.mirrored else 1
-    return Board(sketch, points, curves, lengths, low[1], high[1], mark, turning)
+    return Board(sketch, points, curves, lengths, measures, low[1], high[1], mark, turning)
 
 
 def _named(board: Board, element: Element, name: str) -> None:

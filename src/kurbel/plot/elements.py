@@ -11,8 +11,8 @@ from kurbel.books.constructions.model import Length, lettered
 from kurbel.plot.sketch import LEAST_DIMENSION, STRONG_LEVEL, Point, Sketch, moved, polar_point, towards
 from kurbel.plot.style import MEDIUM, STRONG, THIN, arrowhead, text_of
 
-# In mm: between rows of dimensions, at a mark, and below that a length has no dimension.
-ROW, CORNER, SHORTEST = 6.0, 2.2, 0.15
+# In mm: between rows of dimensions, at a mark, below that a length has no dimension, and a point.
+ROW, CORNER, SHORTEST, DOT = 6.0, 2.2, 0.15, 0.45
 # In mm: below that an angle has no arc, how far arrows from outside reach, half a tick.
 LEAST_ANGLE, OUTSIDE, TICK = 1.2, 5.0, 0.8
 # Points nearer to each other than that, in R, are one for their letters.
@@ -30,13 +30,15 @@ LOOKS: Mapping[str, Mapping[str, Any]] = {
 
 
 class Board(NamedTuple):
-    """What is being drawn on: the sketch, the points in units of R, the lengths by their letters; what lies
-    lowest and highest; the decimal mark; the sense in which the crank turns, 1 to the left."""
+    """What is being drawn on: the sketch, the points in units of R, the lengths by their letters and their
+    dimensions; what lies lowest and highest; the decimal mark; the sense in which the crank turns, 1 to the
+    left."""
 
     sketch: Sketch
     points: Mapping[str, Point]
     curves: Mapping[str, Sequence[Point]]
     lengths: Mapping[str, Length]
+    measures: Sequence[model.Measure]
     low: float
     high: float
     mark: str
@@ -210,14 +212,32 @@ def _measure(board: Board, one: model.Measure) -> None:
         return
     for point in (start, end):
         sketch.line(point, (point[0], level + math.copysign(1, one.level) * mm))
-    inside = math.dist(left, right) > LEAST_DIMENSION * mm
-    reach, outward = (0.0, 1) if inside else (4 * mm, -1)
-    if not inside:
-        sketch.line((left[0] - reach, level), left)
-        sketch.line(right, (right[0] + reach, level))
-    arrowhead(sketch.axes, left, (-outward, 0), mm)
-    arrowhead(sketch.axes, right, (outward, 0), mm)
-    sketch.beside(((left[0] - reach, level), (right[0] + reach, level)), said, 0.5, 1, ends=True)
+    inside, ends = math.dist(left, right) > LEAST_DIMENSION * mm, []
+    for point, outward in ((left, -1), (right, 1)):
+        beside = 0.0 if inside else _beside(board, one, point[0])
+        # Of two that share an end the broader one has its arrow there, where neither has room for one a dot.
+        ends.append((point[0] + (0 if inside or beside else 4 * outward * mm), level))
+        if ends[-1] != point:
+            sketch.line(ends[-1], point)
+        if not beside:
+            arrowhead(sketch.axes, point, (outward if inside else -outward, 0), mm)
+        elif outward > 0 and beside <= LEAST_DIMENSION * mm:
+            sketch.disc(point, DOT, THIN, "#000000")
+    sketch.beside(ends, said, 0.5, 1, ends=True)
+
+
+def _beside(board: Board, one: model.Measure, end: float) -> float:
+    """Return how long the dimension is that shares an end with one in its row, in R, 0 where none does."""
+    for other in board.measures:
+        xs = sorted(board.points[letter][0] for letter in board.lengths[other.letters].ends)
+        if (
+            other.level == one.level
+            and other != one
+            and end in xs
+            and xs[1] - xs[0] >= SHORTEST * board.sketch.mm
+        ):
+            return xs[1] - xs[0]
+    return 0.0
 
 
 def _length(sketch: Sketch, start: Point, end: Point, letters: str, look: str) -> None:
