@@ -77,7 +77,10 @@ def test_spanners_are_said_once_for_the_columns_below_them(tmp_path: Path) -> No
     grouped = f"""columns = [
     {{ spanners = ["Hingang|Outstroke"], columns = [
         {{ {first} }},
-        {{ spanners = ["Kolben|Piston"], columns = [{{ {second} }}, {{ {third}, spanners = ["Fahrt|Speed"] }}] }},
+        {{ spanners = ["Kolben|Piston"], columns = [
+            {{ {second} }},
+            {{ {third}, spanners = ["Fahrt|Speed"] }},
+        ] }},
     ] }},
 ]
 """

@@ -106,7 +106,7 @@ def construction_drawing(
         )
     at = request.at(floats())
     # In units of R; a mirrored drive has the crosshead on the left.
-    sign = -1 if shown.mirrored else 1
+    sign = -1 if shown.given.mirrored else 1
     points = {letter: (sign * point.x, point.y) for letter, point in shown.points(at).items()}
     curves = {name: [(sign * point.x, point.y) for point in shown.curve(name, at)] for name in shown.curves}
     with style():
@@ -160,7 +160,7 @@ def _board(
     lower, upper, mm = page_fitted(corners, usual, size)
     sketch = laid_out(lower, upper, mm)
     lengths = {one.letters: one for one in shown.lengths}
-    turning = -1 if shown.mirrored else 1
+    turning = -1 if shown.given.mirrored else 1
     return Board(sketch, points, curves, lengths, measures, low[1], high[1], mark, turning)
 
 
@@ -182,15 +182,10 @@ def _dot(board: Board, letter: str, name: str) -> None:
     sketch.beside_points([(at, board.outward(at), board.text(lettered(letter)))], DOT + 0.5)
 
 
-_ID = re.compile(r'<g id="([^"]+)">')
-
-
 def construction_page(request: ConstructionRequest, svg: str, decimal: str | None) -> str:
     """Return the page of a construction of which this is the drawing, an SVG file."""
     shown, table = request.construction, build(request)
     # The steps stand beside the drawing; below the table would be a second list of them.
     below = replace(table, notes=table.notes[len(shown.steps) :])
     texts = [shown.overlined(step.text[request.lang]) for step in shown.steps]
-    step = step_of(shown)
-    parts = {name: step(name) for name in _ID.findall(svg)}
-    return lesson(svg, parts, texts, below, decimal)
+    return lesson(svg, step_of(shown), texts, below, decimal)
