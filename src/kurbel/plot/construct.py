@@ -22,9 +22,9 @@ from kurbel.formats.html.live import lesson
 from kurbel.page.build import build
 from kurbel.page.labels import plain
 from kurbel.plot.drawings import Drawing
-from kurbel.plot.elements import DOT, DRAW, ROW, Board
+from kurbel.plot.elements import DRAW, ROW, Board
 from kurbel.plot.moving import LONGEST_ROD
-from kurbel.plot.sketch import LEAST, Point, laid_out, page_fitted
+from kurbel.plot.sketch import DOT, LEAST, Point, laid_out, page_fitted
 from kurbel.plot.style import THIN, USUAL, WIDTH, Size, style
 
 if TYPE_CHECKING:

@@ -11,8 +11,8 @@ from kurbel.books.constructions.model import Length, lettered
 from kurbel.plot.sketch import LEAST_DIMENSION, STRONG_LEVEL, Point, Sketch, moved, polar_point, towards
 from kurbel.plot.style import MEDIUM, STRONG, THIN, arrowhead, text_of
 
-# In mm: between rows of dimensions, at a mark, below that a length has no dimension, and a point.
-ROW, CORNER, SHORTEST, DOT = 6.0, 2.2, 0.15, 0.45
+# In mm: between rows of dimensions, at a mark, and below that a length has no dimension.
+ROW, CORNER, SHORTEST = 6.0, 2.2, 0.15
 # In mm: below that an angle has no arc, how far arrows from outside reach, half a tick.
 LEAST_ANGLE, OUTSIDE, TICK = 1.2, 5.0, 0.8
 # Points nearer to each other than that, in R, are one for their letters.
@@ -212,18 +212,7 @@ def _measure(board: Board, one: model.Measure) -> None:
         return
     for point in (start, end):
         sketch.line(point, (point[0], level + math.copysign(1, one.level) * mm))
-    inside, ends = math.dist(left, right) > LEAST_DIMENSION * mm, []
-    for point, outward in ((left, -1), (right, 1)):
-        beside = 0.0 if inside else _beside(board, one, point[0])
-        # Of two that share an end the broader one has its arrow there, where neither has room for one a dot.
-        ends.append((point[0] + (0 if inside or beside else 4 * outward * mm), level))
-        if ends[-1] != point:
-            sketch.line(ends[-1], point)
-        if not beside:
-            arrowhead(sketch.axes, point, (outward if inside else -outward, 0), mm)
-        elif outward > 0 and beside <= LEAST_DIMENSION * mm:
-            sketch.disc(point, DOT, THIN, "#000000")
-    sketch.beside(ends, said, 0.5, 1, ends=True)
+    sketch.dimension(left, right, said, (_beside(board, one, left[0]), _beside(board, one, right[0])))
 
 
 def _beside(board: Board, one: model.Measure, end: float) -> float:
