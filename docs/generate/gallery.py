@@ -127,7 +127,7 @@ def _drawings() -> Iterator[str]:
         if words[:2] == ["table", "--mechanism"]:
             yield shlex.join(("plot", "--positions", "30", *words[1:], "-o", words[2]))
     for name in construction_names():
-        drive = DRIVES.get(construction(name).holds[0], ())
+        drive = DRIVES.get(construction(name).given.holds[0], ())
         yield shlex.join(("construct", name, *drive, "-o", name))
 
 

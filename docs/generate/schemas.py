@@ -59,7 +59,9 @@ def schema_of(model: type, title: str) -> dict[str, Any]:
 def _schema(shape: inspect.Type) -> dict[str, Any]:
     match shape:
         case inspect.Metadata():
-            return {**(shape.extra_json_schema or {}), **_schema(shape.type)}
+            told = shape.extra_json_schema or {}
+            # Columns that may lie in columns say so themselves.
+            return {**told} if "items" in told else {**told, **_schema(shape.type)}
         case inspect.UnionType():
             return _schema(left(shape))
         case inspect.StructType() | inspect.DataclassType():

@@ -424,7 +424,7 @@ def test_every_format_has_the_digits_and_a_file_is_what_is_printed(
     path = tmp_path / f"anhang{FORMATS[form].suffixes[0]}"
     assert printed(*words, "-o", str(path)).out == ""
     assert path.read_text(encoding="utf-8") == text
-    if FORMATS[form].standalone:
+    if "standalone" in FORMATS[form].takes:
         assert printed(*words, "-f", form, "--standalone").out.count(text.splitlines()[-1]) == 1
 
 

@@ -28,7 +28,7 @@ def test_every_page_format_has_its_templates() -> None:
     for entry in FORMATS.values():
         if isinstance(entry, PageFormat):
             assert (folder / f"{entry.name}.jinja").exists()
-            assert (folder / f"{entry.name}.document.jinja").exists() == entry.standalone
+            assert (folder / f"{entry.name}.document.jinja").exists() == ("standalone" in entry.takes)
 
 
 @pytest.mark.parametrize(("name", "german"), [("text", ","), ("latex", ","), ("csv", "."), ("json", ".")])

@@ -26,6 +26,7 @@ from kurbel.page.layouts import (
     layout,
     layout_file,
     layout_names,
+    placed,
     template_folder,
 )
 from kurbel.page.subject import subject
@@ -67,6 +68,42 @@ def test_a_page_is_printed_in_a_layout_of_ones_own(tmp_path: Path) -> None:
     assert repr(kurbel.table(layout="mine", layouts=Path(folder))).startswith("<kurbel.Table mine: ")
 
 
+def test_spanners_are_said_once_for_the_columns_below_them(tmp_path: Path) -> None:
+    heads = ("$ψ$", "$x$", "$c$")
+    first, second, third = (
+        f'quantity = "{name}", heading = ["{head}"]'
+        for name, head in zip(("psi", "x", "c"), heads, strict=True)
+    )
+    grouped = f"""columns = [
+    {{ spanners = ["Hingang|Outstroke"], columns = [
+        {{ {first} }},
+        {{ spanners = ["Kolben|Piston"], columns = [
+            {{ {second} }},
+            {{ {third}, spanners = ["Fahrt|Speed"] }},
+        ] }},
+    ] }},
+]
+"""
+    one_by_one = f"""columns = [
+    {{ {first}, spanners = ["Hingang|Outstroke"] }},
+    {{ {second}, spanners = ["Hingang|Outstroke", "Kolben|Piston"] }},
+    {{ {third}, spanners = ["Hingang|Outstroke", "Kolben|Piston", "Fahrt|Speed"] }},
+]
+"""
+    pages = [
+        printed(
+            "table",
+            "--layouts",
+            own(tmp_path / name, GOOD.partition("columns =")[0] + text),
+            "--layout",
+            "mine",
+        )
+        for name, text in (("grouped", grouped), ("one", one_by_one))
+    ]
+    assert pages[0].out == pages[1].out
+    assert "Kolben" in pages[0].out and "Fahrt" in pages[0].out
+
+
 @pytest.mark.parametrize("name", layout_names()[::3])
 def test_the_list_has_a_command_that_prints_the_layout(name: str) -> None:
     (line,) = (line for line in printed("layouts").out.splitlines() if line.split()[0] == name)
@@ -94,9 +131,12 @@ def test_a_layout_with_the_name_of_one_of_kurbels_takes_its_place_where_its_fold
 @pytest.mark.parametrize("name", layout_names())
 def test_kurbels_own_layouts_could_be_a_users(name: str) -> None:
     file = TomlFile(layout_file(template_folder(), name), KIND)
-    check(file, layout(name))
     by_the_model = file.read(LayoutFile)
-    assert [getattr(by_the_model, key) for key in FIELDS] == [getattr(layout(name), key) for key in FIELDS]
+    columns = dict(placed(by_the_model.columns))
+    check(file, layout(name), columns)
+    assert layout(name).columns == tuple(columns.values())
+    for key in {*FIELDS} - {"columns"}:
+        assert getattr(by_the_model, key) == getattr(layout(name), key), key
 
 
 def test_a_template_beside_a_layout_sets_its_pages(tmp_path: Path) -> None:
@@ -149,7 +189,8 @@ VALUES = st.recursive(
     )
     | st.text(max_size=6),
     lambda inner: (
-        st.lists(inner, max_size=3) | st.dictionaries(st.sampled_from(("de", "en", "quantity")), inner)
+        st.lists(inner, max_size=3)
+        | st.dictionaries(st.sampled_from(("de", "en", "quantity", "columns", "spanners")), inner)
     ),
     max_leaves=6,
 )

@@ -148,7 +148,7 @@ def test_a_letter_is_nearest_to_its_own_point(name: str) -> None:
     points = {str(one.get_gid()).split("-")[2]: one.get_extents() for one in marks}
     boxes = {}
     for text in axes.texts:
-        letter = text.get_text().strip("$").replace("{}^{\\prime}", "'").replace("{", "").replace("}", "")
+        letter = text.get_text().strip("$").replace("^{\\prime}", "'").replace("{", "").replace("}", "")
         if letter in points:
             boxes[letter] = text.get_window_extent()
     assert len(boxes) == len(points) > 5

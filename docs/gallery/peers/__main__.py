@@ -1,4 +1,4 @@
-"""Set one table with kurbel and each of its peers, in every medium, and lay the pictures side by side.
+"""Set a few tables with kurbel and each of its peers, in every medium, and lay the pictures side by side.
 
 python docs/gallery/peers writes the pictures beside its own files; it needs the dependency group `peers`,
 Chromium, TeX and poppler. docs/gallery/peers.md says what is seen in them.
@@ -18,10 +18,11 @@ from pathlib import Path
 from typing import Any, Literal
 
 import makers
+from data import LONG, TALL, USUAL, WIDE, Case
 from playwright.sync_api import Browser, sync_playwright
 
 PICTURES = Path(__file__).parent
-Makers = Mapping[str, Callable[[], str]]
+Makers = Mapping[str, Callable[[Case], str]]
 TEXT: Makers = {
     "kurbel": makers.kurbel_text, "rich": makers.rich_text, "tabulate": makers.tabulate_text,
 }  # fmt: skip
@@ -42,17 +43,27 @@ SHOWN, DESKTOP, TELEPHONE, HIGH = 640, 900, 390, 844
 
 def main() -> None:
     with browser() as tab:
-        terminal = {name: shot(tab, console(made()), width=SHOWN + 80) for name, made in TEXT.items()}
+        terminal = {name: shot(tab, console(made(USUAL)), width=SHOWN + 80) for name, made in TEXT.items()}
         montage(tab, "terminal", terminal)
         for scheme in ("light", "dark"):
             montage(
-                tab, f"html-{scheme}", {name: shot(tab, made(), scheme=scheme) for name, made in HTML.items()}
+                tab,
+                f"html-{scheme}",
+                {name: shot(tab, made(USUAL), scheme=scheme) for name, made in HTML.items()},
             )
-        phones = {name: phone(tab, made()) for name, made in HTML.items()}
+        phones = {name: phone(tab, made(USUAL)) for name, made in HTML.items()}
         montage(tab, "phone", phones, width=300)
-        montage(tab, "print", {name: printed(tab, made()) for name, made in HTML.items()})
-        montage(tab, "latex", {name: by_tex(made()) for name, made in LATEX.items()})
-        montage(tab, "typst", {name: by_typst(made()) for name, made in TYPST.items()})
+        montage(tab, "print", {name: printed(tab, made(USUAL)) for name, made in HTML.items()})
+        montage(tab, "latex", {name: by_tex(made(USUAL)) for name, made in LATEX.items()})
+        montage(tab, "typst", {name: by_typst(made(USUAL)) for name, made in TYPST.items()})
+        # What a page ends with is seen, too.
+        for one, case in (("tall", TALL), ("wide", WIDE), ("long", LONG)):
+            pages = {name: sheets(pdf_by_tex(made(case))) for name, made in LATEX.items()}
+            montage(tab, f"latex-{one}", pages, width=900 if one != "wide" else 660, across=2)
+        montage(tab, "wide", {name: shot(tab, made(WIDE)) for name, made in HTML.items()})
+        montage(tab, "wide-phone", {name: phone(tab, made(WIDE)) for name, made in HTML.items()}, width=300)
+        papers = {name: sheets(pdf_of(tab, made(LONG))) for name, made in HTML.items()}
+        montage(tab, "long-print", papers, width=900, across=1)
 
 
 @contextmanager
@@ -103,14 +114,22 @@ def phone(tab: Browser, page: str) -> bytes:
 
 
 def printed(tab: Browser, page: str) -> bytes:
+    return rendered(pdf_of(tab, page))
+
+
+def pdf_of(tab: Browser, page: str) -> bytes:
     view = tab.new_page()
     view.set_content(page)
     content = view.pdf(format="A4", margin={"top": "2cm", "bottom": "2cm", "left": "2cm", "right": "2cm"})
     view.close()
-    return rendered(content)
+    return content
 
 
 def by_tex(document: str) -> bytes:
+    return rendered(pdf_by_tex(document))
+
+
+def pdf_by_tex(document: str) -> bytes:
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "page.tex").write_text(document, encoding="utf-8")
         run = ["pdflatex", "-interaction=nonstopmode", "page.tex"]
@@ -118,7 +137,7 @@ def by_tex(document: str) -> bytes:
             ended = subprocess.run(run, cwd=folder, capture_output=True, check=False)
         if not (made := Path(folder, "page.pdf")).exists():
             raise SystemExit(ended.stdout.decode("latin-1")[-2000:])
-        return rendered(made.read_bytes())
+        return made.read_bytes()
 
 
 def by_typst(document: str) -> bytes:
@@ -137,18 +156,38 @@ def rendered(document: bytes) -> bytes:
     return stream.getvalue()
 
 
-def montage(tab: Browser, name: str, pictures: Mapping[str, bytes], width: int = SHOWN) -> None:
-    """Write the pictures side by side, each under its name and version."""
+def sheets(document: bytes) -> bytes:
+    """Return the first two pages of a PDF beside each other, as they are."""
+    images = import_module("PIL.Image")
+    with tempfile.TemporaryDirectory() as folder:
+        run = ["pdftoppm", "-png", "-r", "80", "-l", "2", "-", f"{folder}/page"]
+        subprocess.run(run, input=document, capture_output=True, check=True)
+        pages = [images.open(path).convert("RGB") for path in sorted(Path(folder).glob("*.png"))]
+    width, height = (max(sizes) for sizes in zip(*(one.size for one in pages), strict=True))
+    both = images.new("RGB", (len(pages) * (width + 4) - 4, height), "#cccccc")
+    for place, one in enumerate(pages):
+        both.paste(one, (place * (width + 4), 0))
+    stream = io.BytesIO()
+    both.save(stream, "PNG")
+    return stream.getvalue()
+
+
+def montage(
+    tab: Browser, name: str, pictures: Mapping[str, bytes], width: int = SHOWN, across: int = 0
+) -> None:
+    """Write the pictures side by side, or so many `across`, each under its name and version."""
     figures = "".join(
         f"<figure><figcaption>{html.escape(versioned(one))}</figcaption>"
         f"<img width={width} src='data:image/png;base64,{base64.b64encode(picture).decode()}'></figure>"
         for one, picture in pictures.items()
     )
+    count = across or len(pictures)
     style = (
-        "<style>body{display:flex;gap:16px;align-items:flex-start;width:max-content}figure{margin:0}"
-        "figcaption{font:15px sans-serif;margin-bottom:8px}img{border:1px solid #ccc}</style>"
+        f"<style>body{{display:grid;gap:16px;align-items:start;grid:auto/repeat({count},{width}px)}}"
+        "figcaption{font:15px sans-serif;margin-bottom:8px}figure{margin:0}"
+        "img{border:1px solid #ccc;box-sizing:border-box}</style>"
     )
-    content = shot(tab, PAGE % ("#fff", "#000", style + figures), width=len(pictures) * (width + 18) + 16)
+    content = shot(tab, PAGE % ("#fff", "#000", style + figures), width=count * (width + 16) + 8)
     images = import_module("PIL.Image")
     picture = images.open(io.BytesIO(content)).convert("RGB").quantize(64)
     picture.save(PICTURES / f"{name}.png", optimize=True)

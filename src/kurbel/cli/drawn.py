@@ -126,7 +126,7 @@ class ConstructCommand(TableCommand):
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("The constructions"):
-            formatter.write_dl([(key, one.title["en"]) for key, one in _constructions()], col_max=26)
+            formatter.write_dl([(key, one.given.title["en"]) for key, one in _constructions()], col_max=26)
 
     def _drawn(self, given: Given) -> Drawing:
         for name in OF_TABLES:
@@ -175,7 +175,7 @@ def _print_list(given: Given) -> None:
     form = form_of_list(given, ("lang", "constructions"), "a construction", "blau-9")
     lang, folder = given.text("lang"), given.values["constructions"]
     assert isinstance(folder, File | None)
-    rows = [(key, one.title[lang], " ".join(one.holds)) for key, one in _constructions(folder)]
+    rows = [(key, one.given.title[lang], " ".join(one.given.holds)) for key, one in _constructions(folder)]
     listing = Listing("constructions", lang, ("construction", "title", "mechanisms"), rows, HEADS[lang], rows)
     show_list(listing, form, plain_lines([row[:2] for row in rows]))
 

@@ -200,7 +200,7 @@ class Printing(NamedTuple):
             return False
         if given.in_document:
             return not given.values["format"]
-        return given.typed("interactive") or _format(given).interactive
+        return given.typed("interactive") or "interactive" in _format(given).takes
 
     def print(self, table: Table) -> None:
         """Write a table that is there already."""
@@ -242,12 +242,11 @@ def _format(given: Given) -> Format:
 
         if not is_set_by_template(chosen):
             raise click.UsageError(f"--templates sets no {chosen.name}, which has no template; leave it out.")
-    if given.typed("standalone") and not of_bytes and not chosen.standalone:
-        documents = enumerated(name for name, entry in FORMATS.items() if entry.standalone)
+    if given.typed("standalone") and not of_bytes and "standalone" not in chosen.takes:
+        documents = enumerated(name for name, entry in FORMATS.items() if "standalone" in entry.takes)
         raise click.UsageError(f"--standalone is for {documents}; {chosen.name} has no documents.")
-    _check_able(given, chosen, "longtable", "breaks")
-    for option in ("siunitx", "plain", "excel"):
-        _check_able(given, chosen, option, option)
+    for option in ("longtable", "siunitx", "plain", "excel"):
+        _check_able(given, chosen, option)
     _check_interactive(given, chosen)
     return chosen
 
@@ -262,13 +261,13 @@ def _check_interactive(given: Given, chosen: Format) -> None:
             " for places in a document of your own."
         )
     if not given.in_document:
-        _check_able(given, chosen, "interactive", "interactive")
+        _check_able(given, chosen, "interactive")
 
 
-def _check_able(given: Given, chosen: Format, option: str, fact: str) -> None:
+def _check_able(given: Given, chosen: Format, option: str) -> None:
     """Raise UsageError for an option that was typed and is not for the format."""
-    if given.typed(option) and not getattr(chosen, fact):
-        able = ", ".join(name for name, entry in FORMATS.items() if getattr(entry, fact))
+    if given.typed(option) and option not in chosen.takes:
+        able = ", ".join(name for name, entry in FORMATS.items() if option in entry.takes)
         raise click.UsageError(
             f"--{option} is for {able}; the format is {chosen.name}{HINTS.get(option, '')}."
         )

@@ -101,19 +101,19 @@ class Constructed(AnyDrive, CommandOptions):
         """Return the same with the mechanism for which alone the construction holds, where none is named, and
         with what its book takes for it."""
         shown, own = self.chosen, {}
-        if not (self.says("mechanism", "offset") or "straight" in shown.holds):
-            own["mechanism"] = shown.holds[0]
-        usual = shown.usual if own.get("mechanism", self.mechanism) in shown.holds else {}
+        if not (self.says("mechanism", "offset") or "straight" in shown.given.holds):
+            own["mechanism"] = shown.given.holds[0]
+        usual = shown.given.usual if own.get("mechanism", self.mechanism) in shown.given.holds else {}
         own |= {name: value for name, value in usual.items() if not self.says(name)}
         return type(self)(self.values.instead(own, own=True))
 
     def requested(self, page: Layout, **sheet: Any) -> ConstructionRequest:
         """Return what is asked for. Raises ProblemError where the construction does not hold of the drive."""
         shown, held = self.chosen, self.held()
-        if held.drive().name not in shown.holds:
+        if held.drive().name not in shown.given.holds:
             raise ProblemError(
-                shown.refusal
-                or f"construction {self.name} holds for the {enumerated(shown.holds)} crank alone"
+                shown.given.refusal
+                or f"construction {self.name} holds for the {enumerated(shown.given.holds)} crank alone"
             )
         chosen, described = held.described(leaving=() if held.is_sized() else ("stroke", "rod"))
         drives = chosen.drives(described, page.ratios)
@@ -157,15 +157,15 @@ class Constructed(AnyDrive, CommandOptions):
         given = self.angle
         if given is None and shown.position and not drive.crank.offset:
             return None
-        if not (shown.angle or shown.position):
+        if not (shown.given.angle or shown.position):
             if given is not None:
                 raise ProblemError(f"construction {shown.name} is of no crank angle; leave --angle out")
             return Fraction(0)
-        return as_angle(shown.angle if given is None else given, "angle") % 360
+        return as_angle(shown.given.angle if given is None else given, "angle") % 360
 
     def _beside(self, shown: Construction, drive: Any) -> Beside:
         """Return what is given beside the drive, of what the construction takes."""
-        takes = {name: self.raw(name) if name in shown.takes else None for name in TAKEN}
+        takes = {name: self.raw(name) if name in shown.given.takes else None for name in TAKEN}
         point = ALONE.point if takes.get("point") is None else _point(takes["point"], drive)
         if not -FARTHEST <= point <= 1 + FARTHEST:
             raise ProblemError(
@@ -173,7 +173,7 @@ class Constructed(AnyDrive, CommandOptions):
                 " at most a rod's length beyond its pins"
             )
         rod = _rod(takes.get("centre"), takes.get("gyration"), drive)
-        return Beside(point, rod, self._steam() if "eps" in shown.takes else None)
+        return Beside(point, rod, self._steam() if "eps" in shown.given.takes else None)
 
     def _steam(self) -> Steam | None:
         if not self.says("eps"):

@@ -44,8 +44,8 @@ class Format:
     `rank` is its place where formats are listed, `media` what it is in a few words. `decimal` is "language"
     or "point": where the decimal mark comes from unless the user sets it. `usual` formats are built by a
     handbook that names none. Of several, the `legible` one of the lowest number, from 1, shows a reader best
-    what changed. What only pages, records or compiled documents have is empty here: see `PageFormat`,
-    `RecordsFormat` and `CompiledFormat`.
+    what changed. `takes` are the options that are not for all formats. One of whole documents has their
+    `figures` as files of that suffix.
     """
 
     kind: ClassVar[Literal["page", "records", "compiled", "workbook", "document"]]
@@ -56,20 +56,8 @@ class Format:
     decimal: Literal["language", "point"] = "language"
     usual: bool = False
     legible: int = 0
-    standalone: bool = False
-    breaks: bool = False
-    siunitx: bool = False
-    plain: bool = False
-    excel: bool = False
+    takes: tuple[str, ...] = ()
     figures: str = ""
-    folder: str = ""
-    marked: bool = False
-    draws: bool = False
-    interactive: bool = False
-    source: str = ""
-    sources: tuple[str, ...] = ()
-    standards: tuple[str, ...] = ()
-    variant: str = "Writer"
 
     def decimal_name(self, lang: str, decimal: str | None = None) -> str:
         """Return "comma" or "point": what the user asks for, else the rule of the format."""
@@ -105,10 +93,12 @@ class Format:
         return import_module(f"kurbel.formats.{self.name}.{name}".rstrip("."))
 
 
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class RecordsFormat(Format):
-    """A format of records, which need not fit in memory. One that `excel` opens has a `variant` for it."""
+    """A format of records, which need not fit in memory. One that Excel opens has a `variant` for it."""
 
     kind = "records"
+    variant: str = "Writer"
 
     @property
     def writer(self) -> RecordsWriter:
@@ -118,7 +108,7 @@ class RecordsFormat(Format):
     @property
     def for_excel(self) -> RecordsFormat:
         """The same as Excel opens it, in the language of the table."""
-        return replace(self, variant="ForExcel", decimal="language") if self.excel else self
+        return replace(self, variant="ForExcel", decimal="language") if "excel" in self.takes else self
 
 
 class BytesFormat(Format):
@@ -132,11 +122,15 @@ class BytesFormat(Format):
         """Return the page as a file."""
 
 
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class CompiledFormat(BytesFormat):
     """A format of bytes, made of the document in another format, the `source`, and of files with the suffixes
     `sources`; it can keep the `standards`."""
 
     kind = "compiled"
+    source: str
+    sources: tuple[str, ...]
+    standards: tuple[str, ...] = ()
     no_text = "a {name} is bytes and no text; make it with kurbel.typeset_{name}"
 
     @property
@@ -191,17 +185,18 @@ class DocumentFormat(BytesFormat):
         return self.writer.written(table, decimal)
 
 
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class PageFormat(Format):
     """A format of pages.
 
-    `standalone` tells that a whole page differs from a fragment, `breaks` that a table longer than a page can
-    be told to break, `siunitx` that its numbers can be left to that package, `plain` that it has a form for
-    authors to go on with. A format of whole documents has their `figures` as files of that suffix, and a
-    `folder` if a document is many files. An author's own documents can be `marked` with places for tables,
-    and have drawings there if the format `draws`. An `interactive` one shows the steps of a page.
+    One of whole documents has a `folder` if a document is many files. An author's own documents can be
+    `marked` with places for tables, and have drawings there if the format `draws`.
     """
 
     kind = "page"
+    folder: str = ""
+    marked: bool = False
+    draws: bool = False
 
     @property
     def writer(self) -> PageWriter:
@@ -209,12 +204,12 @@ class PageFormat(Format):
         return writer
 
     def is_tall(self, table: Table) -> bool:
-        return self.breaks and self.writer.is_tall(table)
+        return "longtable" in self.takes and self.writer.is_tall(table)
 
     def remarks(self, table: Table, breaks: bool) -> Iterator[str]:
         if not breaks and self.is_tall(table):
             yield "the table is longer than a page; it is set in parts, with --longtable where it stands"
-        if self.breaks:
+        if "longtable" in self.takes:
             yield from self.writer.remarks(table)
 
 

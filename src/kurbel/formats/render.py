@@ -82,12 +82,12 @@ def render(
         return filled_by(form, template_of(table, name, folders), values | more, folders)
 
     fragment = filled(form.name, {})
-    if table.steps is not None and form.interactive:
+    if table.steps is not None and "interactive" in form.takes:
         set_page = partial(render, format=format, decimal=decimal, templates=templates)
         with as_one_page(folders):
             around = writer.stepped(table, fragment, set_page, mark)
             fragment = filled(f"{form.name}.steps", around)
-    if standalone and form.standalone:
+    if standalone and "standalone" in form.takes:
         title = writer.escape(labels.plain(table.caption, mark))
         return filled(f"{form.name}.document", {"fragment": fragment, "title": title})
     return fragment

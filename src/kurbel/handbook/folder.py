@@ -19,7 +19,7 @@ from typing import Any
 import msgspec
 
 from kurbel.errors import HandbookError, KurbelError, OutputError
-from kurbel.formats.registry import FORMATS
+from kurbel.formats.registry import FORMATS, PageFormat
 from kurbel.formats.render import remove_left_over, whole_file
 from kurbel.handbook.manifest import manifest_path, read_manifest
 from kurbel.handbook.pool import About
@@ -150,7 +150,14 @@ class Folder:
             os.close(handle)
 
     def _remove_left_over(self) -> None:
-        for part in {"", OWN, SHEETS, "tables", "figures", *(form.folder for form in FORMATS.values())}:
+        for part in {
+            "",
+            OWN,
+            SHEETS,
+            "tables",
+            "figures",
+            *(form.folder for form in FORMATS.values() if isinstance(form, PageFormat)),
+        }:
             # A link in place of a folder leads to files of others.
             with suppress(HandbookError):
                 self._check(f"{part}/" if part else "")

@@ -6,13 +6,14 @@ import json
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
+from itertools import chain
 from typing import Any
 
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import KurbelError, LayoutError
 from kurbel.page.formula import GREEK
 from kurbel.page.labels import Mark, parse
-from kurbel.page.layouts import LANGUAGES, Layout, layout, layout_names
+from kurbel.page.layouts import LANGUAGES, Layout, LayoutColumn, layout, layout_names
 from kurbel.page.subject import Limit, subject
 from kurbel.reading import notation
 from kurbel.reading.given import choose
@@ -30,11 +31,18 @@ _PLACE = re.compile(r"\{[^{}]*\}")
 _KEY = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
 
-def check(file: TomlFile, page: Layout) -> None:
-    """Raise LayoutError, with the line, unless pages can be printed in the layout."""
-    for faults in (_faults_of_axes, _faults_of_values, _faults_of_columns, _faults_of_words):
-        for place, said in faults(page):
-            raise file.error(place, said)
+def check(file: TomlFile, page: Layout, columns: Mapping[Place, LayoutColumn]) -> None:
+    """Raise LayoutError, with the line, unless pages can be printed in the layout; `columns` has its columns
+    by where they stand."""
+    faults = (
+        _faults_of_axes(page),
+        _faults_of_values(page),
+        _faults_of_groups(file.given["columns"]),
+        _faults_of_columns(page, columns),
+        _faults_of_words(page, columns),
+    )
+    for place, said in chain.from_iterable(faults):
+        raise file.error(place, said)
 
 
 def _faults_of_axes(page: Layout) -> Iterator[tuple[Place, str]]:
@@ -94,15 +102,30 @@ def _is_letter(text: str) -> bool:
     return text in GREEK or (len(text) == 1 and text.isascii() and text.isalpha())
 
 
-def _faults_of_columns(page: Layout) -> Iterator[tuple[Place, str]]:
+def _faults_of_groups(
+    given: Sequence[Mapping[str, Any]], above: Place = ("columns",)
+) -> Iterator[tuple[Place, str]]:
+    """Yield what is amiss in columns, as the file has them: a quantity is missing, or is beside columns."""
+    for index, one in enumerate(given):
+        place = (*above, index)
+        beside = next((name for name in one if name not in ("spanners", "columns")), "")
+        if not one.get("columns"):
+            if "quantity" not in one:
+                yield place, 'there is no quantity; write quantity = "x"'
+        elif beside:
+            yield (*place, beside), f"{beside} stands beside columns; write it in each that it is about"
+        else:
+            yield from _faults_of_groups(one["columns"], (*place, "columns"))
+
+
+def _faults_of_columns(page: Layout, columns: Mapping[Place, LayoutColumn]) -> Iterator[tuple[Place, str]]:
     about = subject(page.subject)
     quantities = about.quantities()
     fitting = about.fitting()
     keys = [column.key for column in page.columns]
     if not keys:
         yield ("columns",), "columns is an empty list; it must have a column"
-    for index, column in enumerate(page.columns):
-        place: Place = ("columns", index)
+    for index, (place, column) in enumerate(columns.items()):
         for key in ("quantity", "unless", "unless_printed"):
             if (name := getattr(column, key)) or key == "quantity":
                 yield from _unknown((*place, key), name, fitting, f"quantity of {page.subject}")
@@ -126,13 +149,13 @@ def _methods(formulas: Collection[str]) -> list[str]:
     return [*known, *(["difference"] if {"exact", "series"} <= {*known} else [])]
 
 
-def _faults_of_words(page: Layout) -> Iterator[tuple[Place, str]]:
+def _faults_of_words(page: Layout, columns: Mapping[Place, LayoutColumn]) -> Iterator[tuple[Place, str]]:
     alike = [one for one in map(layout, layout_names()) if one.subject == page.subject]
     filled = {place for one in alike for lang in LANGUAGES for place in _PLACE.findall(one.caption[lang])}
     heads = ["{ratio}"] if "ratio" in subject(page.subject).axes else []
     known = {"caption": sorted(filled), "columns": heads}
     for lang in LANGUAGES:
-        for place, text in _labels(page, lang):
+        for place, text in _labels(page, columns, lang):
             for found in _PLACE.findall(text):
                 if places := known.get(str(place[0])):
                     yield from _unknown(place, found, places, "place")
@@ -141,7 +164,7 @@ def _faults_of_words(page: Layout) -> Iterator[tuple[Place, str]]:
             yield from _refused(place, _check_label, text)
 
 
-def _labels(page: Layout, lang: str) -> Iterator[tuple[Place, str]]:
+def _labels(page: Layout, columns: Mapping[Place, LayoutColumn], lang: str) -> Iterator[tuple[Place, str]]:
     """Yield the labels of a page in a language, with their places."""
     yield ("caption", lang), page.caption[lang]
     yield ("source", lang), page.source[lang]
@@ -149,10 +172,10 @@ def _labels(page: Layout, lang: str) -> Iterator[tuple[Place, str]]:
         yield ("notes", lang, index), note[lang]
     for name, heading in page.stub_headings.items():
         yield ("stub_headings", name), heading[lang]
-    for number, column in enumerate(page.columns):
+    for place, column in columns.items():
         for key, lines in (("spanners", column.spanners), ("heading", column.heading)):
             for index, line in enumerate(lines or ()):
-                yield ("columns", number, key, index), line[lang]
+                yield (*place, key, index), line[lang]
 
 
 def _check_label(text: str) -> None:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Annotated, Any, ClassVar, TypeAlias
 
@@ -14,7 +14,7 @@ from kurbel.drive.mechanisms import Pages
 from kurbel.errors import ChoiceError, LayoutError
 from kurbel.exact.numerals import MOST_DIGITS, Label
 from kurbel.reading.given import File, choose
-from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about, within
+from kurbel.reading.toml_file import Choice, Fault, Place, TomlFile, TomlKind, about, within
 
 _INERTIA = "inertia --centre 0.65 --gyration 0.35"
 _MACHINE = "forces --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min --reciprocating 300kg"
@@ -162,22 +162,25 @@ LARGEST_BLOCK = 500
 _NAME = r"[A-Za-z0-9]+(?:-+[A-Za-z0-9]+)*"
 
 
+_COLUMNS = {"type": "array", "items": {"$ref": "#/properties/columns/items"}}
+
+
 @dataclass(frozen=True, repr=False)
 class LayoutColumn:
-    """A column of a layout. `method` None leaves the formulas to the user; spanners and heading None to
-    the quantity. It gives way to the quantity `unless` where that is known, to `unless_printed` so on pages
-    alone."""
+    """A column of a layout, or `columns` side by side whose spanners are said once. `method` None leaves the
+    formulas to the user; spanners and heading None to the quantity. A column gives way to the quantity
+    `unless` where that is known, to `unless_printed` so on pages alone."""
 
     NOUN: ClassVar[str] = "key of a column"
     SHAPE: ClassVar[str] = 'a table, such as { quantity = "x" }'
 
-    quantity: Annotated[str, about("quantity; `kurbel quantities` lists them", example="x")]
+    quantity: Annotated[str, about("quantity; `kurbel quantities` lists them", example="x")] = ""
     key: Annotated[str, about("name in CSV, JSON and --columns; default: the quantity")] = ""
     method: Annotated[str | None, about("method of its formulas; columns of all methods leave no choice")] = (
         None
     )
     spanners: Annotated[
-        tuple[Head, ...] | None, about("heads above the heading; default: the quantity's")
+        tuple[Head, ...] | None, about("heads above the heading, or above `columns`; default: the quantity's")
     ] = None
     heading: Annotated[tuple[Head, ...] | None, about("lines of its head; default: the quantity's")] = None
     decimals: Annotated[Annotated[int, within(0, MOST_DIGITS)] | None, about("default: the quantity's")] = (
@@ -187,10 +190,27 @@ class LayoutColumn:
     unless_printed: Annotated[
         str, about("quantity to which it gives way on pages where that is known; CSV and JSON have both")
     ] = ""
+    columns: Annotated[
+        tuple[LayoutColumn, ...],
+        about("in place of all but spanners: the columns below these", schema=_COLUMNS),
+    ] = ()
 
     def __post_init__(self) -> None:
         if not self.key:
             object.__setattr__(self, "key", self.quantity)
+
+
+def placed(
+    columns: Sequence[LayoutColumn], above: Place = ("columns",)
+) -> Iterator[tuple[Place, LayoutColumn]]:
+    """Yield the columns of a list that may have them in groups: where each stands, and with all its
+    spanners."""
+    for index, one in enumerate(columns):
+        place = (*above, index)
+        if not one.columns:
+            yield place, one
+        for inner, column in placed(one.columns, (*place, "columns")):
+            yield inner, replace(column, spanners=(*(one.spanners or ()), *(column.spanners or ())))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -340,8 +360,10 @@ def layout(name: str, folder: Folder | None = None) -> Layout:
     from kurbel.page.layout_check import check
 
     file = TomlFile(layout_file(folder, name), KIND)
-    page = Layout(key=name, folder=os.path.abspath(folder), **vars(file.read(LayoutFile)))
-    check(file, page)
+    given = vars(file.read(LayoutFile))
+    columns = dict(placed(given["columns"]))
+    page = Layout(name, os.path.abspath(folder), **given | {"columns": tuple(columns.values())})
+    check(file, page, columns)
     return page
 
 
@@ -368,7 +390,7 @@ def _heads(given: Sequence[Any]) -> tuple[Words, ...]:
 
 
 _READ: Mapping[str, Callable[[Any], object]] = {
-    "columns": lambda given: tuple(LayoutColumn(**_values(one)) for one in given),
+    "columns": lambda given: tuple(dict(placed([LayoutColumn(**_values(one)) for one in given])).values()),
     "notes": lambda given: Notes.read(given, ""),
     "stub_headings": lambda given: dict(zip(given, _heads([*given.values()]), strict=True)),
     **dict.fromkeys(("title", "caption", "source"), lambda given: Head.read(given, "")),

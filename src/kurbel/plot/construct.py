@@ -24,7 +24,7 @@ from kurbel.page.labels import plain
 from kurbel.plot.drawings import Drawing
 from kurbel.plot.elements import DRAW, ROW, Board
 from kurbel.plot.moving import LONGEST_ROD
-from kurbel.plot.sketch import LEAST, Point, laid_out, page_fitted
+from kurbel.plot.sketch import DOT, LEAST, Point, laid_out, page_fitted
 from kurbel.plot.style import THIN, USUAL, WIDTH, Size, style
 
 if TYPE_CHECKING:
@@ -85,8 +85,8 @@ def hide_later(axes: Axes, shown: Construction, last: int) -> None:
         one.set_visible(step(str(one.get_gid() or "")) <= last)
 
 
-# In mm: the largest crank radius, what is left free about the drawing, and a point.
-LARGEST_RADIUS, MARGIN, DOT = 24.0, 7.0, 0.45
+# In mm: the largest crank radius, and what is left free about the drawing.
+LARGEST_RADIUS, MARGIN = 24.0, 7.0
 # Higher, in mm, it would not stand on a page with its caption.
 TALLEST = 160.0
 
@@ -106,7 +106,7 @@ def construction_drawing(
         )
     at = request.at(floats())
     # In units of R; a mirrored drive has the crosshead on the left.
-    sign = -1 if shown.mirrored else 1
+    sign = -1 if shown.given.mirrored else 1
     points = {letter: (sign * point.x, point.y) for letter, point in shown.points(at).items()}
     curves = {name: [(sign * point.x, point.y) for point in shown.curve(name, at)] for name in shown.curves}
     with style():
@@ -137,7 +137,8 @@ def _board(
     mark: str,
 ) -> Board:
     low, high = extent(shown, points, curves)
-    levels = [one.level for step in shown.steps for one in step.drawn if isinstance(one, model.Measure)]
+    measures = [one for step in shown.steps for one in step.drawn if isinstance(one, model.Measure)]
+    levels = [one.level for one in measures]
     below, above = -min((0, *levels)) * ROW, max((0, *levels)) * ROW
     margin = (MARGIN, MARGIN)
 
@@ -159,8 +160,8 @@ def _board(
     lower, upper, mm = page_fitted(corners, usual, size)
     sketch = laid_out(lower, upper, mm)
     lengths = {one.letters: one for one in shown.lengths}
-    turning = -1 if shown.mirrored else 1
-    return Board(sketch, points, curves, lengths, low[1], high[1], mark, turning)
+    turning = -1 if shown.given.mirrored else 1
+    return Board(sketch, points, curves, lengths, measures, low[1], high[1], mark, turning)
 
 
 def _named(board: Board, element: Element, name: str) -> None:
@@ -181,15 +182,10 @@ def _dot(board: Board, letter: str, name: str) -> None:
     sketch.beside_points([(at, board.outward(at), board.text(lettered(letter)))], DOT + 0.5)
 
 
-_ID = re.compile(r'<g id="([^"]+)">')
-
-
 def construction_page(request: ConstructionRequest, svg: str, decimal: str | None) -> str:
     """Return the page of a construction of which this is the drawing, an SVG file."""
     shown, table = request.construction, build(request)
     # The steps stand beside the drawing; below the table would be a second list of them.
     below = replace(table, notes=table.notes[len(shown.steps) :])
     texts = [shown.overlined(step.text[request.lang]) for step in shown.steps]
-    step = step_of(shown)
-    parts = {name: step(name) for name in _ID.findall(svg)}
-    return lesson(svg, parts, texts, below, decimal)
+    return lesson(svg, step_of(shown), texts, below, decimal)

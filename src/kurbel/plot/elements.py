@@ -30,13 +30,15 @@ LOOKS: Mapping[str, Mapping[str, Any]] = {
 
 
 class Board(NamedTuple):
-    """What is being drawn on: the sketch, the points in units of R, the lengths by their letters; what lies
-    lowest and highest; the decimal mark; the sense in which the crank turns, 1 to the left."""
+    """What is being drawn on: the sketch, the points in units of R, the lengths by their letters and their
+    dimensions; what lies lowest and highest; the decimal mark; the sense in which the crank turns, 1 to the
+    left."""
 
     sketch: Sketch
     points: Mapping[str, Point]
     curves: Mapping[str, Sequence[Point]]
     lengths: Mapping[str, Length]
+    measures: Sequence[model.Measure]
     low: float
     high: float
     mark: str
@@ -210,14 +212,21 @@ def _measure(board: Board, one: model.Measure) -> None:
         return
     for point in (start, end):
         sketch.line(point, (point[0], level + math.copysign(1, one.level) * mm))
-    inside = math.dist(left, right) > LEAST_DIMENSION * mm
-    reach, outward = (0.0, 1) if inside else (4 * mm, -1)
-    if not inside:
-        sketch.line((left[0] - reach, level), left)
-        sketch.line(right, (right[0] + reach, level))
-    arrowhead(sketch.axes, left, (-outward, 0), mm)
-    arrowhead(sketch.axes, right, (outward, 0), mm)
-    sketch.beside(((left[0] - reach, level), (right[0] + reach, level)), said, 0.5, 1, ends=True)
+    sketch.dimension(left, right, said, (_beside(board, one, left[0]), _beside(board, one, right[0])))
+
+
+def _beside(board: Board, one: model.Measure, end: float) -> float:
+    """Return how long the dimension is that shares an end with one in its row, in R, 0 where none does."""
+    for other in board.measures:
+        xs = sorted(board.points[letter][0] for letter in board.lengths[other.letters].ends)
+        if (
+            other.level == one.level
+            and other != one
+            and end in xs
+            and xs[1] - xs[0] >= SHORTEST * board.sketch.mm
+        ):
+            return xs[1] - xs[0]
+    return 0.0
 
 
 def _length(sketch: Sketch, start: Point, end: Point, letters: str, look: str) -> None:

@@ -100,7 +100,7 @@ DEAD_CENTRES = {
 }
 # In mm: dimensions, discs, and bearings with their ground.
 LEAST_DIMENSION, SMALL_CRANK = 5.0, 9.5
-SHAFT, PIN, LIGHT_PIN, CENTRE, DEAD = 1.7, 1.1, 0.7, 0.35, 0.5
+SHAFT, PIN, LIGHT_PIN, CENTRE, DEAD, DOT = 1.7, 1.1, 0.7, 0.35, 0.5, 0.45
 BEARING, GROUND, HATCH = 4.2, 3.0, 1.1
 # The sine of the crank angle, with a minus, beyond which the crank would hide a bearing under the shaft.
 HANGING = 0.3
@@ -227,17 +227,25 @@ class Sketch(NamedTuple):
             self.line(pin, (pin[0] * end, pin[1] * end), zorder=4)
         self.beside(self.arc((0, 0), at, 0, turn, arrow=True), PHI, share, -1, ends=True)
 
-    def dimension(self, start: Point, end: Point, text: str) -> None:
-        """Draw a dimension line; where it is too short for two arrows they point at it from outside."""
+    def dimension(
+        self, start: Point, end: Point, text: str, others: tuple[float, float] = (0.0, 0.0)
+    ) -> None:
+        """Draw a dimension line; where it is too short for two arrows they point at it from outside.
+
+        `others` are the lengths of those that share its ends, the left one first, 0 where none does: the
+        broader has the arrow there; where neither has room for one stands a dot.
+        """
         mm, (start, end) = self.mm, sorted((start, end))
-        way = towards(start, end)
+        way, ends = towards(start, end), []
         inside = math.dist(start, end) > LEAST_DIMENSION * mm
-        reach = 0 if inside else 4 * mm
-        ends = moved(start, way, -reach), moved(end, way, reach)
+        for point, outward, other in ((start, -1, others[0]), (end, 1, others[1])):
+            ends.append(point if inside or other else moved(point, way, 4 * outward * mm))
+            if inside or not other:
+                pointing = outward if inside else -outward
+                arrowhead(self.axes, point, (pointing * way[0], pointing * way[1]), mm)
+            elif outward > 0 and other <= LEAST_DIMENSION * mm:
+                self.disc(point, DOT, THIN, "#000000")
         self.line(*ends, zorder=4)
-        outward = 1 if inside else -1
-        arrowhead(self.axes, start, (-outward * way[0], -outward * way[1]), mm)
-        arrowhead(self.axes, end, (outward * way[0], outward * way[1]), mm)
         self.beside(ends, text, 0.5, 1, turned=abs(way[1]) > abs(way[0]), ends=True)
 
     def beside(self, line: Sequence[Point], text: str, share: float, side: int, **look: bool) -> None:

@@ -241,6 +241,8 @@ _COLON = r"\text{:}"
 # An index is upright where it stands for a word or a body, by ISO 80000-1, 7.1.3; running numbers and
 # coordinates are not.
 _NAMED = re.compile(r"_\{?([A-Za-hlmo-wA-Z])(?![A-Za-z])\}?")
+# Behind an empty group a prime would touch a slanted letter.
+_PRIMED = re.compile(r"(?<=[A-Za-z])\{\}(?=\^\{\\prime)")
 _SHORT = re.compile(r"\\(le|ge)(?![A-Za-z])")
 
 
@@ -257,7 +259,7 @@ def _prose(text: str) -> str:
 def _mathtext(formula: Formula, mark: str) -> str:
     """Return a formula in mathtext, which is TeX's but for a few commands."""
     tex = TexMath(mark, lambda text: text.translate(_OBEYED)).set(formula.content)
-    tex = _NAMED.sub(r"_\\mathrm{\1}", tex)
+    tex = _NAMED.sub(r"_\\mathrm{\1}", _PRIMED.sub("", tex))
     return "$" + _SHORT.sub(r"\g<0>q", tex.replace("{:}", _COLON)) + "$"
 
 

@@ -35,11 +35,13 @@ class Fault(KurbelError):
     """What a value must be; the sentence has its name and the value before that."""
 
 
-def about(text: str, example: Any = None) -> Meta:
-    """Return what is said of a field, to editors too, and an example of it."""
+def about(text: str, example: Any = None, schema: dict[str, Any] | None = None) -> Meta:
+    """Return what is said of a field, to editors too, an example of it, and its JSON Schema where its type
+    does not say it."""
     from msgspec import Meta
 
-    return Meta(description=text) if example is None else Meta(description=text, examples=[example])
+    examples = None if example is None else [example]
+    return Meta(description=text, examples=examples, extra_json_schema=schema)
 
 
 def within(least: int, most: int) -> Meta:

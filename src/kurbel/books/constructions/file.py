@@ -11,24 +11,35 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from fractions import Fraction
 from operator import itemgetter
-from typing import Annotated, Any, ClassVar, NamedTuple
+from typing import Any, NamedTuple
 
 from kurbel.books.constructions import formulas as read_formulas
 from kurbel.books.constructions import model
 from kurbel.books.constructions.formulas import NAME, TRUTH, Formula, Values
-from kurbel.books.constructions.model import Construction, Element, Fails, Length, Points, Step
+from kurbel.books.constructions.model import (
+    Construction,
+    ConstructionFile,
+    CurveFile,
+    Element,
+    Fails,
+    Length,
+    LengthFile,
+    Points,
+    PositionFile,
+    Step,
+    StepFile,
+)
 from kurbel.books.constructions.placed import TAKEN, Position
 from kurbel.books.constructions.quantities import KNOWN, NUMBER, POINT
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ConstructionError, KurbelError, NotationError
 from kurbel.page.labels import parse
-from kurbel.page.layouts import Folder, Head
+from kurbel.page.layouts import Folder
 from kurbel.reading.given import choose
 from kurbel.reading.notation import angle, number
-from kurbel.reading.toml_file import A_TEXT, Place, TomlFile, TomlKind, about, shown, within
+from kurbel.reading.toml_file import A_TEXT, Place, TomlFile, TomlKind, shown
 
 KIND = TomlKind(
     "construction", ConstructionError, 100_000, "a construction has points and steps", "figures/mine.toml"
@@ -37,102 +48,8 @@ HOUSE, SHARED = os.path.join(os.path.dirname(__file__), "figures"), "shared"
 # No construction has more.
 MOST_STEPS, MOST_POINTS, MOST_LENGTHS, MOST_ELEMENTS = 20, 150, 30, 60
 LOOKS = (model.LINK, model.GIVEN, model.AID, model.CENTRE, model.HIDDEN, model.RESULT)
-Texts = tuple[str, ...]
 # What keys that are tables look like.
 TABLES = {"of": 'arc = { formula = "" }', "letters": 'pin = "C"'}
-
-
-@dataclass(frozen=True, kw_only=True)
-class StepFile:
-    """A step."""
-
-    NOUN: ClassVar[str] = "key of a step"
-
-    de: Annotated[str, about("what is done, in German", example="Lot von $C$ auf $O A$")]
-    en: Annotated[str, about("what is done, in English", example="Perpendicular from $C$ to $O A$")]
-    draw: Annotated[str, about('what is drawn, parted by semicolons: "line C F; square F C O"')] = ""
-    points: Annotated[str, about("points that have their letters from here on")] = ""
-
-
-@dataclass(frozen=True, kw_only=True)
-class LengthFile:
-    """A length that is read off."""
-
-    NOUN: ClassVar[str] = "key of a length"
-
-    ends: Annotated[str, about("the points between which it lies", example="C F")]
-    true: Annotated[str, about("the number that it is to be", example="sine")]
-    drawn: Annotated[str, about("how it is measured, from `first` to `last`; default: their distance")] = (
-        "distance(first, last)"
-    )
-    letters: Annotated[str, about("what it is called; default: its ends")] = ""
-    symbol: Annotated[str, about("what it stands for")] = ""
-    formula: Annotated[str, about("how the book computes it")] = ""
-    offset_formula: Annotated[str, about("that of the offset crank, if it is another")] = ""
-    unit: Annotated[str, about("its unit; default: $R$")] = "$R$"
-    approximate: Annotated[Head | None, about("why it is not exact")] = None
-
-
-@dataclass(frozen=True, kw_only=True)
-class CurveFile:
-    """A curve."""
-
-    NOUN: ClassVar[str] = "key of a curve"
-
-    at: Annotated[str, about("its points, by the number t", example="(t, t^2)")]
-    start: Annotated[str, about("the first t; without it t is the crank angle, over the turn")] = ""
-    end: Annotated[str, about("the last t")] = "360"
-    steps: Annotated[Annotated[int, within(1, 1000)], about("into how many parts it goes")] = 360
-    same: Annotated[str, about("a number that is to be as at the angle drawn")] = ""
-    down_to: Annotated[str, about("the height above which it encloses an area")] = ""
-
-
-@dataclass(frozen=True, kw_only=True)
-class FailsFile:
-    """Where there are no points."""
-
-    where: Annotated[str, about("a comparison", example="sine == 0")]
-    why: Annotated[str, about("the sentence that says so", example="at a dead centre there is no triangle")]
-
-
-@dataclass(frozen=True, kw_only=True)
-class PositionFile:
-    """A position of the straight crank that no angle says."""
-
-    pin: Annotated[str, about("where the crank pin is, by ratio and rod", example="(0, 1)")]
-    de: Annotated[str, about("the position in German", example="die Kurbel steht senkrecht")]
-    en: Annotated[str, about("the position in English", example="the crank stands upright")]
-
-
-@dataclass(frozen=True, kw_only=True)
-class ConstructionFile:
-    """A construction as a file says it."""
-
-    NOUN: ClassVar[str] = "key of a construction"
-
-    title: Annotated[Head, about("its title", example="Kolbenweg nach mir|Piston path, after me")]
-    points: Annotated[str, about("the points, NAME = FORMULA on a line each", example="C = pin")]
-    given: Annotated[str, about("formulas before those that are shared")] = ""
-    steps: Annotated[tuple[StepFile, ...], about("the steps", example=[{"de": "Kurbel", "en": "Crank"}])]
-    lengths: Annotated[
-        tuple[LengthFile, ...], about("lengths read off", example=[{"ends": "C F", "true": "sine"}])
-    ]
-    source: Annotated[Head | None, about("the book")] = None
-    holds: Annotated[Texts, about("the mechanisms for which it holds; default: straight")] = ("straight",)
-    refusal: Annotated[str, about("the sentence that refuses others")] = ""
-    fails: Annotated[tuple[FailsFile, ...], about("where it has no points")] = ()
-    mirrored: Annotated[bool, about("whether the crosshead is on the left")] = False
-    angle: Annotated[str, about('crank angle where none is given; "" for none')] = "50"
-    angle_symbol: Annotated[str, about("letter of the crank angle")] = "φ"
-    ratio_symbol: Annotated[str, about("letters of the crank ratio")] = "R:L"
-    notes: Annotated[tuple[Head, ...], about("lines below the table")] = ()
-    position: Annotated[PositionFile | None, about("what is drawn where no angle is given")] = None
-    scales: Annotated[dict[str, str], about("units, and how long they are drawn, in R")] = field(
-        default_factory=dict
-    )
-    curves: Annotated[dict[str, CurveFile], about("curves by their names")] = field(default_factory=dict)
-    takes: Annotated[Texts, about("options that it takes beside the drive")] = ()
-    usual: Annotated[dict[str, str], about("what its book has of the drive")] = field(default_factory=dict)
 
 
 class Shape(NamedTuple):
@@ -303,32 +220,27 @@ class _Maker:
         for index, note in enumerate(given.notes):
             self.check_label(("notes", index), *note.values())
         self.check_label(("title",), *given.title.values())
-        self.check_label(("source",), *(given.source or {}).values())
+        self.check_label(("source",), *given.source.values())
+        if given.angle:
+            self.trying(("angle",), angle, given.angle)
+        fails = [
+            Fails(self.formula(("fails", index, "where"), one.where, (TRUTH,)), one.why)
+            for index, one in enumerate(given.fails)
+        ]
+        position = self.position(given.position) if given.position else None
+        scales = {unit: self.number(("scales", unit), text) for unit, text in given.scales.items()}
         return Construction(
-            name=name,
-            mechanism=self.mechanism,
-            title=given.title,
-            source=given.source or Head.texts(""),
-            formulas=self.formulas,
-            steps=steps,
-            lengths=lengths,
-            curves=curves,
-            holds=given.holds,
-            refusal=given.refusal,
-            fails=[
-                Fails(self.formula(("fails", index, "where"), one.where, (TRUTH,)), one.why)
-                for index, one in enumerate(given.fails)
-            ],
-            mirrored=given.mirrored,
-            angle=self.angle(),
-            angle_symbol=f"${given.angle_symbol}$",
-            ratio_symbol=given.ratio_symbol,
-            notes=given.notes,
-            position=self.position(given.position) if given.position else None,
-            scales={unit: self.number(("scales", unit), text) for unit, text in given.scales.items()},
-            takes=given.takes,
-            usual=given.usual,
-            folder=folder,
+            name,
+            self.mechanism,
+            given,
+            self.formulas,
+            steps,
+            lengths,
+            curves,
+            fails,
+            position,
+            scales,
+            folder,
         )
 
     def check_names(self) -> None:
@@ -399,11 +311,6 @@ class _Maker:
     def number(self, place: Place, text: str) -> Fraction:
         found: Fraction = self.trying(place, number, text)
         return found
-
-    def angle(self) -> str:
-        if self.given.angle:
-            self.trying(("angle",), angle, self.given.angle)
-        return self.given.angle
 
     def position(self, given: PositionFile) -> Position:
         pin = self.trying(("position", "pin"), read_formulas.read, given.pin, {}, self.mechanism)

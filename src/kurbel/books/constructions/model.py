@@ -5,16 +5,18 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import Any, NamedTuple, TypeAlias
+from typing import Annotated, Any, ClassVar, NamedTuple, TypeAlias
 
 from kurbel.books.constructions.formulas import Formula, Values
 from kurbel.books.constructions.placed import Placed, Point, Position
 from kurbel.books.constructions.quantities import POINT
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
+from kurbel.page.layouts import Head
 from kurbel.page.quantity import Words
+from kurbel.reading.toml_file import about, within
 
 # A letter with what belongs to it: d', C_1, C_0'.
 _LETTER = re.compile(r"[^\W\d_](?:_?\d+)?'*")
@@ -22,6 +24,7 @@ _LETTER = re.compile(r"[^\W\d_](?:_?\d+)?'*")
 _BESIDE = re.compile(rf"(?<![\w(]){_LETTER.pattern}(?: {_LETTER.pattern})+(?![\w(])")
 _FORMULA = re.compile(r"\$[^$]+\$")
 DEGREES = "°"
+Texts = tuple[str, ...]
 
 # What a line is: a link of the drive, one that is given, one that is drawn to find another, a centre line,
 # a hidden one, the result.
@@ -183,37 +186,117 @@ class Fails(NamedTuple):
     why: str
 
 
-class Construction(NamedTuple):
-    """A construction as its file has it, of one mechanism.
+@dataclass(frozen=True, kw_only=True)
+class StepFile:
+    """A step."""
 
-    `holds` are the mechanisms for which it holds, `refusal` refuses others. A `mirrored` one is drawn with
-    the crosshead on the left, as its book has it. Where no angle is given `angle` is drawn, or of a straight
-    crank the `position`; `angle_symbol` is the crank angle's. `scales` are the units that are drawn longer
-    or shorter than R, in R. Without `angle` and `position` it is of no crank angle. `takes` are the options
-    that it takes beside the drive, `usual` what its book has of the drive. `formulas` has the points and, by
-    names that begin with _, what they are found by. `folder` is the user's own in which the file lies.
+    NOUN: ClassVar[str] = "key of a step"
+
+    de: Annotated[str, about("what is done, in German", example="Lot von $C$ auf $O A$")]
+    en: Annotated[str, about("what is done, in English", example="Perpendicular from $C$ to $O A$")]
+    draw: Annotated[str, about('what is drawn, parted by semicolons: "line C F; square F C O"')] = ""
+    points: Annotated[str, about("points that have their letters from here on")] = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LengthFile:
+    """A length that is read off."""
+
+    NOUN: ClassVar[str] = "key of a length"
+
+    ends: Annotated[str, about("the points between which it lies", example="C F")]
+    true: Annotated[str, about("the number that it is to be", example="sine")]
+    drawn: Annotated[str, about("how it is measured, from `first` to `last`; default: their distance")] = (
+        "distance(first, last)"
+    )
+    letters: Annotated[str, about("what it is called; default: its ends")] = ""
+    symbol: Annotated[str, about("what it stands for")] = ""
+    formula: Annotated[str, about("how the book computes it")] = ""
+    offset_formula: Annotated[str, about("that of the offset crank, if it is another")] = ""
+    unit: Annotated[str, about("its unit; default: $R$")] = "$R$"
+    approximate: Annotated[Head | None, about("why it is not exact")] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class CurveFile:
+    """A curve."""
+
+    NOUN: ClassVar[str] = "key of a curve"
+
+    at: Annotated[str, about("its points, by the number t", example="(t, t^2)")]
+    start: Annotated[str, about("the first t; without it t is the crank angle, over the turn")] = ""
+    end: Annotated[str, about("the last t")] = "360"
+    steps: Annotated[Annotated[int, within(1, 1000)], about("into how many parts it goes")] = 360
+    same: Annotated[str, about("a number that is to be as at the angle drawn")] = ""
+    down_to: Annotated[str, about("the height above which it encloses an area")] = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FailsFile:
+    """Where there are no points."""
+
+    where: Annotated[str, about("a comparison", example="sine == 0")]
+    why: Annotated[str, about("the sentence that says so", example="at a dead centre there is no triangle")]
+
+
+@dataclass(frozen=True, kw_only=True)
+class PositionFile:
+    """A position of the straight crank that no angle says."""
+
+    pin: Annotated[str, about("where the crank pin is, by ratio and rod", example="(0, 1)")]
+    de: Annotated[str, about("the position in German", example="die Kurbel steht senkrecht")]
+    en: Annotated[str, about("the position in English", example="the crank stands upright")]
+
+
+@dataclass(frozen=True, kw_only=True)
+class ConstructionFile:
+    """A construction as a file says it."""
+
+    NOUN: ClassVar[str] = "key of a construction"
+
+    title: Annotated[Head, about("its title", example="Kolbenweg nach mir|Piston path, after me")]
+    points: Annotated[str, about("the points, NAME = FORMULA on a line each", example="C = pin")]
+    given: Annotated[str, about("formulas before those that are shared")] = ""
+    steps: Annotated[tuple[StepFile, ...], about("the steps", example=[{"de": "Kurbel", "en": "Crank"}])]
+    lengths: Annotated[
+        tuple[LengthFile, ...], about("lengths read off", example=[{"ends": "C F", "true": "sine"}])
+    ]
+    source: Annotated[Head, about("the book")] = field(default_factory=lambda: Head(Head.texts("")))
+    holds: Annotated[Texts, about("the mechanisms for which it holds; default: straight")] = ("straight",)
+    refusal: Annotated[str, about("the sentence that refuses others")] = ""
+    fails: Annotated[tuple[FailsFile, ...], about("where it has no points")] = ()
+    mirrored: Annotated[bool, about("whether the crosshead is on the left")] = False
+    angle: Annotated[str, about('crank angle where none is given; "" for none')] = "50"
+    angle_symbol: Annotated[str, about("letter of the crank angle")] = "φ"
+    ratio_symbol: Annotated[str, about("letters of the crank ratio")] = "R:L"
+    notes: Annotated[tuple[Head, ...], about("lines below the table")] = ()
+    position: Annotated[PositionFile | None, about("what is drawn where no angle is given")] = None
+    scales: Annotated[dict[str, str], about("units, and how long they are drawn, in R")] = field(
+        default_factory=dict
+    )
+    curves: Annotated[dict[str, CurveFile], about("curves by their names")] = field(default_factory=dict)
+    takes: Annotated[Texts, about("options that it takes beside the drive")] = ()
+    usual: Annotated[dict[str, str], about("what its book has of the drive")] = field(default_factory=dict)
+
+
+class Construction(NamedTuple):
+    """A construction of one mechanism: what its file says of it, as `given`, and what is made of that.
+
+    `formulas` has the points and, by names that begin with _, what they are found by. `position` is what is
+    drawn of a straight crank where no angle is given. `scales` are the units that are drawn longer or shorter
+    than R, in R. `folder` is the user's own in which the file lies.
     """
 
     name: str
     mechanism: str
-    title: Words
-    source: Words
+    given: ConstructionFile
     formulas: Mapping[str, Formula]
     steps: Sequence[Step]
     lengths: Sequence[Length]
     curves: Mapping[str, Points]
-    holds: tuple[str, ...]
-    refusal: str
     fails: Sequence[Fails]
-    mirrored: bool
-    angle: str
-    angle_symbol: Label
-    ratio_symbol: str
-    notes: Sequence[Words]
     position: Position | None
     scales: Mapping[str, Fraction]
-    takes: tuple[str, ...]
-    usual: Mapping[str, str]
     folder: Any = None
 
     def __reduce__(self) -> tuple[Any, ...]:

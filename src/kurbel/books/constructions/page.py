@@ -48,7 +48,7 @@ class ConstructionRequest(Question):
 
     @property
     def origin(self) -> Label:
-        return self.construction.source[self.lang]
+        return self.construction.given.source[self.lang]
 
     @property
     def key(self) -> str:
@@ -69,10 +69,10 @@ class ConstructionRequest(Question):
     @property
     def place(self) -> Label:
         """Where the crank stands, in words; of a beam engine that stands nowhere, its arm."""
-        if not (self.construction.angle or self.construction.position):
+        if not (self.construction.given.angle or self.construction.position):
             return f"$a = {plain(getattr(self.drive, 'arm', Fraction(0)))} r$"
         if self.angle is not None:
-            return f"{self.construction.angle_symbol[:-1]} = {angle_text(self.angle)}$"
+            return f"${self.construction.given.angle_symbol} = {angle_text(self.angle)}$"
         assert self.construction.position
         return self.construction.position.words[self.lang]
 
@@ -148,8 +148,8 @@ def caption(request: ConstructionRequest) -> Label:
     """Return what the construction is of."""
     lang = request.lang
     parts = {
-        "{construction}": request.construction.title[lang],
-        "{for_ratio}": for_ratio(request.drive.crank.ratio, lang, request.construction.ratio_symbol),
+        "{construction}": request.construction.given.title[lang],
+        "{for_ratio}": for_ratio(request.drive.crank.ratio, lang, request.construction.given.ratio_symbol),
         "{place}": request.place,
     }
     return filled(request.layout.caption[lang], parts.items())
@@ -169,8 +169,8 @@ def _notes(request: ConstructionRequest) -> Iterator[Label]:
     if not doubtful:
         yield WORDS["all"][lang]
     yield from _drive_notes(request)
-    yield from said_of(request.beside, shown.takes, lang)
-    for note in shown.notes:
+    yield from said_of(request.beside, shown.given.takes, lang)
+    for note in shown.given.notes:
         yield shown.overlined(note[lang])
 
 

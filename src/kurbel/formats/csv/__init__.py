@@ -10,5 +10,5 @@ FORMAT = RecordsFormat(
     decimal="point",
     legible=1,
     usual=True,
-    excel=True,
+    takes=("excel",),
 )

@@ -325,31 +325,15 @@ class _Grid:
         properties = self.element.find(f"{W}tblPr")
         assert properties is not None
         kept = [one for one in properties if one.tag in (f"{W}tblStyle", f"{W}tblCaption")]
-        borders = _made("tblBorders")
-        for side in ("top", "bottom"):
-            _put(borders, side, val="single", sz=HEAVY, space=0, color="auto")
-        margins = _made("tblCellMar")
-        for side in ("left", "right"):
-            _put(margins, side, w=0, type="dxa")
-        properties[:] = [
-            *kept[:1],
-            _made("tblW", w=_twips(added(widths)), type="dxa"),
-            _made("jc", val="center"),
-            borders,
-            _made("tblLayout", type="fixed"),
-            margins,
-            _made(
-                "tblLook",
-                val="0000",
-                firstRow=0,
-                lastRow=0,
-                firstColumn=0,
-                lastColumn=0,
-                noHBand=1,
-                noVBand=1,
-            ),
-            *kept[1:],
-        ]
+        rule, none = f'w:val="single" w:sz="{HEAVY}" w:space="0" w:color="auto"', 'w:w="0" w:type="dxa"'
+        frame = f'''
+            <w:tblW w:w="{_twips(added(widths))}" w:type="dxa"/><w:jc w:val="center"/>
+            <w:tblBorders><w:top {rule}/><w:bottom {rule}/></w:tblBorders><w:tblLayout w:type="fixed"/>
+            <w:tblCellMar><w:left {none}/><w:right {none}/></w:tblCellMar>
+            <w:tblLook w:val="0000" w:firstRow="0" w:lastRow="0" w:firstColumn="0" w:lastColumn="0"
+                w:noHBand="1" w:noVBand="1"/>'''
+        within = " ".join(frame.split()).replace("> <", "><")
+        properties[:] = [*kept[:1], *fromstring(f'<w:tblPr xmlns:w="{_MAIN}">{within}</w:tblPr>'), *kept[1:]]
         grid = self.element.find(f"{W}tblGrid")
         assert grid is not None
         grid[:] = [_made("gridCol", w=_twips(width)) for width in widths]

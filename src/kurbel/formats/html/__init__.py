@@ -8,10 +8,9 @@ FORMAT = PageFormat(
     suffixes=(".html", ".htm"),
     media="HTML with MathML, for a page or as a page",
     legible=6,
-    standalone=True,
+    takes=("standalone", "interactive"),
     figures="svg",
     usual=True,
     marked=True,
     draws=True,
-    interactive=True,
 )

@@ -12,7 +12,7 @@ from kurbel.documents.document import Chapter, Item
 from kurbel.documents.inject import MARKUP_COMMENT, Kind
 from kurbel.formats.documents import DocumentMaker
 from kurbel.formats.html.svg import inline
-from kurbel.formats.html.writer import LIVE, RUNS, beside, escape, live_of, of_each_step, panelled
+from kurbel.formats.html.writer import RUNS, beside, escape, live_of, of_each_step, panelled
 from kurbel.formats.printer import ProsePrinter, Reference
 
 KIND = Kind(
@@ -139,9 +139,7 @@ class Maker(DocumentMaker):
             "head": css_string(title),
             "sections": values["chapters"],
             "words": {**values["words"], **WORDS[self.document.lang]},
-            "live": live_of(self.fragments.values())
-            if any(LIVE in one or RUNS in one for one in self.fragments.values())
-            else None,
+            "live": live_of(self.fragments.values()),
         }
         return {NAME: self.filled("handbook", values)}
 
@@ -165,10 +163,7 @@ class Maker(DocumentMaker):
         target, number, fragment = self.label(item), self.number(item), self.fragments[item.name]
         if item.kind == "table":
             bare = _REMARK.sub("", fragment)
-            if LIVE in fragment:
-                content = of_each_step(bare, lambda page: panelled(_numbered(page, target)))
-            else:
-                content = panelled(_numbered(bare, target))
+            content = of_each_step(bare, lambda page: panelled(_numbered(page, target)))
         else:
             title = f"{number}: {self.plain(item.caption, item.lang)}"
             content = self.drawing(fragment, target, title, item.lang)

@@ -338,13 +338,12 @@ LESSON_WORDS: Mapping[str, Mapping[str, str]] = {
         "whole": "All {} steps",
     },
 }
-_GROUP = re.compile(r'<g id="([^"]+)">')
 
 
 def lesson(
-    svg: str, parts: Mapping[str, int], steps: Sequence[Label], table: Table, decimal: str | None
+    svg: str, step: Callable[[str], int], steps: Sequence[Label], table: Table, decimal: str | None
 ) -> str:
-    """Return the page of a drawing whose parts have ids in its SVG file, each with the number of its step.
+    """Return the page of a drawing; `step` says the number of the step of a part by its id in the SVG file.
 
     `table` is what stands below; its caption is the title of the page.
     """
@@ -359,7 +358,7 @@ def lesson(
         "words": words,
         "title": writer.escape(title),
         "heading": writer.label(table.caption, mark),
-        "drawing": inline(_numbered(svg, parts), "drawing", title, own_page=True),
+        "drawing": inline(svg, "drawing", title, own_page=True, step=step),
         "steps": [writer.label(one, mark) for one in steps],
         "table": panelled(render(replace(table, caption=words["lengths"]), "html", decimal=decimal)),
         "style": style,
@@ -367,13 +366,3 @@ def lesson(
         "allowed": f"sha256-{b64encode(sha256(script.encode()).digest()).decode()}",
     }
     return render_document(form, "lesson", values)
-
-
-def _numbered(svg: str, parts: Mapping[str, int]) -> str:
-    """Return the drawing whose parts say their steps."""
-
-    def numbered(found: re.Match[str]) -> str:
-        step = parts.get(found[1])
-        return f'{found[0][:-1]} data-step="{step}">' if step else found[0]
-
-    return _GROUP.sub(numbered, svg)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -33,18 +33,24 @@ _SPACE = re.compile(r"\s+")
 MOVES, _MOVING = "film-style", re.compile(r"\bfilm-")
 
 
-def inline(svg: str, name: str, title: str, own_page: bool) -> str:
+def inline(
+    svg: str, name: str, title: str, own_page: bool, step: Callable[[str], int] = lambda name: 0
+) -> str:
     """Return the drawing for the middle of a page, an element a line.
 
     Ids begin with `name`, those that nothing refers to are gone, and so are metadata; `title`, plain text, is
     what a screen reader says before the drawing's description. On a page of our own colours are those of its
     style sheet; on another's the drawing keeps its colours and says itself that it is no wider than the page.
+    A group has the number that `step` says of its id, but 0.
     Raises xml.etree.ElementTree.ParseError for what is no SVG.
     """
     from xml.etree import ElementTree
 
     root = ElementTree.fromstring(svg)
     _prune(root)
+    for group in root.iter("g"):
+        if number := step(group.get("id", "")):
+            group.set("data-step", str(number))
     _name(root, name, own_page)
     heading = ElementTree.Element("title", {"id": f"{name}-title"})
     heading.text = title

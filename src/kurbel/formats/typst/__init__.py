@@ -8,7 +8,7 @@ FORMAT = PageFormat(
     suffixes=(".typ",),
     media="Typst, for #include or as a document",
     legible=5,
-    standalone=True,
+    takes=("standalone",),
     figures="svg",
     marked=True,
 )
