@@ -221,6 +221,12 @@ def test_what_one_wants_is_done_by_lines_that_run(want: str, examples: None) -> 
         ("excel", "kurbel help howto/spreadsheets"),
         ("roetscher-112", "roetscher-112"),
         ("latex", "kurbel help howto/latex"),
+        ("rolling mill", "kurbel help load-over-three-turns"),
+        ("Walzwerk", "kurbel help load-over-three-turns"),
+        ("shaking force", "kurbel balance -h"),
+        ("velocity diagram", "kurbel construct velocity"),
+        ("klein", "klein"),
+        ("air delivered per minute", "kurbel help air-compressor"),
     ],
 )
 def test_a_search_finds_what_others_call_otherwise(words: str, found: str) -> None:
@@ -229,17 +235,18 @@ def test_a_search_finds_what_others_call_otherwise(words: str, found: str) -> No
     assert max(map(len, text.splitlines())) <= 80
 
 
-FIND = (ROOT / "docs" / "howto" / "find.md").read_text(encoding="utf-8")
-WAYS = re.findall(r"^\| `([\w-]+)` \| [^|]+ \| ([^|]+) \|$", FIND, re.MULTILINE)
+TEN = (ROOT / "docs" / "howto" / "problem-to-command.md").read_text(encoding="utf-8")
+WAYS = re.findall(r"^\*\*`([\w-]+)`\*\*: .*\nTyped: (.*)\n```console\n\$ kurbel (.*)$", TEN, re.MULTILINE)
 
 
 def read_toml(file: Path) -> dict[str, Any]:
     return tomllib.loads(file.read_text(encoding="utf-8"))
 
 
-@pytest.mark.parametrize(("problem", "way"), WAYS)
-def test_a_problem_of_a_textbook_is_found_from_help_alone(problem: str, way: str) -> None:
-    """Each page that is asked for names the next one's command, and together they have every option."""
+@pytest.mark.parametrize(("problem", "way", "line"), WAYS, ids=[name for name, *_ in WAYS])
+def test_a_problem_of_a_textbook_is_found_from_help_alone(problem: str, way: str, line: str) -> None:
+    """Each page that is asked for names the next one's command, and together they have every option; the
+    line is that of the problem, but for columns and format."""
     files = (ROOT / "examples" / "problems").glob("*.toml")
     runs = {one["name"]: one["run"] for file in files for one in read_toml(file).get("problem", [])}
     name, *rest = shlex.split(runs[problem])
@@ -250,11 +257,14 @@ def test_a_problem_of_a_textbook_is_found_from_help_alone(problem: str, way: str
         text += printed(*step.split()).out
     assert f"kurbel {name}" in text
     flags = {one.partition("=")[0] for one in rest if one.startswith("--")}
+    assert {one for one in shlex.split(line) if one.startswith("--")} | {"--columns"} == flags | {"--columns"}
+    assert f"\n  kurbel {name} " in printed("help", problem).out
     assert flags <= {*re.findall(r"--[\w-]+", text)}
 
 
-def test_ten_problems_and_more_are_found() -> None:
-    assert len(WAYS) >= 10
+def test_ten_problems_are_found_on_a_short_page() -> None:
+    assert len(WAYS) == 10
+    assert len(TEN.splitlines()) <= 130
 
 
 def test_help_goes_through_the_pager(programs: Programs) -> None:

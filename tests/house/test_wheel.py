@@ -48,6 +48,7 @@ def test_the_wheel_holds_templates_sources_and_types(wheel: Path) -> None:
         *ROOT.glob("docs/howto/*.md"),
         *ROOT.glob("docs/subjects/*.md"),
         *ROOT.glob("docs/books/*.md"),
+        *ROOT.glob("examples/problems/*.toml"),
     ):
         assert f"kurbel/{page.relative_to(ROOT).as_posix()}" in names
     for file in (ROOT / "src" / "kurbel").glob("books/sources/**/*.*"):

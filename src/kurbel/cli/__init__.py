@@ -46,7 +46,7 @@ COMMANDS = {
     ),
     "deadcentres": (
         "kurbel.commands.motion:deadcentres",
-        "Print the dead centres of a beam engine or a crank drive.",
+        "Print dead centres, stroke and times of a crank drive.",
     ),
     "harmonics": (
         "kurbel.commands.harmonics:harmonics",

@@ -15,6 +15,8 @@ import click
 
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
+from kurbel.cli.manual.command import TopicCommand
+from kurbel.cli.manual.topics import topics_of
 from kurbel.commands.options import Choice, Columns, Kind, LayoutName
 from kurbel.errors import KurbelError
 from kurbel.formats.registry import FORMATS
@@ -109,7 +111,11 @@ def _no_option(error: click.NoSuchOption, words: Sequence[str]) -> str:
             f"{begun} in a sweep, which has columns of numbers and neither pages nor drawings; leave it out"
         )
     hint = did_you_mean(name, [f"--{one}" for one in options])
-    return begun + (elsewhere(getattr(error.ctx, "command_path", ""), name) or hint or _owners(name, value))
+    path = getattr(error.ctx, "command_path", "")
+    topics = [topic.name for topic, _ in topics_of(command)] if isinstance(command, TopicCommand) else []
+    if not hint and name.removeprefix("--") in topics:
+        return f"{begun}, which is a topic; write {path} --help {name[2:]}"
+    return begun + (elsewhere(path, name) or hint or _owners(name, value))
 
 
 def _flags(command: click.Command | None) -> Mapping[str, click.Option]:

@@ -17,7 +17,7 @@ from kurbel.reading.given import meant
 
 MORE = (
     ("kurbel help WORD", "one of these, a command, a topic; else a search"),
-    ("kurbel help --search WORD", "options, quantities, layouts, commands, pages"),
+    ("kurbel help --search WORD", "options, quantities, commands, pages, problems"),
     ("kurbel --help", "all commands"),
 )
 
@@ -29,11 +29,16 @@ def _offered(context: click.Context, parameter: click.Parameter, begun: str) -> 
 
 @click.command()
 @click.argument("words", nargs=-1, metavar="[WORD]...", shell_complete=_offered)
-@click.option("--search", metavar="WORDS", help="Search options, quantities, layouts, commands and pages.")
+@click.option(
+    "--search",
+    metavar="WORDS",
+    help="Search commands, options, quantities, layouts, pages and problems of textbooks.",
+)
 def help(words: tuple[str, ...], search: str | None) -> None:
     """Say what there is for what one has or wants, or search for a word.
 
-    WORD is one of what `kurbel help` lists, a command, a command and a topic of it, or a page.
+    WORD is one of what `kurbel help` lists, a command, a command and a topic of it, a page, or a problem that
+    a search finds.
 
     \b
     kurbel help
@@ -42,6 +47,7 @@ def help(words: tuple[str, ...], search: str | None) -> None:
     kurbel help forces masses
     kurbel help subjects/forces
     kurbel help --search pressure
+    kurbel help wheels-lift
     """
     formatter = click.Context(help, terminal_width=None, max_content_width=None).make_formatter()
     if search is not None:
@@ -81,8 +87,8 @@ def _write_wants(formatter: click.HelpFormatter) -> None:
 
 
 def _write_word(word: str, formatter: click.HelpFormatter) -> None:
-    """Write what a word is: a want, a topic, a page, or what a search for it finds."""
-    from kurbel.cli.manual.search import page_names, page_text
+    """Write what a word is: a want, a topic, a page, a problem, or what a search for it finds."""
+    from kurbel.cli.manual.search import page_names, page_text, problems
 
     name = word.removeprefix("docs/").removesuffix(".md")
     wanted = next((want for want in WANTS if want.name == word), None)
@@ -92,6 +98,10 @@ def _write_word(word: str, formatter: click.HelpFormatter) -> None:
         _write_topic(word, formatter)
     elif name in page_names():
         formatter.write(page_text(name))
+    elif problem := next((one for one in problems() if one.name == word), None):
+        formatter.write_text(problem.text)
+        formatter.write_paragraph()
+        write_examples([(shlex.join(("kurbel", *problem.words)), "")], formatter)
     else:
         _write_search(word, formatter)
 
@@ -124,7 +134,7 @@ def _write_topic(name: str, formatter: click.HelpFormatter) -> None:
 def _write_search(text: str, formatter: click.HelpFormatter) -> None:
     from kurbel.cli.manual.search import search, write_found
 
-    further, found = search(text)
-    if further:
-        formatter.write_text(f"Searched for, too: {', '.join(further)}.")
+    told, found = search(text)
+    if told:
+        formatter.write_text(told)
     write_found(found, formatter)

@@ -200,10 +200,10 @@ def some(drives: Sequence[Any]) -> Sequence[Any]:
 
 
 class DeadCentresOptions(Linked, Speed, Layouts, Sheet, CommandOptions):
-    """Print the dead centres of a beam engine: angles μ and ν of the rod, their distance, the small paths.
+    """Print the dead centres of a crank drive, its stroke and the times of both strokes.
 
-    Of another crank drive that is described: its dead centres, stroke and times, and with --stroke and
-    --speed the crank-pin velocity and the mean piston speed.
+    With --stroke and --speed also the crank-pin velocity and the mean piston speed. Of a beam engine: angles
+    μ and ν of the rod in the dead centres, their distance, the small paths.
 
     \b
     kurbel deadcentres --beam 3 --ratio 1:5

@@ -75,11 +75,7 @@ class Rod:
     @classmethod
     def from_crosshead(cls, centre: Fraction, gyration: Fraction, mass: Fraction | None = None) -> Rod:
         """Return the rod with this a/L and k/L, a counted from the crosshead pin as Ensslin does."""
-        if not 0 <= centre <= 1:
-            raise ProblemError(
-                f"the rod's centre of mass is {about(centre)} L from the crosshead pin; it must lie within"
-                " 0..1, between the pins, for no rod has most of its mass beyond one"
-            )
+        check_centre(centre)
         if gyration <= 0:
             raise ProblemError(
                 f"the rod's radius of gyration k is {about(gyration)} L; it must be above 0,"
@@ -98,6 +94,15 @@ class Rod:
 
     def _greatest_square(self) -> Fraction:
         return (self.centre + REACH) * (1 - self.centre + REACH)
+
+
+def check_centre(centre: Fraction) -> None:
+    """Raise ProblemError where a centre of mass, in L from the crosshead pin, lies beyond a pin."""
+    if not 0 <= centre <= 1:
+        raise ProblemError(
+            f"the rod's centre of mass is {about(centre)} L from the crosshead pin; it must lie within"
+            " 0..1, between the pins, for no rod has most of its mass beyond one"
+        )
 
 
 # The rod itself, and the two masses that stand in for it.

@@ -27,7 +27,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from kurbel.drive.rod import CROSSHEAD, Rod, Section, Swing, check_section, rod_of_sections
+from kurbel.drive.rod import CROSSHEAD, Rod, Section, Swing, check_centre, check_section, rod_of_sections
 from kurbel.drive.slope import GREATEST_GRAVITY, STANDARD_GRAVITY
 from kurbel.errors import NotationError, ProblemError, RodError
 from kurbel.reading.csv_file import (
@@ -196,6 +196,7 @@ def swung_rod(
         raise ProblemError("--pendulum needs the centre of mass, about which k is taken; add --centre")
     if length is None:
         raise ProblemError("--pendulum needs the length of the rod; add --stroke and one --ratio, or --rod")
+    check_centre(centre)
     distance = (centre if swing.pin == CROSSHEAD else 1 - centre) * length
     if distance <= 0:
         raise ProblemError(f"the rod does not swing about the {swing.pin} pin, where its centre of mass is")

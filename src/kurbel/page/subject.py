@@ -9,7 +9,7 @@ from math import prod
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeAlias
 
-from kurbel.errors import ProblemError
+from kurbel.errors import ChoiceError, ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label, Number
 from kurbel.page.axes import Axis, Grid, PageAxis, Place
 from kurbel.page.layouts import SUBJECTS, Layout, LayoutColumn
@@ -262,6 +262,9 @@ class Question(Worded, Given):
 
     def _meant(self, name: str, allowed: Collection[str]) -> str:
         """Return the key that is meant; of two of one meaning, for drives of two kinds, that of this one."""
+        if isinstance(name, str) and name.startswith("+"):
+            whole = ",".join([*(one.key for one in self.layout.columns), name[1:]])
+            raise ChoiceError(f"--columns names all columns, and adds none to them; write --columns {whole}")
         key = meant(name, allowed, "column")
         if key in self.axis_keys or not self._is_missing(key):
             return key

@@ -32,6 +32,8 @@ P = ParamSpec("P")
 Made = TypeVar("Made")
 # Whose folder it is in which files have to lie.
 HANDBOOK, DOCUMENT = "handbook", "document"
+# Where one name is near, no more of others are read.
+_LISTED = 20
 _EITHER_WAY = r"\s*(?:±|\+/?[-−])\s*(?=[\d.,])"
 
 
@@ -115,7 +117,7 @@ def of_given(make: Callable[..., Made], *args: object, **given: object) -> Made:
 
 
 def choose(name: str, allowed: Iterable[str], what: str) -> str:
-    """Return the name if it is allowed, else raise ChoiceError with the nearest name and the list."""
+    """Return the name if it is allowed, else raise ChoiceError with the nearest name, or all of them."""
     return _chosen(name, [*allowed], what)
 
 
@@ -133,7 +135,8 @@ def _chosen(name: object, names: Sequence[str], what: str, words: bool = False) 
     if name in names:
         return name
     near = did_you_mean(name, names, words)
-    raise ChoiceError(f'there is no {what} "{name[:60]}"{near}; choose from {", ".join(names)}')
+    listed = "" if near and len(names) > _LISTED else f"; choose from {', '.join(names)}"
+    raise ChoiceError(f'there is no {what} "{name[:60]}"{near}{listed}')
 
 
 def read_values(

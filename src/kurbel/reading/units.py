@@ -16,6 +16,7 @@ from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import exact_text
 from kurbel.reading.amounts import FOOT, INCH, POUND, POUND_FORCE, plain_unit
 from kurbel.reading.given import as_angle, as_crank_angles, as_fraction
+from kurbel.reading.names import did_you_mean
 from kurbel.reading.notation import about, number, quoted
 
 
@@ -255,8 +256,12 @@ def _quantity(text: str, what: str, example: str, dimension: str) -> Any:
     try:
         quantity = registry().Quantity(number(digits, what), "1" + unit if unit.startswith("/") else unit)
     except PINT_ERRORS:
-        hint = in_forces(written, dimension, number(digits, what)) or example
-        raise NotationError(f'{what} "{text[:40]}" has the unknown unit {written}; write {hint}') from None
+        hint = in_forces(written, dimension, number(digits, what))
+        units = (*KNOWN.get(dimension, ()), *(TURNS if dimension == "1/[time]" else ()))
+        near = "" if hint else did_you_mean(written, [unit for unit in units if unit.isalpha()])
+        raise NotationError(
+            f'{what} "{text[:40]}" has the unknown unit {written}{near}; write {hint or example}'
+        ) from None
     if not quantity.check(dimension):
         hint = in_forces(written, dimension, number(digits, what))
         wanted = f"write {hint}, with a force in place of the mass" if hint else f"it must be {example}"

@@ -1,4 +1,4 @@
-"""Words searched in all that kurbel says of itself: commands, topics, options, quantities, layouts, pages."""
+"""Words searched in all that kurbel says of itself, from commands to pages, and in problems of textbooks."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import click
 
+from kurbel.books.constructions.registry import construction, construction_names
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
 from kurbel.cli.manual.command import TopicCommand
@@ -18,6 +19,7 @@ from kurbel.cli.manual.help import GAP, folded
 from kurbel.cli.manual.topics import flag_of, options_of, topics_of
 from kurbel.cli.manual.wants import WANTS
 from kurbel.errors import ChoiceError, OutputError
+from kurbel.handbook.problems import Problem, problems_of
 from kurbel.reading.names import did_you_mean
 
 # What others call it, and what is searched for then.
@@ -45,6 +47,27 @@ SYNONYMS: Mapping[str, Sequence[str]] = {
     "turning moment": ("turning effort", "torque", "turning moment"),
     "crank effort": ("turning effort", "tangential force"),
     "side thrust": ("guide force",),
+    "slide bars": ("guide force",),
+    "slide bar": ("guide force",),
+    "cylinder wall": ("guide force",),
+    "gudgeon pin": ("crosshead pin",),
+    "wrist pin": ("crosshead pin",),
+    "piston pin": ("crosshead pin",),
+    "bearing load": ("bearing force", "crank pin force"),
+    "main bearing": ("bearing force",),
+    "shaking force": ("free force", "balance of an engine"),
+    "shaking moment": ("free moment", "balance of an engine"),
+    "dynamic balance": ("two planes", "balance planes"),
+    "dynamic balancing": ("two planes", "balance planes"),
+    "overbalance": ("counterweights",),
+    "tractive effort": ("tractive force",),
+    "throw": ("crank radius", "crank"),
+    "coupler curve": ("paths of points", "point of the rod"),
+    "coupler point": ("paths of points", "point of the rod"),
+    "velocity diagram": ("plan of velocities",),
+    "velocity polygon": ("plan of velocities",),
+    "acceleration diagram": ("plan of accelerations",),
+    "acceleration polygon": ("plan of accelerations",),
     "connecting rod": ("rod",),
     "conrod": ("rod",),
     "obliquity": ("rod angle",),
@@ -58,6 +81,14 @@ SYNONYMS: Mapping[str, Sequence[str]] = {
     "punch": ("press", "shear"),
     "punching press": ("press",),
     "punching": ("press", "shear"),
+    "stamping": ("punch",),
+    "shearing machine": ("punch", "shear"),
+    "rolling mill": ("load torque",),
+    "speed fluctuation": ("irregularity",),
+    "free air": ("delivery",),
+    "brake horsepower": ("brake power",),
+    "bhp": ("brake power",),
+    "ihp": ("indicated power",),
     "indicator diagram": ("indicator card",),
     "p v diagram": ("indicator card",),
     "inches": ("imperial",),
@@ -65,8 +96,18 @@ SYNONYMS: Mapping[str, Sequence[str]] = {
     "tex": ("latex",),
 }
 # How many of a kind are listed.
-MOST = {"Tasks": 4, "Commands": 4, "Options": 8, "Quantities": 6, "Layouts": 4, "Pages": 6}
+MOST = {
+    "Tasks": 4, "Commands": 4, "Problems": 4, "Options": 8, "Quantities": 6, "Layouts": 4, "Constructions": 4,
+    "Pages": 6,
+}  # fmt: skip
 WIDEST = 22
+# Words that tell nothing apart.
+_SMALL = frozenset(
+    ("a", "all", "an", "and", "as", "at", "by", "does", "for", "from", "how", "in", "is", "it", "its", "of",
+     "on", "or", "that", "the", "this", "to", "what", "when", "which", "with")
+)  # fmt: skip
+_LISTED = re.compile(r"(?<=\d); (?=[+-]?\d)")
+_ENDING = re.compile(r"(?<=\w{4})(?:ings?|ed)$|(?<=\w{3})(?:es|(?<!s)s)$")
 
 
 class Found(NamedTuple):
@@ -81,25 +122,53 @@ class Found(NamedTuple):
     others: str = ""
 
 
-def search(text: str) -> tuple[Sequence[str], Mapping[str, Sequence[Found]]]:
-    """Return what was searched for in place of the text, and what was found by its kind, the nearest first.
+def search(text: str) -> tuple[str, Mapping[str, Sequence[Found]]]:
+    """Return in a sentence how it was searched, and what was found by its kind, the nearest first.
 
-    Raises ChoiceError if nothing was.
+    Where nothing has all the words, or what they are called here, that is found which has most of them.
+    Raises ChoiceError if nothing has half.
     """
     asked = " ".join(_words(text))
-    ways = _ways(asked)
-    ranked = sorted(
-        ((rank, place, one) for place, one in enumerate(_all()) if (rank := _rank(one, ways)) is not None),
-        key=lambda each: each[:2],
-    )
-    found: dict[str, list[Found]] = {kind: [] for kind in KINDS}
-    for _, _, one in ranked:
-        found[one.kind].append(one)
-    if not ranked:
-        known = {word for one in _all() for word in _words(one.name)} | SYNONYMS.keys()
+    ways, entries = _ways(asked), [*_all()]
+    further = [way for way in ways if way != asked]
+    told = f"Searched for, too: {', '.join(further)}." if further else ""
+    ranks: Sequence[float | None] = [_rank(one, ways) for one in entries]
+    near = ""
+    if all(rank is None for rank in ranks):
+        known = {word for one in entries for word in (*_words(one.name), one.name)} | SYNONYMS.keys()
         near = did_you_mean(asked, sorted(known))
+        told, ranks = "Nothing has all of these words; some have:", _partly(asked, entries)
+    ranked = sorted((rank, place) for place, rank in enumerate(ranks) if rank is not None)
+    if near or not ranked:
         raise ChoiceError(f'nothing is said of "{text[:60]}"{near}; kurbel help lists what one may want')
-    return [way for way in ways if way != asked], {kind: listed for kind, listed in found.items() if listed}
+    # What has this very name is meant, of whatever kind.
+    exact = {"Tasks", *(entries[place].kind for rank, place in ranked if rank == -len(ways))}
+    found: dict[str, list[Found]] = {kind: [] for kind in sorted(KINDS, key=lambda kind: kind not in exact)}
+    for _, place in ranked:
+        found[entries[place].kind].append(entries[place])
+    return told, {kind: listed for kind, listed in found.items() if listed}
+
+
+def _partly(asked: str, entries: Sequence[Found]) -> Sequence[float | None]:
+    """Return ranks of the entries that have most of the words, in whatever ending; None of those that have
+    less, or not half."""
+    stems = [_ENDING.sub("", word) for word in asked.split() if word not in _SMALL]
+    having = [
+        [
+            any(known.startswith(stem) for known in _words(f"{one.name} {one.told} {one.words}"))
+            for stem in stems
+        ]
+        for one in entries
+    ]
+    most = max(map(sum, having))
+    if not most or 2 * most < len(stems):
+        return [None] * len(entries)
+    # Of words the rarest tell most.
+    weights = [1 / max(1, sum(column)) for column in zip(*having, strict=True)]
+    return [
+        -sum(weight for weight, has in zip(weights, own, strict=True) if has) if sum(own) == most else None
+        for own in having
+    ]
 
 
 def _ways(asked: str) -> Sequence[str]:
@@ -119,8 +188,8 @@ def _words(text: str) -> list[str]:
 
 def _rank(one: Found, ways: Sequence[str]) -> int | None:
     """Return how near an entry is, of the least rank the nearest; None for one that is not meant."""
-    for rank, text in enumerate((one.name, one.told, one.words)):
-        there = _words(f"{one.name} {text}")
+    for rank, text in enumerate((one.name, f"{one.name} {one.told}", f"{one.name} {one.words}")):
+        there = _words(text)
         for place, words in enumerate(map(_words, ways)):
             if rank == 0 and words == there:
                 return place - len(ways)
@@ -185,6 +254,17 @@ def _layouts() -> Iterator[Found]:
         yield Found("Layouts", one.key, one.title["en"], printing(one, None), one.title["de"])
 
 
+def _problems() -> Iterator[Found]:
+    for one, german in zip(*map(problems, ("en", "de")), strict=True):
+        yield Found("Problems", one.name, one.text, f"kurbel help {one.name}", german.text)
+
+
+def _constructions() -> Iterator[Found]:
+    for name in construction_names():
+        title = construction(name).title
+        yield Found("Constructions", name, title["en"], f"kurbel construct {name}", title["de"])
+
+
 def _pages() -> Iterator[Found]:
     for name in page_names():
         # Without what stands in blocks, where lines begin with # as well.
@@ -198,9 +278,11 @@ def _pages() -> Iterator[Found]:
 KINDS: Mapping[str, Callable[[], Iterator[Found]]] = {
     "Tasks": _wants,
     "Commands": _commands,
+    "Problems": _problems,
     "Options": _options,
     "Quantities": _quantities,
     "Layouts": _layouts,
+    "Constructions": _constructions,
     "Pages": _pages,
 }
 
@@ -216,24 +298,33 @@ def _all() -> Iterable[Found]:
 
 
 @cache
-def page_folder() -> Path:
-    """Return the folder of the documentation: in the installed package, else in the checkout."""
+def _folder(name: str) -> Path:
+    """Return a folder that goes with the program: in the installed package, else in the checkout."""
     package = Path(__file__).parents[2]
-    for folder in (package / "docs", package.parents[1] / "docs"):
+    for folder in (package / name, package.parents[1] / name):
         if folder.is_dir():
             return folder
-    raise OutputError(f"there is no documentation beside {package}; the installation is not complete")
+    raise OutputError(f"there is no folder {name} beside {package}; the installation is not complete")
 
 
 def page_names() -> Sequence[str]:
     """Return the pages of the documentation that are there to be read: howto/latex."""
-    folder = page_folder()
+    folder = _folder("docs")
     names = (path.relative_to(folder).with_suffix("").as_posix() for path in sorted(folder.rglob("*.md")))
     return [name for name in names if name.partition("/")[0] in ("howto", "subjects", "books", "tutorial")]
 
 
 def page_text(name: str) -> str:
-    return (page_folder() / f"{name}.md").read_text(encoding="utf-8")
+    return (_folder("docs") / f"{name}.md").read_text(encoding="utf-8")
+
+
+def problems(lang: str = "en") -> Iterator[Problem]:
+    """Yield the problems that go with the program, with their first numbers, lists as they are typed."""
+    for path in sorted(_folder("examples/problems").glob("*.toml")):
+        if "[[problem]]" in path.read_text(encoding="utf-8"):
+            for one in problems_of(str(path), lang, mark="."):
+                # Formulas stand between dollars.
+                yield one._replace(text=_LISTED.sub(";", one.text.replace("$", "")))
 
 
 def write_found(found: Mapping[str, Sequence[Found]], formatter: click.HelpFormatter) -> None:
@@ -256,4 +347,4 @@ def write_found(found: Mapping[str, Sequence[Found]], formatter: click.HelpForma
 
 def _first(told: str) -> str:
     """Return the first sentence, without its end."""
-    return re.split(r"; |[.] |[.]$", told)[0]
+    return re.split(r"; |[.?] (?=[A-Z])|[.]$", told)[0]

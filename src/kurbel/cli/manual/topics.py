@@ -81,7 +81,8 @@ FIRST: Mapping[str, str] = {
     " brake_power digits",
     "flywheel": "delta power speed swing inertia mass radius eps ratio machine torque areas work"
     " rim_diameter density",
-    "deadcentres": "exact ratio stroke rod speed machine mechanism offset rocker beam columns digits",
+    "deadcentres": "exact ratio stroke rod true_stroke time_ratio speed machine mechanism offset rocker beam"
+    " columns digits",
     "harmonics": "ratio quantity orders machine eps bore pressure stroke speed reciprocating cranks columns"
     " digits",
     "balance": "engine cranks positions spacing orders ratio stroke rod speed machine reciprocating"

@@ -39,6 +39,7 @@ WANTS = (
                 "a four-bar",
             ),
             ("deadcentres --ratio 1:4 --offset 0.3", "its stroke and dead centres"),
+            ("deadcentres --true-stroke 100mm --time-ratio 1.25 --offset 50mm", "its crank and rod"),
             ("deadcentres --mechanism beam --beam 3", "those of a beam engine"),
             ("forces --mechanism parallel --axles 3", "coupled axles"),
         ),
@@ -51,7 +52,16 @@ WANTS = (
             ("solve --ratio 1:5 --where c=max", "the greatest velocity"),
             ("solve --ratio 1:5 --where 's = 50%'", "the middle of the stroke"),
             ("solve --machine engine.toml --where torque=max", "the greatest torque"),
+            (
+                "solve --ratio 1:4 --stroke 320mm --speed 200/min --where 's = 50%' --columns phi,time",
+                "the time until then",
+            ),
             ("solve --unknown ratio --angle 80 --where c=max", "the ratio for an angle"),
+            (
+                "solve --unknown speed --angle 20 --where rod_force=0 --stroke 115mm --reciprocating 1kg"
+                " --force 5kN",
+                "the speed at which the rod is without load",
+            ),
         ),
         "subjects/solve",
     ),
@@ -61,6 +71,10 @@ WANTS = (
         (
             ("forces --force 10kN --stroke 600mm --rod 1500mm", "in N and N m"),
             ("forces --bore 100mm --pressure-difference 2bar --stroke 120mm", "a pressure"),
+            (
+                "forces --bore 300mm --head-pressure 4bar --crank-pressure 1bar --stroke 400mm",
+                "on both sides",
+            ),
             ("forces --force 10kN --friction 500N", "with friction"),
             ("forces --at tangent", "rod and crank at right angles"),
         ),
@@ -165,6 +179,11 @@ WANTS = (
                 "areas, and the flywheel",
             ),
             ("flywheel --torque '5000 + 1500 sin(3φ)' --speed 300/min --delta 1%", "a flywheel for it"),
+            (
+                "flywheel --load-torque '0:500; 540:500; 540:1900; 810:1900; 810:500; 1080:500' --turns 3"
+                " --speed 180/min --inertia '440 kg m2'",
+                "of a machine that is driven",
+            ),
         ),
         "subjects/diagrams subjects/flywheels",
     ),
@@ -187,11 +206,20 @@ WANTS = (
     ),
     Want(
         "press",
-        "I have a press",
+        "I have a press, a punch or a riveting machine",
         (
             (
                 "flywheel --work 10kJ --strokes 30/min --share 1/4 --speed 200..225/min --radius 0.5m",
                 "motor and flywheel",
+            ),
+            (
+                "flywheel --hole '28mm x 16mm' --shear-strength 320MPa --strokes 20/min --share 1/10"
+                " --speed 200/min --delta 10%",
+                "holes in a plate",
+            ),
+            (
+                "flywheel --work 9kJ --duration 1s --power 2kW --inertia '60kg m2' --greatest-speed 5/s",
+                "how slow it gets, and how often it works",
             ),
             ("flywheel --inertia '48kg m2' --swing 6.5kJ --greatest-speed 320/min", "after one blow"),
         ),
@@ -202,6 +230,10 @@ WANTS = (
         "I have an engine, a rotor or a locomotive to balance",
         (
             ("balance --engine inline-4", "free forces and moments"),
+            (
+                "balance --engine inline-1 --crank 60mm --speed 1200/min --reciprocating 1.5kg --share 1/2",
+                "with a counterweight",
+            ),
             (
                 "rotor --masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120' --planes '0;200mm'"
                 " --balance-planes '50mm;150mm' --balance-radii 100mm",

@@ -50,6 +50,11 @@ def points_of(text: str, what: str = "torque") -> list[Point]:
         step = notation.angle(spaced[1], f"{what}: angle")
         if step <= 0:
             raise NotationError(f"the {what} has points every {about(step)}°; write a step above 0")
+        if ";" not in spaced[2]:
+            raise NotationError(
+                f"the {what} has no ; between its values every {about(step)}°; write them as in"
+                ' "every 30°: 0; 45; 90"'
+            )
         torques = (_torque(part, what) for part in spaced[2].split(";"))
         return [Point(number * step, torque) for number, torque in enumerate(torques)]
     found = []
