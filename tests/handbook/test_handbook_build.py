@@ -23,7 +23,7 @@ from typing import Any
 
 import pytest
 from cli import Result, kurbel, refusal
-from manifests import handbook, write
+from manifests import MACHINE, handbook, write
 from manifests import made as files
 from programs import Programs, is_alone, wait_until
 from tools import require_library
@@ -53,16 +53,6 @@ lang = "en"
 [[chapter.part]]
 run = "flywheel --machine engine.toml"
 name = "schwung"
-"""
-MACHINE = """\
-[crank]
-ratio = "1:5"
-speed = "120/min"
-[steam]
-eps = 4
-[flywheel]
-power = "50kW"
-delta = "1:100"
 """
 
 
