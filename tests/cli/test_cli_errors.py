@@ -6,7 +6,7 @@ import shlex
 from pathlib import Path
 
 import pytest
-from cli import kurbel, printed, refusal
+from cli import answered, kurbel, printed, refusal
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -78,13 +78,7 @@ OPTIONS = (
 )
 def test_whatever_is_typed_is_answered_with_a_table_or_a_sentence(typed: list[tuple[str, str]]) -> None:
     words = [f"--{option}={value}" for option, value in typed]
-    result = kurbel("table", "--layout", "kinematics", *words, "--digits", "2")
-    if result.code == 0:
-        assert result.out.endswith("\n")
-        assert result.err == ""
-    else:
-        assert (result.code, result.out, result.err.count("\n")) == (2, "", 1)
-        assert result.err.startswith("kurbel: ")
+    answered("table", "--layout", "kinematics", *words, "--digits", "2")
 
 
 def _list(count: int, text: str = "{}", first: int = 0) -> str:
@@ -133,10 +127,9 @@ TINY = f"0.{'2' * 58}"
         f"turning --torque={'(' * 30}1+sinφ{')' * 30}",
         f"turning --torque=1+sinφ{'+0' * 497}",
         f"turning --areas=1;{'0;' * 998}-1 --area-scale=1J",
-        f"firing --cranks={';'.join('0' * 14)}",
+        f"firing --cranks={';'.join('0' * 14)} -f csv",
         f"plot -o - -f svg --positions={_list(36)}",
-        "table -o - -f svg --columns=x --width=1000 --height=1000",
-        f"table -o - -f svg --columns=x --ratio={_list(12, '1:{}', 2)}",
+        f"table -o - -f svg --columns=x --width=1000 --height=1000 --ratio={_list(12, '1:{}', 2)}",
         "plot -o - -f svg --positions=0 --animate --seconds=120",
         "table -o - -f svg --columns=x --step=0.1 --to=1999.9",
         f"sweep delta --eps=2;3 -o - -f csv --only=eps<40{'+0' * 247}",
@@ -203,5 +196,5 @@ def test_what_a_machine_or_the_environment_gives_in_vain_is_left_unread(tmp_path
 @pytest.mark.parametrize("form", ["svg", "drawing"])
 def test_a_drawing_by_the_environment_is_for_pages_that_have_one(form: str) -> None:
     assert "Reihenmotor" in printed("firing", "--engine", "inline-4", KURBEL_FORMAT=form).out
-    assert printed("table", "--ratio", "1:5", KURBEL_FORMAT=form).out.startswith("<?xml")
+    assert printed("table", "--columns", "x", KURBEL_FORMAT=form).out.startswith("<?xml")
     assert printed("construct", "klein", KURBEL_FORMAT=form).out.startswith("<?xml")

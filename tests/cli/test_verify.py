@@ -54,18 +54,17 @@ def page_of(line: str, folder: Path) -> Path:
     return path
 
 
-def verified(path: Path, *words: str) -> tuple[int, list[dict[str, str]], str]:
-    """Return the exit code, what is said of each column, and the last lines as text."""
+def verified(path: Path, *words: str) -> tuple[int, list[dict[str, str]]]:
+    """Return the exit code, and what is said of each column."""
     found = kurbel("verify", *words, "-f", "csv", str(path))
-    return found.code, found.records(), kurbel("verify", *words, str(path)).out
+    return found.code, found.records()
 
 
 @pytest.mark.parametrize("line", PAGES, ids=str)
 def test_every_number_is_confirmed(line: str, tmp_path: Path) -> None:
-    code, columns, told = verified(page_of(line, tmp_path))
+    code, columns = verified(page_of(line, tmp_path))
     assert [one for one in columns if one["confirmed"] != one["cells"]] == []
     assert sum(int(one["cells"]) for one in columns) == PAGES[line]
-    assert f"{PAGES[line]} of {PAGES[line]} numbers are confirmed, 0 are wrong" in told
     assert code == 0
 
 
@@ -88,29 +87,29 @@ def test_a_change_by_hand_is_found(line: str, digit: str, other: str, said: str,
         # What is printed of the axis says what the row is of.
         changed = changed.replace('"epsilon": 4', '"epsilon": 4.01')
     path.write_text(changed, encoding="utf-8")
-    code, _, told = verified(path)
-    assert code == 1
-    assert said in told
+    found = kurbel("verify", str(path))
+    assert found.code == 1
+    assert said in found.out
 
 
 def test_a_page_comes_through_a_pipe(monkeypatch: pytest.MonkeyPatch) -> None:
     page = printed("table", "--angle=60", "-f", "json").out
     monkeypatch.setattr(sys, "stdin", io.StringIO(page))
-    assert "6 of 6 numbers are confirmed" in printed("verify", "-").out
+    assert "6 of 6 numbers are confirmed, 0 are wrong" in printed("verify", "-").out
     monkeypatch.setattr(sys, "stdin", io.StringIO("x"))
     assert "standard input is no JSON" in kurbel("verify", "-").err
 
 
 def test_what_is_not_computed_a_second_time_is_said_with_its_reason(tmp_path: Path) -> None:
     path = page_of("harmonics", tmp_path)
-    code, (column,), _ = verified(path)
+    code, (column,) = verified(path)
     assert (code, column["confirmed"], column["wrong"]) == (0, "0", "0")
     assert column["reason"] == "pages of harmonics are not computed a second time"
     assert verified(path, "--strict")[0] == 1
     path = page_of(
         "forces --force 1kN --pin-friction 0.06 --crank-pin 120mm --stroke 1m --angle 30", tmp_path
     )
-    code, columns, _ = verified(path)
+    code, columns = verified(path)
     assert code == 0
     assert {one["confirmed"] for one in columns} == {"0"}
     assert "is not known to the second computation" in columns[0]["reason"]
@@ -147,9 +146,7 @@ def test_a_long_page_says_it_too(tmp_path: Path) -> None:
         r'"rows": \[.*\]', lambda _: f'"rows": {json.dumps(few)}', path.read_text(), flags=re.DOTALL
     )
     path.write_text(text, encoding="utf-8")
-    code, _, told = verified(path)
-    assert code == 0
-    assert "10 of 10 numbers are confirmed" in told
+    assert "10 of 10 numbers are confirmed" in printed("verify", str(path)).out
 
 
 @pytest.mark.parametrize(
@@ -192,14 +189,15 @@ def test_without_mpmath_one_sentence_says_what_installs_it(tmp_path: Path) -> No
 STRANGE: list[Any] = [
     *(None, True, 0, -1, 1e9, "", "x", "1:0", "nan", "-5", "1/0", "9" * 60, [], ["a", "b"], {}, "∞", "60°")
 ]
-DAMAGED = (
-    "table --ratio 1:5 --angle 60 --stroke 600mm --speed 2/s",
-    "table --mechanism arc --rocker 6 --pivot '5;6' --angle 60",
-    "table --point 0.5 --angle 60",
-    f"forces --eps 4 {MASSES} --angle 50",
-    "turning --compression 6 --peak-pressure 30 --angle 200",
-    "delta --eps 4 --detail",
-)
+# With how often each is damaged: every speed over the turn of an engine is proved.
+DAMAGED = {
+    "table --ratio 1:5 --angle 60 --stroke 600mm --speed 2/s": 40,
+    "table --mechanism arc --rocker 6 --pivot '5;6' --angle 60": 40,
+    "table --point 0.5 --angle 60": 40,
+    f"forces --eps 4 {MASSES} --angle 50": 40,
+    "turning --compression 6 --peak-pressure 30 --angle 200": 40,
+    "delta --eps 4 --detail": 10,
+}
 
 
 def places_of(value: Any, above: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
@@ -214,7 +212,7 @@ def places_of(value: Any, above: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ..
 def test_whatever_stands_in_a_page_is_computed_or_a_sentence(line: str, tmp_path: Path) -> None:
     path = page_of(line, tmp_path)
     whole, chance = path.read_text(encoding="utf-8"), Random(line)
-    for _ in range(40):
+    for _ in range(DAMAGED[line]):
         page = json.loads(whole)
         *above, last = chance.choice(
             [one for one in places_of(page) if one[0] in ("request", "columns", "rows")]
@@ -232,6 +230,6 @@ def test_whatever_stands_in_a_page_is_computed_or_a_sentence(line: str, tmp_path
 def test_a_text_in_place_of_a_number_is_not_passed_over(tmp_path: Path) -> None:
     path = page_of("table --angle 60", tmp_path)
     path.write_text(path.read_text(encoding="utf-8").replace('"x": 0.5756', '"x": "0,58?"'), encoding="utf-8")
-    code, columns, _ = verified(path, "--strict")
+    code, columns = verified(path, "--strict")
     assert code == 1
     assert (columns[0]["column"], columns[0]["confirmed"], columns[0]["uncomputed"]) == ("x", "0", "1")

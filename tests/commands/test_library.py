@@ -126,13 +126,14 @@ def test_a_machine_gives_what_is_not_given_by_hand(file: str) -> None:
     pages = 0
     for name, function in TABLES.items():
         if function.command.machine:  # type: ignore[attr-defined]
+            more = {"step": "90"} if name in ("table", "forces", "turning", "inertia") else {}
             # Cylinders that have strokes of their own take no other.
             apart = "[[cylinder]]\nstroke" in Path(file).read_text(encoding="utf-8")
             wanted = "stroke" in taken(function) and not (apart and "cylinder" in taken(function))
-            typed = ["--stroke=610mm"] if wanted else []
-            line = kurbel_line(name, f"--machine={file}", *typed)
+            more |= {"stroke": "610mm"} if wanted else {}
+            line = kurbel_line(name, f"--machine={file}", *(f"--{key}={one}" for key, one in more.items()))
             try:
-                page = str(function(machine=file, **({"stroke": "610mm"} if typed else {})))
+                page = str(function(machine=file, **more))
             except kurbel.KurbelError as error:
                 words = function.command.keywords()  # type: ignore[attr-defined]
                 assert as_keywords(line.err, words) == f"kurbel: {error}\n", name

@@ -44,12 +44,14 @@ def numbers(command: str) -> list[dict[str, float]]:
         ({"eps": "3", "ratio": "1:4", "offset": "0.2", "cranks": "0;140"}, {"flywheel": "2"}),
         ({**STEAM, "exponent": "1.13", "clearance": "5%", "ratio": "1:∞"}, {"flywheel": "3"}),
         ({"compression": "8", "peak_pressure": "30", "ratio": "1:4", "offset": "0.1"}, {"flywheel": "30"}),
-        ({"pressure_ratio": "3", "mechanism": "arc", "rocker": "6", "cranks": "0;70"}, {"flywheel": "9"}),
+        ({"pressure_ratio": "3", "mechanism": "arc", "rocker": "6"}, {"flywheel": "9"}),
         ({"pump": "double", "cranks": "0;90"}, {"flywheel": "3"}),
         ({**STEAM, **HEAVY}, {"inertia": "150kgm2"}),
-        ({**STEAM, **HEAVY, "ratio": "2:7", "offset": "0.2", "cranks": "0;100"}, {"inertia": "60kgm2"}),
-        ({**STEAM, **HEAVY, "ratio": "1:4"}, {"flywheel": "5"}),
-        ({**STEAM, **HEAVY, "slope": "35"}, {"inertia": "150kgm2"}),
+        (
+            {**STEAM, **HEAVY, "ratio": "2:7", "offset": "0.2", "cranks": "0;100", "slope": "35"},
+            {"inertia": "60kgm2"},
+        ),
+        pytest.param({**STEAM, **HEAVY, "ratio": "1:4"}, {"flywheel": "5"}, marks=pytest.mark.slow),
         ({**STEAM}, {"flywheel": "8", **SQUARE}),
         ({"eps": "3", "ratio": "1:4", "offset": "0.2"}, {"flywheel": "10", **SQUARE}),
         # So light that the greatest speed is more than twice the least.

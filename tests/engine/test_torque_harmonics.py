@@ -9,7 +9,6 @@ from time import process_time
 from typing import Any
 
 import numpy as np
-import opentorsion
 import pytest
 from cli import printed, records
 from drawn_machines import Draw
@@ -109,6 +108,8 @@ def test_a_hundred_orders_keep_nobody_waiting(words: str) -> None:
 
 
 def test_open_torsion_reads_the_excitation(tmp_path: Path) -> None:
+    import opentorsion
+
     words = ("--eps=4", "--cranks=0;90", *MACHINE, "--orders=40", "--digits=6")
     path = tmp_path / "excitation.csv"
     printed("harmonics", "--layout=excitation", *words, "-o", str(path))

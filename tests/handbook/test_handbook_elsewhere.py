@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from cli import kurbel
 from clusters import Cluster
-from manifests import made
+from manifests import MACHINE, made
 from programs import Programs
 
 from kurbel.handbook import pool
@@ -32,16 +32,6 @@ name = "schwung"
 [[chapter.part]]
 run = "delta --eps 0.5"
 name = "ungleich"
-"""
-MACHINE = """\
-[crank]
-ratio = "1:5"
-speed = "120/min"
-[steam]
-eps = 4
-[flywheel]
-power = "50kW"
-delta = "1:100"
 """
 
 

@@ -50,10 +50,8 @@ def sampled_angles() -> NDArray[np.float64]:
 
 @pytest.fixture(autouse=True)
 def precision() -> Any:
-    before = flint.ctx.prec
-    flint.ctx.prec = 300
-    yield
-    flint.ctx.prec = before
+    with flint.ctx.workprec(300):
+        yield
 
 
 TRUE: dict[str, Callable[[Any], Any]] = {

@@ -27,10 +27,8 @@ each_formula = pytest.mark.parametrize("name", FORMULAS)
 
 @pytest.fixture(autouse=True)
 def digits() -> Iterator[None]:
-    before = flint.ctx.prec
-    flint.ctx.prec = 200
-    yield
-    flint.ctx.prec = before
+    with flint.ctx.workprec(200):
+        yield
 
 
 def test_dead_centres_load_the_shaft_and_nothing_else() -> None:

@@ -23,10 +23,8 @@ Textbook = Callable[[Ball, Ball, Ball], Ball]
 
 @pytest.fixture(autouse=True)
 def precision() -> Iterator[None]:
-    before = flint.ctx.prec
-    flint.ctx.prec = 300
-    yield
-    flint.ctx.prec = before
+    with flint.ctx.workprec(300):
+        yield
 
 
 def ball(number: float) -> Ball:

@@ -38,10 +38,8 @@ FORCES: dict[str, Callable[..., Any]] = {
 
 @pytest.fixture(autouse=True)
 def digits() -> Iterator[None]:
-    before = flint.ctx.prec
-    flint.ctx.prec = 200
-    yield
-    flint.ctx.prec = before
+    with flint.ctx.workprec(200):
+        yield
 
 
 # Forces at the pins.

@@ -72,18 +72,16 @@ def drives(name: str, mechanism: str, count: int = 1) -> Iterator[dict[str, Any]
         yield asked | {key: str(TAKEN[key](dice)) for key in TAKES.get(name, ())}
 
 
-@pytest.mark.parametrize(("name", "mechanism"), ASKED)
-def test_a_length_on_paper_is_the_printed_one(name: str, mechanism: str) -> None:
-    check_on_paper(name, mechanism, 1)
+# One drive of each, of the mechanisms by turns.
+OWN = [[pair for pair in ASKED if pair[0] == name] for name in dict(ASKED)]
+DRAWN = [pairs[place % len(pairs)] for place, pairs in enumerate(OWN)]
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("name", "mechanism"), ASKED)
-def test_so_is_it_of_many_drives(name: str, mechanism: str) -> None:
-    check_on_paper(name, mechanism, 12)
-
-
-def check_on_paper(name: str, mechanism: str, count: int) -> None:
+@pytest.mark.parametrize(
+    ("name", "mechanism", "count"),
+    [*((*pair, 1) for pair in DRAWN), *(pytest.param(*pair, 12, marks=pytest.mark.slow) for pair in ASKED)],
+)
+def test_a_length_on_paper_is_the_printed_one(name: str, mechanism: str, count: int) -> None:
     for asked in drives(name, mechanism, count):
         drawing = kurbel.plot_construction(name, **asked)
         paper = Paper(drawing.image())

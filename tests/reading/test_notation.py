@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
+from cli import sentence_of
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
@@ -20,12 +21,6 @@ positive = st.fractions(min_value=Fraction(1, 1000), max_value=1000, max_denomin
 # Text that nearly is notation finds more than arbitrary text.
 notations = st.text(st.sampled_from("0123456789.,:;/°'\"′″+-eE∞ ٣１²\n"), max_size=30)
 anything = st.one_of(st.text(max_size=80), notations)
-
-
-def sentence_of(read: Callable[[Any], object], text: Any) -> str:
-    with pytest.raises(kurbel.KurbelError) as raised:
-        read(text)
-    return str(raised.value)
 
 
 @pytest.mark.parametrize(

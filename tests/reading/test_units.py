@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
 from fractions import Fraction
 
 import pytest
+from cli import sentence_of
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -20,12 +20,6 @@ SPEED_HELP = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
 
 def length(text: str) -> Fraction:
     return units.length(text, "stroke")
-
-
-def sentence_of(read: Callable[[str], object], text: str) -> str:
-    with pytest.raises(kurbel.KurbelError) as raised:
-        read(text)
-    return str(raised.value)
 
 
 @pytest.mark.parametrize(

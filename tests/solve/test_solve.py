@@ -68,7 +68,7 @@ def check_none_missed(scanned: Course, span: tuple[float, float], value: float, 
     assert list(np.flatnonzero(inside % 2 != changed)) == []
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=30)
 @given(
     RATIOS,
     st.one_of(st.just(Fraction(0)), SHARES),

@@ -7,11 +7,14 @@ import io
 import os
 import signal
 import sys
+from collections.abc import Callable
 from contextlib import ExitStack, redirect_stderr, redirect_stdout
 from dataclasses import dataclass
+from typing import Any
 from unittest import mock
 
 from kurbel.cli import main
+from kurbel.errors import KurbelError
 
 HANDLED = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
@@ -71,6 +74,26 @@ def refusal(*words: str, code: int = 2, **environment: str) -> str:
     assert not line.endswith(".")
     assert ". " not in line
     return line
+
+
+def answered(*words: str) -> None:
+    """Run a command, which must print a page or refuse by one line."""
+    result = kurbel(*words)
+    if result.code == 0:
+        assert result.out.endswith("\n")
+        assert result.err == ""
+    else:
+        assert (result.code, result.out, result.err.count("\n")) == (2, "", 1)
+        assert result.err.startswith("kurbel: ")
+
+
+def sentence_of(read: Callable[[Any], object], text: Any) -> str:
+    """Return the sentence by which a text is refused that is read."""
+    try:
+        read(text)
+    except KurbelError as error:
+        return str(error)
+    raise AssertionError(f"not refused: {text!r}")
 
 
 def records(*words: str, **environment: str) -> list[dict[str, str]]:

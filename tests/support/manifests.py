@@ -10,6 +10,16 @@ from pathlib import Path
 from cli import Result, kurbel
 from tools import require
 
+MACHINE = """\
+[crank]
+ratio = "1:5"
+speed = "120/min"
+[steam]
+eps = 4
+[flywheel]
+power = "50kW"
+delta = "1:100"
+"""
 TABLES = {
     "weg": "table --ratio 1:5",
     "zusammenstellung": "table --layout roetscher-112 --ratio 1:5 --ratio 1:4,5 --ratio 1:4",

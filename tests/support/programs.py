@@ -7,7 +7,6 @@ import select
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from threading import Timer
@@ -100,9 +99,3 @@ def wait_until(condition: Callable[[], bool]) -> None:
             return
         select.select([], [], [], 0.005)
     pytest.fail(f"what was waited for did not happen within {PATIENCE:.0f} s")
-
-
-def into_the_next_second() -> None:
-    """Return when the clock, by which files are dated, shows another second; it may be set back meanwhile."""
-    second = int(time.time())
-    wait_until(lambda: int(time.time()) != second)

@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 import pytest
 from cli import kurbel, printed, refusal
-from scipy.stats import qmc
 
 import kurbel as library
 
@@ -150,6 +149,8 @@ def test_large_and_small_numbers_are_exact(text: str, count: int) -> None:
 
 
 def test_a_sobol_design_is_scipys_between_the_ends_and_can_be_typed_again() -> None:
+    from scipy.stats import qmc
+
     words = ("delta", "--ratio=1:3..8", "--back=0..20%")
     found = swept(*words, "--eps=1..10", "--sample=sobol:16", "--seed=7")
     unit = qmc.Sobol(3, seed=7).random(16)

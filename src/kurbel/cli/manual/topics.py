@@ -12,6 +12,8 @@ from typing import NamedTuple, TypeGuard
 
 import click
 
+from kurbel.cli.app import HELP_OPTIONS
+
 
 class Topic(NamedTuple):
     """What belongs together: its name, its title, the names of the options that stand before its others, for
@@ -153,7 +155,8 @@ def first_of(command: click.Command) -> Sequence[click.Option]:
 
 def options_of(command: click.Command) -> Mapping[str, click.Option]:
     """Return the options of a command by their names."""
-    params = command.get_params(click.Context(command))
+    # Of `-h, --help` click keeps what the first context has.
+    params = command.get_params(click.Context(command, help_option_names=HELP_OPTIONS))
     return {name_of(one): one for one in params if _is_option(one)}
 
 

@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 from kurbel.engine.diagram.fluctuation import Extreme
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
+from kurbel.page.axes import angle_decimals
 from kurbel.reading import notation, units
 from kurbel.reading.given import Given
 from kurbel.reading.notation import about
@@ -67,6 +68,11 @@ class Areas(Given):
     def levels(self) -> tuple[Fraction, ...]:
         """What of the area is above the line at each letter, a with 0 first; without the end, which is a."""
         return (Fraction(0), *accumulate(self.areas[:-1]))
+
+    @cached_property
+    def level_decimals(self) -> int | None:
+        """How many decimals write every level exactly, None if no number of them does."""
+        return angle_decimals(self.levels)
 
     @property
     def letters(self) -> tuple[str, ...]:

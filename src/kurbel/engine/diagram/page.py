@@ -22,7 +22,7 @@ from kurbel.exact.kind import floats, settled
 from kurbel.exact.numerals import Label, Number, figures
 from kurbel.exact.product import Product
 from kurbel.motion.captions import turns_label
-from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decimals
+from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
@@ -151,9 +151,8 @@ def _torque_number(question: TorquesRequest, column: Column, place: Place, times
 def _area_number(question: AreasRequest, column: Column, place: Place, times: int) -> Number:
     key, steady, areas = column.quantity.key, question.steady, question.areas
     level = areas.levels[place["point"]]
-    if key == "level":
-        decimals = column.decimals if angle_decimals(areas.levels) is None else angle_decimals(areas.levels)
-        column = column._replace(decimals=decimals if column.decimals is None else column.decimals)
+    if key == "level" and column.decimals is None:
+        column = column._replace(decimals=areas.level_decimals)
     most = question.swing if steady is None else _speed(steady, key, question.swing)
     return _settled(question, column, level, times, most)
 
