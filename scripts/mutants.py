@@ -250,7 +250,12 @@ class Copy:
             paths = [str(self.folder / "src"), str(ROOT / "scripts")]
             sys.path[:0] = paths
             os.environ.update(PYTHONPATH=os.pathsep.join(paths), CI="", KURBEL_PROMOTE="")
-            os._exit(pytest.main(["-q", "-p", "no:cacheprovider", "--hypothesis-seed=0", *words]))
+            code: int = pytest.ExitCode.INTERNAL_ERROR
+            try:
+                code = pytest.main(["-q", "-p", "no:cacheprovider", "--hypothesis-seed=0", *words])
+            finally:
+                # Whatever a fault lets through, this process never goes on as one that tries faults.
+                os._exit(code)
         until = time.monotonic() + BUSY * (seconds or math.inf)
         while True:
             pid, status = os.waitpid(child, os.WNOHANG)
