@@ -366,6 +366,14 @@ class Reach:
         return times
 
     @cached_property
+    def beside(self) -> dict[str, list[str]]:
+        """By file the tests."""
+        found: dict[str, list[str]] = defaultdict(list)
+        for test in self.passed:
+            found[test.partition("::")[0]].append(test)
+        return found
+
+    @cached_property
     def contexts(self) -> dict[str, dict[int, list[str]]]:
         """By module and line the tests."""
         found: dict[str, dict[int, list[str]]] = defaultdict(lambda: defaultdict(list))
@@ -397,6 +405,9 @@ class Reach:
         for test in ordered:
             files.setdefault(test.partition("::")[0], test)
         first = sorted(files.values(), key=self.passed.__getitem__)[:FIRST]
+        # What one test of a file has made, in a fixture or kept by a function, the others look at as well.
+        others = {test for file in files for test in self.beside[file]} - tests
+        ordered += sorted(others, key=self.passed.__getitem__)
         spent, rest = 0.0, []
         for test in (one for one in ordered if one not in first):
             spent += self.passed[test]
