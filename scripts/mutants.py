@@ -21,6 +21,7 @@ import math
 import multiprocessing
 import os
 import re
+import resource
 import shutil
 import signal
 import sqlite3
@@ -56,9 +57,9 @@ LOADED = (
     "numpy.testing",
     "scipy.optimize",
 )
-# Tests are tried so many at first, and then as many as take so many seconds; seconds that they may take
-# beyond their own.
-FIRST, MOST, PATIENCE = 12, 60, 60
+# Tests are tried so many at first, and then as many as take so many seconds; seconds of processor time that
+# they may take beyond twice their own, and how many times as long a busy machine may take for them.
+FIRST, MOST, PATIENCE, BUSY = 12, 60, 60, 20
 OPERATORS: dict[type[ast.operator], type[ast.operator]] = {
     ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.FloorDiv: ast.Mult,
     ast.Mod: ast.FloorDiv, ast.Pow: ast.Mult, ast.LShift: ast.RShift, ast.RShift: ast.LShift,
@@ -78,6 +79,7 @@ class Fault(NamedTuple):
     end: tuple[int, int]
     old: str
     new: str
+    line: str
 
     def __str__(self) -> str:
         return f"{self.path}:{self.start[0]}: {self.kind}: {self.old} -> {self.new}"
@@ -85,7 +87,7 @@ class Fault(NamedTuple):
     @property
     def words(self) -> dict[str, str]:
         """What tells it apart wherever its line has moved."""
-        return {"path": self.path, "old": self.old, "new": self.new}
+        return {"path": self.path, "line": self.line, "old": self.old, "new": self.new}
 
     def put_into(self, text: str) -> str:
         lines = text.encode().splitlines(keepends=True)
@@ -111,9 +113,8 @@ class Finder(ast.NodeVisitor):
         whole[0] = whole[0][node.col_offset :]
         changed = new if isinstance(new, str) else f"({ast.unparse(new)})"
         start, end = (node.lineno, node.col_offset), (node.end_lineno, node.end_col_offset)
-        self.found.append(
-            Fault(self.path, kind, start, end, " ".join(b" ".join(whole).decode().split()), changed)
-        )
+        old, line = " ".join(b" ".join(whole).decode().split()), self.lines[node.lineno - 1].decode().strip()
+        self.found.append(Fault(self.path, kind, start, end, old, changed, line))
 
     def visit_BinOp(self, node: ast.BinOp) -> None:
         other = OPERATORS.get(type(node.op))
@@ -173,6 +174,9 @@ class Finder(ast.NodeVisitor):
             self.generic_visit(node)
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
+        # An overload, or what a protocol asks for, is never run.
+        if isinstance(node.body[-1], ast.Expr) and ast.unparse(node.body[-1]) == "...":
+            return
         defaults = [*node.args.defaults, *(one for one in node.args.kw_defaults if one)]
         for default in defaults:
             if isinstance(default, ast.Constant) and default.value not in (None, "", ...):
@@ -196,20 +200,19 @@ def faults() -> list[Fault]:
 
 
 def drawn(count: int, seed: int, only: str) -> list[Fault]:
-    """Return so many faults, of every kind as many; where the code changes elsewhere, the same ones."""
+    """Return so many faults, of every kind as many; another line that changes, or moves, leaves the rest."""
 
-    def rank(fault: Fault) -> str:
-        return sha256(f"{seed} {fault.path} {fault.old} {fault.new}".encode()).hexdigest()
-
-    kinds: dict[str, list[Fault]] = defaultdict(list)
+    kinds: dict[str, list[tuple[str, Fault]]] = defaultdict(list)
+    alike: Counter[str] = Counter()
     for fault in faults():
         if re.search(only, fault.path):
-            kinds[fault.kind].append(fault)
-    for group in kinds.values():
-        group.sort(key=rank)
-    groups = [kinds[kind] for kind in sorted(kinds)]
+            text = f"{seed} {fault.line} {fault.old} {fault.new}"
+            rank = sha256(f"{text} {alike[text] or ''}".rstrip().encode()).hexdigest()
+            alike[text] += 1
+            kinds[fault.kind].append((rank, fault))
+    groups = [sorted(kinds[kind]) for kind in sorted(kinds)]
     rounds = (group[turn] for turn in range(max(map(len, groups))) for group in groups if turn < len(group))
-    return [fault for fault, _ in zip(rounds, range(count), strict=False)]
+    return [fault for (_, fault), _ in zip(rounds, range(count), strict=False)]
 
 
 class Copy:
@@ -232,11 +235,14 @@ class Copy:
     def pytest(self, words: Sequence[str], seconds: float | None = None) -> int | None:
         """Run tests in a fork of this process, which has loaded what they need but kurbel.
 
-        Return how they ended; None says that they did not in so many seconds.
+        Return how they ended; None says that they came to no end, a number below 0 that they took more than
+        so many seconds of processor time.
         """
         child = os.fork()
         if not child:
             os.setsid()
+            if seconds:
+                resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(seconds), math.ceil(seconds)))
             os.chdir(self.folder)
             log = os.open("log", os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
             for stream in (1, 2):
@@ -244,8 +250,13 @@ class Copy:
             paths = [str(self.folder / "src"), str(ROOT / "scripts")]
             sys.path[:0] = paths
             os.environ.update(PYTHONPATH=os.pathsep.join(paths), CI="", KURBEL_PROMOTE="")
-            os._exit(pytest.main(["-q", "-p", "no:cacheprovider", "--hypothesis-seed=0", *words]))
-        until = time.monotonic() + (seconds or math.inf)
+            code: int = pytest.ExitCode.INTERNAL_ERROR
+            try:
+                code = pytest.main(["-q", "-p", "no:cacheprovider", "--hypothesis-seed=0", *words])
+            finally:
+                # Whatever a fault lets through, this process never goes on as one that tries faults.
+                os._exit(code)
+        until = time.monotonic() + BUSY * (seconds or math.inf)
         while True:
             pid, status = os.waitpid(child, os.WNOHANG)
             if pid:
@@ -298,7 +309,7 @@ class Copy:
     def _chosen(self, tests: Sequence[str], seconds: float) -> int | None:
         chosen = self.folder / "chosen"
         chosen.write_text("\n".join(tests), encoding="utf-8")
-        return self.pytest(("-x", "--tb=no", f"@{chosen}"), seconds + PATIENCE)
+        return self.pytest(("-x", "--tb=no", f"@{chosen}"), 2 * seconds + PATIENCE)
 
     def _renew(self, place: Path) -> None:
         """Make the file newer than what was compiled of it, by more than a second."""
@@ -355,6 +366,14 @@ class Reach:
         return times
 
     @cached_property
+    def beside(self) -> dict[str, list[str]]:
+        """By file the tests."""
+        found: dict[str, list[str]] = defaultdict(list)
+        for test in self.passed:
+            found[test.partition("::")[0]].append(test)
+        return found
+
+    @cached_property
     def contexts(self) -> dict[str, dict[int, list[str]]]:
         """By module and line the tests."""
         found: dict[str, dict[int, list[str]]] = defaultdict(lambda: defaultdict(list))
@@ -386,6 +405,9 @@ class Reach:
         for test in ordered:
             files.setdefault(test.partition("::")[0], test)
         first = sorted(files.values(), key=self.passed.__getitem__)[:FIRST]
+        # What one test of a file has made, in a fixture or kept by a function, the others look at as well.
+        others = {test for file in files for test in self.beside[file]} - tests
+        ordered += sorted(others, key=self.passed.__getitem__)
         spent, rest = 0.0, []
         for test in (one for one in ordered if one not in first):
             spent += self.passed[test]
@@ -400,7 +422,7 @@ def known() -> dict[tuple[str, ...], str]:
     if not SURVIVORS.exists():
         return {}
     told = tomllib.loads(SURVIVORS.read_text(encoding="utf-8")).get("fault", [])
-    return {(one["path"], one["old"], one["new"]): one["reason"] for one in told}
+    return {(one["path"], one["line"], one["old"], one["new"]): one["reason"] for one in told}
 
 
 def _start() -> None:
