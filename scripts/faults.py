@@ -6,9 +6,9 @@ ends N runs at a random moment by `kill -9`, and every second of those again tha
 sweeps to one file, to folders, Zarr and NetCDF, handbooks, documents, and a watch. Then each job meets, once
 for each hundred of them, what else may happen: signals, a full disk, a file that grows too long, a folder
 that can only be read or that goes, a second writer, a locale that knows no letters, and, where a cluster may
-do it, a worker and a scheduler that die. Afterwards the job is done again, or goes on, and all files are those
-of a run that nobody disturbed. At no time is a file half there: it has its old content or its new one. Ends
-with 1 where anything is wrong.
+do it, a worker and a scheduler that die. Afterwards the job is done again, or goes on, and all files are
+those of a run that nobody disturbed. At no time is a file half there: it has its old content or its new one.
+Ends with 1 where anything is wrong.
 """
 
 from __future__ import annotations
@@ -240,8 +240,8 @@ def go_on(job: Job, folder: Path) -> None:
 
 
 def moment(job: Job, chance: random.Random) -> float:
-    """Return some seconds within a run; a watch builds while others end."""
-    return chance.uniform(0, job.undisturbed[2])
+    """Return some seconds within a run, half of them in its last part, where files are written."""
+    return chance.uniform(chance.choice((0, 0.6)), 1.02) * job.undisturbed[2]
 
 
 # What may happen.
