@@ -14,7 +14,7 @@ RELEASE = $(shell sed -n '/^\#\# [0-9.]* ([0-9-]*)$$/{p;q;}' CHANGELOG.md)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help demo handbook test test-all check bench peers docs links playground golden same certify mutants tools clean
+.PHONY: help demo handbook test test-all check bench peers docs links playground golden same certify fuzz faults mutants lock tools clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -91,8 +91,22 @@ same: $(DEV) ## compare what the command lines of scripts/corpus print with the 
 certify: $(DEV) ## compute N=10000 printed numbers a second time, drawn by SEED=1
 	$(BIN)/python scripts/certify.py $(or $(N),10000) --seed $(or $(SEED),1)
 
+fuzz: $(DEV) ## make N=20000 random command lines and damaged files, drawn by SEED=1: each prints or says why not
+	$(BIN)/python scripts/fuzz.py $(or $(N),20000) --seed $(or $(SEED),1)
+
+faults: $(DEV) ## kill N=100 runs at random moments, drawn by SEED=1, and disturb others: the same bytes in the end
+	$(BIN)/python scripts/faults.py $(or $(N),100) --seed $(or $(SEED),1)
+
 mutants: $(DEV) ## put N=300 faults into the code, drawn by SEED=1, and tell which of them no test sees
 	$(BIN)/python scripts/mutants.py $(or $(N),300) --seed $(or $(SEED),1)
+
+# Each library with the hashes of all its files, for every system and from the lowest Python on.
+LOCKED := -m uv pip compile --quiet --upgrade --universal --generate-hashes --no-annotate --no-emit-index-url \
+	--custom-compile-command 'make lock' --python-version 3.11
+
+lock: $(DEV) ## write the libraries of the action and of CI anew, with their hashes
+	echo hatchling | $(BIN)/python $(LOCKED) --extra units --extra plot --extra pdf pyproject.toml - -o requirements/action.txt
+	$(BIN)/python $(LOCKED) --all-extras --group dev pyproject.toml -o requirements/ci.txt
 
 tools: $(DEV) ## install TeX, Chromium, poppler, fish, axe and veraPDF, which some tests need (Debian, as root)
 	sh scripts/debian-tools.sh

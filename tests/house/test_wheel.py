@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 import sys
 import zipfile
@@ -12,15 +13,16 @@ import pytest
 from places import ROOT
 
 
+def built(checkout: Path, folder: Path) -> Path:
+    words = ("-m", "build", "--wheel", "--no-isolation", "--outdir", str(folder), str(checkout))
+    subprocess.run([sys.executable, *words], check=True, capture_output=True)
+    (found,) = folder.glob("*.whl")
+    return found
+
+
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("wheel")
-    subprocess.run(
-        [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(folder), str(ROOT)],
-        check=True, capture_output=True,
-    )  # fmt: skip
-    (built,) = folder.glob("*.whl")
-    return built
+    return built(ROOT, tmp_path_factory.mktemp("wheel"))
 
 
 def texts(wheel: Path, names: Iterable[str]) -> Iterator[tuple[str, str]]:
@@ -53,6 +55,18 @@ def test_the_wheel_holds_templates_sources_and_types(wheel: Path) -> None:
         assert f"kurbel/{page.relative_to(ROOT).as_posix()}" in names
     for file in (ROOT / "src" / "kurbel").glob("books/sources/**/*.*"):
         assert file.relative_to(ROOT / "src").as_posix() in names
+
+
+@pytest.mark.slow
+def test_the_wheel_has_the_same_bytes_from_another_folder_at_another_time(
+    wheel: Path, tmp_path: Path
+) -> None:
+    checkout = tmp_path / "elsewhere"
+    left_out = shutil.ignore_patterns(".git", ".venv", "build", "node_modules", "__pycache__")
+    shutil.copytree(ROOT, checkout, ignore=left_out, copy_function=shutil.copyfile)
+    again = built(checkout, tmp_path / "wheel")
+    assert again.name == wheel.name
+    assert again.read_bytes() == wheel.read_bytes()
 
 
 @pytest.mark.slow

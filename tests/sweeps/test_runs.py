@@ -5,10 +5,7 @@ from __future__ import annotations
 import errno
 import json
 import os
-import re
 import resource
-import subprocess
-import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -16,7 +13,6 @@ from threading import Event
 from typing import Any
 
 import pytest
-from places import ROOT
 from small_parts import (
     DEADLY,
     KILLS,
@@ -224,15 +220,6 @@ def test_threads_processes_and_one_that_dies_give_the_same_bytes(
     run(InThreads(sweep.plan), "threads.parquet", Running(jobs=3))
     assert Path("deadly.parquet").read_bytes() == Path("calm.parquet").read_bytes()
     assert Path("threads.parquet").read_bytes() == Path("calm.parquet").read_bytes()
-
-
-@pytest.mark.slow
-def test_killed_runs_go_on_to_the_same_bytes_and_leave_nothing() -> None:
-    script = str(ROOT / "scripts" / "kill_sweeps.py")
-    done = subprocess.run([sys.executable, script, "--count=4"], capture_output=True, text=True, check=False)
-    # Some of those that go on are killed as well.
-    found = re.match(r"(\d+) kills: the same bytes each time, and nothing left;", done.stdout)
-    assert found and int(found[1]) >= 4 and not done.returncode, done.stdout + done.stderr
 
 
 def small_partitions(monkeypatch: pytest.MonkeyPatch) -> None:

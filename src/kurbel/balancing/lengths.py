@@ -14,6 +14,7 @@ from kurbel.drive.crank import known
 from kurbel.exact.certify import NEVER_TIES, rounded
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Number
+from kurbel.exact.precision import at_bits
 from kurbel.exact.real import Known, Real
 from kurbel.kernel.balance import Star
 
@@ -69,7 +70,7 @@ def _sign(star: Star) -> int:
     """Return the sign of x of a star that is not 0 and lies along the x-axis."""
     kind, bits = balls(), flint.ctx.prec
     while True:
-        with flint.ctx.workprec(bits):
+        with at_bits(bits):
             x, _ = star.point(kind.circle, kind.of)
         if not x.contains(0):
             return 1 if x > 0 else -1

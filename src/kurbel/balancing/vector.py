@@ -19,6 +19,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact import certify
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Number, nearest
+from kurbel.exact.precision import at_bits
 from kurbel.exact.real import ESTIMATE_BITS, PI, Real
 from kurbel.kernel.balance import Star
 from kurbel.reading.units import Speed
@@ -123,7 +124,7 @@ class Vector:
         """Return the quarter turn that is nearest to the direction of a vector that is not 0."""
         bits = ESTIMATE_BITS
         while bits <= certify.MOST_BITS:
-            with flint.ctx.workprec(bits):
+            with at_bits(bits):
                 x, y = self.point(balls())
                 if abs(x) > abs(y) * flint.arb(0.5):
                     if not x.contains(0):

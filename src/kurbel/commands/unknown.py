@@ -258,7 +258,9 @@ class Sized:
         """Raise ProblemError for a value that no drive has, or one with which the formula is another."""
         import flint
 
-        with flint.ctx.workprec(CHECKED_BITS):
+        from kurbel.exact.precision import at_bits
+
+        with at_bits(CHECKED_BITS):
             near = fraction(root().mid())
             apart = self.value(near) - ball(self._target())
             scale = abs(self.value(near)) + abs(self.value(self.about.probe))
@@ -293,9 +295,9 @@ class Sized:
 
     def lines(self, lang: str) -> list[str]:
         """Return what the page of the force or the motion says, with the first value that was found."""
-        import flint
+        from kurbel.exact.precision import at_bits
 
-        with flint.ctx.workprec(CHECKED_BITS):
+        with at_bits(CHECKED_BITS):
             near = fraction(self.found[0]().mid()) / self.about.size
         shown = nearest(near, figures(float(near)))
         value = Fraction(shown.scaled, 10**shown.decimals) * self.about.size

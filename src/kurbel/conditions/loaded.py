@@ -11,7 +11,6 @@ from fractions import Fraction
 from functools import cache, cached_property, partial
 from typing import Any, NamedTuple
 
-import flint
 from flint import arb
 
 from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
@@ -33,6 +32,7 @@ from kurbel.exact.certify import ball
 from kurbel.exact.jet import Jet
 from kurbel.exact.numerals import exact_text, nearest, number_text
 from kurbel.exact.place import fraction
+from kurbel.exact.precision import at_bits
 from kurbel.exact.search import EQUAL_BITS
 from kurbel.reading import units
 from kurbel.reading.where import MAX, MIN, Condition
@@ -118,11 +118,12 @@ class Loaded:
     def _on_segment(
         self, segment: Segment, quantity: Callable[[Segment, arb], Jet], condition: Condition
     ) -> list[Any]:
-        with flint.ctx.workprec(EQUAL_BITS):
+        with at_bits(EQUAL_BITS):
             start, end = (place.half_turns() for place in (segment.start, segment.end))
             apart = quantity(segment, (start + end) / 2).value - self.target(condition)
+            degrees = [fraction((180 * at).mid()) for at in (start, end)]
         if apart.contains(0) and is_level(segment, quantity):
-            low, high = (number_text(nearest(fraction((180 * at).mid()), 2)) for at in (start, end))
+            low, high = (number_text(nearest(at, 2)) for at in degrees)
             raise ProblemError(
                 f"{condition} holds at every crank angle from {low}° to {high}°; ask for another value"
             )
@@ -130,7 +131,7 @@ class Loaded:
 
     def _nowhere(self, condition: Condition, quantity: Callable[[Segment, arb], Jet]) -> str:
         units_of = ("N m", "Q r") if condition.quantity in (TORQUE, "energy") else ("N", "Q")
-        with flint.ctx.workprec(RANGE_BITS):
+        with at_bits(RANGE_BITS):
             ends = [
                 fraction(
                     (

@@ -19,6 +19,7 @@ from flint import arb
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import ball
 from kurbel.exact.jet import Jet
+from kurbel.exact.precision import at_bits
 from kurbel.exact.search import isolate
 from kurbel.page.quantity import Words, words
 
@@ -112,7 +113,7 @@ class Polynomial:
 
     def roots(self) -> list[Callable[[], arb]]:
         """Return all positive values of the unknown with which the value is the target, in order."""
-        with flint.ctx.workprec(DECIDING_BITS):
+        with at_bits(DECIDING_BITS):
             exact = self._real()
             count = len(exact)
             order = sorted(range(count), key=lambda index: float(exact[index].mid()))
@@ -142,7 +143,7 @@ class Polynomial:
 
 def _chosen(polynomial: Polynomial, index: int) -> Callable[[], arb]:
     def root() -> arb:
-        with flint.ctx.workprec(max(flint.ctx.prec, DECIDING_BITS)):
+        with at_bits(max(flint.ctx.prec, DECIDING_BITS)):
             found = polynomial._real()[index]
             return found if polynomial.power == 1 else found.root(polynomial.power)
 

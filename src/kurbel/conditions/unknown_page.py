@@ -8,11 +8,10 @@ from fractions import Fraction
 from functools import cache, partial
 from typing import Any, Protocol
 
-import flint
-
 from kurbel.conditions.unknown import UNKNOWNS
 from kurbel.exact.certify import NEVER_TIES, ball, rounded
 from kurbel.exact.numerals import Label, Number, figures
+from kurbel.exact.precision import at_bits
 from kurbel.page.axes import Axis, ColumnAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, words
 from kurbel.page.subject import Question, Subject
@@ -114,7 +113,7 @@ class _RootAxis(Axis):
 def _number(question: UnknownRequest, column: Column, place: Place, times: int) -> Number:
     index, decimals = place["root"], column.decimals
     if decimals is None:
-        with flint.ctx.workprec(NEAR_BITS):
+        with at_bits(NEAR_BITS):
             decimals = figures(float(question.value(index, column).mid()))
     scaled = rounded(lambda: times * question.value(index, column), decimals, question.rounding, NEVER_TIES)
     return Number(scaled, decimals)

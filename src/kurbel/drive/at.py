@@ -147,8 +147,7 @@ def way_at(crank: Crank, stroke: int, angle: Fraction) -> int:
     counts from where the stroke begins."""
     if not crank.offset:
         return 1 if angle % 360 < 180 else -1
-    import flint
-
+    from kurbel.exact.precision import at_bits
     from kurbel.exact.terms import vanishes
 
     def velocity(kind: Kind) -> Any:
@@ -160,7 +159,7 @@ def way_at(crank: Crank, stroke: int, angle: Fraction) -> int:
     rests = vanishes(velocity)
     bits = FIRST_BITS
     while True:
-        with flint.ctx.workprec(bits):
+        with at_bits(bits):
             found = (acceleration if rests else velocity)(balls())
         if not found.contains(0):
             return 1 if found > 0 else -1

@@ -214,7 +214,9 @@ def _per_pi_square() -> Fraction:
     """Return 1/π² to so many bits."""
     import flint
 
-    with flint.ctx.workprec(BITS):
+    from kurbel.exact.precision import at_bits
+
+    with at_bits(BITS):
         near: Any = (1 / flint.arb.pi() ** 2).mid()
         mantissa, exponent = near.man_exp()
     return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)

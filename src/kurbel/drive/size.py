@@ -198,11 +198,10 @@ def rounded(value: Fraction) -> Fraction:
 
 
 def _tangent(degrees: Fraction) -> Fraction:
-    import flint
-
     from kurbel.exact.certify import ball_circle
+    from kurbel.exact.precision import at_bits
 
-    with flint.ctx.workprec(_PRECISION):
+    with at_bits(_PRECISION):
         circle = ball_circle(degrees)
         middle = (circle.sine / circle.cosine).mid()
         return Fraction(str(middle.str(60, radius=False)))

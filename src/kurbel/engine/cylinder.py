@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from kurbel.drive.crank_forces import CrankForce, Weights
 from kurbel.drive.moved import Moved
 from kurbel.exact.kind import Kind
+from kurbel.exact.precision import FLOAT_BITS, at_bits
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Circle, Number
 from kurbel.kernel.steam import larger, smaller
@@ -282,6 +283,13 @@ class AnyTurn(ABC):
         """P/Q, the mean tangential force of all cranks together; negative where the shaft drives them."""
         parts = zip(self.engine.parts, self.cylinders, strict=True)
         return sum(one.whole_mean * len(part.starts) for part, one in parts)
+
+    @property
+    def mean_sign(self) -> int:
+        """1 where the pistons drive the shaft, -1 where it drives them, 0 where that is not known."""
+        with at_bits(FLOAT_BITS):
+            mean = self.mean_force()
+            return int(bool(mean > 0)) - int(bool(mean < 0))
 
     def indicated_force(self) -> Number:
         """The same without what friction takes."""

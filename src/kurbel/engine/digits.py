@@ -7,13 +7,12 @@ from fractions import Fraction
 from math import ceil, floor, log10
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import flint
-
 from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.engine.quantities import AT_ANGLE, EXTREMES, Where, engine_registry, value
 from kurbel.errors import CardError
 from kurbel.exact.certify import rounded
 from kurbel.exact.numerals import Number, figures, given, nearest
+from kurbel.exact.precision import at_bits
 from kurbel.page.quantity import Column, Quantity, bare
 
 if TYPE_CHECKING:
@@ -51,7 +50,7 @@ def settled(asked: Asked, rounding: str) -> Number:
     """Return the value, rounded correctly."""
     quantity, decimals = asked.column.quantity, asked.column.decimals
     if quantity.decimals is None:
-        with flint.ctx.workprec(ESTIMATE_BITS):
+        with at_bits(ESTIMATE_BITS):
             near = asked.value()
         if isinstance(near, Fraction):
             return given(near, decimals, rounding)

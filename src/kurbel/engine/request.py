@@ -208,7 +208,7 @@ class EngineRequest(Question):
     def driven(self) -> bool:
         """Whether the shaft drives the piston; of a card, and of several cylinders, their work says so."""
         if self.carded or self.assembly is not None:
-            return bool(self.turn(0, 0, "exact").mean_force() < 0)
+            return self.turn(0, 0, "exact").mean_sign < 0
         return self.steams[0].driven
 
     @property

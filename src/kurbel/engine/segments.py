@@ -25,6 +25,7 @@ from kurbel.exact.certify import ball
 from kurbel.exact.continued import Continued
 from kurbel.exact.jet import Jet, ball_jets, slopes
 from kurbel.exact.place import PRECISIONS, Place, fraction, unsettled
+from kurbel.exact.precision import at_bits
 from kurbel.exact.search import EQUAL_BITS, ISOLATING_BITS, Function, between, greatest
 from kurbel.kernel.turning import Stroke
 
@@ -149,7 +150,7 @@ def stationary(segment: Segment, quantity: Quantity) -> list[Place]:
 def is_level(segment: Segment, quantity: Quantity) -> bool:
     """Whether the quantity is constant over a segment: its slope is zero to EQUAL_BITS at places of no
     meaning, as no smooth formula's is by chance."""
-    with flint.ctx.workprec(2 * EQUAL_BITS):
+    with at_bits(2 * EQUAL_BITS):
         low, high = (fraction(place.half_turns().mid()) for place in (segment.start, segment.end))
         rates = [quantity(segment, ball(low + (high - low) * part)).slope for part in ANYWHERE]
         least = ball(2) ** -EQUAL_BITS
@@ -188,7 +189,7 @@ def parts(segment: Segment, quantity: Quantity) -> Iterator[Part]:
 
 def _sign_between(segment: Segment, quantity: Quantity, start: Place, end: Place) -> int:
     for bits in PRECISIONS:
-        with flint.ctx.workprec(bits):
+        with at_bits(bits):
             middle = ball(fraction(((start.half_turns() + end.half_turns()) / 2).mid()))
             value = quantity(segment, middle).value
             if not value.contains(0):
@@ -214,7 +215,7 @@ def segments(turn: Turn, cranks: Sequence[Crank], cycle: int) -> list[Segment]:
     first, *others = [place for crank in cranks for place in _edges(turn, crank, cycle)]
     found = []
     for start, end in pairwise(_in_order(first, others, cycle)):
-        with flint.ctx.workprec(ISOLATING_BITS):
+        with at_bits(ISOLATING_BITS):
             middle = fraction(((start.half_turns() + end.half_turns()) / 2).mid())
         standing = tuple(turn.standing(middle, *crank) for crank in cranks)
         found.append(Segment(turn, start, end, middle, standing))
@@ -250,7 +251,7 @@ def _corner(turn: Turn, part: int, stroke: int, begun: Fraction, index: int) -> 
 def _in_order(first: Place, others: Sequence[Place], cycle: int) -> list[Place]:
     """Return places in order over a cycle, from the first on to where it comes again; those only once that
     agree to EQUAL_BITS."""
-    with flint.ctx.workprec(EQUAL_BITS):
+    with at_bits(EQUAL_BITS):
         start = first.half_turns()
         begin, end = _shifted(first, 0), _shifted(first, cycle)
         kept = [(start, begin), (start + cycle, end)]

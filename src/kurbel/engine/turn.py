@@ -23,6 +23,7 @@ from kurbel.engine.engine import Engine, Steam
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, ball_circle, half_turn_circle
 from kurbel.exact.kind import balls
+from kurbel.exact.precision import FLOAT_BITS, at_bits
 from kurbel.exact.search import EQUAL_BITS, ISOLATING_BITS, Function, Zero, greatest, interval, isolate
 from kurbel.kernel.circle import Circle, Number
 
@@ -78,7 +79,7 @@ class Turn(AnyTurn):
     def has_reached(self, since: Fraction, part: int, stroke: int) -> bool:
         """Whether the stroke has begun; at its dead centre it has."""
         for bits in (ISOLATING_BITS, EQUAL_BITS):
-            with flint.ctx.workprec(bits):
+            with at_bits(bits):
                 beyond = ball(since - stroke) - self.cylinders[part].drive.dead_centre(stroke % 2)
             if not beyond.contains(0):
                 return bool(beyond > 0)
@@ -120,7 +121,7 @@ class Turn(AnyTurn):
                     if drive.regular:
                         yield begun, begun
                     else:
-                        with flint.ctx.workprec(GAP_BITS):
+                        with at_bits(GAP_BITS):
                             yield _ends(self.cylinders[part].drive.dead_centre(stroke % 2), begun)
 
     def begun(self) -> list[Standing]:
@@ -152,7 +153,8 @@ class Turn(AnyTurn):
         for part, (one, cylinder) in enumerate(zip(self.engine.parts, self.cylinders, strict=True)):
             for stroke, acting in enumerate(cylinder.strokes):
                 for share in acting.corners:
-                    corner = stroke + Fraction(float(self.angle_of(part, stroke, share)))
+                    with at_bits(FLOAT_BITS):
+                        corner = stroke + Fraction(float(self.angle_of(part, stroke, share)))
                     yield from (start + corner for start in one.starts)
 
     def _ends_of(self, part: int, stroke: int) -> tuple[Number, Number]:
@@ -213,7 +215,7 @@ class Turn(AnyTurn):
             low -= self.cycle
         if low == high:
             return
-        with flint.ctx.workprec(GAP_BITS):
+        with at_bits(GAP_BITS):
             behind, beyond = interval(before.end, before.end + high - low), interval(low, high)
             if (self.excess(before, behind).union(self.excess(after, beyond))).contains(0):
                 raise ProblemError("the speed turns in a dead centre; its extremes cannot be told apart")

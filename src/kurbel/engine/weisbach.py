@@ -9,6 +9,7 @@ import flint
 from kurbel.engine.cylinder import SIGNS
 from kurbel.engine.turn import Extremum, Piece, Turn, circle, stationary
 from kurbel.exact.certify import ball
+from kurbel.exact.precision import at_bits
 from kurbel.exact.search import EQUAL_BITS
 from kurbel.kernel import steam
 from kurbel.kernel.circle import Number
@@ -36,7 +37,7 @@ class WeisbachTurn(Turn):
 
     def _turns_beyond_cut_off(self, piece: Piece) -> bool:
         (_, stroke, begun) = piece.strokes[0]
-        with flint.ctx.workprec(EQUAL_BITS):
+        with at_bits(EQUAL_BITS):
             return bool(self.excess(piece, self.cut_off(stroke) + ball(begun)) > 0)
 
     def _relation(self, piece: Piece, part: int, at: Number) -> Number:

@@ -19,6 +19,7 @@ from flint import arb
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import MOST_FIGURES
+from kurbel.exact.precision import at_bits
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinematics import rod_sine
 
@@ -101,7 +102,7 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
     known: dict[int, float] = {}
     while True:
         precision *= 2
-        with flint.ctx.workprec(precision):
+        with at_bits(precision):
             scaled = value() * unit
             magnitude = abs(scaled)
             if magnitude > _ENDLESS:
@@ -137,7 +138,7 @@ def vanishes(value: Callable[[], arb], bits: float) -> bool:
     precision = GUARD_BITS
     while precision < MOST_TIE_BITS:
         precision *= 2
-        with flint.ctx.workprec(precision):
+        with at_bits(precision):
             near = value()
             if not near.contains(0):
                 return False
@@ -167,7 +168,7 @@ def kept(value: Callable[[], Kept], step: int = 1) -> Callable[[], Kept]:
     def at() -> Kept:
         precision = -(-flint.ctx.prec // step) * step
         if precision not in balls:
-            with flint.ctx.workprec(precision):
+            with at_bits(precision):
                 balls[precision] = value()
         return balls[precision]
 

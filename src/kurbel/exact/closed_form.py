@@ -18,6 +18,7 @@ from kurbel.exact.certify import NEVER_TIES, ball, rounded
 from kurbel.exact.course import Target
 from kurbel.exact.numerals import Number, number_text
 from kurbel.exact.place import FIRST_BITS, Place
+from kurbel.exact.precision import at_bits
 from kurbel.exact.surd import Surd
 
 DECIMALS = 4
@@ -44,7 +45,7 @@ class ClosedForm(NamedTuple):
     @property
     def is_usable(self) -> bool:
         """Whether it is a cosine."""
-        with flint.ctx.workprec(FIRST_BITS):
+        with at_bits(FIRST_BITS):
             return not bool(abs(self.ball()) > 1)
 
 
@@ -61,13 +62,13 @@ def closed_forms(formula: Surd, target: Target) -> list[ClosedForm]:
         return []
     _, factors = polynomial.factor()
     found = [form for factor, _ in factors for form in _solved(factor)]
-    with flint.ctx.workprec(FIRST_BITS):
+    with at_bits(FIRST_BITS):
         return sorted(set(found), key=lambda form: -float(form.ball().mid()))
 
 
 def is_at(form: ClosedForm, place: Place) -> bool:
     """Whether the closed form is cos φ at a place that fulfils the condition."""
-    with flint.ctx.workprec(FIRST_BITS):
+    with at_bits(FIRST_BITS):
         return bool(form.ball().overlaps((place.half_turns()).cos_pi()))
 
 

@@ -29,6 +29,7 @@ from kurbel.exact.place import (
     recognised,
     unsettled,
 )
+from kurbel.exact.precision import at_bits
 from kurbel.exact.search import Function, Zero, greatest
 from kurbel.exact.surd import Surd
 
@@ -100,7 +101,7 @@ class Course:
         found: Sequence[Place] = self.places
         for bits in PRECISIONS:
             found = greatest(found, lambda place: measure(self.value(place.half_turns())), sign, (bits,))
-            with flint.ctx.workprec(bits):
+            with at_bits(bits):
                 if len(found) == 1 or self._are_level(found):
                     return [*found]
         raise unsettled("where the quantity is greatest or least")
@@ -115,7 +116,7 @@ class Course:
         if target.at_begin and place is self.begin:
             return 0
         for bits in PRECISIONS:
-            with flint.ctx.workprec(bits):
+            with at_bits(bits):
                 above = self.value(place.half_turns()) - target.ball()
                 if not above.contains(0):
                     return 1 if above > 0 else -1
@@ -137,7 +138,7 @@ class Course:
         def function(half_turns: arb) -> arb:
             return self.value(half_turns) - target.ball()
 
-        with flint.ctx.workprec(FIRST_BITS):
+        with at_bits(FIRST_BITS):
             ends = fraction(low.half_turns().lower()), fraction(high.half_turns().upper())
         place = Place(Zero(function, self.slope, *ends, rising).place, low.centre, polynomial)
         is_exactly, wanted = self.is_exactly, target.exact
@@ -151,7 +152,7 @@ def _zeros(slope: Surd, begin: Place, end: Place) -> Iterator[Place]:
     if slope.is_zero:
         return
     polynomial = slope.norm()
-    with flint.ctx.workprec(FIRST_BITS):
+    with at_bits(FIRST_BITS):
         pairs: Any = polynomial.complex_roots()
         found = [root.real for root, _ in pairs if root.imag == 0]
     for root in sorted(found, key=lambda root: fraction(root.mid())):

@@ -91,9 +91,9 @@ def floats() -> Kind:
 
 
 def _rounded(value: Callable[[], arb]) -> float:
-    import flint
+    from kurbel.exact.precision import at_bits
 
-    with flint.ctx.workprec(_ROUNDED_BITS):
+    with at_bits(_ROUNDED_BITS):
         return float(value().mid())
 
 

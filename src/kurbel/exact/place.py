@@ -13,6 +13,7 @@ from flint import arb, fmpz_poly
 
 from kurbel.errors import UnsettledError
 from kurbel.exact.certify import ball, kept, pi
+from kurbel.exact.precision import at_bits
 from kurbel.exact.surd import Surd, squarefree
 
 PRECISIONS = tuple(128 << step for step in range(6))
@@ -79,7 +80,7 @@ class Place:
     def _is_first(self, pair: Callable[[arb], tuple[arb, arb]], what: str) -> bool:
         """Whether the first of two numbers, of which one is zero here, is it."""
         for bits in PRECISIONS:
-            with flint.ctx.workprec(bits):
+            with at_bits(bits):
                 this, other = pair(self.t())
                 if not this.contains(0):
                     return False
@@ -97,7 +98,7 @@ def recognised(place: Place, confirmed: Callable[[Fraction], bool] | None = None
 
     `confirmed` tells it of places without a polynomial.
     """
-    with flint.ctx.workprec(FIRST_BITS):
+    with at_bits(FIRST_BITS):
         found = place.half_turns()
         nearest = fraction(found.mid()).limit_denominator(MOST_ORDER)
         if not found.contains(ball(nearest)):
@@ -119,7 +120,7 @@ def _tangents(half_turns: Fraction) -> fmpz_poly:
 def is_after(place: Place, other: Place) -> bool:
     """Whether a place lies behind another; the same one does not."""
     for bits in PRECISIONS:
-        with flint.ctx.workprec(bits):
+        with at_bits(bits):
             apart = place.half_turns() - other.half_turns()
             if not apart.contains(0):
                 return bool(apart > 0)
@@ -136,7 +137,7 @@ def _are_same(place: Place, other: Place) -> bool:
     if not (shared.degree() > 0 and place.is_zero_of(shared) and other.is_zero_of(shared)):
         return False
     bits = _least_distance(shared)
-    with flint.ctx.workprec(2 * bits + FIRST_BITS):
+    with at_bits(2 * bits + FIRST_BITS):
         return bool(abs(place.t() - other.t()) < ball(2) ** -bits)
 
 

@@ -18,6 +18,7 @@ import flint
 
 from kurbel.exact.kind import Kind, balls, settled
 from kurbel.exact.numerals import Number, figures, given
+from kurbel.exact.precision import at_bits
 from kurbel.exact.terms import terms, vanishes
 
 if TYPE_CHECKING:
@@ -58,7 +59,8 @@ class Product:
         left = terms(value) or {}
         if len(left) == 1:
             [(unit, number)] = left.items()
-            short = Fraction(float(number.ball.mid())).limit_denominator(_SHORT)
+            with at_bits(_NEAR_BITS):
+                short = Fraction(float(number.ball.mid())).limit_denominator(_SHORT)
             found = cls(abs(short), pi=unit.pi)
             if unit.log is None and short > 0 and vanishes(lambda kind: value(kind) - found.on(kind)):
                 return found
@@ -108,7 +110,7 @@ class Product:
 
     def ball(self, bits: int = _NEAR_BITS) -> arb:
         """Return the ball around the number to about so many bits."""
-        with flint.ctx.workprec(bits):
+        with at_bits(bits):
             near: arb = self.on(balls())
         return near
 

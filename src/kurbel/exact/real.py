@@ -12,12 +12,12 @@ from fractions import Fraction
 from operator import add, mul, sub, truediv
 from typing import Any, TypeAlias
 
-import flint
 from flint import arb
 
 from kurbel.exact import certify
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Number, figures, given
+from kurbel.exact.precision import at_bits
 from kurbel.exact.terms import HALF, tie_bits, vanishes
 
 EXACT_ZERO = Number(0, 0)
@@ -89,7 +89,7 @@ class Real:
 
     def __float__(self) -> float:
         """Return a float near it, 0 for one that is not told from it."""
-        with flint.ctx.workprec(ESTIMATE_BITS):
+        with at_bits(ESTIMATE_BITS):
             near = self.on(balls())
         return float(near.mid()) if near.is_finite() else 0.0
 

@@ -16,6 +16,7 @@ from flint import arb
 
 from kurbel.exact.certify import ball
 from kurbel.exact.place import Place, fraction, unsettled
+from kurbel.exact.precision import at_bits
 
 Function = Callable[[arb], arb]
 # Whether anything within a piece is asked for.
@@ -120,7 +121,7 @@ def isolate(
     """
     ends = [start + (end - start) * part / PARTS for part in range(PARTS + 1)]
     found: list[Zero] = []
-    with flint.ctx.workprec(bits):
+    with at_bits(bits):
         for low, high in pairwise(ends):
             for zero in _isolated(function, slope, low, high, concerns):
                 before = found[-1] if found else zero
@@ -167,7 +168,7 @@ def between(
     Where it only touches zero, or comes very near, the place is known to 2e-10 of half a turn; if all are to
     be proved, that raises ProblemError, and none is taken for a round angle.
     """
-    with flint.ctx.workprec(SHARP_BITS):
+    with at_bits(SHARP_BITS):
         low, high = fraction(start.half_turns().lower()), fraction(end.half_turns().upper())
     for zero in isolate(function, slope, low - BEFORE, high + BEHIND, bits=SHARP_BITS):
         if proved and zero.rising is None:
@@ -186,7 +187,7 @@ def _compared(place: Place, other: Place) -> int:
     if place.exact is not None and other.exact is not None:
         return (place.exact > other.exact) - (place.exact < other.exact)
     for bits in (ISOLATING_BITS, EQUAL_BITS):
-        with flint.ctx.workprec(bits):
+        with at_bits(bits):
             apart = place.half_turns() - other.half_turns()
             if not apart.contains(0):
                 return 1 if apart > 0 else -1
@@ -198,7 +199,7 @@ def _round(zero: Zero) -> Place | None:
     quarter = Fraction(round((zero.low + zero.high) / 2 * QUARTERS), QUARTERS)
     if not zero.low <= quarter <= zero.high:
         return None
-    with flint.ctx.workprec(EQUAL_BITS):
+    with at_bits(EQUAL_BITS):
         there = zero.rising is None or zero.function(ball(quarter)).contains(0)
     return Place(lambda: ball(quarter), exact=quarter) if there else None
 
@@ -213,7 +214,7 @@ def greatest(
     left = list(candidates)
     for bits in precisions:
         if len(left) > 1:
-            with flint.ctx.workprec(bits):
+            with at_bits(bits):
                 values = [sign * value(one) for one in left]
                 least = max(one.lower() for one in values)
                 left = [one for one, own in zip(left, values, strict=True) if not own.upper() < least]

@@ -18,6 +18,7 @@ from flint import acb, arb, arb_poly, arb_series
 
 from kurbel.exact.certify import ball
 from kurbel.exact.continued import Continued
+from kurbel.exact.precision import at_bits
 from kurbel.exact.search import interval
 
 Formula = Callable[[Continued], Continued]
@@ -49,7 +50,7 @@ class Taylor:
         return value + arb(0, self._left_out(away, order))
 
     def _left_out(self, away: arb, order: int) -> arb:
-        with flint.ctx.workprec(BOUND_BITS):
+        with at_bits(BOUND_BITS):
             share = abs(away).upper() / ball(self.radius)
             if not share < 1:
                 return arb("inf")
@@ -97,7 +98,7 @@ class Taylor:
     def power(self, exponent: Fraction) -> Taylor | None:
         """Return a power below 0, None where the function is not proved to be above 0 on a smaller disk."""
         radius, first = self.radius * SHRUNK, self.at(ball(self.middle))
-        with flint.ctx.workprec(BOUND_BITS):
+        with at_bits(BOUND_BITS):
             reach, swing = ball(radius), arb(0)
             for term in reversed(self.terms.coeffs()[1:]):
                 swing = (swing + abs(term).upper()) * reach
@@ -119,7 +120,7 @@ def bounded(function: Formula, low: Fraction, high: Fraction, radii: int, most: 
     """
     middle, radius = (low + high) / 2, (high - low) / 2 * radii
     reference = float(middle)
-    with flint.ctx.workprec(BOUND_BITS):
+    with at_bits(BOUND_BITS):
         most *= max(1.0, abs(function(Continued(ball(middle), reference)).at))
         # Of a real function the other half of the disk is a mirror image.
         return _bound(function, reference, (middle - radius, middle + radius), (Fraction(0), radius), most)

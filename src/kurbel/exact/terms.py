@@ -21,6 +21,7 @@ from flint import arb
 
 from kurbel.exact import certify
 from kurbel.exact.kind import Kind, balls
+from kurbel.exact.precision import at_bits
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel.circle import Circle
 
@@ -333,7 +334,7 @@ def terms(value: Callable[[Kind], Any]) -> Parts | None:
     bits = FIRST_BITS
     while bits < certify.MOST_TIE_BITS:
         try:
-            with flint.ctx.workprec(bits):
+            with at_bits(bits):
                 return Terms.of(value(_kind(bits))).left
         except DoubtfulError:
             bits *= 2
@@ -344,7 +345,7 @@ def terms(value: Callable[[Kind], Any]) -> Parts | None:
 
 def vanishes(value: Callable[[Kind], Any]) -> bool:
     """Whether a number on any kind is 0, by proof."""
-    with flint.ctx.workprec(FIRST_BITS):
+    with at_bits(FIRST_BITS):
         near = value(balls())
     return bool(near.contains(0)) and terms(value) == {}
 

@@ -15,9 +15,10 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from kurbel.errors import KurbelError
+from kurbel.exact.precision import BALLS
 from kurbel.formats.apart import HAS_PROCESSES
 from kurbel.page.quantity import Letter
-from kurbel.sweeps.hands import BALLS, taken
+from kurbel.sweeps.hands import taken
 from kurbel.sweeps.versions import LIBRARIES, content_of
 
 if TYPE_CHECKING:

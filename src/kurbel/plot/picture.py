@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
+from kurbel.exact.precision import FLOAT_BITS, at_bits
 from kurbel.page.layouts import Layout, layout
 from kurbel.page.quantity import Column
 from kurbel.page.subject import Question
@@ -58,7 +59,8 @@ class Picture(NamedTuple):
 
 def picture(question: Question, wish: Wish) -> Picture:
     """Return what is drawn of a question. Raises ProblemError for what has no such drawing."""
-    found: Picture = found_at(question.subject.drawn)(question, wish)
+    with at_bits(FLOAT_BITS):
+        found: Picture = found_at(question.subject.drawn)(question, wish)
     if len(found.panels) > MOST_PANELS:
         names = "; ".join(panel.label.partition(" $")[0] for panel in found.panels)
         raise ProblemError(

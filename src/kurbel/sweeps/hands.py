@@ -10,7 +10,7 @@ from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import BrokenExecutor, Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from queue import SimpleQueue
-from threading import Event, RLock, Thread, local
+from threading import Event, Thread, local
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, Generic, NoReturn, Protocol, TypeVar
 
@@ -19,8 +19,6 @@ from kurbel.errors import FailedError
 if TYPE_CHECKING:
     from concurrent.futures import ProcessPoolExecutor
 
-# The precision of balls is that of the process: of several threads one at a time computes with them.
-BALLS = RLock()
 # What a part becomes: the name of its file, or its content.
 Result = str | bytes
 Make = Callable[[int], Result]

@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, Number
+from kurbel.exact.precision import BALLS
 from kurbel.page.build import records_of
 from kurbel.page.subject import Question
 from kurbel.page.table import Field, Records
 from kurbel.sweeps.columns import MISSING, Asked, Record, Rows, columns_from
-from kurbel.sweeps.hands import BALLS
 from kurbel.sweeps.plan import Plan, Points
 
 # Decimals of which a float is made; what is small has more.

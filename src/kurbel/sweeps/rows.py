@@ -10,11 +10,12 @@ import numpy as np
 
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import FailedError
+from kurbel.exact.precision import BALLS
 from kurbel.motion.page import Request
 from kurbel.sweeps.arrays import Irregularities, Motion, is_irregularity, is_motion
 from kurbel.sweeps.columns import GIVEN, Asked, Cells, Column, Part, Way, columns_of
 from kurbel.sweeps.coordinates import Coordinates
-from kurbel.sweeps.hands import BALLS, check_wanted
+from kurbel.sweeps.hands import check_wanted
 from kurbel.sweeps.over_angle import CertifiedOverAngle, OverAngle, has_arrays, is_over_angle
 from kurbel.sweeps.plan import Plan, Points
 from kurbel.sweeps.records import First, Pointwise, first_of, questions

@@ -17,6 +17,7 @@ from kurbel.balancing.angles.curve import Curve
 from kurbel.errors import ProblemError
 from kurbel.exact import search
 from kurbel.exact.certify import ball
+from kurbel.exact.precision import at_bits
 from kurbel.exact.search import SHARP_BITS, Summit, Zero, isolate
 
 # No part of the turn ends at an angle at which an engine is greatest.
@@ -77,7 +78,7 @@ def greatest(curve: Curve) -> Greatest:
             raise _not_found()
         return summit.concerns(part)
 
-    with flint.ctx.workprec(SHARP_BITS):
+    with at_bits(SHARP_BITS):
         for part in range(PARTS):
             summit.reach(ball(START + Fraction(2 * part + 1, PARTS)))
     found = isolate(squares.slope, squares.bend, START, START + 2, concerns, SHARP_BITS)

@@ -11,13 +11,12 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-import flint
-
 from kurbel.balancing.rotors.rotor import Mass, Placed, force, moment
 from kurbel.balancing.vector import Vector
 from kurbel.drive.crank import known
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls
+from kurbel.exact.precision import at_bits
 from kurbel.exact.real import Real
 from kurbel.kernel.balance import Star
 
@@ -142,7 +141,7 @@ def _closes(gap: Vector, one: Fraction, other: Fraction) -> bool:
     bits, square = 128, gap.square()
     within = ((one + other) ** 2 - square) * (square - (one - other) ** 2)
     while True:
-        with flint.ctx.workprec(bits):
+        with at_bits(bits):
             found = within.on(balls())
             if not found.contains(0):
                 return bool(found > 0)

@@ -9,7 +9,6 @@ from functools import cached_property
 from random import Random
 from typing import Any, NamedTuple
 
-import flint
 from flint import arb, arb_series
 
 from kurbel.books.formulas.form import Algebra, Form, Letters
@@ -24,6 +23,7 @@ from kurbel.books.formulas.proof import (
 )
 from kurbel.exact.certify import ball
 from kurbel.exact.numerals import MOST_FIGURES
+from kurbel.exact.precision import at_bits
 from kurbel.exact.size import TooLargeError
 
 BITS = 256
@@ -103,7 +103,7 @@ def points(letters: frozenset[str]) -> Iterator[Mapping[str, Fraction]]:
 def at_points(letters: frozenset[str], value_at: Callable[[Mapping[str, Fraction]], Any]) -> Iterator[Any]:
     """Yield what is found at the first points where there is something, at high precision."""
     found = 0
-    with flint.ctx.workprec(BITS):
+    with at_bits(BITS):
         for point in points(letters):
             value = value_at(point)
             if value is not None:
@@ -349,7 +349,7 @@ def _order(step: Step, free: frozenset[str], sign: int, work: Work) -> int | Non
 def _factor(step: Step, free: frozenset[str], sign: int, apart: Finding, work: Work) -> Fraction | None:
     """Return how many times too great the formula is, if that is one simple number everywhere, by proof."""
     left, right = apart.sides
-    with flint.ctx.workprec(BITS):
+    with at_bits(BITS):
         for bottom in range(1, MOST_FACTOR + 1):
             whole = (right * bottom / left).unique_fmpz() if 0 not in left else None
             if whole is not None and whole != 0:

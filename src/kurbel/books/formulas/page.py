@@ -11,8 +11,6 @@ from functools import cache, cached_property
 from itertools import chain
 from typing import Any, NamedTuple
 
-import flint
-
 from kurbel.books.collate_page import BookQuestion, kernels, titled
 from kurbel.books.formulas.equation import (
     AGREES,
@@ -34,6 +32,7 @@ from kurbel.books.formulas.equation import (
 from kurbel.books.formulas.lines import formula_lines, room_beside, word_lines
 from kurbel.books.formulas.table import Collated, FormulaTable
 from kurbel.exact.numerals import Label, nearest, number_text
+from kurbel.exact.precision import at_bits
 from kurbel.page.axes import ColumnAxis, PageAxis, Place
 from kurbel.page.quantity import Column, Quantity, Words, words
 from kurbel.page.subject import Subject
@@ -214,7 +213,7 @@ def verdict_text(one: Collated, table: FormulaTable, lang: str) -> Label | None:
 
 
 def _apart(left: Any, right: Any) -> Any:
-    with flint.ctx.workprec(BITS):
+    with at_bits(BITS):
         return abs(right - left)
 
 

@@ -139,7 +139,7 @@ def _number(request: CylindersRequest, column: Column, place: Place, times: int)
         return None if part is None else load_text(part.steam, request.lang)
     if quantity.key == "mean_share" and column.key == quantity.key and request.alike:
         exact = Fraction(100, 1 if row.part is None else len(request.rows[:-1]) or 1)
-        return given(exact if turn.mean_force() > 0 else -exact, column.decimals, request.rounding)
+        return given(exact if turn.mean_sign > 0 else -exact, column.decimals, request.rounding)
     kernel = quantity.formulas[column.method].kernel
     found = kernel(turn, row)
     if found is None:

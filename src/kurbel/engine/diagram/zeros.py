@@ -209,12 +209,11 @@ def _counted(torque: Any, waves: int) -> Any:
 
 def _recognised(zero: Zero) -> Fraction | None:
     """Return the rational angle at which a zero is proved to lie, alone within its interval."""
-    import flint
-
     from kurbel.exact.certify import ball
     from kurbel.exact.place import fraction
+    from kurbel.exact.precision import at_bits
 
-    with flint.ctx.workprec(RECOGNISING_BITS):
+    with at_bits(RECOGNISING_BITS):
         found = zero.degrees(balls())
         middle = fraction(found.mid())
         near = dict.fromkeys(middle.limit_denominator(most) for most in DENOMINATORS)
@@ -228,8 +227,7 @@ def _is_alone(zero: Zero, place: Fraction) -> bool:
     A zero that the signs isolate is one; of another as many derivatives vanish here as before the first that
     vanishes nowhere in the interval.
     """
-    import flint
-
+    from kurbel.exact.precision import at_bits
     from kurbel.exact.search import ISOLATING_BITS, interval
 
     assert zero.excess is not None
@@ -238,7 +236,7 @@ def _is_alone(zero: Zero, place: Fraction) -> bool:
         return False
     if zero.root.rising is not None:
         return True
-    with flint.ctx.workprec(ISOLATING_BITS):
+    with at_bits(ISOLATING_BITS):
         whole = interval(zero.root.low, zero.root.high)
         _, slope = functions(zero.excess, zero.line, zero.unit)
         if not slope(whole).contains(0):

@@ -25,6 +25,7 @@ from kurbel.engine.turn import Turn
 from kurbel.exact.certify import ball
 from kurbel.exact.continued import Continued, continued, half_turn_circle
 from kurbel.exact.kind import balls, floats
+from kurbel.exact.precision import at_bits
 from kurbel.exact.search import interval
 from kurbel.kernel.balance import Star
 from kurbel.kernel.circle import Number
@@ -107,7 +108,7 @@ class Balls(Spectrum):
     def cylinder(self, part: int, order: Fraction) -> Wave:
         # Columns of few decimals more or less have one precision.
         bits = -(-flint.ctx.prec // BITS_STEP) * BITS_STEP
-        with flint.ctx.workprec(bits):
+        with at_bits(bits):
             return self._wave(self._first[part], order, bits)
 
     def _enclosed(self, part: int, order: Fraction, bits: int) -> Wave:

@@ -17,6 +17,7 @@ from kurbel.engine.harmonics.fourier import PARTS, Floats, Spectrum, Wave
 from kurbel.engine.harmonics.quantities import PHASES, SPEED, STAR, At, star, value
 from kurbel.exact.certify import NEVER_TIES, rounded
 from kurbel.exact.numerals import Number, figures, given
+from kurbel.exact.precision import at_bits
 from kurbel.kernel.balance import Star
 from kurbel.page.quantity import Column
 
@@ -46,7 +47,7 @@ def number_of(column: Column, at: At, rounding: str) -> Number | None:
 def _certified(column: Column, at: At, rounding: str) -> Number:
     decimals, quantity = column.decimals, column.quantity
     if decimals is None:
-        with flint.ctx.workprec(ESTIMATE_BITS):
+        with at_bits(ESTIMATE_BITS):
             near = value(quantity, at)
         if isinstance(near, Fraction):
             return given(near, None, rounding)

@@ -19,6 +19,7 @@ import flint
 from flint import acb, arb
 
 from kurbel.exact.certify import ball
+from kurbel.exact.precision import at_bits
 from kurbel.exact.search import interval
 
 # The ellipses that are tried around a panel, the ρ of each.
@@ -92,7 +93,7 @@ def _rules(
 ) -> Iterator[tuple[int, arb]]:
     """Yield of each ellipse how many nodes err by less than the last bit, and a bound of their error."""
     bits = flint.ctx.prec
-    with flint.ctx.workprec(BOUND_BITS):
+    with at_bits(BOUND_BITS):
         for ellipse in ELLIPSES:
             wide, high = half * (ellipse + 1 / ellipse) / 2, ball(half * (ellipse - 1 / ellipse) / 2).upper()
             most = abs(beyond(acb(interval(middle - wide, middle + wide), arb(0, high)))).upper()

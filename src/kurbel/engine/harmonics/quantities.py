@@ -19,6 +19,7 @@ from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.harmonics.fourier import NOTHING_BITS, Spectrum, Wave, star_of
 from kurbel.engine.quantities import ENGINE_METHODS
 from kurbel.exact.numerals import Label
+from kurbel.exact.precision import at_bits
 from kurbel.kernel.balance import Star
 from kurbel.kernel.circle import Number
 from kurbel.page.quantity import Formula, Quantity, entry, words
@@ -72,7 +73,7 @@ class At(NamedTuple):
     @lru_cache(maxsize=512)
     def _nothing(spectrum: Spectrum, member: Member, order: Fraction) -> tuple[bool, ...]:
         """Whether the cosine and the sine are as good as nothing."""
-        with flint.ctx.workprec(NOTHING_BITS):
+        with at_bits(NOTHING_BITS):
             wave = At(spectrum, member, order)._wave()
             return tuple(one.contains(0) for one in wave or ())
 

@@ -70,7 +70,7 @@ class Acting:
     @cached_property
     def driven(self) -> bool:
         """Whether the shaft drives the piston; of a card its work says so."""
-        return bool(self._turn.mean_force() < 0) if self.carded else bool(self.load.driven)
+        return self._turn.mean_sign < 0 if self.carded else bool(self.load.driven)
 
     @property
     def pressure(self) -> Fraction | None:

@@ -13,7 +13,6 @@ from functools import cached_property, reduce
 from itertools import groupby
 from typing import Any, NamedTuple
 
-import flint
 from flint import arb
 
 from kurbel.drive.crank_forces import CrankForce
@@ -30,6 +29,7 @@ from kurbel.engine.segments import (
 )
 from kurbel.engine.turn import Turn
 from kurbel.exact.jet import Jet
+from kurbel.exact.precision import at_bits
 from kurbel.kernel.steam import larger, smaller
 
 THRUST, PULL = SIGNS = (1, -1)
@@ -108,7 +108,7 @@ class RodLoad(AnyRodLoad):
         return {sign: places for sign, places in found.items() if self._is_loaded(places, sign)}
 
     def _is_loaded(self, places: Sequence[At], sign: int) -> bool:
-        with flint.ctx.workprec(SIGN_BITS):
+        with at_bits(SIGN_BITS):
             return bool(sign * extreme_value(places, self.quantity, sign) > 0)
 
     def extreme(self, sign: int) -> At | None:

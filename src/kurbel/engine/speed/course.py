@@ -22,6 +22,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball
 from kurbel.exact.continued import Continued, continued, half_turn_circle
 from kurbel.exact.place import fraction
+from kurbel.exact.precision import at_bits
 from kurbel.exact.search import interval
 from kurbel.exact.taylor import Formula, Taylor, bounded, expanded
 from kurbel.kernel.circle import Number
@@ -211,7 +212,7 @@ def spans(turn: Turn) -> Iterator[Span]:
 
 def _corners(turn: Turn, piece: Piece) -> list[tuple[Fraction, Fraction]]:
     """Return where the corners of the force lie within a piece, each between two places."""
-    with flint.ctx.workprec(max(CORNER_BITS, flint.ctx.prec + NARROWER)):
+    with at_bits(max(CORNER_BITS, flint.ctx.prec + NARROWER)):
         found = [
             turn.angle_of(part, stroke, corner) + ball(begun)
             for part, stroke, begun in piece.strokes

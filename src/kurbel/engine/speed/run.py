@@ -21,6 +21,7 @@ from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import kept
+from kurbel.exact.precision import at_bits
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Number
 from kurbel.reading.notation import plain
@@ -129,7 +130,7 @@ class Run(AnyRun):
     def __init__(self, turn: AnyTurn, wheel: Wheel) -> None:
         super().__init__(turn, wheel)
         self._numbers: dict[int, Number] = {}
-        with flint.ctx.workprec(CHECKED_BITS):
+        with at_bits(CHECKED_BITS):
             self._check()
 
     @property
@@ -255,7 +256,7 @@ def _against_square(turn: AnyTurn, wheel: Wheel) -> AnyRun:
         (not isinstance(turn, Turn), "of an indicator card"),
         (moving, "with moving masses"),
         (turn.method == "weisbach", "by Weisbach's method"),
-        (not turn.mean_force() > 0, "of a driven machine"),
+        (turn.mean_sign <= 0, "of a driven machine"),
     ):
         if unknown:
             raise ProblemError(

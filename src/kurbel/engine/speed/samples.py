@@ -12,6 +12,7 @@ import flint
 
 from kurbel.engine.speed.run import above
 from kurbel.errors import ProblemError
+from kurbel.exact.precision import at_bits
 from kurbel.exact.search import ISOLATING_BITS
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ NEAR = 1e-6
 
 def first_start(run: HeavyRun) -> Fraction:
     """Return u nearly. Raises ProblemError for a flywheel that comes to rest."""
-    with flint.ctx.workprec(ISOLATING_BITS):
+    with at_bits(ISOLATING_BITS):
         works, moved = (_sampled(one, Fraction(0)) for one in run.energies())
         half, _ = map(float, run.level(flint.arb(1)))
         first = float(run.turn.kinetic_energy_begun())
@@ -75,7 +76,7 @@ class Sampled(NamedTuple):
 
 def first_lag(run: SquareRun) -> Fraction:
     """Return 1/a nearly. Raises ProblemError for a flywheel that comes to rest."""
-    with flint.ctx.workprec(ISOLATING_BITS):
+    with at_bits(ISOLATING_BITS):
         excess = run.excess()
         first = excess.lows[0]
         works = _sampled(excess, first)

@@ -24,7 +24,6 @@ from functools import partial, reduce
 from itertools import pairwise
 from typing import NamedTuple
 
-import flint
 from flint import arb
 
 from kurbel.drive.wheel import Wheel
@@ -34,6 +33,7 @@ from kurbel.engine.speed.samples import first_lag, first_start
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, kept
+from kurbel.exact.precision import at_bits
 from kurbel.exact.search import ISOLATING_BITS, Function, Zero, crossing, interval, isolate
 from kurbel.exact.taylor import Taylor, exponential
 from kurbel.kernel.circle import Number, root
@@ -109,7 +109,7 @@ class SolvedRun(AnyRun):
         width = guess * NEAR
         for _ in range(FARTHER):
             ends = guess - width, guess + width
-            with flint.ctx.workprec(ISOLATING_BITS):
+            with at_bits(ISOLATING_BITS):
                 self._found = tuple(_stationary(self.squares(interval(*ends))))
                 below, above = (self.beyond(self.squares(ball(end))) for end in ends)
             if below < 0 and above > 0:

@@ -15,6 +15,7 @@ from kurbel.exact.bulk import Integers
 from kurbel.exact.enclosures.double import Double, chosen, exact
 from kurbel.exact.enclosures.enclosure import UNIT
 from kurbel.exact.kind import Kind
+from kurbel.exact.precision import at_bits
 from kurbel.kernel.circle import Circle
 
 # Within ±45° the next terms of both series, b^29/29! and b^30/30!, are below this.
@@ -32,7 +33,7 @@ def numbers() -> Kind:
 
 
 def _enclosed(value: Callable[[], Any]) -> Double:
-    with flint.ctx.workprec(BALL_BITS):
+    with at_bits(BALL_BITS):
         found = value()
         high = float(found.mid())
         low = float((found - high).mid())

@@ -16,6 +16,7 @@ import numpy as np
 
 from kurbel.exact.enclosures.enclosure import SUBNORMAL, UNIT, Enclosure, Floats
 from kurbel.exact.kind import Kind
+from kurbel.exact.precision import at_bits
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinematics import rod_sine
 
@@ -34,7 +35,7 @@ SINE_REST, COSINE_REST, LOG_REST, POWER_REST = 1.2e-19, 4.8e-21, 2.0**-74, 4.3e-
 
 def enclosed(value: Any) -> Enclosure:
     """Return what holds the ball that a function gives at some bits."""
-    with flint.ctx.workprec(BALL_BITS):
+    with at_bits(BALL_BITS):
         found = value()
         middle = float(found.mid())
         radius = float(abs(found - flint.arb(middle)).upper())

@@ -16,6 +16,7 @@ from kurbel.exact.certify import pi as ball_pi
 from kurbel.exact.course import Course
 from kurbel.exact.kind import balls
 from kurbel.exact.place import SQUARE, Centre, Place
+from kurbel.exact.precision import FLOAT_BITS, at_bits
 from kurbel.linkage.arc.quantities import arc_registry
 from kurbel.linkage.arc.rocker import STROKE, RockerCrank
 from kurbel.linkage.mechanism import LinkageDrive
@@ -65,7 +66,8 @@ class ArcDrive(LinkageDrive):
         return False
 
     def _centre(self) -> Centre:
-        ends = [float(place().mid()) for stroke in STROKES for place in self._dead_angles(stroke)]
+        with at_bits(FLOAT_BITS):
+            ends = [float(place().mid()) for stroke in STROKES for place in self._dead_angles(stroke)]
         if min(ends) > -HALF_REACH and max(ends) < 1 + HALF_REACH:
             return SQUARE
         middle = (min(ends) + max(ends)) / 2

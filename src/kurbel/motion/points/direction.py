@@ -6,11 +6,10 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
-import flint
-
 from kurbel.exact.certify import GUARD_BITS, NEVER_TIES, ball_degrees, rounded
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import nearest
+from kurbel.exact.precision import at_bits
 from kurbel.exact.terms import vanishes
 from kurbel.kernel.coupler import Vector, amount
 
@@ -66,7 +65,7 @@ def _sector(made: Made) -> int | None:
     precision = GUARD_BITS
     while True:
         precision *= 2
-        with flint.ctx.workprec(precision):
+        with at_bits(precision):
             one = made(balls())
             forth, up = -one.along, one.across
             level = abs(forth).mid() >= abs(up).mid()

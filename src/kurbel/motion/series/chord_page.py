@@ -12,13 +12,12 @@ from functools import cache
 from math import floor
 from typing import Any
 
-import flint
-
 from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, settled
 from kurbel.exact.numerals import Label, Number
+from kurbel.exact.precision import at_bits
 from kurbel.exact.terms import vanishes
 from kurbel.kernel import kinematics
 from kurbel.kernel.series import chord
@@ -73,7 +72,7 @@ def _guess(crank: Crank, angle: Fraction, lowest: Fraction) -> int:
     """Return how many steps reach a number below GF, or one too few: (GF - g)/(2 L - GF - g) is q^(k+1)."""
     precision = _BITS
     while True:
-        with flint.ctx.workprec(precision):
+        with at_bits(precision):
             kind = balls()
             circle, ratio = _at(crank, angle, kind)
             whole, share = kinematics.rod_versine(circle, ratio), chord.shrinking(circle, ratio)

@@ -22,11 +22,10 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-import flint
-
 from kurbel.exact.certify import half_turn_circle
 from kurbel.exact.jet import ball_jets, slopes
 from kurbel.exact.kind import Kind, balls
+from kurbel.exact.precision import at_bits
 from kurbel.exact.search import Zero
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle
@@ -73,7 +72,7 @@ class Greatest:
         """Return the value as a float, however small it is."""
         bits = 2 * ROUGH_BITS
         while bits < MOST_ROUGH_BITS:
-            with flint.ctx.workprec(bits):
+            with at_bits(bits):
                 found = self.value(key, balls())
                 if found.rel_accuracy_bits() >= ROUGH_BITS:
                     break
