@@ -3,8 +3,9 @@
 One function a subject, in the words of the command line: values are text as there, or numbers in units of
 the SI, degrees, or turns a second. They return a `Table`, which prints itself, or a `Drawing`;
 `table.question(...)` and its like return what would be computed. All is imported when it is first used, so
-that `import kurbel` loads neither click nor Jinja nor NumPy. All of it may be called from any thread; of those
-that compute certified digits one at a time does, for the precision of ball arithmetic is the process's.
+that `import kurbel` loads neither click nor Jinja nor NumPy. All of it may be called from any thread; of
+those that compute certified digits one at a time does, for the precision of ball arithmetic is the
+process's.
 
 >>> import kurbel
 >>> kurbel.certified("x", "1:5", 60, digits=30)

@@ -102,10 +102,9 @@ def _is_letter(text: str) -> bool:
     return text in GREEK or (len(text) == 1 and text.isascii() and text.isalpha())
 
 
-def _faults_of_groups(
-    given: Sequence[Mapping[str, Any]], above: Place = ("columns",)
-) -> Iterator[tuple[Place, str]]:
+def _faults_of_groups(given: object, above: Place = ("columns",)) -> Iterator[tuple[Place, str]]:
     """Yield what is amiss in columns, as the file has them: a quantity is missing, or is beside columns."""
+    assert isinstance(given, list)
     for index, one in enumerate(given):
         place = (*above, index)
         beside = next((name for name in one if name not in ("spanners", "columns")), "")
