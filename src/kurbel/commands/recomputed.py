@@ -77,7 +77,7 @@ def _of_engine(second: Second, key: str, method: str, at: Degrees, row: Row) -> 
     """A force where the load of an engine acts on the piston of the first crank."""
     if "end" in row:
         raise ProblemError("greatest loads of a rod over the turn are not computed a second time")
-    if key.startswith(("torque", "bearing")) and second.asked.says("cranks"):
+    if key.startswith("torque") and second.asked.says("cranks"):
         raise ProblemError(f"{key} of several cranks is not computed a second time")
     turn = second.turn(method, row, alone=True)
     bore, pressure = second.unit()
