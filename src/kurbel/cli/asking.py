@@ -25,7 +25,7 @@ from kurbel.formats.workbook import page_sheet
 from kurbel.handbook.binder import kept
 from kurbel.handbook.matter import terse
 from kurbel.handbook.pages import PAGE, SHEET
-from kurbel.handbook.pool import About, Made, Task
+from kurbel.handbook.pool import About, Made, Task, Verified
 from kurbel.page.labels import plain, unprompted
 from kurbel.page.table import Note, Table
 from kurbel.reading.given import HANDBOOK, File, meant
@@ -203,7 +203,22 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
         }
         files |= _waiting(task, named, answer.decimal)
     about = About("table", named.caption, named.lang, named.letters(), plain(named.source), answer.rounding)
+    if task.verify:
+        about = about._replace(verified=_verified(_text(data, "json", None, task.templates).decode()))
     return Made(files, answer.files, about)
+
+
+def _verified(page: str) -> Verified:
+    """Return what a second computation confirms of a page in JSON. Raises FailedError for a wrong number."""
+    from kurbel.commands.verified import checked, page_of
+    from kurbel.verify import CONFIRMED, WRONG
+
+    cells = [*checked(page_of(page, "the page"))]
+    for cell in cells:
+        if cell.verdict == WRONG:
+            raise FailedError(f"a second computation finds a number wrong: {cell}")
+    left = tuple(dict.fromkeys(cell.key for cell in cells if cell.verdict != CONFIRMED))
+    return Verified(sum(cell.verdict == CONFIRMED for cell in cells), len(cells), left)
 
 
 def _steps(task: Task, table: Table) -> Steps | None:

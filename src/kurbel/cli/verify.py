@@ -70,8 +70,7 @@ def _told(cells: Sequence[tuple[str, Cell]], counted: Counter[str]) -> Iterator[
     yield ""
     for file, cell in cells:
         if cell.verdict == WRONG:
-            place = ", ".join(f"{key} {value}" for key, value in cell.place.items())
-            yield f"{file}: {cell.key} at {place} is printed {cell.printed}; right is {cell.told}"
+            yield f"{file}: {cell}"
     wrong, left = counted[WRONG], counted[UNDECIDED]
     yield (
         f"{counted[CONFIRMED]} of {len(cells)} numbers are confirmed, {wrong} {'is' if wrong == 1 else 'are'}"

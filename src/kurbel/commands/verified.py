@@ -13,31 +13,38 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
-from typing import Any, NamedTuple, TypeAlias, TypedDict, TypeGuard
+from typing import Any, NamedTuple, TypedDict, TypeGuard
 
 from kurbel import verify
+from kurbel.commands.engine import EngineWithWheel
 from kurbel.commands.motion import OverPath
 from kurbel.commands.options import Option
 from kurbel.commands.part import Values, flag_of
 from kurbel.commands.parts.drive import Turning
-from kurbel.commands.parts.effort import PRESSING, Effort, PinFriction
-from kurbel.commands.parts.engine import Engine
+from kurbel.commands.parts.effort import PINNED, PRESSING, Effort, PinFriction
+from kurbel.commands.recomputed import PAGES, Row, nearest
 from kurbel.drive.crank import Described, radii
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.page.layouts import Layout, layout
 from kurbel.reading.amounts import UNITS
 from kurbel.reading.given import (
+    as_angular_acceleration,
     as_expansions,
     as_force,
     as_number,
     as_pressure,
     as_share_or_length,
     as_share_or_pressure,
+    as_shares,
+    as_speed,
     of_given,
 )
 from kurbel.reading.notation import number, ratio_text
-from kurbel.verify import UNDECIDED, WRONG, Number, Value
+from kurbel.verify import UNDECIDED, WRONG, Value
+from kurbel.verify.bodies import Force
 from kurbel.verify.loads import disc
+from kurbel.verify.roots import Spot
+from kurbel.verify.turn import Running
 from kurbel.verify.zeros import TOO_WIDE
 
 # Unit of a key that is not one of the second computation, and that in which it computes.
@@ -47,24 +54,21 @@ STEAM = ("exponent", "clearance", "single_acting")
 AIR = (*STEAM, "suction_loss", "delivery_loss")
 GAS = ("cycle", "exponent", "expansion_exponent", "heat", "cut_off", "two_stroke")
 # Options that the second computation knows, and those of looks, of which there is nothing to know.
-KNOWN = frozenset(
-    (
-        *("ratio", "stroke", "crank", "rod", "offset", "mechanism", "rocker", "pivot", "circuit", "beam"),
-        *("speed", "method", "order", "point", "force", "friction", *PRESSING, "bore", "piston_rod"),
-        *("tail_rod", "reciprocating", "rod_mass", "centre", "gyration", "rotating", "rocker_inertia"),
-        *("slope", "gravity", "eps", "back", "pressure", "pressure_ratio", "suction_pressure"),
-        *("delivery_pressure", "small_area", "pump", "compression", "peak_pressure", "exhaust_pressure"),
-        *("cranks", "detail", *STEAM, *AIR, *GAS),
-        *("angle", "from", "to", "step", "zero", "columns", "digits", "rounding", "units", "layout"),
-        *("decimal", "quantity", "templates"),
-    )
-)
-# Farther no axis goes.
-FARTHEST = 10**9
+KNOWN = frozenset((
+    "ratio", "stroke", "crank", "true_stroke", "rod", "offset", "mechanism", "rocker", "pivot",
+    "circuit", "beam", "speed", "acceleration", "method", "order", "point", "over", "shares", "at",
+    "axles", "driven", "force", "friction", "bore", "piston_rod", "tail_rod", "reciprocating",
+    "rod_mass", "centre", "gyration", "rotating", "rocker_inertia", "slope", "gravity",
+    "eps", "back", "pressure", "pressure_ratio", "suction_pressure", "delivery_pressure",
+    "small_area", "pump", "compression", "peak_pressure", "exhaust_pressure", "cranks", "cylinder",
+    "detail", "exact", "where", "flywheel", "inertia", "power", "resistance", "orders", "quantity",
+    "engine", "positions", "banks", "share", "spacing", "angle", "from", "to", "step", "zero",
+    "columns", "digits", "rounding", "units", "layout", "decimal", "templates",
+    *PRESSING, *PINNED, *STEAM, *AIR, *GAS,
+))  # fmt: skip
 # Columns that say which load a row is of.
 LOADED = ("epsilon", "pressure_ratio", "pump", "compression")
 SHAPE = {"request": dict, "columns": list, "rows": list}
-COMMANDS = ("table", "forces", "turning", "delta", "deadcentres")
 
 
 class Cell(NamedTuple):
@@ -77,6 +81,10 @@ class Cell(NamedTuple):
     printed: str
     verdict: str
     told: str = ""
+
+    def __str__(self) -> str:
+        where = ", ".join(f"{key} {value}" for key, value in self.place.items())
+        return f"{self.key} at {where} is printed {self.printed}; right is {self.told}"
 
 
 class Figure(str):
@@ -107,18 +115,22 @@ class Page(TypedDict):
     rows: list[dict[str, str | None]]
 
 
-# A row without what it has nothing of.
-Row: TypeAlias = Mapping[str, str]
-
-
 def read_page(path: str) -> Page:
     """Return the page of a JSON file, of standard input for "-". Raises KurbelError."""
     name = "standard input" if path == "-" else path
     try:
         text = sys.stdin.read() if path == "-" else Path(path).read_text(encoding="utf-8")
-        page = json.loads(text, parse_float=Figure, parse_int=Figure)
     except OSError as error:
         raise ProblemError(f"{name} cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise ProblemError(f"{name} is no JSON: it is not UTF-8; write a page with -f json") from None
+    return page_of(text, name)
+
+
+def page_of(text: str, name: str) -> Page:
+    """Return the page of a text in JSON, called by a name. Raises KurbelError."""
+    try:
+        page = json.loads(text, parse_float=Figure, parse_int=Figure)
     except ValueError as error:
         raise ProblemError(f"{name} is no JSON: {error}; write a page with -f json") from None
     if not isinstance(page, dict) or page.keys() & SHAPE.keys() == set():
@@ -162,10 +174,10 @@ def checked(page: Page) -> Iterator[Cell]:
                 yield Cell(line, place, key, row[key], verdict, told)
 
 
-class Asked(OverPath, Engine, Effort, PinFriction, Turning):
+class Asked(OverPath, EngineWithWheel, Effort, PinFriction, Turning):
     """All options that the second computation knows; by which method it computes each column says itself."""
 
-    method: Option[Any] = Engine.method
+    method: Option[Any] = EngineWithWheel.method
 
 
 class Second:
@@ -185,6 +197,7 @@ class Second:
         self.asked = Asked(values)
         self._kept: dict[Any, verify.Bodies] = {}
         self._turns: dict[Any, verify.Turn] = {}
+        self._spots: dict[Any, Spot] = {}
 
     def verdict(self, key: str, column: Head, row: Row) -> tuple[str, str]:
         """Return whether a cell is confirmed, and else its right digits, or why it is not computed."""
@@ -198,69 +211,33 @@ class Second:
             return WRONG, value.digits(len(printed.partition(".")[2]), rounding)
         except KurbelError as error:
             return UNDECIDED, str(error)
+        except LookupError as error:
+            return UNDECIDED, f"the page lacks {error}, which others of its command have"
         except TOO_WIDE as error:
             # Links that do not close, or numbers that no precision tells apart.
             return UNDECIDED, f"the second computation meets {error}"
 
     def value(self, key: str, column: Head, row: Row) -> Value:
         """Return the value of a cell. Raises KurbelError for what is not computed a second time."""
-        if self.command not in COMMANDS:
+        if self.command not in PAGES:
             raise ProblemError(f"pages of {self.command} are not computed a second time")
         for name in self.options.keys() - KNOWN:
             raise ProblemError(f"{flag_of(name)} is not known to the second computation")
         own, times = in_own_unit(key.removesuffix(f"_{column['method']}"), column["unit"])
-        return self._value(own, column["method"], row) * times
+        found = PAGES[self.command](self, own, column["method"], row)
+        return found * times
 
-    def _value(self, key: str, method: str, row: Row) -> Value:
-        degrees, asked = self._degrees(row), self.asked
-        if asked.is_engine() or self.command in ("turning", "delta"):
-            if self.command != "forces":
-                return self._turn(method, row).value(key, degrees, stroke=row.get("stroke", "turn"))
-            if method != "exact" or asked.cranks:
-                raise ProblemError("forces of several cranks, or of a series, are not computed a second time")
-            return self._loaded(key, degrees, row)
-        drive = self._drive(row)
-        if asked.raw("force") is not None:
-            drive = replace(drive, force=as_force(asked.raw("force"), "force"))
-        if asked.is_heavy() or asked.has_parts() or asked.says(*PRESSING):
-            return self._bodies(drive, self._push(), row).value(key, degrees)
-        if "point" not in row:
-            return drive.value(key, degrees, method)
-        if method != "exact" or drive.parallel:
-            raise ProblemError("points of such a rod are not known to the second computation")
-        share, _, beside = row["point"].partition(",")
-        return drive.value(key, degrees, method, point=(number(share), number(beside or "0")))
-
-    def _loaded(self, key: str, degrees: Fraction, row: Row) -> Value:
-        """A force where the load of an engine acts on the piston."""
-        turn = self._turn("exact", row, alone=True)
-        bore, pressure = self._unit()
-
-        def push(at: Fraction) -> Number:
-            found = turn.known.crank.push(at)
-            return found if pressure is None else found * disc(bore) * pressure
-
-        there = self._bodies(turn.drive, push, row)
-        ending = key.rpartition("_")[2]
-        if ending in ("n", "nm"):
-            return there.value(key, degrees)
-        newtons = there.value(f"{key}_n", degrees)
-        if pressure is None:
-            return newtons
-        return Value(lambda: newtons.recipe() / (disc(bore) * pressure))
-
-    def _unit(self) -> tuple[Fraction, Fraction | None]:
+    def unit(self) -> tuple[Fraction, Fraction | None]:
         """The bore, and the pressure that makes Q of its area, where both are known."""
         asked = self.asked
         if asked.bore is None:
             return Fraction(1), None
         if asked.says("pump"):
-            return asked.bore, asked.delivery_pressure and asked.delivery_pressure - (
-                asked.suction_pressure or 0
-            )
+            delivery, suction = asked.delivery_pressure, asked.suction_pressure or 0
+            return asked.bore, delivery and delivery - suction
         return asked.bore, asked.pressure if asked.says("pressure") else asked.suction_pressure
 
-    def _push(self) -> Fraction | Callable[[Fraction], Number]:
+    def push(self) -> Fraction | Force:
         """What pushes the piston towards the shaft where no engine does, in N."""
         asked = self.asked
         if not asked.says(*PRESSING):
@@ -275,24 +252,60 @@ class Second:
         force = (bore**2 - tail**2) * head - (bore**2 - rod**2) * crank
         return lambda _: disc(1) * force
 
-    def _bodies(
-        self, drive: verify.Drive, force: Fraction | Callable[[Fraction], Number], row: Row
-    ) -> verify.Bodies:
+    def bodies(self, drive: verify.Drive, force: Fraction | Force, row: Row) -> verify.Bodies:
         key = (drive, force == 0, *(str(row.get(name)) for name in LOADED))
         if key not in self._kept:
             asked, rod = self.asked, drive.radius / drive.ratio if drive.ratio else None
-            known = {
+            known: dict[str, Any] = {
                 "reciprocating": asked.reciprocating, "rod_mass": asked.rod_mass, "rotating": asked.rotating,
                 "inertia": asked.rocker_inertia, "friction": asked.friction, "gravity": asked.gravity,
                 "centre": _of_rod(asked.raw("centre"), rod), "gyration": _of_rod(asked.raw("gyration"), rod),
                 "slope": asked.slope,
             }  # fmt: skip
-            if asked.raw("acceleration") is not None:
-                raise ProblemError("an accelerated crank is not known to the second computation")
+            if (gain := asked.raw("acceleration")) is not None:
+                known["acceleration"] = as_angular_acceleration(gain, "acceleration")
+            if asked.pin_friction:
+                pins = asked.crosshead_pin, asked.crank_pin, asked.shaft
+                known["pins"] = tuple(one or Fraction(0) for one in pins)
+                known["pin_friction"] = asked.pin_friction
             self._kept[key] = verify.bodies(drive, force=force, **known)
         return self._kept[key]
 
-    def _degrees(self, row: Row) -> Fraction:
+    def spot(self, key: Any, find: Callable[[], Spot]) -> Spot:
+        """A place, found once for all columns of a row."""
+        if key not in self._spots:
+            self._spots[key] = find()
+        return self._spots[key]
+
+    def rod(self, drive: verify.Drive, model: str, weighed: bool) -> verify.Bodies:
+        """The rod alone, of a mass of 1 or its own; of two masses k² = a b, and by the railways' rule 6/10
+        of it are at the crank pin."""
+        key = (drive, model, weighed)
+        if key not in self._kept:
+            asked, long = self.asked, drive.radius / drive.ratio if drive.ratio else None
+            centre = _of_rod(asked.raw("centre"), long) or Fraction(0)
+            known: dict[str, Any] = {"gyration": _of_rod(asked.raw("gyration"), long)}
+            if model:
+                centre = Fraction(3, 5) if model == "railway" else centre
+                known = {"gyration_square": centre * (1 - centre)}
+            if weighed and (gain := asked.raw("acceleration")) is not None:
+                known["acceleration"] = as_angular_acceleration(gain, "acceleration")
+            mass = asked.rod_mass if weighed else Fraction(1)
+            self._kept[key] = verify.bodies(drive, rod_mass=mass, centre=centre, **known)
+        return self._kept[key]
+
+    def running(self, turn: verify.Turn) -> Running:
+        """The flywheel on a turn."""
+        asked = self.asked
+        if turn.bodies or asked.raw("resistance") not in (None, "constant"):
+            raise ProblemError("speeds of moving masses, and others than a constant torque, are not computed")
+        if asked.says("flywheel"):
+            return Running(turn, as_number(asked.raw("flywheel"), "flywheel"))
+        if not asked.says("power"):
+            raise ProblemError("a flywheel without a power is not known to the second computation")
+        return Running(turn, None, asked.inertia or Fraction(0), asked.power or Fraction(0))
+
+    def degrees(self, row: Row) -> Fraction:
         """The crank angle of a row, as exactly as it was asked for."""
         if "phi" in row:
             return nearest(row["phi"], self._listed) + self.asked.zero_angle
@@ -308,27 +321,34 @@ class Second:
         return layout(self.key)
 
     @cached_property
+    def shares(self) -> Sequence[Fraction]:
+        """Those of a page over the stroke."""
+        given = self.options.get("shares")
+        return as_shares("0..1:0.1" if given is None else given)
+
+    @cached_property
     def _listed(self) -> Sequence[Fraction]:
         return self.asked.angle or ()
 
-    def _drive(self, row: Row) -> verify.Drive:
+    def drive(self, row: Row) -> verify.Drive:
         raw = self.asked.raw
         parallel = "parallel" in (self.asked.mechanism, raw("layout"))
         printed = row.get("ratio", "1:∞" if parallel else "")
-        described = Described.of({name: raw(name) for name in ("stroke", "rod", "speed", "offset", "ratio")})
+        described = Described.of({name: raw(name) for name in ("stroke", "rod", "offset", "ratio")})
         cranks = described.cranks((printed,) if printed else self._layout.ratios)
         found = [one for one in cranks if ratio_text(one.ratio) == printed] or cranks
         if len(found) != 1:
             raise ProblemError("the row does not say its crank ratio as it was asked for")
         crank, radius = found[0], found[0].radius
+        speed = None if raw("speed") is None else as_speed(raw("speed"))
         place = str(raw("pivot")).split(";") if raw("pivot") else None
         return of_given(
             verify.drive,
             crank.ratio,
             crank.offset,
             radius=radius,
-            speed=crank.speed and crank.speed.value,
-            turns=crank.speed and crank.speed.turns,
+            speed=speed and speed.value,
+            turns=speed and speed.turns,
             parallel=parallel,
             circuit=int(number(str(raw("circuit") or 1))),
             pivot=place and tuple(radii(one, "pivot", radius) for one in place),
@@ -339,36 +359,43 @@ class Second:
             },
         )
 
-    def _turn(self, method: str, row: Row, alone: bool = False) -> verify.Turn:
+    def pushed(self, row: Row) -> verify.Drive:
+        """The drive with the force that is given."""
+        force, drive = self.asked.raw("force"), self.drive(row)
+        return drive if force is None else replace(drive, force=as_force(force, "force"))
+
+    def turn(self, method: str, row: Row, alone: bool = False) -> verify.Turn:
         """The turn of the page, or that of one crank `alone`, without its masses."""
-        asked, drive, load = self.asked, self._drive(row), self._load(row)
+        asked, drive, load = self.asked, self.drive(row), self.load(row)
         key = (drive, method, alone, *(str(row.get(name)) for name in LOADED))
         if key not in self._turns:
+            if asked.says("cylinder"):
+                raise ProblemError("engines of unlike cylinders are not computed a second time")
             cranks = tuple(asked.cranks or (Fraction(0),))
             if asked.says("friction") and not alone:
                 raise ProblemError("turns with friction are not computed a second time")
             if alone:
-                self._turns[key] = verify.turn(drive, load)
+                self._turns[key] = verify.turn(drive, load, method=method)
             elif not asked.is_heavy():
                 self._turns[key] = verify.turn(drive, load, cranks=cranks, method=method)
             else:
-                bore, pressure = self._unit()
+                bore, pressure = self.unit()
                 self._turns[key] = verify.turn(
                     drive, load, cranks=cranks, method=method, bore=bore, pressure=pressure,
-                    bodies=self._bodies(drive, Fraction(0), row),
+                    bodies=self.bodies(drive, Fraction(0), row),
                 )  # fmt: skip
         return self._turns[key]
 
-    def _load(self, row: Row) -> verify.Load:
+    def load(self, row: Row) -> verify.Load:
         asked, raw = self.asked, self.asked.raw
 
         def of(names: Sequence[str]) -> Mapping[str, object]:
             return {name: getattr(asked, name) for name in names if asked.says(name)}
 
         def of_row(key: str, given: Sequence[Fraction] | None) -> Fraction:
-            listed = as_expansions(self._layout.expansions) if given is None else given
             if key in row:
-                return nearest(row[key], listed)
+                return nearest(row[key], given or ())
+            listed = as_expansions(self._layout.expansions) if given is None else given
             if len(listed) != 1:
                 raise ProblemError(f"the row does not say its load; add {key} to the columns")
             return listed[0]
@@ -401,22 +428,12 @@ class Second:
 def in_own_unit(key: str, symbol: str) -> tuple[str, Fraction]:
     """Return a key in the unit of the second computation, and how many of the printed one that is."""
     unit = UNITS.get(symbol)
-    own = unit and OWN.get(unit.dimension)
-    if unit is None or own is None or unit.ending == own:
+    if unit is None or unit.ending == (own := OWN.get(unit.dimension, "")):
         return key, Fraction(1)
+    if not own:
+        return key.removesuffix(f"_{unit.ending}"), 1 / unit.size
     size = next(one.size for one in UNITS.values() if one.ending == own)
     return f"{key.removesuffix(unit.ending)}{own}", size / unit.size
-
-
-def nearest(printed: str, asked: Sequence[Fraction]) -> Fraction:
-    """Return what was asked for and is printed so; where nothing was listed, what is printed. Raises
-    KurbelError."""
-    shown = number(printed)
-    half = Fraction(1, 2 * 10 ** len(printed.partition(".")[2]))
-    found = {one for one in asked if abs(one - shown) <= half} if asked else {shown}
-    if len(found) != 1 or abs(shown) > FARTHEST:
-        raise ProblemError(f"{printed[:40]} is not what was asked for")
-    return found.pop()
 
 
 def _of_rod(value: object, rod: Fraction | None) -> Fraction | None:

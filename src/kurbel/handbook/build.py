@@ -123,7 +123,7 @@ class Build:
         self.formats = tuple(name for name in FORMATS if name in {*manifest.formats, *source} - {PDF})
         # What documents are made of beside their own format.
         figures = tuple(sorted({FORMATS[name].figures for name in self.formats} - {""}))
-        self.given = manifest.machine, self.formats, figures, "notation" in manifest.matter
+        self.given = manifest.machine, self.formats, figures, "notation" in manifest.matter, manifest.verify
         self.outside = manifest.outside
 
     @cached_property

@@ -23,7 +23,7 @@ from kurbel.reading.environment import source_date_epoch
 
 if TYPE_CHECKING:
     from kurbel.handbook.manifest import Manifest
-    from kurbel.handbook.pool import About
+    from kurbel.handbook.pool import About, Verified
 
 
 def inlines(label: Label) -> prose.Inlines:
@@ -294,6 +294,9 @@ WORDS = {
         "day": "{day}. {month} {year}",
         "both": "{version} vom {day}",
         "made": "Berechnet und gesetzt mit kurbel {kurbel}. {count}",
+        "verified": "{confirmed} von {cells} Zahlen der Tabellen sind von einer zweiten Rechnung mit anderen"
+        " Formeln bestätigt.",
+        "left": " Nicht ein zweites Mal berechnet: {left}.",
         "same": "Dasselbe Manuskript ergibt mit derselben Fassung von kurbel dieselbe Datei, Byte für Byte.",
         "table": ("eine Tabelle", "{} Tabellen"),
         "figure": ("eine Abbildung", "{} Abbildungen"),
@@ -304,6 +307,9 @@ WORDS = {
         "day": "{day} {month} {year}",
         "both": "{version}, {day}",
         "made": "Computed and set with kurbel {kurbel}. {count}",
+        "verified": "{confirmed} of {cells} numbers of the tables are confirmed by a second computation with"
+        " other formulas.",
+        "left": " Not computed a second time: {left}.",
         "same": "The same manuscript gives, with the same version of kurbel, the same file, byte by byte.",
         "table": ("one table", "{} tables"),
         "figure": ("one figure", "{} figures"),
@@ -333,6 +339,17 @@ def colophon(
     # The package's own module knows all of kurbel, and this floor may not.
     made = str(said["made"]).format(kurbel=resolve_name("kurbel:__version__"), count=sentence).strip()
     return (*heads, text(made), text(str(said["same"])))
+
+
+def _confirmed(verified: Mapping[str, Verified], lang: str) -> str:
+    """Return what a second computation says of tables, by their names."""
+    said = WORDS[lang]
+    confirmed, cells = (
+        sum(getattr(one, each) for one in verified.values()) for each in ("confirmed", "cells")
+    )
+    told = str(said["verified"]).format(confirmed=confirmed, cells=cells)
+    left = "; ".join(f"{name}: {', '.join(one.left)}" for name, one in verified.items() if one.left)
+    return told + (str(said["left"]).format(left=left) if left else "")
 
 
 def day_of(given: date | None) -> date | None:
@@ -410,4 +427,6 @@ class _Matter:
         manifest = self.manifest
         counts = {kind: len([*self.document.items(kind)]) for kind in ("table", "figure")}
         day = day_of(manifest.date)
-        return colophon(manifest.title, manifest.author, manifest.version, day, counts, self.lang)
+        verified = {name: one.verified for name, one in self.abouts.items() if one.verified is not None}
+        found = colophon(manifest.title, manifest.author, manifest.version, day, counts, self.lang)
+        return (*found[:-1], text(_confirmed(verified, self.lang)), found[-1]) if verified else found

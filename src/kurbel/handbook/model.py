@@ -214,6 +214,10 @@ class HandbookKeys(Struct, frozen=True, forbid_unknown_fields=True):
             "what stands before and behind the chapters: notation and signs, symbols, an index, a colophon"
         ),
     ] = Matter()
+    verify: Annotated[
+        bool,
+        about("compute the numbers of all tables a second time, as kurbel verify does; see the colophon"),
+    ] = False
     formats: Annotated[Formats, about("what is built")] = Formats(FORMATS_OF_A_HANDBOOK)
     output: Annotated[Inside, about("folder for what is built, inside of the manifest's folder")] = Inside(
         "pages"

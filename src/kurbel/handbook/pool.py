@@ -44,7 +44,8 @@ class Task(NamedTuple):
     """A part that is to be made, with all that a process of its own needs to make it.
 
     `templates` is a folder of one's own. A `terse` caption does not say that formulas are exact, for the page
-    on notation does. Files that the command names may lie `outside` of the folder where that is allowed.
+    on notation does. With `verify` its numbers are computed a second time. Files that the command names may
+    lie `outside` of the folder where that is allowed.
     """
 
     part: Part
@@ -54,12 +55,21 @@ class Task(NamedTuple):
     formats: tuple[str, ...]
     figures: tuple[str, ...]
     terse: bool
+    verify: bool
     outside: bool
+
+
+class Verified(NamedTuple):
+    """How many numbers of a table a second computation confirms, of how many, and the columns of the rest."""
+
+    confirmed: int
+    cells: int
+    left: tuple[str, ...] = ()
 
 
 class About(NamedTuple):
     """What documents say of a table or a figure; `letters` and `source` are for their lists, `rounding` is
-    that of its numbers."""
+    that of its numbers, and `verified` what a second computation says of them."""
 
     kind: Literal["table", "figure"]
     caption: str
@@ -67,6 +77,7 @@ class About(NamedTuple):
     letters: tuple[Letter, ...] = ()
     source: str = ""
     rounding: str = ""
+    verified: Verified | None = None
 
 
 class Made(NamedTuple):

@@ -9,30 +9,32 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
+from itertools import product
 from typing import Any
 
 from kurbel.errors import ProblemError
-from kurbel.verify.drives import Drive
+from kurbel.verify.drives import Degrees, Drive, place_of
 from kurbel.verify.enclose import Working
 from kurbel.verify.jets import Jet, slope_of_angle
-from kurbel.verify.numbers import Number, Undecided, number, sine_cosine
-from kurbel.verify.places import OUT, RETURN
+from kurbel.verify.numbers import Number, Undecided, number, sine_cosine, spread
+from kurbel.verify.places import OUT, RETURN, Place
 from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
 
-# A force on B in N by the crank angle in degrees.
-Force = Callable[[Fraction], Number]
+# A force on B in N about a crank angle.
+Force = Callable[[Place], Jet | Number]
 
 
 @dataclass(frozen=True)
 class Bodies:
     """What a drive moves, in kg, m and N.
 
-    `centre` of the rod's mass from B and its radius of gyration are shares of its length, `rotating` is the
-    crank's own mass reduced to its pin, `inertia` the moment of inertia of the rocker about its pivot. The
-    slide rises by `slope` degrees in the crank's sense; without a slope nothing has weight. `force`, which
-    may be a function of the crank angle, acts on B in the direction of the stroke, `friction` against it; the
-    crank itself accelerates by `acceleration`.
+    `centre` of the rod's mass from B and its radius of gyration, or the square of that, are in lengths of the
+    rod, `rotating` is the crank's own mass reduced to its pin, `inertia` the moment of inertia of the rocker
+    about its pivot. The slide rises by `slope` degrees in the crank's sense; without a slope nothing has
+    weight. `force`, which may be a function of the place, acts on B in the direction of the stroke,
+    `friction` against it; the crank itself accelerates by `acceleration`. `pins` are the diameters of
+    crosshead pin, crank pin and shaft, which have the coefficient `pin_friction`.
     """
 
     drive: Drive
@@ -40,6 +42,7 @@ class Bodies:
     rod_mass: Fraction = Fraction(0)
     centre: Fraction = Fraction(1, 2)
     gyration: Fraction = Fraction(0)
+    gyration_square: Fraction | None = None
     rotating: Fraction = Fraction(0)
     inertia: Fraction = Fraction(0)
     slope: Fraction | None = None
@@ -47,6 +50,13 @@ class Bodies:
     force: Fraction | Force = Fraction(0)
     friction: Fraction = Fraction(0)
     acceleration: Fraction = Fraction(0)
+    pin_friction: Fraction = Fraction(0)
+    pins: tuple[Fraction, ...] = (Fraction(0),) * 3
+
+    @property
+    def spread(self) -> Fraction:
+        """The square of the radius of gyration, in squares of the rod's length."""
+        return self.gyration**2 if self.gyration_square is None else self.gyration_square
 
     @property
     def weight(self) -> Arrow:
@@ -56,78 +66,78 @@ class Bodies:
         sine, cosine = sine_cosine(self.slope)
         return Arrow(-sine, -cosine).times(number(self.gravity))
 
-    def value(self, key: str, degrees: Fraction | int | str, *, stroke: str | int | None = None) -> Value:
-        """Return what kurbel's column of this key says, `guide_force_n` or `torque_return_nm`."""
-        side = RETURN if "_return" in key or stroke in (RETURN, "return") else OUT
+    def knows(self, key: str) -> bool:
         name, _, unit = key.replace("_return", "").rpartition("_")
-        if unit not in ("n", "nm", "j") or name not in _FORCES:
-            raise ProblemError(f'there is no force "{key}" to verify')
-        return Value(lambda: _FORCES[name](self.at(Fraction(degrees), side)))
+        return unit in ("n", "nm", "j") and name in _FORCES
 
-    def at(self, degrees: Fraction, stroke: int) -> At:
-        return _at(self, degrees if stroke == OUT else degrees + 180, stroke, Working.bits)
+    def value(self, key: str, degrees: Degrees, *, stroke: str | int | None = None) -> Value:
+        """Return what kurbel's column of this key says, `guide_force_n` or `torque_return_nm`."""
+        if not self.knows(key):
+            raise ProblemError(f'there is no force "{key}" to verify')
+        name, side = key.replace("_return", "").rpartition("_")[0], OUT
+        if "_return" in key or stroke in (RETURN, "return"):
+            side = RETURN
+        return Value(lambda: self.at(name, place_of(degrees), side))
+
+    def at(self, name: str, place: Place, stroke: int = OUT, more: int = 0) -> Number:
+        """A force about an angle, or one of its slopes by that in radians."""
+        turned = place if stroke == OUT else place.turned(Fraction(180))
+        found = _FORCES[name](_at(self, turned, stroke, more, Working.bits))
+        value: Number = found.slope(more) if isinstance(found, Jet) else number(0) if more else found
+        return value
 
 
 @lru_cache(maxsize=64)
-def _at(bodies: Bodies, degrees: Fraction, stroke: int, bits: int) -> At:
+def _at(bodies: Bodies, place: Place, stroke: int, more: int, bits: int) -> At:
     """Kept for many columns, with the bits it was computed with."""
-    return At(bodies, degrees, stroke)
+    return At(bodies, place, stroke, more)
 
 
 class At:
-    """The bodies where the crank is at an angle."""
+    """The bodies where the crank is at an angle, their forces with `more` slopes."""
 
-    def __init__(self, bodies: Bodies, degrees: Fraction, stroke: int) -> None:
-        self.bodies, self.drive, self.stroke, self.degrees = bodies, bodies.drive, stroke, degrees
+    def __init__(self, bodies: Bodies, place: Place, stroke: int, more: int) -> None:
+        self.bodies, self.drive, self.stroke, self.place = bodies, bodies.drive, stroke, place
         self.radius = number(self.drive.radius)
-        pin, end = self.drive.placed(degrees)
-        self.pin_jet, self.end_jet = pin, end
-        self.centre_jet = end.plus(pin.minus(end).times(number(bodies.centre)))
-        self.pin, self.end, self.centre = (self._long(one.value()) for one in (pin, end, self.centre_jet))
-        self.crank = pin.value()
-        self.line = pin.minus(end).value().times(number(self.drive.ratio))
-        self.way = self.drive.way(end.value(), stroke)
+        self.pin_jet, self.end_jet = self.drive.placed(place, 2 + more)
+        pin, end = (
+            Arrow(*(Jet(one.terms[: more + 1]) for one in each)) for each in (self.pin_jet, self.end_jet)
+        )
+        self.centre_jet = self.end_jet.plus(self.pin_jet.minus(self.end_jet).times(number(bodies.centre)))
+        self.crank, self.pin, self.end = pin, pin.times(self.radius), end.times(self.radius)
+        self.centre = self.end.plus(self.pin.minus(self.end).times(number(bodies.centre)))
+        self.line = pin.minus(end).times(number(self.drive.ratio))
+        self.way = self.drive.way(end, stroke)
         self.weight = bodies.weight
         self._solved: tuple[Arrow, Arrow, Arrow] | None = None
 
-    def _long(self, one: Arrow) -> Arrow:
-        return one.times(self.radius)
-
-    def _by_time(self, first: Any, second: Any) -> Any:
-        """x'' ω² + x' α of the slopes by the crank angle."""
+    def _by_time(self, first: Jet) -> Jet:
+        """x'' ω² + x' α of the slope by the crank angle."""
         omega = self.drive.omega
-        return second * (omega * omega) + first * number(self.bodies.acceleration)
+        return first.derived() * (omega * omega) + first * number(self.bodies.acceleration)
 
     def accelerated(self, place: Arrow) -> Arrow:
-        first, second = place.slope(1), place.slope(2)
-        return self._long(Arrow(self._by_time(first.x, second.x), self._by_time(first.y, second.y)))
+        first = place.derived()
+        return Arrow(self._by_time(first.x), self._by_time(first.y)).times(self.radius)
 
-    def spun(self, line: Arrow) -> Number:
+    def spun(self, line: Arrow) -> Jet:
         """The angular acceleration of what has this direction."""
-        slope: Jet = slope_of_angle(*line)
-        found: Number = self._by_time(slope.value, slope.slope())
-        return found
+        return self._by_time(slope_of_angle(*line))
 
     @property
-    def piston_force(self) -> Number:
+    def piston_force(self) -> Jet | Number:
         force = self.bodies.force
-        return force(self.degrees) if callable(force) else number(force)
-
-    @property
-    def inertia_force(self) -> Number:
-        return -self.accelerated(self.end_jet).dot(self.way) * self.bodies.reciprocating
-
-    @property
-    def weight_force(self) -> Number:
-        return self.weight.dot(self.way) * self.bodies.reciprocating
+        return force(self.place) if callable(force) else number(force)
 
     @property
     def friction_force(self) -> Number:
         if not self.bodies.friction:
             return number(0)
-        forward = self.end_jet.slope(1).dot(self.way).sign()
+        slopes = self.end_jet.derived().x.value, self.end_jet.derived().y.value
+        way = self.way.value() if isinstance(self.way.x, Jet) else self.way
+        forward = way.dot(Arrow(*slopes)).sign()
         # At a dead centre it is that of the stroke which begins there.
-        forward = forward or self.end_jet.slope(2).dot(self.way).sign()
+        forward = forward or self.end_jet.slope(2).dot(way).sign()
         return number(-forward * self.bodies.friction)
 
     @property
@@ -141,8 +151,9 @@ class At:
         bodies, one, none = self.bodies, number(1), number(0)
         to_pin, to_end = self.pin.minus(self.centre), self.end.minus(self.centre)
         rod = self.accelerated(self.centre_jet).minus(self.weight).times(number(bodies.rod_mass))
-        long = number(bodies.gyration) * self.radius / self.drive.ratio
-        couple = self.spun(self.pin_jet.minus(self.end_jet)) * long * long * bodies.rod_mass
+        long = self.radius / self.drive.ratio
+        turned = self.spun(self.pin_jet.minus(self.end_jet))
+        couple = turned * (long * long * (bodies.spread * bodies.rod_mass))
         pushed = self.way.times(self.piston_force + self.friction_force)
         end = self.accelerated(self.end_jet).minus(self.weight).times(number(bodies.reciprocating))
         end = end.minus(pushed)
@@ -159,13 +170,32 @@ class At:
         pin_x, pin_y, end_x, end_y, guide_x, guide_y = solved(rows)
         return Arrow(pin_x, pin_y), Arrow(end_x, end_y), Arrow(guide_x, guide_y)
 
-    def _held(self) -> tuple[Number, Number, Number]:
+    def _held(self) -> tuple[Any, Any, Any]:
         """A slide has no force along it; the rocker's own inertia takes the moment about its pivot."""
         if self.drive.rocker is None:
             return self.way.x, self.way.y, number(0)
         arm = self.end_jet.minus(self.drive.bearing)
-        place = self._long(arm.value())
-        return place.y, -place.x, self.spun(arm) * self.bodies.inertia
+        place = self.end.minus(self.drive.bearing.times(self.radius))
+        return place.y, -place.x, self.spun(arm) * number(self.bodies.inertia)
+
+    @property
+    def net_torque(self) -> Jet | Number:
+        """The torque less the friction of the pins: the least that a line leaves which touches the circles of
+        friction d/2 sin ρ, tan ρ = μ, of both pins of the rod, on either side, less |S| that of the shaft."""
+        push, long = self.forces[1].dot(self.way), self.radius / self.drive.ratio
+        slip = number(self.bodies.pin_friction)
+        at_end, at_pin, at_shaft = (
+            slip / (1 + slip * slip).root() * Fraction(one) / 2 for one in self.bodies.pins
+        )
+        found = []
+        for low, high in product((1, -1), repeat=2):
+            # It leans by the angle whose sine is the difference of its distances from both over L.
+            lean = (at_pin * high - at_end * low) / long
+            along = self.line.times((1 - lean * lean).root()).minus(self.line.right().times(lean))
+            thrust = push / along.dot(self.way)
+            moment = (self.end.minus(along.right().times(at_end * low))).cross(along) * thrust
+            found.append(moment.value - abs(thrust.value) * at_shaft)
+        return spread(min(one.low for one in found), min(one.high for one in found))
 
     @property
     def on_bearing(self) -> Arrow:
@@ -176,20 +206,14 @@ class At:
         backward = across.times(number(-self.bodies.acceleration * self.bodies.rotating) * self.radius)
         return outward.plus(backward).minus(self.forces[0])
 
-    @property
-    def kinetic_energy(self) -> Number:
-        """Of the rod, of what goes with B and of the rocker."""
-        found: Number = kinetic(self.bodies, self.pin_jet).value
-        return found
-
 
 def kinetic(bodies: Bodies, pin: Arrow) -> Jet:
     """The energy of motion, over the crank angle at the drive's speed."""
     drive, end = bodies.drive, bodies.drive.driven(pin)
     centre = end.plus(pin.minus(end).times(number(bodies.centre)))
     total = centre.derived().square() * bodies.rod_mass + end.derived().square() * bodies.reciprocating
-    turn, long = slope_of_angle(*pin.minus(end)), number(bodies.gyration) / drive.ratio
-    total = total + turn * turn * (long * long * bodies.rod_mass)
+    turn, long = slope_of_angle(*pin.minus(end)), 1 / number(drive.ratio)
+    total = total + turn * turn * (long * long * (bodies.spread * bodies.rod_mass))
     radius, omega = number(drive.radius), drive.omega
     total = total * (radius * radius)
     if drive.rocker is not None:
@@ -211,7 +235,7 @@ def stored(bodies: Bodies, pin: Arrow) -> Jet:
     return found - lifted
 
 
-def solved(rows: list[list[Number]]) -> list[Number]:
+def solved(rows: list[list[Any]]) -> list[Any]:
     """Solve linear equations by elimination; the largest pivot is taken, which must not hold zero."""
     rows, size = [list(row) for row in rows], len(rows)
     for column in range(size):
@@ -228,34 +252,35 @@ def solved(rows: list[list[Number]]) -> list[Number]:
     return [rows[row][size] / rows[row][row] for row in range(size)]
 
 
-def _towards(force: Arrow, direction: Arrow) -> Number:
-    found: Number = force.dot(direction)
-    return found
-
-
-_FORCES: dict[str, Callable[[At], Number]] = {
+_FORCES: dict[str, Callable[[At], Any]] = {
     "piston_force": lambda at: at.piston_force,
-    "inertia_force": lambda at: at.inertia_force,
-    "weight_force": lambda at: at.weight_force,
+    "inertia_force": lambda at: -at.accelerated(at.end_jet).dot(at.way) * number(at.bodies.reciprocating),
+    "weight_force": lambda at: at.weight.dot(at.way) * number(at.bodies.reciprocating),
     "friction_force": lambda at: at.friction_force,
-    "crosshead_load": lambda at: _towards(at.forces[1], at.way),
-    "guide_force": lambda at: _towards(at.forces[2], at.way.right()),
-    "rod_force": lambda at: _towards(at.forces[1], at.line) * at.stroke,
+    "crosshead_load": lambda at: at.forces[1].dot(at.way),
+    "guide_force": lambda at: at.forces[2].dot(at.way.right()),
+    "rod_force": lambda at: at.forces[1].dot(at.line) * at.stroke,
     "crosshead_pin_force": lambda at: at.forces[1].size(),
     "crank_pin_force": lambda at: at.forces[0].size(),
+    "pin_x": lambda at: at.forces[0].x,
+    "pin_y": lambda at: at.forces[0].y,
     "tangential_force": lambda at: -at.crank.cross(at.forces[0]),
-    "radial_force": lambda at: _towards(at.forces[0], at.crank),
+    "radial_force": lambda at: at.forces[0].dot(at.crank),
     "torque": lambda at: -at.pin.cross(at.forces[0]),
     "bearing_along": lambda at: -at.on_bearing.x * at.stroke,
     "bearing_across": lambda at: at.on_bearing.y * at.stroke,
     "bearing_force": lambda at: at.on_bearing.size(),
-    "kinetic_energy": lambda at: at.kinetic_energy,
+    # Of the rod, of what goes with B and of the rocker.
+    "kinetic_energy": lambda at: kinetic(at.bodies, at.pin_jet),
+    "net_torque": lambda at: at.net_torque,
 }
 
 
 def bodies(drive: Drive, **given: Any) -> Bodies:
     """Return the bodies of a drive; numbers are fractions or decimals as text, a force may be a function."""
     numbers: dict[str, Any] = {
-        name: one if callable(one) else Fraction(one) for name, one in given.items() if one is not None
+        name: one if callable(one) or name == "pins" else Fraction(one)
+        for name, one in given.items()
+        if one is not None
     }
     return Bodies(drive, **numbers)

@@ -83,10 +83,10 @@ class Crank:
         found: Number = self.drive.moved(end, sense).value
         return found
 
-    def force(self, degrees: Fraction, true: bool) -> Number:
+    def force(self, degrees: Fraction, true: bool, reach: Fraction = Fraction(0)) -> Number:
         """T at its own angle; `true` with the rod's true angle on the path by first order."""
-        pin, found = self.pin(degrees), []
-        for index, _ in self.on(self.since(degrees, False)):
+        pin, found = self.pin(degrees, reach=reach), []
+        for index, _ in self.on(self.since(degrees, False, reach)):
             sense = OUT if index % 2 == 0 else RETURN
             slope = self.speed(pin, sense).value
             if true and self.flat and self.drive.ratio:
@@ -94,10 +94,10 @@ class Crank:
             found.append(self.strokes[index].force(self.way(pin, sense) / self.size) * slope)
         return hull(found)
 
-    def push(self, degrees: Fraction) -> Number:
+    def push(self, degrees: Fraction, reach: Fraction = Fraction(0)) -> Number:
         """The force on the piston towards the shaft, at its own angle."""
-        pin, found = self.pin(degrees), []
-        for index, _ in self.on(self.since(degrees, False)):
+        pin, found = self.pin(degrees, reach=reach), []
+        for index, _ in self.on(self.since(degrees, False, reach)):
             sense = OUT if index % 2 == 0 else RETURN
             found.append(self.strokes[index].force(self.way(pin, sense) / self.size) * sense)
         return hull(found)

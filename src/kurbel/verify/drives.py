@@ -11,13 +11,19 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.errors import ProblemError
-from kurbel.verify.jets import Jet, slope_of_angle
+from kurbel.verify.jets import Jet, direction, slope_of_angle
 from kurbel.verify.numbers import Number, degrees_of, number, pi
-from kurbel.verify.places import OUT, RETURN, Places
+from kurbel.verify.places import OUT, RETURN, Place, Places
 from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
 
 METHODS = ("exact", "series", "infinite", "difference")
+# An angle, or what finds one with the working bits.
+Degrees = Fraction | int | str | Callable[[], Place]
+
+
+def place_of(degrees: Degrees) -> Place:
+    return degrees() if callable(degrees) else Place(Fraction(degrees))
 
 
 @dataclass(frozen=True)
@@ -37,116 +43,116 @@ class Drive(Places):
     def value(
         self,
         key: str,
-        degrees: Fraction | int | str = 0,
+        degrees: Degrees = 0,
         method: str = "exact",
         *,
         order: int = 1,
         stroke: str | int | None = None,
         point: tuple[Any, Any] | None = None,
     ) -> Value:
-        """Return what kurbel's column of this key says at an angle in degrees.
+        """Return what kurbel's column of this key says at an angle in degrees, or at a place found anew.
 
         `x_return_mm` is `x`, on the return, in mm; `stroke="return"` says the same. With a `point` (share of
         the rod from B, beside it) keys are those of points.
         """
-        name, returning, unit = parted(key)
-        side = RETURN if returning or stroke in (RETURN, "return") else OUT
         if "-" in method:
             method, _, kept = method.partition("-")
             order = int(kept)
         if method not in METHODS:
             raise ProblemError(f'there is no method "{method}"')
         if method == "difference":
-            options: dict[str, Any] = {"order": order, "stroke": side, "point": point}
+            options: dict[str, Any] = {"order": order, "stroke": stroke, "point": point}
             return self.value(key, degrees, **options) - self.value(key, degrees, "series", **options)
+        of_point = None if point is None else (Fraction(point[0]), Fraction(point[1]))
+        parted(key)
+        how = Course(self, key, method, order, stroke in (RETURN, "return"), of_point)
+        return Value(lambda: how.value(place_of(degrees)))
+
+    def course(
+        self, name: str, place: Place, stroke: int, method: str, order: int, more: int
+    ) -> Jet | Number:
+        """A quantity about an angle of the turn, with `more` slopes where it has any."""
         if not self.ratio and not self.parallel:
             method = "infinite"
-        if point is not None:
-            of_point = (Fraction(point[0]), Fraction(point[1]))
-            return Value(lambda: self._point(name, unit, Fraction(degrees), of_point))
-        return Value(lambda: self._value(name, unit, side, Fraction(degrees), method, order))
-
-    def _value(self, name: str, unit: str, stroke: int, degrees: Fraction, method: str, order: int) -> Number:
-        angle = degrees if stroke == OUT else degrees + 180
         if self.parallel:
-            found = _parallel(name, self.pin(angle))
-        elif name in _OF_DRIVE:
-            found = _OF_DRIVE[name](self)
-        elif name == "time":
-            found = (angle - self.dead_degrees(stroke)) * pi() / 180 / self.omega
-        elif name in _FORCES:
-            found = self._force(name, angle, stroke, method)
-        elif method == "exact":
-            found = self._moving(name, angle, stroke)
-        else:
-            found = _approximate(name, self, angle, stroke, order if method == "series" else 0)
-        return found * self._unit(unit)
+            return _parallel(name, self.pin(place.degrees, 2 + more, place.reach))
+        if name in _OF_DRIVE:
+            return _OF_DRIVE[name](self)
+        if name == "time":
+            return (place.angle - self.dead_degrees(stroke)) * pi() / 180 / self.omega
+        if name in _FORCES:
+            return self._force(name, place, stroke, method, more)
+        if method == "exact" or (name == "psi" and method == "series"):
+            return self._moving(name, place, stroke, more)
+        return _approximate(name, self, place, stroke, order if method == "series" else 0, more)
 
-    def _moving(self, name: str, degrees: Fraction, stroke: int) -> Number:
-        pin, end = self.placed(degrees)
+    def _moving(self, name: str, place: Place, stroke: int, more: int) -> Jet:
+        of, slope = _SLOPES.get(name, (name, 0))
+        pin, end = self.placed(place, slope + more)
         rod = pin.minus(end)
-        if name in _SLOPES:
-            of, slope = _SLOPES[name]
-            if of == "rod":
-                # Against the crank's sense, from the direction of the slide.
-                turn = -slope_of_angle(*rod)
-                return turn.value if slope == 1 else turn.slope()
+        if of == "rod" and slope:
+            # Against the crank's sense, from the direction of the slide.
+            return -slope_of_angle(*rod).derived(slope - 1)
+        if of in ("path", "turn") and name != "turn":
             way = self.moved(end, stroke) if of == "path" else self.turned(end, stroke)
-            found: Number = way.slope(slope) if slope else way.value
+            found: Jet = way.derived(slope)
             return found
-        rod, place = rod.value(), end.value()
         if name == "fd":
             return self.rod + rod.x
         if name in ("psi", "rod"):
-            return degrees_of(-rod.x, rod.y)
-        moved = self.dead(stroke).minus(place).times(number(stroke))
+            return direction(-rod.x, rod.y)
         if name == "turn":
-            return self.turned(end, stroke).value * 180 / pi()
+            return self.turned(end, stroke) * 180 / pi()
         if name == "rocker":
             # From where the rocker is square to the slide direction.
-            arm = place.minus(self.bearing).right().times(number(-self.right))
-            return degrees_of(arm.x, arm.y)
+            return direction(*end.minus(self.bearing).right().times(number(-self.right)))
         if name == "slant":
-            tangent = self.way(place, OUT)
-            return -degrees_of(tangent.dot(rod), tangent.cross(rod))
-        return moved.size() if name == "chord" else moved.x if name == "slide_path" else -moved.y
+            tangent = self.way(end, OUT)
+            return -direction(tangent.dot(rod), tangent.cross(rod))
+        moved = self.dead(stroke).minus(end).times(number(stroke))
+        path: Jet = moved.size() if name == "chord" else moved.x if name == "slide_path" else -moved.y
+        return path
 
-    def _force(self, name: str, degrees: Fraction, stroke: int, method: str) -> Number:
+    def _force(self, name: str, place: Place, stroke: int, method: str, more: int) -> Jet | Number:
         """A force of 1 on B in the direction of the stroke, which rod and guide hold."""
         if method == "infinite":
-            crank, line = self.pin(degrees).value(), Arrow(number(-1), number(0))
+            crank, line = self.pin(place.degrees, more, place.reach), Arrow(number(-1), number(0))
             way = Arrow(number(-stroke), number(0))
         else:
-            crank, place = (one.value() for one in self.placed(degrees))
-            line, way = crank.minus(place).times(number(self.ratio)), self.way(place, stroke)
+            crank, end = self.placed(place, more)
+            line, way = crank.minus(end).times(number(self.ratio)), self.way(end, stroke)
         # Along the path the rod alone holds it.
-        thrust = 1 / line.dot(way)
+        thrust: Jet | Number = 1 / line.dot(way)
         on_pin = line.times(thrust)
         if name == "rod_force":
-            return thrust * stroke
-        if name == "guide_force":
-            return on_pin.dot(way.right())
-        return -on_pin.dot(crank) if name == "radial_force" else crank.cross(on_pin)
+            return thrust * number(stroke)
+        found: Jet | Number = {
+            "guide_force": lambda: on_pin.dot(way.right()),
+            "radial_force": lambda: -on_pin.dot(crank),
+        }.get(name, lambda: crank.cross(on_pin))()
+        return found
 
-    def _point(self, name: str, unit: str, degrees: Fraction, point: tuple[Fraction, Fraction]) -> Number:
+    def point(self, name: str, place: Place, point: tuple[Fraction, Fraction]) -> Jet | Number:
+        """The motion of a point at a share of the rod from B and beside it."""
         share, beside = (number(one) for one in point)
 
         def at(pin: Arrow, end: Arrow) -> Arrow:
             rod = pin.minus(end)
             return end.plus(rod.times(share)).plus(rod.right().times(beside))
 
-        place = at(*self.placed(degrees))
+        moved = at(*self.placed(place))
         dead = self.dead(OUT)
         before = at(dead.times(1 / (self.rod + 1)), dead)
         quantity, _, part = name.partition("_")
         order = {"path": 0, "velocity": 1, "acceleration": 2}[quantity]
-        arrow = place.slope(order) if order else place.value().minus(Arrow(before.x, number(0)))
+        arrow = moved.slope(order) if order else moved.value().minus(Arrow(before.x, number(0)))
         if part == "direction":
             found = degrees_of(*arrow)
             return found if found.is_zero or found.sign() >= 0 else found + 360
-        return {"along": -arrow.x, "across": arrow.y, "": arrow.size()}[part] * self._unit(unit)
+        known: Number = {"along": -arrow.x, "across": arrow.y, "": arrow.size()}[part]
+        return known
 
-    def _unit(self, unit: str) -> Number:
+    def unit(self, unit: str) -> Number:
         radius, omega = number(self.radius), self.omega
         known: dict[str, Callable[[], Number]] = {
             "": lambda: number(1),
@@ -163,6 +169,30 @@ class Drive(Places):
         if unit not in known:
             raise ProblemError(f'there is no unit "{unit}" to verify')
         return known[unit]()
+
+
+@dataclass(frozen=True)
+class Course:
+    """A column over the crank angle: a quantity on a stroke, by a method, in a unit."""
+
+    drive: Drive
+    key: str
+    method: str = "exact"
+    order: int = 1
+    back: bool = False
+    point: tuple[Fraction, Fraction] | None = None
+
+    def value(self, place: Place, more: int = 0) -> Number:
+        """The value about an angle, or one of its slopes by that in radians."""
+        name, returning, unit = parted(self.key)
+        stroke = RETURN if returning or self.back else OUT
+        if self.point is not None:
+            found = self.drive.point(name, place, self.point)
+        else:
+            turned = place if stroke == OUT else place.turned(Fraction(180))
+            found = self.drive.course(name, turned, stroke, self.method, self.order, more)
+        at: Number = found.slope(more) if isinstance(found, Jet) else number(0) if more else found
+        return at * self.drive.unit(unit)
 
 
 def drive(
@@ -218,12 +248,13 @@ def parted(key: str) -> tuple[str, bool, str]:
     return name, returning, "_".join(rest[returning:])
 
 
-def _approximate(name: str, drive: Drive, degrees: Fraction, stroke: int, order: int) -> Number:
+def _approximate(name: str, drive: Drive, place: Place, stroke: int, order: int, more: int) -> Jet | Number:
     """The straight crank by powers of λ up to an order, 0 of an infinitely long rod.
 
     λ is the variable of a series whose coefficients are series in φ: nothing is expanded by hand.
     """
-    pin = drive.pin(degrees)
+    of, slope = _SLOPES.get(name, (name, 0))
+    pin = drive.pin(place.degrees, slope + more, place.reach)
     nothing = pin.x * 0
 
     def powers(*terms: Any) -> Jet:
@@ -234,28 +265,26 @@ def _approximate(name: str, drive: Drive, degrees: Fraction, stroke: int, order:
     # L (1 - cos ψ) = λ sin² φ/(1 + cos ψ) in crank radii.
     versine = sine * powers(pin.y) / (1 + cosine)
     ratio = number(drive.ratio)
-    if name == "fd":
-        return versine.at(ratio).value
     if name == "psi":
-        return drive._moving(name, degrees, stroke) if order else number(0)
-    if name not in _SLOPES:
+        return nothing
+    if name not in (*_SLOPES, "fd"):
         raise ProblemError(f'there is no series of "{name}" to verify')
-    of, slope = _SLOPES[name]
+    found: Jet = versine.at(ratio)
     if of == "rod":
         by_angle = [Jet([one.derived() for one in series.terms]) for series in (cosine, sine)]
         turn = ((cosine * by_angle[1] - sine * by_angle[0]) / (cosine * cosine + sine * sine)).at(ratio)
-        return turn.value if slope == 1 else turn.slope()
-    path = 1 - pin.x + versine.at(ratio)
-    if stroke == RETURN:
-        path = 2 - path
-    found: Number = path.slope(slope) if slope else path.value
+        found = turn.derived(slope - 1)
+    elif name != "fd":
+        found = 1 - pin.x + found
+        found = (2 - found if stroke == RETURN else found).derived(slope)
     return found
 
 
-def _parallel(name: str, pin: Arrow) -> Number:
+def _parallel(name: str, pin: Arrow) -> Jet | Number:
     """Every point of the coupling rod runs as the crank pin, on a circle of its own."""
-    place, velocity, acceleration = pin.value(), pin.slope(1), pin.slope(2)
-    known = {
+    place, velocity = pin, pin.derived()
+    acceleration = velocity.derived()
+    known: dict[str, Jet | Number] = {
         "coupler_path": 1 - place.x,
         "coupler_velocity": -velocity.x,
         "coupler_acceleration": -acceleration.x,

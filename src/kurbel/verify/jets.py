@@ -10,7 +10,7 @@ from fractions import Fraction
 from math import factorial
 from typing import Any
 
-from kurbel.verify.numbers import Number, number, sine_cosine
+from kurbel.verify.numbers import Number, degrees_of, number, pi, sine_cosine
 
 # A number or a series of numbers.
 Coefficient = Any
@@ -32,8 +32,18 @@ class Jet:
         """The derivative of this order: k! times the coefficient."""
         return self.terms[order] * factorial(order)
 
-    def derived(self) -> Jet:
-        return Jet([k * one for k, one in enumerate(self.terms)][1:])
+    def derived(self, times: int = 1) -> Jet:
+        terms = self.terms
+        for _ in range(times):
+            terms = tuple(k * one for k, one in enumerate(terms))[1:]
+        return Jet(terms)
+
+    @property
+    def is_zero(self) -> bool:
+        return all(one.is_zero for one in self.terms)
+
+    def __float__(self) -> float:
+        return float(self.value)
 
     def at(self, h: Number) -> Coefficient:
         total = self.terms[-1]
@@ -127,6 +137,17 @@ def turned_by(sine: Number, cosine: Number, order: int) -> tuple[Jet, Jet]:
 def slope_of_angle(x: Jet, y: Jet) -> Jet:
     """The slope of the angle of (x, y), in radians: (x y' - y x')/(x² + y²)."""
     return (x * y.derived() - y * x.derived()) / (x * x + y * y)
+
+
+def direction(x: Jet, y: Jet) -> Jet:
+    """The angle of (x, y) in degrees."""
+    angle = degrees_of(x.value, y.value)
+    return angle_of(angle, slope_of_angle(x, y) * (180 / pi()) if len(x.terms) > 1 else Jet([]))
+
+
+def angle_of(value: Number, slope: Jet) -> Jet:
+    """What has this value and this slope."""
+    return Jet([value, *(one / k for k, one in enumerate(slope.terms, 1))])
 
 
 def variable(order: int) -> Jet:

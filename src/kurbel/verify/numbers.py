@@ -59,8 +59,12 @@ class Number:
             return -1
         raise Undecided("a sign")
 
+    @property
+    def middle(self) -> Fraction:
+        return (self.low + self.high) / 2
+
     def __float__(self) -> float:
-        return float((self.low + self.high) / 2)
+        return float(self.middle)
 
     def __repr__(self) -> str:
         return f"Number({float(self)!r} ± {float(self.high - self.low) / 2:.1e})"

@@ -10,11 +10,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 from kurbel.verify import enclose
-from kurbel.verify.jets import Jet, slope_of_angle, turning
-from kurbel.verify.numbers import Number, degrees_of, number, pi
+from kurbel.verify.jets import Jet, angle_of, slope_of_angle, turning
+from kurbel.verify.numbers import Number, degrees_of, number, pi, spread
 from kurbel.verify.plane import Arrow, circle_meets_circle, circle_meets_level
 from kurbel.verify.zeros import zero
 
@@ -22,6 +22,21 @@ OUT, RETURN = 1, -1
 # Slopes that a jet has.
 ORDER = 3
 SHAFT = Arrow(number(0), number(0))
+
+
+class Place(NamedTuple):
+    """A crank angle in degrees, or all within a reach of it."""
+
+    degrees: Fraction
+    reach: Fraction = Fraction(0)
+
+    @property
+    def angle(self) -> Number:
+        low, high = self.degrees - self.reach, self.degrees + self.reach
+        return spread(low, high) if self.reach else number(low)
+
+    def turned(self, degrees: Fraction) -> Place:
+        return Place(self.degrees + degrees, self.reach)
 
 
 @dataclass(frozen=True)
@@ -62,9 +77,9 @@ class Places:
         """Where B is."""
         return self.reached(pin, self.rod)
 
-    def placed(self, degrees: Fraction) -> tuple[Arrow, Arrow]:
-        """A and B at an angle."""
-        return _placed(self, degrees, enclose.Working.bits)
+    def placed(self, place: Place, order: int = ORDER) -> tuple[Arrow, Arrow]:
+        """A and B at an angle, with so many slopes."""
+        return _placed(self, place, order, enclose.Working.bits)
 
     def reached(self, centre: Arrow, reach: Number) -> Arrow:
         if self.rocker is None:
@@ -107,7 +122,9 @@ class Places:
         sense = number(-stroke * self.right)
         # The angle from the one arm to the other, which is less than half a turn.
         value = degrees_of(before.dot(arm.value()), before.cross(arm.value())) * pi() / 180
-        return Jet([value, *_integrated(slope_of_angle(*arm))]) * sense
+        if len(arm.x.terms) == 1:
+            return Jet([value * sense])
+        return angle_of(value, slope_of_angle(*arm)) * sense
 
     @property
     def stroke(self) -> Number:
@@ -127,8 +144,8 @@ class Places:
 
 
 @lru_cache(maxsize=64)
-def _placed(places: Places, degrees: Fraction, bits: int) -> tuple[Arrow, Arrow]:
-    pin = places.pin(degrees)
+def _placed(places: Places, place: Place, order: int, bits: int) -> tuple[Arrow, Arrow]:
+    pin = places.pin(place.degrees, order, place.reach)
     return pin, places.driven(pin)
 
 
@@ -156,7 +173,3 @@ def _beam_pivot(places: Places, bits: int) -> Arrow:
 
     chord = zero(misses, Fraction(1))
     return Arrow(rod / chord, arm - half_sagitta(chord))
-
-
-def _integrated(slope: Jet) -> list[Any]:
-    return [one / k for k, one in enumerate(slope.terms, 1)]

@@ -32,11 +32,11 @@ from kurbel.errors import ProblemError
 from kurbel.verify import enclose
 from kurbel.verify.bodies import Bodies, stored
 from kurbel.verify.crank import STROKES, Crank
-from kurbel.verify.drives import Drive
+from kurbel.verify.drives import Degrees, Drive, place_of
 from kurbel.verify.jets import Jet
 from kurbel.verify.loads import Load, disc
 from kurbel.verify.numbers import Number, Undecided, number, pi, spread
-from kurbel.verify.places import ORDER
+from kurbel.verify.places import ORDER, Place
 from kurbel.verify.value import Value
 from kurbel.verify.zeros import TOO_WIDE, narrowed
 
@@ -68,12 +68,11 @@ class Turn:
     pressure: Fraction = Fraction(1)
     _kept: dict[Any, Any] = field(default_factory=dict, compare=False, repr=False)
 
-    def value(self, key: str, degrees: Fraction | int | str = 0, *, stroke: str = "turn") -> Value:
+    def value(self, key: str, degrees: Degrees = 0, *, stroke: str = "turn") -> Value:
         """Return what kurbel's column of this key says: `tangential` at an angle, `delta` of the cycle,
         `alpha_min` of it or of a stroke ("outstroke", "return"), whose angles count from its dead centre."""
-        angle = Fraction(degrees)
         if key in _AT:
-            return Value(lambda: _AT[key](self.known, angle))
+            return Value(lambda: _AT[key](self.known, place_of(degrees)))
         if key in _OF:
             return Value(lambda: _OF[key](self.known))
         if key not in _EXTREMES or stroke not in ("turn", *STROKES):
@@ -127,9 +126,9 @@ class Known:
         first, *rest = (stored(bodies, pin) * (1 / unit) for pin in pins)
         return sum(rest, first)
 
-    def force(self, degrees: Fraction, true: bool = False) -> Number:
-        total = sum((self.crank.force(degrees - one, true) for one in self.turn.cranks), number(0))
-        return total - self.masses(degrees).slope() if self.turn.bodies else total
+    def force(self, degrees: Fraction, true: bool = False, reach: Fraction = ZERO) -> Number:
+        total = sum((self.crank.force(degrees - one, true, reach) for one in self.turn.cranks), number(0))
+        return total - self.masses(degrees, reach=reach).slope() if self.turn.bodies else total
 
     def slope(self, degrees: Fraction, reach: Fraction) -> Number:
         total = sum((self.crank.slope(degrees - one, reach) for one in self.turn.cranks), number(0))
@@ -232,14 +231,45 @@ def repeated(cranks: tuple[Fraction, ...], cycle: int) -> Fraction:
     return min(alike, default=Fraction(cycle))
 
 
-_AT: dict[str, Callable[[Known, Fraction], Number]] = {
+@dataclass(frozen=True)
+class Running:
+    """A flywheel on a turn: v/v₁ = √(1 + 2 W/(m₁ v₁²)), of the energy of the wheel alone.
+
+    `times` is m₁ v₁² in P R; or J, the mean ½(ω_max + ω_min) = ω and the power N are given. P R is N/ω, the
+    energies are a and b above that of v₁, ω_max² - ω_min² = 2 (a - b)/J, and by this and their sum both are
+    known, by either v₁.
+    """
+
+    turn: Turn
+    number: Fraction | None = None
+    inertia: Fraction = Fraction(0)
+    power: Fraction = Fraction(0)
+
+    @property
+    def times(self) -> Number:
+        if self.number is not None:
+            return number(self.number)
+        omega, mean = self.turn.drive.omega, abs(self.turn.known.mean)
+        top, bottom = (self.turn.known.extreme_energy("turn", one) / mean for one in (True, False))
+        unit = self.power / omega / self.inertia
+        highest = omega + (top - bottom) * unit / (2 * omega)
+        return highest * highest / unit - top * 2
+
+    def speed(self, energy: Number) -> Number:
+        return (1 + 2 * energy / (self.times * abs(self.turn.known.mean))).root()
+
+    def extreme(self, greatest: bool) -> Number:
+        return self.speed(self.turn.known.extreme_energy("turn", greatest))
+
+
+_AT: dict[str, Callable[[Known, Place], Number]] = {
     # The work over the angle: by first order T is that of the true rod.
-    "power": lambda known, at: known.force(at),
+    "power": lambda known, at: known.force(at.degrees, False, at.reach),
     # Of the first crank, towards the shaft.
-    "piston_force": lambda known, at: known.crank.push(at),
-    "tangential": lambda known, at: known.force(at, True),
-    "tangential_excess": lambda known, at: known.force(at, True) - known.mean,
-    "energy": lambda known, at: known.energy(at),
+    "piston_force": lambda known, at: known.crank.push(at.degrees, at.reach),
+    "tangential": lambda known, at: known.force(at.degrees, True, at.reach),
+    "tangential_excess": lambda known, at: known.force(at.degrees, True, at.reach) - known.mean,
+    "energy": lambda known, at: known.energy(at.degrees),
 }
 _OF: dict[str, Callable[[Known], Number]] = {
     "mean_force": lambda known: known.mean,

@@ -1,0 +1,364 @@
+"""What each page asks the second computation for: a column by its key becomes one value.
+
+A page is of a command; its function takes what was asked for, the key of a column in the unit of the second
+computation, its method and the row. Where the angle is what is printed, it is a `Root`: the condition is put
+back, and other columns of the row stand at the place that was found, not at the printed one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from functools import partial
+from math import atan, degrees
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from kurbel import verify
+from kurbel.errors import ProblemError
+from kurbel.reading import units
+from kurbel.reading.given import as_places
+from kurbel.reading.notation import number
+from kurbel.reading.where import DEAD_CENTRE, MAX, MIN, SHARE, Condition, read_condition
+from kurbel.verify import Number, Value, harmonics
+from kurbel.verify.drives import Course, Degrees
+from kurbel.verify.loads import disc
+from kurbel.verify.numbers import number as exactly
+from kurbel.verify.numbers import pi, sine_cosine
+from kurbel.verify.places import Place
+from kurbel.verify.roots import Spot, around, root
+from kurbel.verify.turn import Running
+
+if TYPE_CHECKING:
+    from kurbel.commands.verified import Second
+
+# A row without what it has nothing of.
+Row: TypeAlias = Mapping[str, str]
+RETURN = "_return"
+# Farther no axis goes.
+FARTHEST = 10**9
+
+
+def of_drive(second: Second, key: str, method: str, row: Row) -> Value:
+    """Motion and forces at a crank angle, over the path, or where the rod is square to the crank."""
+    asked = second.asked
+    if asked.is_engine():
+        return _of_engine(second, key, method, second.degrees(row), row)
+    drive = second.pushed(row)
+    if "axle" in row:
+        return _coupled(second, drive, key, row)
+    if "at" in second.options:
+        near = Fraction(degrees(atan(1 / drive.ratio)))
+        place = second.spot(drive, lambda: root(lambda at: _square(drive, at), near))
+    elif "share" in row:
+        place = _at_share(second, drive, method, row, RETURN in key)
+    else:
+        return _moved(second, drive, key, method, second.degrees(row), row)
+    if key.removesuffix(RETURN) == "phi":
+        return place.value
+    return _moved(second, drive, key, method, place, row)
+
+
+def _moved(second: Second, drive: verify.Drive, key: str, method: str, at: Degrees, row: Row) -> Value:
+    asked = second.asked
+    if asked.is_heavy() or asked.has_parts():
+        heavy = second.bodies(drive, second.push(), row)
+        if heavy.knows(key):
+            return heavy.value(key, at)
+    if "point" not in row:
+        return drive.value(key, at, method)
+    if method != "exact" or drive.parallel:
+        raise ProblemError("points of such a rod are not known to the second computation")
+    share, _, beside = row["point"].partition(",")
+    return drive.value(key, at, method, point=(number(share), number(beside or "0")))
+
+
+def _of_engine(second: Second, key: str, method: str, at: Degrees, row: Row) -> Value:
+    """A force where the load of an engine acts on the piston of the first crank."""
+    if "end" in row:
+        raise ProblemError("greatest loads of a rod over the turn are not computed a second time")
+    if key.startswith("torque") and second.asked.says("cranks"):
+        raise ProblemError(f"{key} of several cranks is not computed a second time")
+    turn = second.turn(method, row, alone=True)
+    bore, pressure = second.unit()
+
+    def push(place: Place) -> Number:
+        found = turn.known.crank.push(place.degrees, place.reach)
+        return found if pressure is None else found * disc(bore) * pressure
+
+    there = second.bodies(turn.drive, push, row)
+    if there.knows(key):
+        return there.value(key, at)
+    newtons = there.value(f"{key}_n", at)
+    if pressure is None:
+        return newtons
+    return Value(lambda: newtons.recipe() / (disc(bore) * pressure))
+
+
+def _square(drive: verify.Drive, at: Place) -> Number:
+    pin, end = drive.placed(at, 0)
+    found: Number = pin.dot(pin.minus(end)).value
+    return found
+
+
+def _coupled(second: Second, drive: verify.Drive, key: str, row: Row) -> Value:
+    """Each axle takes its share; a coupling rod carries those of the axles beyond it."""
+    weights = as_places(second.options.get("axles", "2"), "weight on an axle")
+    weights = [Fraction(1)] * int(weights[0]) if len(weights) == 1 else weights
+    driven = int(number(str(second.options.get("driven", 1))))
+    axle, whole = int(number(row["axle"])), sum(weights)
+    if key.startswith("coupling_force"):
+        share = Fraction(sum(weights[:axle] if axle < driven else weights[axle:])) / whole
+        return Value(lambda: drive.unit(key.removeprefix("coupling_force")[1:]) * share)
+    return drive.value(key, second.degrees(row)) * (weights[axle - 1] / whole)
+
+
+def _at_share(second: Second, drive: verify.Drive, method: str, row: Row, back: bool) -> Spot:
+    """Where B has gone a share of a stroke, on which it goes one way."""
+    shares = second.asked.path_shares() if second.command != "pressures" else second.shares
+    share, key = nearest(row["share"], shares), "x_stroke" if drive.rocker is None else "path_stroke"
+    course = Course(drive, key, method, back=back)
+
+    def found() -> Spot:
+        if share in (0, 1):
+            return Spot(lambda: around(_dead(drive, bool(share) != back, back)))
+        low, high = (Fraction(float(_dead(drive, outer, back))) for outer in (back, not back))
+        for _ in range(40):
+            middle = (low + high) / 2
+            low, high = (middle, high) if float(course.value(Place(middle))) < share else (low, middle)
+        return root(lambda at: course.value(at) - share, (low + high) / 2)
+
+    return second.spot((course, share), found)
+
+
+def _dead(drive: verify.Drive, outer: bool, back: bool) -> Number:
+    angle = drive.dead_degrees(-1 if outer else 1)
+    return angle - 180 if back and outer else angle + 180 if back else angle
+
+
+def _off_vertical(ratio: Fraction, arm: Fraction, side: int) -> Number:
+    """R²/(4 a (L ± R)) = λ/(4 a (1 ± λ)) in degrees."""
+    return exactly(ratio / (4 * arm * (1 + side * ratio))) * 180 / pi()
+
+
+def of_dead_centres(second: Second, key: str, method: str, row: Row) -> Value:
+    """Of a beam engine the angles at which its dead centres lie off the vertical, and the beam's paths from
+    there; by Weisbach R²/(4 a (L ± R)) in radians, and R (1 - cos) of them."""
+    if "arm" not in row:
+        return of_drive(second, key, method, row)
+    name, _, number_of = key.partition("_")
+    drive = second.drive(row)
+    arm = nearest(row["arm"], ())
+    if method == "approximate":
+        angles = [Value(partial(_off_vertical, drive.ratio, arm, side)) for side in (1, -1)]
+    else:
+        beam = verify.drive(drive.ratio, beam=arm)
+        angles = [Value(lambda: abs(beam.dead_degrees(1))), Value(lambda: abs(beam.dead_degrees(-1) - 180))]
+    if name in ("mu", "nu"):
+        return angles[name == "nu"]
+    if name == "distance":
+        apart = angles[1] - angles[0]
+        return Value(lambda: 180 + apart.recipe() * (1 if number_of == "1" else -1))
+    if method != "approximate":
+        return beam.value("path" if number_of == "1" else "path_return")
+    angle = angles[number_of == "2"]
+    return Value(lambda: 1 - sine_cosine(*around(angle.recipe()))[1])
+
+
+def of_condition(second: Second, key: str, method: str, row: Row) -> Value:
+    listed = second.options.get("where")
+    texts = list(map(str, listed)) if isinstance(listed, list | tuple) else [str(listed)]
+    where = row.get("condition", texts[0] if len(texts) == 1 else "")
+    if "unknown" in second.options or not where:
+        raise ProblemError("the row does not say its condition")
+    phi = row.get("phi", row.get("phi_turn"))
+    if phi is None:
+        raise ProblemError("the row does not say its crank angle; add phi to the columns")
+    about = where.partition("=")[0].strip()
+    condition = read_condition(where, {about: about}, (about,))
+    back = row.get("stroke") == "return"
+    near = number(phi) - (180 if back and "phi" not in row else 0)
+    if second.asked.is_engine():
+        return _on_engine(second, key, method, condition, near, row)
+    drive = second.pushed(row)
+    name, target = _target(drive, condition, method, back)
+    course = Course(drive, name, method, back=back)
+    if condition.kind not in (MAX, MIN) and key == course.key:
+        return Value(target)
+    extreme = condition.kind in (MAX, MIN)
+
+    def slope(at: Place) -> Number:
+        return course.value(at, 1)
+
+    def found() -> Spot:
+        return root(slope, near) if extreme else root(lambda at: course.value(at) - target(), near, slope)
+
+    place = second.spot((course, condition, near), found)
+    if key == "phi":
+        return place.value
+    if key == "phi_turn":
+        return Value(lambda: _in_turn(place().angle + (180 if back else 0)))
+    return drive.value(key, place, method, stroke=row.get("stroke"))
+
+
+def _in_turn(angle: Number) -> Number:
+    middle = angle.middle
+    return angle + 360 if middle < 0 else angle - 360 if middle > 360 else angle
+
+
+def _target(
+    drive: verify.Drive, condition: Condition, method: str, back: bool
+) -> tuple[str, Callable[[], Number]]:
+    """The column that a condition is about, and the value that it asks for."""
+    name, value, unit = condition.quantity, condition.value, condition.unit
+    if condition.kind == DEAD_CENTRE:
+        course = Course(drive, name, method, back=back)
+        return name, lambda: course.value(around(_dead(drive, back, back))) * value
+    if name == SHARE:
+        name = "x_stroke" if drive.rocker is None else "path_stroke"
+    elif unit:
+        read, ending = _MEASURED.get(name, (units.signed_force, "n"))
+        name, value = f"{name}_{ending}", read(f"{value.numerator}/{value.denominator} {unit}", name)
+        value *= 1000 if ending == "mm" else 1
+    return name, lambda: exactly(value)
+
+
+_MEASURED = {
+    "x": (units.displacement, "mm"), "c": (units.velocity, "mps"), "p": (units.acceleration, "mps2"),
+    "torque": (units.signed_torque, "nm"),
+}  # fmt: skip
+
+
+def _on_engine(
+    second: Second, key: str, method: str, condition: Condition, near: Fraction, row: Row
+) -> Value:
+    turn = second.turn(method, row)
+    if condition.quantity not in ("tangential", "torque", "tangential_excess") or condition.unit:
+        raise ProblemError(f"conditions on {condition.quantity} of engines are not computed a second time")
+
+    def missed(at: Place) -> Number:
+        if condition.kind in (MAX, MIN):
+            return turn.known.slope(at.degrees, at.reach)
+        mean = turn.known.mean if condition.quantity == "tangential_excess" else 0
+        return turn.known.force(at.degrees, True, at.reach) - mean - condition.value
+
+    place = second.spot((turn, condition, near), lambda: root(missed, near))
+    if key == "phi":
+        return place.value
+    if key in ("tangential", "energy", "tangential_excess"):
+        return turn.value(key, place)
+    return _of_engine(second, key, method, place, row)
+
+
+def of_turn(second: Second, key: str, method: str, row: Row) -> Value:
+    if " - " in method:
+        one, other = (of_turn(second, "delta", each, row) for each in method.split(" - "))
+        return one - other
+    turn, at = second.turn(method, row), second.degrees(row)
+    if key == "torque_nm":
+        bore, pressure = second.unit()
+        if pressure is None:
+            raise ProblemError("the torque needs what Q is in N")
+        newtons = turn.value("tangential", at)
+        return Value(lambda: newtons.recipe() * disc(bore) * (pressure * turn.drive.radius))
+    if key in ("exponent", "clearance"):
+        given = getattr(second.asked, key)
+        return Value(lambda: exactly(Fraction(key == "exponent") if given is None else given))
+    if second.asked.says("flywheel", "inertia") and key in _RUNNING:
+        return Value(lambda: _RUNNING[key](second.running(turn), at))
+    return turn.value(key, at, stroke=row.get("stroke", "turn"))
+
+
+def _apart(run: Running) -> Number:
+    return run.extreme(True) - run.extreme(False)
+
+
+_RUNNING: dict[str, Callable[[Any, Any], Number]] = {
+    "speed": lambda run, at: run.speed(run.turn.known.energy(at)),
+    "speed_min": lambda run, _: run.extreme(False),
+    "speed_max": lambda run, _: run.extreme(True),
+    "delta_mean": lambda run, _: _apart(run) * 2 / (run.extreme(True) + run.extreme(False)),
+    "one_to_mean": lambda run, _: (run.extreme(True) + run.extreme(False)) / (2 * _apart(run)),
+    "delta_first": lambda run, _: _apart(run),
+    "one_to_first": lambda run, _: 1 / _apart(run),
+    "number": lambda run, _: run.times,
+}
+
+
+def of_pressures(second: Second, key: str, method: str, row: Row) -> Value:
+    """Over the stroke or the angle: what presses on the piston, and what the masses take, both per area."""
+    drive = second.drive(row)
+    if "phi" in row:
+        raise ProblemError("pressures over the angle are not computed a second time")
+    index = int(number(row["stroke"])) - 1
+    back = index % 2 == 1
+    place = _at_share(second, drive, method, row, back)
+    if key == "crank_angle":
+        return Value(lambda: place().angle + 180 * index)
+    gas = inertia = Value(lambda: exactly(0))
+    if key in ("gas_pressure", "left_pressure"):
+        (_, pressure), load = second.unit(), second.load(row)
+        share = nearest(row["share"], second.shares)
+        gas = Value(lambda: load()[index].force(exactly(share)) * (pressure or 1))
+    if key in ("inertia_pressure", "left_pressure"):
+        heavy, bore = second.bodies(drive, Fraction(0), row), second.asked.bore or 1
+        inertia = Value(lambda: -heavy.at("inertia_force", place(), -1 if back else 1) / disc(bore))
+    return inertia if key == "inertia_pressure" else gas - inertia
+
+
+def of_inertia(second: Second, key: str, method: str, row: Row) -> Value:
+    """Forces of a rod, of two masses at its pins, and of 6/10 and 4/10 of it there."""
+    if "model" in row:
+        raise ProblemError("greatest forces of a rod and its masses at rest are not computed a second time")
+    if method != "exact":
+        raise ProblemError("forces of a rod by a series are not computed a second time")
+    drive = second.drive(row)
+    name, unit = key.removeprefix("inertia_"), next((one for one in ("_nm", "_n") if key.endswith(one)), "")
+    name = name.removesuffix(unit)
+    model = next((one for one in ("two_mass", "railway") if name.endswith(one)), "")
+    force = _OF_ROD.get(name.removesuffix(f"_{model}").removesuffix(RETURN))
+    if force is None or (not unit and "acceleration" in second.options):
+        return drive.value(key, second.degrees(row), method)
+    if not unit:
+        drive = replace(drive, radius=Fraction(1), speed=Fraction(1), turns=False)
+    heavy = second.rod(drive, model, unit != "")
+    return heavy.value(f"{force}_n", second.degrees(row), stroke="return" if RETURN in key else None)
+
+
+def of_harmonics(second: Second, key: str, method: str, row: Row) -> Value:
+    """The harmonics of the straight crank: B_k of the acceleration, of which the velocity has 1/k and the
+    path -1/k²; by first order B_1 = 1 and B_2 = λ."""
+    quantity = str(second.options.get("quantity", "p"))
+    order = int(number(row["order"])) if row["order"].isdecimal() else 0
+    share = {"acceleration": 0, "p": 0, "velocity": 1, "c": 1, "path": 2, "x": 2}.get(quantity)
+    if key not in ("value", "factor") or share is None or not order or "offset" in second.options:
+        raise ProblemError(f"{key} of such a page is not computed a second time")
+    ratio = Fraction(0) if method == "infinite" else second.drive(row).ratio
+    by_order = Fraction((-1) ** (share // 2), order**share)
+    if method == "series":
+        return Value(lambda: exactly({1: Fraction(1), 2: ratio}.get(order, Fraction(0)) * by_order))
+    return Value(lambda: harmonics.of_acceleration(ratio, order) * by_order)
+
+
+_OF_ROD = {
+    "guide": "guide_force", "pin": "crank_pin_force", "pin_x": "pin_x", "pin_y": "pin_y", "torque": "torque",
+}  # fmt: skip
+
+
+def nearest(printed: str, asked: Sequence[Fraction]) -> Fraction:
+    """Return what was asked for and is printed so; where nothing was listed, what is printed. Raises
+    KurbelError."""
+    shown = number(printed)
+    half = Fraction(1, 2 * 10 ** len(printed.partition(".")[2]))
+    found = {one for one in asked if abs(one - shown) <= half} if asked else {shown}
+    found = {shown} if shown in found else found
+    if len(found) != 1 or abs(shown) > FARTHEST:
+        raise ProblemError(f"{printed[:40]} is not what was asked for")
+    return found.pop()
+
+
+PAGES: Mapping[str, Callable[[Second, str, str, Row], Value]] = {
+    "table": of_drive, "forces": of_drive, "deadcentres": of_dead_centres, "solve": of_condition,
+    "turning": of_turn, "delta": of_turn, "pressures": of_pressures, "inertia": of_inertia,
+    "harmonics": of_harmonics, "balance": of_harmonics,
+}  # fmt: skip
