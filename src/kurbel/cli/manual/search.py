@@ -261,7 +261,7 @@ def _problems() -> Iterator[Found]:
 
 def _constructions() -> Iterator[Found]:
     for name in construction_names():
-        title = construction(name).title
+        title = construction(name).given.title
         yield Found("Constructions", name, title["en"], f"kurbel construct {name}", title["de"])
 
 
