@@ -147,9 +147,15 @@ def test_smooth_pressures_over_the_angle_do_the_work_of_their_sum(turns: int, tm
         return whole + (turns - 1) * np.sin(angle / 2 + 0.3)
 
     degrees = np.arange(0.3, 360 * turns, 1.0)
-    rows = (f"{one:.1f};{bar:.6f}" for one, bar in zip(degrees, pressure(degrees), strict=True))
-    card = written(tmp_path, "\n".join(["angle [°];p [bar]", *rows]))
-    (record,) = printed("delta", *options(gas, card), "--columns=mean_force", "--digits=7").records()
+    rows = [f"{one:.1f};{bar:.6f}" for one, bar in zip(degrees, pressure(degrees), strict=True)]
+    # The first angle of the next cycle may be written or not.
+    closed = f"{360 * turns + 0.3:.1f};{rows[0].partition(';')[2]}"
+    (record,), again = (
+        printed("delta", *options(gas, card), "--columns=mean_force", "--digits=7").records()
+        for end in ([], [closed])
+        if (card := written(tmp_path, "\n".join(["angle [°];p [bar]", *rows, *end])))
+    )
+    assert again == [record]
     fine = (np.arange(SAMPLES) + 0.5) * 360 * turns / SAMPLES
     greatest, speed = max(pressure(degrees)), gas.machine.drive.motion(np.radians(fine)).speed
     check(record, "mean_force", float(((pressure(fine) - 1) / greatest * speed).mean()))

@@ -57,7 +57,7 @@ def masses() -> Masses[Real]:
 
 def loaded(crank: ArcCrank, stroke: int, angle: Real, force: Real = FORCE) -> LoadedRocker:
     """The kernel's, at an angle that counts as those of the stroke do."""
-    at = crank.at(stroke, on_circle(angle), NUMBERS)
+    at = crank.at(stroke, on_circle(angle), NUMBERS, "exact")
     return LoadedRocker(at.circle, at.place, at.arc, masses()._replace(rocker=ROCKER), force, RECIPROCATING)
 
 

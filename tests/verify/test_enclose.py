@@ -198,3 +198,9 @@ def test_a_tie_that_is_not_known_to_be_one_stays_undecided() -> None:
 def test_a_span_below_zero_has_no_root() -> None:
     with pytest.raises(ZeroDivisionError, match="root of a negative number"):
         enclose.root(-enclose.of(1))
+
+
+def test_an_enclosure_without_an_end_has_none() -> None:
+    for end in (enclose.low, enclose.high):
+        with pytest.raises(OverflowError, match="without an end"):
+            end(1 / enclose.between(-1, 1))

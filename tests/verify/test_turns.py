@@ -127,6 +127,11 @@ def test_works_are_integrals_and_slopes_are_slopes(load: str) -> None:
                 assert float(slope) == pytest.approx(float(force(number(share))), rel=1e-12, abs=1e-12)
 
 
+def test_rods_without_a_bore_are_in_diameters_of_the_piston() -> None:
+    (_, back) = verify.steam("3", piston_rod="1/2")()
+    assert back.force(number(0)).rational == Fraction(3, 4) - Fraction(1, 3)
+
+
 def test_an_interval_over_a_corner_holds_what_lies_in_it() -> None:
     (stroke, _) = verify.steam("2", back="0.1", exponent="1.3", clearance="0.05")()
     wide = spread(Fraction(45, 100), Fraction(55, 100))

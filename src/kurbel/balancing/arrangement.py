@@ -39,7 +39,7 @@ class Cylinder(NamedTuple):
     revolving: Fraction = Fraction(0)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Arrangement:
     """The cylinders of an engine, and the share of each reciprocating mass that counterweights balance.
 

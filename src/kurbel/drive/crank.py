@@ -63,7 +63,7 @@ class Crank:
         """Return the drive with what else is known of its crank, as of other drives."""
         return crank
 
-    def at(self, stroke: int, circle: Any, numbers: Kind, method: str = "exact", of: str | None = None) -> At:
+    def at(self, stroke: int, circle: Any, numbers: Kind, method: str, of: str | None = None) -> At:
         """Return a place of the drive, as other drives do."""
         from kurbel.drive.at import At
 

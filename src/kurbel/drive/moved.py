@@ -73,9 +73,9 @@ class Moved(ABC):
         circle: Circle[Any],
         masses: Masses[Any],
         net: Number,
-        reciprocating: Number = 0,
-        weight: Weight[Any] | None = None,
-        friction: Number | None = None,
+        reciprocating: Number,
+        weight: Weight[Any] | None,
+        friction: Number | None,
     ) -> Any:
         """Return the drive with its masses under a force on the piston, or what knows the same forces."""
 
@@ -84,7 +84,7 @@ class Moved(ABC):
     ) -> Number:
         """Return what inertia and weight of the masses do over the angle in radians, less what they take:
         the torque that they make."""
-        found: Number = self.loaded(stroke, circle, masses, 0, weight=weight).torque()
+        found: Number = self.loaded(stroke, circle, masses, 0, 0, weight, None).torque()
         return found
 
     @abstractmethod
@@ -107,7 +107,7 @@ class Moved(ABC):
 
     def bare(self, force: CrankForce, stroke: int, circle: Circle[Any]) -> Number:
         """Return a force that a unit force on the piston calls up in the drive without masses."""
-        return force.on(self.loaded(stroke, circle, Masses(0, 0), 1))
+        return force.on(self.loaded(stroke, circle, Masses(0, 0), 1, 0, None, None))
 
     def force(
         self,
@@ -121,7 +121,7 @@ class Moved(ABC):
         """Return a force of the drive under a force on the piston, with the masses or without, and friction
         that counts as it does."""
         if weights is None and friction is not None:
-            rubbed = self.loaded(stroke, circle, Masses(0, 0, 0, 0), net, friction=friction)
+            rubbed = self.loaded(stroke, circle, Masses(0, 0), net, 0, None, friction)
             return force.on(rubbed)
         if weights is None:
             found = net * self.bare(force, stroke, circle)
@@ -182,9 +182,9 @@ class Slide(Moved):
         circle: Circle[Any],
         masses: Masses[Any],
         net: Number,
-        reciprocating: Number = 0,
-        weight: Weight[Any] | None = None,
-        friction: Number | None = None,
+        reciprocating: Number,
+        weight: Weight[Any] | None,
+        friction: Number | None,
     ) -> Loaded:
         ratio, offset = (*self.numbers[stroke], None)[:2]
         by = OF_FIRST_ORDER if self._is_first_order else EVEN

@@ -78,7 +78,7 @@ class Cylinder(NamedTuple):
         circle, way = self.circle(angle), stroke % 2
         force = self.strokes[stroke].force(self.share(stroke, circle)) * self.drive.lever(way, circle)
         if self.weights is not None:
-            own = self.drive.loaded(way, circle, self.weights.masses, 0, weight=self.weights.weight)
+            own = self.drive.loaded(way, circle, self.weights.masses, 0, 0, self.weights.weight, None)
             force = force + own.torque()
         return self._whole(force)
 

@@ -55,7 +55,7 @@ FIRST_ORDER = Motion(
 OFFSET = Motion(kinematics.offset_path, kinematics.offset_velocity, kinematics.offset_acceleration)
 
 
-def mean_force(strokes: Sequence[Stroke], pi: Number, length: Number = 2) -> Number:
+def mean_force(strokes: Sequence[Stroke], pi: Number, length: Number) -> Number:
     """Return the constant tangential force that does the work of all strokes of a cycle, two or four.
 
     `length` is that of the stroke in R. Source: Weisbach-Herrmann, § 150 (P π r for one stroke).

@@ -68,9 +68,7 @@ class Linkage(ABC):
     def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
         """Return where the driven end is: its way, its velocity, the slants of rod and crank against it."""
 
-    def at(
-        self, stroke: int, circle: Circle[Any], numbers: Kind, method: str = "exact", of: str | None = None
-    ) -> At:
+    def at(self, stroke: int, circle: Circle[Any], numbers: Kind, method: str, of: str | None = None) -> At:
         """Return what kernel calls take. What quantities are `of`, where that is known, may choose formulas
         with few roots for them."""
         return At(circle, self, numbers, stroke, place=self.place(stroke, circle, numbers))

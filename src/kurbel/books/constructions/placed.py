@@ -217,7 +217,7 @@ class Placed:
     @cached_property
     def linked(self) -> Any:
         """What kernel calls of the rocker take."""
-        return self.drive.at(OUT, self.circle, self.kind)
+        return self.drive.at(OUT, self.circle, self.kind, "exact")
 
     @property
     def mass(self) -> Rod:

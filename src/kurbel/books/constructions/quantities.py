@@ -55,7 +55,7 @@ def _by_offset(straight: Callable[..., Any], offset: Callable[..., Any], way: in
 
 def _of_rocker(kernel: Callable[..., Any], stroke: int = OUT) -> Callable[[Placed], Any]:
     def found(at: Placed) -> Any:
-        stands = at.linked if stroke == OUT else at.drive.at(stroke, at.circle, at.kind)
+        stands = at.linked if stroke == OUT else at.drive.at(stroke, at.circle, at.kind, "exact")
         return kernel(stands.place, stands.arc)
 
     return found

@@ -42,8 +42,8 @@ class Areas(Given):
 
     areas: tuple[Fraction, ...]
     scale: Scale
-    turns: Fraction | None = None
-    measured: bool = False
+    turns: Fraction | None
+    measured: bool
 
     def __post_init__(self) -> None:
         if len(self.areas) < 2:
@@ -109,7 +109,7 @@ def letter_of(number: int) -> str:
     return f"{ascii_lowercase[place]}_{times}" if times else ascii_lowercase[place]
 
 
-def given_areas(areas: Sequence[str], scale: str | None = None, turns: Fraction | None = None) -> Areas:
+def given_areas(areas: Sequence[str], scale: str | None, turns: Fraction | None) -> Areas:
     """Return the areas of texts, as `scaled_areas` reads them."""
     found, own, measured = scaled_areas(areas, scale)
     return Areas(found, own, turns, measured)

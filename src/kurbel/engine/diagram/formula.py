@@ -35,7 +35,7 @@ class _Angle(NamedTuple):
         return _Angle(self.order * factor, self.phase * factor)
 
 
-def torque_of(text: str, what: str = "torque") -> Waves:
+def torque_of(text: str, what: str) -> Waves:
     """Return the torque in N m that a formula says. Raises NotationError with the place of what is wrong."""
     if len(text) > LONGEST_FORMULA:
         raise NotationError(

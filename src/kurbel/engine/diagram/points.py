@@ -126,7 +126,7 @@ def _measured(text: str, column: Column, delimiter: str) -> Fraction:
     return value
 
 
-def torque_through(points: Sequence[Point], turns: Fraction | None, what: str = "torque") -> Torque:
+def torque_through(points: Sequence[Point], turns: Fraction | None, what: str) -> Torque:
     """Return the torque of lines through points, over a cycle of these turns, or to the last point."""
     if len(points) > MOST_POINTS:
         raise ProblemError(f"the {what} has {len(points)} points; at most {MOST_POINTS} are allowed")

@@ -79,12 +79,10 @@ class ArcCrank(RockerCrank):
             stroke * self.shift,
         )
 
-    def at(
-        self, stroke: int, circle: Circle[Any], numbers: Kind, method: str = "exact", of: str | None = None
-    ) -> At:
+    def at(self, stroke: int, circle: Circle[Any], numbers: Kind, method: str, of: str | None = None) -> At:
         if of is None or not numbers.bounded:
             # Without super(), which classes with slots lose.
-            return RockerCrank.at(self, stroke, circle, numbers)
+            return RockerCrank.at(self, stroke, circle, numbers, method)
         place, arc = direct(self.numbers(stroke), circle, of == STROKE, numbers)
         return At(circle, self, numbers, stroke, place=place, arc=arc)
 

@@ -98,9 +98,7 @@ class RockerCrank(Linkage):
         arc = self.dead_centre(stroke, kind)
         return linkage.place(linkage.from_dead_centre(circle, arc), arc)
 
-    def at(
-        self, stroke: int, circle: Circle[Any], numbers: Kind, method: str = "exact", of: str | None = None
-    ) -> At:
+    def at(self, stroke: int, circle: Circle[Any], numbers: Kind, method: str, of: str | None = None) -> At:
         """Return the same, with the dead centre.
 
         path, chord, turn, slide_path, rise, velocity and acceleration count from the dead centre where the
@@ -169,9 +167,9 @@ class MovedRocker(Moved):
         circle: Circle[Any],
         masses: Masses[Any],
         net: Number,
-        reciprocating: Number = 0,
-        weight: Weight[Any] | None = None,
-        friction: Number | None = None,
+        reciprocating: Number,
+        weight: Weight[Any] | None,
+        friction: Number | None,
     ) -> LoadedRocker:
         # Refused where they are given: what a rocker weighs is not known.
         assert weight is None
@@ -197,7 +195,7 @@ def rod(
     drive: RockerCrank, method: str, circle: Any, kind: Kind, beside: bool
 ) -> tuple[Rod[Any], Reach[Any] | None]:
     """Return the ends of the rod at a crank angle, and its reach if points beside its axis are asked for."""
-    at = drive.at(OUT, circle, kind, of=STROKE)
+    at = drive.at(OUT, circle, kind, "exact", STROKE)
     place, arc = at.place, at.arc
     height = drive.figures(OUT, kind)[2]
     ends = rocker_rod(circle, place, arc, height, linkage.slide_path(place, arc))

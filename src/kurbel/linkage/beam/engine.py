@@ -185,12 +185,7 @@ def value(quantity: Quantity, engine: BeamEngine, method: str) -> Any:
 
 
 def certified(
-    quantity: Quantity,
-    engine: BeamEngine,
-    method: str,
-    decimals: int,
-    rounding: str = "half-away",
-    times: int = 1,
+    quantity: Quantity, engine: BeamEngine, method: str, decimals: int, rounding: str, times: int
 ) -> Number:
     """Return the quantity in its unit, times a factor, correctly rounded to so many decimals.
 
