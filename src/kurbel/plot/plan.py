@@ -24,7 +24,7 @@ LEGEND_ROW, SAMPLE, SAMPLE_GAP, LEGEND_GAP = 4.2, 9.0, 1.5, 4.0
 
 
 def draw_legend(
-    axes: Axes, drawn: Sequence[Artist], texts: Sequence[str], columns: int, above: float, side: str = "right"
+    axes: Axes, drawn: Sequence[Artist], texts: Sequence[str], columns: int, above: float, side: str
 ) -> None:
     """Draw the legend of lines, at a height above the frame that is a share of the frame's."""
     in_sizes = MM / TEXT_SIZE
@@ -33,8 +33,8 @@ def draw_legend(
     axes.legend(
         [drawn[place] for place in order],
         [texts[place] for place in order],
-        loc="lower left" if side == "left" else "lower right",
-        bbox_to_anchor=(0 if side == "left" else 1, 1 + above),
+        loc=f"lower {side}",
+        bbox_to_anchor=(side == "right", 1 + above),
         ncols=columns,
         frameon=False,
         handlelength=SAMPLE * in_sizes,
