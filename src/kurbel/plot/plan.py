@@ -58,7 +58,7 @@ class Course(NamedTuple):
         return cls(np.asarray(curve.angles, float), np.where(np.isfinite(values), values, np.nan))
 
     @classmethod
-    def level(cls, span: tuple[float, float], value: float = 0.0) -> Course:
+    def level(cls, span: tuple[float, float], value: float) -> Course:
         """Return one and the same value all over a span."""
         return cls(np.asarray(span), np.full(2, value))
 
@@ -266,7 +266,7 @@ def _lines(plan: Plan) -> list[Points]:
 
 
 def _zero(plan: Plan) -> Points:
-    return densely(plan.on_paper(Course.level(plan.span)))
+    return densely(plan.on_paper(Course.level(plan.span, 0.0)))
 
 
 def _ends(plan: Plan) -> Iterable[Points]:
