@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,10 +21,11 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 LEGEND_ROW, SAMPLE, SAMPLE_GAP, LEGEND_GAP = 4.2, 9.0, 1.5, 4.0
+Corner = Literal["lower left", "lower right"]
 
 
 def draw_legend(
-    axes: Axes, drawn: Sequence[Artist], texts: Sequence[str], columns: int, above: float, side: str
+    axes: Axes, drawn: Sequence[Artist], texts: Sequence[str], columns: int, above: float, corner: Corner
 ) -> None:
     """Draw the legend of lines, at a height above the frame that is a share of the frame's."""
     in_sizes = MM / TEXT_SIZE
@@ -33,8 +34,8 @@ def draw_legend(
     axes.legend(
         [drawn[place] for place in order],
         [texts[place] for place in order],
-        loc=f"lower {side}",
-        bbox_to_anchor=(side == "right", 1 + above),
+        loc=corner,
+        bbox_to_anchor=(corner == "lower right", 1 + above),
         ncols=columns,
         frameon=False,
         handlelength=SAMPLE * in_sizes,
