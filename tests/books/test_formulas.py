@@ -224,6 +224,7 @@ IDENTITIES = [
     ("slope(arcsin(a) + arctan(a), a)", "1 / sqrt(1 - a^2) + 1 / (1 + a^2)"),
     ("slope(tan(a) + cot(a), a)", "1 / cos(a)^2 - 1 / sin(a)^2"),
     ("slope(slope(a^3 * b, a), b)", "3 * a^2"),
+    ("slope((-a)^2, a)", "2 * a"),
 ]
 OTHERS = [
     # The root of a square may be of either sign.

@@ -323,3 +323,8 @@ def test_what_takes_much_memory_says_so_before_it_begins_and_what_takes_too_much
         r" print fewer rows, or have a TeX set its LaTeX",
         refusal(*words, code=1),
     )
+    # What it includes is counted too.
+    (tmp_path / "tables").mkdir()
+    (tmp_path / "tables" / "a.typ").write_text("[" * 5000, encoding="utf-8")
+    with pytest.raises(kurbel.KurbelError, match="about 5000 cells"):
+        compile_typst('#include "tables/a.typ"', root=str(tmp_path))

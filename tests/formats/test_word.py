@@ -79,9 +79,11 @@ def test_heads_are_merged_and_every_formula_is_an_equation() -> None:
     assert "0°0′" in text(first)
     assert not [*made.iter(f"{W}numPr")], "a note has a bullet"
     for note in ("a) Auf", "Quelle: F. Rötscher"):
-        assert [one for one in made.iter(f"{W}p") if text(one).startswith(note)], note
+        (paragraph,) = (one for one in made.iter(f"{W}p") if text(one).startswith(note))
+        assert of(paragraph, "pPr/spacing", "after") == [], "notes are apart"
     last = [*second.iter(f"{W}tr")][-1]
     assert [text(cell) for cell in last.iter(f"{W}tc")] == ["", "90", "−0,014", "–"]
+    assert not [*last.iter(f"{W}keepNext")], "a table takes what stands below it to its page"
     # The mark of a note leads to it.
     targets = {*of(made, "bookmarkStart", "name")}
     links = of(made, "hyperlink", "anchor")

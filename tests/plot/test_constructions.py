@@ -104,6 +104,16 @@ def test_where_the_rod_does_not_turn_circles_are_points(name: str) -> None:
     assert 'id="step-6-' in svg
 
 
+def test_hidden_lines_are_dashed_with_the_gaps_of_iso_128() -> None:
+    looks = [one.look for one in Paper(kurbel.plot_construction("ensslin-5").image()).lines()]
+    gaps = [
+        float(found[1]) / float(look["stroke-width"])
+        for look in looks
+        if (found := re.fullmatch(r"[\d.]+,([\d.]+)", look.get("stroke-dasharray", "")))
+    ]
+    assert gaps == [pytest.approx(3)]
+
+
 @pytest.mark.parametrize(("name", "mechanism"), ASKED)
 def test_an_exact_length_is_the_true_one_to_the_last_digit(name: str, mechanism: str) -> None:
     """By its points and by the kernel; of an approximate one the error is between them."""

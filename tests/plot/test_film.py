@@ -61,6 +61,8 @@ def test_rod_and_crosshead_are_where_the_crank_leads_them_at_any_time(rod: float
         assert abs(crank[1] - shaft - radius * turned) < EXACT
         (corner, *_) = film.at("head", angle)
         corners.append(corner - radius * true)
+    # What does not turn is not turned in its style sheet.
+    assert [len(film.numbers(part, 0)) for part in ("crank", "rod", "head")] == [3, 3, 2]
     assert max(abs(one - corners[0]) for one in corners) < TOLERANCE
 
 
@@ -154,6 +156,8 @@ def test_a_turn_takes_as_long_wherever_it_begins() -> None:
             printed(*words, *(f"--{name}={end}" for name, end in zip(("from", "to"), ends, strict=True))).out
         )
         assert f"animation:{seconds}s linear" in film.sheet, ends
+    # The arc of the angle, full at 720°, begins anew at 360°.
+    assert film.numbers("arc", 360.1)[0] == pytest.approx(2 * film.numbers("arc", 540)[0], rel=1e-3)
 
 
 def test_a_gif_has_the_pictures_of_a_turn_and_links_of_their_length(tmp_path: Path) -> None:

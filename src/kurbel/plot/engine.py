@@ -181,12 +181,12 @@ def effort(request: EngineRequest, wish: Wish) -> Picture:
     refuse(wish, infinite=INFINITE)
     if request.columns and "angle" in request.axes:
         found = forces(request, wish._replace(over_path=False))
-        panels, beside = found.panels, around(request)
+        panels, beside = found.panels, around(request, strokes=False)
     else:
         whole = Fraction(0), Fraction(180 * request.turn(0, 0, "exact").cycle)
         turn = request.angles if "angle" in request.axes else whole
         asked = asked_of(request, layout=drawing_layout("turning"), columns=TURNING, angles=smooth(turn))
-        panels, beside = turning_panels(asked), around(asked)
+        panels, beside = turning_panels(asked), around(asked, strokes=False)
         found = Picture(asked, columns=lettered(asked))
         if asked.wheel is not None:
             from kurbel.plot.diagrams import speed_panel
@@ -272,7 +272,7 @@ def over_path(panels: Sequence[Panel]) -> list[Panel]:
     ]
 
 
-def around(request: EngineRequest, strokes: bool = False) -> Around:
+def around(request: EngineRequest, strokes: bool) -> Around:
     """Return what the engines have in common: expansion or the like, and the crank ratio; of a single one
     also the strokes of its first cylinder."""
     turns = turns_of(request) if strokes else []

@@ -127,7 +127,8 @@ class PathDrawing:
 
     def panels(self) -> list[Panel]:
         """Return a panel for each quantity, or of one drive for each unit. Raises ProblemError."""
-        traces = [*self._traces(self.question), *(self._traces(self.beside, True) if self.beside else ())]
+        own = self._traces(self.question, dotted=False)
+        traces = [*own, *(self._traces(self.beside, dotted=True) if self.beside else ())]
         apart = len(self.question.ratios) > 1 or self.beside is not None
         found = panels_of(traces, self.lang, apart=apart)
         scales = {_label(one.quantity, self.lang): self._scale(one.quantity) for one in traces}
@@ -161,7 +162,7 @@ class PathDrawing:
         dead = [DEAD_CENTRES[which][self.lang] for which in ("inner", "outer")]
         return Strokes(ends, dead, [STROKE[self.lang]])
 
-    def _traces(self, question: AngleQuestion, dotted: bool = False) -> Iterator[Trace]:
+    def _traces(self, question: AngleQuestion, dotted: bool) -> Iterator[Trace]:
         paths, *drawn = question.curves(self.angles)
         for place, of_drives in enumerate(drawn, 1):
             one = question.page_columns[place].quantity

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,10 +21,11 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 LEGEND_ROW, SAMPLE, SAMPLE_GAP, LEGEND_GAP = 4.2, 9.0, 1.5, 4.0
+Corner = Literal["lower left", "lower right"]
 
 
 def draw_legend(
-    axes: Axes, drawn: Sequence[Artist], texts: Sequence[str], columns: int, above: float, side: str = "right"
+    axes: Axes, drawn: Sequence[Artist], texts: Sequence[str], columns: int, above: float, corner: Corner
 ) -> None:
     """Draw the legend of lines, at a height above the frame that is a share of the frame's."""
     in_sizes = MM / TEXT_SIZE
@@ -33,8 +34,8 @@ def draw_legend(
     axes.legend(
         [drawn[place] for place in order],
         [texts[place] for place in order],
-        loc="lower left" if side == "left" else "lower right",
-        bbox_to_anchor=(0 if side == "left" else 1, 1 + above),
+        loc=corner,
+        bbox_to_anchor=(corner == "lower right", 1 + above),
         ncols=columns,
         frameon=False,
         handlelength=SAMPLE * in_sizes,
@@ -58,7 +59,7 @@ class Course(NamedTuple):
         return cls(np.asarray(curve.angles, float), np.where(np.isfinite(values), values, np.nan))
 
     @classmethod
-    def level(cls, span: tuple[float, float], value: float = 0.0) -> Course:
+    def level(cls, span: tuple[float, float], value: float) -> Course:
         """Return one and the same value all over a span."""
         return cls(np.asarray(span), np.full(2, value))
 
@@ -266,7 +267,7 @@ def _lines(plan: Plan) -> list[Points]:
 
 
 def _zero(plan: Plan) -> Points:
-    return densely(plan.on_paper(Course.level(plan.span)))
+    return densely(plan.on_paper(Course.level(plan.span, 0.0)))
 
 
 def _ends(plan: Plan) -> Iterable[Points]:

@@ -209,7 +209,7 @@ def _draw(axes: Axes, plan: Plan, number: int) -> None:
             axes.text(x, y, one.text, color=colour, transform=axes.transAxes, ha="center", va="center")
     elif plan.columns:
         above = plan.room.strip + plan.apart * LEGEND_ROW * (1 + plan.heading.count("\n"))
-        draw_legend(axes, drawn, plan.texts, plan.columns, above / plan.room.height)
+        draw_legend(axes, drawn, plan.texts, plan.columns, above / plan.room.height, "lower right")
 
 
 def _said(axes: Axes, plan: Plan) -> None:

@@ -152,7 +152,7 @@ def polar(force: PinForce, mark: str, ways: tuple[Label, Label] = ("", ""), size
         draw_strokes(axes, pieces, force.strokes, looks)
         if looks.rows:
             share = (over - 1) / plan.size()[1]
-            draw_legend(axes, *axes.get_legend_handles_labels(), looks.columns, share, "left")
+            draw_legend(axes, *axes.get_legend_handles_labels(), looks.columns, share, "lower left")
         chords = _chords(axes, plan, pieces)
         _axes(axes, plan, names, mark, chords)
         _marks(axes, plan, pieces, chords)

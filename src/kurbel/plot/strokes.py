@@ -113,7 +113,7 @@ def around_path(request: EngineRequest) -> Around:
     dead = [DEAD_CENTRES[which][request.lang] for which in ("inner", "outer")]
     whole = Strokes((0.0, 1.0), dead, [STROKE[request.lang]])
     strokes = whole if request.angles[-1] - request.angles[0] >= 180 else None
-    return around(request)._replace(strokes=strokes, across=across_stroke(request.lang))
+    return around(request, strokes=False)._replace(strokes=strokes, across=across_stroke(request.lang))
 
 
 def _gone(turn: AnyTurn, angles: Iterable[float]) -> list[float]:

@@ -34,7 +34,7 @@ class Line(NamedTuple):
     "ratio >= 5/7". A line with what the given numbers do not settle is left out.
     """
 
-    text: Label
+    line: Label
     added: bool = False
     when: str = ""
 
@@ -45,13 +45,9 @@ class Lines(tuple[Line, ...]):
     @classmethod
     def read(cls, given: Any, _: str) -> Lines:
         try:
-            return cls(_line(**({"line": one} if isinstance(one, str) else one)) for one in given)
+            return cls(Line(**({"line": one} if isinstance(one, str) else one)) for one in given)
         except TypeError:
             raise Fault("a list of texts, or of tables with line, added and when") from None
-
-
-def _line(line: Label, added: bool = False, when: str = "") -> Line:
-    return Line(line, added, when)
 
 
 class Step(Struct, frozen=True, forbid_unknown_fields=True):

@@ -116,7 +116,7 @@ class Working:
     def entries(self) -> Iterator[Entry]:
         shown: set[str] = set()
         for line in self.part.lines:
-            names = [*dict.fromkeys(match["name"] for match in _PLACE.finditer(line.text))]
+            names = [*dict.fromkeys(match["name"] for match in _PLACE.finditer(line.line))]
             if not all(map(self._is_settled, names)) or (line.when and not self._holds(line.when)):
                 continue
             new = [name for name in names if name in self.example.page.steps and name not in shown]
@@ -163,7 +163,7 @@ class Working:
         return self.truths[name]
 
     def _line(self, line: Line) -> Label:
-        text = filled(line.text, self._figure)
+        text = filled(line.line, self._figure)
         text = f"[{text}]" if line.added else text
         return INDENT + text if text.startswith(CONTINUED) else text
 
