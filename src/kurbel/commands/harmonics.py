@@ -15,7 +15,6 @@ from kurbel.drive.crank import Described
 from kurbel.engine.harmonics.page import TorqueRequest
 from kurbel.errors import ProblemError
 from kurbel.page.subject import Question
-from kurbel.reading.given import as_speed
 
 TORQUE = "torque"
 OF_TORQUE = ("torque", "excitation")
@@ -113,7 +112,7 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
         return TorqueRequest(
             columns=names,
             last_order=self.orders,
-            speed=None if speed is None else as_speed(speed),
+            speed=speed,
             **engines,
             **self.printed(),
         )
