@@ -183,7 +183,7 @@ class Finder(ast.NodeVisitor):
                 if isinstance(default.value, bool):
                     new = str(not default.value)
                 else:
-                    new = "''" if isinstance(default.value, str) else "2"
+                    new = "''" if isinstance(default.value, str) else "3" if default.value == 2 else "2"
                 self.add("default", default, new)
         for one in [*node.body, *node.decorator_list]:
             self.visit(one)
