@@ -75,7 +75,7 @@ def test_the_example_has_every_key_but_few_and_builds(tmp_path: Path) -> None:
     (folder / "problems.toml").write_text(problems[1], encoding="utf-8")
     names = {name for section in SECTIONS.values() for name in section}
     unused = {name for name in names if not re.search(rf"\b{name}\b", example())}
-    assert unused == {"templates", "layouts", "pdf", "standards"}
+    assert unused == {"templates", "layouts", "pdf", "standards", "verify"}
     pages = built(folder, example())
     named = {"tables/paths.tex", "figures/acceleration.svg", "handbook.html", "appendix.tex"}
     for name in named | {"handbook.tex", "markdown/index.md", "markdown/01-motion.md", "contents.json"}:
