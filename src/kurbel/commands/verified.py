@@ -372,6 +372,8 @@ class Second:
             if asked.says("cylinder"):
                 raise ProblemError("engines of unlike cylinders are not computed a second time")
             cranks = tuple(asked.cranks or (Fraction(0),))
+            if asked.is_heavy() and method != "exact":
+                raise ProblemError("moving masses by a series are not computed a second time")
             if asked.says("friction") and not alone:
                 raise ProblemError("turns with friction are not computed a second time")
             if alone:
