@@ -60,7 +60,7 @@ WANTS = (
             (
                 "solve --unknown speed --angle 20 --where rod_force=0 --stroke 115mm --reciprocating 1kg"
                 " --force 5kN",
-                "the speed at which the rod is without load",
+                "the speed at which the rod carries nothing",
             ),
         ),
         "subjects/solve",
