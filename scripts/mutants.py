@@ -71,7 +71,8 @@ COMPARISONS: dict[type[ast.cmpop], type[ast.cmpop]] = {
 
 
 class Fault(NamedTuple):
-    """A fault of one kind: the lines and columns of what it replaces, and by what."""
+    """A fault of one kind: the lines and columns of what it replaces, and by what; `within` are the lines of
+    which a test has to reach one."""
 
     path: str
     kind: str
@@ -80,6 +81,7 @@ class Fault(NamedTuple):
     old: str
     new: str
     line: str
+    within: tuple[int, int]
 
     def __str__(self) -> str:
         return f"{self.path}:{self.start[0]}: {self.kind}: {self.old} -> {self.new}"
@@ -103,6 +105,8 @@ class Finder(ast.NodeVisitor):
     def __init__(self, path: str, text: str) -> None:
         self.path, self.lines = path, text.encode().splitlines()
         self.found: list[Fault] = []
+        # What is run when a module is loaded, in whichever test that is, is looked at by all that reach it.
+        self.within: tuple[int, int] | None = (1, len(self.lines))
 
     def add(self, kind: str, node: ast.AST, new: ast.AST | str) -> None:
         assert isinstance(node, ast.expr | ast.stmt)
@@ -114,7 +118,8 @@ class Finder(ast.NodeVisitor):
         changed = new if isinstance(new, str) else f"({ast.unparse(new)})"
         start, end = (node.lineno, node.col_offset), (node.end_lineno, node.end_col_offset)
         old, line = " ".join(b" ".join(whole).decode().split()), self.lines[node.lineno - 1].decode().strip()
-        self.found.append(Fault(self.path, kind, start, end, old, changed, line))
+        within = self.within or (start[0], end[0])
+        self.found.append(Fault(self.path, kind, start, end, old, changed, line, within))
 
     def visit_BinOp(self, node: ast.BinOp) -> None:
         other = OPERATORS.get(type(node.op))
@@ -178,6 +183,7 @@ class Finder(ast.NodeVisitor):
         if isinstance(node.body[-1], ast.Expr) and ast.unparse(node.body[-1]) == "...":
             return
         defaults = [*node.args.defaults, *(one for one in node.args.kw_defaults if one)]
+        above, self.within = self.within, (node.body[0].lineno, node.end_lineno or node.lineno)
         for default in defaults:
             if isinstance(default, ast.Constant) and default.value not in (None, "", ...):
                 if isinstance(default.value, bool):
@@ -185,8 +191,12 @@ class Finder(ast.NodeVisitor):
                 else:
                     new = "''" if isinstance(default.value, str) else "3" if default.value == 2 else "2"
                 self.add("default", default, new)
-        for one in [*node.body, *node.decorator_list]:
+        for decorator in node.decorator_list:
+            self.visit(decorator)
+        self.within = None
+        for one in node.body:
             self.visit(one)
+        self.within = above
 
 
 def faults() -> list[Fault]:
@@ -392,7 +402,7 @@ class Reach:
     def of(self, fault: Fault) -> Iterator[list[str]]:
         """Yield the tests that reach a fault in parts: the cheapest of each file first."""
         module = self.contexts[fault.path]
-        span = range(fault.start[0], fault.end[0] + 1)
+        span = range(fault.within[0], fault.within[1] + 1)
         tests = {test for line in span for test in module[line] if test in self.passed}
         if not tests:
             # It is run when the module is loaded, or reached by a process of its own.
