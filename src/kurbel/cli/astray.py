@@ -235,7 +235,9 @@ def _joined(option: click.Option, values: Sequence[str]) -> str:
         return ",".join(value.strip(",;") for value in values)
     if option.name in SENTENCES:
         return " ".join(values)
-    return ";".join(value.strip(",;") for value in values) if option.multiple else ""
+    # A word without a figure is none of a list of numbers.
+    alike = len({any(map(str.isdigit, value)) for value in values}) == 1
+    return ";".join(value.strip(",;") for value in values) if option.multiple and alike else ""
 
 
 def _parted(text: str, words: Sequence[str]) -> str:

@@ -90,10 +90,9 @@ def _section(texts: Sequence[str], head: Head, length: Fraction | None) -> tuple
     try:
         check_section(section)
     except ProblemError as error:
-        far = next(
-            (at for at, (value, unit) in enumerate(places) if not unit and abs(value) > _LONGEST), None
-        )
-        hint = "" if far is None else f"; in millimetres its head is {head.columns[far].name} [mm]"
+        far = any(not unit and abs(value) > _LONGEST for value, unit in places)
+        bare = [f"{one.name} [mm]" for one, (_, unit) in zip(head.columns, places, strict=False) if not unit]
+        hint = f"; in millimetres its head is {', '.join(bare)}" if far else ""
         raise ProblemError(f"{error}{hint}") from None
     return section, mass[1] not in _SHARES
 
