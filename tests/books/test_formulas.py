@@ -256,6 +256,7 @@ RELATIONS = [
     ("a^2 - b", "a^2 - 2 * b", "same", "a", "other_equation", 0),
     ("a - b", "(a - b) / (1 + a)", "same", "a", "unsettled", 0),
     ("a - b", "a - a", "same", "a", "unsettled", 0),
+    ("a - a", "a - b", "same", "a", "unsettled", 0),
     ("a^2 - 2 * b * a + c", "b + pm * sqrt(b^2 - c)", "root", "a", "proved", 0),
     ("a^2 - 2 * b * a + c", "b + pm * sqrt(b^2 + c)", "root", "a", "no_root", 0),
 ]

@@ -238,9 +238,9 @@ def found(step: Step) -> Finding:
 
 def _found(step: Step, free: frozenset[str], sign: int, works: Works) -> Finding:
     if _proved(step, free, sign, works.proofs):
-        # Nothing is a multiple of every equation.
-        nothing = step._replace(before=_NOTHING, relation=EQUAL)
-        empty = step.relation == SAME and _proved(nothing, free, sign, works.proofs)
+        # Nothing is a multiple of every equation, and says none.
+        nothing = (step._replace(before=_NOTHING, form=one, relation=EQUAL) for one in step[:2])
+        empty = step.relation == SAME and any(_proved(one, free, sign, works.proofs) for one in nothing)
         return Finding(UNSETTLED if empty else HOLDS)
     try:
         return _computed(step, free, sign, works)
