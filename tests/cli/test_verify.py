@@ -157,9 +157,9 @@ name = "balance"
     ("lang", "said"),
     [
         ("de", "10 von 14 Zahlen der Tabellen sind von einer zweiten Rechnung mit anderen Formeln bestätigt."
-         " Nicht ein zweites Mal berechnet: balance: along."),
+         " Nicht ein zweites Mal berechnet: 4 in [Tabelle 2](<01-wege.md#tab-balance>)."),
         ("en", "10 of 14 numbers of the tables are confirmed by a second computation with other formulas."
-         " Not computed a second time: balance: along."),
+         " Not computed a second time: 4 in [Table 2](<01-wege.md#tab-balance>)."),
     ],
 )  # fmt: skip
 def test_a_colophon_says_how_many_numbers_are_confirmed(lang: str, said: str, tmp_path: Path) -> None:

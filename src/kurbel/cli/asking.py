@@ -217,8 +217,7 @@ def _verified(page: str) -> Verified:
     for cell in cells:
         if cell.verdict == WRONG:
             raise FailedError(f"a second computation finds a number wrong: {cell}")
-    left = tuple(dict.fromkeys(cell.key for cell in cells if cell.verdict != CONFIRMED))
-    return Verified(sum(cell.verdict == CONFIRMED for cell in cells), len(cells), left)
+    return Verified(sum(cell.verdict == CONFIRMED for cell in cells), len(cells))
 
 
 def _steps(task: Task, table: Table) -> Steps | None:

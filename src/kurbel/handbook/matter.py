@@ -296,7 +296,8 @@ WORDS = {
         "made": "Berechnet und gesetzt mit kurbel {kurbel}. {count}",
         "verified": "{confirmed} von {cells} Zahlen der Tabellen sind von einer zweiten Rechnung mit anderen"
         " Formeln bestätigt.",
-        "left": " Nicht ein zweites Mal berechnet: {left}.",
+        "left": " Nicht ein zweites Mal berechnet: ",
+        "of": "{} in ",
         "same": "Dasselbe Manuskript ergibt mit derselben Fassung von kurbel dieselbe Datei, Byte für Byte.",
         "table": ("eine Tabelle", "{} Tabellen"),
         "figure": ("eine Abbildung", "{} Abbildungen"),
@@ -309,7 +310,8 @@ WORDS = {
         "made": "Computed and set with kurbel {kurbel}. {count}",
         "verified": "{confirmed} of {cells} numbers of the tables are confirmed by a second computation with"
         " other formulas.",
-        "left": " Not computed a second time: {left}.",
+        "left": " Not computed a second time: ",
+        "of": "{} in ",
         "same": "The same manuscript gives, with the same version of kurbel, the same file, byte by byte.",
         "table": ("one table", "{} tables"),
         "figure": ("one figure", "{} figures"),
@@ -341,15 +343,17 @@ def colophon(
     return (*heads, text(made), text(str(said["same"])))
 
 
-def _confirmed(verified: Mapping[str, Verified], lang: str) -> str:
+def _confirmed(verified: Mapping[str, Verified], lang: str) -> prose.Paragraph:
     """Return what a second computation says of tables, by their names."""
     said = WORDS[lang]
-    confirmed, cells = (
-        sum(getattr(one, each) for one in verified.values()) for each in ("confirmed", "cells")
-    )
-    told = str(said["verified"]).format(confirmed=confirmed, cells=cells)
-    left = "; ".join(f"{name}: {', '.join(one.left)}" for name, one in verified.items() if one.left)
-    return told + (str(said["left"]).format(left=left) if left else "")
+    confirmed, cells = map(sum, zip(*verified.values(), strict=True))
+    found: list[prose.Inline] = [prose.Text(str(said["verified"]).format(confirmed=confirmed, cells=cells))]
+    before = str(said["left"])
+    for name, (sure, whole) in verified.items():
+        if whole > sure:
+            found += [prose.Text(before + str(said["of"]).format(whole - sure)), prose.Refer(name, ())]
+            before = ", "
+    return prose.Paragraph((*found, *([prose.Text(".")] if len(found) > 1 else [])))
 
 
 def day_of(given: date | None) -> date | None:
@@ -429,4 +433,4 @@ class _Matter:
         day = day_of(manifest.date)
         verified = {name: one.verified for name, one in self.abouts.items() if one.verified is not None}
         found = colophon(manifest.title, manifest.author, manifest.version, day, counts, self.lang)
-        return (*found[:-1], text(_confirmed(verified, self.lang)), found[-1]) if verified else found
+        return (*found[:-1], _confirmed(verified, self.lang), found[-1]) if verified else found

@@ -60,11 +60,10 @@ class Task(NamedTuple):
 
 
 class Verified(NamedTuple):
-    """How many numbers of a table a second computation confirms, of how many, and the columns of the rest."""
+    """How many numbers of a table a second computation confirms, of how many."""
 
     confirmed: int
     cells: int
-    left: tuple[str, ...] = ()
 
 
 class About(NamedTuple):
