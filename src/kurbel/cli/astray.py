@@ -93,10 +93,13 @@ def _no_option(error: click.NoSuchOption, words: Sequence[str]) -> str:
     options = _flags(command)
     begun = f"there is no option {notation.quoted(name)}"
     if isinstance(command, click.Group):
-        if moved := _before_command(words):
+        if moved := _before_command(words, name):
             return f"{begun} before a command; write {moved}"
+        if not _has("table", name):
+            owners = _owners(name)
+            return f"{begun} before a command{owners}" if owners else begun
         typed = " ".join(filter(None, (name, _as_typed(_value_of(name, words)))))
-        return f"{begun} before a command; write kurbel table {typed}" if _owners(name) else begun
+        return f"{begun} before a command; write kurbel table {typed}"
     value = _value_of(name, words)
     if ours := line(name, value, options):
         return f"{begun}; write {ours}"
@@ -122,6 +125,10 @@ def _flags(command: click.Command | None) -> Mapping[str, click.Option]:
     """Return the options of a command by their names without dashes."""
     options = (one for one in (command.params if command else ()) if isinstance(one, click.Option))
     return {flag.lstrip("-"): one for one in options for flag in one.opts if flag.startswith("--")}
+
+
+def _has(command: str, flag: str) -> bool:
+    return any(flag in one.opts for one in command_of(command).params)
 
 
 def _value_of(name: str, words: Sequence[str]) -> str:
@@ -181,17 +188,20 @@ def elsewhere(command: str, flag: str) -> str:
     return f"; {found}" if found else ""
 
 
-def _before_command(words: Sequence[str]) -> str:
-    """Return the line with its options behind the command, nothing where none is named behind them."""
+def _before_command(words: Sequence[str], name: str) -> str:
+    """Return the line with its options behind the command, nothing where none is named behind them, or one
+    that does not have this option."""
     place = next((place for place, word in enumerate(words) if word in COMMANDS), 0)
-    return join(["kurbel", *words[place:], *words[:place]]) if place else ""
+    known = place and _has(words[place], name)
+    return join(["kurbel", *words[place:], *words[:place]]) if known else ""
 
 
 def stray(text: str, command: click.Command, words: Sequence[str]) -> str:
     """Return the sentence that refuses one of the words, which has no option, with what is likely meant: an
     option, or quotes about a value with a space."""
-    if text in _flags(command):
-        return f"{notation.quoted(text)} stands behind no option; write --{text}"
+    if option := _flags(command).get(text):
+        value = "" if option.is_flag else f" {option.metavar or text.upper()}"
+        return f"{notation.quoted(text)} stands behind no option; write --{text}{value}"
     if "where" in _flags(command) and (condition := _condition(text, words)):
         return f"{notation.quoted(text)} stands behind no option; write --where {_as_typed(condition)}"
     if parted := _parted(text, words):
