@@ -17,9 +17,9 @@ from kurbel.commands.parts.wheel import PLAIN, Body, Rim, Swing, Wheel
 from kurbel.commands.subject import function
 from kurbel.drive.wheel import Flywheel, check_irregularity
 from kurbel.engine.captions import caption, engine_notes
+from kurbel.engine.diagram import texts
 from kurbel.engine.diagram.areas import Areas
 from kurbel.engine.diagram.fluctuation import Fluctuation
-from kurbel.engine.diagram.wheel import captions
 from kurbel.engine.diagram.wheel.page import WheelRequest
 from kurbel.engine.diagram.wheel.sizing import Known, Sizing, gathered, sized
 from kurbel.engine.quantities import Where, engine_registry, value
@@ -223,11 +223,11 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
     def _source(self) -> str:
         """Return what the swing is known from, for the caption."""
         sources = {
-            captions.AREAS: self.says("areas"),
-            captions.TORQUE: self.is_diagram(),
-            captions.SWING: self.says("swing"),
-            captions.PRESS: self.says("share", "duration"),
-            captions.FLUCTUATION: self.says("energy_fluctuation"),
+            texts.AREAS: self.says("areas"),
+            texts.TORQUE: self.is_diagram(),
+            texts.SWING: self.says("swing"),
+            texts.PRESS: self.says("share", "duration"),
+            texts.FLUCTUATION: self.says("energy_fluctuation"),
         }
         return next((source for source, known in sources.items() if known), "")
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from kurbel.engine.diagram.captions import shown
 from kurbel.engine.diagram.excess import Excess
+from kurbel.engine.diagram.fluctuation import shown
 from kurbel.engine.diagram.page import TorquesRequest
 from kurbel.engine.diagram.torque import Torque
 from kurbel.engine.diagram.wheel.page import WheelRequest

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.engine.axes import named_load
 from kurbel.engine.captions import common, inner
-from kurbel.engine.diagram.captions import place_text, shown
+from kurbel.engine.diagram.fluctuation import place_text, shown
 from kurbel.engine.digits import Asked, estimated, settled
 from kurbel.engine.pressures.page import stroke_names
 from kurbel.engine.quantities import ENGINE_METHODS, Where, engine_registry, value

@@ -101,6 +101,10 @@ class Speed:
         if self.value <= 0:
             raise ProblemError(f"the speed is {about(self.value)}/s; it must be above 0")
 
+    def omega(self, numbers: Any) -> Any:
+        """Return ω in 1/s, on a kind of number."""
+        return numbers.of(2 * self.value) * numbers.pi if self.turns else numbers.of(self.value)
+
 
 @dataclass(frozen=True, slots=True)
 class Measure:

@@ -1,23 +1,29 @@
-"""The excess of a driving torque over that of the load, in steady state: its energy and its extremes.
+"""The excess of a driving torque over that of the load in steady state, its energy, and the extremes of both.
 
 The excess energy is the integral of the excess over the angle from 0 on. With one of the two torques alone
-the other is constant, its mean. Re-derived; closed form, with every digit certified.
+the other is constant, its mean. The excess itself, by which a flywheel has its angular acceleration, is
+greatest and least where the slope of a sum of waves is zero, of straight lines at their ends; of both
+together in one diagram that is not sought. Re-derived; closed form, with every digit certified.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
-from typing import Any
+from functools import cached_property, partial
+from typing import Any, NamedTuple
 
-from kurbel.engine.diagram.fluctuation import Extreme, work_of
+from kurbel.engine.diagram.fluctuation import Extreme, places, work_of
+from kurbel.engine.diagram.texts import ACCELERATION, FROM_TO
 from kurbel.engine.diagram.torque import TURN, Line, Torque, common_cycle
 from kurbel.engine.diagram.waves import QUARTER, Waves
 from kurbel.engine.diagram.zeros import Zero, is_plain, over_cycle, waves_at, zeros
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats
+from kurbel.exact.numerals import Label, number_text
+from kurbel.exact.product import Product
+from kurbel.exact.search import greatest as greatest_of
 from kurbel.reading.given import Given
 from kurbel.reading.notation import about
 
@@ -106,29 +112,19 @@ class Excess(Given):
 
     def extreme_energy(self, kind: Kind, *, greatest: bool) -> Any:
         """Return the greatest or the least excess energy in J."""
-        return self._energy((self._greatest if greatest else self._least)[0], kind)
+        return self._energy(self._extremes[greatest][0], kind)
 
     def extremes(self, *, greatest: bool) -> tuple[Extreme, ...]:
         """Return the places within a cycle, in order."""
-        return over_cycle(self._greatest if greatest else self._least, self.excess, self.cycle)
+        return over_cycle(self._extremes[greatest], self.excess, self.cycle)
 
     @cached_property
-    def _candidates(self) -> list[Zero]:
-        return zeros(self.excess)
+    def _extremes(self) -> dict[bool, Sequence[Zero]]:
+        candidates = zeros(self.excess)
+        return {greatest: self._choose(candidates, 1 if greatest else -1) for greatest in (True, False)}
 
-    @cached_property
-    def _greatest(self) -> Sequence[Zero]:
-        return self._choose(1)
-
-    @cached_property
-    def _least(self) -> Sequence[Zero]:
-        return self._choose(-1)
-
-    def _choose(self, sign: int) -> Sequence[Zero]:
+    def _choose(self, left: list[Zero], sign: int) -> Sequence[Zero]:
         """Return where the energy, times the sign, is greatest; several only if they cannot be told apart."""
-        from kurbel.exact.search import greatest as greatest_of
-
-        left = self._candidates
         if not self.excess.waves:
             areas = [sign * (self._area(one) or 0) for one in left]
             return [one for one, area in zip(left, areas, strict=True) if area == max(areas)]
@@ -189,3 +185,81 @@ def _without_nothing(waves: Waves) -> Waves:
         if several and all(own.vanishes(place) for place in (Fraction(0), QUARTER / order)):
             found -= own
     return found
+
+
+class Peak(NamedTuple):
+    """The magnitude of the greatest or the least excess torque in N m, and the places where it is so: each
+    from one angle to another, which may be the same."""
+
+    torque: Product
+    places: Sequence[tuple[Extreme, Extreme]]
+
+
+def acceleration_line(
+    excess: Excess, inertias: Sequence[Product], rounding: str, lang: str
+) -> Iterator[Label]:
+    """Yield what is said of the acceleration of flywheels of these moments of inertia in kg m²."""
+    peaks = [peak_of(excess, greatest=greatest) for greatest in (True, False)]
+    if None in peaks:
+        return
+    high, low = (peak for peak in peaks if peak is not None)
+    figures = [
+        "; ".join(
+            f"${sign}{number_text((peak.torque / inertia).number(None, rounding))}$" for inertia in inertias
+        )
+        for peak, sign in ((high, ""), (low, "-"))
+    ]
+    listed = ["; ".join(_listed(peak, lang)) for peak in (high, low)]
+    yield ACCELERATION[lang].format(most=figures[0], least=figures[1], high=listed[0], low=listed[1])
+
+
+def peak_of(excess: Excess, *, greatest: bool) -> Peak | None:
+    """Return the greatest or the least excess torque, None where it is not sought."""
+    own, sign = excess.excess, 1 if greatest else -1
+    if not own.waves:
+        return _of_lines(own.lines, sign, excess)
+    return _of_waves(own.waves, sign, excess.cycle) if is_plain(own) else None
+
+
+def _of_lines(lines: Sequence[Line], sign: int, excess: Excess) -> Peak:
+    most = max(sign * value for one in lines for value in (one.first, one.last))
+    spans: list[tuple[Fraction, Fraction]] = []
+    for one in lines:
+        ends = [at for at, value in ((one.start, one.first), (one.end, one.last)) if sign * value == most]
+        if ends and spans and spans[-1][1] == ends[0]:
+            spans[-1] = (spans[-1][0], ends[-1])
+        elif ends:
+            spans.append((ends[0], ends[-1]))
+    # The end of the cycle is its beginning.
+    if len(spans) > 1 and spans[0][0] == 0 and spans[-1] == (excess.cycle, excess.cycle):
+        del spans[-1]
+    torque = Product.of(most * 180, -1) if excess.by_degree else Product.of(most)
+    return Peak(torque, [(_exact(start), _exact(end)) for start, end in spans])
+
+
+def _of_waves(waves: Waves, sign: int, cycle: Fraction) -> Peak | None:
+    slope = waves.slope
+    steepness = Torque(slope, (Line(Fraction(0), cycle, Fraction(0)),))
+
+    def torque(zero: Zero, kind: Kind) -> Any:
+        value = waves_at(waves, zero, slope, kind)
+        return value if sign > 0 else kind.of(Fraction(0)) - value
+
+    found = greatest_of(zeros(steepness), lambda one: torque(one, balls()))
+    if any(one.is_open for one in found):
+        return None
+    most = Product.reduced(partial(torque, found[0]))
+    return Peak(most, [(one, one) for one in over_cycle(found, steepness, cycle)])
+
+
+def _exact(angle: Fraction) -> Extreme:
+    return Extreme(degrees=lambda kind: kind.of(angle), exact=angle)
+
+
+def _listed(peak: Peak, lang: str) -> Iterator[Label]:
+    if all(start is end or start.exact == end.exact for start, end in peak.places):
+        yield places([start for start, _ in peak.places])
+        return
+    for start, end in peak.places:
+        one, other = places([start]), places([end])
+        yield one if one == other else FROM_TO[lang].format(start=one, end=other)

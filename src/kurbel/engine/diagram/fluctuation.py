@@ -1,17 +1,32 @@
-"""How the energy of a machine varies over a cycle in steady state, wherever that is known from.
+"""How the energy of a machine varies over a cycle in steady state, and with it the speed of its flywheel.
 
 Torques count as the shaft turns: the torque that drives it less that of the load is the excess torque, and
 its integral over the angle the excess energy, which is greatest where the speed is. Energies are in J,
 torques in N m.
+
+Of the speed the mean is given, ω = ½ (ω_max + ω_min), so that ω_max - ω_min = ΔW/(J ω) and the speed where
+the excess energy is W is the root of ω_max² - 2 (W_max - W)/J, exactly. Re-derived.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple, Protocol
 
-from kurbel.exact.kind import Kind
+from kurbel.engine.diagram.texts import WORDS
+from kurbel.errors import ProblemError
+from kurbel.exact.kind import Kind, balls, floats, settled
+from kurbel.exact.numerals import Label, Number, figures, finite_decimals, nearest, number_text
+from kurbel.reading.amounts import moved, unit_of_page
+from kurbel.reading.notation import about
+from kurbel.reading.units import Speed
+
+# So many places are named; more go on in the same steps.
+MOST_PLACES = 6
+# The decimals of an angle.
+PLACES = 3
 
 
 class Extreme(NamedTuple):
@@ -52,3 +67,110 @@ class Fluctuation(Protocol):
 def work_of(mean: Any, turns: Fraction, kind: Kind) -> Any:
     """Return the work in J of a mean torque in N m over so many turns."""
     return mean * kind.of(2 * turns) * kind.pi
+
+
+class Swinging(Fluctuation, Protocol):
+    """A fluctuation whose excess energies count from a point of their own."""
+
+    def extreme_energy(self, kind: Kind, *, greatest: bool) -> Any:
+        """Return the greatest or the least excess energy in J."""
+
+
+@dataclass(frozen=True)
+class Steady:
+    """A flywheel by its moment of inertia in kg m² and its mean speed, under an energy that swings."""
+
+    swinging: Swinging
+    inertia: Fraction
+    speed: Speed
+
+    def __post_init__(self) -> None:
+        if float(self.irregularity(balls()).mid()) >= 2:
+            raise ProblemError(
+                f"a flywheel of J = {about(self.inertia)} kg m² comes to rest: the energy swings by more than"
+                " twice J ω²; give a heavier one, or more speed"
+            )
+
+    def mean(self, kind: Kind) -> Any:
+        """Return ω in 1/s."""
+        return self.speed.omega(kind)
+
+    def irregularity(self, kind: Kind) -> Any:
+        """Return δ = (ω_max - ω_min)/ω = ΔW/(J ω²)."""
+        mean = self.mean(kind)
+        return self.swinging.swing(kind) / (kind.of(self.inertia) * mean * mean)
+
+    def greatest(self, kind: Kind) -> Any:
+        """Return ω_max in 1/s."""
+        return self.mean(kind) + self._half(kind)
+
+    def least(self, kind: Kind) -> Any:
+        """Return ω_min in 1/s."""
+        return self.mean(kind) - self._half(kind)
+
+    def _half(self, kind: Kind) -> Any:
+        return self.swinging.swing(kind) / (kind.of(2 * self.inertia) * self.mean(kind))
+
+    def at(self, energy: Any, kind: Kind) -> Any:
+        """Return ω in 1/s where the excess energy is this, in J."""
+        greatest = self.greatest(kind)
+        lacking = self.swinging.extreme_energy(kind, greatest=True) - energy
+        return (greatest * greatest - 2 * lacking / kind.of(self.inertia)) ** 0.5
+
+
+def shown(value: Callable[[Kind], Any]) -> str:
+    """Return a number to five figures, every digit of which is meant."""
+    decimals = figures(float(value(floats())))
+    return number_text(Number(settled(value, decimals), decimals))
+
+
+def _amount(value: Callable[[Kind], Any], symbol: str) -> Label:
+    """Return the same of an amount in this unit of metric pages, with the unit of the page."""
+    times, unit = unit_of_page(symbol)
+    text = shown(lambda kind: value(kind) * kind.of(times))
+    if times == 1:
+        # Every digit stays in a larger unit.
+        times, unit = unit_of_page(symbol, Fraction(text))
+        text = moved(text, times, exact=False)
+    return f"{text} {unit}"
+
+
+def outcome(
+    fluctuation: Fluctuation, speed: Speed | None, steady: Steady | None, lang: str
+) -> Iterator[Label]:
+    """Yield what follows of a cycle: mean torque, work, swing, where the speed is greatest, the flywheel."""
+    parts = []
+    if fluctuation.mean_torque(floats()) is not None:
+        parts.append(WORDS["mean"][lang].format(mean=_amount(fluctuation.mean_torque, "N m")))
+        parts.append(WORDS["work"][lang].format(work=_amount(fluctuation.work, "J")))
+    parts.append(WORDS["swing"][lang].format(swing=_amount(fluctuation.swing, "J")))
+    if speed is not None and fluctuation.mean_torque(floats()) is not None:
+        power = _amount(lambda kind: fluctuation.mean_torque(kind) * speed.omega(kind), "W")
+        parts.append(WORDS["power"][lang].format(power=power))
+    yield ", ".join(parts)
+    greatest, least = (places(fluctuation.extremes(greatest=which)) for which in (True, False))
+    yield WORDS["extremes"][lang].format(greatest=greatest, least=least)
+    if steady is not None:
+        most = shown(lambda kind: 30 * steady.greatest(kind) / kind.pi)
+        low = shown(lambda kind: 30 * steady.least(kind) / kind.pi)
+        delta = shown(steady.irregularity)
+        yield WORDS["irregularity"][lang].format(delta=delta, most=most, least=low)
+
+
+def places(extremes: Sequence[Extreme]) -> Label:
+    """Return places in a row: $30°$; $150°$."""
+    named = "; ".join(f"${place_text(one)}$" for one in extremes[:MOST_PLACES])
+    return f"{named}; …" if len(extremes) > MOST_PLACES else named
+
+
+def place_text(extreme: Extreme, most: int = PLACES, rounding: str = "half-away") -> str:
+    """Return a letter, or an angle to so many decimals or as many as write it exactly."""
+    if extreme.letter:
+        return extreme.letter
+    if extreme.exact is not None:
+        decimals = finite_decimals(extreme.exact)
+        number = nearest(extreme.exact, most if decimals is None else min(decimals, most), rounding)
+    else:
+        assert extreme.degrees is not None
+        number = Number(settled(extreme.degrees, most, rounding), most)
+    return f"{number_text(number)}°"

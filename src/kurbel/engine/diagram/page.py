@@ -1,37 +1,98 @@
-"""The pages of turning-moment diagrams without an engine: over the crank angle, or at the ends of areas."""
+"""The pages of turning-moment diagrams without an engine: over the crank angle, or at the ends of areas.
+
+A kernel takes what is asked for, where, and the kind of number. Where is a crank angle in degrees; of areas
+it is what of them lies above the mean line.
+"""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any
 
-from kurbel.drive.crank import check_angles
+from kurbel.drive.crank import check_angles, known
 from kurbel.drive.load import figure
-from kurbel.engine.diagram.acceleration import acceleration_line
 from kurbel.engine.diagram.areas import Areas
-from kurbel.engine.diagram.captions import WORDS, outcome
-from kurbel.engine.diagram.excess import Excess
-from kurbel.engine.diagram.quantities import INERTIA, RUN, SCALE, areas_registry, torque_registry
-from kurbel.engine.diagram.steady import Steady
+from kurbel.engine.diagram.excess import Excess, acceleration_line
+from kurbel.engine.diagram.fluctuation import Steady, outcome
+from kurbel.engine.diagram.texts import WORDS
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import floats, settled
+from kurbel.exact.kind import Kind, floats, settled
 from kurbel.exact.numerals import Label, Number, figures
 from kurbel.exact.product import Product
 from kurbel.motion.captions import turns_label
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place
-from kurbel.page.quantity import Column, Quantity, words
+from kurbel.page.quantity import Column, Formula, Quantity, entry, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount, digits, unit_of_page
 from kurbel.reading.units import Speed
 
+INERTIA, RUN, SCALE = "inertia", "run", "scale"
 TORQUES, AREAS = "torques", "areas"
 POINT = words("Punkt|Point")
 NEEDS = {INERTIA: ("--inertia",), RUN: ("--inertia", "--speed"), SCALE: ("--area-scale",)}
+
+
+@cache
+def torque_registry() -> Mapping[str, Quantity]:
+    """Return what is known of torques at a crank angle, by its key."""
+    return {one.key: one for one in _of_torques()}
+
+
+@cache
+def areas_registry() -> Mapping[str, Quantity]:
+    """Return what is known of areas at the points between them, by its key."""
+    return {one.key: one for one in _of_areas()}
+
+
+def _entry(
+    key: str, name: str, symbol: Label, unit: Label, kernel: Callable[..., Any], **rest: Any
+) -> Quantity:
+    return entry(key, name, symbol, unit, None, {"exact": Formula(kernel)}, spanners=(words(name),), **rest)
+
+
+def _of_torques() -> Iterator[Quantity]:
+    yield _entry("torque", "Drehmoment|Torque", "$T$", "N m",
+                 lambda asked, where, kind: asked.excess.torque(asked.excess.drive, where, kind))  # fmt: skip
+    yield _entry("load_torque", "Lastmoment|Torque of the load", "$T_L$", "N m",
+                 lambda asked, where, kind: asked.excess.torque(asked.excess.load, where, kind))  # fmt: skip
+    yield _entry("excess_torque", "Überschuss|Excess torque", "$T - T_L$", "N m", _excess)
+    yield from _of_energy()
+    yield _entry(
+        "angular_acceleration", "Winkelbeschleunigung|Angular acceleration", "$α$", '$"rad"/"s"^2$',
+        lambda asked, where, kind: _excess(asked, where, kind) / kind.of(known(asked.inertia)), needs=INERTIA,
+    )  # fmt: skip
+
+
+def _of_areas() -> Iterator[Quantity]:
+    name = "Fläche über der Mittellinie|Area above the mean line"
+    yield _entry("level", name, "$A$", "", lambda asked, where, kind: kind.of(where), needs=SCALE)
+    yield from _of_energy()
+
+
+def _of_energy() -> Iterator[Quantity]:
+    """Yield the energy and the speed that is by it."""
+
+    def energy(asked: TorquesRequest | AreasRequest, where: Fraction, kind: Kind) -> Any:
+        return asked.swinging.energy(where, kind)
+
+    def omega(asked: TorquesRequest | AreasRequest, where: Fraction, kind: Kind) -> Any:
+        return known(asked.steady).at(energy(asked, where, kind), kind)
+
+    yield _entry("excess_energy", "Überschussarbeit|Excess energy", "$W$", "J", energy)
+    yield _entry("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", omega, needs=RUN)
+    yield _entry(
+        "rpm", "Drehzahl|Speed", "$n$", '$"min"^(-1)$',
+        lambda asked, where, kind: 30 * omega(asked, where, kind) / kind.pi, needs=RUN,
+    )  # fmt: skip
+
+
+def _excess(asked: TorquesRequest, where: Fraction, kind: Kind) -> Any:
+    return asked.excess.torque(asked.excess.excess, where, kind)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -218,6 +279,8 @@ OF_TORQUES = Subject(
     options=NEEDS,
     drawn="kurbel.plot.diagrams:torques",
 )
+
+
 OF_AREAS = Subject(
     key=AREAS,
     layout="areas",

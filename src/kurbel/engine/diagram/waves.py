@@ -13,7 +13,10 @@ from functools import cached_property
 from math import gcd, lcm
 from typing import Any, TypeAlias
 
-from kurbel.exact.kind import Kind
+import flint
+
+from kurbel.exact.certify import MOST_BITS, ball, vanishes
+from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.size import plus, times
 from kurbel.reading.given import Given
 
@@ -127,8 +130,6 @@ class Waves(Given):
 
     def within(self, degrees: Any) -> Any:
         """Return the sum at an angle that is a ball."""
-        import flint
-
         total, half_turns = flint.arb(0), degrees / 180
         for amplitude, order, phase in self._balls(flint.ctx.prec):
             total += amplitude * (order * half_turns + phase).cos_pi()
@@ -136,8 +137,6 @@ class Waves(Given):
 
     def _balls(self, precision: int) -> list[tuple[Any, Any, Any]]:
         """Return the waves as balls, phases in half turns; made once for each precision."""
-        from kurbel.exact.certify import ball
-
         if precision not in self._enclosed:
             self._enclosed[precision] = [
                 (ball(amplitude), ball(order), ball(phase / 180)) for amplitude, order, phase in self.parts
@@ -150,9 +149,6 @@ class Waves(Given):
 
     def vanishes(self, degrees: Fraction, level: Fraction = Fraction(0)) -> bool:
         """Whether the sum and a number beside it are 0 at a crank angle, proved within MOST_BITS."""
-        from kurbel.exact.certify import MOST_BITS, vanishes
-        from kurbel.exact.kind import balls, bounds
-
         if not self.placed(degrees) + Waves.constant(level):
             return True
 

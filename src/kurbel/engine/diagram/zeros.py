@@ -17,7 +17,11 @@ from kurbel.engine.diagram.fluctuation import Extreme
 from kurbel.engine.diagram.torque import TURN, Line, Torque
 from kurbel.engine.diagram.waves import Waves
 from kurbel.errors import ProblemError
+from kurbel.exact.certify import ball
 from kurbel.exact.kind import Kind, balls, floats
+from kurbel.exact.place import fraction
+from kurbel.exact.precision import at_bits
+from kurbel.exact.search import ISOLATING_BITS, LEAST_WIDTH, interval, isolate
 from kurbel.exact.separation import Separation
 from kurbel.exact.terms import algebraic
 
@@ -178,8 +182,6 @@ def _distinct(found: Iterable[Zero]) -> list[Zero]:
 def _on_line(
     excess: Torque, number: int, start: Fraction, end: Fraction, unit: int = UNITS[0]
 ) -> Iterator[Zero]:
-    from kurbel.exact.search import LEAST_WIDTH, isolate
-
     torque, slope = functions(excess, number, unit)
     counted = _counted(torque, len(excess.waves.amplitudes))
     for root in isolate(counted, slope, start / unit, end / unit):
@@ -209,10 +211,6 @@ def _counted(torque: Any, waves: int) -> Any:
 
 def _recognised(zero: Zero) -> Fraction | None:
     """Return the rational angle at which a zero is proved to lie, alone within its interval."""
-    from kurbel.exact.certify import ball
-    from kurbel.exact.place import fraction
-    from kurbel.exact.precision import at_bits
-
     with at_bits(RECOGNISING_BITS):
         found = zero.degrees(balls())
         middle = fraction(found.mid())
@@ -227,9 +225,6 @@ def _is_alone(zero: Zero, place: Fraction) -> bool:
     A zero that the signs isolate is one; of another as many derivatives vanish here as before the first that
     vanishes nowhere in the interval.
     """
-    from kurbel.exact.precision import at_bits
-    from kurbel.exact.search import ISOLATING_BITS, interval
-
     assert zero.excess is not None
     waves, line = zero.excess.waves, zero.excess.lines[zero.line]
     if not waves.vanishes(place, Fraction(line.value(place))):

@@ -2,23 +2,130 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kurbel.engine.diagram.fluctuation import Fluctuation
-from kurbel.engine.diagram.wheel.captions import caption, notes
-from kurbel.engine.diagram.wheel.quantities import NEEDS, SHOWN, registry
-from kurbel.engine.diagram.wheel.sizing import Sizing
-from kurbel.exact.numerals import Label, Number
+from kurbel.engine.diagram.excess import Excess, acceleration_line
+from kurbel.engine.diagram.fluctuation import Extreme, Fluctuation, place_text
+from kurbel.engine.diagram.texts import FLUCTUATION, OF_WHEELS, SOURCES, TORQUE
+from kurbel.engine.diagram.wheel.relations import NEEDS, SHOWN, registry
+from kurbel.engine.diagram.wheel.sizing import LIMIT, ONE_TURN, RIM_ALONE, Sizing
+from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
 from kurbel.exact.product import Product
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_number, irregularity_label
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
+from kurbel.reading.amounts import unit_of_page
+from kurbel.reading.notation import plain
 
+ANGLE_DECIMALS = 2
+# More places of one speed are left out.
+MOST_ANGLES = 8
+# A longer fraction is written as a decimal.
+LONGEST = 9
 TARGET = words("Ungleichförmigkeitsgrad, zulässiger|Degree of irregularity allowed")
 VALUE = words("Wert|Value")
+
+
+def caption(question: WheelRequest) -> Label:
+    text = question.layout.caption[question.lang]
+    if question.engine:
+        return text.replace("{flywheel}", question.engine[0])
+    return text.replace("{flywheel}", SOURCES[question.known_from][question.lang])
+
+
+def notes(question: WheelRequest) -> Iterator[Label]:
+    """Yield the lines below the table: its formulas, what was taken, where the speed is greatest."""
+    lang, wheel = question.lang, question.wheels[0]
+    yield from (note[lang] for note in question.layout.notes)
+    if "delta" in wheel.figures and "rim_mass" in wheel.figures and "omega" not in wheel.figures:
+        swing = "$ΔW$" if wheel.figures["rim_share"].value.rational == 1 else "$J_R/J ΔW$"
+        yield OF_WHEELS["rim_speeds"][lang].replace("{swing}", swing)
+    elif "delta" in wheel.figures:
+        # Masses that move have an energy of their own, which varies.
+        exactly = "" if question.engine else OF_WHEELS["exactly"][lang]
+        yield OF_WHEELS["speeds"][lang].replace("{exactly}", exactly)
+    if question.fluctuation is not None:
+        yield from _places(question)
+        yield from _accelerated(question)
+    if question.known_from in (FLUCTUATION, TORQUE) and "turns" in wheel.figures:
+        yield _cycle(question)
+    if question.press is not None:
+        yield _press(*question.press, lang)
+    if "mass" in wheel.figures and "disc_diameter" not in wheel.figures:
+        yield OF_WHEELS["mass"][lang]
+    yield from _rim(question)
+    yield from question.engine[1:]
+
+
+def _cycle(question: WheelRequest) -> Label:
+    """Return how long the cycle is whose work is W."""
+    lang, turns = question.lang, question.wheels[0].figures["turns"].value
+    said = OF_WHEELS["turn"] if turns.rational == 1 else OF_WHEELS["turns"]
+    number = number_text(turns.number(None, question.rounding))
+    usual = " (--turns)" if ONE_TURN in question.wheels[0].taken else ""
+    return OF_WHEELS["cycle"][lang].format(turns=said[lang].format(turns=number)) + usual
+
+
+def _press(working: Product | None, rest: Product, lang: str) -> Label:
+    """Return what the motor gives while the press works."""
+    if working is None:
+        return OF_WHEELS["blow"][lang]
+    return OF_WHEELS["press"][lang].format(share=_fraction(working), rest=_fraction(rest))
+
+
+def _rim(question: WheelRequest) -> Iterator[Label]:
+    lang, wheel = question.lang, question.wheels[0]
+    said = [OF_WHEELS[key][lang] for key in (LIMIT, RIM_ALONE) if key in wheel.taken]
+    turning = "omega" in wheel.figures
+    formulas = [OF_WHEELS["stress"][lang]] if "rim_speed" in wheel.figures and turning else []
+    formulas += [OF_WHEELS["rim"][lang]] if "rim_mass" in wheel.figures and turning else []
+    if formulas:
+        yield ", ".join(formulas)
+    if "disc_diameter" in wheel.figures:
+        yield OF_WHEELS["disc"][lang]
+    if "density" in wheel.figures:
+        times, unit = unit_of_page("kg/m³")
+        density = wheel.figures["density"].value * Product.of(times)
+        number = number_text(density.number(None, question.rounding))
+        said.insert(0, OF_WHEELS["density"][lang].format(density=number, unit=unit))
+    if said:
+        yield "; ".join(said)
+
+
+def _places(question: WheelRequest) -> Iterator[Label]:
+    """Yield where the speed is greatest and where least."""
+    assert question.fluctuation is not None
+    high, low = (question.fluctuation.extremes(greatest=greatest) for greatest in (True, False))
+    names = {"high": _listed(high, question), "low": _listed(low, question)}
+    yield OF_WHEELS["places"][question.lang].format(**names)
+    if high[0].letter:
+        yield OF_WHEELS["letters"][question.lang]
+
+
+def _accelerated(question: WheelRequest) -> Iterator[Label]:
+    """Yield the greatest and the least angular acceleration, where torques are known."""
+    inertias = [wheel.figures["inertia"].value for wheel in question.wheels if "inertia" in wheel.figures]
+    if isinstance(question.fluctuation, Excess) and inertias:
+        yield from acceleration_line(question.fluctuation, inertias, question.rounding, question.lang)
+
+
+def _listed(places: Sequence[Extreme], question: WheelRequest) -> Label:
+    first, *others = (place_text(one, ANGLE_DECIMALS, question.rounding) for one in places[:MOST_ANGLES])
+    begun = f"${first}$" if places[0].letter else f"$φ = {first}$"
+    more = ["..."] if len(places) > MOST_ANGLES else []
+    return ", ".join([begun, *(f"${one}$" for one in others), *more])
+
+
+def _fraction(product: Product) -> str:
+    """Return a share as it stands in a formula: 0.25, 1/3, or to five figures."""
+    value = product.rational
+    if value is None or len(str(value)) > LONGEST:
+        return number_text(product.number(None, "half-away"))
+    return plain(value) if finite_decimals(value) is not None else f"{value.numerator}/{value.denominator}"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
-from kurbel.engine.diagram.wheel.quantities import SHOWN, registry
-from kurbel.engine.diagram.wheel.relations import DISC_RULES, RULES, figures_of
+from kurbel.engine.diagram.wheel.relations import DISC_RULES, RULES, SHOWN, figures_of, registry
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import number_text
 from kurbel.exact.product import Product
