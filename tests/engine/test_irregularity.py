@@ -22,12 +22,11 @@ from numpy.typing import NDArray
 
 import kurbel
 from kurbel import compute_delta
+from kurbel.kernel import irregularity as kernel
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import circle
-from kurbel.kernel.irregularity import extremes as kernel
-from kurbel.kernel.irregularity.extremes import METHODS
-from kurbel.kernel.irregularity.half_tangent import ExactMotion, FirstOrderMotion, WeisbachRelation
-from kurbel.kernel.irregularity.load import load
+from kurbel.kernel.half_tangent import ExactMotion, FirstOrderMotion, WeisbachRelation, load
+from kurbel.kernel.irregularity import METHODS
 
 # mpmath has no types.
 Real = Any

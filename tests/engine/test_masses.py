@@ -16,7 +16,8 @@ from strokes import number, pressure_of
 
 import kurbel
 from kurbel.kernel.circle import circle
-from kurbel.kernel.rod import Loaded, Masses, kinetic_energy, torque_slope
+from kurbel.kernel.moving import Masses
+from kurbel.kernel.rod import Loaded, kinetic_energy, torque_slope
 
 SIZES = {"stroke": "600mm", "bore": "300mm", "speed": "120/min", "reciprocating": "300kg"}
 ROD = {"rod_mass": "150kg", "centre": "0.6", "gyration": "0.3"}

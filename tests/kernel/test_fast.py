@@ -14,11 +14,10 @@ from numpy.typing import NDArray
 
 from kurbel.exact import bulk
 from kurbel.exact.bulk import evaluate
-from kurbel.kernel import forces, kinematics, linkage
+from kurbel.kernel import forces, kinematics, linkage, loops
 from kurbel.kernel.circle import circle
-from kurbel.kernel.fast import loops, worth
-from kurbel.kernel.fast.loops import traceable, written
-from kurbel.kernel.fast.trace import UntraceableError
+from kurbel.kernel.loops import traceable, written
+from kurbel.kernel.trace import UntraceableError
 
 RANDOM = np.random.default_rng(1781)
 
@@ -106,15 +105,15 @@ def test_arrays_that_cannot_be_written_to_or_lie_apart_are_read() -> None:
 
 def test_numba_is_taken_once_arrays_have_taken_as_long_as_loading_it(monkeypatch: pytest.MonkeyPatch) -> None:
     sine, cells = (lambda point: point.sine), 60_000
-    monkeypatch.setattr(worth, "_done", Counter())
-    monkeypatch.setattr(worth, "_is_loaded", lambda: False)
-    monkeypatch.setattr(worth, "LOADING", 3 * cells)
-    monkeypatch.setattr(worth, "COMPILING", 2 * cells)
-    taken = [worth.chosen([sine], 0, cells, None) is not None for _ in range(5)]
+    monkeypatch.setattr(loops, "_done", Counter())
+    monkeypatch.setattr(loops, "_is_loaded", lambda: False)
+    monkeypatch.setattr(loops, "LOADING", 3 * cells)
+    monkeypatch.setattr(loops, "COMPILING", 2 * cells)
+    taken = [loops.chosen([sine], 0, cells, None) is not None for _ in range(5)]
     assert taken == [False, False, False, True, True]
-    assert worth.chosen([sine], 0, worth.FEWEST - 1, None) is None
-    assert worth.chosen([sine], 0, 1, True) is not None
-    assert worth.chosen([sine], 0, 10**9, False) is None
+    assert loops.chosen([sine], 0, loops.FEWEST - 1, None) is None
+    assert loops.chosen([sine], 0, 1, True) is not None
+    assert loops.chosen([sine], 0, 10**9, False) is None
 
 
 def broken() -> Any:

@@ -13,8 +13,9 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind
 from kurbel.kernel import rocker, rod
 from kurbel.kernel.circle import Circle
+from kurbel.kernel.moving import Masses, joined, rod_masses
 from kurbel.kernel.rocker import LoadedRocker
-from kurbel.kernel.rod import Loaded, Masses, joined
+from kurbel.kernel.rod import Loaded
 from kurbel.linkage.arc.crank import ArcCrank
 
 # mpmath has no types.
@@ -52,7 +53,7 @@ def on_circle(angle: Real) -> Circle[Real]:
 
 
 def masses() -> Masses[Real]:
-    return joined(rod.rod_masses(mp.mpf("0.27"), mp.mpf("0.3")), mp.mpf("1.7"), RECIPROCATING)
+    return joined(rod_masses(mp.mpf("0.27"), mp.mpf("0.3")), mp.mpf("1.7"), RECIPROCATING)
 
 
 def loaded(crank: ArcCrank, stroke: int, angle: Real, force: Real = FORCE) -> LoadedRocker:

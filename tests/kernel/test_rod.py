@@ -19,7 +19,8 @@ from kurbel.exact import certify
 from kurbel.kernel import forces
 from kurbel.kernel import rod as kernel
 from kurbel.kernel.circle import circle
-from kurbel.kernel.rod import Loaded, Masses
+from kurbel.kernel.moving import Masses, rod_masses
+from kurbel.kernel.rod import Loaded
 
 
 def force(name: str) -> Callable[..., Any]:
@@ -71,7 +72,7 @@ def test_without_masses_the_piston_force_alone_acts() -> None:
 
 SAMPLED = np.concatenate([np.arange(0, 361, 15.0), np.random.default_rng(8).uniform(0, 360, 100)])
 ROD = Fraction(37, 100), Fraction(9, 100)
-FLOATS = kernel.rod_masses(*map(float, ROD))
+FLOATS = rod_masses(*map(float, ROD))
 
 
 def test_an_infinite_rod_swings_without_turning_the_force_along() -> None:

@@ -13,7 +13,7 @@ from cli import kurbel, printed
 
 from kurbel import verify
 from kurbel.exact.kind import balls
-from kurbel.kernel.series import chord
+from kurbel.kernel import series
 
 
 def errors_csv(*options: str) -> list[dict[str, str]]:
@@ -174,7 +174,7 @@ def test_the_closed_form_is_that_of_the_steps() -> None:
     kind = balls()
     circle, ratio = kind.circle(Fraction(371, 7)), kind.of(Fraction(3, 7))
     for steps in range(6):
-        assert chord.closed(circle, ratio, steps).overlaps(chord.after(circle, ratio, steps))
+        assert series.closed(circle, ratio, steps).overlaps(series.after(circle, ratio, steps))
 
 
 def test_steps_never_reach_a_value_half_way_that_is_rounded_up() -> None:

@@ -9,7 +9,7 @@ import pytest
 
 import kurbel
 from kurbel.exact.bulk import OfDegrees, evaluate
-from kurbel.kernel.fast.loops import traceable
+from kurbel.kernel.loops import traceable
 from kurbel.motion.bulk import on_floats
 
 MOVED = {"stroke": "600mm", "speed": "300/min"}

@@ -17,9 +17,9 @@ from kurbel.drive.spin import gain
 from kurbel.exact.kind import Kind, balls
 from kurbel.kernel import forces, kinematics
 from kurbel.kernel.circle import Circle
-from kurbel.kernel.effort import net_torque as pin_torque
-from kurbel.kernel.inertia.accelerations import Accelerations
-from kurbel.kernel.rod import Loaded, Masses
+from kurbel.kernel.forces import net_torque as pin_torque
+from kurbel.kernel.moving import Accelerations, Masses
+from kurbel.kernel.rod import Loaded
 
 FIRST_BITS = 64
 RETURN = -1

@@ -10,8 +10,9 @@ from operator import attrgetter, methodcaller
 from typing import Any, NamedTuple
 
 from kurbel.kernel import forces
-from kurbel.kernel.effort import Weight
-from kurbel.kernel.rod import Loaded, Masses, with_crank
+from kurbel.kernel.forces import Weight
+from kurbel.kernel.moving import Masses, with_crank
+from kurbel.kernel.rod import Loaded
 
 
 class Weights(NamedTuple):

@@ -9,7 +9,7 @@ from typing import Any
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import root
-from kurbel.kernel.effort import Circles
+from kurbel.kernel.forces import Circles
 from kurbel.reading.notation import about
 
 HIGHEST = 10**12

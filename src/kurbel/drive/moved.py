@@ -10,13 +10,11 @@ from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, Any, Protocol
 
 from kurbel.errors import ProblemError
-from kurbel.kernel import kinematics, rod, turning
+from kurbel.kernel import kinematics, moving, rod, turning
 from kurbel.kernel.circle import Circle, Number, root
-from kurbel.kernel.effort import Weight, on_return, torque_slope, work
-from kurbel.kernel.forces import tangential_force
-from kurbel.kernel.inertia import first_order
-from kurbel.kernel.inertia.accelerations import EVEN, OF_FIRST_ORDER
-from kurbel.kernel.rod import Loaded, Masses
+from kurbel.kernel.forces import Weight, on_return, tangential_force, torque_slope, work
+from kurbel.kernel.moving import EVEN, OF_FIRST_ORDER, Masses
+from kurbel.kernel.rod import Loaded
 
 if TYPE_CHECKING:
     from kurbel.drive.crank import Crank
@@ -151,7 +149,6 @@ class Slide(Moved):
         self.numbers = tuple((sign * ratio, *(sign * one for one in offset)) for sign in (1, -1))
         self.length = kinematics.stroke(ratio, *offset) if offset else 2
         self.motion, self.kind = motion, kind
-        self.energies: Any = first_order if self._is_first_order else rod
 
     @property
     def _is_first_order(self) -> bool:
@@ -199,16 +196,20 @@ class Slide(Moved):
         self, stroke: int, circle: Circle[Any], masses: Masses[Any], weight: Weight[Any] | None
     ) -> Number:
         if self._is_first_order:
-            return first_order.power(circle, self.numbers[stroke][0], masses, framed(weight, stroke))
+            return moving.power_first_order(circle, self.numbers[stroke][0], masses, framed(weight, stroke))
         return super().power(stroke, circle, masses, weight)
 
     def kinetic_energy(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
         ratio, *offset = self.numbers[stroke]
-        return self.energies.kinetic_energy(circle, ratio, masses, *offset)
+        if self._is_first_order:
+            return moving.kinetic_energy_first_order(circle, ratio, masses)
+        return rod.kinetic_energy(circle, ratio, masses, *offset)
 
     def torque_slope(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
         ratio, *offset = self.numbers[stroke]
-        return self.energies.torque_slope(circle, ratio, masses, *offset)
+        if self._is_first_order:
+            return moving.torque_slope_first_order(circle, ratio, masses)
+        return rod.torque_slope(circle, ratio, masses, *offset)
 
     def angle_at(self, stroke: int, share: Number) -> Number | None:
         if not self.motion.versine_at:

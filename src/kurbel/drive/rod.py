@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from kurbel.drive.crank_forces import Weights
 from kurbel.drive.slope import Slope
 from kurbel.errors import ProblemError
-from kurbel.kernel.effort import Weight
-from kurbel.kernel.rod import Masses, joined, rod_masses, two_masses
+from kurbel.kernel.forces import Weight
+from kurbel.kernel.moving import Masses, joined, rod_masses, two_masses
 from kurbel.reading.notation import about
 
 if TYPE_CHECKING:

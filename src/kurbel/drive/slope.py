@@ -8,7 +8,7 @@ from typing import Any
 
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
-from kurbel.kernel.effort import Weight
+from kurbel.kernel.forces import Weight
 from kurbel.reading.notation import about
 
 # By definition, of the third general conference on weights and measures, in m/s².

@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from kurbel.engine.engine import LARGEST_CLEARANCE, LARGEST_EXPANSION, LARGEST_EXPONENT, LEAST_CURVE
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.bulk import broadcast_shape, in_blocks
-from kurbel.kernel.fast.worth import pays
-from kurbel.kernel.irregularity.extremes import BY_NUMPY, METHODS, Arithmetic
-from kurbel.kernel.irregularity.load import load
+from kurbel.kernel.half_tangent import load
+from kurbel.kernel.irregularity import BY_LOOPS, BY_NUMPY, METHODS, Arithmetic
+from kurbel.kernel.loops import pays
 from kurbel.reading.given import as_ratio_array, choose
 from kurbel.reading.names import checks_keywords
 
@@ -188,8 +188,6 @@ def _valid(given: Mapping[str, Any]) -> Any:
 def _arithmetic(method: str, size: int, fast: bool | None) -> Arithmetic:
     """Return what computes so many engines."""
     if method != "weisbach" and pays(f"δ {method}", CELLS * size, fast):
-        from kurbel.kernel.fast.extremes import BY_LOOPS
-
         return BY_LOOPS
     return BY_NUMPY
 

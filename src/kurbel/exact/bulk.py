@@ -64,9 +64,9 @@ def evaluate(
     angles, to an array (or to one number for all of them).
     `check` may refuse a block of angles, while it is at hand, by an exception.
     Besides them only a block a core is held in memory. The bits depend neither on the number of cores nor on
-    `fast`: whether numba computes, where it is installed; None leaves that to `kernel/fast/worth.py`.
+    `fast`: whether numba computes, where it is installed; None leaves that to `kernel/loops.py`.
     """
-    from kurbel.kernel.fast.worth import chosen
+    from kurbel.kernel.loops import chosen
 
     out = np.empty((len(functions), len(angles)))
     formulas = [None if isinstance(one, OfDegrees) else one for one in functions]

@@ -103,7 +103,7 @@ def _unrounded(degrees: Number) -> tuple[Number, _Split, _Split]:
         quarter = round(degrees / 90)
         return _of_one_quarter(quarter, _parts(degrees - 90.0 * quarter))
     if hasattr(degrees, "unrounded"):
-        # Numbers of kernel/fast choose no branch.
+        # Numbers of kernel/trace.py choose no branch.
         found: tuple[Number, _Split, _Split] = degrees.unrounded(_parts)
         return found
     import numpy as np

@@ -1,7 +1,7 @@
 """Forces of the arc crank with its moving masses: rod, rocker, and what goes to and fro at the rocker's end.
 
 The piston force F and the reciprocating mass act at the rocker's end B, along its arc. The rod moves like
-`Masses` of kernel/rod.py, at the crank pin A and at B with the couple that makes up its moment of inertia.
+`Masses` of kernel/moving.py, at the crank pin A and at B with the couple that makes up its moment of inertia.
 The rocker's own moment of inertia J about its pivot is there a mass J/B² at its end, but only along the arc:
 its pivot bears what pulls it across. Forces are in M R ω², torques in M R² ω²; the crank turns evenly, and
 there is neither friction nor weight.
@@ -21,8 +21,8 @@ from functools import cached_property
 from kurbel.kernel import linkage, moving
 from kurbel.kernel.circle import Circle, Number
 from kurbel.kernel.linkage import Arc, Place
-from kurbel.kernel.moving import Link
-from kurbel.kernel.rod import Masses, magnitude
+from kurbel.kernel.moving import Link, Masses
+from kurbel.kernel.rod import magnitude
 
 
 @dataclass(frozen=True, eq=False, repr=False)

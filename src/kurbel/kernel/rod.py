@@ -12,7 +12,7 @@ A `Loaded` drive has the `Circle` of the crank angle, the ratio λ = R/L, the ma
 η = e/R (None is the straight crank); its forces are numbers of the circle's kind: floats, arrays, balls or
 separation bounds. Accelerations are in units of R ω². With masses in units of the rod's M, forces are in
 M R ω², torques in M R² ω². The crank turns evenly and accelerations are exact unless they come `by` others,
-kernel/inertia; there is no friction in the pins. Weights of the masses act where the masses are, for these
+kernel/moving.py; there is no friction in the pins. Weights of the masses act where the masses are, for these
 have the rod's centre of mass.
 
 Signs are those of kernel/forces.py: X runs from the shaft along the slide towards the dead centre that the
@@ -30,28 +30,12 @@ transcribed, and his article goes on where the transcription ends; re-derived.
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Generic, NamedTuple, Self, TypeVar
+from typing import Generic, NamedTuple, Self
 
 from kurbel.kernel import kinematics, moving
-from kurbel.kernel.circle import Circle, Number, root
-from kurbel.kernel.effort import Weight, pin_torque
-from kurbel.kernel.forces import Slant, rod_slant, tangential_force
-from kurbel.kernel.inertia.accelerations import EVEN, Accelerations
-from kurbel.kernel.moving import Link
-
-Kind = TypeVar("Kind")
-
-
-class Masses(NamedTuple, Generic[Kind]):
-    """What moves like the rod: a mass at A, one at B, and the couple m (k² - a b)/L², 0 for two masses.
-
-    `rocker` is one that a rocker in place of the guide has at B along its arc alone: kernel/rocker.py.
-    """
-
-    pin: Kind
-    crosshead: Kind
-    couple: Kind | int = 0
-    rocker: Kind | int = 0
+from kurbel.kernel.circle import Circle, Kind, Number, root
+from kurbel.kernel.forces import Slant, Weight, pin_torque, rod_slant, tangential_force
+from kurbel.kernel.moving import EVEN, Accelerations, Link, Masses
 
 
 class Parts(NamedTuple, Generic[Kind]):
@@ -65,38 +49,6 @@ class Parts(NamedTuple, Generic[Kind]):
     common: Kind
     turning: Kind
     stretching: Kind
-
-
-def rod_masses(centre: Number, gyration_square: Number) -> Masses[Number]:
-    """Return the masses of a rod of mass 1 from a/L and k²/L²."""
-    return Masses(1 - centre, centre, gyration_square - centre * (1 - centre))
-
-
-def two_masses(crosshead: Number) -> Masses[Number]:
-    """Return the two masses that replace a rod of mass 1, this share of it at the crosshead.
-
-    By the centre of mass the share is a/L, by the railway rule 4/10. Source: Ensslin, 593.
-    """
-    return Masses(1 - crosshead, crosshead)
-
-
-def joined(masses: Masses[Number], rod: Number, reciprocating: Number) -> Masses[Number]:
-    """Return the masses of a rod of mass `rod`, one that reciprocates with the crosshead added.
-
-    The forces are then in the unit of mass times R ω², and so must the piston force be.
-    """
-    pin, crosshead, couple, *_ = (rod * part for part in masses)
-    return Masses(pin, crosshead + reciprocating, couple)
-
-
-def with_crank(masses: Masses[Number], rotating: Number) -> Masses[Number]:
-    """Return masses of which the forces at the pin are those of the main bearing on the shaft.
-
-    `rotating` is the crank's own mass times the distance of its centre from the shaft, over R; negative for
-    a counterweight. It leaves the guide force and the torque as they are, and has no weight here, for what
-    the crank weighs is not known of it.
-    """
-    return masses._replace(pin=masses.pin + rotating)
 
 
 def parts(

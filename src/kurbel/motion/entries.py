@@ -57,9 +57,9 @@ def _by_orders(first: Formulas, kernel: str, line: Label) -> Formulas:
 def _by_order(kernel: str, order: int) -> Kernel:
     def call(at: At) -> Any:
         # What is asked by other methods needs none of it.
-        from kurbel.kernel.series import motion
+        from kurbel.kernel import series
 
-        found = getattr(motion, kernel)(at.circle, at.ratio, order)
+        found = getattr(series, kernel)(at.circle, at.ratio, order)
         # Of a negative ratio fd would be negative, too.
         return at.stroke * found if kernel == "rod_versine" else found
 

@@ -12,7 +12,8 @@ from kurbel.drive.at import At
 from kurbel.drive.crank import Crank, known
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
-from kurbel.kernel.rod import Loaded, Masses
+from kurbel.kernel.moving import Masses
+from kurbel.kernel.rod import Loaded
 from kurbel.motion.entries import OF_ROD
 from kurbel.motion.evaluation import OFFSET
 from kurbel.page.quantity import Formula, Quantity, Words, words

@@ -11,7 +11,7 @@ from typing import Any
 from kurbel.drive.crank import known
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, nearest, number_text
-from kurbel.kernel.rod import Masses
+from kurbel.kernel.moving import Masses
 from kurbel.motion.captions import drive_notes, notes
 from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, inertia_registry
 from kurbel.motion.inertia_peak import Peak

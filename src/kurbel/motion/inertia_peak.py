@@ -24,7 +24,8 @@ from kurbel.exact.search import BEFORE, BEHIND, SHARP_BITS, Summit, Zero, greate
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.exact.terms import algebraic
 from kurbel.kernel.circle import Circle
-from kurbel.kernel.rod import Loaded, Masses
+from kurbel.kernel.moving import Masses
+from kurbel.kernel.rod import Loaded
 from kurbel.motion.inertia import RodForce
 
 CONTENDING_BITS = 256

@@ -16,7 +16,7 @@ from kurbel.engine.irregularity import enclosed
 from kurbel.engine.long.irregularity import KEY, SUBJECT, plain_steam
 from kurbel.engine.request import EngineRequest
 from kurbel.exact.bulk import nearest
-from kurbel.kernel.fast.worth import of_all
+from kurbel.kernel.loops import of_all
 from kurbel.motion.arrays import motion
 from kurbel.motion.bulk import float_bound
 from kurbel.motion.evaluation import MOST_DECIMALS

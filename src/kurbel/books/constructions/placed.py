@@ -17,7 +17,7 @@ from kurbel.drive.rod import Rod
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, exact_text
 from kurbel.kernel.circle import Circle, root
-from kurbel.kernel.inertia.parts import Parted, parted, parted_rocker
+from kurbel.kernel.parts import Parted, parted, parted_rocker
 from kurbel.motion.evaluation import OUT
 from kurbel.page.quantity import Words, words
 

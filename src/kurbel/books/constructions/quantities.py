@@ -14,7 +14,7 @@ from kurbel.books.constructions.placed import Placed, Point
 from kurbel.exact.kind import floats
 from kurbel.kernel import beam, forces, kinematics, linkage
 from kurbel.kernel.circle import root
-from kurbel.kernel.inertia.parts import COMMON, STRETCHING, TURNING
+from kurbel.kernel.parts import COMMON, STRETCHING, TURNING
 from kurbel.kernel.steam import logarithm
 from kurbel.kernel.turning import mean_force
 from kurbel.motion.evaluation import OUT, RETURN

@@ -10,7 +10,7 @@ from typing import Any
 from kurbel.drive.at import At
 from kurbel.drive.crank import known
 from kurbel.exact.numerals import Label
-from kurbel.kernel.inertia.parts import Parted, parted_rocker
+from kurbel.kernel.parts import Parted, parted_rocker
 from kurbel.kernel.rocker import LoadedRocker
 from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.linkage.question import LinkageRequest, linkage_subject

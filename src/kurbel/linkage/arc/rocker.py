@@ -24,10 +24,10 @@ from kurbel.exact.kind import Kind
 from kurbel.kernel import linkage, rocker
 from kurbel.kernel.circle import Circle, Number
 from kurbel.kernel.coupler import Reach, Rod, rocker_reach, rocker_rod
-from kurbel.kernel.effort import Weight
+from kurbel.kernel.forces import Weight
 from kurbel.kernel.linkage import Arc, Place
+from kurbel.kernel.moving import Masses
 from kurbel.kernel.rocker import LoadedRocker
-from kurbel.kernel.rod import Masses
 from kurbel.linkage.linkage import Linkage
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.page.quantity import Words

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
 from kurbel.kernel import rod
-from kurbel.kernel.rod import Masses
+from kurbel.kernel.moving import Masses
 from kurbel.motion.evaluation import OFFSET
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
 if TYPE_CHECKING:
-    from kurbel.kernel.inertia.parts import Parted, Vector
+    from kurbel.kernel.parts import Parted, Vector
 
 UNIT = "R ω^2"
 EXACT = words("genau|exact")
@@ -98,7 +98,7 @@ _OTHERS: tuple[tuple[str, str, Words, str, tuple[Component, ...]], ...] = (
 
 def moved(at: At) -> Parted:
     """Return the rod at a place by its motion alone."""
-    from kurbel.kernel.inertia.parts import parted
+    from kurbel.kernel.parts import parted
 
     return parted(at.circle, at.ratio, NOTHING, at.offset, at.by)
 

@@ -16,7 +16,7 @@ from kurbel.motion.evaluation import OFFSET
 from kurbel.page.quantity import Column, Formula, Quantity, Words, words
 
 if TYPE_CHECKING:
-    from kurbel.kernel.inertia.parts import Parted
+    from kurbel.kernel.parts import Parted
 
 COMMON, TURNING, STRETCHING = PARTS = Parts._fields
 EXACT, THRUST = "exact", ("thrust", "thrust inertia")
@@ -132,7 +132,7 @@ def _of_rod(kernel: Kernel, parted_of: Callable[[Any], Parted]) -> Callable[[Any
 
 def held(at: At) -> Parted:
     """Return the rod between crank and crosshead at a place, with its masses."""
-    from kurbel.kernel.inertia.parts import parted
+    from kurbel.kernel.parts import parted
 
     masses = known(at.crank.rod).masses(EXACT, at.numbers.of)
     return parted(at.circle, at.ratio, masses, at.offset, at.by)
@@ -149,7 +149,7 @@ def mollier_entries(models: Mapping[str, Words]) -> Iterator[Quantity]:
 
 def _moving(model: str) -> Callable[[At], Any]:
     def moving(at: At) -> Any:
-        from kurbel.kernel.inertia.parts import moving_force
+        from kurbel.kernel.parts import moving_force
 
         rod = known(at.crank.rod)
         masses = rod.masses(model, at.numbers.of)

@@ -19,8 +19,7 @@ from kurbel.exact.kind import Kind, balls, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.exact.precision import at_bits
 from kurbel.exact.terms import vanishes
-from kurbel.kernel import kinematics
-from kurbel.kernel.series import chord
+from kurbel.kernel import kinematics, series
 from kurbel.motion.captions import drive_notes
 from kurbel.motion.evaluation import columns_in_balls
 from kurbel.motion.page import MOTION, Request
@@ -46,7 +45,7 @@ def steps_to(crank: Crank, angle: Fraction, decimals: int, rounding: str) -> int
         return None
 
     def stands(steps: int) -> bool:
-        found = settled(lambda kind: chord.closed(*_at(crank, angle, kind), steps), decimals, rounding)
+        found = settled(lambda kind: series.closed(*_at(crank, angle, kind), steps), decimals, rounding)
         return found == wanted
 
     steps = _guess(crank, angle, lowest)
@@ -75,7 +74,7 @@ def _guess(crank: Crank, angle: Fraction, lowest: Fraction) -> int:
         with at_bits(precision):
             kind = balls()
             circle, ratio = _at(crank, angle, kind)
-            whole, share = kinematics.rod_versine(circle, ratio), chord.shrinking(circle, ratio)
+            whole, share = kinematics.rod_versine(circle, ratio), series.shrinking(circle, ratio)
             left = (whole - kind.of(lowest)) / (whole / share - kind.of(lowest))
             if left.rel_accuracy_bits() > _SURE_BITS:
                 return max(1, floor(float((left.log() / share.log()).mid())) - 1)
@@ -135,7 +134,7 @@ def _length(key: str, name: str, symbol: Label, kernel: Callable[[At], Any]) -> 
 
 
 def _after(steps: int) -> Callable[[At], Any]:
-    return lambda at: chord.after(at.circle, at.ratio, steps)
+    return lambda at: series.after(at.circle, at.ratio, steps)
 
 
 def _exactly(at: At) -> Any:

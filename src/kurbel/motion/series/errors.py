@@ -27,16 +27,15 @@ from kurbel.exact.jet import ball_jets, slopes
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.precision import at_bits
 from kurbel.exact.search import Zero
-from kurbel.kernel import kinematics
+from kurbel.kernel import kinematics, series
 from kurbel.kernel.circle import Circle
-from kurbel.kernel.series import motion
 
 QUARTER = Fraction(90)
 # The exact formula and that of an order, by their quantities.
 FORMULAS: Mapping[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
-    "x": (kinematics.piston_path, motion.piston_path),
-    "c": (kinematics.piston_velocity, motion.piston_velocity),
-    "p": (kinematics.piston_acceleration, motion.piston_acceleration),
+    "x": (kinematics.piston_path, series.piston_path),
+    "c": (kinematics.piston_velocity, series.piston_velocity),
+    "p": (kinematics.piston_acceleration, series.piston_acceleration),
 }
 # A rough value is known to so many bits, and found with at most so many.
 ROUGH_BITS, MOST_ROUGH_BITS = 40, 1 << 16

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import floats, settled
 from kurbel.exact.numerals import Label, Number, figures, nearest
-from kurbel.kernel.series.coefficients import rod_versine, terms_of
+from kurbel.kernel.series import terms_of, versine_term
 from kurbel.motion.captions import drive_notes
 from kurbel.motion.evaluation import NEEDS
 from kurbel.motion.page import CrankQuestion
@@ -180,7 +180,7 @@ def _notes(question: SeriesErrorsRequest) -> Iterator[Label]:
 def _left_out(order: int) -> str:
     """1/8 λ³ sin⁴ φ"""
     term = terms_of(order) + 1
-    above, below = rod_versine(term)
+    above, below = versine_term(term)
     return f"{above}/{below} λ^({2 * term - 1}) sin^({2 * term}) φ"
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from kurbel.exact.numerals import Label
-from kurbel.kernel.series.coefficients import rod_versine, slope, terms_of
+from kurbel.kernel.series import slope_term, terms_of, versine_term
 from kurbel.page.quantity import filled
 
 # So many terms are printed whole.
@@ -19,14 +19,14 @@ def with_terms(line: Label, order: int) -> Label:
 
 def path(order: int) -> str:
     """1/2 λ sin² φ + 1/8 λ³ sin⁴ φ"""
-    return _sum(order, lambda term: f"{_share(rod_versine(term))}{_power(term)} {_sine(2 * term)}")
+    return _sum(order, lambda term: f"{_share(versine_term(term))}{_power(term)} {_sine(2 * term)}")
 
 
 def velocity(order: int) -> str:
     """1 + 1/2 λ² sin² φ: what λ sin φ cos φ is multiplied with, and also λ cos φ of the rod."""
 
     def one(term: int) -> str:
-        return "1" if term == 1 else f"{_share(slope(term))}{_even(term)} {_sine(2 * term - 2)}"
+        return "1" if term == 1 else f"{_share(slope_term(term))}{_even(term)} {_sine(2 * term - 2)}"
 
     return _sum(order, one)
 
@@ -38,7 +38,7 @@ def acceleration(order: int) -> str:
         if term == 1:
             return "λ cos 2 {angle}"
         bracket = f"({2 * term} cos^2 {{angle}} - 1)"
-        return f"{_share(slope(term))}{_power(term)} {_sine(2 * term - 2)} {bracket}"
+        return f"{_share(slope_term(term))}{_power(term)} {_sine(2 * term - 2)} {bracket}"
 
     return _sum(order, one)
 
@@ -51,7 +51,7 @@ def rod_acceleration(order: int) -> str:
             return "1"
         sine = f" {_sine(2 * term - 4)}" if term > 2 else ""
         bracket = f"({2 * term - 1} cos^2 {{angle}} - 1)"
-        return f"{_share(slope(term))}{_even(term)}{sine} {bracket}"
+        return f"{_share(slope_term(term))}{_even(term)}{sine} {bracket}"
 
     return _sum(order, one, " - ")
 

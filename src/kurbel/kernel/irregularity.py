@@ -1,6 +1,6 @@
 """Irregularity of the double-acting engine with one crank: extreme speeds and δ, for arrays.
 
-Angles and paths count as in half_tangent.py, forces as in load.py, work is in their units times r.
+Angles, paths and forces count as in half_tangent.py, work is in their units times r.
 
 Two angles are enough. At any place of its stroke the piston of the outstroke has turned the crank by less
 than that of the return stroke; as the excess work is a function of the place, less P times the angle, the
@@ -10,23 +10,27 @@ maximum is the outstroke's and the minimum the return stroke's. Work is stationa
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from functools import partial
+from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache, partial
 from math import inf
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
 from kurbel.kernel.circle import Number
-from kurbel.kernel.irregularity.half_tangent import (
+from kurbel.kernel.half_tangent import (
+    TWO_OVER_PI,
     ExactMotion,
     FirstOrderMotion,
+    Load,
     Motion,
     Place,
     Relation,
     WeisbachRelation,
+    work_left,
 )
-from kurbel.kernel.irregularity.load import TWO_OVER_PI, Load, work_left
+from kurbel.kernel.loops import compiled, written_formula
+from kurbel.kernel.trace import Traced
 
 # A step that changes T by this share leaves less than 1e-8 of it to be found.
 SETTLED = 1e-4
@@ -264,3 +268,67 @@ METHODS: Mapping[str, Callable[[Number, Load, Arithmetic], Number]] = {
     "weisbach": weisbach,
 }
 """δ in units of P r/(m₁ v₁²) from λ and the forces, by method and what computes it."""
+
+
+Floats: TypeAlias = tuple[tuple[str, float], ...]
+
+# What the extremes ask of a load, and what δ does.
+FORCES = ("back", "net", "mean", "over", "dead", "swept", "bend")
+WORK = ("back", "net", "mean", "forgone")
+
+
+def extremes_in_loops(kind: type[Motion], ratio: Number, load: Load) -> Extremes:
+    """Return what `kernel.irregularity.extremes.extremes` returns, to the bit."""
+    if load.exponent is not None:
+        # Powers are those of NumPy.
+        return extremes(kind, ratio, load)
+    # Without clearance nothing asks where the cut-off is.
+    arrays, floats = _sorted(load, FORCES if load.plain else ("expansion", *FORCES))
+    motion: Any = kind
+    rows = _filled(_extremes_loop(motion, tuple(arrays), floats), 8, [ratio, *arrays.values()])
+    return Extremes(Place(*rows[:3]), Place(*rows[3:6]), *rows[6:])
+
+
+def irregularity_in_loops(load: Load, *given: Number) -> Number:
+    """Return what `kernel.irregularity.extremes.irregularity` returns, to the bit."""
+    arrays, floats = _sorted(load, WORK)
+    return _filled(_irregularity_loop(tuple(arrays), floats), 1, [*given, *arrays.values()])[0]
+
+
+BY_LOOPS = Arithmetic(extremes_in_loops, irregularity_in_loops)
+
+
+def _sorted(load: Load, names: Sequence[str]) -> tuple[dict[str, Number], Floats]:
+    given = {name: getattr(load, name) for name in names}
+    arrays = {name: one for name, one in given.items() if not isinstance(one, float)}
+    return arrays, tuple((name, one) for name, one in given.items() if isinstance(one, float))
+
+
+def _filled(run: Callable[..., None], rows: int, given: Sequence[Number]) -> list[Any]:
+    size = max(one.size for one in given)
+    arrays = [np.require(np.broadcast_to(one, size), np.float64, ("C", "A")) for one in given]
+    filled = [np.empty(size) for _ in range(rows)]
+    run(np.empty(0), *arrays, *filled)
+    return filled
+
+
+def _load(arrays: Sequence[str], floats: Floats, numbers: Sequence[Traced]) -> Load:
+    unknown: dict[str, Any] = dict.fromkeys(Load._fields)
+    return Load(**unknown | dict(floats) | dict(zip(arrays, numbers, strict=True)))
+
+
+@lru_cache(maxsize=64)
+def _extremes_loop(kind: Any, arrays: tuple[str, ...], floats: Floats) -> Callable[..., None]:
+    def formula(ratio: Traced, *more: Traced) -> list[Traced]:
+        falling, rising, *rest = extremes(kind, ratio, _load(arrays, floats, more))
+        return [*falling, *rising, *rest]
+
+    return compiled(written_formula(formula, 1 + len(arrays)))
+
+
+@lru_cache(maxsize=64)
+def _irregularity_loop(arrays: tuple[str, ...], floats: Floats) -> Callable[..., None]:
+    def formula(*numbers: Traced) -> list[Traced]:
+        return [irregularity(_load(arrays, floats, numbers[6:]), *numbers[:6])]
+
+    return compiled(written_formula(formula, 6 + len(arrays)))

@@ -41,18 +41,16 @@ Units and signs are those of kernel/rod.py; H is positive as F is, against X.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Generic, NamedTuple, TypeVar
+from typing import Generic, NamedTuple
 
-from kurbel.kernel.circle import Circle, Number
+from kurbel.kernel.circle import Circle, Kind, Number
 from kurbel.kernel.forces import Slant, rod_slant, tangential_force
-from kurbel.kernel.inertia.accelerations import EVEN, Accelerations
 from kurbel.kernel.kinematics import offset_acceleration, piston_acceleration, rod_turning
 from kurbel.kernel.linkage import Arc, Place
+from kurbel.kernel.moving import EVEN, Accelerations, Masses
 from kurbel.kernel.rocker import LoadedRocker
-from kurbel.kernel.rod import Masses, Parts, magnitude
+from kurbel.kernel.rod import Parts, magnitude
 from kurbel.kernel.rod import parts as parts_of
-
-Kind = TypeVar("Kind")
 
 COMMON, TURNING, STRETCHING = PARTS = Parts._fields
 

@@ -1,1 +1,0 @@
-"""How the masses of the crank drive are accelerated: exactly or to first order, by an even crank or not."""

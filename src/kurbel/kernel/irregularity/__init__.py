@@ -1,1 +1,0 @@
-"""The irregularity δ of very many double-acting engines with one crank, for arrays."""
