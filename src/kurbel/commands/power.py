@@ -24,8 +24,7 @@ from kurbel.engine.engine import Engine, Load
 from kurbel.engine.power.duty import Duty
 from kurbel.engine.power.page import PowerRequest
 from kurbel.engine.power.source import Acting, GivenPressure
-from kurbel.engine.pressures.page import PressuresRequest
-from kurbel.engine.pressures.pressed import Pressed
+from kurbel.engine.pressures import Pressed, PressuresRequest
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import uncomputed

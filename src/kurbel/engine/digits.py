@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import ceil, floor, log10
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.engine.quantities import AT_ANGLE, EXTREMES, Where, engine_registry, value
 from kurbel.errors import CardError
-from kurbel.exact.certify import rounded
+from kurbel.exact.certify import TieBits, rounded
 from kurbel.exact.numerals import Number, figures, given, nearest
 from kurbel.exact.precision import at_bits
 from kurbel.page.quantity import Column, Quantity, bare
@@ -48,14 +48,6 @@ class Asked(NamedTuple):
 
 def settled(asked: Asked, rounding: str) -> Number:
     """Return the value, rounded correctly."""
-    quantity, decimals = asked.column.quantity, asked.column.decimals
-    if quantity.decimals is None:
-        with at_bits(ESTIMATE_BITS):
-            near = asked.value()
-        if isinstance(near, Fraction):
-            return given(near, decimals, rounding)
-        decimals = figures(float(near)) if decimals is None else decimals
-    assert decimals is not None
 
     def ties(boundary: Fraction) -> float:
         # Few values touch a boundary.
@@ -63,7 +55,20 @@ def settled(asked: Asked, rounding: str) -> Number:
 
         return turn_ties(lambda *turns: asked._replace(turns=turns).value(), asked.turns)(boundary)
 
-    return Number(rounded(asked.value, decimals, rounding, ties), decimals)
+    return certified(asked.value, asked.column, rounding, ties)
+
+
+def certified(value: Callable[[], Any], column: Column, rounding: str, ties: TieBits | None) -> Number:
+    """Return a column's value, which balls or a fraction tell, rounded correctly."""
+    decimals = column.decimals
+    if column.quantity.decimals is None:
+        with at_bits(ESTIMATE_BITS):
+            near = value()
+        if isinstance(near, Fraction):
+            return given(near, decimals, rounding)
+        decimals = figures(float(near)) if decimals is None else decimals
+    assert decimals is not None
+    return Number(rounded(value, decimals, rounding, ties), decimals)
 
 
 class Estimate(NamedTuple):

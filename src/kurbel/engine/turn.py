@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 import flint
 
+from kurbel.drive.moved import Moved
 from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, Standing
 from kurbel.engine.engine import Engine, Steam
 from kurbel.errors import ProblemError
@@ -133,20 +134,7 @@ class Turn(AnyTurn):
 
     def angle_of(self, part: int, stroke: int, share: Number) -> Number:
         """Return the half turns of φ, on the return less one, at which a piston has gone a share."""
-        cylinder, way = self.cylinders[part], stroke % 2
-        known = cylinder.drive.angle_at(way, share)
-        if known is not None:
-            return known
-
-        def lacking(angle: Number) -> Number:
-            return cylinder.share(stroke, circle(angle)) - share
-
-        def speed(angle: Number) -> Number:
-            return cylinder.drive.velocity(way, circle(angle)) / cylinder.drive.length * flint.arb.pi()
-
-        begin, end = self._ends_of(part, stroke)
-        (low, _), (_, high) = _ends(begin), _ends(end)
-        return Zero(lacking, speed, low, high).place()
+        return angle_at(self.cylinders[part].drive, stroke % 2, share)
 
     def corners(self) -> Iterator[Fraction]:
         """Yield the half turns, as floats are, of all corners of the forces, over a cycle in any order."""
@@ -157,14 +145,9 @@ class Turn(AnyTurn):
                         corner = stroke + Fraction(float(self.angle_of(part, stroke, share)))
                     yield from (start + corner for start in one.starts)
 
-    def _ends_of(self, part: int, stroke: int) -> tuple[Number, Number]:
-        """Return the half turns of φ, on the return less one, at which a stroke begins and ends."""
-        drive, way = self.cylinders[part].drive, stroke % 2
-        return drive.dead_centre(way), 1 + drive.dead_centre(1 - way)
-
     def cut_off(self, stroke: int) -> Number:
         """The crank angle at cut-off, in half turns from the dead centre of the stroke."""
-        begin, end = self._ends_of(0, stroke)
+        begin, end = _ends_of(self.cylinder.drive, stroke % 2)
         expansion = self.part.ideal.expansion
         if expansion == 1:
             # The stroke ends uncut, and rounding may put the sine above 1.
@@ -268,6 +251,27 @@ def turn_of(engine: Engine | Assembly, method: str) -> AnyTurn:
     from kurbel.engine.weisbach import WeisbachTurn
 
     return WeisbachTurn(engine, method)
+
+
+def angle_at(drive: Moved, way: int, share: Number) -> Number:
+    """Return the half turns of φ, on the return less one, at which a piston has gone a share."""
+    known = drive.angle_at(way, share)
+    if known is not None:
+        return known
+
+    def lacking(angle: Number) -> Number:
+        return drive.path(way, circle(angle)) / drive.length - share
+
+    def speed(angle: Number) -> Number:
+        return drive.velocity(way, circle(angle)) / drive.length * flint.arb.pi()
+
+    (low, _), (_, high) = map(_ends, _ends_of(drive, way))
+    return Zero(lacking, speed, low, high).place()
+
+
+def _ends_of(drive: Moved, way: int) -> tuple[Number, Number]:
+    """Return the half turns of φ, on the return less one, at which a stroke begins and ends."""
+    return drive.dead_centre(way), 1 + drive.dead_centre(1 - way)
 
 
 def stationary(piece: Piece, function: Function, slope: Function) -> list[Extremum]:

@@ -54,8 +54,8 @@ SUBJECTS: Mapping[str, Pages] = {
     "flywheel sizing": Pages(
         "kurbel.engine.diagram.wheel.page:SUBJECT", "flywheel --swing 5kJ --speed 300/min --delta 1:50"
     ),
-    "pressures": Pages("kurbel.engine.pressures.page:PRESSURES", _PRESSED),
-    "pressures over the angle": Pages("kurbel.engine.pressures.page:PRESSURES_OVER_ANGLE", _PRESSED),
+    "pressures": Pages("kurbel.engine.pressures:PRESSURES", _PRESSED),
+    "pressures over the angle": Pages("kurbel.engine.pressures:PRESSURES_OVER_ANGLE", _PRESSED),
     "dead centres": Pages("kurbel.linkage.beam.page:SUBJECT", "deadcentres"),
     "drive dead centres": Pages("kurbel.linkage.dead_centres:SUBJECT", f"deadcentres {_ARC}"),
     "harmonics": Pages("kurbel.balancing.harmonics_page:SUBJECT", "harmonics"),

@@ -17,7 +17,7 @@ from kurbel.engine.axes import named_load
 from kurbel.engine.captions import common, inner
 from kurbel.engine.diagram.fluctuation import place_text, shown
 from kurbel.engine.digits import Asked, estimated, settled
-from kurbel.engine.pressures.page import stroke_names
+from kurbel.engine.pressures import stroke_names
 from kurbel.engine.quantities import ENGINE_METHODS, Where, engine_registry, value
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn, turn_of

@@ -11,9 +11,9 @@ from math import cos, pi
 from typing import TYPE_CHECKING
 
 from kurbel.engine.captions import inner
-from kurbel.engine.pressures.page import WORDS, PressuresRequest, stroke_names
-from kurbel.engine.pressures.pressed import Pressed, Where, is_carded
+from kurbel.engine.pressures import Pressed, PressuresRequest, Where, is_carded, stroke_names
 from kurbel.engine.request import EngineRequest
+from kurbel.engine.texts import PRESSED
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats
 from kurbel.kernel.circle import circle
@@ -50,7 +50,7 @@ def pressure_panels(request: PressuresRequest) -> list[Panel]:
     names, lang = stroke_names(request.pressed.cycle, request.lang), request.lang
     columns, times = request.page_columns, float(request.of_page("bar"))
     # Their letters stand beside the curves.
-    said = WORDS["pressures"][lang] if len(columns) > 1 else inner(columns[0].quantity.name[lang], lang)
+    said = PRESSED["pressures"][lang] if len(columns) > 1 else inner(columns[0].quantity.name[lang], lang)
     panels = []
     for stroke, name in enumerate(names):
         places = [Where(stroke, share) for share in _shares(request.pressed, stroke)]
@@ -73,7 +73,7 @@ def pressure_panels(request: PressuresRequest) -> list[Panel]:
 
 def across_stroke(lang: str) -> Across:
     """Return the axis of the share of the stroke."""
-    return Across(f"{WORDS['share'][lang]} $x/S$", plain_ticks)
+    return Across(f"{PRESSED['share'][lang]} $x/S$", plain_ticks)
 
 
 def _shares(pressed: Pressed, stroke: int) -> list[Fraction]:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from kurbel.balancing.harmonics import MOST_ORDERS
 from kurbel.balancing.harmonics_page import ORDER
@@ -18,41 +18,19 @@ from kurbel.engine.axes import LoadAxis
 from kurbel.engine.digits import error_number
 from kurbel.engine.engine import Steam
 from kurbel.engine.harmonics.fourier import Spectrum, spectrum_of
-from kurbel.engine.harmonics.number import estimate, number_of
-from kurbel.engine.harmonics.quantities import SPEED, STAR, At, Member, registry
+from kurbel.engine.harmonics.harmonic import SPEED, STAR, At, Member, estimate, number_of, registry
 from kurbel.engine.page import ERROR, errors_beside
 from kurbel.engine.request import EngineRequest
+from kurbel.engine.texts import HARMONICS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.page.axes import Axis, ColumnAxis, ListAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, Quantity, Words, words
+from kurbel.page.quantity import Column, Quantity
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note, Value
 from kurbel.reading.notation import plain
+from kurbel.reading.units import Speed
 
-if TYPE_CHECKING:
-    from kurbel.reading.units import Speed
-
-WORDS: Mapping[str, Words] = {
-    "member": words("Zylinder|Cylinder"),
-    "one": words("Zylinder {number}|Cylinder {number}"),
-    "whole": words("alle Zylinder|All cylinders"),
-    "sum": words(
-        "$T = P + Σ (a_k cos k φ + b_k sin k φ) = P + Σ c_k cos(k φ + ψ_k)$, $P$ mittlere Tangentialkraft;"
-        " $φ$ {begin}"
-        "|$T = P + Σ (a_k cos k φ + b_k sin k φ) = P + Σ c_k cos(k φ + ψ_k)$, $P$ mean tangential force;"
-        " $φ$ {begin}"
-    ),
-    "dead_centre": words(
-        "vom inneren Totpunkt der ersten Kurbel|from the inner dead centre of the first crank"
-    ),
-    "slide": words("der ersten Kurbel von der Schubrichtung|of the first crank from the slide direction"),
-    "star": words(
-        "$s_k$ Betrag von $Σ e^(i k α)$, $α$ Winkel, um den eine Kurbel der ersten folgt"
-        "|$s_k$ magnitude of $Σ e^(i k α)$, $α$ angle by which a crank follows the first"
-    ),
-    "zero": words("0 ohne Dezimalen ist genau 0|0 without decimals is exactly 0"),
-}
 WHOLE = "all"
 EXCITATION = "excitation"
 
@@ -150,11 +128,13 @@ def _member_axis(request: TorqueRequest) -> ListAxis:
     lang = request.lang
 
     def head(member: Member) -> Label:
-        return WORDS["one"][lang].format(number=member.number) if member.number else WORDS["whole"][lang]
+        return (
+            HARMONICS["one"][lang].format(number=member.number) if member.number else HARMONICS["whole"][lang]
+        )
 
     return ListAxis(
         request.members,
-        Field("cylinder", WORDS["member"][lang]),
+        Field("cylinder", HARMONICS["member"][lang]),
         lambda member: Number(member.number, 0) if member.number else WHOLE,
         head,
     )
@@ -163,11 +143,11 @@ def _member_axis(request: TorqueRequest) -> ListAxis:
 def _notes(request: TorqueRequest) -> Iterator[Label | Note]:
     lang = request.lang
     regular = captions.from_dead_centre(request, (request.methods or ("exact",))[0])
-    yield WORDS["sum"][lang].replace("{begin}", WORDS["dead_centre" if regular else "slide"][lang])
+    yield HARMONICS["sum"][lang].replace("{begin}", HARMONICS["dead_centre" if regular else "slide"][lang])
     if any(column.quantity.needs == STAR for column in request.page_columns):
-        yield WORDS["star"][lang]
+        yield HARMONICS["star"][lang]
     yield from captions.notes(request)
-    yield WORDS["zero"][lang]
+    yield HARMONICS["zero"][lang]
 
 
 def _subject(key: str, layout: str, axes: Mapping[str, Callable[[Any], Axis]]) -> Subject:
@@ -192,5 +172,9 @@ def _subject(key: str, layout: str, axes: Mapping[str, Callable[[Any], Axis]]) -
 _AXES: Mapping[str, Callable[[Any], Axis]] = {
     "expansion": LoadAxis, "ratio": RatioAxis, "cylinder": _member_axis, "order": _OrderAxis,
 }  # fmt: skip
+
+
 TORQUE = _subject("torque", "torque-harmonics", _AXES)
+
+
 EXCITING = _subject(EXCITATION, EXCITATION, _AXES)

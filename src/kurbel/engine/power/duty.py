@@ -1,19 +1,23 @@
-"""Power, bore, stroke, speed and pressure: those that are given make the others known."""
+"""Power, bore, stroke, speed and pressure: those that are given make the others known.
+
+In their relations powers of variables are multiplied; each known one makes another known. A quantity is a
+product of them, of what else is given and of what acts on the piston.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from functools import cache, partial
+from typing import NamedTuple
 
-from kurbel.engine.power.relation import Term, number, variable
+from kurbel.engine.power.source import Acting, GivenPressure
 from kurbel.errors import ProblemError
+from kurbel.exact.product import Product
+from kurbel.page.quantity import Formula, Quantity, entry, words
 from kurbel.reading.notation import about
-
-if TYPE_CHECKING:
-    from kurbel.engine.power.source import Acting, GivenPressure
-    from kurbel.reading.units import Speed
+from kurbel.reading.units import Speed
 
 POWER, BORE, STROKE, SPEED, PRESSURE, FACTOR = VARIABLES = (
     *("power", "bore", "stroke", "speed", "pressure"),
@@ -28,6 +32,58 @@ UNITS = {
     PRESSURE: Fraction(10**5),
 }
 MOST_CYLINDERS = 24
+# What a quantity needs beside the variables in it.
+STEAMED, GIVES, EFFICIENT, FACTORED, UNITLESS = "steam", "delivery", "efficiency", "factor", "share"
+ASKED = "asked"
+
+
+@dataclass(frozen=True, slots=True)
+class Term:
+    """A known number times powers of variables that are not known."""
+
+    known: Product
+    powers: Mapping[str, Fraction] = field(default_factory=dict)
+
+    def __mul__(self, other: Term | int) -> Term:
+        if isinstance(other, int):
+            return Term(self.known * other, self.powers)
+        names = dict.fromkeys((*self.powers, *other.powers))
+        powers = {one: self.power(one) + other.power(one) for one in names}
+        return Term(self.known * other.known, {one: power for one, power in powers.items() if power})
+
+    def __truediv__(self, other: Term | int) -> Term:
+        if isinstance(other, int):
+            return Term(self.known / other, self.powers)
+        return self * other ** Fraction(-1)
+
+    def __pow__(self, exponent: Fraction) -> Term:
+        return Term(self.known**exponent, {one: power * exponent for one, power in self.powers.items()})
+
+    def power(self, name: str) -> Fraction:
+        """Return the exponent of a variable."""
+        return self.powers.get(name, Fraction(0))
+
+    def solved_for(self, name: str) -> Term:
+        """Return the variable with which this term is 1."""
+        return self._without(name) ** (-1 / self.power(name))
+
+    def put(self, name: str, value: Term) -> Term:
+        """Return the term with a value in the place of a variable."""
+        power = self.power(name)
+        return self._without(name) * value**power if power else self
+
+    def _without(self, name: str) -> Term:
+        return Term(self.known, {one: power for one, power in self.powers.items() if one != name})
+
+
+def number(value: Fraction | int, pi: int = 0) -> Term:
+    """Return a rational number above 0 times a power of π."""
+    return Term(Product.of(value, pi))
+
+
+def variable(name: str) -> Term:
+    """Return a variable that is not known."""
+    return Term(Product.of(1), {name: Fraction(1)})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -206,3 +262,116 @@ def _check(option: str, relation: Term, duty: Duty, known: Mapping[str, Term]) -
     raise ProblemError(
         f"{what} {off * float(given):.5g}{unit}, and {option} is {about(given)}{unit}; leave one of them out"
     )
+
+
+class Found(NamedTuple):
+    """What is found of a source: the variables, in terms of what is given."""
+
+    duty: Duty
+    source: Acting | GivenPressure
+    variables: Mapping[str, Term]
+
+    @property
+    def acting(self) -> Acting:
+        assert isinstance(self.source, Acting)
+        return self.source
+
+    def mean(self) -> Term:
+        """Return the mean pressure in units of the pressure that Q is of."""
+        return Term(self.source.mean)
+
+    def rate(self) -> Term:
+        """Return the working strokes of all cylinders in a second."""
+        return self.of(SPEED) * number(self.source.strokes * self.duty.cylinders)
+
+    def swept(self) -> Term:
+        """Return the volume of a stroke in m³, the mean of both ends."""
+        return number(self.duty.open_area / 4, pi=1) * self.of(BORE) ** Fraction(2) * self.of(STROKE)
+
+    def pressure(self) -> Term:
+        """Return the mean pressure in Pa."""
+        return self.of(PRESSURE) * self.of(FACTOR) * self.mean()
+
+    def brake(self) -> Term:
+        """Return what times the indicated power is that at the shaft."""
+        return self.duty.to_brake(self.source.driven)
+
+    def steam(self) -> Term:
+        """Return the steam of a second in kg."""
+        volume = self.duty.specific_volume
+        assert volume is not None
+        return Term(self.acting.steam_taken) * self.swept() * self.rate() / number(volume)
+
+    def steam_of_work(self) -> Term:
+        """Return the steam of a joule of indicated work in kg."""
+        return self.steam() / self.of(POWER)
+
+    def delivery(self) -> Term:
+        """Return what is delivered in a second in m³, in the state of suction."""
+        return Term(self.acting.delivered) * self.swept() * self.rate()
+
+    def of(self, name: str) -> Term:
+        """Return a variable in its SI unit, the speed in turns a second."""
+        return self.variables[name]
+
+
+@cache
+def registry() -> Mapping[str, Quantity]:
+    """Return every quantity by its key; a kernel takes what is found and returns a product in SI units."""
+    return {one.key: one._replace(spanners=(one.name,)) for one in _entries()}
+
+
+def _entries() -> Iterator[Quantity]:
+    theory = "theoretischer mittlerer Druck|Theoretical mean pressure"
+    yield _entry("relative_pressure", "bezogener mittlerer Druck|Relative mean pressure", "$p_m/p$", "",
+                 1, lambda found: found.mean(), UNITLESS)  # fmt: skip
+    yield _entry("theoretical_pressure", theory, "$p_m$", "bar", UNITS[PRESSURE],
+                 lambda found: found.of(PRESSURE) * found.mean(), FACTORED)  # fmt: skip
+    yield _entry("diagram_factor", "Völligkeitsgrad des Diagramms|Diagram factor", "$φ_d$", "", 1,
+                 partial(_variable, FACTOR), ASKED)  # fmt: skip
+    yield _entry("mean_pressure", "mittlerer indizierter Druck|Mean effective pressure", "$p_i$", "bar",
+                 UNITS[PRESSURE], Found.pressure)  # fmt: skip
+    for key, name, symbol, unit in (
+        (PRESSURE, "Druck|Pressure", "$p$", "bar"),
+        (BORE, "Bohrung|Bore", "$d$", "mm"),
+        (STROKE, "Hub|Stroke", "$S$", "mm"),
+        (SPEED, "Drehzahl|Speed", "$n$", '$"min"^(-1)$'),
+    ):
+        yield _entry(key, name, symbol, unit, UNITS[key], partial(_variable, key))
+    yield _entry("piston_speed", "mittlere Kolbengeschwindigkeit|Mean piston speed", "$c_m$", "m/s", 1,
+                 lambda found: number(2) * found.of(STROKE) * found.of(SPEED))  # fmt: skip
+    yield _entry("stroke_work", "Arbeit eines wirksamen Hubes|Work of a working stroke", "$A_h$", "J", 1,
+                 lambda found: found.pressure() * found.swept())  # fmt: skip
+    yield _entry("indicated_power", "indizierte Leistung|Indicated power", "$N_i$", "kW", UNITS[POWER],
+                 lambda found: found.of(POWER))  # fmt: skip
+    yield _entry("brake_power", "Leistung an der Welle|Power at the shaft", "$N_e$", "kW", UNITS[POWER],
+                 lambda found: found.of(POWER) * found.brake(), EFFICIENT)  # fmt: skip
+    yield _entry("brake_pressure", "mittlerer effektiver Druck|Brake mean effective pressure", "$p_e$", "bar",
+                 UNITS[PRESSURE], lambda found: found.pressure() * found.brake(), EFFICIENT)  # fmt: skip
+    yield _entry("mean_torque", "mittleres Drehmoment an der Welle|Mean torque at the shaft", "$M_e$", "N m",
+                 1, lambda found: found.of(POWER) * found.brake() / found.of(SPEED) / number(2, pi=1),
+                 EFFICIENT)  # fmt: skip
+    yield _entry("steam", "Dampfverbrauch|Steam taken", "$D$", "kg/h", Fraction(1, 3600), Found.steam,
+                 STEAMED)  # fmt: skip
+    kwh = Fraction(1, 3600 * 1000)
+    yield _entry("steam_per_kwh", "Dampf je kWh, indiziert|Steam per kWh, indicated", "$D/N_i$", "kg/kWh",
+                 kwh, Found.steam_of_work, STEAMED)  # fmt: skip
+    yield _entry("steam_per_brake_kwh", "Dampf je kWh an der Welle|Steam per kWh at the shaft", "$D/N_e$",
+                 "kg/kWh", kwh, lambda found: found.steam_of_work() / found.brake(),
+                 f"{STEAMED} {EFFICIENT}")  # fmt: skip
+    yield _entry("delivery", "Fördermenge|Delivery", "$V$", "m³/min", Fraction(1, 60),
+                 Found.delivery, GIVES)  # fmt: skip
+
+
+def _variable(name: str, found: Found) -> Term:
+    return found.of(name)
+
+
+def _entry(
+    key: str, name: str, symbol: str, unit: str, size: Fraction | int, kernel: Callable[[Found], Term],
+    needs: str = "",
+) -> Quantity:  # fmt: skip
+    formula = Formula(lambda found: kernel(found) / number(size))
+    own = entry(key, name, symbol, unit, None, {"exact": formula}, needs=needs)
+    named = {lang: f"{said} {symbol}".rstrip() for lang, said in own.name.items()}
+    return own._replace(heading=words("|".join(named[lang] for lang in ("de", "en"))))

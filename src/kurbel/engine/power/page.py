@@ -2,35 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any
 
-from kurbel.engine.axes import LoadAxis, LoadWords, words_of
+from kurbel.drive.load import figure
+from kurbel.engine.axes import WORDS as AXES
+from kurbel.engine.axes import LoadAxis, LoadWords, best_back, words_of
+from kurbel.engine.captions import DRIVEN
 from kurbel.engine.digits import FLOAT_ERROR, supported
 from kurbel.engine.engine import Engine
-from kurbel.engine.power import notes
-from kurbel.engine.power.duty import FACTOR as DIAGRAM_FACTOR
-from kurbel.engine.power.duty import POWER, PRESSURE, Duty, lacking, option_of, solved
-from kurbel.engine.power.quantities import (
+from kurbel.engine.power.duty import (
     ASKED,
     EFFICIENT,
     FACTOR,
+    FACTORED,
     GIVES,
+    POWER,
+    PRESSURE,
     STEAMED,
     UNITLESS,
+    Duty,
     Found,
+    Term,
+    lacking,
+    option_of,
     registry,
+    solved,
 )
-from kurbel.engine.power.relation import Term
 from kurbel.engine.power.source import Acting, GivenPressure
+from kurbel.engine.texts import COUNTED_IN, POWER_TEXTS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.exact.product import Product
 from kurbel.page.axes import ColumnAxis, Place
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question, Subject
+from kurbel.reading.amounts import amount
 
 GIVEN_WORDS = LoadWords(
     key="load",
@@ -45,6 +54,8 @@ GIVEN_WORDS = LoadWords(
     lines=lambda request, lang: iter(()),
     tag=lambda source: "given",
 )
+# What the relation of the power is made of.
+POWERED = ("indicated_power", "brake_power", "bore", "stroke", "speed", "mean_torque")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -91,7 +102,7 @@ class PowerRequest(Question):
                     "the diagram factor is found from power, bore, stroke, speed and pressure; add"
                     f" {' and '.join(missing)}"
                 )
-            factor = found[DIAGRAM_FACTOR].known
+            factor = found[FACTOR].known
             if factor.exceeds(Product.of(1)):
                 power = float(found[POWER].known) / 1000
                 raise ProblemError(
@@ -144,7 +155,7 @@ class PowerRequest(Question):
             STEAMED: ("steam with --eps", acting is None or not acting.steamed),
             GIVES: ("a compressor or a pump", acting is None or not hasattr(acting.load, "delivered")),
             EFFICIENT: ("the mechanical efficiency, --efficiency", duty.efficiency is None),
-            FACTOR: ("--diagram-factor", duty.diagram_factor == 1 and not duty.factor_asked),
+            FACTORED: ("--diagram-factor", duty.diagram_factor == 1 and not duty.factor_asked),
             ASKED: ("--diagram-factor ?", not duty.factor_asked),
             UNITLESS: ("what acts on the piston", acting is None),
         }
@@ -192,8 +203,101 @@ class _Columns(ColumnAxis):
 
 def _caption(request: PowerRequest) -> Label:
     driven = request.driven and request.sources[0].carded
-    machine = (notes.DRIVEN if driven else request.words.machine)[request.lang]
+    machine = (DRIVEN if driven else request.words.machine)[request.lang]
     return request.layout.caption[request.lang].replace("{machine}", machine)
+
+
+def notes(request: PowerRequest) -> Iterator[Label]:
+    """Yield the lines below the table."""
+    lang, duty, source = request.lang, request.duty, request.sources[0]
+    shown = {column.key for column in request.page_columns}
+    yield from (note[lang] for note in request.layout.notes)
+    if isinstance(source, Acting) and "relative_pressure" in shown:
+        yield f"$p$ {COUNTED_IN[source.name][lang]}"
+    if given := ", ".join(_given(duty, source)):
+        yield POWER_TEXTS["given"][lang].format(given=given)
+    if len(duty.ends) > 1:
+        cover, crank = (amount(one, "bar") for one in duty.ends)
+        yield POWER_TEXTS["ends"][lang].format(cover=cover, crank=crank)
+    if not shown.isdisjoint(POWERED):
+        strokes = figure(source.strokes)
+        area = "".join(_area(duty))
+        yield POWER_TEXTS["power"][lang].format(cylinders=duty.cylinders, strokes=strokes, area=area)
+    if duty.factor_asked:
+        yield POWER_TEXTS["factor_found"][lang]
+    if duty.diagram_factor != 1:
+        yield POWER_TEXTS["factor"][lang].format(factor=figure(duty.diagram_factor))
+    if duty.efficiency is not None:
+        said = "efficiency_supplied" if request.driven else "efficiency"
+        yield POWER_TEXTS[said][lang].format(efficiency=figure(duty.efficiency))
+    if not isinstance(source, Acting):
+        return
+    if duty.specific_volume is not None and not shown.isdisjoint(("steam", "steam_per_kwh")):
+        yield _steam_taken(source, duty, lang)
+    lines = [*(_steam_lines(source, lang) if source.steamed else _lines(request, lang))]
+    if source.steamed and duty.diagram_factor == 1 and not duty.factor_asked:
+        lines.append(POWER_TEXTS["ideal"][lang])
+    yield "; ".join(lines)
+    if request.driven:
+        yield POWER_TEXTS["supplied"][lang]
+
+
+def _given(duty: Duty, source: Acting | GivenPressure) -> Iterator[Label]:
+    """Yield what is given as it stands in formulas, but for what the table has."""
+    if duty.pressure is not None and not isinstance(source, GivenPressure):
+        yield f"$p = {amount(duty.pressure, 'bar')}$"
+    if duty.stroke_bore is not None:
+        yield f"$S/d = {figure(duty.stroke_bore)}$"
+    if duty.speed is not None and not duty.speed.turns:
+        yield f'$ω = {figure(duty.speed.value)} "rad/s"$'
+
+
+def _area(duty: Duty) -> Iterator[str]:
+    """Yield the mean area of both ends, less half of that of each rod."""
+    rods = [rod for rod in (duty.piston_rod, duty.tail_rod) if rod is not None]
+    if not rods:
+        yield "π/4 d^2"
+        return
+    taken = " - ".join(f"1/2 ({amount(rod, 'mm')})^2" for rod in rods)
+    yield f"π/4 (d^2 - {taken})"
+
+
+def _steam_taken(source: Acting, duty: Duty, lang: str) -> Label:
+    steam, volume = source.load, duty.specific_volume
+    assert volume is not None
+    kept = "p_b/p" if steam.exponent == 1 else f"(p_b/p)^(1/{figure(steam.exponent)})"
+    taken = f"$[1/ε + κ (1 - {kept})]$" if steam.clearance else "$1/ε$"
+    said = POWER_TEXTS["steam"][lang].format(volume=taken, specific=amount(volume, "m³/kg"))
+    return said + (POWER_TEXTS["kept"][lang] if steam.clearance else "")
+
+
+def _steam_lines(source: Acting, lang: str) -> Iterator[Label]:
+    steam = source.load
+    if steam.expansion == 1:
+        yield AXES["uncut"][lang]
+    elif steam.exponent == 1:
+        yield AXES["mariotte"][lang]
+    else:
+        yield AXES["polytropic"][lang].format(exponent=figure(steam.exponent))
+    if steam.clearance:
+        yield POWER_TEXTS["clearance"][lang].format(clearance=figure(steam.clearance))
+    elif steam.expansion != 1:
+        yield AXES["unclear"][lang]
+    if steam.back is None:
+        yield best_back(steam, "p_b", "p", lang)
+    else:
+        yield POWER_TEXTS["back"][lang].format(back=figure(steam.back))
+    yield AXES["double" if source.engine.double else "single"][lang]
+
+
+def _lines(request: PowerRequest, lang: str) -> Iterator[Label]:
+    source = request.sources[0]
+    if source.carded:
+        yield POWER_TEXTS["card"][lang]
+    else:
+        yield from request.words.lines(request, lang)
+    if request.words.halved:
+        yield AXES["double" if request.double else "single"][lang]
 
 
 SUBJECT = Subject(
@@ -205,6 +309,6 @@ SUBJECT = Subject(
     quantities=registry,
     number=_number,
     caption=_caption,
-    notes=notes.notes,
+    notes=notes,
     letters=True,
 )

@@ -5,58 +5,40 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import lru_cache
-from math import floor, log10
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.engine import captions
 from kurbel.engine.axes import LoadAxis
 from kurbel.engine.cylinder import AnyTurn
-from kurbel.engine.digits import FLOAT_ERROR, error_number, to_place
+from kurbel.engine.digits import FLOAT_ERROR, error_number, supported
 from kurbel.engine.page import ERROR, errors_beside
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.rodload.load import RodLoad
-from kurbel.engine.rodload.quantities import (
+from kurbel.engine.rodload.load import (
     ENDS,
     FORCE,
     PLACE,
     SHARE,
     SLIDE,
+    RodLoad,
     end_entry,
     rod_quantities,
     sign_of,
 )
+from kurbel.engine.texts import ROD_LOAD
 from kurbel.engine.ties import turn_ties
+from kurbel.engine.turn import Turn
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, filled, words
+from kurbel.page.quantity import Column, filled
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note
 
 if TYPE_CHECKING:
     from kurbel.engine.card.turn import CardTurn
-    from kurbel.engine.turn import Turn
 
 KEPT_LOADS = 96
-WORDS = {
-    "end": words("Stelle|Place"),
-    "directions": words(
-        "$S$ positiv als Druck, negativ als Zug; im Totpunkt gelten die Werte davor und danach"
-        "|$S$ positive as a thrust, negative as a pull; at a dead centre the values before and after it count"
-    ),
-    "reversal": words(
-        "Richtungswechsel: Kurbelwinkel, über den die Last das Vorzeichen hat, das sie seltener hat;"
-        " API 618 verlangt ihn am Kreuzkopfzapfen, längs der Führung, über mindestens 15° und mit 3 %"
-        "|reversal: the crank angle over which the load has the sign that it has over fewer degrees;"
-        " API 618 asks at the crosshead pin, along the slide, for at least 15° and 3 %"
-    ),
-    "first": words("die Stange der ersten Kurbel|the rod of the first crank"),
-    "masses": words(
-        ", von Druck und hin- und hergehenden Massen ohne die Stange"
-        "|, of pressure and reciprocating masses without the rod"
-    ),
-}
 _REVERSAL = "reversal"
 
 
@@ -75,7 +57,7 @@ def _end_axis(request: EngineRequest) -> ListAxis:
     lang = request.lang
     return ListAxis(
         [*ENDS],
-        Field("end", WORDS["end"][lang]),
+        Field("end", ROD_LOAD["end"][lang]),
         lambda end: end,
         lambda end: request.mechanism.named(end_entry(end)).name[lang],
     )
@@ -153,11 +135,10 @@ def _error(asked: _Asked) -> float:
 
 def _estimated(asked: _Asked) -> Number | None:
     """Return the same to as many decimals as the card supports, None if not one figure."""
-    best, error, decimals = asked.value(), _error(asked), asked.column.places
-    supported = min(decimals, floor(-log10(2 * error)))
-    if error > abs(best) > 0 or (asked.column.quantity.minutes and supported < 0):
+    best, error, column = asked.value(), _error(asked), asked.column
+    if error > abs(best) > 0:
         return None
-    return to_place(Fraction(best), supported, asked.rounding)
+    return supported(best, error, column.places, asked.rounding, column.quantity.minutes)
 
 
 def _caption(request: EngineRequest) -> Label:
@@ -170,15 +151,15 @@ def _notes(request: EngineRequest) -> Iterator[Label | Note]:
     lang, columns = request.lang, request.page_columns
     shown = [column.quantity for column in columns]
     if any(one.of in (FORCE, PLACE) for one in shown):
-        yield WORDS["directions"][lang]
+        yield ROD_LOAD["directions"][lang]
     heavy = request.first.crank.moving is not None
     slide = request.mechanism.named(end_entry("slide")).direction or SLIDE
-    yield slide[lang] + (WORDS["masses"][lang] if heavy else "")
+    yield slide[lang] + (ROD_LOAD["masses"][lang] if heavy else "")
     if sum(len(part.starts) for part in request.first.parts) > 1:
-        yield WORDS["first"][lang]
+        yield ROD_LOAD["first"][lang]
     yield from captions.notes(request)
     if any(one.key.startswith(_REVERSAL) for one in shown):
-        yield WORDS["reversal"][lang]
+        yield ROD_LOAD["reversal"][lang]
 
 
 SUBJECT = Subject(

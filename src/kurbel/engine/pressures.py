@@ -1,4 +1,11 @@
-"""The pages of the pressures on a piston: over the share of the stroke, or over the crank angle."""
+"""The pressures on a piston, of steam or gas and what accelerates the masses, and their pages.
+
+They stand over the share of the stroke, or over the crank angle, on any kind of number in bar, positive in
+the direction of the stroke; a stroke counts from the dead centre where it begins. The masses m that go to and
+fro with the acceleration p take the pressure q = m p/A of the piston's area A from that of the gas, and give
+it back where p is negative. Source: Weisbach-Herrmann, § 151 (Beschleunigungsdruck; the seed ends there,
+hence re-derived).
+"""
 
 from __future__ import annotations
 
@@ -7,23 +14,30 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
 from math import floor, log10
-from typing import Any
+from typing import Any, NamedTuple
 
-from kurbel.drive.crank import check_angles, known
+from kurbel.drive.crank import Crank, check_angles, known
 from kurbel.drive.load import figure
-from kurbel.engine.pressures.pressed import PASCALS, Pressed, Where, is_carded
+from kurbel.drive.moved import Drive, Moved
+from kurbel.engine.axes import engine_lines, load_text
+from kurbel.engine.cylinders.words import Alone, within
+from kurbel.engine.engine import Diagram, Engine
+from kurbel.engine.texts import PRESSED
+from kurbel.engine.turn import angle_at, turn_of
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import floats, settled
+from kurbel.exact.certify import half_turn_circle
+from kurbel.exact.kind import Kind, balls, floats, settled
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.motion.captions import digits_text, moving_notes
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decimals
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, filled, for_ratio, words
+from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio
 from kurbel.page.subject import OVER_AXES, Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
 from kurbel.reading.notation import about
 
+PASCALS = 10**5
 OVER_STROKE, OVER_ANGLE = "pressures", "pressures over the angle"
 GAS, MASSES, BOTH = "gas", "masses", "both"
 UNKNOWN: Mapping[str, str] = {
@@ -31,34 +45,127 @@ UNKNOWN: Mapping[str, str] = {
     MASSES: "masses; add --reciprocating, --stroke, --speed and --bore",
     BOTH: "masses and a pressure on the piston; add --reciprocating, and what drives it, such as --eps 4",
 }
-WORDS: Mapping[str, Words] = {
-    "slide": words(
-        "$φ$ von der Schubrichtung, der innere Totpunkt bei $φ_i = {inner}°$"
-        "|$φ$ from the slide direction, the inner dead centre at $φ_i = {inner}°$"
-    ),
-    "out": words("Hingang|Outstroke"),
-    "return": words("Rückgang|Return"),
-    "numbered": words("{number}. Hub, {stroke}|Stroke {number}, {stroke}"),
-    "pressures": words("Drücke|pressures"),
-    "driven": words(
-        "Arbeitsmaschine: die Welle treibt den Kolben, ein negatives $p$ hemmt ihn"
-        "|driven machine: the shaft drives the piston, a negative $p$ resists it"
-    ),
-    "stroke": words("Hub|Stroke"),
-    "share": words("Kolbenweg in Teilen des Hubes|Piston path in strokes"),
-    "signs": words(
-        "$p$ Überdruck auf den Kolben, $q = m a/A$ Beschleunigungsdruck der hin- und hergehenden Masse $m$"
-        " bei der Beschleunigung $a$ auf die Kolbenfläche $A$, $p - q$ bleibt für das Gestänge; positiv in"
-        " der Richtung des Hubes"
-        "|$p$ pressure on the piston less that on its other face, $q = m a/A$ what the reciprocating mass $m$"
-        " takes of it for the acceleration $a$, over the piston area $A$, $p - q$ what is left for the rod;"
-        " positive in the direction of the stroke"
-    ),
-    "mass": words("$m = {mass}${rod}, $d = {bore}$|$m = {mass}${rod}, $d = {bore}$"),
-    "rod": words(
-        " mit dem Teil der Schubstange am Kreuzkopfzapfen| with the rod's share at the crosshead pin"
-    ),
-}
+
+
+class Where(NamedTuple):
+    """A place on a stroke of the cycle: the share of it that the piston has gone, or its crank angle φ in
+    half turns, less those of the strokes before."""
+
+    stroke: int
+    share: Fraction | None = None
+    angle: Fraction | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Pressed:
+    """A crank drive with its bore in metres, with moving masses or under the load of an engine, or both."""
+
+    drive: Drive
+    bore: Fraction | None = None
+    engine: Engine | None = None
+
+    def __post_init__(self) -> None:
+        if self.engine is None and not self.heavy:
+            raise ProblemError(
+                "neither masses nor a pressure on the piston were given; add --reciprocating 300kg, or what"
+                " drives the piston, such as --eps 4"
+            )
+        if not self.pushed and not self.heavy:
+            raise ProblemError(
+                "the pressure on the piston is not known in bar; add --bore and --pressure, or masses,"
+                " --reciprocating 300kg"
+            )
+        if self.bore is not None and self.bore <= 0:
+            raise ProblemError(f"the bore is {about(self.bore)} m; it must be above 0")
+
+    @property
+    def crank(self) -> Crank:
+        return self.drive.crank
+
+    @property
+    def heavy(self) -> bool:
+        """Whether masses go to and fro that are known."""
+        return self.crank.moving is not None and self.bore is not None
+
+    @property
+    def pushed(self) -> bool:
+        """Whether a pressure on the piston is known."""
+        return self.engine is not None and self.engine.pressure is not None
+
+    @property
+    def mass(self) -> Fraction:
+        """What goes to and fro in kg, the rod's share at its crosshead pin with it."""
+        return Fraction(known(self.crank.moving).joined.crosshead)
+
+    @property
+    def cycle(self) -> int:
+        """The strokes after which everything comes again."""
+        engine = self.engine
+        return 2 if engine is None else len(engine.steam.strokes(floats(), engine.double))
+
+    def standing(self, half_turns: Fraction) -> Where:
+        """Return where the crank stands at so many half turns of φ."""
+        moved = self.drive.moved(floats(), "exact")
+        since = half_turns % self.cycle
+        for stroke in range(self.cycle, -1, -1):
+            begun = stroke + (
+                Fraction(0) if moved.regular else Fraction(float(moved.dead_centre(stroke % 2)))
+            )
+            if since >= begun:
+                return Where(stroke % self.cycle, angle=since - stroke)
+        # Before the first dead centre the last stroke is not over.
+        return Where(self.cycle - 1, angle=since + 1)
+
+    def share(self, where: Where, kind: Kind) -> Any:
+        """Return the share of the stroke that the piston has gone."""
+        if where.share is not None:
+            return kind.of(where.share)
+        moved = self.drive.moved(kind, "exact")
+        return moved.path(where.stroke % 2, self._circle(moved, where, kind)) / moved.length
+
+    def gas(self, where: Where, kind: Kind) -> Any:
+        """Return the pressure on the piston's face less that on the other, in bar."""
+        engine = known(self.engine)
+        acting = engine.steam.strokes(kind, engine.double)[where.stroke]
+        return acting.force(self.share(where, kind)) * kind.of(Fraction(known(engine.pressure)) / PASCALS)
+
+    def masses(self, where: Where, kind: Kind) -> Any:
+        """Return q = m p/A in bar."""
+        moved, bore = self.drive.moved(kind, "exact"), known(self.bore)
+        accelerated = moved.acceleration(where.stroke % 2, self._circle(moved, where, kind))
+        per_area = kind.of(4 * self.mass / (bore * bore * PASCALS)) / kind.pi
+        return accelerated * per_area * self.crank.pin_acceleration(kind)
+
+    def left(self, where: Where, kind: Kind) -> Any:
+        """Return what of the pressure the masses pass on, p - q."""
+        return self.gas(where, kind) - self.masses(where, kind)
+
+    def degrees(self, where: Where, kind: Kind) -> Any:
+        """Return φ in degrees, over both strokes and all turns of the cycle."""
+        moved = self.drive.moved(kind, "exact")
+        return 180 * (self._angle(moved, where, kind) + where.stroke)
+
+    def _circle(self, moved: Moved, where: Where, kind: Kind) -> Any:
+        if where.angle is not None:
+            degrees = 180 * where.angle
+            return kind.circle(float(degrees) if kind.of is float else degrees)
+        return half_turn_circle(self._angle(moved, where, kind))
+
+    def _angle(self, moved: Moved, where: Where, kind: Kind) -> Any:
+        """Return the half turns of φ, less those of the strokes before."""
+        if where.angle is not None:
+            return kind.of(where.angle)
+        way, share = where.stroke % 2, known(where.share)
+        if share == 0:
+            return kind.of(Fraction(0)) + moved.dead_centre(way)
+        if share == 1:
+            return kind.of(Fraction(1)) + moved.dead_centre(1 - way)
+        return angle_at(moved, way, kind.of(share))
+
+
+def is_carded(pressed: Pressed) -> bool:
+    """Whether the pressure comes from an indicator card."""
+    return pressed.engine is not None and isinstance(pressed.engine.steam, Diagram)
 
 
 @cache
@@ -121,24 +228,22 @@ class PressuresRequest(Question):
     @cached_property
     def turn(self) -> Any:
         """The turn of an indicator card, which knows what digits it supports."""
-        from kurbel.engine.turn import turn_of
-
         return turn_of(known(self.pressed.engine), "exact")
 
 
 def stroke_names(count: int, lang: str) -> list[str]:
     """Return what the strokes of a cycle are called."""
-    names = [WORDS["return" if stroke % 2 else "out"][lang] for stroke in range(count)]
+    names = [PRESSED["return" if stroke % 2 else "out"][lang] for stroke in range(count)]
     if count == 2:
         return names
-    said = WORDS["numbered"][lang]
+    said = PRESSED["numbered"][lang]
     names = names if lang == "de" else [name.lower() for name in names]
     return [said.format(number=number, stroke=name) for number, name in enumerate(names, 1)]
 
 
 def _stroke_axis(question: PressuresRequest) -> ListAxis:
     names = stroke_names(question.pressed.cycle, question.lang)
-    field = Field("stroke", WORDS["stroke"][question.lang], "", "", 0)
+    field = Field("stroke", PRESSED["stroke"][question.lang], "", "", 0)
     return ListAxis(range(len(names)), field, lambda stroke: Number(stroke + 1, 0), names.__getitem__)
 
 
@@ -157,7 +262,7 @@ def _share_axis(question: PressuresRequest) -> ListAxis:
     def number(share: Fraction) -> Number | Label:
         return nearest(share, decimals) if decimals is not None else f"${share}$"
 
-    field = Field("share", WORDS["share"][question.lang], "$x/S$", "", decimals)
+    field = Field("share", PRESSED["share"][question.lang], "$x/S$", "", decimals)
     return _ShareAxis(question.shares, field, number, lambda share: f"$x/S = {figure(share)}$", "$x/S$")
 
 
@@ -180,8 +285,6 @@ def _measured(question: PressuresRequest, column: Column, where: Where) -> Numbe
     unit = float(known(known(pressed.engine).pressure)) / PASCALS
     value = own * unit
     if column.quantity.needs == BOTH:
-        from kurbel.exact.kind import balls
-
         value -= float(pressed.masses(where, balls()))
     supported = min(column.places, floor(-log10(2 * max(apart, turn.force_apart) * unit)))
     return nearest(Fraction(value), supported, question.rounding) if supported >= 0 else None
@@ -195,25 +298,22 @@ def _caption(question: PressuresRequest) -> Label:
 def _notes(question: PressuresRequest) -> Iterator[Label]:
     lang, pressed = question.lang, question.pressed
     yield from (note[lang] for note in question.layout.notes)
-    yield WORDS["signs"][lang]
+    yield PRESSED["signs"][lang]
     if not pressed.drive.moved(floats(), "exact").regular:
         inner = digits_text(lambda kind: 180 * pressed.drive.moved(kind, "exact").dead_centre(0), 3)
-        yield WORDS["slide"][lang].format(inner=inner)
+        yield PRESSED["slide"][lang].format(inner=inner)
     if pressed.engine is not None and getattr(pressed.engine.steam, "driven", False):
-        yield WORDS["driven"][lang]
+        yield PRESSED["driven"][lang]
     if pressed.engine is not None:
-        from kurbel.engine.axes import engine_lines, load_text
-        from kurbel.engine.cylinders.words import Alone, within
-
         alone: Any = Alone(pressed.engine)
         lines = [*engine_lines(alone, lang)]
         if alone.words.captioned:
             lines = [load_text(pressed.engine.steam, lang), *(within(line, lang) for line in lines)]
         yield "; ".join(lines)
     if pressed.heavy:
-        rod = WORDS["rod"][lang] if known(pressed.crank.moving).rod is not None else ""
+        rod = PRESSED["rod"][lang] if known(pressed.crank.moving).rod is not None else ""
         bore = amount(known(pressed.bore), "mm")
-        yield WORDS["mass"][lang].format(mass=amount(pressed.mass, "kg"), rod=rod, bore=bore)
+        yield PRESSED["mass"][lang].format(mass=amount(pressed.mass, "kg"), rod=rod, bore=bore)
         yield from moving_notes(pressed.crank, question.layout.ratio_symbol, lang)
 
 
@@ -230,6 +330,8 @@ PRESSURES = Subject(
     letters=True,
     drawn="kurbel.plot.strokes:over_stroke",
 )
+
+
 PRESSURES_OVER_ANGLE = PRESSURES._replace(
     key=OVER_ANGLE,
     layout="pressures-turn",

@@ -1,7 +1,8 @@
-"""What a table of the harmonics of the torque can show: each quantity with its symbol, unit and evaluation.
+"""What a table of the harmonics of the torque can show: each quantity with its symbol, evaluation and digits.
 
 T = P + Σ (a_k cos kφ + b_k sin kφ) = P + Σ c_k cos(kφ + ψ_k): a kernel takes where a harmonic is asked for,
-an `At`, and returns a number of its turn's kind, or a fraction.
+an `At`, and returns a number of its turn's kind, or a fraction. Its digits are certified in balls, or as many
+as an indicator card supports.
 """
 
 from __future__ import annotations
@@ -9,23 +10,31 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import cache, lru_cache
-from math import atan2
-from typing import TYPE_CHECKING, Any, NamedTuple
+from math import atan2, degrees, hypot
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import flint
 
+from kurbel.balancing.arrangement import Residual
+from kurbel.balancing.harmonics_page import EXACT_ZERO
+from kurbel.balancing.lengths import LENGTHS, certified_length
 from kurbel.drive.crank import known
 from kurbel.engine.cylinder import AnyTurn
-from kurbel.engine.harmonics.fourier import NOTHING_BITS, Spectrum, Wave, star_of
+from kurbel.engine.digits import CLEAN, FLOAT_ERROR, Estimate, certified, supported
+from kurbel.engine.harmonics.fourier import NOTHING_BITS, PARTS, Floats, Spectrum, Wave, star_of
 from kurbel.engine.quantities import ENGINE_METHODS
-from kurbel.exact.numerals import Label
+from kurbel.exact.certify import NEVER_TIES
+from kurbel.exact.numerals import Label, Number
 from kurbel.exact.precision import at_bits
 from kurbel.kernel.balance import Star
-from kurbel.kernel.circle import Number
-from kurbel.page.quantity import Formula, Quantity, entry, words
+from kurbel.page.quantity import Column, Formula, Quantity, entry, words
+from kurbel.reading.units import Speed
 
 if TYPE_CHECKING:
-    from kurbel.reading.units import Speed
+    from kurbel.engine.card.turn import CardTurn
+
+# Steps of orders beside one at which the cards' differences are looked at: one alone may vanish by chance.
+BESIDE = (-1, 0, 1)
 
 
 class Member(NamedTuple):
@@ -78,24 +87,14 @@ class At(NamedTuple):
             return tuple(one.contains(0) for one in wave or ())
 
 
-def cosine(at: At) -> Number:
-    """Return a_k."""
-    return _whole(at).cosine
-
-
-def sine(at: At) -> Number:
-    """Return b_k."""
-    return _whole(at).sine
-
-
-def amplitude(at: At) -> Number:
+def amplitude(at: At) -> Any:
     """Return c_k."""
     wave = _whole(at)
     square = wave.cosine * wave.cosine + wave.sine * wave.sine
     return square**0.5 if square else square
 
 
-def phase(at: At) -> Number:
+def phase(at: At) -> Any:
     """Return ψ_k in radians, above -π and up to π, of a harmonic that is one."""
     wave = _whole(at)
     across, along = -wave.sine, wave.cosine
@@ -114,13 +113,13 @@ def star(at: At) -> Star:
     return star_of(at.turn, 0, at.order) if at.member.part is None else Star.ray(Fraction(0))
 
 
-def frequency(at: At) -> Number | Fraction:
+def frequency(at: At) -> Any:
     """Return k n in turns a second."""
     speed = known(at.speed)
     return at.order * speed.value if speed.turns else at.turn.of(at.order * speed.value / 2) / at.turn.pi
 
 
-def angular(at: At) -> Number | Fraction:
+def angular(at: At) -> Any:
     """Return k ω in radians a second."""
     speed = known(at.speed)
     return at.turn.of(2 * at.order * speed.value) * at.turn.pi if speed.turns else at.order * speed.value
@@ -128,6 +127,8 @@ def angular(at: At) -> Number | Fraction:
 
 # What is no length: of nothing there is no phase.
 PHASES = ("phase", "phase_rad")
+
+
 # What quantities need to be known, beside what those of turns do.
 STAR, SPEED = "star", "speed"
 
@@ -140,8 +141,9 @@ def registry() -> Mapping[str, Quantity]:
 
 def _entries() -> Iterator[Quantity]:
     for key, name, letter, kernel in (
-        ("cosine", "Kosinusglied der Harmonischen|Cosine term of the harmonic", "a_k", cosine),
-        ("sine", "Sinusglied der Harmonischen|Sine term of the harmonic", "b_k", sine),
+        ("cosine", "Kosinusglied der Harmonischen|Cosine term of the harmonic", "a_k",
+         lambda at: _whole(at).cosine),
+        ("sine", "Sinusglied der Harmonischen|Sine term of the harmonic", "b_k", lambda at: _whole(at).sine),
         ("amplitude", "Amplitude der Harmonischen|Amplitude of the harmonic", "c_k", amplitude),
     ):  # fmt: skip
         of_force = _entry(key, name, f"${letter}$", "$Q$", 5, kernel)
@@ -178,3 +180,66 @@ def _entry(
 ) -> Quantity:  # fmt: skip
     formulas = dict.fromkeys(ENGINE_METHODS, Formula(kernel))
     return entry(key, name, symbol, unit, decimals, formulas, of="order", **rest)
+
+
+def number_of(column: Column, at: At, rounding: str) -> Number | None:
+    """Return the printed number; None of the phase of nothing."""
+    needs, is_phase = column.quantity.needs, column.quantity.key in PHASES
+    if needs == STAR:
+        return _star(at, column.places, rounding)
+    if needs != SPEED:
+        if at.wave is None:
+            return None if is_phase else EXACT_ZERO
+        if is_phase and all(one == 0 for one in at.wave):
+            return None
+        if isinstance(at.spectrum, Floats):
+            best, error = estimate(column, at)
+            return supported(best, error, column.places, rounding, is_phase)
+    return certified(lambda: value(column.quantity, at), column, rounding, NEVER_TIES)
+
+
+def _star(at: At, decimals: int, rounding: str) -> Number:
+    length, residual = LENGTHS["forward"], Residual(star(at), Star())
+    if length.vanishes(residual):
+        return EXACT_ZERO
+    return certified_length(length, residual, decimals, rounding=rounding)
+
+
+def estimate(column: Column, at: At) -> Estimate:
+    """Return a value from a card and how far it may be off."""
+    turn, best = cast("CardTurn", at.turn), float(value(column.quantity, at))
+    off = _off(at, turn)
+    if column.quantity.key in PHASES:
+        wave = at.wave or Wave(0.0, 0.0)
+        away = off / max(hypot(*wave), off)
+        return Estimate(best, degrees(away) if column.quantity.key == "phase" else away)
+    unit = float(column.quantity.scale(turn)) if column.quantity.scale else 1.0
+    return Estimate(best, unit * off + FLOAT_ERROR * (abs(best) + 1))
+
+
+def _off(at: At, turn: CardTurn) -> float:
+    """How far the harmonic, as a vector, may be off in Q."""
+    shown = max(_apart(at, half, turn) for half in turn.coarser)
+    # What twice the points do not bring nearer to the truth is noise, half of which both have in common.
+    noisy = 2 if turn.gain < CLEAN else 1
+    cranks = sum(len(part.starts) for part in turn.engine.parts) if at.member.part is None else 1
+    summed = _between(at, Floats(turn, PARTS // 2))
+    return noisy * shown / turn.gain + turn.step * cranks + summed
+
+
+def _apart(at: At, half: CardTurn, turn: CardTurn) -> float:
+    """How far the coarser card's harmonics are away, at this order and those beside it."""
+    step, other = Fraction(2, turn.cycle), _spectrum(half)
+    orders = [order for index in BESIDE if (order := at.order + index * step) > 0]
+    return max(_between(at._replace(order=order), other) for order in orders)
+
+
+def _between(at: At, other: Spectrum) -> float:
+    """How far another spectrum's harmonic is away."""
+    one, two = at.wave, at._replace(spectrum=other).wave
+    return hypot(one.cosine - two.cosine, one.sine - two.sine) if one and two else 0.0
+
+
+@lru_cache(maxsize=16)
+def _spectrum(turn: CardTurn) -> Floats:
+    return Floats(turn)

@@ -1,0 +1,133 @@
+"""What pages of engines say, in both languages."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM
+from kurbel.page.quantity import Words, words
+
+HARMONICS: Mapping[str, Words] = {
+    "member": words("Zylinder|Cylinder"),
+    "one": words("Zylinder {number}|Cylinder {number}"),
+    "whole": words("alle Zylinder|All cylinders"),
+    "sum": words(
+        "$T = P + Σ (a_k cos k φ + b_k sin k φ) = P + Σ c_k cos(k φ + ψ_k)$, $P$ mittlere Tangentialkraft;"
+        " $φ$ {begin}"
+        "|$T = P + Σ (a_k cos k φ + b_k sin k φ) = P + Σ c_k cos(k φ + ψ_k)$, $P$ mean tangential force;"
+        " $φ$ {begin}"
+    ),
+    "dead_centre": words(
+        "vom inneren Totpunkt der ersten Kurbel|from the inner dead centre of the first crank"
+    ),
+    "slide": words("der ersten Kurbel von der Schubrichtung|of the first crank from the slide direction"),
+    "star": words(
+        "$s_k$ Betrag von $Σ e^(i k α)$, $α$ Winkel, um den eine Kurbel der ersten folgt"
+        "|$s_k$ magnitude of $Σ e^(i k α)$, $α$ angle by which a crank follows the first"
+    ),
+    "zero": words("0 ohne Dezimalen ist genau 0|0 without decimals is exactly 0"),
+}
+ROD_LOAD = {
+    "end": words("Stelle|Place"),
+    "directions": words(
+        "$S$ positiv als Druck, negativ als Zug; im Totpunkt gelten die Werte davor und danach"
+        "|$S$ positive as a thrust, negative as a pull; at a dead centre the values before and after it count"
+    ),
+    "reversal": words(
+        "Richtungswechsel: Kurbelwinkel, über den die Last das Vorzeichen hat, das sie seltener hat;"
+        " API 618 verlangt ihn am Kreuzkopfzapfen, längs der Führung, über mindestens 15° und mit 3 %"
+        "|reversal: the crank angle over which the load has the sign that it has over fewer degrees;"
+        " API 618 asks at the crosshead pin, along the slide, for at least 15° and 3 %"
+    ),
+    "first": words("die Stange der ersten Kurbel|the rod of the first crank"),
+    "masses": words(
+        ", von Druck und hin- und hergehenden Massen ohne die Stange"
+        "|, of pressure and reciprocating masses without the rod"
+    ),
+}
+PRESSED: Mapping[str, Words] = {
+    "slide": words(
+        "$φ$ von der Schubrichtung, der innere Totpunkt bei $φ_i = {inner}°$"
+        "|$φ$ from the slide direction, the inner dead centre at $φ_i = {inner}°$"
+    ),
+    "out": words("Hingang|Outstroke"),
+    "return": words("Rückgang|Return"),
+    "numbered": words("{number}. Hub, {stroke}|Stroke {number}, {stroke}"),
+    "pressures": words("Drücke|pressures"),
+    "driven": words(
+        "Arbeitsmaschine: die Welle treibt den Kolben, ein negatives $p$ hemmt ihn"
+        "|driven machine: the shaft drives the piston, a negative $p$ resists it"
+    ),
+    "stroke": words("Hub|Stroke"),
+    "share": words("Kolbenweg in Teilen des Hubes|Piston path in strokes"),
+    "signs": words(
+        "$p$ Überdruck auf den Kolben, $q = m a/A$ Beschleunigungsdruck der hin- und hergehenden Masse $m$"
+        " bei der Beschleunigung $a$ auf die Kolbenfläche $A$, $p - q$ bleibt für das Gestänge; positiv in"
+        " der Richtung des Hubes"
+        "|$p$ pressure on the piston less that on its other face, $q = m a/A$ what the reciprocating mass $m$"
+        " takes of it for the acceleration $a$, over the piston area $A$, $p - q$ what is left for the rod;"
+        " positive in the direction of the stroke"
+    ),
+    "mass": words("$m = {mass}${rod}, $d = {bore}$|$m = {mass}${rod}, $d = {bore}$"),
+    "rod": words(
+        " mit dem Teil der Schubstange am Kreuzkopfzapfen| with the rod's share at the crosshead pin"
+    ),
+}
+# What the pressure is that mean pressures count in, by the load.
+COUNTED_IN = {
+    STEAM: words("Dampfdruck vor der Absperrung|steam pressure before cut-off"),
+    COMPRESSOR: words("Saugdruck|suction pressure"),
+    GAS: words("Saugdruck|suction pressure"),
+    PUMP: words("Förderdruck weniger Saugdruck|delivery pressure less suction pressure"),
+    CARD: words("der größte Druck des Diagramms|the greatest pressure of the card"),
+}
+POWER_TEXTS = {
+    "power": words(
+        "$N_i = z k p_i A S n$, $A = {area}$; Zylinder $z = {cylinders}$, wirksame Hübe eines Zylinders in"
+        " der Umdrehung $k = {strokes}$"
+        "|$N_i = z k p_i A S n$, $A = {area}$; cylinders $z = {cylinders}$, working strokes of a cylinder"
+        " in a turn $k = {strokes}$"
+    ),
+    "factor": words(
+        "$p_i = φ_d p_m$, Völligkeitsgrad des Diagramms $φ_d = {factor}$"
+        "|$p_i = φ_d p_m$, diagram factor $φ_d = {factor}$"
+    ),
+    "factor_found": words(
+        "$p_i = φ_d p_m$, Völligkeitsgrad des Diagramms $φ_d$ aus der Leistung"
+        "|$p_i = φ_d p_m$, diagram factor $φ_d$ from the power"
+    ),
+    "efficiency": words(
+        "$N_e = η N_i$, mechanischer Wirkungsgrad $η = {efficiency}$"
+        "|$N_e = η N_i$, mechanical efficiency $η = {efficiency}$"
+    ),
+    "supplied": words(
+        "Die Welle treibt den Kolben; Drücke und Leistungen positiv, als zugeführt"
+        "|The shaft drives the piston; pressures and powers positive, as supplied"
+    ),
+    "efficiency_supplied": words(
+        "$N_e = N_i/η$, mechanischer Wirkungsgrad $η = {efficiency}$"
+        "|$N_e = N_i/η$, mechanical efficiency $η = {efficiency}$"
+    ),
+    "ends": words(
+        "$p_i$ am Deckel ${cover}$, an der Kurbel ${crank}$, im Mittel nach den Flächen"
+        "|$p_i$ at the cover ${cover}$, at the crank ${crank}$, the mean by their areas"
+    ),
+    "given": words("Gegeben: {given}|Given: {given}"),
+    "steam": words(
+        "Dampf eines wirksamen Hubes {volume} $V_h/v$, $v = {specific}$ vor der Absperrung"
+        "|Steam of a working stroke {volume} $V_h/v$, $v = {specific}$ before cut-off"
+    ),
+    "kept": words(
+        "; der schädliche Raum enthält noch Dampf vom Gegendruck $p_b$"
+        "|; the clearance still keeps steam of the back pressure $p_b$"
+    ),
+    "clearance": words(
+        "schädlicher Raum $κ = {clearance}$ des Hubraumes|clearance $κ = {clearance}$ of the swept volume"
+    ),
+    "back": words("Gegendruck $p_b = {back} p$|back pressure $p_b = {back} p$"),
+    "ideal": words("ideales Diagramm (--diagram-factor)|ideal card (--diagram-factor)"),
+    "card": words(
+        "Druck aus dem Diagramm; gedruckt sind nur so viele Stellen, wie seine Punkte tragen"
+        "|pressure from the card; only as many digits as its points support are printed"
+    ),
+}
