@@ -11,10 +11,8 @@ import numpy as np
 import pytest
 from flint import arb, fmpq
 
-from kurbel.exact.enclosures.double import Double
-from kurbel.exact.enclosures.doubles import circle, settled
-from kurbel.exact.enclosures.enclosure import UNIT, Enclosure
-from kurbel.exact.enclosures.functions import PI, arc, half_turn_circle
+from kurbel.exact.doubles import Double, circle, settled
+from kurbel.exact.enclosure import PI, UNIT, Enclosure, arc, half_turn_circle
 
 SIZE = 400
 # No bound is so wide that floats would be of no use: the true error takes up a tenth of it somewhere.

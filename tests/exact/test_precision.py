@@ -13,7 +13,7 @@ import pytest
 from cli import kurbel as kurbel_line
 
 import kurbel
-from kurbel.exact.precision import BALLS, at_bits
+from kurbel.exact.certify import BALLS, at_bits
 
 DIGITS = (2, 5, 11, 18, 26, 33, 41, 49)
 # What takes its digits from balls, here and there as floats: ends of strokes, corners, signs and drawings.

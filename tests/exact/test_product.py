@@ -9,7 +9,7 @@ from mpmath import mp, mpf
 
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Number, number_text
-from kurbel.exact.product import Product
+from kurbel.exact.real import Product
 
 F = Fraction
 

@@ -13,9 +13,8 @@ from flint import arb
 from mpmath import mp, mpf
 
 from kurbel.exact.certify import ball
-from kurbel.exact.continued import Continued, half_turn_circle
 from kurbel.exact.search import crossing
-from kurbel.exact.taylor import Taylor, bounded, expanded, exponential
+from kurbel.exact.taylor import Continued, Taylor, bounded, expanded, exponential, half_turn_circle
 
 LOW, HIGH = Fraction(3, 10), Fraction(2, 5)
 PLACES = [LOW, Fraction(31, 100), Fraction(7, 20), HIGH]

@@ -11,10 +11,9 @@ import flint
 
 from kurbel.balancing.arrangement import Residual
 from kurbel.drive.crank import known
-from kurbel.exact.certify import NEVER_TIES, rounded
+from kurbel.exact.certify import NEVER_TIES, at_bits, rounded
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Number
-from kurbel.exact.precision import at_bits
 from kurbel.exact.real import Known, Real
 from kurbel.kernel.balance import Star
 

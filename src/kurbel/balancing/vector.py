@@ -17,9 +17,9 @@ import flint
 from kurbel.drive.crank import Crank, known
 from kurbel.errors import ProblemError
 from kurbel.exact import certify
+from kurbel.exact.certify import at_bits
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Number, nearest
-from kurbel.exact.precision import at_bits
 from kurbel.exact.real import ESTIMATE_BITS, PI, Real
 from kurbel.kernel.balance import Star
 from kurbel.reading.units import Speed

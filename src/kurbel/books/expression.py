@@ -14,7 +14,7 @@ from math import isqrt
 from typing import Any, NamedTuple
 
 from kurbel.errors import NotationError
-from kurbel.exact.size import power
+from kurbel.exact.separation import power
 from kurbel.reading.arithmetic import OPERATIONS, POWERS, parsed, wrong_power
 
 UNREAD = '"{}" is no expression; write one such as 1 - cos(45)'

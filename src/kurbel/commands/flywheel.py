@@ -26,7 +26,7 @@ from kurbel.engine.quantities import Where, engine_registry, value
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats
-from kurbel.exact.product import Product
+from kurbel.exact.real import Product
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.subject import Question
 from kurbel.reading.names import enumerated

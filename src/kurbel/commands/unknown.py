@@ -258,7 +258,7 @@ class Sized:
         """Raise ProblemError for a value that no drive has, or one with which the formula is another."""
         import flint
 
-        from kurbel.exact.precision import at_bits
+        from kurbel.exact.certify import at_bits
 
         with at_bits(CHECKED_BITS):
             near = fraction(root().mid())
@@ -295,7 +295,7 @@ class Sized:
 
     def lines(self, lang: str) -> list[str]:
         """Return what the page of the force or the motion says, with the first value that was found."""
-        from kurbel.exact.precision import at_bits
+        from kurbel.exact.certify import at_bits
 
         with at_bits(CHECKED_BITS):
             near = fraction(self.found[0]().mid()) / self.about.size

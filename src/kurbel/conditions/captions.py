@@ -9,8 +9,7 @@ from itertools import groupby
 from typing import TYPE_CHECKING
 
 from kurbel.conditions.solve import Root, target_of
-from kurbel.exact.closed_form import ClosedForm, closed_forms, form_text, is_at
-from kurbel.exact.course import Target
+from kurbel.exact.course import ClosedForm, Target, closed_forms, form_text, is_at
 from kurbel.exact.numerals import Label, degrees_text, exact_text, finite_decimals
 from kurbel.motion.captions import loaded_notes
 from kurbel.motion.drives import Drive

@@ -28,11 +28,10 @@ from kurbel.engine.segments import (
 )
 from kurbel.engine.turn import Turn
 from kurbel.errors import NoRootError, ProblemError
-from kurbel.exact.certify import ball
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.jet import Jet
 from kurbel.exact.numerals import exact_text, nearest, number_text
 from kurbel.exact.place import fraction
-from kurbel.exact.precision import at_bits
 from kurbel.exact.search import EQUAL_BITS
 from kurbel.reading import units
 from kurbel.reading.where import MAX, MIN, Condition

@@ -11,8 +11,7 @@ from kurbel.drive.crank import Crank
 from kurbel.drive.spin import turn_time, turned
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import NEVER_TIES, ball, ball_circle, pi, rounded
-from kurbel.exact.closed_form import closed_forms, form_text
-from kurbel.exact.course import Course, Target
+from kurbel.exact.course import Course, Target, closed_forms, form_text
 from kurbel.exact.kind import balls
 from kurbel.exact.numerals import MOST_DIGITS, Number, exact_text, nearest, number_text
 from kurbel.exact.place import Place

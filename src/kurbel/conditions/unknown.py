@@ -17,9 +17,8 @@ import flint
 from flint import arb
 
 from kurbel.errors import NoRootError, ProblemError
-from kurbel.exact.certify import ball
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.jet import Jet
-from kurbel.exact.precision import at_bits
 from kurbel.exact.search import isolate
 from kurbel.page.quantity import Words, words
 

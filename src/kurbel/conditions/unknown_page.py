@@ -9,9 +9,8 @@ from functools import cache, partial
 from typing import Any, Protocol
 
 from kurbel.conditions.unknown import UNKNOWNS
-from kurbel.exact.certify import NEVER_TIES, ball, rounded
+from kurbel.exact.certify import NEVER_TIES, at_bits, ball, rounded
 from kurbel.exact.numerals import Label, Number, figures
-from kurbel.exact.precision import at_bits
 from kurbel.page.axes import Axis, ColumnAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, words
 from kurbel.page.subject import Question, Subject

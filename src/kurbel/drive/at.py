@@ -147,7 +147,7 @@ def way_at(crank: Crank, stroke: int, angle: Fraction) -> int:
     counts from where the stroke begins."""
     if not crank.offset:
         return 1 if angle % 360 < 180 else -1
-    from kurbel.exact.precision import at_bits
+    from kurbel.exact.certify import at_bits
     from kurbel.exact.terms import vanishes
 
     def velocity(kind: Kind) -> Any:

@@ -213,7 +213,7 @@ def _per_pi_square() -> Fraction:
     """Return 1/π² to so many bits."""
     import flint
 
-    from kurbel.exact.precision import at_bits
+    from kurbel.exact.certify import at_bits
 
     with at_bits(BITS):
         near: Any = (1 / flint.arb.pi() ** 2).mid()

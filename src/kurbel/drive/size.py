@@ -198,8 +198,7 @@ def rounded(value: Fraction) -> Fraction:
 
 
 def _tangent(degrees: Fraction) -> Fraction:
-    from kurbel.exact.certify import ball_circle
-    from kurbel.exact.precision import at_bits
+    from kurbel.exact.certify import at_bits, ball_circle
 
     with at_bits(_PRECISION):
         circle = ball_circle(degrees)

@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.crank_forces import CrankForce, Weights
 from kurbel.drive.moved import Moved
+from kurbel.exact.certify import FLOAT_BITS, at_bits
 from kurbel.exact.kind import Kind
-from kurbel.exact.precision import FLOAT_BITS, at_bits
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Circle, Number
 from kurbel.kernel.steam import larger, smaller

@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from kurbel.drive.crank_forces import CRANK_FORCES
 from kurbel.engine.quantities import AT_ANGLE, EXTREMES, Where, engine_registry, value
 from kurbel.errors import CardError
-from kurbel.exact.certify import TieBits, rounded
+from kurbel.exact.certify import TieBits, at_bits, rounded
 from kurbel.exact.numerals import Number, figures, given, nearest
-from kurbel.exact.precision import at_bits
 from kurbel.page.quantity import Column, Quantity, bare
 
 if TYPE_CHECKING:

@@ -21,12 +21,11 @@ from flint import arb
 
 from kurbel.engine.cylinder import Cylinder, Standing
 from kurbel.engine.turn import Turn, circle
-from kurbel.exact.certify import ball
-from kurbel.exact.continued import Continued
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.jet import Jet, ball_jets, slopes
 from kurbel.exact.place import PRECISIONS, Place, fraction, unsettled
-from kurbel.exact.precision import at_bits
 from kurbel.exact.search import EQUAL_BITS, ISOLATING_BITS, Function, between, greatest
+from kurbel.exact.taylor import Continued
 from kurbel.kernel.turning import Stroke
 
 PRECISIONS_KEPT = 32

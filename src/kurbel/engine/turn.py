@@ -22,9 +22,8 @@ from kurbel.drive.moved import Moved
 from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, Standing
 from kurbel.engine.engine import Engine, Steam
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import ball, ball_circle, half_turn_circle
+from kurbel.exact.certify import FLOAT_BITS, at_bits, ball, ball_circle, half_turn_circle
 from kurbel.exact.kind import balls
-from kurbel.exact.precision import FLOAT_BITS, at_bits
 from kurbel.exact.search import EQUAL_BITS, ISOLATING_BITS, Function, Zero, greatest, interval, isolate
 from kurbel.kernel.circle import Circle, Number
 

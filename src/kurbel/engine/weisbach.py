@@ -8,8 +8,7 @@ import flint
 
 from kurbel.engine.cylinder import SIGNS
 from kurbel.engine.turn import Extremum, Piece, Turn, circle, stationary
-from kurbel.exact.certify import ball
-from kurbel.exact.precision import at_bits
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.search import EQUAL_BITS
 from kurbel.kernel import steam
 from kurbel.kernel.circle import Number

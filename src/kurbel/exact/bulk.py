@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from kurbel.errors import ProblemError
 from kurbel.kernel.circle import circle
+from kurbel.kernel.loops import chosen
 
 Integers: TypeAlias = NDArray[np.int64]
 
@@ -66,8 +67,6 @@ def evaluate(
     Besides them only a block a core is held in memory. The bits depend neither on the number of cores nor on
     `fast`: whether numba computes, where it is installed; None leaves that to `kernel/loops.py`.
     """
-    from kurbel.kernel.loops import chosen
-
     out = np.empty((len(functions), len(angles)))
     formulas = [None if isinstance(one, OfDegrees) else one for one in functions]
     loop = chosen(formulas, len(others), out.size, fast)

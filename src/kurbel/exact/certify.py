@@ -3,15 +3,20 @@
 A ball holds the true value for certain. When it lies between two rounding boundaries the digit is settled;
 when it touches one, the precision is doubled; when it has shrunk below the separation bound of the
 formula (separation.py) and still touches, the value lies on the boundary: a tie.
+
+flint has one precision for the process: of several threads one computes at a time. Python's own lock lets one
+thread into flint at once, too, so that none waits who would not wait anyway.
 """
 
 from __future__ import annotations
 
 import copyreg
+import os
 from collections.abc import Callable
 from fractions import Fraction
 from functools import lru_cache
 from math import inf
+from threading import RLock
 from typing import Any, TypeVar
 
 import flint
@@ -19,7 +24,6 @@ from flint import arb
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import MOST_FIGURES
-from kurbel.exact.precision import at_bits
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinematics import rod_sine
 
@@ -178,3 +182,32 @@ def kept(value: Callable[[], Kept], step: int = 1) -> Callable[[], Kept]:
 def pi() -> arb:
     """Return π at the precision in force."""
     return flint.arb.pi()
+
+
+BALLS = RLock()
+# Those of floats, for what becomes one.
+FLOAT_BITS = 53
+if hasattr(os, "register_at_fork"):
+    # A process that begins while another thread computes would wait for that thread, which it has not.
+    os.register_at_fork(before=BALLS.acquire, after_in_parent=BALLS.release, after_in_child=BALLS.release)
+
+
+class at_bits:
+    """Within it balls have so many bits, and no other thread has others.
+
+    An iterator that yields within it is to be run to its end, or left, in one thread.
+    """
+
+    __slots__ = ("_before", "_bits")
+
+    def __init__(self, bits: int) -> None:
+        self._bits = bits
+
+    def __enter__(self) -> None:
+        BALLS.acquire()
+        self._before = flint.ctx.prec
+        flint.ctx.prec = self._bits
+
+    def __exit__(self, *_: object) -> None:
+        flint.ctx.prec = self._before
+        BALLS.release()

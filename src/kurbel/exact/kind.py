@@ -11,6 +11,9 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from kurbel.exact.separation import Separation, circle_separation
+from kurbel.kernel import circle as on_floats
+
 if TYPE_CHECKING:
     from flint import arb
 
@@ -59,8 +62,6 @@ def _itself(value: Callable[[], arb]) -> arb:
 
 def bounds() -> Kind:
     """Return separation bounds."""
-    from kurbel.exact.separation import Separation, circle_separation
-
     return Kind(Separation.rational, circle_separation, exponent=Fraction, bounded=True)
 
 
@@ -79,7 +80,6 @@ def settled(value: Callable[[Kind], Any], decimals: int, rounding: str = "half-a
 
 def floats() -> Kind:
     """Return floats, or arrays of them."""
-    from kurbel.kernel import circle as on_floats
 
     def angle(point: Any, ratio: Any, offset: Any) -> Any:
         return on_floats.rod_angle(point, ratio, offset or 0.0)
@@ -91,7 +91,7 @@ def floats() -> Kind:
 
 
 def _rounded(value: Callable[[], arb]) -> float:
-    from kurbel.exact.precision import at_bits
+    from kurbel.exact.certify import at_bits
 
     with at_bits(_ROUNDED_BITS):
         return float(value().mid())

@@ -12,8 +12,7 @@ import flint
 from flint import arb, fmpz_poly
 
 from kurbel.errors import UnsettledError
-from kurbel.exact.certify import ball, kept, pi
-from kurbel.exact.precision import at_bits
+from kurbel.exact.certify import at_bits, ball, kept, pi
 from kurbel.exact.surd import Surd, squarefree
 
 PRECISIONS = tuple(128 << step for step in range(6))

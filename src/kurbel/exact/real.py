@@ -1,7 +1,10 @@
-"""Real numbers of which pages print digits: a formula on any kind of number, without a rule of its own.
+"""Real numbers of which pages print digits: formulas on any kind of number, and products of powers.
 
 What is rational, or a rational multiple of a power of π, stays so in products, quotients and sums; of all
 else exact/terms.py tells zeros and ties.
+
+A `Product` is r^(1/n) π^p Π X^u with a rational r > 0; an X is a formula on any kind of number. Without one
+it is settled what it equals: π being transcendental, it is rational only where p = 0 and r has an exact root.
 """
 
 from __future__ import annotations
@@ -9,16 +12,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import reduce
+from math import lcm
 from operator import add, mul, sub, truediv
 from typing import Any, TypeAlias
 
 from flint import arb
 
-from kurbel.exact import certify
-from kurbel.exact.kind import Kind, balls
+from kurbel.exact.certify import at_bits
+from kurbel.exact.kind import Kind, balls, settled
 from kurbel.exact.numerals import Number, figures, given
-from kurbel.exact.precision import at_bits
-from kurbel.exact.terms import HALF, tie_bits, vanishes
+from kurbel.exact.terms import HALF, exact_root, terms, vanishes
 
 EXACT_ZERO = Number(0, 0)
 """A value that is 0 by proof is printed as 0, one that is only small as 0.0000."""
@@ -107,10 +111,136 @@ class Real:
             if self.vanishes():
                 return EXACT_ZERO
             decimals = figures(float(self))
-        scaled = certify.rounded(
-            lambda: self.on(balls()), decimals, rounding, lambda boundary: tie_bits(self.on, boundary)
-        )
+        scaled = settled(self.on, decimals, rounding)
         return Number(scaled, decimals) if scaled or not self.vanishes() else EXACT_ZERO
 
 
 PI = Real.of(1, pi=1)
+
+
+_NEAR_BITS = 80
+_SURE_BITS = 1000
+_SHORT = 10**6
+
+
+# A positive number on any kind.
+Enclosed: TypeAlias = Callable[[Kind], Any]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Product:
+    """r^(1/n) π^p Π X^u, positive."""
+
+    base: Fraction
+    root: int = 1
+    pi: Fraction = Fraction(0)
+    enclosed: tuple[tuple[Enclosed, Fraction], ...] = ()
+
+    @classmethod
+    def of(cls, value: Fraction | int, pi: int = 0) -> Product:
+        """Return a rational number above 0 times a power of π."""
+        assert value > 0
+        return cls(Fraction(value), pi=Fraction(pi))
+
+    @classmethod
+    def about(cls, value: Enclosed) -> Product:
+        """Return a number above 0 by its formula."""
+        return cls(Fraction(1), enclosed=((value, Fraction(1)),))
+
+    @classmethod
+    def reduced(cls, value: Enclosed) -> Product:
+        """Return the same where it is not proved to be a short rational number, or one times a power of π."""
+        left = terms(value) or {}
+        if len(left) == 1:
+            [(unit, number)] = left.items()
+            with at_bits(_NEAR_BITS):
+                short = Fraction(float(number.ball.mid())).limit_denominator(_SHORT)
+            found = cls(abs(short), pi=unit.pi)
+            if unit.log is None and short > 0 and vanishes(lambda kind: value(kind) - found.on(kind)):
+                return found
+        return cls.about(value)
+
+    def __mul__(self, other: Product | int) -> Product:
+        other = Product.of(other) if isinstance(other, int) else other
+        root = lcm(self.root, other.root)
+        base = self.base ** (root // self.root) * other.base ** (root // other.root)
+        powers = dict(self.enclosed)
+        for one, power in other.enclosed:
+            powers[one] = powers.get(one, Fraction(0)) + power
+        left = tuple((one, power) for one, power in powers.items() if power)
+        return Product(*_reduced(base, root), self.pi + other.pi, left)
+
+    def __truediv__(self, other: Product | int) -> Product:
+        return self * (Product.of(other) if isinstance(other, int) else other) ** Fraction(-1)
+
+    def __pow__(self, power: Fraction) -> Product:
+        base, root = _reduced(self.base**power.numerator, self.root * power.denominator)
+        enclosed = tuple((one, own * power) for one, own in self.enclosed)
+        return Product(base, root, self.pi * power, enclosed)
+
+    def plus(self, other: Product, sign: int = 1) -> Product:
+        """Return the sum, or with sign -1 the difference, which must be above 0.
+
+        Of numbers whose ratio is rational it is exact. Else it is no rational number: powers of π, and roots
+        of rational numbers, whose ratios are not rational depend on each other by no rational factors.
+        """
+        share = (other / self).rational
+        if share is not None:
+            return self * Product.of(1 + sign * share)
+        return Product.about(lambda kind: self.on(kind) + sign * other.on(kind))
+
+    @property
+    def rational(self) -> Fraction | None:
+        """The number where it is known to be rational, else None."""
+        return self.base if self.root == 1 and not self.pi and not self.enclosed else None
+
+    def on(self, kind: Kind) -> Any:
+        """Return the number on a kind of numbers."""
+        factors = [_power(kind.of(self.base), Fraction(1, self.root), kind)]
+        if self.pi:
+            factors.append(_power(kind.pi, self.pi, kind))
+        factors += (_power(one(kind), power, kind) for one, power in self.enclosed)
+        return reduce(mul, factors)
+
+    def ball(self, bits: int = _NEAR_BITS) -> arb:
+        """Return the ball around the number to about so many bits."""
+        with at_bits(bits):
+            near: arb = self.on(balls())
+        return near
+
+    def __float__(self) -> float:
+        return float(self.ball().mid())
+
+    def equals(self, other: Product) -> bool:
+        """Whether two numbers are one; of enclosed ones whether nothing tells them apart."""
+        quotient = self / other
+        if not quotient.enclosed:
+            return quotient.rational == 1
+        return bool(quotient.ball(_SURE_BITS).contains(1))
+
+    def exceeds(self, other: Product) -> bool:
+        """Whether a number is greater than another."""
+        return not self.equals(other) and bool((self / other).ball(_SURE_BITS) > 1)
+
+    def number(self, decimals: int | None, rounding: str, times: int = 1) -> Number:
+        """Return the number times a factor, rounded correctly; without decimals to five figures."""
+        scaled = self * times
+        if scaled.rational is not None:
+            return given(scaled.rational, decimals, rounding)
+        if decimals is None:
+            decimals = figures(float(scaled))
+        return Number(settled(scaled.on, decimals, rounding), decimals)
+
+
+def _power(value: Any, power: Fraction, kind: Kind) -> Any:
+    return value if power == 1 else value ** kind.exponent(power)
+
+
+def _reduced(base: Fraction, root: int) -> tuple[Fraction, int]:
+    """Return the same number with the least root."""
+    for divisor in range(root, 1, -1):
+        if root % divisor == 0:
+            parts = [exact_root(part, divisor) for part in (base.numerator, base.denominator)]
+            if all(parts):
+                return Fraction(parts[0] or 1, parts[1] or 1), root // divisor
+    return base, root

@@ -14,9 +14,8 @@ from typing import TypeVar
 import flint
 from flint import arb
 
-from kurbel.exact.certify import ball
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.place import Place, fraction, unsettled
-from kurbel.exact.precision import at_bits
 
 Function = Callable[[arb], arb]
 # Whether anything within a piece is asked for.

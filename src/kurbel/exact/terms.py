@@ -20,8 +20,8 @@ import flint
 from flint import arb
 
 from kurbel.exact import certify
+from kurbel.exact.certify import at_bits
 from kurbel.exact.kind import Kind, balls
-from kurbel.exact.precision import at_bits
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel.circle import Circle
 
@@ -261,13 +261,13 @@ def _cancel(logs: Parts) -> bool:
 
 def _rational_power(value: Fraction, power: Fraction) -> Fraction | None:
     """Return the power of a rational number where it is one, too."""
-    roots = [_exact_root(part, power.denominator) for part in (value.numerator, value.denominator)]
+    roots = [exact_root(part, power.denominator) for part in (value.numerator, value.denominator)]
     if None in roots or (not roots[0] and power < 0):
         return None
     return Fraction(roots[0] or 0, roots[1] or 1) ** power.numerator
 
 
-def _exact_root(value: int, degree: int) -> int | None:
+def exact_root(value: int, degree: int) -> int | None:
     """Return the whole root of a number, None if it has none."""
     if degree == 1 or value in (0, 1):
         return value

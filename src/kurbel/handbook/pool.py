@@ -15,7 +15,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from kurbel.errors import KurbelError
-from kurbel.exact.precision import BALLS
+from kurbel.exact.certify import BALLS
 from kurbel.formats.apart import HAS_PROCESSES
 from kurbel.page.quantity import Letter
 from kurbel.sweeps.hands import taken

@@ -162,14 +162,14 @@ class Sharp:
         return self._circle(slice(None))
 
     def _circle(self, rows: Any) -> Circle[Any]:
-        from kurbel.exact.enclosures.doubles import circle
+        from kurbel.exact.doubles import circle
 
         assert isinstance(self.angles, Progression)
         numerators, denominator = integer_angles(self.angles)
         return circle(numerators[rows], denominator)
 
     def _digits(self, column: Column, point: Circle[Any], rows: np.ndarray) -> np.ndarray:
-        from kurbel.exact.enclosures.doubles import numbers, settled
+        from kurbel.exact.doubles import numbers, settled
 
         found = value(column.quantity, column.method, self.crank, point, numbers())
         return settled(found, len(rows), column.places, lambda row: self._in_balls(column, int(rows[row])))

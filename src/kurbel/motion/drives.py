@@ -17,12 +17,7 @@ from flint import arb
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import (
-    NEVER_TIES,
-    TieBits,
-    half_turn_circle,
-    rounded,
-)
+from kurbel.exact.certify import NEVER_TIES, TieBits, half_turn_circle, rounded
 from kurbel.exact.course import Course
 from kurbel.exact.jet import Jet, ball_jets, jets, slopes
 from kurbel.exact.kind import Kind, balls, surds

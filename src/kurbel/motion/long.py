@@ -14,10 +14,8 @@ import numpy as np
 
 from kurbel.drive.crank import Crank
 from kurbel.exact.bulk import Integers
-from kurbel.exact.enclosures.digits import column as enclosed_column
-from kurbel.exact.enclosures.digits import is_worth, settled
-from kurbel.exact.enclosures.enclosure import UNIT, Enclosure
-from kurbel.exact.enclosures.functions import ENCLOSURES, half_turn_circle
+from kurbel.exact.enclosure import ENCLOSURES, UNIT, Enclosure, half_turn_circle, is_worth, settled
+from kurbel.exact.enclosure import column as enclosed_column
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Number
 from kurbel.kernel.circle import Circle

@@ -8,8 +8,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from kurbel.errors import ProblemError
+from kurbel.exact.certify import FLOAT_BITS, at_bits
 from kurbel.exact.numerals import Label
-from kurbel.exact.precision import FLOAT_BITS, at_bits
 from kurbel.page.layouts import Layout, layout
 from kurbel.page.quantity import Column
 from kurbel.page.subject import Question

@@ -1,6 +1,6 @@
 """Formulas as they are written, as trees of Python's with exact numbers, and what their signs do.
 
-Whoever reads a formula allows what may stand in it. What comes of it is bounded, see `exact/size.py`.
+Whoever reads a formula allows what may stand in it. What comes of it is bounded, see `exact/separation.py`.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from types import MappingProxyType
 from typing import Any
 
 from kurbel.errors import NotationError
-from kurbel.exact import size
+from kurbel.exact import separation
 from kurbel.exact.numerals import about
 
 LONGEST, DEEPEST = 500, 100
@@ -22,10 +22,10 @@ LONGEST, DEEPEST = 500, 100
 POWERS = range(10)
 _DIGITS = re.compile(r"[0-9]+(\.[0-9]+)?")
 OPERATIONS: Mapping[type, Callable[[Any, Any], Any]] = {
-    ast.Add: size.plus,
-    ast.Sub: size.minus,
-    ast.Mult: size.times,
-    ast.Div: size.over,
+    ast.Add: separation.plus,
+    ast.Sub: separation.minus,
+    ast.Mult: separation.times,
+    ast.Div: separation.over,
 }
 
 

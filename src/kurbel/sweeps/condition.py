@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kurbel.errors import NotationError, ProblemError
-from kurbel.exact.size import MOST_BITS, TooLargeError, outgrows, power
+from kurbel.exact.separation import MOST_BITS, TooLargeError, outgrows, power
 from kurbel.reading import notation
 from kurbel.reading.arithmetic import OPERATIONS, parsed
 from kurbel.reading.given import meant

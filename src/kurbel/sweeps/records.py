@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 from kurbel.errors import KurbelError, ProblemError
+from kurbel.exact.certify import BALLS
 from kurbel.exact.numerals import MOST_DIGITS, Number
-from kurbel.exact.precision import BALLS
 from kurbel.page.build import records_of
 from kurbel.page.subject import Question
 from kurbel.page.table import Field, Records

@@ -15,7 +15,7 @@ from mpmath import mp, mpf
 import kurbel
 from kurbel.engine.diagram.wheel.relations import DISC_RULES, RULES
 from kurbel.engine.diagram.wheel.sizing import Known, completed
-from kurbel.exact.product import Product
+from kurbel.exact.real import Product
 
 F = Fraction
 DIGITS = 18

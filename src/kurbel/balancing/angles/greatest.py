@@ -16,8 +16,7 @@ from flint import arb
 from kurbel.balancing.angles.curve import Curve
 from kurbel.errors import ProblemError
 from kurbel.exact import search
-from kurbel.exact.certify import ball
-from kurbel.exact.precision import at_bits
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.search import SHARP_BITS, Summit, Zero, isolate
 
 # No part of the turn ends at an angle at which an engine is greatest.

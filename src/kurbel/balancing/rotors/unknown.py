@@ -15,8 +15,8 @@ from kurbel.balancing.rotors.rotor import Mass, Placed, force, moment
 from kurbel.balancing.vector import Vector
 from kurbel.drive.crank import known
 from kurbel.errors import ProblemError
+from kurbel.exact.certify import at_bits
 from kurbel.exact.kind import Kind, balls
-from kurbel.exact.precision import at_bits
 from kurbel.exact.real import Real
 from kurbel.kernel.balance import Star
 

@@ -22,7 +22,7 @@ from kurbel.books.constructions.placed import Placed, Point
 from kurbel.books.constructions.quantities import FUNCTIONS_OF_DRIVE, KNOWN, NUMBER, POINT, OfDrive
 from kurbel.errors import NotationError
 from kurbel.exact.kind import floats
-from kurbel.exact.size import power
+from kurbel.exact.separation import power
 from kurbel.kernel.circle import root
 from kurbel.reading.arithmetic import OPERATIONS, POWERS, parsed, wrong_power
 from kurbel.reading.given import choose

@@ -21,10 +21,9 @@ from kurbel.books.formulas.proof import (
     UnprovableError,
     Work,
 )
-from kurbel.exact.certify import ball
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.numerals import MOST_FIGURES
-from kurbel.exact.precision import at_bits
-from kurbel.exact.size import TooLargeError
+from kurbel.exact.separation import TooLargeError
 
 BITS = 256
 # Letters are eighths up to 3/2: angles of the first quadrant, ratios on both sides of 1.

@@ -31,8 +31,8 @@ from kurbel.books.formulas.equation import (
 )
 from kurbel.books.formulas.lines import formula_lines, room_beside, word_lines
 from kurbel.books.formulas.table import Collated, FormulaTable
+from kurbel.exact.certify import at_bits
 from kurbel.exact.numerals import Label, nearest, number_text
-from kurbel.exact.precision import at_bits
 from kurbel.page.axes import ColumnAxis, PageAxis, Place
 from kurbel.page.quantity import Column, Quantity, Words, words
 from kurbel.page.subject import Subject

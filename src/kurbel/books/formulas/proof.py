@@ -17,7 +17,7 @@ from typing import Any, TypeAlias
 
 from flint import fmpq, fmpq_mpoly_ctx
 
-from kurbel.exact.size import MOST_BITS
+from kurbel.exact.separation import MOST_BITS
 
 # flint has no types.
 Polynomial: TypeAlias = Any

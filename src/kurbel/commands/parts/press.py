@@ -13,7 +13,7 @@ from kurbel.engine.diagram.wheel.relations import figures_of
 from kurbel.engine.diagram.wheel.sizing import Figures, Known, completed
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import about
-from kurbel.exact.product import Product
+from kurbel.exact.real import Product
 from kurbel.reading.given import (
     as_duration,
     as_energy_an_area,

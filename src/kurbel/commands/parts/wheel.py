@@ -14,7 +14,7 @@ from kurbel.commands.parts.press import Press, in_one_unit, sides_of
 from kurbel.engine.diagram.wheel.sizing import Known
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import about
-from kurbel.exact.product import Product
+from kurbel.exact.real import Product
 from kurbel.reading.given import (
     as_area,
     as_density,

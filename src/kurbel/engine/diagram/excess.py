@@ -22,7 +22,7 @@ from kurbel.engine.diagram.zeros import Zero, is_plain, over_cycle, waves_at, ze
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats
 from kurbel.exact.numerals import Label, number_text
-from kurbel.exact.product import Product
+from kurbel.exact.real import Product
 from kurbel.exact.search import greatest as greatest_of
 from kurbel.reading.given import Given
 from kurbel.reading.notation import about

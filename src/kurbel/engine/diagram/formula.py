@@ -14,7 +14,7 @@ from typing import NamedTuple, NoReturn
 
 from kurbel.engine.diagram.waves import QUARTER, Waves
 from kurbel.errors import NotationError
-from kurbel.exact.size import TooLargeError
+from kurbel.exact.separation import TooLargeError
 from kurbel.reading import notation, units
 from kurbel.reading.notation import quoted
 

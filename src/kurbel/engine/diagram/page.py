@@ -22,7 +22,7 @@ from kurbel.engine.diagram.texts import WORDS
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats, settled
 from kurbel.exact.numerals import Label, Number, figures
-from kurbel.exact.product import Product
+from kurbel.exact.real import Product
 from kurbel.motion.captions import turns_label
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, entry, words

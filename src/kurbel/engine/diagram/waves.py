@@ -17,7 +17,7 @@ import flint
 
 from kurbel.exact.certify import MOST_BITS, ball, vanishes
 from kurbel.exact.kind import Kind, balls, bounds
-from kurbel.exact.size import plus, times
+from kurbel.exact.separation import plus, times
 from kurbel.reading.given import Given
 
 # Of a wave its order k and its phase α, at least 0° and below 180°, of a constant at most 90°.

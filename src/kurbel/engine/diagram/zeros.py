@@ -17,10 +17,9 @@ from kurbel.engine.diagram.fluctuation import Extreme
 from kurbel.engine.diagram.torque import TURN, Line, Torque
 from kurbel.engine.diagram.waves import Waves
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import ball
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.kind import Kind, balls, floats
 from kurbel.exact.place import fraction
-from kurbel.exact.precision import at_bits
 from kurbel.exact.search import ISOLATING_BITS, LEAST_WIDTH, interval, isolate
 from kurbel.exact.separation import Separation
 from kurbel.exact.terms import algebraic

@@ -30,11 +30,10 @@ from kurbel.balancing.harmonics import MOST_ORDERS
 from kurbel.engine.cylinder import AnyTurn, Cylinder
 from kurbel.engine.speed.course import Span, spans
 from kurbel.engine.turn import Turn
-from kurbel.exact.certify import ball
-from kurbel.exact.continued import Continued, continued, half_turn_circle
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.kind import balls, floats
-from kurbel.exact.precision import at_bits
 from kurbel.exact.search import interval
+from kurbel.exact.taylor import Continued, continued, half_turn_circle
 from kurbel.kernel.balance import Star
 from kurbel.kernel.circle import Number
 

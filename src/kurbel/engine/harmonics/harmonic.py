@@ -23,9 +23,8 @@ from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.digits import CLEAN, FLOAT_ERROR, Estimate, certified, supported
 from kurbel.engine.harmonics.fourier import NOTHING_BITS, PARTS, Floats, Spectrum, Wave, star_of
 from kurbel.engine.quantities import ENGINE_METHODS
-from kurbel.exact.certify import NEVER_TIES
+from kurbel.exact.certify import NEVER_TIES, at_bits
 from kurbel.exact.numerals import Label, Number
-from kurbel.exact.precision import at_bits
 from kurbel.kernel.balance import Star
 from kurbel.page.quantity import Column, Formula, Quantity, entry, words
 from kurbel.reading.units import Speed

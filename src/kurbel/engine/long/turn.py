@@ -14,8 +14,7 @@ from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, Standing
 from kurbel.engine.speed.run import Run
 from kurbel.engine.turn import Turn
 from kurbel.exact.bulk import Integers
-from kurbel.exact.enclosures.enclosure import Enclosure, Floats
-from kurbel.exact.enclosures.functions import ENCLOSURES, enclosed, half_turn_circle
+from kurbel.exact.enclosure import ENCLOSURES, Enclosure, Floats, enclosed, half_turn_circle
 from kurbel.kernel.circle import Circle
 from kurbel.motion.long import Angle, Places, quotient
 

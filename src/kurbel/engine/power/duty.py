@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from kurbel.engine.power.source import Acting, GivenPressure
 from kurbel.errors import ProblemError
-from kurbel.exact.product import Product
+from kurbel.exact.real import Product
 from kurbel.page.quantity import Formula, Quantity, entry, words
 from kurbel.reading.notation import about
 from kurbel.reading.units import Speed

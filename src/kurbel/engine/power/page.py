@@ -35,7 +35,7 @@ from kurbel.engine.power.source import Acting, GivenPressure
 from kurbel.engine.texts import COUNTED_IN, POWER_TEXTS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
-from kurbel.exact.product import Product
+from kurbel.exact.real import Product
 from kurbel.page.axes import ColumnAxis, Place
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question, Subject

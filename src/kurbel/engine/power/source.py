@@ -15,7 +15,7 @@ from kurbel.engine.quantities import Where, engine_registry
 from kurbel.engine.turn import turn_of
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
-from kurbel.exact.product import Product
+from kurbel.exact.real import Product
 from kurbel.kernel.steam import power
 from kurbel.page.quantity import bare
 from kurbel.reading.notation import about

@@ -32,9 +32,9 @@ from kurbel.engine.segments import (
     segments,
 )
 from kurbel.engine.turn import Turn
+from kurbel.exact.certify import at_bits
 from kurbel.exact.jet import Jet
 from kurbel.exact.numerals import Label
-from kurbel.exact.precision import at_bits
 from kurbel.kernel.steam import larger, smaller
 from kurbel.page.quantity import Formula, Quantity, Words, entry, words
 

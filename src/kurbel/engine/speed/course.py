@@ -19,12 +19,10 @@ from flint import arb
 
 from kurbel.engine.turn import Piece, Turn
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import ball
-from kurbel.exact.continued import Continued, continued, half_turn_circle
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.place import fraction
-from kurbel.exact.precision import at_bits
 from kurbel.exact.search import interval
-from kurbel.exact.taylor import Formula, Taylor, bounded, expanded
+from kurbel.exact.taylor import Continued, Formula, Taylor, bounded, continued, expanded, half_turn_circle
 from kurbel.kernel.circle import Number
 
 # Bits to which a corner is known, or so many beyond the precision in force if that is more: up to there all

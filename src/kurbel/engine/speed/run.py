@@ -20,8 +20,7 @@ from kurbel.drive.wheel import SQUARE, Wheel
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import kept
-from kurbel.exact.precision import at_bits
+from kurbel.exact.certify import at_bits, kept
 from kurbel.kernel import turning
 from kurbel.kernel.circle import Number
 from kurbel.reading.notation import plain

@@ -12,7 +12,7 @@ import flint
 
 from kurbel.engine.speed.run import above
 from kurbel.errors import ProblemError
-from kurbel.exact.precision import at_bits
+from kurbel.exact.certify import at_bits
 from kurbel.exact.search import ISOLATING_BITS
 
 if TYPE_CHECKING:

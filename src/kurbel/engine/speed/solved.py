@@ -32,8 +32,7 @@ from kurbel.engine.speed.run import STEP, AnyRun
 from kurbel.engine.speed.samples import first_lag, first_start
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import ball, kept
-from kurbel.exact.precision import at_bits
+from kurbel.exact.certify import at_bits, ball, kept
 from kurbel.exact.search import ISOLATING_BITS, Function, Zero, crossing, interval, isolate
 from kurbel.exact.taylor import Taylor, exponential
 from kurbel.kernel.circle import Number, root

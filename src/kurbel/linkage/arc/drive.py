@@ -11,12 +11,11 @@ from typing import Any
 
 from flint import arb
 
-from kurbel.exact.certify import ball, half_turn_circle
+from kurbel.exact.certify import FLOAT_BITS, at_bits, ball, half_turn_circle
 from kurbel.exact.certify import pi as ball_pi
 from kurbel.exact.course import Course
 from kurbel.exact.kind import balls
 from kurbel.exact.place import SQUARE, Centre, Place
-from kurbel.exact.precision import FLOAT_BITS, at_bits
 from kurbel.linkage.arc.quantities import arc_registry
 from kurbel.linkage.arc.rocker import STROKE, RockerCrank
 from kurbel.linkage.mechanism import LinkageDrive

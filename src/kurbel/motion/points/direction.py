@@ -6,10 +6,9 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
-from kurbel.exact.certify import GUARD_BITS, NEVER_TIES, ball_degrees, rounded
+from kurbel.exact.certify import GUARD_BITS, NEVER_TIES, at_bits, ball_degrees, rounded
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import nearest
-from kurbel.exact.precision import at_bits
 from kurbel.exact.terms import vanishes
 from kurbel.kernel.coupler import Vector, amount
 

@@ -15,9 +15,9 @@ from typing import Any
 from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
+from kurbel.exact.certify import at_bits
 from kurbel.exact.kind import Kind, balls, settled
 from kurbel.exact.numerals import Label, Number
-from kurbel.exact.precision import at_bits
 from kurbel.exact.terms import vanishes
 from kurbel.kernel import kinematics, series
 from kurbel.motion.captions import drive_notes

@@ -22,10 +22,9 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from kurbel.exact.certify import half_turn_circle
+from kurbel.exact.certify import at_bits, half_turn_circle
 from kurbel.exact.jet import ball_jets, slopes
 from kurbel.exact.kind import Kind, balls
-from kurbel.exact.precision import at_bits
 from kurbel.exact.search import Zero
 from kurbel.kernel import kinematics, series
 from kurbel.kernel.circle import Circle

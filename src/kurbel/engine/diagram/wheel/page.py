@@ -12,7 +12,7 @@ from kurbel.engine.diagram.texts import FLUCTUATION, OF_WHEELS, SOURCES, TORQUE
 from kurbel.engine.diagram.wheel.relations import NEEDS, SHOWN, registry
 from kurbel.engine.diagram.wheel.sizing import LIMIT, ONE_TURN, RIM_ALONE, Sizing
 from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
-from kurbel.exact.product import Product
+from kurbel.exact.real import Product
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_number, irregularity_label
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words

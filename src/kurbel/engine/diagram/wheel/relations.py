@@ -14,7 +14,7 @@ from typing import NamedTuple, TypeAlias
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, number_text
-from kurbel.exact.product import Product
+from kurbel.exact.real import Product
 from kurbel.page.quantity import Formula, Quantity, entry
 
 Values: TypeAlias = Mapping[str, Product]

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from kurbel.engine.diagram.wheel.relations import DISC_RULES, RULES, SHOWN, figures_of, registry
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import number_text
-from kurbel.exact.product import Product
+from kurbel.exact.real import Product
 from kurbel.reading.notation import about
 
 # What is taken where it is not given; pages say so.

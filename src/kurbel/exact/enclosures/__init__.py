@@ -1,1 +1,0 @@
-"""Arrays of floats that know how far each of them may lie from the true value."""
