@@ -71,7 +71,7 @@ class EngineWithWheel(Flywheel, Engine, Layouts, Sheet, CommandOptions):
         """Return the flywheel of a page on which it says something. Raises ProblemError if no column does."""
         if page.subject not in WITH_WHEEL:
             return None
-        from kurbel.engine.speed.quantities import of_runs
+        from kurbel.engine.speed.page import of_runs
 
         found = self.wheel(self.is_heavy())
         if names and not of_runs() & {*names}:

@@ -2,28 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import floor
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from kurbel.drive.load import CARD, STEAM
+from kurbel.drive.crank import Crank
+from kurbel.drive.crank_forces import Weights
+from kurbel.drive.load import STEAM
+from kurbel.drive.load import Load as Acting
+from kurbel.drive.moved import Drive
+from kurbel.engine.card.card import Diagram
+from kurbel.engine.loads import effort
 from kurbel.errors import ProblemError
+from kurbel.exact.kind import Kind
+from kurbel.kernel.circle import Number
 from kurbel.kernel.steam import Expansion, IdleStroke, best_back
-from kurbel.reading.notation import about, plain
+from kurbel.kernel.turning import Stroke
+from kurbel.reading.notation import about, plain, too_small
 
 if TYPE_CHECKING:
-    from kurbel.drive.crank import Crank
-    from kurbel.drive.crank_forces import Weights
-    from kurbel.drive.load import Load as Acting
-    from kurbel.drive.moved import Drive
-    from kurbel.engine.card.card import Card
-    from kurbel.engine.card.cycle import AngleCard, CycleCard
-    from kurbel.engine.card.force import CardStroke
-    from kurbel.exact.kind import Kind
-    from kurbel.kernel.circle import Number
-    from kurbel.kernel.turning import Stroke
+    pass
 
 LARGEST_EXPANSION = 10**6
 LARGEST_EXPONENT = 10
@@ -62,8 +62,6 @@ class Steam:
 
     def __post_init__(self) -> None:
         if self.expansion < 1:
-            from kurbel.reading.notation import too_small
-
             raise ProblemError(too_small(self.expansion))
         if self.expansion > LARGEST_EXPANSION:
             raise ProblemError(
@@ -118,53 +116,6 @@ class Steam:
 
 
 @dataclass(frozen=True, slots=True)
-class Diagram:
-    """An indicator card in place of the ideal one, and the pressure in Pa on a single-acting piston's other
-    face. Q is of the pressure `unit` in Pa, None the card's own greatest."""
-
-    name: ClassVar[str] = CARD
-    # Its work tells.
-    driven: ClassVar[bool] = False
-
-    card: Card | CycleCard | AngleCard
-    other_side: float | None = None
-    unit: float | None = None
-
-    @property
-    def pressure(self) -> float:
-        """The pressure in Pa that Q is of."""
-        return self.card.admission if self.unit is None else self.unit
-
-    def strokes(self, kind: Kind, double: bool) -> tuple[CardStroke, ...]:
-        """Return the force of the strokes of a cycle, two or four, on floats or arrays."""
-        from kurbel.engine.card.force import card_strokes
-
-        return card_strokes(self.measured, double, self.other_side, self.pressure)
-
-    @property
-    def measured(self) -> Card | CycleCard:
-        """The card by the shares of the strokes, as the one of an engine is."""
-        from kurbel.engine.card.cycle import AngleCard
-
-        assert not isinstance(self.card, AngleCard)
-        return self.card
-
-    @property
-    def strokes_of_cycle(self) -> int:
-        """How many strokes a cycle has."""
-        return self.card.strokes_of_cycle
-
-    def on(self, drive: Drive) -> Diagram:
-        """Return the diagram by the shares of the strokes that the drive's piston has gone."""
-        return replace(self, card=self.card.on(drive))
-
-    def halves(self) -> Iterator[Diagram]:
-        """Yield the cards that have every second point of this one, in the same Q."""
-        for card in self.measured.halves():
-            yield Diagram(card, self.other_side, self.pressure)
-
-
-@dataclass(frozen=True, slots=True)
 class Load:
     """What makes newtons of Q: the bore in metres and the steam pressure before cut-off in pascals. An
     indicator card has its pressures itself.
@@ -206,8 +157,6 @@ class Engine:
             raise ProblemError("crank ratio R:L is nearer to 1 than 10^-12; no engine is built so")
         check_count(len(self.cranks))
         if self.crank.effort is not None:
-            from kurbel.engine.loads import effort
-
             effort.check(self)
         if self.cranks[0] != 0:
             raise ProblemError(
@@ -248,16 +197,12 @@ class Engine:
         """Return the strokes of the load on the piston as it is, with its rods and its friction."""
         if self.crank.effort is None:
             return self.steam.strokes(kind, self.double)
-        from kurbel.engine.loads import effort
-
         return effort.rubbed(self, kind)
 
     def friction(self, kind: Kind) -> Number | None:
         """Return the friction of piston and crosshead in Q, None where there is none."""
         if not self.crank.rubbed:
             return None
-        from kurbel.engine.loads import effort
-
         return effort.friction_of(self, kind)
 
     def weights(self, kind: Kind) -> Weights | None:

@@ -139,7 +139,9 @@ def compute_delta(
     return out if shape else float(out)
 
 
-def enclosed(given: Mapping[str, Any], method: str, usual: Collection[str] = ()) -> tuple[Floats, Floats]:
+def enclosed_delta(
+    given: Mapping[str, Any], method: str, usual: Collection[str] = ()
+) -> tuple[Floats, Floats]:
     """Return δ of engines as `compute_delta` does, and by how much each may be off the δ of its exact inputs.
 
     `given` has an array of each input's floats, of `back` None for the best one; `usual` names those that are

@@ -20,8 +20,9 @@ from kurbel.drive.crank import Crank, check_angles, known
 from kurbel.drive.load import figure
 from kurbel.drive.moved import Drive, Moved
 from kurbel.engine.axes import engine_lines, load_text
+from kurbel.engine.card.card import Diagram
 from kurbel.engine.cylinders.words import Alone, within
-from kurbel.engine.engine import Diagram, Engine
+from kurbel.engine.engine import Engine
 from kurbel.engine.texts import PRESSED
 from kurbel.engine.turn import angle_at, turn_of
 from kurbel.errors import ProblemError

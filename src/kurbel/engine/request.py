@@ -31,8 +31,8 @@ from kurbel.page.table import Field
 from kurbel.reading.given import choose
 
 if TYPE_CHECKING:
+    from kurbel.engine.arrays import Irregularities
     from kurbel.engine.assembly import Assembly
-    from kurbel.engine.long.irregularity import Irregularities
     from kurbel.motion.long import LongColumns
 
 # So many engines take balls as long as NumPy and its formulas take for the first.
@@ -174,8 +174,8 @@ class EngineRequest(Question):
         few = PAGE_CELLS if over_angle else PAGE_ENGINES
         if len(self.page_columns) * len(self) <= few or self.carded:
             return None
-        own = "columns:EngineColumns" if over_angle else "irregularity:Irregularities"
-        found: LongColumns | Irregularities | None = worthwhile(self, f"kurbel.engine.long.{own}")
+        own = "EngineColumns" if over_angle else "Irregularities"
+        found: LongColumns | Irregularities | None = worthwhile(self, f"kurbel.engine.arrays:{own}")
         return found
 
     def where(self, place: Place) -> Where:

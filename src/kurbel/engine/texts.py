@@ -7,6 +7,53 @@ from collections.abc import Mapping
 from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM
 from kurbel.page.quantity import Words, words
 
+OF_SPEED = {
+    "root": words("$v/v_1 = sqrt(1 + 2 W/(m_1 v_1^2))$"),
+    "first_order": words(
+        "$v/v_1 = 1 + W/(m_1 v_1^2)$, erste Ordnung nach Weisbach"
+        "|$v/v_1 = 1 + W/(m_1 v_1^2)$, to first order, by Weisbach"
+    ),
+    "square_law": words(
+        "$J ω (d ω)/(d φ) = (T - P ω^2/Ω^2) r$ im Beharrungszustand, $Ω^2$ Mittel von $ω^2$ über den Winkel"
+        "|$J ω (d ω)/(d φ) = (T - P ω^2/Ω^2) r$ in steady state, $Ω^2$ the mean of $ω^2$ over the angle"
+    ),
+    "letters": words(
+        "$v_1$ Kurbelgeschwindigkeit im inneren Totpunkt, $m_1 = J/r^2$ Schwungmasse {at_radius},"
+        " $P$ mittlere Umfangskraft"
+        "|$v_1$ crank-pin velocity at the inner dead centre, $m_1 = J/r^2$ flywheel mass {at_radius},"
+        " $P$ mean tangential force"
+    ),
+    "masses": words(
+        "$1/2 (J + J_φ) ω^2 = 1/2 (J + J_0) ω_1^2 + W_p$; $J$ mit allem, was gleichförmig umläuft, $J_φ$ der"
+        " übrigen bewegten Massen beim Winkel $φ$, $J_0$ im inneren Totpunkt, $W_p$ Überschussarbeit des"
+        " Kolbendruckes allein"
+        "|$1/2 (J + J_φ) ω^2 = 1/2 (J + J_0) ω_1^2 + W_p$; $J$ with all that turns evenly, $J_φ$ of the other"
+        " moving masses at the angle $φ$, $J_0$ at the inner dead centre, $W_p$ excess work of the pressure"
+        " on the piston alone"
+    ),
+    "even": words(
+        "$T$ und $W$ mit dem Moment der Massen bei gleichförmiger Drehung; flywheel druckt $J_δ$, das ein $δ$"
+        " bei wahrer Geschwindigkeit hält"
+        "|$T$ and $W$ with the torque of the masses at uniform rotation; flywheel prints $J_δ$, which keeps a"
+        " $δ$ at the true speed"
+    ),
+    "mean": words(
+        '$n$ gegeben als Mittel $1/2 (n_"max" + n_"min")$|$n$ given as the mean $1/2 (n_"max" + n_"min")$'
+    ),
+    "constant": words(
+        "Widerstandsmoment gleichbleibend (--resistance)|constant resisting torque (--resistance)"
+    ),
+    "square": words(
+        "Widerstandsmoment wie das Quadrat der Geschwindigkeit|resisting torque as the square of the speed"
+    ),
+    "constant_driven": words(
+        "Antriebsmoment gleichbleibend (--resistance)|constant driving torque (--resistance)"
+    ),
+    "delta_mean": words('$δ_m = (v_"max" - v_"min")/v_m$, $v_m = 1/2 (v_"max" + v_"min")$'),
+    "delta_first": words(
+        '$δ_1 = (v_"max" - v_"min")/v_1$, nach Weisbach|$δ_1 = (v_"max" - v_"min")/v_1$, by Weisbach'
+    ),
+}
 HARMONICS: Mapping[str, Words] = {
     "member": words("Zylinder|Cylinder"),
     "one": words("Zylinder {number}|Cylinder {number}"),

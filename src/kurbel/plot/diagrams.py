@@ -12,8 +12,9 @@ from kurbel.engine.diagram.page import TorquesRequest
 from kurbel.engine.diagram.torque import Torque
 from kurbel.engine.diagram.wheel.page import WheelRequest
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.speed.quantities import speed_registry
-from kurbel.engine.speed.run import AnyRun, run_of
+from kurbel.engine.speed.page import speed_registry
+from kurbel.engine.speed.run import AnyRun
+from kurbel.engine.speed.solved import run_of
 from kurbel.exact.kind import Kind, floats
 from kurbel.page.quantity import words
 from kurbel.plot.engine import across_path, diagram_swing, over_path, turns_of

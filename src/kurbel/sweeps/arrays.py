@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from kurbel.drive.crank import LARGEST_ANGLE, Crank, largest
+from kurbel.engine.arrays import KEY, SUBJECT, plain_steam
 from kurbel.engine.engine import Steam
-from kurbel.engine.irregularity import enclosed
-from kurbel.engine.long.irregularity import KEY, SUBJECT, plain_steam
+from kurbel.engine.irregularity import enclosed_delta
 from kurbel.engine.request import EngineRequest
 from kurbel.exact.bulk import nearest
 from kurbel.kernel.loops import of_all
@@ -121,7 +121,7 @@ class Irregularities:
     def rows(self, points: Points) -> Rows:
         told = self._inputs(points)
         usual = [name for name in FURTHER if self._usual[name]]
-        found, bounds = enclosed(told, (self.question.methods or ("exact",))[0], usual)
+        found, bounds = enclosed_delta(told, (self.question.methods or ("exact",))[0], usual)
         good = np.isfinite(bounds)
         digits = self.asked.plan.digits
         if digits is None:

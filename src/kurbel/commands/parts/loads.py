@@ -232,8 +232,8 @@ class Loads(Piston):
 
     def _cards(self) -> Sequence[Acting]:
         """Return the indicator cards."""
+        from kurbel.engine.card.card import Diagram
         from kurbel.engine.card.file import read_card
-        from kurbel.engine.engine import Diagram
 
         other, single, files = self.other_side, self.single_acting, self.card
         if other is not None and not single:

@@ -42,9 +42,9 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import NamedTuple
 
-from kurbel.engine.card.card import LEAST_STEP, Card, check_positions, check_pressures
-from kurbel.engine.card.cycle import AngleCard, CycleCard
+from kurbel.engine.card.card import LEAST_STEP, AngleCard, Card, CycleCard, check_positions, check_pressures
 from kurbel.errors import CardError, NotationError
+from kurbel.reading.amounts import plain_unit
 from kurbel.reading.csv_file import (
     Column,
     Head,
@@ -58,6 +58,7 @@ from kurbel.reading.csv_file import (
     shown,
 )
 from kurbel.reading.names import did_you_mean
+from kurbel.reading.units import unit_in
 
 KIND = Kind("card", "point", CardError)
 LEAST_POINTS = 8
@@ -191,9 +192,6 @@ def pressure_unit(text: str) -> float:
 
 def _pascals(unit: str) -> float | None:
     """Return the unit in Pa, None if pint does not know it or it is no pressure."""
-    from kurbel.reading.amounts import plain_unit
-    from kurbel.reading.units import unit_in
-
     plain = plain_unit(unit)
     if plain is None:
         return None

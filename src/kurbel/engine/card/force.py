@@ -19,8 +19,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicHermiteSpline, PPoly
 from scipy.optimize import brentq
 
-from kurbel.engine.card.card import Card
-from kurbel.engine.card.cycle import CycleCard
+from kurbel.engine.card.card import Card, CycleCard
 from kurbel.errors import ProblemError
 
 Points: TypeAlias = NDArray[np.float64]

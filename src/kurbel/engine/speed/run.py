@@ -10,14 +10,14 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from fractions import Fraction
-from functools import lru_cache
 from math import ceil, floor, log10
-from typing import TYPE_CHECKING, NoReturn
+from typing import NoReturn
 
 import flint
 
-from kurbel.drive.wheel import SQUARE, Wheel
+from kurbel.drive.wheel import Wheel
 from kurbel.engine.cylinder import AnyTurn
+from kurbel.engine.speed.course import Course, energies
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, kept
@@ -25,16 +25,12 @@ from kurbel.kernel import turning
 from kurbel.kernel.circle import Number
 from kurbel.reading.notation import plain
 
-if TYPE_CHECKING:
-    from kurbel.engine.speed.course import Course
-
 # Steps of a search for where the crank comes to rest, a degree each, and how far it is narrowed, in degrees.
 SEARCHED = 360
 NARROWED = 1e-7
 CHECKED_BITS = 128
 # To multiples of so many bits series are computed; columns of few decimals more or less have one precision.
 STEP = 64
-KEPT = 512
 
 
 class AnyRun(ABC):
@@ -164,8 +160,6 @@ class Run(AnyRun):
         return self.speed_of(self.turn.energy_at(half_turns))
 
     def slowness(self) -> Course:
-        from kurbel.engine.speed.course import energies
-
         assert isinstance(self.turn, Turn)
         first = self.method == "weisbach"
         share = (1 if first else 2) / (self.number * abs(self.turn.mean_force()))
@@ -216,50 +210,9 @@ class Run(AnyRun):
         return float(high)
 
 
-@lru_cache(KEPT)
-def run_of(turn: AnyTurn, wheel: Wheel) -> AnyRun:
-    """Return the engine's run with the flywheel; the latest ones are kept."""
-    if wheel.resistance == SQUARE:
-        return _against_square(turn, wheel)
-    if any(part.crank.moving is not None for part in turn.engine.parts):
-        from kurbel.engine.speed.solved import HeavyRun
-
-        if isinstance(turn, Turn):
-            return HeavyRun(turn, wheel)
-        from kurbel.engine.card.turn import CardTurn
-        from kurbel.engine.speed.heavy_card import HeavyCardRun
-
-        assert isinstance(turn, CardTurn)
-        return HeavyCardRun(turn, wheel)
-    if turn.engine.carded:
-        from kurbel.engine.speed.card import CardRun
-
-        return CardRun(turn, wheel)
-    return Run(turn, wheel)
-
-
 def above(bound: Number) -> str:
     """Return a number to three figures, rounded up."""
     value = float(bound)
     decimals = 2 - floor(log10(value))
     scale = Fraction(10) ** decimals
     return plain(Fraction(ceil(Fraction(value) * scale)) / scale)
-
-
-def _against_square(turn: AnyTurn, wheel: Wheel) -> AnyRun:
-    """Return the run against the square of the speed. Raises ProblemError where that is not computed."""
-    from kurbel.engine.speed.solved import SquareRun
-
-    moving = any(part.crank.moving is not None for part in turn.engine.parts)
-    for unknown, instead in (
-        (not isinstance(turn, Turn), "of an indicator card"),
-        (moving, "with moving masses"),
-        (turn.method == "weisbach", "by Weisbach's method"),
-        (turn.mean_sign <= 0, "of a driven machine"),
-    ):
-        if unknown:
-            raise ProblemError(
-                f"the speed {instead} is computed against a constant torque; leave --resistance out"
-            )
-    assert isinstance(turn, Turn)
-    return SquareRun(turn, wheel)
