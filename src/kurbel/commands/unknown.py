@@ -10,6 +10,8 @@ from typing import Any
 
 from kurbel.commands.forces import ForcesOptions
 from kurbel.commands.motion import MotionOptions, some
+from kurbel.commands.part import flag_of
+from kurbel.commands.parts.effort import PRESSING
 from kurbel.commands.solve import SolveOptions
 from kurbel.conditions.captions import condition_label
 from kurbel.conditions.loaded import ASKED, MEASURED, NAMES, measured
@@ -32,10 +34,14 @@ from kurbel.page.layouts import layout
 from kurbel.page.quantity import words
 from kurbel.reading import units
 from kurbel.reading.given import as_angles
+from kurbel.reading.names import enumerated
 from kurbel.reading.where import MAX, VALUE, Condition, read_condition
 
 GREATEST_RATIO = Fraction(999, 1000)
 MASSES = ("reciprocating", "rod_mass", "rotating", "rod_file")
+# What makes a force of these unknowns, where others take --force.
+MOVING = {"bore": "--head-pressure", "speed": "--reciprocating"}
+FLAG = re.compile("--[a-z-]+")
 # Of conditions on the motion: x = 200 mm.
 _WITH_UNIT = re.compile(r"=\s*[-+−]?[\d.,/]+\s*[a-z]")
 # Of these conditions the square of the formula is a polynomial.
@@ -63,7 +69,10 @@ class Angle:
         if not isinstance(angle, str) or "=" not in angle:
             angles = as_angles(angle)
             if len(angles) != 1:
-                raise ProblemError(f"{len(angles)} crank angles were given; --unknown takes one --angle")
+                raise ProblemError(
+                    f"{len(angles)} crank angles were given; --unknown takes one --angle, and kurbel sweep"
+                    " solve -o found.csv several"
+                )
             return cls(angles[0], "", None)
         if unknown == "ratio":
             raise ProblemError(f"--angle {angle} depends on the ratio that is asked for; give it in degrees")
@@ -183,6 +192,16 @@ class Sized:
             raise ProblemError(
                 "--unknown is of the straight and the offset crank, and of others under the load of an engine"
             )
+        if unknown == "pressure" and not self.loaded:
+            raise ProblemError(
+                "--unknown pressure is that of an engine's steam; add its expansion ratio, --eps 4, or ask"
+                " for the force on the piston, --unknown force"
+            )
+        if unknown == "force" and (given := next((one for one in PRESSING if asked.says(one)), "")):
+            raise ProblemError(
+                f"--unknown force asks for the force on the piston, and {flag_of(given)} gives it; leave one"
+                " of the two out"
+            )
         if unknown == "stroke" and asked.says("rod"):
             raise ProblemError("--unknown stroke is at a crank ratio; give --ratio in place of --rod")
         if self.loaded and self.place.degrees is None:
@@ -191,11 +210,27 @@ class Sized:
             raise ProblemError("--unknown under a load is solved by the exact formulas; leave --method out")
         self.condition, self.column = self._read(text)
         self.question = cache(self._question)
-        if (count := len(self.question(self.about.probe))) != 1:
+        if (count := len(self._first())) != 1:
             raise ProblemError(f"--unknown is of one drive under one load, and {count} were given; give one")
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), self.asked
+
+    def _first(self) -> Any:
+        """Return the question with the first value that is tried. Raises ProblemError for what the condition
+        needs beside that."""
+        try:
+            return self.question(self.about.probe)
+        except ProblemError as error:
+            pushed = ("force",) if self.values.says(*PRESSING, *MASSES) else ()
+            own = (self.unknown, *pushed, *(one for one in self.values.values if self.values.says(one)))
+            flags = (
+                MOVING.get(self.unknown, one) if one == "--force" else one for one in FLAG.findall(str(error))
+            )
+            needed = [one for one in flags if one not in map(flag_of, own)]
+            if not (needed and str(error).startswith(f"column {self.column}")):
+                raise
+            raise ProblemError(f'condition "{self.condition}" needs {enumerated(needed)}') from None
 
     def _read(self, text: str) -> tuple[Condition, str]:
         """Return the condition and the column that shows what it is about, in N, N m or a unit of motion."""

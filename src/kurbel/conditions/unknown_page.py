@@ -75,6 +75,7 @@ class UnknownRequest(Question):
     asked: Unknown
 
     no_column = "there is no column beside the number; add one, such as speed"
+    undrawn = "of several angles, --angle 0..90:15, kurbel sweep solve with -o found.csv makes a file to draw"
 
     def missing(self, quantity: Quantity) -> str:
         own = (self.unknown, "rod_ratio") if self.unknown == "ratio" else (self.unknown,)

@@ -16,7 +16,7 @@ from kurbel.page.layouts import SUBJECTS, Layout, LayoutColumn
 from kurbel.page.quantity import Column, Known, Quantity, is_short, known_at
 from kurbel.page.table import Field, Note, Records, Tone, Value, Worded, check_label
 from kurbel.reading.given import Given, choose, found_at, meant
-from kurbel.reading.names import others
+from kurbel.reading.names import others, otherwise
 from kurbel.reading.notation import MOST_ROWS
 
 if TYPE_CHECKING:
@@ -134,6 +134,8 @@ class Question(Worded, Given):
     zero: Fraction = Fraction(0)
     data: bool = False
 
+    # What to do with a page of one place that was to be drawn, whose axes take no other values.
+    undrawn: ClassVar[str] = "print it, as text or LaTeX"
     # Whether records of the axes alone say something.
     axes_suffice: ClassVar[bool] = False
     # Numbers that need not be computed.
@@ -265,11 +267,24 @@ class Question(Worded, Given):
         if isinstance(name, str) and name.startswith("+"):
             whole = ",".join([*(one.key for one in self.layout.columns), name[1:]])
             raise ChoiceError(f"--columns names all columns, and adds none to them; write --columns {whole}")
-        key = meant(name, allowed, "column")
+        try:
+            key = meant(name, allowed, "column")
+        except ChoiceError as error:
+            if "did you mean" not in str(error) and (line := self._elsewhere(name)):
+                raise ChoiceError(f'there is no column "{name}" on this page; kurbel {line} has it') from None
+            raise
         if key in self.axis_keys or not self._is_missing(key):
             return key
         known = (one for one in others(key, allowed) if one not in self.axis_keys)
         return next((one for one in known if not self._is_missing(one)), key)
+
+    def _elsewhere(self, name: str) -> str:
+        """Return the line that prints a column which this page has not, of the same command if it can,
+        nothing if none does."""
+        known = map(subject, SUBJECTS) if isinstance(name, str) else ()
+        lines = [one.command for one in known if otherwise(name, [*one.quantities()])]
+        command = self.subject.command.partition(" ")[0]
+        return min(lines, key=lambda line: line.partition(" ")[0] != command, default="")
 
     def _is_missing(self, key: str) -> bool:
         (column,) = self.chosen([key])

@@ -83,7 +83,7 @@ def _across(asked: Question) -> _Across:
     known = {name: found for name, axis in axes.items() if (found := _numbers(asked, name, axis))}
     if not known:
         several = [SEVERAL[one] for one in (*asked.axes, *_loads(asked)) if one in SEVERAL]
-        instead = f"give several values, {' or '.join(several)}" if several else "print it, as text or LaTeX"
+        instead = f"give several values, {' or '.join(several)}" if several else asked.undrawn
         raise ProblemError(
             f"a drawing needs an axis with several places, and this page has one of each; {instead}"
         )

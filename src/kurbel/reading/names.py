@@ -285,22 +285,25 @@ def bound(
         raise KeywordError(_sentence(name, signature, args, kwargs)) from None
 
 
-def unknown(function: str, keyword: str, known: Collection[str], listed: str = "") -> KeywordError:
-    """Return the error of a keyword that the function has not; `listed` says where those are that it has."""
+def unknown(
+    function: str, keyword: str, known: Collection[str], listed: str = "", value: str = ""
+) -> KeywordError:
+    """Return the error of a keyword that the function has not, with the text that it was given; `listed` says
+    where those are that it has."""
     if keyword in WRITING:
         value = '"latex"' if keyword == "format" else f"{keyword}=…"
         return KeywordError(
             f"kurbel.{function} has no keyword {keyword}, which is for a page once it is made:"
             f" kurbel.typeset(page, {value}), or page.save"
         )
-    near = did_you_mean(keyword, known, words=True)
-    if not near:
-        from kurbel.reading.foreign import ours
+    from kurbel.reading.foreign import ours
 
-        option, written = ours(keyword, "", [one.replace("_", "-") for one in known])
-        near = f'; write {option.replace("-", "_")}="{written}"' if option else ""
+    option, written = ours(keyword, value, [one.replace("_", "-") for one in known])
+    hint = did_you_mean(keyword, known, words=True)
+    if option and option.replace("-", "_") not in near(keyword, [*known], words=True):
+        hint = f"; write {as_keywords(f'--{option} {written}', {})}"
     listed = listed or f"help(kurbel.{function}) lists its keywords"
-    return KeywordError(f'kurbel.{function} has no keyword "{keyword[:60]}"{near}; {listed}')
+    return KeywordError(f'kurbel.{function} has no keyword "{keyword[:60]}"{hint}; {listed}')
 
 
 def _sentence(
@@ -309,7 +312,9 @@ def _sentence(
     parameters = signature.parameters
     wrong = next((one for one in kwargs if one not in parameters), None)
     if wrong is not None:
-        return str(unknown(name, wrong, parameters))
+        # A number has no unit of ours behind it.
+        text = value if isinstance(value := kwargs[wrong], str) else ""
+        return str(unknown(name, wrong, parameters, value=text))
     first = [one.name for one in parameters.values() if one.kind is one.POSITIONAL_OR_KEYWORD]
     if len(args) > len(first):
         named = f"{', '.join(first)} can stand without a name" if first else "all have names"

@@ -17,7 +17,7 @@ from kurbel.exact.numerals import exact_text
 from kurbel.reading.amounts import FOOT, INCH, POUND, POUND_FORCE, plain_unit
 from kurbel.reading.given import as_angle, as_crank_angles, as_fraction
 from kurbel.reading.names import did_you_mean
-from kurbel.reading.notation import about, number, quoted
+from kurbel.reading.notation import about, in_shell, number, quoted
 
 
 def _scaled(units: Mapping[str, int | str]) -> Mapping[str, Fraction]:
@@ -281,19 +281,20 @@ def _inches(text: str) -> str:
     return exact_text(12 * number(match[1] or "0") + number(match[2] or "0"))
 
 
-def in_forces(written: str, dimension: str, amount: Fraction | None = None) -> str:
-    """Return a unit, with its amount, of which a mass is meant as a force, as it is written; nothing for what
-    is no such unit of the dimension."""
+def in_forces(written: str, dimension: str, amount: Fraction | str) -> str:
+    """Return a unit, with its amount, a number or a formula, of which a mass is meant as a force, as it is
+    written; nothing for what is no such unit of the dimension."""
     found = re.sub("[A-Za-z]+", lambda name: _FORCES.get(name[0], (name[0],))[0], written)
     if found == written or not _has_dimension(found, dimension):
         return ""
     sizes = next((own[1] for word in re.findall("[A-Za-z]+", written) if (own := _FORCES.get(word))), {})
-    if amount is None:
-        several = " and ".join(f"{size} of a {name} ton" for name, size in sizes.items())
-        return found + (f", {several}" if several else "")
-    if not sizes:
-        return f"{exact_text(amount)} {found}"
-    return " or ".join(f"{exact_text(amount * size)} {found} for {name} tons" for name, size in sizes.items())
+
+    def so_many(size: int) -> str:
+        if isinstance(amount, str):
+            return in_shell(f"{amount} {found}" if size == 1 else f"{size}({amount}) {found}")
+        return f"{exact_text(amount * size)} {found}"
+
+    return " or ".join(f"{so_many(size)} for {name} tons" for name, size in sizes.items()) or so_many(1)
 
 
 def _has_dimension(unit: str, dimension: str) -> bool:

@@ -99,7 +99,9 @@ class Tokens:
         """Refuse a token that is another word for the crank angle."""
         kind, text, place = self.token
         if kind == "word" and text not in (*ANGLES, *PI):
-            self.refuse(f'has "{text}" at place {place}; write the crank angle as φ or phi, {EXAMPLE}')
+            written = notation.in_shell(re.sub(rf"(?<![A-Za-z]){text}(?![A-Za-z])", "φ", self.text))
+            written = EXAMPLE if self.tokens[self.next - 1].text in ANGLES else written
+            self.refuse(f'has "{text}" at place {place}; write the crank angle as φ or phi, {written}')
 
     def close(self, opened: int) -> None:
         if not self.took(")"):
@@ -147,7 +149,7 @@ def torque_of(text: str, what: str) -> Waves:
     reader = _Reader(text, what)
     try:
         found = reader.sum()
-        return found.times(reader.unit())
+        return found.times(reader.unit(found.rational))
     except TooLargeError as error:
         raise NotationError(f"the formula of the {what}, {quoted(text)}: {error}") from None
 
@@ -163,8 +165,8 @@ class _Reader(Tokens):
             total = total + self._product().times(sign)
         return total
 
-    def unit(self) -> Fraction:
-        """Return the unit of torque at the end, in N m."""
+    def unit(self, amount: Fraction | None) -> Fraction:
+        """Return the unit of torque at the end, in N m, of a formula that may be so much of it."""
         if self.token.kind == "end":
             return Fraction(1)
         if self.token.kind != "word" or self.token.text in (*ANGLES, *PI):
@@ -173,9 +175,13 @@ class _Reader(Tokens):
         try:
             return units.signed_torque(f"1 {unit}", f"unit of the {self.what}")
         except NotationError:
-            written = self.text[self.token.place - 1 :].strip()
-            if hint := units.in_forces(written, units.signed_torque.dimension):
+            before, written = (
+                one.strip() for one in (self.text[: self.token.place - 1], self.text[self.token.place - 1 :])
+            )
+            if hint := units.in_forces(written, units.signed_torque.dimension, amount or before):
                 self.refuse(f'has the unit "{written}" at place {self.token.place}; write {hint}')
+            if self.tokens[self.next - 2].text in _WAVES:
+                self.refuse_angle()
             self.refuse_token()
 
     def _sign(self) -> Fraction:
