@@ -36,7 +36,7 @@ def test_wheels_and_frame_bear_what_the_turned_masses_do(
     (row,) = page(
         f"--cranks={angle}", f"--positions={place}mm", f"--reciprocating={moved}kg",
         f"--revolving={turned}kg",
-        f"--share={percent}%", f"--crank={RADIUS}m", f"--gauge={GAUGE}m", f"--speed={TURNS}/s",
+        f"--share={percent}%", f"--stroke=crank:{RADIUS}m", f"--gauge={GAUGE}m", f"--speed={TURNS}/s",
         "--wheel=1.7m", "--wheel-load=61kN", "--balance-radius=0.59m",
     )  # fmt: skip
     wheels = [

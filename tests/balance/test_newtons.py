@@ -56,7 +56,7 @@ def test_masses_that_are_moved_press_on_the_frame_with_the_newtons_of_each_order
 
 
 def test_the_ratio_may_be_that_of_crank_and_rod() -> None:
-    sized = (f"--crank={1000 * RADIUS}mm", f"--rod={1000 * ROD}mm")
+    sized = (f"--stroke=crank:{1000 * RADIUS}mm", f"--rod={1000 * ROD}mm")
     said = ("--cranks=0;200;75", "--positions=0;1;1.8")
     weighed = ("--reciprocating=271kg", f"--speed={TURNS * 60}/min", *said)
     assert page(*sized, *weighed) == page(*MACHINE, "--reciprocating=271kg", *said)

@@ -77,6 +77,7 @@ def test_the_short_help_fits_a_screen(words: tuple[str, ...]) -> None:
     # What stands there is an option of the command.
     first = re.findall(r"^  (?:-\w, )?(--[\w-]+)", "\n".join(lines), re.MULTILINE)
     assert {*first} <= {*described(*words, "--")}
+    assert len(first) <= 15
 
 
 def test_kurbel_itself_fits_a_screen_and_names_every_command() -> None:

@@ -26,7 +26,7 @@ MASSES = "--stroke 600mm --speed 120/min --pressure 8bar --bore 300mm --reciproc
 PAGES = {
     "table --ratio 1:4.5 --step 45 --rounding half-even": 5 * 6,
     "table --stroke 24in --rod 5ft --speed 120rpm --angle 12.5;77 --units imperial": 2 * 12,
-    "table --crank 300mm --rod 1.4m --offset 60mm --speed 2/s --step 90 --columns phi,x_mm,c_mps,psi": 15,
+    "table --stroke crank:300mm --rod 1.4m --offset 60mm --speed 2/s --step 90 --columns phi,x_mm,c_mps,psi": 15,
     "table --mechanism arc --rocker 6R --pivot '5;6' --step 90": 3 * 10,
     "table --method series --order 3 --step 60 --zero 90": 7 * 3,
     "table --layout verfahren --step 90": 5 * 9,
@@ -34,7 +34,7 @@ PAGES = {
     "table --mechanism parallel --angle 40": 6,
     "deadcentres --mechanism arc --rocker 3 --stroke 1m --speed 2/s --columns outstroke_time,return_time": 2,
     "deadcentres --mechanism arc --rocker 3 --pivot '4;1.5'": 8,
-    "forces --force 5kN --crank 300mm --step 90": 3 * 10,
+    "forces --force 5kN --stroke crank:300mm --step 90": 3 * 10,
     f"forces --stroke 600mm --speed 2/s {MASSES.partition('bar ')[2]} --head-pressure 2bar --friction 500N"
      " --piston-rod 50mm --slope vertical --angle 0;40;180 --columns phi,crosshead_load_n,bearing_force_n": 6,
     f"forces --eps 4 {MASSES} --rod-mass 50kg --centre 0.6 --gyration 30% --step 90": 5 * 9,

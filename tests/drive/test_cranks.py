@@ -53,7 +53,7 @@ def test_a_rod_or_a_ratio_makes_the_stroke(
 ) -> None:
     for offset in (metres(share * stroke / 5), share / 4):
         for length in ({"rod": metres(rod)}, {"ratio": ratio}):
-            found = made(true_stroke=metres(stroke), offset=offset, **length)
+            found = made(stroke=f"true:{metres(stroke)}", offset=offset, **length)
             assert found is None or abs(found[0] - stroke) <= Fraction(1, 10**33)
 
 
@@ -68,7 +68,7 @@ def test_a_ratio_of_times_makes_crank_and_rod(
     stroke: Fraction, share: Fraction, ratio: Fraction, below: bool
 ) -> None:
     side, times = (-1, 1 / ratio) if below else (1, ratio)
-    about = {"true_stroke": metres(stroke), "offset": metres(side * share * stroke)}
+    about = {"stroke": f"true:{metres(stroke)}", "offset": metres(side * share * stroke)}
     found = made(**about, time_ratio=f"{times.numerator}/{times.denominator}")
     if found is not None:
         assert abs(found[0] - stroke) <= Fraction(1, 10**33)
@@ -76,7 +76,7 @@ def test_a_ratio_of_times_makes_crank_and_rod(
 
 
 def test_some_crank_is_made_of_each() -> None:
-    about = {"true_stroke": "300mm", "offset": "50mm"}
+    about = {"stroke": "true:300mm", "offset": "50mm"}
     for more in ({"rod": "1m"}, {"ratio": "1:4"}, {"time_ratio": "6/5"}):
         found = made(**about, **more)
         assert found is not None
@@ -84,4 +84,4 @@ def test_some_crank_is_made_of_each() -> None:
         assert "time_ratio" not in more or found[1] == Fraction(6, 5)
     # Without an offset it is 2R.
     straight = ("table", "--rod=1m", "--angle=60", "-f", "csv")
-    assert printed(*straight, "--true-stroke=250mm").out == printed(*straight, "--stroke=250mm").out
+    assert printed(*straight, "--stroke=true:250mm").out == printed(*straight, "--stroke=250mm").out

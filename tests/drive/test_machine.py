@@ -80,10 +80,9 @@ def test_what_is_typed_outdoes_the_file(machine: str) -> None:
     ],
 )
 def test_a_crank_radius_is_half_a_stroke_wherever_one_is_given(words: str, tmp_path: Path) -> None:
-    (tmp_path / "machine.toml").write_text('[crank]\nradius = "300mm"\n', encoding="utf-8")
+    (tmp_path / "machine.toml").write_text('[crank]\nstroke = "crank:300mm"\n', encoding="utf-8")
     by_stroke = printed(*words.split(), "--stroke", "600mm").out
-    assert by_stroke == printed(*words.split(), "--crank", "300mm").out
-    assert by_stroke == printed(*words.split(), "--crank", "3/10 m", "--stroke", "60cm").out
+    assert by_stroke == printed(*words.split(), "--stroke", "crank:3/10 m").out
     assert by_stroke == printed(*words.split(), "--machine", str(tmp_path / "machine.toml")).out
 
 
@@ -126,7 +125,7 @@ def test_a_typed_length_outdoes_that_of_the_file_and_leaves_the_others(
     more = '[steam]\neps = 4\nbore = "300mm"\npressure = "8bar"\n[masses]\nreciprocating = "90kg"\n'
     path.write_text(f'[crank]\n{lengths}\nspeed = "2/s"\n{more}', encoding="utf-8")
     machine = ("--machine", str(path), *typed.split())
-    crank = ("--ratio", ratio, "--crank", f"{radius} mm", "--speed", "2/s")
+    crank = ("--ratio", ratio, "--stroke", f"crank:{radius} mm", "--speed", "2/s")
     engine = ("--eps", "4", "--bore", "300mm", "--pressure", "8bar", "--reciprocating", "90kg")
     pages = ((("table", "--angle=70", "--columns=ratio,x_mm"), ()), (("forces", "--step=50"), engine))
     for words, given in (*pages, (("delta",), engine)):

@@ -205,7 +205,7 @@ def searched(viewer: Viewer, site: Path, asked: str) -> list[str]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("asked", "page"), [("hammer blow", "locomotive"), ("--true-stroke", "given")])
+@pytest.mark.parametrize(("asked", "page"), [("hammer blow", "locomotive"), ("--time-ratio", "given")])
 def test_the_search_finds_a_page(viewer: Viewer, site: Path, asked: str, page: str) -> None:
     assert any(page in link for link in searched(viewer, site, asked))
 

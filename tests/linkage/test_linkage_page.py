@@ -62,7 +62,13 @@ SIZED = (
 @pytest.mark.parametrize("circuit", [1, -1])
 def test_links_are_given_in_millimetres_and_printed_so(circuit: int) -> None:
     """A four-bar whose angles count from the line of centres."""
-    lengths = ("--crank=40mm", "--rod=15cm", "--rocker=80mm", "--pivot=150mm;0", f"--circuit={circuit}")
+    lengths = (
+        "--stroke=crank:40mm",
+        "--rod=15cm",
+        "--rocker=80mm",
+        "--pivot=150mm;0",
+        f"--circuit={circuit}",
+    )
     asked = ("--speed=90/min", "--angle=60", f"--columns={','.join(SIZED)}", "--digits=9")
     (row,) = records(*ARC, *lengths, *asked)
     # All lengths over that of the crank, R = 40 mm and n = 3/2 s.

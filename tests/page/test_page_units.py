@@ -222,7 +222,7 @@ LARGE = (
     f"balance {CARD_MACHINE} --engine inline-3 --spacing 1m",
     f"balance {CARD_MACHINE} --layout balance-greatest",
     "rotor --masses '200;300kg' --radii '0.2;0.15m' --angles '0;45' --planes '0;400mm' --speed 600/min",
-    "locomotive --spacing 2m --gauge 1.5m --crank 30cm --reciprocating 240kg --speed 300/min"
+    "locomotive --spacing 2m --gauge 1.5m --stroke crank:30cm --reciprocating 240kg --speed 300/min"
     " --wheel 1.8m --wheel-load 80kN",
     "power --eps 3 --pressure 8bar --bore 3m --stroke 4m --speed 200/min",
 )

@@ -148,7 +148,7 @@ def test_masses_weight_friction_and_an_accelerated_crank(offset: str) -> None:
 def test_masses_of_a_rocker(given: dict[str, Any], typed: list[str], inertia: str) -> None:
     drive = verify.drive("1:4", **given, radius="0.3", speed="3", turns=True)
     heavy = verify.bodies(drive, force=5000, inertia=inertia, **MASSES)
-    crank = ["forces", "--mechanism=arc", "--crank=300mm", *SIZE, *typed, *WEIGHED, "--force=5kN"]
+    crank = ["forces", "--mechanism=arc", "--stroke=crank:300mm", *SIZE, *typed, *WEIGHED, "--force=5kN"]
     crank += [f"--rocker-inertia={inertia}kg m2"] if inertia != "0" else []
     assert confirm(
         heavy, [*crank, "--angle=0;33;151.7", "--units=N;N m", "--digits=3", keys(*PINS, unit="_n")]

@@ -163,7 +163,7 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
     unnamed = "engine"
     sequence = (
         "cranks positions about banks share angle ratio orders method reciprocating rod_mass centre gyration"
-        " rod_file revolving revolving_share balance_radius stroke crank rod speed spacing columns"
+        " rod_file revolving revolving_share balance_radius stroke rod speed spacing columns"
     )
     rivals: ClassVar[Rivals] = (
         ("engine", "cranks"),
@@ -198,7 +198,7 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
         " --speed.",
         "MASSES", unit="kg", what="reciprocating mass", whole=True, topic="masses",
     )  # fmt: skip
-    stroke, crank, rod = Linked.stroke, Linked.crank, Linked.rod
+    stroke, rod = Linked.stroke, Linked.rod
     speed = Speed.speed.but(help="Speed, for the masses: 120/min, 12.5rad/s.")
     spacing = measure(as_length, "Unit of the positions, for moments in N m: 100mm.", "LENGTH", unit="m")
     columns = columns_option("balance", "order,along,forward")
@@ -291,7 +291,7 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
 
     def unread(self, option: Option[object]) -> str:
         name, heavy = option.name, self._is_heavy()
-        flag = flag_of(self.values.spelled(name))
+        flag = flag_of(name)
         if name == "about":
             return "--about is a position; give these, --positions"
         if name in Revolving.options():

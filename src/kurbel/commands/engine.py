@@ -31,7 +31,7 @@ WITH_MASSES = "with masses the power follows from pressure, bore, stroke and spe
 # The order of what engines have in common, before other loads and behind them.
 ENGINE_ORDER = (
     "ratio back exponent clearance card other_side single_acting cranks method reciprocating rod_mass centre"
-    " gyration rod_file slope gravity friction stroke crank true_stroke time_ratio rod"
+    " gyration rod_file slope gravity friction stroke time_ratio rod"
     " bore pressure piston_rod tail_rod offset mechanism rocker pivot circuit beam rocker_inertia"
 )
 LOAD_ORDER = (
@@ -89,7 +89,7 @@ class EngineWithWheel(Flywheel, Engine, Layouts, Sheet, CommandOptions):
             typed = self.values.typed(name) and self.says(name)
             if typed and name not in used and not self._counts(name):
                 lacking = [] if question.columns else self._lacking(question, name)
-                flag = flag_of(self.values.spelled(name))
+                flag = flag_of(name)
                 sentence = f"{flag} says nothing on this page by itself; add {', '.join(lacking)}"
                 raise ProblemError(sentence if lacking else self.refusal(self.options()[name]))
         return question

@@ -102,7 +102,7 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
             return "the power of unlike cylinders follows from their sizes; leave --power out"
         if self.says("power") and name in (*self.weighing(), "stroke"):
             why = "is for the power of the engine, which --power gives; leave one of the two out"
-            return f"{flag_of(self.values.spelled(name))} {why}"
+            return f"{flag_of(name)} {why}"
         return ""
 
     def _without_engine(self, option: Option[object]) -> str:
@@ -115,7 +115,7 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
         if sentence := Diagram.unread(self, option) or Press.unread(self, option):
             return sentence
         return (
-            f"{flag_of(self.values.spelled(name))} is of an engine, and none is described; add --eps, --card"
+            f"{flag_of(name)} is of an engine, and none is described; add --eps, --card"
             " or another load, or leave it out"
         )
 

@@ -56,7 +56,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
 
     unnamed = "ratio"
     sequence = (
-        "angle from_ to step zero over shares columns offset stroke crank true_stroke time_ratio rod"
+        "angle from_ to step zero over shares columns offset stroke time_ratio rod"
         " mechanism rocker pivot circuit beam axles driven force at eps back exponent clearance card"
         " other_side single_acting cranks bore pressure reciprocating rod_mass centre gyration rod_file"
         " rotating rocker_inertia slope gravity head_pressure crank_pressure pressure_difference"

@@ -45,7 +45,7 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
         " delivery_pressure compression cycle peak_pressure cut_off heat expansion_exponent exhaust_pressure"
         " two_stroke back exponent clearance card other_side single_acting bore pressure cranks cylinder"
         " rod_mass centre gyration pendulum pendulum_from rod_file slope gravity piston_rod tail_rod"
-        " friction offset stroke crank true_stroke time_ratio rod mechanism rocker pivot circuit beam eps"
+        " friction offset stroke time_ratio rod mechanism rocker pivot circuit beam eps"
         " reciprocating rocker_inertia speed columns"
     )
 
@@ -96,7 +96,7 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
             return ""
         if option.name in ("stroke", "rod"):
             other = "rod" if option.name == "stroke" else "stroke"
-            flag = flag_of(self.values.spelled(option.name))
+            flag = flag_of(option.name)
             return f"{flag} gives the ratio with --{other}; add that, or leave {flag} out"
         return f"{flag_of(option.name)} is for the harmonics of the torque; add --quantity torque"
 

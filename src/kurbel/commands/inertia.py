@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from kurbel.commands.options import Option
-from kurbel.commands.part import CommandOptions, flag_of
+from kurbel.commands.part import CommandOptions
 from kurbel.commands.parts.angles import Angles
 from kurbel.commands.parts.drive import OF_MASSES, AnyDrive, Turning
 from kurbel.commands.parts.masses import MovingRod, Weight
@@ -50,7 +50,7 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
 
     unnamed = "ratio"
     sequence = (
-        "angle from_ to step zero columns offset stroke crank true_stroke time_ratio rod mechanism rocker"
+        "angle from_ to step zero columns offset stroke time_ratio rod mechanism rocker"
         " pivot circuit beam rod_mass centre gyration rod_file speed acceleration method"
     )
 
@@ -110,7 +110,7 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
             return f"{why}; leave --{name} out"
         if self.says("rod"):
             return f"{why}, whose length --rod gives; leave --{name} out"
-        stroke = flag_of(self.values.spelled("stroke"))
+        stroke = "--stroke"
         lone, other = ("--ratio", stroke) if name == "ratio" else (stroke, "--ratio")
         return f"{why}, whose length {stroke} and --ratio give together; add {other}, or leave {lone} out"
 

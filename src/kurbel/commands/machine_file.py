@@ -36,7 +36,7 @@ from msgspec.structs import asdict
 from kurbel.commands import parts
 from kurbel.commands.options import FILE, FLAG, LOADS, SECTIONS, Option
 from kurbel.commands.part import Part
-from kurbel.errors import KurbelError, MachineError
+from kurbel.errors import MachineError
 from kurbel.reading.given import File as NamedFile
 from kurbel.reading.given import as_length
 from kurbel.reading.toml_file import MOST_BITS, Fault, Place, TomlFile, TomlKind, about
@@ -203,14 +203,14 @@ def read_machine(path: str | NamedFile) -> dict[str, object]:
     sections = (getattr(machine, name) for name in SECTIONS)
     given = {name: value for one in sections if one for name, value in asdict(one).items()}
     own = path if isinstance(path, NamedFile) else NamedFile(path)
-    options = _sized(_options(own, given), str(file.path))
+    options = _options(own, given)
     if machine.cylinder is not None:
         if not machine.cylinder:
             raise file.error(
                 ("cylinder",), "cylinder is empty; write a [[cylinder]] for each, or leave it out"
             )
         options["cylinder"] = [
-            Listed(_sized(_options(own, asdict(one)), where), where)
+            Listed(_options(own, asdict(one)), where)
             for number, one in enumerate(machine.cylinder)
             for where in [f"{file.path}, line {file.line(('cylinder', number))}"]
         ]
@@ -228,18 +228,6 @@ def _check_units(file: TomlFile, home: Place, section: Section | None) -> None:
         if unit and values and re.fullmatch(r"[+−-]?[\d.,]*\d[\d.,]*", values[0]):
             said = f'{key} is {values[0]}, without a unit; write {key} = "{values[0]}{unit}"'
             raise file.error((*home, key), said)
-
-
-def _sized(options: dict[str, object], where: str) -> dict[str, object]:
-    """Return the options with the stroke, which a crank radius gives, too."""
-    if "crank" not in options:
-        return options
-    from kurbel.drive.size import in_strokes
-
-    try:
-        return in_strokes(options)
-    except KurbelError as error:
-        raise MachineError(f"{where}: {error}") from None
 
 
 def _options(machine: NamedFile, given: Mapping[str, object]) -> dict[str, object]:

@@ -97,7 +97,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
 
     unnamed = "ratio"
     sequence = (
-        "point angle from_ to step zero over shares columns offset stroke crank true_stroke time_ratio rod"
+        "point angle from_ to step zero over shares columns offset stroke time_ratio rod"
         " method order speed acceleration mechanism rocker pivot circuit beam"
     )
     rivals: ClassVar[Rivals] = (("mechanism", "layout"), ("layout", "mechanism"))
@@ -225,10 +225,7 @@ class DeadCentresOptions(Linked, Speed, Layouts, Sheet, CommandOptions):
     topic = "question"
 
     unnamed = "beam"
-    sequence = (
-        "ratio exact mechanism offset rocker pivot circuit stroke crank true_stroke time_ratio rod speed"
-        " columns"
-    )
+    sequence = "ratio exact mechanism offset rocker pivot circuit stroke time_ratio rod speed columns"
 
     beam: Option[Sequence[Fraction] | None] = measure(
         as_numbers, "Arm of the beam in crank radii: 3; lists '3;4', ranges 3..6:0.5.", "A:R", many=True,

@@ -42,7 +42,6 @@ class Values:
         self.written = dict(values)
         self.read: set[str] = set()
         self.own: frozenset[str] = frozenset()
-        self._spellings: dict[str, str] = {}
         self._parsed: dict[str, object] = {}
 
     def __getitem__(self, name: str) -> object:
@@ -77,16 +76,6 @@ class Values:
             if name in self.values:
                 self.values[name] = False if self.values[name] is True else None
 
-    def spell(self, name: str, other: str, value: object) -> None:
-        """Give an option its value by another one, which stands for it."""
-        self.values[name], self.origins[name] = value, self.origins.get(other)
-        self._spellings[name] = other
-        self.read.add(other)
-
-    def spelled(self, name: str) -> str:
-        """Return the name of the option that gave another one its value."""
-        return self._spellings.get(name, name)
-
     def outdo(self, rivals: Rivals) -> None:
         """Drop what is outdone by what was typed."""
         for name, other in rivals:
@@ -98,7 +87,6 @@ class Values:
         those that are `own`, as the entries of a cylinder are."""
         found = Values({**self.values, **values}, self.origins)
         found.read, found.own = self.read, self.own | values.keys() if own else self.own
-        found._spellings = self._spellings
         return found
 
 
@@ -157,7 +145,7 @@ class Part:
     def called(self, name: str) -> str:
         """Return what a sentence calls an option that is given: --rod-mass, and where it stands elsewhere."""
         place = PLACES.get(self.values.origins.get(name))
-        return f"{name} of the {place}" if place else flag_of(self.values.spelled(name))
+        return f"{name} of the {place}" if place else flag_of(name)
 
     def raw(self, name: str) -> object:
         """Return the value of an option as it was given, and note that it was read."""
@@ -173,7 +161,7 @@ class Part:
         others = [name for name in self.named_by() if name != option.name]
         if not self.title or self.says(*others):
             return ""
-        return f"{flag_of(self.values.spelled(option.name))} is for {self.title}; add {self.add}"
+        return f"{flag_of(option.name)} is for {self.title}; add {self.add}"
 
     def check_one(self, what: str, *several: Sequence[str]) -> None:
         """Raise ProblemError where options of more than one of these name what there is only one of."""
@@ -210,16 +198,13 @@ class CommandOptions(Part):
 
     def refusal(self, option: Option[object]) -> str:
         """Return the sentence that refuses an option that was typed, and that the question did not read."""
-        return self._sentence(option).replace("--stroke", flag_of(self.values.spelled("stroke")))
-
-    def _sentence(self, option: Option[object]) -> str:
         knowing = [part for part in type(self).__mro__ if issubclass(part, Part) and "unread" in vars(part)]
         for part in knowing[:-1]:
             if sentence := part.unread(self, option):
                 return sentence
         if option.home and (sentence := Part.unread(self.as_part(option.home), option)):
             return sentence
-        flag = flag_of(self.values.spelled(option.name))
+        flag = flag_of(option.name)
         if case := self.case():
             return f"{flag} does not go with {case}; leave one of the two out"
         return f"{flag} says nothing on this page; leave it out"

@@ -120,7 +120,7 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
             return "--units are of the numbers beside what moves; leave it out"
         if option.name in ("stroke", "rod"):
             other = "rod" if option.name == "stroke" else "stroke"
-            flag = flag_of(self.values.spelled(option.name))
+            flag = flag_of(option.name)
             return (
                 f"{flag} gives the ratio of a drawing to scale with --{other}; add that, or leave {flag} out"
             )

@@ -8,9 +8,9 @@ from functools import partial
 from typing import Any
 
 from kurbel.commands.options import Option, alone, measure
-from kurbel.commands.part import CommandOptions, flag_of
+from kurbel.commands.part import CommandOptions, Values, flag_of
 from kurbel.commands.parts.angles import SHARE
-from kurbel.commands.parts.drive import Linked, OnMachine
+from kurbel.commands.parts.drive import Linked, OnMachine, settle_sizes
 from kurbel.commands.parts.engine import Cylinder
 from kurbel.commands.parts.engine import Engine as EnginePart
 from kurbel.commands.parts.loads import KINDS, Loads
@@ -79,7 +79,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     unnamed = "eps"
     sequence = (
         "mean_pressure working_strokes pressure back exponent clearance single_acting card ratio bore"
-        " piston_rod tail_rod stroke crank speed power brake_power stroke_bore piston_speed cylinders"
+        " piston_rod tail_rod stroke speed power brake_power stroke_bore piston_speed cylinders"
         " diagram_factor efficiency specific_volume"
     )
 
@@ -97,7 +97,6 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     )
     ratio = Linked.ratio.but(help="Crank ratio, for a card over the crank angle: 1:5.")
     stroke = measure(as_length, "Stroke of the piston: 450mm.", "LENGTH", unit="m", topic="crank")
-    crank = Linked.crank.but()
     cranks = EnginePart.cranks.but()
     speed = measure(
         alone(as_speed), "Speed: 120/min, 12.5rad/s.", "SPEED", unit="turns a second", topic="crank"
@@ -117,6 +116,10 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     cylinders: Option[object] = Option("Number of cylinders alike; default 1.", "NUMBER", topic="cylinders")
     columns = columns_option("power", "mean_pressure,indicated_power")
     layout = layout_option("power").but(default="power")
+
+    @classmethod
+    def settle(cls, values: Values) -> None:
+        settle_sizes(values)
 
     def question(self) -> Question:
         page = self.page("power", "power")
@@ -297,7 +300,7 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
     unnamed = "ratio"
     sequence = (
         "eps back exponent clearance card other_side single_acting bore pressure ratio mechanism offset"
-        " rocker pivot circuit beam stroke crank true_stroke time_ratio rod speed reciprocating rod_mass"
+        " rocker pivot circuit beam stroke time_ratio rod speed reciprocating rod_mass"
         " centre gyration rod_file shares angle columns"
     )
 

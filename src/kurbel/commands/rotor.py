@@ -183,7 +183,7 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
 
     \b
     kurbel locomotive --spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg --speed 300/min
-    kurbel locomotive --spacing 2m --gauge 1.5m --crank 30cm --reciprocating 240kg --share 2/3
+    kurbel locomotive --spacing 2m --gauge 1.5m --stroke crank:30cm --reciprocating 240kg --share 2/3
     \f
     >>> import kurbel
     >>> page = kurbel.locomotive(
@@ -198,7 +198,7 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
     topic = "axle"
 
     sequence = (
-        "cranks spacing positions gauge stroke crank reciprocating revolving share axles balance_radius speed"
+        "cranks spacing positions gauge stroke reciprocating revolving share axles balance_radius speed"
         " velocity wheel wheel_load hammer_blow"
     )
 
@@ -218,7 +218,6 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
         "Distance of the planes of the wheels: 1.5m.", "LENGTH", unit="m", required=True, read=as_length
     )
     stroke = Linked.stroke.read_as(as_length, topic="axle")
-    crank = Linked.crank.but(topic="axle")
     reciprocating: Option[tuple[Fraction, ...]] = Option(
         "Mass that goes to and fro in a cylinder: 300kg, or each.", "MASSES", unit="kg", required=True,
         read=mass.each, what="reciprocating mass", whole=True, topic="masses",
@@ -263,7 +262,7 @@ class LocomotiveOptions(Speed, Layouts, Sheet, CommandOptions):
         page, cranks, stroke = self.page("locomotive", "locomotive"), self._cranks(), self.stroke
         if stroke is None:
             raise ProblemError(
-                "the masses turn at the radius of the crank; add --stroke 600mm or --crank 300mm"
+                "the masses turn at the radius of the crank; add --stroke 600mm or --stroke crank:300mm"
             )
         return LocomotiveRequest(
             engine=Locomotive(cranks, stroke / 2, self.gauge, self.axles),

@@ -11,6 +11,7 @@ from math import prod
 from typing import Any, NamedTuple
 
 from kurbel.commands.options import TEXT, Option, is_given
+from kurbel.drive.size import is_written
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import Label, finite_decimals, ratio_text
 from kurbel.page.build import MOST_CELLS
@@ -182,6 +183,10 @@ def several(option: Option[object], texts: Iterable[Any]) -> Sequence[Any]:
 
 def values_of(name: str, texts: Sequence[str]) -> Sequence[str]:
     """Return the values of lists and ranges of numbers with or without units, each once."""
+    if way := next(filter(is_written, texts), "").partition(":")[0]:
+        # All are written so: crank:200..400mm:100.
+        rests = [text.removeprefix(f"{way}:") for text in texts]
+        return tuple(f"{way}:{one}" for one in values_of(name, rests))
     parts = [part.strip() for text in texts for part in text.split(";")]
     if len(parts) > 1 and not all(parts):
         raise NotationError(f"{name} {quoted(';'.join(texts))} has an empty place; write a list as '2;3;4'")

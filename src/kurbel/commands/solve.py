@@ -73,7 +73,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
 
     unnamed = "where"
     sequence = (
-        "ratio columns offset stroke crank true_stroke time_ratio rod method order speed mechanism rocker"
+        "ratio columns offset stroke time_ratio rod method order speed mechanism rocker"
         " pivot circuit beam force eps back exponent clearance card other_side single_acting cranks bore"
         " pressure reciprocating rod_mass centre gyration rod_file rotating rocker_inertia slope"
         " gravity"

@@ -55,7 +55,7 @@ AIR = (*STEAM, "suction_loss", "delivery_loss")
 GAS = ("cycle", "exponent", "expansion_exponent", "heat", "cut_off", "two_stroke")
 # Options that the second computation knows, and those of looks, of which there is nothing to know.
 KNOWN = frozenset((
-    "ratio", "stroke", "crank", "true_stroke", "rod", "offset", "mechanism", "rocker", "pivot",
+    "ratio", "stroke", "rod", "offset", "mechanism", "rocker", "pivot",
     "circuit", "beam", "speed", "acceleration", "method", "order", "point", "over", "shares", "at",
     "axles", "driven", "force", "friction", "bore", "piston_rod", "tail_rod", "reciprocating",
     "rod_mass", "centre", "gyration", "rotating", "rocker_inertia", "slope", "gravity",

@@ -337,8 +337,8 @@ def radii(value: object, what: str, radius: Fraction | None) -> Fraction:
     length = units.displacement(value, what)
     if radius is None:
         raise NotationError(
-            f'{what} "{value[:40]}" is a length, but no length of the crank is known; add --crank or'
-            " --stroke, or give it in units of R, for example 6"
+            f'{what} "{value[:40]}" is a length, but no length of the crank is known; add --stroke,'
+            " or give it in units of R, for example 6"
         )
     return length / radius
 

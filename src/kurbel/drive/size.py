@@ -13,60 +13,42 @@ from math import isqrt
 from typing import NamedTuple
 
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import about, exact_text, nearest, number_text
-from kurbel.reading.given import as_fraction, as_length, as_ratios, as_share
+from kurbel.exact.numerals import about, exact_text
+from kurbel.reading.given import as_length, as_ratios, as_share
 from kurbel.reading.notation import number
 from kurbel.reading.units import split
 
-# An irrational crank radius is told to more places than these.
-NEAR = Fraction(1, 10**30)
+# How a stroke is written that is not 2R: crank:300mm is R, true:600mm the way of the piston.
+CRANK, TRUE = "crank:", "true:"
+
+
+def is_written(stroke: object) -> bool:
+    """Whether a stroke is written by the crank or by the way of the piston."""
+    return isinstance(stroke, str) and stroke.startswith((CRANK, TRUE))
 
 
 def in_strokes(given: Mapping[str, object]) -> dict[str, object]:
-    """Return the options with the stroke 2R that another option makes in place of that: the crank radius, in
-    its unit, or the true stroke, with the rod where the time ratio makes it.
+    """Return the stroke as 2R where it is written in another way, with the rod where the time ratio makes it.
 
-    Raises ProblemError where a stroke is given, too, and is another one.
+    Raises KurbelError.
     """
-    others = ("crank", "true_stroke", "time_ratio")
-    left = {name: value for name, value in given.items() if name not in others}
-    if (crank := given.get("crank")) is not None:
-        left["stroke"] = _agreed(given.get("stroke"), crank)
-    if given.get("true_stroke") is None:
-        if given.get("time_ratio") is not None:
-            raise ProblemError("--time-ratio makes the crank and the rod of the stroke; add --true-stroke")
-        return left
-    radius, rod = found(given)
-    if (stroke := left.get("stroke")) is not None and abs(as_length(stroke, "stroke") / radius - 2) > NEAR:
+    stroke, ratio = given.get("stroke"), given.get("time_ratio")
+    if isinstance(stroke, str) and stroke.startswith(TRUE):
+        radius, rod = found({**given, "stroke": stroke.removeprefix(TRUE)})
+        return {"stroke": 2 * radius, "time_ratio": None, **({} if rod is None else {"rod": rod})}
+    if ratio is not None:
         raise ProblemError(
-            f"the stroke 2R is {_shown(stroke)}, and the true stroke {_shown(given['true_stroke'])} takes one"
-            f" of {number_text(nearest(2000 * radius, 3))} mm; leave one of the two out"
+            "--time-ratio makes the crank and the rod of the way of the piston; add --stroke true:600mm"
         )
-    return {**left, "stroke": 2 * radius, **({} if rod is None else {"rod": rod})}
+    return {"stroke": _doubled(stroke.removeprefix(CRANK)) if isinstance(stroke, str) else stroke}
 
 
-def _agreed(stroke: object, crank: object) -> Fraction | str:
-    """Return the stroke that the crank radius makes, if no other one is given."""
+def _doubled(crank: str) -> str:
     radius = as_length(crank, "crank radius")
     if radius <= 0:
         raise ProblemError(f"the crank radius is {about(radius)} m; it must be above 0")
-    if stroke is not None and as_length(stroke, "stroke") != 2 * radius:
-        raise ProblemError(
-            f"the stroke 2R is {_shown(stroke)} and the crank R is {_shown(crank)}, which makes a stroke of"
-            f" {_shown(_doubled(crank))}; leave one of the two out"
-        )
-    return _doubled(crank)
-
-
-def _doubled(length: object) -> Fraction | str:
-    if not isinstance(length, str):
-        return 2 * as_fraction(length)
-    value, unit = split(length)
+    value, unit = split(crank)
     return f"{exact_text(2 * value)}{unit}"
-
-
-def _shown(length: object) -> str:
-    return length.strip() if isinstance(length, str) else f"{about(as_fraction(length))} m"
 
 
 DECIMALS = 40
@@ -87,21 +69,23 @@ def found(given: Mapping[str, object]) -> tuple[Fraction, Fraction | None]:
     """
     radius, rod = _sizes(given)
     if not radius or rod == 0:
-        raise ProblemError(f"the true stroke {given['true_stroke']} is too small to find a crank of")
+        raise ProblemError(f"the true stroke {given['stroke']} is too small to find a crank of")
     return radius, rod
 
 
 def _sizes(given: Mapping[str, object]) -> tuple[Fraction, Fraction | None]:
-    stroke, offset = as_length(given["true_stroke"], "true stroke"), _offset(given.get("offset"))
+    stroke, offset = as_length(given["stroke"], "true stroke"), _offset(given.get("offset"))
     if given.get("mechanism") not in (None, "straight", "offset"):
-        raise ProblemError("--true-stroke is for the straight and the offset crank; give --crank or --stroke")
+        raise ProblemError(
+            "a true stroke is that of the straight and the offset crank; write --stroke crank:300mm"
+        )
     if stroke <= 0:
         raise ProblemError(f"the true stroke is {about(stroke)} m; it must be above 0")
     rod, ratios = given.get("rod"), given.get("ratio")
     if given.get("time_ratio") is not None:
         if rod is not None or ratios:
             raise ProblemError(
-                "--time-ratio and --true-stroke make the crank and the rod; leave --rod and --ratio out"
+                "--time-ratio and a true stroke make the crank and the rod; leave --rod and --ratio out"
             )
         return by_time_ratio(stroke, offset, as_share(given["time_ratio"], "time ratio"))
     if offset == Offset(None):
@@ -111,7 +95,7 @@ def _sizes(given: Mapping[str, object]) -> tuple[Fraction, Fraction | None]:
     listed = as_ratios(ratios) if ratios else ()
     if len(listed) != 1:
         raise ProblemError(
-            "--true-stroke needs the rod to find the crank of an offset one; add --rod, one --ratio or"
+            "a true stroke needs the rod to find the crank of an offset one; add --rod, one --ratio or"
             " --time-ratio"
         )
     return by_ratio(stroke, offset, listed[0]), None

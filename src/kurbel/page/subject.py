@@ -281,9 +281,13 @@ class Question(Worded, Given):
     def _elsewhere(self, name: str) -> str:
         """Return the line that prints a column which this page has not, of the same command if it can,
         nothing if none does."""
-        known = map(subject, SUBJECTS) if isinstance(name, str) else ()
-        lines = [one.command for one in known if otherwise(name, [*one.quantities()])]
         command = self.subject.command.partition(" ")[0]
+        lines = [
+            line
+            for one in map(subject, SUBJECTS)
+            for quantity, line in one.entries()
+            if line != command and quantity.key == otherwise(str(name), [quantity.key])
+        ]
         return min(lines, key=lambda line: line.partition(" ")[0] != command, default="")
 
     def _is_missing(self, key: str) -> bool:

@@ -43,6 +43,11 @@ def _with(unit: str) -> Callable[[str], str]:
     return lambda value: f"{value}{unit}" if _BARE.fullmatch(value) else value
 
 
+def _of(way: str) -> Callable[[str], str]:
+    """Return what writes a length as a stroke in this way."""
+    return lambda value: f"{way}:{_with('mm')(value)}"
+
+
 def _same(value: str) -> str:
     return value
 
@@ -78,7 +83,8 @@ OPTIONS = (
     Ours("delta", "1:100", _same, "cs coefficient_of_fluctuation irregularity ungleichformigkeit"),
     Ours("ratio", "1:5", _same, "lambda lam crank_ratio rl r_l l_r"),
     Ours("stroke", "600mm", _with("mm"), "hub stroke_length s"),
-    Ours("crank", "300mm", _with("mm"), "crank_radius crank_length throw radius kurbelradius"),
+    Ours("stroke", "crank:300mm", _of("crank"), "crank crank_radius crank_length throw radius kurbelradius"),
+    Ours("stroke", "true:600mm", _of("true"), "true_stroke"),
     Ours("rod", "1500mm", _with("mm"), "rod_length conrod connecting_rod length l stange"),
     Ours("bore", "300mm", _with("mm"), "diameter piston_diameter cylinder_diameter piston bohrung d"),
     Ours("offset", "0.2", _same, "eccentricity excentricity desaxe schrankung e"),

@@ -67,7 +67,7 @@ _NUMBER = re.compile(r"[0-9]+")
 _OPTION = re.compile(
     r"kurbel [a-z]+ -[^;,]*|--([a-z][a-z-]*)(?:([ =])('[^']*'|\"[^\"]*\"|[^\s,;]*[^\s,;.]))?"
 )
-_VALUE = re.compile(r"['\"]|[+−-]?\d|\w+=")
+_VALUE = re.compile(r"['\"]|[+−-]?\d|\w+[=:]")
 _PLAIN_NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 _SIGNS = re.compile(r"[\W_]+|(?<=[^\W\d_])(?=\d)")
 # What stands behind a locale: en_GB.UTF-8.

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from kurbel.commands.options import TEXT, Option, is_given
 from kurbel.commands.part import Values, flag_of
-from kurbel.commands.parts.drive import SPELLED
 from kurbel.commands.sliders import figures, parted, several
 from kurbel.commands.subject import Command
 from kurbel.errors import KurbelError, NotationError, ProblemError
@@ -158,7 +157,7 @@ def left_of(command: Command, options: Values) -> dict[str, object]:
     except KurbelError:
         # What is refused everywhere is refused at the first combination, too.
         return given
-    return {name: value for name, value in given.items() if name in SPELLED or trial.says(name)}
+    return {name: value for name, value in given.items() if name == "time_ratio" or trial.says(name)}
 
 
 def values_of(option: Option[object], given: object) -> Sequence[Any]:

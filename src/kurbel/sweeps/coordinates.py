@@ -12,6 +12,7 @@ import numpy as np
 
 from kurbel.commands.options import TEXT, Option
 from kurbel.commands.sliders import Written, parted
+from kurbel.drive.size import is_written
 from kurbel.errors import KurbelError, NotationError
 from kurbel.motion.bulk import float_angles
 from kurbel.reading import notation, units
@@ -133,7 +134,7 @@ def _factor(unit: str, parameter: Option[object]) -> tuple[Any, str]:
 
 def is_readable(parameter: Option[object], text: str) -> bool:
     """Whether a text that is to be a number may be one: it begins with figures."""
-    return parted(text)[0] != text or _value(parameter, text) is not None
+    return is_written(text) or parted(text)[0] != text or _value(parameter, text) is not None
 
 
 def exact_at(plan: Plan, axis: Axis, place: int) -> Any:

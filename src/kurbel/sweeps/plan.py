@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from kurbel.commands.options import is_given
 from kurbel.commands.part import Origin, Values, flag_of
-from kurbel.commands.parts.drive import SPELLED
 from kurbel.exact.numerals import exact_text, ratio_text
 from kurbel.motion.page import AngleQuestion
 from kurbel.page.subject import Question
@@ -163,4 +162,4 @@ class Plan:
     @cached_property
     def _everywhere(self) -> Mapping[str, object]:
         # Files are in the language of --lang, else in English.
-        return {**self.asking.defaults, "lang": "en", **dict.fromkeys(SPELLED), **self.given}
+        return {**self.asking.defaults, "lang": "en", **self.given}

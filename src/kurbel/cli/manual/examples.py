@@ -61,7 +61,6 @@ SHORT: Mapping[str, Sequence[tuple[str, str]]] = {
         ("--power 50kW --speed 120/min --delta 1:100 --eps 4", "steam"),
         ("--swing 5kJ --speed 300/min --delta ±1% --radius 1m", "a swing"),
         ("--areas '+52;-124;+72' --area-scale '500 N m; 6°' --speed 600/min --delta ±1.5%", "a diagram"),
-        ("--work 10kJ --strokes 30/min --share 1/4 --speed 200..225/min --radius 0.5m", "a press"),
     ),
     "deadcentres": (
         ("--ratio 1:4 --offset 0.3", "of an offset crank"),
@@ -90,7 +89,7 @@ SHORT: Mapping[str, Sequence[tuple[str, str]]] = {
             "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg --speed 300/min",
             "by shares",
         ),
-        ("--spacing 2m --gauge 1.5m --crank 30cm --reciprocating 240kg --share 2/3", "for one share"),
+        ("--spacing 2m --gauge 1.5m --stroke crank:30cm --reciprocating 240kg --share 2/3", "for one share"),
     ),
     "firing": (
         ("--engine inline-4", "all orders"),

@@ -29,7 +29,7 @@ class Topic(NamedTuple):
 TOPICS = (
     Topic("question", "What is asked", "positions point where unknown quantity table steps"),
     Topic("crank", "The crank", "ratio stroke rod speed machine method order offset"),
-    Topic("linkage", "Other crank drives", "mechanism rocker pivot circuit", "ratio crank offset"),
+    Topic("linkage", "Other crank drives", "mechanism rocker pivot circuit", "ratio stroke offset"),
     Topic("angles", "The crank angles", "angle step"),
     Topic("steam", "Steam", "eps pressure back card clearance", "cranks power"),
     Topic("compressor", "A compressor", "pressure_ratio suction_pressure"),
@@ -68,35 +68,32 @@ TOPICS = (
     Topic("drawing", "The drawing", "width height", "output"),
     Topic("output", "The output", "output format"),
 )
-# Of each command the ten or fifteen options that one needs first; the topic of the first one leads its help.
+# Of each command the options that one needs first; the topic of the first one leads its help.
 FIRST: Mapping[str, str] = {
-    "table": "ratio stroke rod speed machine mechanism offset method angle step to over point columns digits",
-    "forces": "ratio stroke rod speed machine force eps bore pressure reciprocating friction angle step"
-    " columns",
-    "inertia": "ratio stroke rod speed machine rod_mass centre gyration rod_file angle step columns digits",
-    "solve": "where unknown ratio stroke rod speed machine force eps bore pressure angle columns digits",
-    "delta": "eps back bore pressure card ratio machine pressure_ratio compression cranks power flywheel"
-    " detail",
-    "turning": "eps back bore pressure card ratio stroke machine torque areas cranks power step columns",
+    "table": "ratio stroke rod speed machine mechanism offset method angle step columns digits",
+    "forces": "ratio stroke rod speed machine force eps bore pressure reciprocating angle columns",
+    "inertia": "ratio stroke rod speed machine rod_mass centre gyration rod_file angle columns digits",
+    "solve": "where unknown angle ratio stroke rod speed machine force eps bore pressure",
+    "delta": "eps back bore pressure card ratio machine pressure_ratio compression cranks flywheel detail",
+    "turning": "eps back bore pressure card ratio stroke machine torque cranks step columns",
     "pressures": "eps bore pressure card ratio stroke rod speed machine reciprocating shares columns",
     "power": "power mean_pressure eps pressure card bore stroke speed machine cylinders efficiency"
-    " brake_power digits",
-    "flywheel": "delta power speed swing inertia mass radius eps ratio machine torque areas work"
-    " rim_diameter density",
-    "deadcentres": "exact ratio stroke rod true_stroke time_ratio speed machine mechanism offset rocker beam"
-    " columns digits",
-    "harmonics": "ratio quantity orders machine eps bore pressure stroke speed reciprocating cranks columns"
-    " digits",
-    "balance": "engine cranks positions spacing orders ratio stroke rod speed machine reciprocating"
-    " revolving columns",
+    " brake_power",
+    "flywheel": "delta power speed swing inertia mass radius eps ratio machine torque areas",
+    "deadcentres": "exact ratio stroke rod time_ratio speed machine mechanism offset rocker beam columns",
+    "harmonics": "ratio quantity orders machine eps bore pressure stroke speed reciprocating cranks columns",
+    "balance": "engine cranks positions spacing orders ratio stroke speed machine reciprocating revolving"
+    " columns",
     "rotor": "masses radii angles planes bearings speed balance_planes balance_radii columns digits",
     "locomotive": "reciprocating share gauge spacing cranks stroke revolving speed wheel_load wheel columns",
     "firing": "engine cranks strokes order intervals columns",
     "collate": "quantity csv ratio method only strict sources columns",
     "example": "ratio angle force eps back",
-    "plot": "positions point animate ratio stroke rod offset mechanism rocker machine seconds width",
+    "plot": "positions point animate ratio stroke rod offset mechanism rocker machine seconds",
     "construct": "table point ratio angle offset machine steps width",
 }
+# So many are shown, with those behind its own.
+MOST = 15
 # Of every command behind its own, of sweeps their own before.
 LAST = "lang output format"
 SWEEPS_LAST = "zip_ sample only dry_run output format"
@@ -147,10 +144,13 @@ def topics_of(command: click.Command) -> Iterator[tuple[Topic, Sequence[click.Op
 
 
 def first_of(command: click.Command) -> Sequence[click.Option]:
-    """Return what one needs first."""
+    """Return what one needs first, at most fifteen."""
     options = options_of(command)
-    names = f"{FIRST[command.name or '']} {SWEEPS_LAST if is_sweep(command) else LAST}".split()
-    return [options[name] for name in names if name in options]
+    own, last = (
+        [options[name] for name in names.split() if name in options]
+        for names in (FIRST[command.name or ""], SWEEPS_LAST if is_sweep(command) else LAST)
+    )
+    return [*own[: MOST - len(last)], *last]
 
 
 def options_of(command: click.Command) -> Mapping[str, click.Option]:

@@ -35,11 +35,12 @@ WANTS = (
             ("table --mechanism offset --ratio 1:4 --offset 0.3", "an offset crank"),
             ("table --mechanism arc --ratio 1:5 --rocker 6", "the rod moves a rocker"),
             (
-                "table --mechanism arc --crank 80mm --rod 300mm --rocker 200mm --pivot '34cm;0' --circuit -1",
+                "table --mechanism arc --stroke crank:80mm --rod 300mm --rocker 200mm --pivot '34cm;0'"
+                " --circuit -1",
                 "a four-bar",
             ),
             ("deadcentres --ratio 1:4 --offset 0.3", "its stroke and dead centres"),
-            ("deadcentres --true-stroke 100mm --time-ratio 1.25 --offset 50mm", "its crank and rod"),
+            ("deadcentres --stroke true:100mm --time-ratio 1.25 --offset 50mm", "its crank and rod"),
             ("deadcentres --mechanism beam --beam 3", "those of a beam engine"),
             ("forces --mechanism parallel --axles 3", "coupled axles"),
         ),
@@ -231,7 +232,7 @@ WANTS = (
         (
             ("balance --engine inline-4", "free forces and moments"),
             (
-                "balance --engine inline-1 --crank 60mm --speed 1200/min --reciprocating 1.5kg --share 1/2",
+                "balance --engine inline-1 --stroke 120mm --speed 1200/min --reciprocating 1.5kg --share 1/2",
                 "with a counterweight",
             ),
             (

@@ -6,12 +6,13 @@ from collections.abc import Collection, Sequence
 from typing import ClassVar
 
 from kurbel.commands.options import Choice, Option, alone, file, measure, word
-from kurbel.commands.part import Origin, Part, Values, flag_of
+from kurbel.commands.part import Origin, Part, Values
 from kurbel.commands.parts.angles import OVER_PATH
 from kurbel.commands.parts.sheet import Layouts
 from kurbel.drive import mechanisms as registered
 from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import MECHANISMS, MOTIONS
+from kurbel.drive.size import in_strokes, is_written
 from kurbel.errors import ProblemError
 from kurbel.motion.evaluation import REACH, series_of
 from kurbel.motion.mechanism import Mechanism, mechanism, of_other_mechanisms
@@ -25,8 +26,6 @@ APPROXIMATE, POINTS = ("series errors", "successive"), "rod points"
 HIGHEST = max(REACH.values())
 # Two of these give the third.
 LENGTHS = ("ratio", "stroke", "rod")
-# Options that stand for another, the stroke.
-SPELLED = ("crank", "true_stroke", "time_ratio")
 
 
 class OnMachine(Part):
@@ -55,19 +54,13 @@ class Linked(OnMachine):
         "Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R"
     )
     stroke: Option[object] = Option(
-        "2R: 600mm; of an offset crank, too, whose piston goes further.", "LENGTH", unit="m"
-    )
-    crank: Option[object] = Option(
-        "R, in place of --stroke: 300mm.", "LENGTH", unit="m", machine="crank.radius"
-    )
-    true_stroke: Option[object] = Option(
-        "Way of the piston, in place of --stroke; of an offset crank R follows from it, with --rod or"
-        " --ratio: 600mm.",
+        "2R: 600mm; or R, crank:300mm. Of an offset crank, whose piston goes further, also by its way,"
+        " true:600mm, from which R follows with --rod or --ratio.",
         "LENGTH", unit="m",
     )  # fmt: skip
     time_ratio: Option[object] = Option(
-        "With --true-stroke and --offset as a length: time of the outstroke over that of the return, from"
-        " which R and L follow: 1.2.",
+        "With --stroke true:600mm and --offset as a length: time of the outstroke over that of the return,"
+        " from which R and L follow: 1.2.",
         "Q",
     )  # fmt: skip
     rod: Option[object] = Option(
@@ -75,7 +68,7 @@ class Linked(OnMachine):
     )
     mechanism = word(registered.described(), kind=Choice("mechanism", MECHANISMS), topic="linkage")
     rocker: Option[object] = Option(
-        "Arc crank: length of the rocker in units of R, or a length with --crank.",
+        "Arc crank: length of the rocker in units of R, or a length with --stroke.",
         "B",
         unit="R",
         topic="linkage",
@@ -127,8 +120,8 @@ class Linked(OnMachine):
         names = [name for name in Described._fields if name in known]
         typed = [name for name in self.values.values if self.values.typed(name) and self.says(name)]
         foreign = of_other_mechanisms(chosen, [one for one in typed if one not in taken], self.shared())
-        for name, sentence in foreign.items():
-            raise ProblemError(sentence.replace(flag_of(name), flag_of(self.values.spelled(name))))
+        for sentence in foreign.values():
+            raise ProblemError(sentence)
         described = Described.of({name: self.raw(name) for name in names})
         chosen.check(described)
         return chosen, described
@@ -230,24 +223,11 @@ def _orders(given: object) -> tuple[int, ...]:
 
 
 def settle_sizes(values: Values) -> None:
-    """Give the stroke its value by the option that was given in its place. Raises KurbelError."""
-    if not values.says(*SPELLED):
-        return
-    names = [name for name in ("stroke", *SPELLED[:-1]) if values.says(name)]
-    if any(map(values.typed, names)):
-        values.drop(*(name for name in names if not values.typed(name)))
-    spelled = next((name for name in SPELLED if values.says(name)), "")
-    if not spelled:
-        return
-    from kurbel.drive.size import in_strokes
-
-    found = in_strokes(values.values)
-    if values.says("time_ratio"):
-        values.spell("rod", spelled, found["rod"])
-    values.spell("stroke", spelled, found["stroke"])
-    values.read.update(SPELLED)
-    for name in SPELLED:
-        values.values[name] = None
+    """Give the stroke as a length where it is written in another way, and the rod that the time ratio makes.
+    Raises KurbelError."""
+    if is_written(values.values.get("stroke")) or values.says("time_ratio"):
+        values.values.update(in_strokes(values.values))
+        values.read.add("time_ratio")
 
 
 def _settle_lengths(values: Values) -> None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, TypedDict
 
 from kurbel.commands.options import FILE, FLAG, Choice, Kind, Option, alone, measure
 from kurbel.commands.part import Part, flag_of
-from kurbel.commands.parts.drive import LENGTHS, AnyDrive, Speed
+from kurbel.commands.parts.drive import LENGTHS, AnyDrive, Speed, settle_sizes
 from kurbel.commands.parts.effort import RODS, Friction, with_effort
 from kurbel.commands.parts.loads import KINDS, Loads, on_page
 from kurbel.commands.parts.masses import OF_ROD, Masses, Rotating, Weight
@@ -99,20 +99,20 @@ class OneCylinder(Kind):
 
 def _checked(entries: dict[str, object]) -> Mapping[str, object]:
     """Return the entries if a cylinder has such ones."""
+    from kurbel.reading.foreign import ours
+
     own = Cylinder.entries()
     flags = [name for name, one in own.items() if one.kind is FLAG]
     for key, value in entries.items():
+        meaning, written = ours(key, str(value), own) if key not in own else ("", "")
+        if meaning:
+            raise NotationError(f'there is no entry of a cylinder, "{key}"; write {meaning}={written}')
         choose(key, (*PLACE, *own), "entry of a cylinder,")
         if value is True and key not in flags:
             raise NotationError(f"{key} of a cylinder has no value; write it as {EXAMPLE}")
         if key in flags and value not in TRUTH:
             raise NotationError(f"{key} of a cylinder is {str(value)[:40]}; it must be true or false")
-    found = {key: TRUTH[value] if key in flags else value for key, value in entries.items()}
-    if "crank" not in found:
-        return found
-    from kurbel.drive.size import in_strokes
-
-    return in_strokes(found)
+    return {key: TRUTH[value] if key in flags else value for key, value in entries.items()}
 
 
 class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
@@ -315,6 +315,7 @@ class OfSeveral(Cylinder):
         if not self.load_names():
             raise ProblemError(f"{title} has no load; give it eps, card, pressure_ratio, pump or compression")
         try:
+            settle_sizes(self.values)
             # What all cylinders have in common may be of the drives of others.
             foreign = of_other_mechanisms(self.drive(), list(own), ("stroke", "speed", "method"))
             for sentence in foreign.values():
