@@ -26,7 +26,7 @@ MASSES = "--stroke 600mm --speed 120/min --pressure 8bar --bore 300mm --reciproc
 PAGES = {
     "table --ratio 1:4.5 --step 45 --rounding half-even": 5 * 6,
     "table --stroke 24in --rod 5ft --speed 120rpm --angle 12.5;77 --units imperial": 2 * 12,
-    "table --stroke crank:300mm --rod 1.4m --offset 60mm --speed 2/s --step 90 --columns phi,x_mm,c_mps,psi": 15,
+    "table --stroke crank:3dm --rod 14dm --offset 6cm --speed 2/s --step 90 --columns phi,x_mm,c_mps,psi": 15,
     "table --mechanism arc --rocker 6R --pivot '5;6' --step 90": 3 * 10,
     "table --method series --order 3 --step 60 --zero 90": 7 * 3,
     "table --layout verfahren --step 90": 5 * 9,
