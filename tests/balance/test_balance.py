@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
-from time import process_time
 
 import flint
 import numpy as np
@@ -13,12 +12,12 @@ from cli import records
 from courses import course, slide
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pace import within
 
 from kurbel.exact import certify
 from kurbel.kernel.balance import Star
 
 HALF = Fraction(1, 2)
-ONE_SECOND = 1.0
 STEPS = 256
 TURN = 2 * np.pi * np.arange(STEPS) / STEPS
 COLUMNS = ("along", "across", "forward", "backward", "greatest", "least")
@@ -146,6 +145,5 @@ def test_famous_sums_of_roots_of_unity_vanish() -> None:
 
 def test_angles_of_thirty_digits_take_no_time() -> None:
     cranks = ";".join(f"0.{number**7 + 10**29}" for number in range(24))
-    before = process_time()
-    assert len(records("balance", f"--cranks={cranks}", "--digits=30")) == 4
-    assert process_time() - before < ONE_SECOND
+    with within(90):
+        assert len(records("balance", f"--cranks={cranks}", "--digits=30")) == 4

@@ -141,6 +141,12 @@ def test_quiet_says_only_what_is_wrong(pair: tuple[Path, Path]) -> None:
         f"kurbel: {one}/pages/tables/weg.csv, line 1: it is not what a build would write",
         f"kurbel: {one}/pages: 1 file is stale; this mends it: kurbel handbook build {one}",
     ]
+    book(two, manifest=MANIFEST.replace("--eps 2", "--eps 3"))
+    run("build", one, two, "-q")
+    book(two, manifest=MANIFEST.replace("--eps 2", "--eps 4"))
+    assert f"{two}/handbook.toml, line 22, delta: tables/delta.csv is stale, and so is one more" in (
+        run("check", two, "-q").err
+    )
     book(two, manifest=MANIFEST.replace("--eps 2", "--esp 2"))
     assert "line 22, delta: " in run("build", two, "-q").err
 
