@@ -490,9 +490,16 @@ _copy: Copy
 _passed: dict[str, float] = {}
 
 
-def pytest_runtest_logreport(report: object) -> None:
-    if getattr(report, "when", "") == "call" and getattr(report, "outcome", "") == "passed":
-        _passed[getattr(report, "nodeid", "")] = getattr(report, "duration", 0.0)
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call(item: pytest.Item) -> Iterator[None]:
+    before = sum(os.times()[:4])
+    yield
+    item.user_properties.append(("seconds", sum(os.times()[:4]) - before))
+
+
+def pytest_runtest_logreport(report: pytest.TestReport) -> None:
+    if report.when == "call" and report.passed:
+        _passed[report.nodeid] = float(str(dict(report.user_properties)["seconds"]))
 
 
 def pytest_sessionfinish(session: object) -> None:
