@@ -47,8 +47,10 @@ class Kind:
 
     def taken(self, value: object, name: str) -> object:
         """Return what Python gave as a value of the option with this name. Raises KurbelError."""
-        if isinstance(value, bytes):
-            raise NotationError(f"{name} is bytes; give text or numbers")
+        if isinstance(value, bytes | bool):
+            raise NotationError(
+                f"{name} is {'bytes' if value.__class__ is bytes else value}; give text or numbers"
+            )
         return value
 
     def with_files(self, value: object, file: Callable[[object], object]) -> object:
@@ -298,8 +300,6 @@ class Option(Generic[Made]):
         elif getattr(value, "shape", None) == () and (item := getattr(value, "item", None)):
             # An array of no dimension is a number.
             value = item()
-        if value is None or value is False:
-            return value
         if value is True and self.bare:
             return self.bare
         kind = self.kind
