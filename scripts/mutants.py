@@ -400,7 +400,8 @@ class Reach:
         return found
 
     def of(self, fault: Fault) -> Iterator[list[str]]:
-        """Yield the tests that reach a fault in parts: the cheapest of each file first."""
+        """Yield the tests that reach a fault in parts: the cheapest of each file, its package's, others."""
+        own = f"tests/{Path(fault.path).parts[2]}/"
         module = self.contexts[fault.path]
         span = range(fault.within[0], fault.within[1] + 1)
         tests = {test for line in span for test in module[line] if test in self.passed}
@@ -408,8 +409,7 @@ class Reach:
             # It is run when the module is loaded, or reached by a process of its own.
             tests = {test for line in module.values() for test in line if test in self.passed}
         if not tests:
-            package = Path(fault.path).parts[2]
-            tests = {test for test in self.passed if test.startswith(f"tests/{package}/")}
+            tests = {test for test in self.passed if test.startswith(own)}
         ordered = sorted(tests, key=self.passed.__getitem__)
         files: dict[str, str] = {}
         for test in ordered:
@@ -417,6 +417,7 @@ class Reach:
         first = sorted(files.values(), key=self.passed.__getitem__)[:FIRST]
         # What one test of a file has made, in a fixture or kept by a function, the others look at as well.
         others = {test for file in files for test in self.beside[file]} - tests
+        ordered.sort(key=lambda test: not test.startswith(own))
         ordered += sorted(others, key=self.passed.__getitem__)
         spent, rest = 0.0, []
         for test in (one for one in ordered if one not in first):
