@@ -48,9 +48,8 @@ class Kind:
     def taken(self, value: object, name: str) -> object:
         """Return what Python gave as a value of the option with this name. Raises KurbelError."""
         if isinstance(value, bytes | bool):
-            raise NotationError(
-                f"{name} is {'bytes' if value.__class__ is bytes else value}; give text or numbers"
-            )
+            said = "bytes" if isinstance(value, bytes) else str(value)
+            raise NotationError(f"{name} is {said}; give text or numbers")
         return value
 
     def with_files(self, value: object, file: Callable[[object], object]) -> object:
