@@ -74,7 +74,7 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
     def question(self) -> Drawing:
         if not (self.says("positions", "point") or self.animate):
             raise ProblemError(PAGES)
-        from kurbel.plot.picture import drawing_layout
+        from kurbel.plot.drawings import drawing_layout
 
         chosen, described = self.described()
         drives = some(chosen.drives(described, drawing_layout(chosen.layout).ratios))
@@ -133,7 +133,7 @@ plot_mechanism = function(PlotOptions, "plot_mechanism", drawn=True)
 def _motion(chosen: Mechanism, drives: Sequence[Any], lang: str) -> AngleQuestion:
     """Return what is read beside a mechanism: the motion of the driven end."""
     from kurbel.plot.curves import motion_keys
-    from kurbel.plot.picture import drawing_layout
+    from kurbel.plot.drawings import drawing_layout
 
     return chosen.question(
         drives, None, layout=drawing_layout(chosen.layout), angles=TURN, lang=lang,
@@ -143,7 +143,7 @@ def _motion(chosen: Mechanism, drives: Sequence[Any], lang: str) -> AngleQuestio
 
 def _of_points(chosen: Mechanism, drive: Any, points: tuple[Point, ...], lang: str) -> AngleQuestion:
     """Return what is read beside points of the rod: how they move."""
-    from kurbel.plot.picture import drawing_layout
+    from kurbel.plot.drawings import drawing_layout
 
     known, crank = points_registry(), chosen.crank(drive)
     keys = tuple(unit if is_known(known[unit], crank) else share for share, unit in OF_POINTS)

@@ -219,7 +219,7 @@ class Drawing:
                 raise ChoiceError(
                     "--text is for SVG, whose letters are outlines without it; leave it out for gif"
                 )
-            from kurbel.plot.frames import gif
+            from kurbel.plot.film import gif
 
             with style():
                 return gif(self.figure, self.film)
@@ -263,7 +263,7 @@ class Spoken(NamedTuple):
 
 def drawing_of(question: Any, options: Pictured, decimal: str | None = None) -> Drawing:
     """Return what is asked for as a drawing: the columns of its page over their axis. Raises KurbelError."""
-    from kurbel.plot.picture import drawn, picture
+    from kurbel.plot.drawings import drawn, picture
 
     mark, turn, wish = mark_of(question.lang, decimal), options.turn, options.wish
     found = picture(question, wish)

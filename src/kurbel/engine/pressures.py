@@ -329,7 +329,7 @@ PRESSURES = Subject(
     caption=_caption,
     notes=_notes,
     letters=True,
-    drawn="kurbel.plot.strokes:over_stroke",
+    drawn="kurbel.plot.over_path:over_stroke",
 )
 
 

@@ -4,21 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from kurbel.errors import ProblemError
 from kurbel.page.steps import Joint, Scene
 from kurbel.plot.film import STEPS, Film, Part, Seen, Way, named, straight_way, toggled
-from kurbel.plot.panel import NOTHING_AROUND, Around, Panel, PinForce
+from kurbel.plot.panel import NOTHING_AROUND, Around, Panel, PinForce, degrees
 from kurbel.plot.place import Chosen, Points
 from kurbel.plot.plan import SPOT, Course, Plan
 from kurbel.plot.plotting import Chart, charted
 from kurbel.plot.sketch import Sketch, laid_out, page_fitted, sketch_in
 from kurbel.plot.stage import GROUNDS, Moving, corners, draw_scene
 from kurbel.plot.style import LINES, MEDIUM, MM, MM_PER_INCH, USUAL, WHITE, WIDTH, Size, style
-from kurbel.plot.ticks import degrees
 from kurbel.reading.notation import about
 
 if TYPE_CHECKING:
@@ -204,10 +203,15 @@ def _dots(chart: Chart, panel: int, at: float) -> Iterator[tuple[Part, Seen | No
         name = f"dot-{panel + 1}-{number + 1}"
         way, gaps = _course(course)
         x, y, _ = way.at(at)
-        (dot,) = axes.plot([x], [y], marker="o", markersize=2 * DOT * MM, zorder=7, clip_on=False)
-        dot.set(color=_colour(plan, number), markeredgecolor=WHITE, markeredgewidth=MEDIUM)
+        dot = _dot(axes, x, y, _colour(plan, number))
         seen = Seen(f"{name}-seen", (dot,), gaps) if gaps is not None else None
         yield Part(name, (dot,), axes, way), seen
+
+
+def _dot(axes: Axes, x: float, y: float, colour: str) -> Any:
+    (dot,) = axes.plot([x], [y], marker="o", markersize=2 * DOT * MM, zorder=7, clip_on=False)
+    dot.set(color=colour, markeredgecolor=WHITE, markeredgewidth=MEDIUM)
+    return dot
 
 
 def _colour(plan: Plan, number: int) -> str:
@@ -242,8 +246,7 @@ def polar_film(figure: Figure, force: PinForce, seconds: float) -> Film:
     (axes, *_) = figure.axes
     with style():
         x, y, _ = way.at(at)
-        (dot,) = axes.plot([x], [y], marker="o", markersize=2 * DOT * MM, zorder=7, clip_on=False)
-        dot.set(color=RUNNING, markeredgecolor=WHITE, markeredgewidth=MEDIUM)
+        dot = _dot(axes, x, y, RUNNING)
     seen = () if known.all() else (Seen("dot-seen", (dot,), toggled(angles, known)),)
     film = Film(first, last, at, seconds, (Part("dot", (dot,), axes, way),), seen=seen)
     named(film)

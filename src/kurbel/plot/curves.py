@@ -22,7 +22,9 @@ from kurbel.motion.mechanism import STRAIGHT, Mechanism, mechanism
 from kurbel.motion.page import AngleQuestion
 from kurbel.page.quantity import Quantity, words
 from kurbel.page.subject import subject
+from kurbel.plot.drawings import Picture, Wish, asked_of, check_one, columns_of, smooth
 from kurbel.plot.panel import (
+    PIN_FORCE,
     Around,
     Panel,
     PinForce,
@@ -30,11 +32,10 @@ from kurbel.plot.panel import (
     Strokes,
     Trace,
     check_drawn,
-    degrees,
+    in_floats,
     panels_of,
     vector,
 )
-from kurbel.plot.picture import Picture, Wish, asked_of, check_one, columns_of, smooth
 from kurbel.plot.sketch import DEAD_CENTRES
 from kurbel.reading.given import as_angles
 from kurbel.reading.notation import plain, ratio_text
@@ -188,10 +189,6 @@ def _float(number: Number) -> float:
     return float(Fraction(number.scaled, 10**number.decimals))
 
 
-# Across and up in the polar diagram.
-PIN_FORCE = ("tangential_force", "radial_force")
-
-
 def motion_keys(chosen: Mechanism, crank: Crank) -> tuple[str, ...]:
     """Return what is drawn of a drive by itself: its motion, or the forces that a known one calls up."""
     return _known_keys(chosen, chosen.forces if crank.force else chosen.motion, crank)
@@ -291,7 +288,7 @@ def motion_panels(
 
 
 def _traces(question: AngleQuestion, drive: Drive | None = None, dotted: bool = False) -> Iterator[Trace]:
-    lang, angles, told = question.lang, degrees(question.angles), question.told
+    lang, angles, told = question.lang, in_floats(question.angles), question.told
     drawn, keys = question.curves(np.asarray(angles)), [one.quantity.key for one in question.page_columns]
     for place, (column, of_drives) in enumerate(zip(question.page_columns, drawn, strict=True)):
         one = column.quantity
@@ -343,7 +340,7 @@ def pin_force(request: AngleQuestion, drive: Drive) -> PinForce:
     The request has the columns `pin_force_keys`. The piston force is one and the same over the whole turn.
     """
     check_drawn(request.angles, 1)
-    angles = degrees(request.angles)
+    angles = in_floats(request.angles)
     values = [of_crank.tolist() for (of_crank,) in request.curves(np.asarray(angles))]
     strokes = strokes_of(drive, (angles[0], angles[-1]), request.lang)
     quantities = [column.quantity for column in request.page_columns]

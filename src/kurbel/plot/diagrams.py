@@ -17,11 +17,10 @@ from kurbel.engine.speed.run import AnyRun
 from kurbel.engine.speed.solved import run_of
 from kurbel.exact.kind import Kind, floats
 from kurbel.page.quantity import words
+from kurbel.plot.drawings import Picture, Wish, asked_of, drawing_layout, refuse, smooth
 from kurbel.plot.engine import across_path, diagram_swing, over_path, turns_of
 from kurbel.plot.pages import over_axes
-from kurbel.plot.panel import Curve, Panel, axis_name, check_drawn, degrees, power_of_curves
-from kurbel.plot.picture import Picture, Wish, asked_of, drawing_layout, refuse, smooth
-from kurbel.plot.ticks import amount
+from kurbel.plot.panel import Curve, Panel, amount, axis_name, check_drawn, in_floats, power_of_curves
 
 # By the column that is drawn the letter of its mean, half the sum of the extremes.
 MEANS = {"rpm": "$n_m$", "speed": "$v_m/v_1$"}
@@ -42,11 +41,11 @@ def speed_panel(request: EngineRequest) -> Panel:
     for engine, run in runs:
         unity = _unity(run)
         values = [unity * float(run.speed(angle / 180)) for angle in map(Fraction, request.angles)]
-        curves.append(Curve(engine, degrees(request.angles), values))
+        curves.append(Curve(engine, in_floats(request.angles), values))
     if len(runs) == 1:
         (run,) = (run for _, run in runs)
         mean = float(run.extreme_speed(greatest=True) + run.extreme_speed(greatest=False)) / 2
-        ends = degrees([request.angles[0], request.angles[-1]])
+        ends = in_floats([request.angles[0], request.angles[-1]])
         curves = [curves[0]._replace(label=heading), Curve(MEANS[key], ends, [_unity(run) * mean] * 2)]
         label += f"{OF_MEAN[request.lang]}{MEANS[key]}"
     return Panel(curves, label, unit)
@@ -117,7 +116,7 @@ def diagram_panels(request: TorquesRequest) -> list[Panel]:
     ]
     mean = f" = {_mean(request, drive.plain_unit(lang), power_of_curves(both))}$"
     if not request.constant:
-        ends = degrees([request.angles[0], request.angles[-1]])
+        ends = in_floats([request.angles[0], request.angles[-1]])
         level = float(request.of_page("N m") * Fraction(excess.mean_torque(floats())))
         both.append(Curve(f"{MEAN[:-1]}{mean}", ends, [level] * 2))
     else:
@@ -129,7 +128,7 @@ def diagram_panels(request: TorquesRequest) -> list[Panel]:
         name, heading, unit = axis_name(one, lang)
         kernel = one.formulas["exact"].kernel
         values = [float(kernel(request, place, floats())) for place in places]
-        panels.append(Panel([Curve("", degrees(places), values)], f"{name} {heading}", unit))
+        panels.append(Panel([Curve("", in_floats(places), values)], f"{name} {heading}", unit))
         if one.key == ENERGY:
             panels[-1] = diagram_swing(request, panels[-1])
     return panels
@@ -171,4 +170,4 @@ def _course(torque: Torque, request: TorquesRequest) -> tuple[list[float], list[
         if not drop or place < request.angles[-1]:
             angles.append(place)
             values.append(value)
-    return degrees(angles), values
+    return in_floats(angles), values

@@ -24,7 +24,19 @@ from kurbel.engine.turn import Turn, turn_of
 from kurbel.exact.kind import Kind, floats
 from kurbel.exact.numerals import Label, Number, degrees_text, number_text
 from kurbel.page.quantity import Column, Formula, Quantity, bare, entry
+from kurbel.plot.drawings import (
+    Picture,
+    Wish,
+    asked_of,
+    check_one,
+    columns_of,
+    drawing_layout,
+    refuse,
+    smooth,
+)
 from kurbel.plot.panel import (
+    PIN_FORCE,
+    Across,
     Around,
     Curve,
     Panel,
@@ -33,14 +45,14 @@ from kurbel.plot.panel import (
     Strokes,
     Swing,
     Trace,
+    amount,
     check_drawn,
-    degrees,
+    in_floats,
     panels_of,
+    plain_ticks,
     vector,
 )
-from kurbel.plot.picture import Picture, Wish, asked_of, check_one, columns_of, drawing_layout, refuse, smooth
 from kurbel.plot.sketch import DEAD_CENTRES
-from kurbel.plot.ticks import Across, amount, plain_ticks
 from kurbel.reading.notation import ratio_text
 
 if TYPE_CHECKING:
@@ -137,8 +149,6 @@ def _swinging(spots: list[Spot], text: Label) -> Swinging:
 
 
 INFINITE = "--infinite is for the motion alone; of engines write --ratio 1:∞"
-# Across and up in the polar diagram.
-PIN_FORCE = ("tangential_force", "radial_force")
 # The columns of a request for the turning effort.
 TURNING = ("tangential", "mean_force", "energy")
 # The crank radius where a formula has it as r.
@@ -169,7 +179,7 @@ def forces(request: EngineRequest, wish: Wish) -> Picture:
     keys = tuple(one.key for one in columns_of(request))
     asked = asked_of(request, columns=keys, angles=smooth(request.angles))
     if wish.over_path:
-        from kurbel.plot.strokes import around_path, force_panels_over_path
+        from kurbel.plot.over_path import around_path, force_panels_over_path
 
         return Picture(asked, force_panels_over_path(asked), around_path(asked))
     return Picture(asked, force_panels(asked), around(asked, strokes=True), columns=lettered(asked))
@@ -245,7 +255,7 @@ def turning_panels(request: EngineRequest) -> list[Panel]:
     force, level, excess = (f"{one.quantity.name[lang]} {one.heading[0]}" for one in columns)
     if len(turns) > 1:
         return [Panel(forces, force), Panel(energies, excess)]
-    ends = degrees([request.angles[0], request.angles[-1]])
+    ends = in_floats([request.angles[0], request.angles[-1]])
     number = request.number(mean, {"expansion": 0, "ratio": 0, "angle": 0})
     said = (
         f"{mean.heading[0][:-1]} = {number_text(number)}$" if isinstance(number, Number) else mean.heading[0]
@@ -351,7 +361,7 @@ def course_of(quantities: Sequence[Quantity], turn: AnyTurn, angles: Sequence[Fr
         if not jumps or place < last:
             rows.append((place, after[place]))
     values = zip(*(row for _, row in rows), strict=True)
-    return Course(degrees([angle for angle, _ in rows]), [list(column) for column in values])
+    return Course(in_floats([angle for angle, _ in rows]), [list(column) for column in values])
 
 
 def _jumps(before: Sequence[float], after: Sequence[float], most: Sequence[float]) -> bool:

@@ -17,9 +17,29 @@ from kurbel.exact.numerals import Label, Number
 from kurbel.page.axes import RATIO, Axis, ListAxis, PageAxis, Place, places
 from kurbel.page.quantity import Column, Quantity, entry, words
 from kurbel.page.subject import Question
-from kurbel.plot.panel import Around, PinForce, Trace, Vector, panels_of
-from kurbel.plot.picture import Picture, Wish, asked_of, check_one, columns_of, drawing_layout, refuse, smooth
-from kurbel.plot.ticks import Across, Ticks, axis_label, over_angle, plain_ticks, value_ticks
+from kurbel.plot.drawings import (
+    Picture,
+    Wish,
+    asked_of,
+    check_one,
+    columns_of,
+    drawing_layout,
+    refuse,
+    smooth,
+)
+from kurbel.plot.panel import (
+    Across,
+    Around,
+    PinForce,
+    Ticks,
+    Trace,
+    Vector,
+    axis_label,
+    over_angle,
+    panels_of,
+    plain_ticks,
+    value_ticks,
+)
 
 # What a page is drawn over where it has several places of it, in this order; then what has most places.
 FIRST = ("angle", "share", "order", "expansion")

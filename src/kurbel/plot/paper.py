@@ -11,10 +11,12 @@ import math
 import re
 from collections.abc import Iterator, Sequence
 from functools import cache
-from html import escape, unescape
+from html import escape as escape_html
+from html import unescape
 from io import StringIO
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from kurbel.formats.latex.writer import escape
 from kurbel.plot.style import BLACK, PALE
 
 if TYPE_CHECKING:
@@ -106,7 +108,7 @@ def finished(svg: str, about: str, text: bool) -> str:
         svg = svg.replace(f"{part}: {PALE}", _FAINT.format(part))
     svg = svg.replace(BLACK, "currentColor").replace(_FACE, _LIKE)
     svg = _ROOT.sub(lambda root: f'{root[0][:-1]} role="img" fill="currentColor">', svg, count=1)
-    told = f" <desc>{escape(about, quote=False)}</desc>\n" if about else ""
+    told = f" <desc>{escape_html(about, quote=False)}</desc>\n" if about else ""
     return svg.replace(" <metadata>", f"{told} <metadata>", 1)
 
 
@@ -192,8 +194,6 @@ def _renderer() -> Any:
 
 def tex(text: str) -> str:
     """Return a text in mathtext as LaTeX: formulas as they are, prose of which nothing is obeyed."""
-    from kurbel.formats.latex.writer import escape
-
     return "".join(
         piece if place % 2 else escape(piece.replace(_DOLLAR, "$"))
         for place, piece in enumerate(_FORMULA.split(text))

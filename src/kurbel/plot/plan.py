@@ -11,10 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kurbel.errors import ProblemError
-from kurbel.plot.panel import Curve, Panel
+from kurbel.plot.panel import Curve, Panel, axis_label
 from kurbel.plot.place import AROUND, BESIDE, Box, Points, around, beside, box_points, densely, freest
-from kurbel.plot.style import MM, SMALL_TEXT, TEXT_SIZE, Size, in_rows, size_of, text_of
-from kurbel.plot.ticks import axis_label
+from kurbel.plot.style import MM, PALE, SMALL_TEXT, TEXT_SIZE, THIN, Size, in_rows, size_of, text_of
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -45,6 +44,13 @@ def draw_legend(
         borderaxespad=0,
         borderpad=0.3,
     )
+
+
+def lined(axes: Axes) -> None:
+    """Draw the lines of ticks, pale and below all else."""
+    axes.grid(color=PALE, linewidth=THIN)
+    axes.set_axisbelow(True)
+    axes.tick_params(width=THIN, length=2, pad=2, labelsize=SMALL_TEXT)
 
 
 class Course(NamedTuple):

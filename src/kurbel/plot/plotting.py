@@ -15,7 +15,16 @@ from kurbel.plot.marks import (
     draw_swing,
     strip_of,
 )
-from kurbel.plot.panel import NOTHING_AROUND, Around, Panel, check_panel
+from kurbel.plot.panel import (
+    MOST_STEPS,
+    NOTHING_AROUND,
+    Around,
+    Panel,
+    check_panel,
+    over_angle,
+    round_step,
+    value_ticks,
+)
 from kurbel.plot.plan import (
     ABOVE,
     BELOW,
@@ -25,6 +34,7 @@ from kurbel.plot.plan import (
     Plan,
     Room,
     draw_legend,
+    lined,
     plan_of,
     plans_to_scale,
     with_one_legend,
@@ -34,8 +44,6 @@ from kurbel.plot.style import (
     LINES,
     MEDIUM,
     MM,
-    PALE,
-    SMALL_TEXT,
     STRONG,
     TEXT_SIZE,
     THIN,
@@ -46,13 +54,12 @@ from kurbel.plot.style import (
     style,
     text_of,
 )
-from kurbel.plot.ticks import MOST_STEPS, over_angle, round_step, value_ticks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from kurbel.plot.ticks import Ticks
+    from kurbel.plot.panel import Ticks
 
 HEIGHTS = {1: 72.0, 2: 50.0}
 LOWEST = 38.0
@@ -240,6 +247,4 @@ def _value_axis(axes: Axes, plan: Plan, mark: str) -> None:
 
 def _across_axis(axes: Axes, ticks: Ticks, named: bool) -> None:
     axes.set_xticks(ticks.places, ticks.texts if named else [""] * len(ticks.texts))
-    axes.grid(color=PALE, linewidth=THIN)
-    axes.set_axisbelow(True)
-    axes.tick_params(width=THIN, length=2, pad=2, labelsize=SMALL_TEXT)
+    lined(axes)

@@ -12,16 +12,38 @@ import numpy as np
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
-from kurbel.plot.panel import MARK_STEP, Piece, PinForce, Strokes, with_gaps
+from kurbel.plot.panel import (
+    MARK_STEP,
+    Piece,
+    PinForce,
+    Strokes,
+    amount,
+    axis_label,
+    power_of_thousand,
+    round_step,
+    value_ticks,
+    with_gaps,
+)
 from kurbel.plot.place import AROUND, Box, Points, around, box_points, densely, freest, nearest_to
-from kurbel.plot.plan import LEGEND_GAP, LEGEND_ROW, SAMPLE, SAMPLE_GAP, draw_legend
+from kurbel.plot.plan import (
+    ABOVE,
+    BELOW,
+    LEFT,
+    LEGEND_GAP,
+    LEGEND_ROW,
+    RIGHT,
+    SAMPLE,
+    SAMPLE_GAP,
+    SPOT,
+    draw_legend,
+    lined,
+)
 from kurbel.plot.style import (
     BLACK,
     GREY,
     LINES,
     MEDIUM,
     MM,
-    PALE,
     SMALL_TEXT,
     STRONG,
     TEXT_SIZE,
@@ -35,7 +57,6 @@ from kurbel.plot.style import (
     style,
     text_of,
 )
-from kurbel.plot.ticks import amount, axis_label, power_of_thousand, round_step, value_ticks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -81,15 +102,12 @@ def draw_strokes(axes: Axes, pieces: Sequence[Piece], strokes: Strokes | None, l
             line.set(gid=f"curve-{number}", label=name)
 
 
-LEFT, RIGHT, ABOVE, BELOW = 13.0, 4.0, 7.5, 10.5
 MOST_HEIGHT, LEAST_WIDTH, LEAST = 110.0, 60.0, 25.0
 # The scale stands in a row of its own where it has no room beside the name of the axis.
 SCALE_ROW, SCALE_GAP = 4.5, 8.0
 # Room around the curve for the labels of the angles.
 EDGE = 8.0
 GRID = 9.0
-# The radius of a mark in mm.
-MARK = 0.55
 # A vector, or a difference of two, of so small a share is none.
 NOTHING = 1e-6
 CHORD = (1.5, 3)
@@ -201,9 +219,7 @@ def _axes(axes: Axes, plan: _Plan, names: Sequence[str], mark: str, chords: Sequ
     for low, high, ticks in ((left, right, axes.set_xticks), (bottom, top, axes.set_yticks)):
         found = value_ticks(low, high, plan.grid, plan.power, mark)
         ticks(found.places, found.texts)
-    axes.grid(color=PALE, linewidth=THIN)
-    axes.set_axisbelow(True)
-    axes.tick_params(width=THIN, length=2, pad=2, labelsize=SMALL_TEXT)
+    lined(axes)
     axes.axhline(0, color=BLACK, linewidth=MEDIUM, zorder=2)
     for low, high in _free(bottom, top, chords):
         axes.plot((0, 0), (low, high), color=BLACK, linewidth=MEDIUM, zorder=2)
@@ -253,7 +269,7 @@ def _chords(axes: Axes, plan: _Plan, pieces: Sequence[Piece]) -> list[Points]:
         )
         if np.hypot(*(end - start)) * plan.scale > LEAST_CHORD:
             way = (end - start) / np.hypot(*(end - start))
-            arrowhead(axes, end - way * MARK / plan.scale, way, 1 / plan.scale, size=2.6, slim=0.28)
+            arrowhead(axes, end - way * SPOT / plan.scale, way, 1 / plan.scale, size=2.6, slim=0.28)
     return chords
 
 
@@ -262,7 +278,7 @@ def _marks(axes: Axes, plan: _Plan, pieces: Sequence[Piece], chords: Sequence[Po
     heads = _heads(pieces)
     for _, head in heads:
         axes.plot((0, head[0]), (0, head[1]), color=GREY, linewidth=THIN, zorder=3)
-        axes.plot(*head[:, None], marker="o", markersize=2 * MARK * MM, color=BLACK, zorder=5)
+        axes.plot(*head[:, None], marker="o", markersize=2 * SPOT * MM, color=BLACK, zorder=5)
     left, bottom, right, top = plan.frame
     lines = [((left, 0), (right, 0)), ((0, bottom), (0, top)), *chords]
     shafts = [np.asarray(((0, 0), head)) for _, head in heads]
@@ -270,7 +286,7 @@ def _marks(axes: Axes, plan: _Plan, pieces: Sequence[Piece], chords: Sequence[Po
     line = densely(plan.on_paper(with_gaps([piece.path for piece in pieces])))
     marks = plan.on_paper(np.asarray([head for _, head in heads]))
     for (angle, head), at in zip(heads, marks, strict=True):
-        rivals = marks[np.hypot(*(marks - at).T) > MARK]
+        rivals = marks[np.hypot(*(marks - at).T) > SPOT]
         taken.append(_mark(axes, plan, f"{angle}°", head, rivals, line, taken))
 
 

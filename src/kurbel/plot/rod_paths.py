@@ -12,9 +12,9 @@ from kurbel.motion.points.carried import carried, paths_of
 from kurbel.motion.points.point import Point as RodPoint
 from kurbel.page.steps import Point, Scene
 from kurbel.plot.moving import PLACES
+from kurbel.plot.panel import degrees
 from kurbel.plot.sketch import LEAST, Corners, Sketch, Text, towards
 from kurbel.plot.style import BLACK, MEDIUM, THIN, WHITE, WIDTH, text_of
-from kurbel.plot.ticks import degrees
 
 MOST_POINTS = 12
 # Paths more than these have angles told on the first alone.

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from fractions import Fraction
 from itertools import pairwise
 from math import ceil
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -19,7 +18,7 @@ import numpy as np
 from kurbel.errors import ProblemError
 from kurbel.page.quantity import words
 from kurbel.plot.lettering import Hole, Lettering, cut
-from kurbel.plot.moving import polar_point as polar_point
+from kurbel.plot.moving import polar_point
 from kurbel.plot.style import (
     BLACK,
     HEAVY,
@@ -34,7 +33,6 @@ from kurbel.plot.style import (
     page,
     text_of,
 )
-from kurbel.plot.ticks import degrees
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -319,13 +317,6 @@ def sketch_in(
     axes = figure.add_axes(box, label="mechanism", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
     axes.set_axis_off()
     return Sketch(figure, axes, mm, side, Lettering(axes), [])
-
-
-def pin_texts(pins: Sequence[Point], angles: Sequence[float | Fraction], mark: str) -> list[Text]:
-    """Return the angles beside the pins, for `beside_points`, where there are several."""
-    if len(pins) < 2:
-        return []
-    return [(pin, pin, degrees(angle, mark)) for pin, angle in zip(pins, angles, strict=True)]
 
 
 def moved(point: Point, way: Point, distance: float) -> Point:

@@ -15,7 +15,7 @@ import numpy as np
 
 from kurbel.page.steps import Joint, Line, Link, Point, Scene
 from kurbel.plot.film import Grown, Part, Seen, Way, crossing, toggled
-from kurbel.plot.moving import GUIDE, HEAD
+from kurbel.plot.moving import GUIDE, HEAD, polar_point
 from kurbel.plot.place import Points
 from kurbel.plot.sketch import (
     BEARING,
@@ -28,7 +28,6 @@ from kurbel.plot.sketch import (
     SHAFT,
     UP,
     Sketch,
-    polar_point,
 )
 from kurbel.plot.style import BLACK, HEAVY, MEDIUM, PALE, STRONG, TEXT_SIZE, THIN, WHITE, arrowhead
 

@@ -16,6 +16,7 @@ from kurbel.errors import ProblemError
 from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.linkage.linkage import Outline, Stand
 from kurbel.plot.moving import LONGEST_ROD, SHAFT, Position, Rocker, Slide, Swung, crank_pin, polar_point
+from kurbel.plot.panel import degrees
 from kurbel.plot.place import CLEAR
 from kurbel.plot.rod_paths import Coupled, around, draw_paths, usual_scale
 from kurbel.plot.sketch import (
@@ -31,7 +32,6 @@ from kurbel.plot.sketch import (
     Text,
     laid_out,
     page_fitted,
-    pin_texts,
 )
 from kurbel.plot.style import BLACK, MEDIUM, PALE, WIDTH, Size, arrowhead, style, text_of
 from kurbel.reading.notation import about
@@ -115,7 +115,8 @@ class Standing(ABC):
             pin, end = stands[0].links["rod"]
             draw_paths(sketch, paths, pin, end, mark)
             sketch.beside_points(self.names(sketch.mm), CLEAR)
-            sketch.beside_points(pin_texts(pins, angles, mark))
+            several = zip(pins, angles, strict=True) if len(pins) > 1 else ()
+            sketch.beside_points([(pin, pin, degrees(angle, mark)) for pin, angle in several])
             sketch.write()
         return sketch.figure
 

@@ -12,7 +12,7 @@ from kurbel.exact.numerals import DECIMALS
 from kurbel.reading.given import as_length, as_number
 
 if TYPE_CHECKING:
-    from kurbel.plot.picture import Wish
+    from kurbel.plot.drawings import Wish
     from kurbel.plot.style import Size
 
 # In mm.
@@ -123,7 +123,7 @@ class Pictured(Sized, Filmed):
     @property
     def wish(self) -> Wish:
         """How the page is drawn, if not in its usual way."""
-        from kurbel.plot.picture import Wish
+        from kurbel.plot.drawings import Wish
 
         if self.animate and self.over_path:
             raise ProblemError(
