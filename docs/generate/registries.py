@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kurbel.books.examples.source import example, numbers_of, source_keys
+from kurbel.books.example import example, numbers_of, source_keys
 from kurbel.drive.load import LOADS
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.engine.quantities import ENGINE_METHODS

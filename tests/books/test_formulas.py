@@ -21,7 +21,7 @@ from places import ROOT
 from registers import FORMULAS as KEYS
 from registers import formulas, letters_of
 
-from kurbel.books.formulas.lines import formula_lines, room_beside, word_lines
+from kurbel.books.formula_page import formula_lines, room_beside, word_lines
 from kurbel.page.labels import plain
 
 FUNCTIONS = {

@@ -7,34 +7,41 @@ A table's key is <book>-<name>. `place` names the cell. What it is a `quantity` 
 phi, at epsilon and stroke, or at ratio and arm, or else a `formula` from other cells by their places. The
 `way` says how the book came to it from what it had printed; without one the formula does. `printed` is what
 the book has; a cell that it has not is there for others.
+
+Formulas stand in such a file with place;label;printed;follows;relation;letter;form, as printed, in the
+notation of labels, and in a form that is evaluated. A formula `follows` from one above it, from the last
+without a name, and its `relation` to that is empty where it begins, `equal`, `nearly` where the book neglects
+something small, `same` where the same equation stands otherwise and `root` where it solves the equation. The
+letter of `nearly` is what is small, that of an equation its unknown; an equation's form is what must vanish.
 """
 
 from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any, ClassVar, NamedTuple
+from typing import Annotated, Any, ClassVar, Generic, NamedTuple, TypeVar
 
 from msgspec import Struct
 
-from kurbel.books.expression import Expression
-from kurbel.books.formulas.table import FormulaTable
+from kurbel.books.equation import OF_LETTER, RELATIONS, STARTS, Finding, Step, found
+from kurbel.books.form import SLOPE, Form
 from kurbel.books.printed_value import Printed, printed_value
-from kurbel.errors import NotationError, SourceError
+from kurbel.books.quantities import Expression
+from kurbel.errors import ChoiceError, LayoutError, NotationError, SourceError
+from kurbel.page.formula import GREEK
+from kurbel.page.labels import parse
 from kurbel.page.layouts import LANGUAGES, Notes, Words
 from kurbel.reading.csv_file import NONE, Head, Kind, place, read_rows, shown, whole_head
+from kurbel.reading.given import choose
 from kurbel.reading.toml_file import Fault, TomlFile, TomlKind, about
 
-KIND = Kind("source", "cell", SourceError)
 SOURCE = TomlKind("source", SourceError, 200_000, "a source has a citation and tables", "book/source.toml")
 AXIS_KEYS = ("ratio", "phi", "epsilon", "stroke", "arm")
-COLUMNS = ("place", "quantity", *AXIS_KEYS, "method", "formula", "way", "label", "printed")
-NEEDED = ("place", "printed")
-# As many cells may build on one another.
-DEEPEST = 50
+# As many cells may build on one another, and as many letters be made of others.
+DEEPEST, DEEPEST_LETTERS = 50, 20
 _KEY = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 
 
@@ -131,31 +138,95 @@ class BookFile(Struct, frozen=True, forbid_unknown_fields=True):
     ratio: Annotated[str, about("letters of the crank ratio")] = "R:L"
 
 
-class SourceTable:
+File = TypeVar("File", bound=TableFile | FormulasFile)
+
+
+class BookTable(Generic[File]):
+    """What a file of a book has, by its name there: printed values, or formulas."""
+
+    kind: ClassVar[Kind]
+    columns: ClassVar[tuple[str, ...]]
+    needed: ClassVar[tuple[str, ...]]
+    having: ClassVar[str]
+    named: ClassVar[str]
+
+    def __init__(self, book: Book, name: str, given: File) -> None:
+        self.book, self.name, self.given = book, name, given
+        self.key, self.title, self.notes = f"{book.key}-{name}", given.title, given.notes
+        self.file = book.folder / f"{name}.csv"
+
+    def read(self, row: Callable[[dict[str, str], int], Any]) -> Iterator[Any]:
+        """Yield what is made of each line, of its texts by their columns and its number."""
+
+        def made(texts: list[str], head: Head, line: int) -> Any:
+            found = {column.name: text.strip() for column, text in zip(head.columns, texts, strict=True)}
+            if not found["place"].isidentifier():
+                raise NotationError(f'the place "{found["place"][:40]}" is no name; write it as {self.named}')
+            return row({name: found.get(name, "") for name in self.columns}, line)
+
+        starts = f"it starts with its heads, {';'.join(self.columns)}"
+        yield from read_rows(self.file, self.kind, self._head, made, starts, NONE, ChoiceError)
+
+    def _head(self, line: str) -> Head:
+        head = whole_head(line, ";")
+        names = [column.name for column in head.columns]
+        if len({*names}) != len(names):
+            raise NotationError("a column stands there twice")
+        for name in names:
+            choose(name, self.columns, "column")
+        for needed in self.needed:
+            if needed not in names:
+                raise NotationError(f"there is no column {needed}, which {self.having}")
+        return head
+
+
+def _tangle(needs: Mapping[str, Set[str]], most: int) -> tuple[str, str]:
+    """Return a name that needs itself, by way of others; or one that is left when more than so many build on
+    one another, and up to which."""
+    settled: set[str] = set()
+    for count in range(len(needs)):
+        left = [name for name in needs if name not in settled]
+        ready = [name for name in left if needs[name] <= settled]
+        if left and (not ready or count >= most):
+            return left[0], "".join(ready[:1])
+        settled |= {*ready}
+    return "", ""
+
+
+class SourceTable(BookTable[TableFile]):
     """A table or worked example of a book."""
 
-    def __init__(self, book: Book, name: str, given: TableFile) -> None:
-        self.book = book
-        self.name = name
-        self.key = f"{book.key}-{name}"
-        self.title = given.title
-        self.notes = given.notes
-        self.method = given.method
-        self.layout = given.layout
-        self.file = book.file_of(name)
+    kind = Kind("source", "cell", SourceError)
+    columns = ("place", "quantity", *AXIS_KEYS, "method", "formula", "way", "label", "printed")
+    needed, having, named = ("place", "printed"), "every source has", "x_45"
+
+    @property
+    def method(self) -> str:
+        return self.given.method
+
+    @property
+    def layout(self) -> str:
+        return self.given.layout
 
     @cached_property
     def cells(self) -> tuple[SourceCell, ...]:
         """The printed values in their order."""
-        starts = f"it starts with its heads, {';'.join(COLUMNS)}"
-        cells = tuple(read_rows(self.file, KIND, _head, self._cell, starts, NONE))
+        cells: tuple[SourceCell, ...] = tuple(self.read(self._cell))
         places = [cell.place for cell in cells]
         for cell in cells:
             if places.count(cell.place) > 1:
                 raise SourceError(f"{self.at(cell)}: the place {cell.place} is given twice")
             for unknown in sorted(cell.names - {*places}):
                 raise SourceError(f"{self.at(cell)}: {unknown} in a formula is no place here")
-        self._check_circles(cells)
+        by_place = {cell.place: cell for cell in cells}
+        name, last = _tangle({cell.place: cell.names for cell in cells}, DEEPEST)
+        if name:
+            said = (
+                f"more than {DEEPEST} cells build on one another up to {last}"
+                if last
+                else f"{name} names itself, by way of other cells"
+            )
+            raise SourceError(f"{self.at(by_place[name])}: {said}")
         if not any(cell.printed for cell in cells):
             raise SourceError(f"{shown(self.file)} has no printed value below its heads")
         return cells
@@ -164,11 +235,7 @@ class SourceTable:
         """Return where the cell stands, for the start of a sentence."""
         return place(shown(self.file), cell.line)
 
-    def _cell(self, texts: list[str], head: Head, line: int) -> SourceCell:
-        row = {column.name: text for column, text in zip(head.columns, texts, strict=True)}
-        known = {name: row.get(name, "").strip() for name in COLUMNS}
-        if not known["place"].isidentifier():
-            raise NotationError(f'the place "{known["place"][:40]}" is no name; write it as x_45')
+    def _cell(self, known: Mapping[str, str], line: int) -> SourceCell:
         if not known["quantity"] and not known["formula"]:
             raise NotationError(f"{known['place']} has neither a quantity nor a formula")
         if known["quantity"] and known["formula"]:
@@ -187,20 +254,114 @@ class SourceTable:
             known["label"] or ("" if known["quantity"] else known["place"].replace("_", " ")),
         )
 
-    def _check_circles(self, cells: Sequence[SourceCell]) -> None:
-        """Raise SourceError where a cell's value would need itself."""
-        settled: set[str] = set()
-        rounds = 0
-        while left := [cell for cell in cells if cell.place not in settled]:
-            ready = [cell.place for cell in left if cell.names <= settled]
-            if not ready:
-                raise SourceError(f"{self.at(left[0])}: {left[0].place} names itself, by way of other cells")
-            settled |= {*ready}
-            rounds += 1
-            if rounds > DEEPEST:
-                raise SourceError(
-                    f"{self.at(left[0])}: more than {DEEPEST} cells build on one another up to {ready[0]}"
-                )
+
+_LETTER = re.compile(r"\w(_\w)?")
+# lambda is a word of Python's, and no letter of a form.
+_GREEK = {name.removeprefix("\\").removeprefix("var"): letter for letter, name in GREEK.items()}
+_GREEK |= {"lam": "λ", "eps": "ε"}
+
+
+class FormulaRow(NamedTuple):
+    """A printed formula with the form of it, in the words of the file."""
+
+    place: str
+    label: str
+    printed: str
+    follows: str
+    relation: str
+    letter: str
+    form: Form
+    line: int
+
+
+class CollatedFormula(NamedTuple):
+    """A printed formula, and what it is found to be."""
+
+    row: FormulaRow
+    finding: Finding
+
+
+class FormulaTable(BookTable[FormulasFile]):
+    """The formulas of a section of a book."""
+
+    kind = Kind("source", "formula", SourceError)
+    columns = ("place", "label", "printed", "follows", "relation", "letter", "form")
+    needed, having, named = ("place", "printed", "form"), "formulas have", "c_m"
+
+    def __init__(self, book: Book, name: str, given: FormulasFile) -> None:
+        super().__init__(book, name, given)
+        self.forms = self._forms(given.letters)
+
+    def _forms(self, letters: Mapping[str, str]) -> Mapping[str, Form]:
+        """Return what letters are made of, each of others."""
+        forms = {}
+        for name, text in letters.items():
+            try:
+                forms[name] = Form(text)
+                if SLOPE in text:
+                    raise NotationError(f"{name} has a slope; write it in the formula itself")
+            except NotationError as error:
+                raise self._error("letters", name, error) from None
+        needs = {name: forms[name].letters & forms.keys() for name in sorted(forms)}
+        name, last = _tangle(needs, DEEPEST_LETTERS)
+        if last:
+            said = f"more than {DEEPEST_LETTERS} letters are made of one another"
+            raise self._error("letters", last, said)
+        if name:
+            raise self._error("letters", name, f"{name} is made of itself, by way of other letters")
+        return forms
+
+    def _error(self, key: str, name: str, said: object) -> Exception:
+        return self.book.file.error(("formulas", self.name, key, name), said)
+
+    def rows(self) -> Iterator[FormulaRow]:
+        """Yield the formulas in their order."""
+        before: dict[str, FormulaRow] = {}
+        for row in self.read(_row):
+            where = place(shown(self.file), row.line)
+            if row.place in before:
+                raise SourceError(f"{where}: the place {row.place} is given twice")
+            if row.relation and not row.follows:
+                if not before:
+                    raise SourceError(f"{where}: {row.place} follows from none; leave its relation out")
+                row = row._replace(follows=[*before][-1])
+            if row.relation and row.follows not in before:
+                raise SourceError(f"{where}: {row.follows} is no formula above {row.place}")
+            before[row.place] = row
+            yield row
+        if not before:
+            raise SourceError(f"{shown(self.file)} has no printed formula below its heads")
+
+    def collated(self) -> Iterator[CollatedFormula]:
+        """Yield the formulas, each with what it is found to be."""
+        by_place: dict[str, FormulaRow] = {}
+        for row in self.rows():
+            by_place[row.place] = row
+            if not row.relation:
+                yield CollatedFormula(row, Finding(STARTS))
+                continue
+            before = by_place[row.follows].form
+            yield CollatedFormula(row, found(Step(before, row.form, row.relation, row.letter, self.forms)))
+
+    def letter_label(self, name: str) -> str:
+        """Return how a letter is printed in a formula: α for alpha, m_1 as it stands."""
+        own = _GREEK.get(name, name)
+        return self.given.labels.get(name) or (own if _LETTER.fullmatch(own) else f'"{name}"')
+
+
+def _row(known: dict[str, str], line: int) -> FormulaRow:
+    if known["relation"] not in RELATIONS:
+        choose(known["relation"], [one for one in RELATIONS if one], "relation")
+    if known["relation"] in OF_LETTER and not known["letter"].isidentifier():
+        raise NotationError(f"the relation {known['relation']} of {known['place']} needs a letter")
+    if not known["printed"]:
+        raise NotationError(f"{known['place']} has no printed formula")
+    try:
+        parse(f"${known['printed']}$")
+    except LayoutError as error:
+        raise NotationError(str(error)) from None
+    form = Form(known.pop("form"))
+    return FormulaRow(**known, form=form, line=line)
 
 
 class Book:
@@ -221,10 +382,6 @@ class Book:
                 self._check_name(kind, name)
         self.tables = [SourceTable(self, name, entry) for name, entry in self.given.tables.items()]
         self.formulas = [FormulaTable(self, name, entry) for name, entry in self.given.formulas.items()]
-
-    def file_of(self, name: str) -> Path:
-        """Return the file of a table."""
-        return self.folder / f"{name}.csv"
 
     @property
     def all_tables(self) -> list[SourceTable | FormulaTable]:
@@ -263,17 +420,3 @@ def source_tables(folder: str | os.PathLike[str] | None = None) -> Mapping[str, 
 def all_tables(folder: str | os.PathLike[str] | None = None) -> Mapping[str, SourceTable | FormulaTable]:
     """Return the same with the tables of formulas."""
     return {table.key: table for book in books(folder) for table in book.all_tables}
-
-
-def _head(line: str) -> Head:
-    head = whole_head(line, ";")
-    names = [column.name for column in head.columns]
-    if len({*names}) != len(names):
-        raise NotationError("a column stands there twice")
-    for name in names:
-        if name not in COLUMNS:
-            raise NotationError(f'there is no column "{name[:40]}"; choose from {", ".join(COLUMNS)}')
-    for needed in NEEDED:
-        if needed not in names:
-            raise NotationError(f"there is no column {needed}, which every source has")
-    return head

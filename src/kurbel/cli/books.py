@@ -7,8 +7,8 @@ from typing import Any
 
 import click
 
-from kurbel.books.examples.source import example as worked
-from kurbel.books.examples.source import numbers_of, source, source_keys
+from kurbel.books.example import example as worked
+from kurbel.books.example import numbers_of, source, source_keys
 from kurbel.books.source import books
 from kurbel.cli.listing import (
     Entry,

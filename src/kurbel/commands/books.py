@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from kurbel.books.collate_page import CollateRequest
-from kurbel.books.examples.page import ExampleRequest
-from kurbel.books.examples.source import numbers_of, source_keys
-from kurbel.books.formulas.page import FormulaRequest
-from kurbel.books.formulas.table import FormulaTable
+from kurbel.books.example import numbers_of, source_keys
+from kurbel.books.example_page import ExampleRequest
+from kurbel.books.formula_page import FormulaRequest
 from kurbel.books.printed_value import ONLY
+from kurbel.books.source import FormulaTable
 from kurbel.books.transcription import collated_table
 from kurbel.commands.options import Choice, Columns, Kind, Option, alone, file, measure, word
 from kurbel.commands.part import CommandOptions
@@ -131,7 +131,7 @@ class ExampleOptions(Worded, CommandOptions):
 
     topic = "question"
 
-    builder = "kurbel.books.examples.page:build_example"
+    builder = "kurbel.books.example_page:build_example"
     unnamed = "book number"
     sequence = "ratio angle beam eps back force"
 

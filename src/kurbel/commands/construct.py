@@ -7,9 +7,8 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.books.constructions.model import Construction
-from kurbel.books.constructions.page import ConstructionRequest
+from kurbel.books.constructions.page import ConstructionRequest, construction, construction_names, unfound
 from kurbel.books.constructions.placed import ALONE, CENTRE, GYRATION, TAKEN, Beside
-from kurbel.books.constructions.registry import construction, construction_names, unfound
 from kurbel.commands.options import Count, Kind, Option, file, measure, word
 from kurbel.commands.part import CommandOptions
 from kurbel.commands.parts.drawing import DECIMAL, Sized

@@ -85,7 +85,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "loaded roots": Pages("kurbel.conditions.load_page:SUBJECT", "solve --eps 4 --where torque=max"),
     "construction": Pages("kurbel.books.constructions.page:SUBJECT", "construct blau-9 --table"),
     "collation": Pages("kurbel.books.collate_page:SUBJECT", "collate roetscher-112"),
-    "formulas": Pages("kurbel.books.formulas.page:SUBJECT", "collate blau-equations"),
+    "formulas": Pages("kurbel.books.formula_page:SUBJECT", "collate blau-equations"),
 }
 LANGUAGES = ("de", "en")
 Folder: TypeAlias = str | os.PathLike[str]

@@ -368,7 +368,7 @@ def _is_there(formula: Formula, values: Values) -> bool:
 
 
 def _named(name: str, folder: Any, mechanism: str) -> Construction:
-    from kurbel.books.constructions.registry import construction
+    from kurbel.books.constructions.page import construction
 
     return construction(name, folder, mechanism)
 

@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Protocol
 
-from kurbel.books.expression import UNREAD
 from kurbel.errors import NotationError
 from kurbel.reading.arithmetic import OPERATIONS, POWERS, parsed, wrong_power
 
@@ -90,6 +89,7 @@ _SLOPES: Mapping[str, Callable[[Any, Any, Any], Any]] = {
 }
 
 
+UNREAD = '"{}" is no expression; write one such as 1 - cos(45)'
 FUNCTIONS = ("sin", "cos", "tan", "cot", "sqrt", "ln", "arcsin", "arctan")
 PI, SLOPE = "pi", "slope"
 # A slope in a slope doubles the work.

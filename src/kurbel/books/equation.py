@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 
 from flint import arb, arb_series
 
-from kurbel.books.formulas.form import Algebra, Form, Letters
-from kurbel.books.formulas.proof import (
+from kurbel.books.form import Algebra, Form, Letters
+from kurbel.books.proof import (
     MOST_AT_POINTS,
     MOST_OF_PROOFS,
     PARTS,

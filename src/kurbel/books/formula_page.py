@@ -1,18 +1,22 @@
-"""The formulas of a book become a page: each as printed, with what is found of its step from another."""
+"""The formulas of a book become a page: each as printed, with what is found of its step from another.
+
+A long one stands in several lines, as a book breaks it: at relations, sums, products, then within brackets. A
+bracket that is closed in another line than it is opened stands as prose, for a formula has both.
+"""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache, cached_property
-from itertools import chain
+from itertools import chain, groupby, takewhile
 from typing import Any, NamedTuple
 
 from kurbel.books.collate_page import BookQuestion, kernels, titled
-from kurbel.books.formulas.equation import (
+from kurbel.books.equation import (
     AGREES,
     BITS,
     FACTOR,
@@ -29,11 +33,12 @@ from kurbel.books.formulas.equation import (
     UNSETTLED,
     WRONG,
 )
-from kurbel.books.formulas.lines import formula_lines, room_beside, word_lines
-from kurbel.books.formulas.table import Collated, FormulaTable
+from kurbel.books.source import CollatedFormula, FormulaTable
 from kurbel.exact.certify import at_bits
 from kurbel.exact.numerals import Label, nearest, number_text
 from kurbel.page.axes import ColumnAxis, PageAxis, Place
+from kurbel.page.formula import FENCES, ROOT, SIGNS, tokens
+from kurbel.page.labels import plain
 from kurbel.page.quantity import Column, Quantity, Words, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import DITTO, Ditto, Note, Tone, Value
@@ -42,7 +47,7 @@ KEYS = ("table", "place", "printed", "follows", "relation", "letter", "verdict",
 # Of the two sides at a point.
 FIGURES = 4
 # The power of ten of one that is written out.
-LONGEST = 6
+LONGEST_POWER = 6
 # Of sides that differ in later figures.
 ALIKE = "alike"
 WORDS: Mapping[str, Words] = {
@@ -123,10 +128,10 @@ class FormulaRequest(BookQuestion):
     keys = KEYS
     words = WORDS
     table: FormulaTable
-    collated: Sequence[Collated]
+    collated: Sequence[CollatedFormula]
 
     @cached_property
-    def deviations(self) -> list[Collated]:
+    def deviations(self) -> list[CollatedFormula]:
         return [one for one in self.collated if one.finding.kind not in FINE]
 
     @cached_property
@@ -149,7 +154,7 @@ class FormulaRequest(BookQuestion):
             for line in _lines(one, lines, room, self)
         ]
 
-    def record(self, one: Collated) -> Mapping[str, Value]:
+    def record(self, one: CollatedFormula) -> Mapping[str, Value]:
         row, found = one
         details = {FACTOR: str(found.factor), ORDER: str(found.order), ONLY_NEARLY: str(found.order)}
         point = " ".join(f"{name}={value}" for name, value in found.point.items())
@@ -182,7 +187,9 @@ class _PlaceAxis(PageAxis):
         return self.heads(place)[0] if self.request.lines[place["place"]].first else DITTO
 
 
-def _lines(one: Collated, printed: Sequence[Label], room: int, request: FormulaRequest) -> Iterator[Line]:
+def _lines(
+    one: CollatedFormula, printed: Sequence[Label], room: int, request: FormulaRequest
+) -> Iterator[Line]:
     """Yield the lines of a formula; what is found of it begins in its last."""
     *lines, last = printed
     verdict = verdict_text(one, request.table, request.lang)
@@ -193,7 +200,7 @@ def _lines(one: Collated, printed: Sequence[Label], room: int, request: FormulaR
     yield from (Line(place, not number, *part, tone) for number, part in enumerate(parts))
 
 
-def verdict_text(one: Collated, table: FormulaTable, lang: str) -> Label | None:
+def verdict_text(one: CollatedFormula, table: FormulaTable, lang: str) -> Label | None:
     """Return what is found of a formula, None of one that begins."""
     found = one.finding
     kind = found.kind
@@ -226,7 +233,7 @@ def _power(letter: Label, order: int) -> Label:
 def _figures(value: Any) -> Label:
     """Return a ball, which is small, with so many figures, and what is long or little by a power of ten."""
     exact = Decimal(value.mid().str(60, radius=False))
-    if abs(exact.adjusted()) > LONGEST:
+    if abs(exact.adjusted()) > LONGEST_POWER:
         mantissa, _, power = f"{exact:.{FIGURES - 1}E}".partition("E")
         return f"${mantissa} · 10^{int(power)}$" if int(power) >= 0 else f"${mantissa} · 10^({int(power)})$"
     decimals = max(FIGURES - 1 - exact.adjusted(), 0) if exact else FIGURES
@@ -277,3 +284,150 @@ SUBJECT = Subject(
     notes=_notes,
     rows=FormulaRequest.records,
 )
+
+
+# Characters of a line of a formula, of both columns together, and of words that have less room.
+LONGEST, BOTH, LEAST_WORDS = 50, 68, 16
+# Characters of a line, and of a bracket, that are worth a break.
+SHORTEST, SHORTEST_BRACKET = 9, 12
+_CLOSING = frozenset(FENCES.values())
+_OVER, _SCRIPTS, _SPACE = "/", ("_", "^"), " "
+_KINDS = (("=", "<", ">", "≤", "≥", "≈", ":"), ("+", "-", "−", "±", "∓"), ("·", "×", _OVER))
+
+
+class _Break(NamedTuple):
+    """A place between two tokens; the outer ones are better, and among these those of the looser sign."""
+
+    rank: int
+    at: int
+
+
+def formula_lines(printed: str, longest: int = LONGEST) -> tuple[Label, ...]:
+    """Return a printed formula as one label, or as one a line where it has more than so many characters."""
+    words = tokens(printed)
+    pairs = _pairs(words)
+    breaks = tuple(_breaks(words, pairs))
+    lines: list[Label] = []
+    start = 0
+    while _length(words, pairs, start, len(words)) > longest:
+        ahead = [one for one in breaks if one.at > start]
+        sizes = ((one, _length(words, pairs, start, one.at)) for one in ahead)
+        fitting = dict(takewhile(lambda sized: sized[1] <= longest, sizes))
+        long = [one for one, size in fitting.items() if size >= SHORTEST]
+        if not ahead:
+            break
+        best = min(long or [*fitting][-1:] or ahead[:1], key=lambda one: (one.rank, -one.at))
+        lines.append(_label(words, pairs, start, best.at))
+        start = best.at
+    return (*lines, _label(words, pairs, start, len(words)))
+
+
+def room_beside(lines: Iterable[Label]) -> int:
+    """Return how many characters the words beside such lines may have."""
+    longest = max((len(plain(line)) for line in lines), default=0)
+    return min(max(BOTH - longest, LEAST_WORDS), LONGEST)
+
+
+def word_lines(label: Label, longest: int) -> tuple[Label, ...]:
+    """Return a label in lines of so many characters; its formulas are not broken."""
+    lines: list[Label] = []
+    for word in _words(label):
+        longer = f"{lines[-1]} {word}" if lines else word
+        if lines and len(plain(longer)) <= longest:
+            lines[-1] = longer
+        else:
+            lines.append(word)
+    return tuple(lines)
+
+
+def _words(label: Label) -> Iterator[Label]:
+    word = ""
+    for place, part in enumerate(label.split("$")):
+        if place % 2:
+            word += f"${part}$"
+            continue
+        first, *others = part.split(" ")
+        word += first
+        for other in others:
+            yield word
+            word = other
+    yield word
+
+
+def _pairs(words: Sequence[str]) -> dict[int, int]:
+    """Return where each bracket is closed, and where opened."""
+    pairs: dict[int, int] = {}
+    opened: list[int] = []
+    for at, word in enumerate(words):
+        if word in FENCES:
+            opened.append(at)
+        elif word in _CLOSING:
+            first = opened.pop()
+            pairs |= {first: at, at: first}
+    return pairs
+
+
+def _breaks(words: Sequence[str], pairs: dict[int, int]) -> Iterator[_Break]:
+    """Yield the places before signs between two terms, in brackets that may be broken."""
+    depth, at = 0, 0
+    while at < len(words):
+        word, before = words[at], _before(words, at)
+        if word in FENCES:
+            if _is_whole(words, pairs, at):
+                at = pairs[at]
+            else:
+                depth += 1
+        elif word in _CLOSING:
+            depth -= 1
+        elif before and before not in SIGNS and before not in FENCES:
+            kind = next((kind for kind, signs in enumerate(_KINDS) if word in signs), None)
+            if kind is not None and not _is_in_term(words, pairs, at):
+                yield _Break(depth * len(_KINDS) + kind, at)
+        at += 1
+
+
+def _is_whole(words: Sequence[str], pairs: dict[int, int], at: int) -> bool:
+    """Tell whether a bracket is an index, a power or has one, or is not worth a break."""
+    end = pairs[at] + 1
+    scripted = words[at - 1] in _SCRIPTS or "".join(words[end : end + 1]) in _SCRIPTS
+    return scripted or _length(words, pairs, at, end) < SHORTEST_BRACKET
+
+
+def _is_in_term(words: Sequence[str], pairs: dict[int, int], at: int) -> bool:
+    """Tell whether a sign is one of 1:5, or of a fraction with little below the stroke."""
+    if words[at] == ":":
+        return words[at - 1] != _SPACE
+    below = at + 1 + (words[at + 1] == _SPACE)
+    return words[at] == _OVER and (
+        below not in pairs or _length(words, pairs, below, pairs[below] + 1) < SHORTEST_BRACKET
+    )
+
+
+def _before(words: Sequence[str], at: int) -> str:
+    """Return the token before another, and before a space."""
+    return next((word for word in reversed(words[max(at - 2, 0) : at]) if word != _SPACE), "")
+
+
+def _length(words: Sequence[str], pairs: dict[int, int], start: int, end: int) -> int:
+    return len(plain(_label(words, pairs, start, end)))
+
+
+def _label(words: Sequence[str], pairs: dict[int, int], start: int, end: int) -> Label:
+    """Return the tokens as a label; brackets that lack their partner, and what clings to them, are prose."""
+
+    def lone(at: int) -> bool:
+        return start <= at < end and at in pairs and not start <= pairs[at] < end
+
+    def is_prose(at: int) -> bool:
+        root = words[at] == ROOT and lone(at + 1)
+        return lone(at) or root or (words[at] == _OVER and (at == start or lone(at - 1) or lone(at + 1)))
+
+    pieces = []
+    for prose, run in groupby(range(start, end), is_prose):
+        text = "".join(words[at] for at in run)
+        if prose:
+            pieces.append(text.replace(ROOT, "√"))
+        elif text.strip():
+            before, after = (" " * text.startswith(" "), " " * text.endswith(" "))
+            pieces.append(f"{before}${text.strip()}${after}")
+    return "".join(pieces).strip()

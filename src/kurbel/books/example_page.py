@@ -10,8 +10,7 @@ from functools import cached_property
 from itertools import product
 from math import prod
 
-from kurbel.books.examples.source import Example, Part, example
-from kurbel.books.examples.working import WORDS, Entry, Working, exact_text
+from kurbel.books.example import WORDS, Entry, Example, Part, Working, exact_text, example
 from kurbel.books.printed_value import Printed
 from kurbel.books.quantities import engine_turn
 from kurbel.drive.crank import Crank, check_angles

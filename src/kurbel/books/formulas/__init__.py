@@ -1,1 +1,0 @@
-"""Printed formulas of the books: each against the one that it follows from, by proof or counter-example."""
