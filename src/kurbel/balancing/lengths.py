@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import flint
 
 from kurbel.balancing.arrangement import Residual
-from kurbel.drive.crank import known
+from kurbel.drive.at import known
 from kurbel.exact.certify import NEVER_TIES, at_bits, rounded
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Number

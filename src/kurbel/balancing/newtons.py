@@ -12,7 +12,8 @@ from fractions import Fraction
 
 from kurbel.balancing.arrangement import Arrangement
 from kurbel.balancing.vector import pin_acceleration
-from kurbel.drive.crank import Crank, known
+from kurbel.drive.at import known
+from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, figure
 from kurbel.exact.real import Real

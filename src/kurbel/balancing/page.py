@@ -30,7 +30,8 @@ from kurbel.balancing.harmonics_page import (
 from kurbel.balancing.lengths import LENGTHS, certified_length
 from kurbel.balancing.newtons import IN_NEWTONS, Weighed
 from kurbel.balancing.words import ENGINES, UNITS, WORDS
-from kurbel.drive.crank import Crank, known
+from kurbel.drive.at import known
+from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, exact_text
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis, angle_text

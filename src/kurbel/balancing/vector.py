@@ -14,7 +14,8 @@ from typing import Any, TypeAlias
 
 import flint
 
-from kurbel.drive.crank import Crank, known
+from kurbel.drive.at import known
+from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact import certify
 from kurbel.exact.certify import at_bits

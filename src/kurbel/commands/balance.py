@@ -23,7 +23,8 @@ from kurbel.commands.parts.drive import Linked, OnMachine, Speed
 from kurbel.commands.parts.masses import Masses, MovingRod
 from kurbel.commands.parts.sheet import Layouts, Plain, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
-from kurbel.drive.crank import Crank, Described, known
+from kurbel.drive.at import known
+from kurbel.drive.crank import Crank, Described
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import mechanism
 from kurbel.page.layouts import Layout

@@ -10,7 +10,7 @@ from typing import Any, cast
 
 from kurbel.conditions.captions import WORDS as SOLVED
 from kurbel.conditions.loaded import ASKED, Loaded, measured
-from kurbel.drive.crank_forces import CRANK_FORCES
+from kurbel.drive.at import CRANK_FORCES
 from kurbel.engine import captions as engine_captions
 from kurbel.engine.axes import LoadAxis
 from kurbel.engine.quantities import engine_registry

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from flint import arb
 
-from kurbel.drive.crank_forces import CRANK_FORCES, CrankForce
+from kurbel.drive.at import CRANK_FORCES, CrankForce
 from kurbel.engine.cylinder import Cylinder
 from kurbel.engine.segments import (
     At,

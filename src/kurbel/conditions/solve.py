@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
+from kurbel.drive.at import turn_time, turned
 from kurbel.drive.crank import Crank
-from kurbel.drive.spin import turn_time, turned
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import NEVER_TIES, ball, ball_circle, pi, rounded
 from kurbel.exact.course import Course, Target, closed_forms, form_text

@@ -1,25 +1,187 @@
-"""A place of any crank drive, on any kind of number, and what acts on the piston there.
+"""A place of any crank drive, on any kind of number: how the crank turns, what acts there, and its forces.
+
+They are of a crank angle, in the frame of its stroke; kernel/forces.py and kernel/rod.py say the signs.
 
 Friction has the direction of the stroke that the piston is in; at a dead centre, of that which begins there.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from operator import attrgetter, methodcaller
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
-from kurbel.drive.crank import Crank, known
-from kurbel.drive.crank_forces import NOTHING, Weights
-from kurbel.drive.moved import framed
-from kurbel.drive.spin import gain
+from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls
 from kurbel.kernel import forces, kinematics
 from kurbel.kernel.circle import Circle
+from kurbel.kernel.forces import Weight, on_return
 from kurbel.kernel.forces import net_torque as pin_torque
-from kurbel.kernel.moving import Accelerations, Masses
+from kurbel.kernel.moving import Accelerations, Masses, with_crank
 from kurbel.kernel.rod import Loaded
+from kurbel.reading.given import as_angular_acceleration
+from kurbel.reading.units import Speed
+
+if TYPE_CHECKING:
+    from kurbel.drive.crank import Crank
+
+
+Part = TypeVar("Part")
+
+
+def known(part: Part | None) -> Part:
+    """Return what must be known of a crank where it is asked for."""
+    assert part is not None
+    return part
+
+
+def framed(weight: Weight[Any] | None, stroke: int) -> Weight[Any] | None:
+    """Return weights in the frame of the stroke."""
+    return on_return(weight) if stroke and weight is not None else weight
+
+
+# The angles within ±90° of a rational number of degrees that have a rational sine (Niven).
+_RATIONAL = {Fraction(0): Fraction(0), Fraction(1, 2): Fraction(30), Fraction(-1, 2): Fraction(-30)}
+
+
+def angular_velocity(crank: Crank, numbers: Kind) -> Any:
+    """Return ω in rad/s."""
+    speed = known(crank.speed)
+    omega = numbers.of(2 * speed.value if speed.turns else speed.value)
+    return omega * numbers.pi if speed.turns else omega
+
+
+def angular_square(crank: Crank, numbers: Kind) -> Any:
+    """Return ω² in 1/s²."""
+    omega = angular_velocity(crank, numbers)
+    return omega * omega
+
+
+def gain(crank: Crank, numbers: Kind) -> Any:
+    """Return α/ω²: so much of a velocity adds to an acceleration, in units of the even crank's."""
+    return numbers.of(crank.acceleration) / angular_square(crank, numbers)
+
+
+def begun(crank: Crank, stroke: int) -> Fraction | None:
+    """Return the dead centre where a stroke begins as `Crank.dead_angle` does, exactly; None if it is
+    irrational."""
+    sine = kinematics.dead_centre_sine(stroke * crank.ratio, stroke * crank.offset)
+    return _RATIONAL.get(sine)
+
+
+def turned(crank: Crank, stroke: int, degrees: Any, numbers: Kind) -> Any:
+    """Return by how much of a turn the crank, at φ of the stroke in degrees, is beyond where that begins."""
+    exact = begun(crank, stroke)
+    first = crank.dead_angle(stroke, numbers) if exact is None else numbers.of(exact)
+    return (degrees - first) / 360
+
+
+def turn_time(crank: Crank, numbers: Kind) -> Any:
+    """Return the time of an even turn in seconds."""
+    speed = known(crank.speed)
+    time = numbers.of((1 if speed.turns else 2) / speed.value)
+    return time if speed.turns else time * numbers.pi
+
+
+def acceleration_of(given: object, speed: Speed | None) -> Fraction:
+    """Return α in rad/s². Raises ProblemError without a speed."""
+    if speed is None:
+        raise ProblemError(
+            "--acceleration is that of the crank at the speed it has; add that, for example --speed 120/min"
+        )
+    return as_angular_acceleration(given, "acceleration")
+
+
+class Weights(NamedTuple):
+    """The moving masses of a cylinder in units of Q/(R ω²), in a kind of number.
+
+    `masses` are those of rod and reciprocating parts together, `rotating` the crank's own at its pin.
+    What they weigh, in Q and in the frame of the outstroke, is None where that does not count.
+    """
+
+    masses: Masses[Any]
+    reciprocating: Any
+    rotating: Any
+    weight: Weight[Any] | None = None
+
+    @property
+    def still(self) -> Weights | None:
+        """The same without inertia, None if nothing is left."""
+        if self.weight is None:
+            return None
+        nothing = 0 * self.masses.pin
+        return Weights(Masses(nothing, nothing, nothing, nothing), nothing, nothing, self.weight)
+
+    @property
+    def on_shaft(self) -> Masses[Any]:
+        """The masses of which the force at the pin is that of the main bearing."""
+        return with_crank(self.masses, self.rotating)
+
+
+NOTHING = Weights(Masses(0, 0, 0, 0), 0, 0)
+
+
+class CrankForce(NamedTuple):
+    """A force of the crank drive: `bare` without masses, in the piston force, of circle, ratio and e/R or
+    None; `on` the drive with its masses under a piston force, those `on_shaft` if it is the main bearing's.
+
+    `framed` forces have a direction in the frame of the outstroke: away from its dead centre and towards the
+    side of the crank pin. On the return stroke that is the other way round than along the stroke. Of a
+    `magnitude` the direction is not said.
+    """
+
+    bare: Callable[[Any, Any, Any], Any]
+    on: Callable[[Any], Any]
+    framed: bool = False
+    magnitude: bool = False
+    on_shaft: bool = False
+
+    def loaded(self, circle: Any, ratio: Any, weights: Weights, offset: Any, net: Any) -> Any:
+        """Return the force in a straight or offset crank drive with these masses."""
+        if self.on_shaft:
+            return self.on(Loaded(circle, ratio, weights.on_shaft, offset, net))
+        return self.on(Loaded(circle, ratio, weights.masses, offset, net, weights.reciprocating))
+
+
+def _unit(circle: Any, ratio: Any, offset: Any) -> Any:
+    return 1
+
+
+def _none(circle: Any, ratio: Any, offset: Any) -> Any:
+    return 0
+
+
+def _across(drive: Loaded) -> Any:
+    return -1 * drive.pin_force_across()
+
+
+# Other drives know the same forces by these names.
+_THRUST, _ROD, _GUIDE = attrgetter("piston_force"), methodcaller("rod_force"), methodcaller("guide_force")
+_PIN, _CROSSHEAD = methodcaller("pin_force"), methodcaller("crosshead_pin_force")
+_TORQUE, _RADIAL = methodcaller("torque"), methodcaller("radial_force")
+_ALONG, _CROSSHEAD_LOAD = methodcaller("pin_force_along"), methodcaller("thrust")
+_PIN_ROD, _INERTIA = methodcaller("pin_rod_force"), methodcaller("inertia_force")
+CRANK_FORCES: Mapping[str, CrankForce] = {
+    "piston_force": CrankForce(_unit, _THRUST, framed=True),
+    "inertia_force": CrankForce(_none, _INERTIA, framed=True),
+    "crosshead_load": CrankForce(_unit, _CROSSHEAD_LOAD, framed=True),
+    "rod_force": CrankForce(forces.rod_force, _ROD, framed=True),
+    "pin_rod_force": CrankForce(forces.rod_force, _PIN_ROD, framed=True),
+    "guide_force": CrankForce(forces.guide_force, _GUIDE, framed=True),
+    "crosshead_pin_force": CrankForce(forces.rod_force, _CROSSHEAD, magnitude=True),
+    "crank_pin_force": CrankForce(forces.rod_force, _PIN, magnitude=True),
+    "tangential_force": CrankForce(forces.tangential_force, _TORQUE),
+    "radial_force": CrankForce(forces.radial_force, _RADIAL),
+    "bearing_along": CrankForce(_unit, _ALONG, framed=True, on_shaft=True),
+    "bearing_across": CrankForce(forces.guide_force, _across, framed=True, on_shaft=True),
+    "bearing_force": CrankForce(forces.rod_force, _PIN, magnitude=True, on_shaft=True),
+    "weight_force": CrankForce(_none, methodcaller("weight_force"), framed=True),
+    "friction_force": CrankForce(_none, methodcaller("friction_force"), framed=True),
+}
+
 
 FIRST_BITS = 64
 RETURN = -1

@@ -6,33 +6,23 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import asin, degrees
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
+from kurbel.drive.at import At, acceleration_of, known
+from kurbel.drive.effort import Effort
 from kurbel.drive.load import PistonForce, read_force
+from kurbel.drive.moved import Moved, moved
+from kurbel.drive.rod import Moving, Rod
 from kurbel.errors import NotationError, ProblemError
+from kurbel.exact.kind import Kind
 from kurbel.kernel import kinematics
+from kurbel.reading import units
 from kurbel.reading.given import as_fraction, as_length, as_number, as_ratios, as_share, as_speed
 from kurbel.reading.notation import Progression, about, ratio_text
-
-if TYPE_CHECKING:
-    from kurbel.drive.at import At
-    from kurbel.drive.effort import Effort
-    from kurbel.drive.moved import Moved
-    from kurbel.drive.rod import Moving, Rod
-    from kurbel.exact.kind import Kind
-    from kurbel.reading.units import Speed
+from kurbel.reading.units import Speed
 
 LONGEST_ROD = 10**9
 LARGEST_ANGLE = 10**6
-
-
-Part = TypeVar("Part")
-
-
-def known(part: Part | None) -> Part:
-    """Return what must be known of a crank where it is asked for."""
-    assert part is not None
-    return part
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,16 +55,12 @@ class Crank:
 
     def at(self, stroke: int, circle: Any, numbers: Kind, method: str, of: str | None = None) -> At:
         """Return a place of the drive, as other drives do."""
-        from kurbel.drive.at import At
-
         ratio = numbers.of(stroke * (Fraction(0) if method == "infinite" else self.ratio))
         offset = numbers.of(stroke * self.offset) if self.offset else None
         return At(circle, self, numbers, stroke, ratio, offset, method == "series")
 
     def moved(self, kind: Kind, method: str) -> Moved:
         """Return the drive as a turn of an engine asks it, by a method, on a kind of number."""
-        from kurbel.drive.moved import moved
-
         return moved(self, kind, method)
 
     @property
@@ -295,8 +281,6 @@ class Described(NamedTuple):
         turns = None if self.speed is None else as_speed(self.speed)
         gain = Fraction(0)
         if self.acceleration is not None:
-            from kurbel.drive.spin import acceleration_of
-
             gain = acceleration_of(self.acceleration, turns)
         return tuple(
             Crank(value, self._offset(size), size, turns, self.force, acceleration=gain)
@@ -311,8 +295,6 @@ class Described(NamedTuple):
             return Fraction(0)
         if not isinstance(value, str):
             return as_fraction(value)
-        from kurbel.reading import units
-
         share = value.strip().removesuffix("R")
         if not units.is_measure(share):
             return as_share(share, "offset")
@@ -329,8 +311,6 @@ def radii(value: object, what: str, radius: Fraction | None) -> Fraction:
     """Return a length of a drive in units of R, which is so many metres if it is known: 6, 6R, 900mm."""
     if not isinstance(value, str):
         return as_fraction(value)
-    from kurbel.reading import units
-
     share = value.strip().removesuffix("R")
     if not units.is_measure(share):
         return as_number(share, what)

@@ -5,17 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
+from typing import Any, ClassVar, NamedTuple, Protocol
 
 from kurbel.errors import ProblemError
+from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.exact.numerals import figure as figure
+from kurbel.kernel.turning import Stroke
+from kurbel.reading.amounts import amount
 from kurbel.reading.given import as_force, found_at
 from kurbel.reading.notation import about
-
-if TYPE_CHECKING:
-    from kurbel.exact.kind import Kind
-    from kurbel.kernel.turning import Stroke
 
 LARGEST_FORCE = 10**12
 FORCE, MASSES, STEAM, CARD = "force", "masses", "steam", "card"
@@ -85,8 +84,6 @@ class PistonForce:
 
     def note(self, lang: str) -> Label:
         """Return the line that pages have below their tables."""
-        from kurbel.reading.amounts import amount
-
         return f"$F = {amount(self.first, 'N')}$"
 
 

@@ -9,7 +9,9 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, Any, Protocol
 
+from kurbel.drive.at import CrankForce, Weights, framed
 from kurbel.errors import ProblemError
+from kurbel.exact.kind import Kind
 from kurbel.kernel import kinematics, moving, rod, turning
 from kurbel.kernel.circle import Circle, Number, root
 from kurbel.kernel.forces import Weight, on_return, tangential_force, torque_slope, work
@@ -18,8 +20,6 @@ from kurbel.kernel.rod import Loaded
 
 if TYPE_CHECKING:
     from kurbel.drive.crank import Crank
-    from kurbel.drive.crank_forces import CrankForce, Weights
-    from kurbel.exact.kind import Kind
 
 MOTIONS = {"exact": turning.EXACT, "series": turning.FIRST_ORDER, "weisbach": turning.FIRST_ORDER}
 
@@ -216,11 +216,6 @@ class Slide(Moved):
             return None
         versine = self.motion.versine_at(2 * share, *self.numbers[stroke])
         return self.kind.arc(root(versine / 2)) / 90
-
-
-def framed(weight: Weight[Any] | None, stroke: int) -> Weight[Any] | None:
-    """Return weights in the frame of the stroke."""
-    return on_return(weight) if stroke and weight is not None else weight
 
 
 def moved(crank: Crank, kind: Kind, method: str) -> Moved:

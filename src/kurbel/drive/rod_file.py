@@ -27,8 +27,17 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from kurbel.drive.rod import CROSSHEAD, Rod, Section, Swing, check_centre, check_section, rod_of_sections
-from kurbel.drive.slope import GREATEST_GRAVITY, STANDARD_GRAVITY
+from kurbel.drive.rod import (
+    CROSSHEAD,
+    GREATEST_GRAVITY,
+    STANDARD_GRAVITY,
+    Rod,
+    Section,
+    Swing,
+    check_centre,
+    check_section,
+    rod_of_sections,
+)
 from kurbel.errors import NotationError, ProblemError, RodError
 from kurbel.reading.csv_file import (
     Column,
@@ -43,6 +52,7 @@ from kurbel.reading.csv_file import (
     shown,
 )
 from kurbel.reading.notation import about, number
+from kurbel.reading.units import unit_in
 
 KIND = Kind("rod", "section", RodError)
 
@@ -121,8 +131,6 @@ def _mass_unit(unit: str) -> Fraction:
 
 
 def _factor(unit: str, what: str, base: str, dimension: str, examples: str) -> Fraction:
-    from kurbel.reading.units import unit_in
-
     factor = unit_in(unit, base, f"[{dimension}]") if _UNIT.fullmatch(unit) else None
     if factor is None:
         raise NotationError(

@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import about, exact_text
+from kurbel.reading import units
 from kurbel.reading.given import as_length, as_ratios, as_share
 from kurbel.reading.notation import number
 from kurbel.reading.units import split
@@ -193,8 +194,6 @@ def _tangent(degrees: Fraction) -> Fraction:
 def _offset(given: object) -> Offset:
     if given is None:
         return Offset(None)
-    from kurbel.reading import units
-
     text = str(given).strip().removesuffix("R")
     if isinstance(given, str) and units.is_measure(text):
         return Offset(units.displacement(given, "offset"))

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from kurbel.errors import ProblemError
 from kurbel.reading.notation import about
-
-if TYPE_CHECKING:
-    from kurbel.reading.units import Speed
+from kurbel.reading.units import Speed
 
 # No engine is beyond these, and figures beyond them do not fit a page.
 LEAST, MOST = Fraction(1, 10**9), Fraction(10**12)

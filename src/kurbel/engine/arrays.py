@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from kurbel.drive.at import CrankForce
 from kurbel.drive.crank import Crank
-from kurbel.drive.crank_forces import CrankForce
 from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, Standing
 from kurbel.engine.engine import Steam
 from kurbel.engine.irregularity import enclosed_delta

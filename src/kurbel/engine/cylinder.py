@@ -14,7 +14,7 @@ from functools import lru_cache, reduce
 from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.drive.crank_forces import CrankForce, Weights
+from kurbel.drive.at import CrankForce, Weights
 from kurbel.drive.moved import Moved
 from kurbel.exact.certify import FLOAT_BITS, at_bits
 from kurbel.exact.kind import Kind

@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import ceil, floor, log10
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.drive.crank_forces import CRANK_FORCES
+from kurbel.drive.at import CRANK_FORCES
 from kurbel.engine.quantities import AT_ANGLE, EXTREMES, Where, engine_registry, value
 from kurbel.errors import CardError
 from kurbel.exact.certify import TieBits, at_bits, rounded

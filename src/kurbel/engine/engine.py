@@ -8,8 +8,8 @@ from fractions import Fraction
 from math import floor
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from kurbel.drive.at import Weights
 from kurbel.drive.crank import Crank
-from kurbel.drive.crank_forces import Weights
 from kurbel.drive.load import STEAM
 from kurbel.drive.load import Load as Acting
 from kurbel.drive.moved import Drive

@@ -16,7 +16,8 @@ from functools import cache, cached_property
 from math import floor, log10
 from typing import Any, NamedTuple
 
-from kurbel.drive.crank import Crank, check_angles, known
+from kurbel.drive.at import known
+from kurbel.drive.crank import Crank, check_angles
 from kurbel.drive.load import figure
 from kurbel.drive.moved import Drive, Moved
 from kurbel.engine.axes import engine_lines, load_text

@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple
 
-from kurbel.drive.crank_forces import CRANK_FORCES
+from kurbel.drive.at import CRANK_FORCES
 from kurbel.drive.wheel import Flywheel
 from kurbel.engine import flywheel
 from kurbel.engine.cylinder import AnyTurn

@@ -13,8 +13,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from kurbel.drive.at import At
-from kurbel.drive.crank import known
+from kurbel.drive.at import At, known
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals

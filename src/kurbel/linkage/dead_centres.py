@@ -8,9 +8,9 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple
 
+from kurbel.drive.at import turn_time
 from kurbel.drive.crank import Crank, Described
 from kurbel.drive.load import figure
-from kurbel.drive.spin import turn_time
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number

@@ -9,8 +9,8 @@ from importlib import import_module
 from math import inf, lcm
 from typing import TYPE_CHECKING, Any
 
-from kurbel.drive.crank import Crank, known, largest
-from kurbel.drive.spin import gain
+from kurbel.drive.at import gain, known
+from kurbel.drive.crank import Crank, largest
 from kurbel.exact.kind import floats
 from kurbel.motion.evaluation import LOADED, MOST_DECIMALS, columns_in_balls, fits_page, value
 from kurbel.page.quantity import Column

@@ -7,7 +7,8 @@ from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol
 
-from kurbel.drive.crank import Crank, known
+from kurbel.drive.at import known
+from kurbel.drive.crank import Crank
 from kurbel.drive.load import figure
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, number_text

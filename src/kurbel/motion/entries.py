@@ -8,8 +8,7 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from kurbel.drive import spin
-from kurbel.drive.at import At
+from kurbel.drive.at import At, angular_square, angular_velocity, turn_time, turned
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.kernel import kinematics
@@ -227,11 +226,11 @@ def _rod_entries() -> Iterator[Quantity]:
     for key, name, letter, unit, formulas, scale in (
         (
             "rod_velocity", "Winkelgeschwindigkeit der Stange|Angular velocity of the rod", "ω_L", "ω",
-            ROD_VELOCITY, spin.angular_velocity,
+            ROD_VELOCITY, angular_velocity,
         ),
         (
             "rod_acceleration", "Winkelbeschleunigung der Stange|Angular acceleration of the rod", "ε_L",
-            "ω²", ROD_ACCELERATION, spin.angular_square,
+            "ω²", ROD_ACCELERATION, angular_square,
         ),
     ):  # fmt: skip
         symbol, power, radians = f"${letter}$", "2" * unit.endswith("²"), unit.replace("ω", "rad/s")
@@ -247,13 +246,13 @@ def _clock_entries() -> Iterator[Quantity]:
     """Yield the time of an evenly turning crank since the dead centre where the stroke begins."""
 
     def since(at: At) -> Any:
-        return spin.turned(at.crank, at.stroke, at.degrees, at.numbers)
+        return turned(at.crank, at.stroke, at.degrees, at.numbers)
 
     methods = ("exact", "series", *REACH, "infinite")
     formulas = dict.fromkeys(methods, Formula(since, "$t = {angle}/ω$"))
     yield spanned(
         "time", "Zeit seit dem Totpunkt|Time since the dead centre", "$t$", "$t$ in s", "s", 5,
-        {**formulas, OFFSET: Formula(since, "$t = ({angle} - φ_i)/ω$")}, scale=spin.turn_time, needs="time",
+        {**formulas, OFFSET: Formula(since, "$t = ({angle} - φ_i)/ω$")}, scale=turn_time, needs="time",
     )  # fmt: skip
 
 

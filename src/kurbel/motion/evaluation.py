@@ -12,8 +12,8 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from kurbel.drive.at import At, way_at
-from kurbel.drive.crank import Crank, known
+from kurbel.drive.at import At, known, way_at
+from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.page.quantity import Column, Quantity, Words, words
@@ -133,7 +133,7 @@ def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
     cos 36° - cos 72° = 1/2, which would need λ = 1 (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7).
     """
     if quantity.needs == "time":
-        from kurbel.drive.spin import begun
+        from kurbel.drive.at import begun
 
         return not known(crank.speed).turns or begun(crank, quantity.stroke) is None
     if quantity.in_degrees or quantity.scale is Crank.pin_to_mean:

@@ -8,8 +8,8 @@ from functools import cache
 from operator import methodcaller
 from typing import Any, NamedTuple
 
-from kurbel.drive.at import At
-from kurbel.drive.crank import Crank, known
+from kurbel.drive.at import At, known
+from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel.moving import Masses

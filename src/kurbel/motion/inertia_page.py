@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
 
-from kurbel.drive.crank import known
+from kurbel.drive.at import known
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, nearest, number_text
 from kurbel.kernel.moving import Masses

@@ -15,7 +15,7 @@ from kurbel.motion.evaluation import LOADED, OFFSET, TANGENT
 from kurbel.page.quantity import Formula, Quantity, words
 
 if TYPE_CHECKING:
-    from kurbel.drive.crank_forces import CrankForce
+    from kurbel.drive.at import CrankForce
 
 
 @cache
@@ -168,7 +168,7 @@ def torque_entries(shares: Formulas, newton: Formulas, **rest: Any) -> Iterator[
 
 def _crank_force(key: str) -> CrankForce:
     # A table of the motion needs none.
-    from kurbel.drive.crank_forces import CRANK_FORCES
+    from kurbel.drive.at import CRANK_FORCES
 
     return CRANK_FORCES[key]
 

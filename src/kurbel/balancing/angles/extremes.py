@@ -18,7 +18,8 @@ from kurbel.balancing.lengths import LENGTHS, certified_length
 from kurbel.balancing.newtons import IN_NEWTONS
 from kurbel.balancing.page import NEEDS, RESIDUALS, SUBJECT, BalanceRequest, balance_notes, balance_registry
 from kurbel.balancing.vector import Vector
-from kurbel.drive.crank import Crank, known
+from kurbel.drive.at import known
+from kurbel.drive.crank import Crank
 from kurbel.exact.certify import NEVER_TIES, rounded
 from kurbel.exact.kind import balls
 from kurbel.exact.numerals import Label, Number

@@ -22,7 +22,8 @@ from kurbel.balancing.page import (
     balance_notes,
 )
 from kurbel.balancing.vector import Vector
-from kurbel.drive.crank import Crank, known
+from kurbel.drive.at import known
+from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.exact.real import EXACT_ZERO, Real

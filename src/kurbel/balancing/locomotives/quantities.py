@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from kurbel.balancing.locomotives.locomotive import Locomotive, Run
 from kurbel.balancing.vector import Vector
-from kurbel.drive.crank import known
+from kurbel.drive.at import known
 from kurbel.exact.numerals import Label
 from kurbel.exact.real import PI, Real
 from kurbel.page.quantity import Formula, Quantity, entry

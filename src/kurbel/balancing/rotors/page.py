@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from kurbel.balancing.rotors.rotor import Line, Placed, Places, Rotor, lines
 from kurbel.balancing.rotors.unknown import solved
 from kurbel.balancing.vector import Vector, omega
-from kurbel.drive.crank import known
+from kurbel.drive.at import known
 from kurbel.exact.numerals import Label, Number, given
 from kurbel.exact.real import Real
 from kurbel.motion.captions import turns_label

@@ -12,7 +12,8 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from kurbel.balancing.vector import Vector
-from kurbel.drive.crank import LARGEST_ANGLE, known
+from kurbel.drive.at import known
+from kurbel.drive.crank import LARGEST_ANGLE
 from kurbel.errors import ProblemError
 from kurbel.exact.real import Real
 from kurbel.reading.notation import about

@@ -13,7 +13,7 @@ from typing import Any
 
 from kurbel.balancing.rotors.rotor import Mass, Placed, force, moment
 from kurbel.balancing.vector import Vector
-from kurbel.drive.crank import known
+from kurbel.drive.at import known
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits
 from kurbel.exact.kind import Kind, balls

@@ -23,8 +23,7 @@ from kurbel.reading.given import (
 )
 
 if TYPE_CHECKING:
-    from kurbel.drive.rod import Rod
-    from kurbel.drive.slope import Slope
+    from kurbel.drive.rod import Rod, Slope
 
 _UNKNOWN = "that of the rod is not known; add --stroke and one --ratio, or give a share of the rod's length"
 OF_ROD = ("rod_mass", "centre", "gyration", "pendulum", "pendulum_from", "rod_file")
@@ -88,7 +87,7 @@ class MovingRod(Part):
 
 def _slope(value: object, what: str) -> Fraction:
     """Return the angle of a slope. Raises KurbelError."""
-    from kurbel.drive.slope import VERTICAL
+    from kurbel.drive.rod import VERTICAL
 
     is_word = isinstance(value, str) and value.strip().lower() == "vertical"
     return VERTICAL if is_word else as_angle(value, what)
@@ -123,7 +122,7 @@ class Weight(Part):
         angle = self.slope
         if angle is None:
             return None
-        from kurbel.drive.slope import STANDARD_GRAVITY, Slope
+        from kurbel.drive.rod import STANDARD_GRAVITY, Slope
 
         gravity = self.gravity
         found = Slope(angle, STANDARD_GRAVITY if gravity is None else gravity)
@@ -233,7 +232,7 @@ class Masses(MovingRod, Weight):
         speed = self.as_part(Speed).speed
         heavy = [replace(crank, speed=speed, moving=moving) for crank in cranks]
         if self.says("acceleration") and not even:
-            from kurbel.drive.spin import acceleration_of
+            from kurbel.drive.at import acceleration_of
 
             gain = acceleration_of(self.raw("acceleration"), speed)
             heavy = [replace(crank, acceleration=gain) for crank in heavy]

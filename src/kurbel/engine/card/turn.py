@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq
 
-from kurbel.drive.crank_forces import CrankForce
+from kurbel.drive.at import CrankForce
 from kurbel.engine.arrays import ZERO_TOLERANCE, FloatTurn
 from kurbel.engine.assembly import Assembly
 from kurbel.engine.card.card import Diagram

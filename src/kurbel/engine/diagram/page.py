@@ -13,7 +13,8 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
 
-from kurbel.drive.crank import check_angles, known
+from kurbel.drive.at import known
+from kurbel.drive.crank import check_angles
 from kurbel.drive.load import figure
 from kurbel.engine.diagram.areas import Areas
 from kurbel.engine.diagram.excess import Excess, acceleration_line

@@ -18,7 +18,7 @@ import flint
 from kurbel.balancing.arrangement import Residual
 from kurbel.balancing.harmonics_page import EXACT_ZERO
 from kurbel.balancing.lengths import LENGTHS, certified_length
-from kurbel.drive.crank import known
+from kurbel.drive.at import known
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.digits import CLEAN, FLOAT_ERROR, Estimate, certified, supported
 from kurbel.engine.harmonics.fourier import NOTHING_BITS, PARTS, Floats, Spectrum, Wave, star_of

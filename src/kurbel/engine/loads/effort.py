@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.drive.crank import known
+from kurbel.drive.at import known
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Number

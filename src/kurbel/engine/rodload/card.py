@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq, minimize_scalar
 
-from kurbel.drive.crank_forces import CrankForce
+from kurbel.drive.at import CrankForce
 from kurbel.engine.arrays import ZERO_TOLERANCE
 from kurbel.engine.card.turn import NOTHING, SAMPLES, CardTurn
 from kurbel.engine.rodload.load import SIGNS, AnyRodLoad, Span

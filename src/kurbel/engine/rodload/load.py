@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 from flint import arb
 
-from kurbel.drive.crank_forces import CrankForce
+from kurbel.drive.at import CrankForce
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.quantities import ENGINE_METHODS, engine_registry
 from kurbel.engine.segments import (

@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
-from kurbel.drive.crank_forces import CRANK_FORCES
+from kurbel.drive.at import CRANK_FORCES
 from kurbel.engine import captions
 from kurbel.engine.axes import LoadAxis
 from kurbel.engine.cylinder import AnyTurn

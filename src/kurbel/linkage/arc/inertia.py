@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from kurbel.drive.at import At
-from kurbel.drive.crank import known
+from kurbel.drive.at import At, known
 from kurbel.exact.numerals import Label
 from kurbel.kernel.parts import Parted, parted_rocker
 from kurbel.kernel.rocker import LoadedRocker

@@ -6,8 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from typing import Any
 
-from kurbel.drive import spin
-from kurbel.drive.at import At
+from kurbel.drive.at import At, angular_square, angular_velocity
 from kurbel.drive.crank import Crank
 from kurbel.kernel import linkage
 from kurbel.linkage.arc.rocker import STROKE
@@ -138,7 +137,7 @@ def _arc_entries() -> Iterator[Quantity]:
             f"{key}_acceleration", gain, f"ε_{letter}", "ω²", acceleration,
             names=(f"{key}_acceleration",), direction=said,
         )  # fmt: skip
-        turning, twice = spin.angular_velocity, spin.angular_square
+        turning, twice = angular_velocity, angular_square
         yield _sized(
             f"{key}_velocity_radps", speed, f"ω_{letter}", "rad/s", velocity, turning, direction=said
         )

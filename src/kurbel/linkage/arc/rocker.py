@@ -16,8 +16,8 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any, ClassVar, TypeAlias
 
-from kurbel.drive.at import At
-from kurbel.drive.crank import Crank, known
+from kurbel.drive.at import At, known
+from kurbel.drive.crank import Crank
 from kurbel.drive.moved import Moved
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind

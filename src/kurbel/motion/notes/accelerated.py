@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from kurbel.drive.at import gain
 from kurbel.drive.load import figure
-from kurbel.drive.spin import gain
 from kurbel.exact.numerals import Label
 from kurbel.motion.captions import digits_text, signed, strokes_of
 from kurbel.motion.evaluation import DIFFERENCE, LOADED

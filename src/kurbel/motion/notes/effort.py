@@ -7,15 +7,14 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from kurbel.drive.load import figure
-from kurbel.drive.slope import STANDARD_GRAVITY
+from kurbel.drive.rod import STANDARD_GRAVITY
 from kurbel.exact.numerals import Label
 from kurbel.page.quantity import words
 from kurbel.reading.amounts import amount
 
 if TYPE_CHECKING:
     from kurbel.drive.effort import Areas, Effort
-    from kurbel.drive.rod import Moving
-    from kurbel.drive.slope import Slope
+    from kurbel.drive.rod import Moving, Slope
 
 WORDS = {
     "weight": words(

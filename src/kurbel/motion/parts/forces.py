@@ -7,8 +7,8 @@ from fractions import Fraction
 from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.drive.at import At
-from kurbel.drive.crank import Crank, known
+from kurbel.drive.at import At, known
+from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel.rod import Parts

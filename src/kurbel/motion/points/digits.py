@@ -55,7 +55,7 @@ class Moved:
     def _gain(self, kind: Kind) -> Any:
         if not self.crank.acceleration:
             return None
-        from kurbel.drive.spin import gain
+        from kurbel.drive.at import gain
 
         return gain(self.crank, kind)
 
