@@ -324,7 +324,7 @@ class Second:
     def shares(self) -> Sequence[Fraction]:
         """Those of a page over the stroke."""
         given = self.options.get("shares")
-        return as_shares("0..1:0.1" if given is None else given)
+        return as_shares("0..1:0.1" if given is None else given, "share")
 
     @cached_property
     def _listed(self) -> Sequence[Fraction]:

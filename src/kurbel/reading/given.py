@@ -173,7 +173,7 @@ def as_numbers(given: object, what: str) -> tuple[Fraction, ...]:
     return tuple(read_values(given, lambda texts: notation.numbers(texts, what), as_fraction))
 
 
-def as_shares(given: object, what: str = "share") -> tuple[Fraction, ...]:
+def as_shares(given: object, what: str) -> tuple[Fraction, ...]:
     """Read shares, each once."""
     return tuple(read_values(given, lambda texts: notation.shares(texts, what), as_fraction))
 

@@ -339,7 +339,7 @@ def share(text: str, what: str = "share") -> Fraction:
     return number(stripped, what)
 
 
-def shares(texts: Iterable[str], what: str = "share") -> tuple[Fraction, ...]:
+def shares(texts: Iterable[str], what: str) -> tuple[Fraction, ...]:
     """Return the shares of lists and ranges, each once: "2/3", "50%;60%", "0..1:0.1", "0,5"."""
     decimals = (_ZERO_COMMA.sub("0.", text) for text in texts)
     return tuple(dict.fromkeys(each_number(decimals, what, partial(share, what=what))))
