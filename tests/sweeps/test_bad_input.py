@@ -34,6 +34,11 @@ def test_a_condition_leaves_what_it_says(condition: str, epsilon: Sequence[int])
     assert found == epsilon, result.err
 
 
+def test_a_condition_may_name_what_is_the_same_everywhere() -> None:
+    fixed = "--angle=30", "--columns=x", "--only=ratio*angle > 6"
+    assert len(command("sweep", "table", "--ratio=1:3..6", *fixed, "-fcsv", "-o-").records()) == 2
+
+
 def test_a_sweep_has_the_cylinders_of_its_command() -> None:
     page = "--digits=3", "--columns=tangential", "--step=90", "-fcsv"
     sized = "bore=300mm pressure=6bar stroke=400mm"

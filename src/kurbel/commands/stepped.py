@@ -264,7 +264,7 @@ def _along(question: Question, keys: tuple[str, ...], shown: tuple[Shown, ...]) 
         return None
     ((name, axis),) = axes.items()
     layout = question.layout
-    in_rows = name in layout.down and (layout.down[-1] == name or "column" not in layout.down)
+    in_rows = layout.down[-1:] == (name,)
     values = [axis.value({**dict.fromkeys(question.axes, 0), name: place}) for place in range(axis.size)]
     numbers = [one for one in values if isinstance(one, Number)]
     if len(numbers) < len(values):
