@@ -23,6 +23,7 @@ from kurbel.commands.part import Values, flag_of
 from kurbel.commands.parts.drive import Turning
 from kurbel.commands.parts.effort import PINNED, PRESSING, Effort, PinFriction
 from kurbel.commands.recomputed import PAGES, Row, nearest
+from kurbel.commands.related import MODULES, SUMMED
 from kurbel.drive.crank import Described, radii
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.page.layouts import Layout, layout
@@ -37,10 +38,11 @@ from kurbel.reading.given import (
     as_share_or_pressure,
     as_shares,
     as_speed,
+    found_at,
     of_given,
 )
 from kurbel.reading.notation import number, ratio_text
-from kurbel.verify import UNDECIDED, WRONG, Value
+from kurbel.verify import UNDECIDED, WRONG, Value, enclose
 from kurbel.verify.bodies import Force
 from kurbel.verify.loads import disc
 from kurbel.verify.roots import Spot
@@ -185,10 +187,10 @@ class Second:
 
     def __init__(self, command: str, options: Mapping[str, object], key: str) -> None:
         self.command, self.key = command, key
+        self.written = {name: _given(value) for name, value in options.items()}
         known = {one.name: one for one in Asked.options().values() if one.name != "method"}
         self.options = {
-            name: known[name].taken(_given(value)) if name in known else value
-            for name, value in options.items()
+            name: known[name].taken(value) if name in known else value for name, value in self.written.items()
         }
         values = Values({**dict.fromkeys(known), **self.options}, {})
         for part in Asked.parts():
@@ -197,6 +199,7 @@ class Second:
         self.asked = Asked(values)
         self._kept: dict[Any, verify.Bodies] = {}
         self._turns: dict[Any, verify.Turn] = {}
+        self._found: dict[Any, Any] = {}
         self._spots: dict[Any, Spot] = {}
 
     def verdict(self, key: str, column: Head, row: Row) -> tuple[str, str]:
@@ -219,6 +222,11 @@ class Second:
 
     def value(self, key: str, column: Head, row: Row) -> Value:
         """Return the value of a cell. Raises KurbelError for what is not computed a second time."""
+        if (name := self.command) in SUMMED or (name := self.key) in SUMMED:
+            if key not in {one.key for one in self.question.page_columns}:
+                raise ProblemError(f"{key} is no column of such a page")
+            stem, times = in_si(key.removesuffix(f"_{column['method']}"), column["unit"])
+            return SUMMED[name](self, stem, column["method"], row) * times
         if self.command not in PAGES:
             raise ProblemError(f"pages of {self.command} are not computed a second time")
         for name in self.options.keys() - KNOWN:
@@ -226,6 +234,23 @@ class Second:
         own, times = in_own_unit(key.removesuffix(f"_{column['method']}"), column["unit"])
         found = PAGES[self.command](self, own, column["method"], row)
         return found * times
+
+    @property
+    def function(self) -> Any:
+        """The command for Python."""
+        return found_at(f"kurbel.commands.{MODULES.get(self.command, self.command)}:{self.command}")
+
+    @cached_property
+    def question(self) -> Any:
+        """What is asked for, as kurbel reads it."""
+        return self.function.question(**self.written)
+
+    def values(self) -> Values:
+        """The options of the command as they are written."""
+        command = self.function.command
+        found = Values({**command.defaults, **self.written}, {})
+        command.settle(found)
+        return found
 
     def unit(self) -> tuple[Fraction, Fraction | None]:
         """The bore, and the pressure that makes Q of its area, where both are known."""
@@ -277,6 +302,13 @@ class Second:
             self._spots[key] = find()
         return self._spots[key]
 
+    def once(self, row: Row, find: Callable[[], Any]) -> Any:
+        """What is found of a row, once for all its columns with the working bits."""
+        place = tuple(row.get(name) for name in (*LOADED, "ratio", "target")), enclose.Working.bits
+        if place not in self._found:
+            self._found[place] = find()
+        return self._found[place]
+
     def rod(self, drive: verify.Drive, model: str, weighed: bool) -> verify.Bodies:
         """The rod alone, of a mass of 1 or its own; of two masses k² = a b, and by the railways' rule 6/10
         of it are at the crank pin."""
@@ -318,7 +350,8 @@ class Second:
     @cached_property
     def _layout(self) -> Layout:
         """The layout, whose own values count where a row does not say them."""
-        return layout(self.key)
+        # A rim is of an engine whose own page is the flywheel's.
+        return layout("flywheel" if self.key == "flywheel-sizing" else self.key)
 
     @cached_property
     def shares(self) -> Sequence[Fraction]:
@@ -355,7 +388,8 @@ class Second:
             **{
                 name: radii(length, name, radius)
                 for name in ("beam", "rocker")
-                if (length := raw(name)) is not None
+                # Of a list of beams the row has its arm.
+                if (length := raw(name)) is not None and "arm" not in row
             },
         )
 
@@ -436,6 +470,16 @@ def in_own_unit(key: str, symbol: str) -> tuple[str, Fraction]:
         return key.removesuffix(f"_{unit.ending}"), 1 / unit.size
     size = next(one.size for one in UNITS.values() if one.ending == own)
     return f"{key.removesuffix(unit.ending)}{own}", size / unit.size
+
+
+def in_si(key: str, symbol: str) -> tuple[str, Fraction]:
+    """Return a key without its unit, and how many of the printed unit one of the SI is, of turns a second."""
+    unit = UNITS.get(symbol)
+    if unit is None:
+        return key, Fraction(60 if symbol.startswith("min") else 1)
+    kept = {"force": "_n", "torque": "_nm"}.get(unit.dimension, "")
+    stem = key.removesuffix(f"_{unit.ending}")
+    return stem if stem == key else f"{stem}{kept}", 1 / unit.size
 
 
 def _of_rod(value: object, rod: Fraction | None) -> Fraction | None:

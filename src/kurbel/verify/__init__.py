@@ -22,23 +22,6 @@ from kurbel.verify.turn import Turn, turn
 from kurbel.verify.value import CONFIRMED, UNDECIDED, WRONG, Value, confirms, digits
 
 __all__ = [
-    "CONFIRMED",
-    "UNDECIDED",
-    "WRONG",
-    "Bodies",
-    "Drive",
-    "Load",
-    "Number",
-    "Turn",
-    "Undecided",
-    "Value",
-    "bodies",
-    "compressor",
-    "confirms",
-    "digits",
-    "drive",
-    "gas",
-    "pump",
-    "steam",
-    "turn",
-]
+    "CONFIRMED", "UNDECIDED", "WRONG", "Bodies", "Drive", "Load", "Number", "Turn", "Undecided", "Value",
+    "bodies", "compressor", "confirms", "digits", "drive", "gas", "pump", "steam", "turn",
+]  # fmt: skip

@@ -13,23 +13,7 @@ from contextlib import contextmanager
 from fractions import Fraction
 from typing import Any
 
-from mpmath.libmp import (
-    from_int,
-    from_man_exp,
-    from_rational,
-    fzero,
-    mpf_neg,
-    mpi_abs,
-    mpi_add,
-    mpi_div,
-    mpi_mid,
-    mpi_mul,
-    mpi_neg,
-    mpi_sqrt,
-    mpi_sub,
-    round_ceiling,
-    round_floor,
-)
+from mpmath import libmp
 
 # mpmath's float, a tuple; mpmath has no types.
 End = Any
@@ -71,34 +55,34 @@ class Interval:
         self.ends = a, b
 
     def __add__(self, other: Interval | int) -> Interval:
-        return Interval(*mpi_add(self.ends, _ends(other), Working.bits))
+        return Interval(*libmp.mpi_add(self.ends, _ends(other), Working.bits))
 
     def __sub__(self, other: Interval | int) -> Interval:
-        return Interval(*mpi_sub(self.ends, _ends(other), Working.bits))
+        return Interval(*libmp.mpi_sub(self.ends, _ends(other), Working.bits))
 
     def __rsub__(self, other: int) -> Interval:
-        return Interval(*mpi_sub(_ends(other), self.ends, Working.bits))
+        return Interval(*libmp.mpi_sub(_ends(other), self.ends, Working.bits))
 
     def __mul__(self, other: Interval | int) -> Interval:
-        return Interval(*mpi_mul(self.ends, _ends(other), Working.bits))
+        return Interval(*libmp.mpi_mul(self.ends, _ends(other), Working.bits))
 
     def __truediv__(self, other: Interval | int) -> Interval:
-        return Interval(*mpi_div(self.ends, _ends(other), Working.bits))
+        return Interval(*libmp.mpi_div(self.ends, _ends(other), Working.bits))
 
     def __rtruediv__(self, other: int) -> Interval:
-        return Interval(*mpi_div(_ends(other), self.ends, Working.bits))
+        return Interval(*libmp.mpi_div(_ends(other), self.ends, Working.bits))
 
     __radd__, __rmul__ = __add__, __mul__
 
     def __neg__(self) -> Interval:
-        return Interval(*mpi_neg(self.ends))
+        return Interval(*libmp.mpi_neg(self.ends))
 
     def __abs__(self) -> Interval:
-        return Interval(*mpi_abs(self.ends, Working.bits))
+        return Interval(*libmp.mpi_abs(self.ends, Working.bits))
 
 
 def _ends(one: Interval | int) -> tuple[End, End]:
-    return one.ends if isinstance(one, Interval) else (whole := from_int(one), whole)
+    return one.ends if isinstance(one, Interval) else (whole := libmp.from_int(one), whole)
 
 
 def of(number: Fraction | int) -> Interval:
@@ -107,8 +91,8 @@ def of(number: Fraction | int) -> Interval:
 
 def between(low: Fraction | int, high: Fraction | int) -> Interval:
     return Interval(
-        from_rational(low.numerator, low.denominator, Working.bits, round_floor),
-        from_rational(high.numerator, high.denominator, Working.bits, round_ceiling),
+        libmp.from_rational(low.numerator, low.denominator, Working.bits, libmp.round_floor),
+        libmp.from_rational(high.numerator, high.denominator, Working.bits, libmp.round_ceiling),
     )
 
 
@@ -130,7 +114,7 @@ def _fraction(raw: End) -> Fraction:
 
 def middle(one: Interval) -> tuple[Interval, Interval]:
     """Return a point m of the interval and [-r, r] with every x of it in m + [-r, r]."""
-    inside = mpi_mid(one.ends, Working.bits)
+    inside = libmp.mpi_mid(one.ends, Working.bits)
     centre = Interval(inside, inside)
     return centre, sized(abs(one - centre))
 
@@ -138,11 +122,11 @@ def middle(one: Interval) -> tuple[Interval, Interval]:
 def sized(bound: Interval) -> Interval:
     """Return [-b, b] of the upper end b of a bound."""
     end = bound.ends[1]
-    return Interval(mpf_neg(end), end)
+    return Interval(libmp.mpf_neg(end), end)
 
 
 def square_root(x: Interval) -> Interval:
-    return Interval(*mpi_sqrt(x.ends, Working.bits))
+    return Interval(*libmp.mpi_sqrt(x.ends, Working.bits))
 
 
 def pi() -> Interval:
@@ -169,7 +153,7 @@ def _units(point: Interval, spare: int = SPARE) -> tuple[int, int]:
 
 
 def _about(units: int, off: int, bits: int) -> Interval:
-    return Interval(from_man_exp(units - off, -bits), from_man_exp(units + off, -bits))
+    return Interval(libmp.from_man_exp(units - off, -bits), libmp.from_man_exp(units + off, -bits))
 
 
 def _tiny(term: int, bits: int) -> bool:
@@ -280,5 +264,5 @@ def root(x: Interval) -> Interval:
     if low(x) < 0:
         if high(x) < 0:
             raise ZeroDivisionError("the root of a negative number")
-        x = Interval(fzero, x.ends[1])
+        x = Interval(libmp.fzero, x.ends[1])
     return square_root(x)

@@ -1,0 +1,413 @@
+"""Pages of sums and of relations, computed a second time: rotors, locomotives, balance, power, flywheels.
+
+What is asked for, masses, places, sizes, is read as kurbel reads it; what follows is `kurbel.verify`'s.
+Keys are without their unit, values in that of the SI, angles in degrees and speeds in turns a second.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from kurbel.commands.recomputed import nearest, of_harmonics
+from kurbel.errors import ProblemError
+from kurbel.verify import Number, Value, drive, harmonics
+from kurbel.verify.diagram import Diagram, swing
+from kurbel.verify.loads import disc
+from kurbel.verify.numbers import number, pi
+from kurbel.verify.plane import Arrow
+from kurbel.verify.relations import ENGINE, completed, flywheel
+from kurbel.verify.shaft import Pull, Slide, heading, held, moment, parts, ray, together
+
+if TYPE_CHECKING:
+    from kurbel.commands.recomputed import Row
+    from kurbel.commands.verified import Second
+
+# What is printed of a vector.
+Printed = Callable[[Arrow], Number]
+
+
+def _omega(speed: Any) -> Number:
+    return number(speed.value) * (2 * pi() if speed.turns else 1)
+
+
+def _one() -> Number:
+    return number(1)
+
+
+def of_rotor(second: Second, key: str, method: str, row: Row) -> Value:
+    """A mass as it is given, what all leave together, and what balances or holds them in two planes."""
+    request = second.question
+    rotor, places, line = request.rotor, request.places, row["line"]
+    if any(None in (one.mass, one.radius, one.angle, one.plane) for one in rotor.masses):
+        raise ProblemError("masses that are asked for are not computed a second time")
+    name, _, count = line.rpartition("_") if line[-1].isdigit() else (line, "", "0")
+    index = int(count) - 1
+
+    def pulls() -> list[Pull]:
+        return [Pull(ray(one.mass * one.radius, one.angle), number(one.plane or 0)) for one in rotor.masses]
+
+    def pull() -> Pull:
+        if name == "mass":
+            return pulls()[index]
+        planes = places.balance if name == "balance" else places.bearings
+        found = held(_left(), planes)[index]
+        return Pull(found.times(number(-1 if name == "balance" else 1)), number(planes[index]))
+
+    def _left() -> list[Pull]:
+        found = pulls()
+        if places.balance and name != "balance":
+            against = zip(held(found, places.balance), places.balance, strict=True)
+            found += [Pull(one.times(number(-1)), number(plane)) for one, plane in against]
+        return found
+
+    def vector() -> Arrow:
+        if name.endswith("unbalance"):
+            return together(one.arrow for one in (_left() if name.startswith("left") else pulls()))
+        if name.endswith("couple"):
+            return moment(_left() if name.startswith("left") else pulls(), rotor.about)
+        return pull().arrow
+
+    if key == "plane":
+        return Value(lambda: pull().place)
+    given = rotor.masses[index] if name == "mass" else None
+    radius = given.radius if given else places.radii[index] if name == "balance" else None
+    if radius is None and key in ("radius", "mass"):
+        raise ProblemError(f"{line} has no radius on such a page")
+    if key == "radius":
+        return Value(lambda: number(radius or 0))
+    if key == "angle" and given is not None:
+        return Value(lambda: number(given.angle))
+    if key == "angle":
+        return Value(lambda: heading(vector()))
+    if key == "mass":
+        return Value(lambda: vector().size() / radius)
+    arm = _one
+    if key.startswith("moment") and not name.endswith("couple"):
+
+        def arm() -> Number:
+            found: Number = pull().place - rotor.about
+            return found
+
+    squared = key in ("unbalance_n", "moment_nm")
+    return Value(
+        lambda: vector().size() * arm() * (_omega(request.speed).power(Fraction(2)) if squared else 1)
+    )
+
+
+def of_locomotive(second: Second, key: str, method: str, row: Row) -> Value:
+    """Of the shares that are balanced the wheels' masses and blows; the rest pulls, and sways the frame."""
+    request = second.question
+    loco, run = request.engine, request.run
+    share = nearest(row["share"], request.shares)
+    planes = (-loco.gauge / 2, loco.gauge / 2)
+
+    def pulls(mass: Callable[[Any], Fraction]) -> list[Pull]:
+        return [Pull(ray(mass(one) * loco.radius, one.angle), number(one.place)) for one in loco.cranks]
+
+    def blows(part: Fraction) -> tuple[Arrow, ...]:
+        return held(pulls(lambda one: part / loco.axles * one.reciprocating), planes)
+
+    def blow(part: Fraction) -> Number:
+        return max((one.size() for one in blows(part)), key=float, default=number(0))
+
+    def balance(side: int) -> Arrow:
+        found = held(pulls(lambda one: one.revolving + share / loco.axles * one.reciprocating), planes)
+        return found[side].times(number(-1))
+
+    def rest() -> list[Pull]:
+        return pulls(lambda one: (1 - share) * one.reciprocating)
+
+    def omega() -> Number:
+        return _omega(run.speed) if run.speed is not None else number(2 * run.velocity / run.wheel)
+
+    def square() -> Number:
+        return omega() * omega()
+
+    def lifting() -> Number:
+        found: Number = (number(run.load) / blow(share)).root()
+        return found
+
+    side = int("right" in key)
+    wheel = (run.wheel or Fraction(0)) / 2
+
+    def upright(arrow: Arrow) -> Number:
+        """The crank angle at which the vector lies along the slides."""
+        found = heading(Arrow(arrow.x, -arrow.y))
+        return found
+
+    known: Mapping[str, Callable[[], Number]] = {
+        "speed": lambda: omega() / (2 * pi()),
+        "velocity": lambda: omega() * wheel,
+        "velocity_kmh": lambda: omega() * wheel,
+        "balance": lambda: balance(side).size(),
+        "mass": lambda: balance(side).size() / run.radius,
+        "angle": lambda: heading(balance(side)),
+        "blow": lambda: blows(share)[side].size() * square(),
+        "load_least": lambda: run.load - blow(share) * square(),
+        "load_greatest": lambda: run.load + blow(share) * square(),
+        "lift_speed": lambda: lifting() / (2 * pi()),
+        "lift_velocity": lambda: lifting() * wheel,
+        "pull": lambda: together(one.arrow for one in rest()).size() * square(),
+        "pull_phi": lambda: upright(together(one.arrow for one in rest())),
+        "sway": lambda: moment(rest()).size() * square(),
+        "sway_phi": lambda: upright(moment(rest())),
+        "share_most": lambda: (
+            number(run.load if run.limit is None else run.limit) / (blow(Fraction(1)) * square())
+        ),
+    }
+    stem = key.replace("_left", "").replace("_right", "")
+    for ending in ("", "_n", "_nm", "_mps"):
+        if (found := known.get(stem.removesuffix(ending) if ending else stem)) is not None:
+            return Value(found)
+    raise LookupError(key)
+
+
+def of_balance(second: Second, key: str, method: str, row: Row) -> Value:
+    """Free forces and moments of an engine by orders: amplitudes, what turns, half axes of the ellipse; at
+    angles, and the greatest over the turn."""
+    request = second.question
+    if key == "factor":
+        return of_harmonics(second, "value", method, row)
+    ratio, order = second.drive(row).ratio, row["order"]
+    arm = row["residual"] == "moment"
+    exact = method == "exact"
+    slides = [
+        Slide(one.crank, one.bank, one.position, one.mass, one.revolving)
+        for one in request.arrangement.cylinders
+    ]
+    if arm:
+        slides = [one._replace(moved=one.moved * one.place, turned=one.turned * one.place) for one in slides]
+    share = request.arrangement.share
+
+    def harmonic(k: int) -> Number:
+        if method == "infinite" or (method == "series" and k > 2):
+            return number(int(k == 1))
+        return number({1: Fraction(1), 2: ratio}[k]) if not exact else harmonics.of_acceleration(ratio, k)
+
+    def of_order(k: int) -> tuple[Arrow, Arrow]:
+        return parts(slides, k, harmonic(k), share)
+
+    orders = [int(order)] if order.isdecimal() else list(request.orders)
+    if not {*orders} <= {*request.orders}:
+        raise ProblemError(f"{order} is no order of such a page")
+
+    def at(degrees: Fraction) -> Arrow:
+        """The vector at an angle of the shaft; of all orders that of the motion itself."""
+        if not order.isdecimal() and exact:
+            return _exactly(ratio, slides, share, degrees)
+        found = ((sense * k, one) for k in orders for sense, one in zip((1, -1), of_order(k), strict=True))
+        return together(_turned(one, k * degrees) for k, one in found)
+
+    times: Callable[[], Number] = _one
+    name = key.removesuffix("_n")
+    if key.endswith("_n"):
+        weighed = request.weighed
+        lever = weighed.spacing or (Fraction(1) if request.metres else None) if arm else Fraction(1)
+        if lever is None:
+            raise ProblemError("moments of unknown places are not computed a second time")
+
+        def times() -> Number:
+            mass: Fraction = weighed.crank.radius * weighed.mass * lever
+            return _omega(weighed.crank.speed).power(Fraction(2)) * mass
+
+    if (angles := getattr(request, "angles", None)) is not None:
+        if "phi" not in row and len(angles) > 1:
+            raise ProblemError("the row does not say its crank angle; add phi to the columns")
+        place = nearest(row["phi"], angles) if "phi" in row else angles[0]
+        return Value(lambda: _AT[name](at(place)) * times())
+    if not order.isdecimal() or name == "greatest_phi":
+        raise ProblemError(f"{name} over the turn is not computed a second time")
+    return Value(lambda: _OF_ORDER[name](*of_order(int(order))) * times())
+
+
+def _turned(arrow: Arrow, degrees: Fraction) -> Arrow:
+    along = ray(Fraction(1), degrees)
+    return Arrow(arrow.dot(Arrow(along.x, -along.y)), arrow.dot(Arrow(along.y, along.x)))
+
+
+def _exactly(ratio: Fraction, slides: Sequence[Slide], share: Fraction, degrees: Fraction) -> Arrow:
+    moved = (
+        ray(drive(ratio).value("p", (degrees + one.crank - one.bank) % 360).recipe() * one.moved, one.bank)
+        for one in slides
+    )
+    turned = (ray(one.turned - share * one.moved, one.crank + degrees) for one in slides)
+    return together((*moved, *turned))
+
+
+_AT: Mapping[str, Printed] = {
+    "along": lambda arrow: arrow.x,
+    "across": lambda arrow: arrow.y,
+    "magnitude": lambda arrow: arrow.size(),
+    "direction": heading,
+}
+_OF_ORDER: Mapping[str, Callable[[Arrow, Arrow], Number]] = {
+    "along": lambda f, b: Arrow(f.x + b.x, f.y - b.y).size(),
+    "across": lambda f, b: Arrow(f.x - b.x, f.y + b.y).size(),
+    "forward": lambda f, b: f.size(),
+    "backward": lambda f, b: b.size(),
+    "greatest": lambda f, b: f.size() + b.size(),
+    "least": lambda f, b: abs(f.size() - b.size()),
+}
+
+
+def of_power(second: Second, key: str, method: str, row: Row) -> Value:
+    """Mean pressure, size, power and steam: each follows from the others."""
+    request = second.question
+    duty, asked = request.duty, second.asked
+    source = request.sources[0]
+    if getattr(source, "carded", False):
+        raise ProblemError("powers of indicator cards are not computed a second time")
+
+    def found() -> dict[str, Number]:
+        known = {
+            name: number(value)
+            for name, value in (
+                ("bore", duty.bore), ("stroke", duty.stroke), ("indicated_power", duty.power),
+                ("brake_power", duty.brake_power), ("pressure", duty.pressure),
+                ("stroke_bore", duty.stroke_bore), ("piston_speed", duty.piston_speed),
+                ("specific_volume", duty.specific_volume), ("open", duty.open_area),
+                ("strokes", source.strokes * duty.cylinders),
+            )
+            if value is not None
+        }  # fmt: skip
+        if not duty.factor_asked:
+            known["diagram_factor"] = number(duty.diagram_factor)
+        if duty.speed is not None:
+            known["speed"] = _omega(duty.speed) / (2 * pi())
+        if duty.efficiency is not None:
+            known["at_shaft"] = number(1 / duty.efficiency if source.driven else duty.efficiency)
+        if duty.ends:
+            areas = [(duty.bore or 1) ** 2 - (rod or 0) ** 2 for rod in (duty.tail_rod, duty.piston_rod)]
+            areas = areas[: len(duty.ends)]
+            weighed = sum((one * area for one, area in zip(duty.ends, areas, strict=True)), Fraction(0))
+            known["pressure"] = number(weighed / sum(areas))
+            known["relative_pressure"] = number(1)
+        else:
+            strokes = second.load(row)()
+            work = sum((one.work(number(1)) for one in strokes), number(0))
+            ends = source.strokes * Fraction(len(strokes), 2) * duty.open_area
+            known["relative_pressure"] = abs(work / ends)
+            if asked.says("eps"):
+                steam = strokes[0].sides[1][1].value(number(0))
+                room, power = asked.clearance or Fraction(0), asked.exponent or Fraction(1)
+                known["taken"] = 1 / nearest(row["epsilon"], asked.eps or ()) + room * (
+                    1 - steam.power(1 / power)
+                )
+        return completed(known, ENGINE)
+
+    stem = re.sub("_(mps|nm|mm)$", "", key)
+    return Value(lambda: second.once(row, found)[stem])
+
+
+def of_flywheel(second: Second, key: str, method: str, row: Row) -> Value:
+    """What is given of power, speed, swing, irregularity, wheel and rim finds the rest."""
+    from kurbel.commands.flywheel import FlywheelOptions
+
+    options = FlywheelOptions(second.values())
+    targets = options.delta or ()
+    target = nearest(row["target"], targets) if "target" in row else targets[0] if len(targets) == 1 else None
+    if target is None and targets:
+        raise ProblemError("the row does not say its irregularity; add target to the columns")
+
+    def found() -> dict[str, Number]:
+        figures = list(options.figures())
+        if not options.is_engine():
+            figures += options.of_press()
+        known = {
+            {"motor": "motor_power"}.get(name, name): number(one.value.base) * pi().power(one.value.pi)
+            for name, one in figures
+        }
+        known.pop("hoop_stress", None)
+        if target is not None:
+            known["delta"] = number(target)
+        if options.is_engine():
+            if "card" in second.options:
+                raise ProblemError("flywheels by indicator cards are not computed a second time")
+            turn = second.turn(method, row)
+            known["swing_share"] = turn.known.delta()
+            if "power" not in known:
+                bore, pressure = second.unit()
+                if pressure is None:
+                    raise ProblemError("the power needs what Q is in N")
+                known["mean_torque"] = abs(turn.known.mean) * disc(bore) * (pressure * turn.drive.radius)
+        elif options.is_diagram():
+            known |= _of_diagram(options.fluctuation())
+        elif share := options.share_of(dict(figures)):
+            known["energy_fluctuation"] = number(share.rest.base)
+        whole = flywheel(known)
+        for taken in ("turns", "rim_share"):
+            if taken not in whole:
+                whole = flywheel({taken: number(1), **whole})
+        return whole
+
+    stem = re.sub("_nm$", "", _STEM.get(key, key))
+    return Value(lambda: second.once(row, found)[stem] / (2 * pi() if key in _TURNS else 1))
+
+
+def _of_diagram(fluctuation: Any) -> dict[str, Number]:
+    """The swing of a turning moment diagram, its mean torque and its turns."""
+    if (levels := getattr(fluctuation, "levels", None)) is not None:
+        known = {"swing": _of_areas(fluctuation, max(levels) - min(levels))}
+    else:
+        driving, load = diagrams(fluctuation)
+        unit = number(1) if fluctuation.by_degree else pi() / 180
+        known = {"swing": swing(driving, load) * unit}
+        if float(mean := driving.mean * unit * 180 / pi()) > 0:
+            known["mean_torque"] = mean
+    if fluctuation.turns is not None:
+        known["turns"] = number(fluctuation.turns)
+    return known
+
+
+def _of_areas(areas: Any, level: Fraction) -> Number:
+    return number(level * areas.scale.energy) * (pi() if areas.scale.of_pi else 1)
+
+
+def diagrams(excess: Any) -> tuple[Diagram, Diagram]:
+    """The torques of the drive and of the load as they are described."""
+    driving, load = (
+        Diagram(tuple(one.waves.parts), tuple(map(tuple, one.lines)), one.cycle)
+        for one in (excess.drive, excess.load)
+    )
+    return driving, load
+
+
+def of_diagram(second: Second, key: str, method: str, row: Row) -> Value:
+    """Turning moment diagrams: torques, and the work above the mean since 0°, by closed antiderivatives."""
+    request = second.question
+    if "point" in row:
+        areas = request.areas
+        level = areas.levels[areas.letters.index(row["point"])]
+        values = {"level": lambda: number(level), "excess_energy": lambda: _of_areas(areas, level)}
+    else:
+        excess, at = request.excess, nearest(row["phi"], request.angles)
+        driving, load = diagrams(excess)
+
+        def torque(*signed: tuple[Diagram, int]) -> Number:
+            total = sum((one.value(at) * sign for one, sign in signed), number(0))
+            return total * 180 / pi() if excess.by_degree else total
+
+        values = {
+            "torque": lambda: torque((driving, 1)),
+            "load_torque": lambda: torque((load, 1)),
+            "excess_torque": lambda: torque((driving, 1), (load, -1)),
+            "excess_energy": lambda: (
+                (driving.integral(at) - load.integral(at)) * (number(1) if excess.by_degree else pi() / 180)
+            ),
+        }
+    return Value(values[key.removesuffix("_nm")])
+
+
+_TURNS = ("greatest_speed", "least_speed")
+_STEM = {"greatest_speed": "omega_max", "least_speed": "omega_min", "strokes": "cycles"}
+
+# Where a command is that is not called as its module.
+MODULES = {"locomotive": "rotor", "turning": "engine"}
+# By commands, and of turning moment diagrams by their layouts.
+SUMMED: Mapping[str, Callable[[Any, str, str, Any], Value]] = {
+    "rotor": of_rotor, "locomotive": of_locomotive, "balance": of_balance, "power": of_power,
+    "flywheel": of_flywheel, "torques": of_diagram, "areas": of_diagram,
+}  # fmt: skip

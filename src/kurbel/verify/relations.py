@@ -1,0 +1,109 @@
+"""Quantities bound by products of powers, all of those found that follow from others.
+
+A law 1 = c Π x^a is linear in the logarithms, so unknown quantities are eliminated as from linear equations.
+Units are those of the SI, and turns a second.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from typing import NamedTuple
+
+from kurbel.verify.numbers import Number, number, pi
+
+# The indicated power of so many working strokes in a turn, of all cylinders.
+ENGINE = """
+    indicated_power = strokes mean_pressure swept speed; swept = 1/4 pi open bore^2 stroke;
+    piston_speed = 2 stroke speed; stroke = bore stroke_bore;
+    theoretical_pressure = relative_pressure pressure; stroke_work = mean_pressure swept;
+    mean_pressure = theoretical_pressure diagram_factor;
+    brake_power = indicated_power at_shaft; brake_pressure = mean_pressure at_shaft;
+    brake_power = 2 pi speed mean_torque; steam = taken strokes swept speed specific_volume^-1;
+    steam = steam_per indicated_power; steam = steam_per_brake brake_power;
+    delivery = delivered strokes swept speed"""
+# Cycles a second of so many turns; a thin rim of mean diameter D, or a solid disc.
+FLYWHEEL = """
+    swing = inertia omega^2 delta; inertia = mass radius^2; stored = 1/2 inertia omega^2;
+    swing = energy_fluctuation work; swing = swing_share mean_torque; power = work cycles;
+    power = motor_power efficiency; power = mean_torque omega; omega = 2 pi cycles turns; omega = 2 pi speed;
+    omega_max = omega above; omega_min = omega below; 1 = delta steadiness;
+    rim_speed = 1/2 omega rim_diameter; hoop_stress = density rim_speed^2; section = breadth thickness;
+    rim_mass = pi rim_diameter density section; breadth = proportion thickness;
+    rim_inertia = 1/4 rim_mass rim_diameter^2; rim_inertia = inertia rim_share"""
+DISC = """
+    inertia = 1/8 mass disc_diameter^2; mass = 1/4 pi density disc_diameter^2 disc_thickness"""
+
+
+class Law(NamedTuple):
+    """What is 1: a factor times powers of quantities."""
+
+    factor: Number
+    powers: Mapping[str, Fraction]
+
+    def put(self, name: str, value: Law) -> Law:
+        """The same with a quantity said by others."""
+        if name not in self.powers:
+            return self
+        power = self.powers[name]
+        powers = dict(self.powers)
+        for other, own in (*value.powers.items(), (name, Fraction(-1))):
+            powers[other] = powers.get(other, Fraction(0)) + own * power
+        return Law(self.factor * value.factor.power(power), {key: own for key, own in powers.items() if own})
+
+
+def laws(text: str) -> Iterator[Law]:
+    for line in text.split(";"):
+        left, _, right = line.partition("=")
+        found = Law(number(1), {})
+        for word, sign in (*((one, 1) for one in right.split()), (left.strip(), -1)):
+            name, _, power = word.partition("^")
+            if name[0].isdigit() or name == "pi":
+                times = pi() if name == "pi" else number(name)
+                found = found._replace(factor=found.factor * times.power(Fraction(sign)))
+            else:
+                found = found._replace(powers={**found.powers, name: Fraction(power or 1) * sign})
+        yield found
+
+
+def completed(known: Mapping[str, Number], text: str) -> dict[str, Number]:
+    """Return what is known with what follows; positive numbers."""
+    rows, found, said = list(laws(text)), dict(known), dict[str, Law]()
+    for name, value in known.items():
+        rows = [one.put(name, Law(value, {})) for one in rows]
+    while rows := [one for one in rows if one.powers]:
+        row = min(rows, key=lambda one: len(one.powers))
+        name, power = next(iter(row.powers.items()))
+        rest = {other: -one / power for other, one in row.powers.items() if other != name}
+        said[name] = Law(row.factor.power(-1 / power), rest)
+        rows = [one.put(name, said[name]) for one in rows if one is not row]
+    # Those that were said last are said by the fewest others.
+    for name, own in reversed(said.items()):
+        if own.powers.keys() <= found.keys():
+            for other in own.powers:
+                own = own.put(other, Law(found[other], {}))
+            found[name] = own.factor
+    return found
+
+
+def flywheel(known: Mapping[str, Number]) -> dict[str, Number]:
+    """Return what follows of a flywheel, with δ = (ω_max - ω_min)/ω and ω their mean."""
+    text = FLYWHEEL + (f";{DISC}" if any(name.startswith("disc") for name in known) else "")
+    found, before = dict(known), 0
+    while len(found) > before:
+        before, found = len(found), completed(found, text)
+        high, low, mean, delta, inertia, swing = map(
+            found.get, ("omega_max", "omega_min", "omega", "delta", "inertia", "swing")
+        )
+        if delta is not None:
+            found["above"], found["below"] = 1 + delta / 2, 1 - delta / 2
+        elif high is not None and low is not None:
+            found["omega"] = (high + low) / 2
+            found["delta"] = (high - low) / found["omega"]
+        elif mean is not None and (high is not None or low is not None):
+            found["delta"] = 2 * (high - mean if high is not None else mean - low) / mean
+        elif inertia is not None and swing is not None and high is not None:
+            found["omega_min"] = (high * high - 2 * swing / inertia).root()
+        elif inertia is not None and swing is not None and low is not None:
+            found["omega_max"] = (low * low + 2 * swing / inertia).root()
+    return found
