@@ -20,8 +20,10 @@ from flint import arb
 from kurbel.books.form import UNREAD
 from kurbel.books.printed_value import Printed, Units
 from kurbel.drive.crank import Crank
-from kurbel.engine.engine import Engine, Steam
-from kurbel.engine.quantities import ENGINE_METHODS, SPANS, Where, applies, engine_registry
+from kurbel.engine.cylinder import Where
+from kurbel.engine.engine import Engine
+from kurbel.engine.loads.steam import Steam
+from kurbel.engine.quantities import ENGINE_METHODS, SPANS, applies, engine_registry
 from kurbel.engine.quantities import value as engine_value
 from kurbel.engine.turn import turn_of
 from kurbel.errors import NotationError

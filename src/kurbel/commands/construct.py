@@ -19,7 +19,7 @@ from kurbel.commands.parts.sheet import Layouts, Plain, Sheet, columns_option, l
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import function
 from kurbel.drive.rod import Rod
-from kurbel.engine.engine import Steam
+from kurbel.engine.loads.steam import Steam
 from kurbel.errors import ChoiceError, ProblemError
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import exact_text

@@ -198,7 +198,7 @@ class DeltaOptions(EngineWithWheel):
         page = self.page(self._usual(names), *DELTA)
         asked = EngineRequest
         if page.subject == "cylinders":
-            from kurbel.engine.cylinders.page import CylindersRequest
+            from kurbel.engine.cylinders import CylindersRequest
 
             asked = CylindersRequest
         wheel = self.asked_wheel(page, names)

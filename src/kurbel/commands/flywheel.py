@@ -16,13 +16,15 @@ from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_o
 from kurbel.commands.parts.wheel import PLAIN, Body, Rim, Swing, Wheel
 from kurbel.commands.subject import function
 from kurbel.drive.wheel import Flywheel, check_irregularity
-from kurbel.engine.captions import caption, engine_notes
+from kurbel.engine.captions import caption
+from kurbel.engine.cylinder import Where
 from kurbel.engine.diagram import texts
 from kurbel.engine.diagram.areas import Areas
 from kurbel.engine.diagram.fluctuation import Fluctuation
 from kurbel.engine.diagram.wheel.page import WheelRequest
 from kurbel.engine.diagram.wheel.sizing import Known, Sizing, gathered, sized
-from kurbel.engine.quantities import Where, engine_registry, value
+from kurbel.engine.notes import engine_notes
+from kurbel.engine.quantities import engine_registry, value
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats

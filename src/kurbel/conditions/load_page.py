@@ -11,13 +11,13 @@ from typing import Any, cast
 from kurbel.conditions.captions import WORDS as SOLVED
 from kurbel.conditions.loaded import ASKED, Loaded, measured
 from kurbel.drive.at import CRANK_FORCES
-from kurbel.engine import captions as engine_captions
-from kurbel.engine.axes import LoadAxis
+from kurbel.engine.captions import about_engines
+from kurbel.engine.notes import from_dead_centre, notes
+from kurbel.engine.page import LoadAxis
 from kurbel.engine.quantities import engine_registry
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.segments import At
-from kurbel.engine.ties import turn_ties
-from kurbel.engine.turn import Turn
+from kurbel.engine.turn import Turn, turn_ties
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
 from kurbel.exact.numerals import Label, Number, degrees_text, exact_text, nearest
@@ -215,19 +215,19 @@ def _bare(column: str) -> str:
 def _caption(question: LoadedRequest) -> Label:
     one = len(question.conditions) == 1
     said = f", {_condition_label(question, question.conditions[0])}" if one else ""
-    parts = {**engine_captions.about_engines(question, [question.method]), "{condition}": said}
+    parts = {**about_engines(question, [question.method]), "{condition}": said}
     return filled(question.layout.caption[question.lang], parts.items())
 
 
 def _notes(question: LoadedRequest) -> Iterator[Label | Note]:
     lang = question.lang
-    regular = engine_captions.from_dead_centre(question, question.method)
+    regular = from_dead_centre(question, question.method)
     yield WORDS["angles" if regular else "angles_off"][lang]
     if question.assembly is not None:
         yield WORDS["cylinder"][lang].format(number=(*question.numbers, 1)[0])
     if any(condition.kind in (MAX, MIN) for condition in question.conditions):
         yield WORDS["extremes"][lang]
-    yield from engine_captions.notes(question)
+    yield from notes(question)
 
 
 SUBJECT = Subject(

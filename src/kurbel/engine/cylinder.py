@@ -12,10 +12,12 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache, reduce
 from itertools import product
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from kurbel.drive.at import CrankForce, Weights
 from kurbel.drive.moved import Moved
+from kurbel.drive.wheel import Flywheel
+from kurbel.engine.engine import Assembly, Engine
 from kurbel.exact.certify import FLOAT_BITS, at_bits
 from kurbel.exact.kind import Kind
 from kurbel.kernel import turning
@@ -24,14 +26,36 @@ from kurbel.kernel.steam import larger, smaller
 from kurbel.kernel.turning import Stroke
 from kurbel.motion.evaluation import OUT, RETURN
 
-if TYPE_CHECKING:
-    from kurbel.engine.assembly import Assembly
-    from kurbel.engine.engine import Engine
-
+# The spans of a turn that have extremes of their own.
+OUTSTROKE, RETURN_STROKE, WHOLE = 0, 1, None
 KEPT_POSITIONS = 16
 SIGNS = (OUT, RETURN)
 # Half turns beyond a dead centre of which a float is known.
 JUST_BEYOND = Fraction(1, 10**13)
+
+
+class Where(NamedTuple):
+    """What a quantity is asked for: a span of the turn, a crank angle in half turns, a flywheel."""
+
+    stroke: int | None = WHOLE
+    # A number, or an array or enclosures of them.
+    half_turns: Any = Fraction(0)
+    flywheel: Flywheel | None = None
+
+
+class Member(NamedTuple):
+    """A cylinder of an engine by its number, its part, and by how many half turns its crank follows the
+    first; of the whole engine the part is None."""
+
+    number: int
+    part: int | None = None
+    start: Fraction = Fraction(0)
+
+
+def members_of(engine: Engine | Assembly) -> tuple[Member, ...]:
+    """Return every cylinder of an engine."""
+    places = [(part, start) for part, one in enumerate(engine.parts) for start in one.starts]
+    return tuple(Member(number, *place) for number, place in enumerate(places, 1))
 
 
 class Peak(NamedTuple):

@@ -8,7 +8,9 @@ from math import ceil, floor, log10
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.at import CRANK_FORCES
-from kurbel.engine.quantities import AT_ANGLE, EXTREMES, Where, engine_registry, value
+from kurbel.engine.cylinder import Where
+from kurbel.engine.quantities import AT_ANGLE, EXTREMES, engine_registry, value
+from kurbel.engine.turn import turn_ties
 from kurbel.errors import CardError
 from kurbel.exact.certify import TieBits, at_bits, rounded
 from kurbel.exact.numerals import Number, figures, given, nearest
@@ -17,6 +19,8 @@ from kurbel.page.quantity import Column, Quantity, bare
 if TYPE_CHECKING:
     from kurbel.engine.card.turn import CardTurn
 
+# What the key of a value of a card has in addition for its error.
+ERROR = "_error"
 ESTIMATE_BITS = 80
 FLOAT_ERROR = 1e-12
 # A gain from which on the points are on a curve, not in a cloud.
@@ -50,8 +54,6 @@ def settled(asked: Asked, rounding: str) -> Number:
 
     def ties(boundary: Fraction) -> float:
         # Few values touch a boundary.
-        from kurbel.engine.ties import turn_ties
-
         return turn_ties(lambda *turns: asked._replace(turns=turns).value(), asked.turns)(boundary)
 
     return certified(asked.value, asked.column, rounding, ties)
@@ -68,6 +70,13 @@ def certified(value: Callable[[], Any], column: Column, rounding: str, ties: Tie
         decimals = figures(float(near)) if decimals is None else decimals
     assert decimals is not None
     return Number(rounded(value, decimals, rounding, ties), decimals)
+
+
+def printed(asked: Asked, rounding: str, carded: bool) -> Number | None:
+    """Return the number of a column, or the error that stands beside it; of a card None if not one figure."""
+    if asked.column.key.endswith(ERROR):
+        return error_number(estimate(asked).error)
+    return estimated(asked, rounding) if carded else settled(asked, rounding)
 
 
 class Estimate(NamedTuple):

@@ -1,118 +1,32 @@
-"""The steam engine that a table is about, checked once: cut-off, expansion, back pressure, cranks."""
+"""The engine that a table is about, checked once: a crank drive under a load, or several on one shaft.
+
+A rod lessens the area of its side: that of the crank, a tail rod that of the cover. Friction is against the
+motion on every stroke. Forces are in units of Q, that of the pressure on the area of the bore.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from math import floor
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, NamedTuple
 
-from kurbel.drive.at import Weights
+from kurbel.drive.at import Weights, known
 from kurbel.drive.crank import Crank
-from kurbel.drive.load import STEAM
 from kurbel.drive.load import Load as Acting
 from kurbel.drive.moved import Drive
 from kurbel.engine.card.card import Diagram
-from kurbel.engine.loads import effort
+from kurbel.engine.loads.steam import LEAST_WORK, Steam
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import Kind
+from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Number
-from kurbel.kernel.steam import Expansion, IdleStroke, best_back
 from kurbel.kernel.turning import Stroke
-from kurbel.reading.notation import about, plain, too_small
+from kurbel.reading.notation import about
 
-if TYPE_CHECKING:
-    pass
-
-LARGEST_EXPANSION = 10**6
-LARGEST_EXPONENT = 10
-LARGEST_CLEARANCE = 10
-# The work of the expansion is a quotient by n - 1.
-LEAST_CURVE = Fraction(1, 10**6)
 # Nearer to 1 the piston of the exact motion stands still but for an instant.
 LARGEST_RATIO = 1 - Fraction(1, 10**12)
 MOST_CRANKS = 24
 HIGHEST = 10**12
-# Below this share of Q no mean force drives anything, and δ, counted in it, grows beyond all bounds.
-LEAST_WORK = 1e-9
-
-
-@dataclass(frozen=True, slots=True)
-class Steam:
-    """Expansion ratio ε (cut-off after the share 1/ε of the stroke), back pressure b = R/Q, exponent n of
-    p V^n = const, clearance as a share of the stroke.
-
-    `back` None is the best back pressure, that of the steam at the end of the stroke: 1/ε for n = 1 without
-    clearance. Valid for ε >= 1, 0 <= b <= 1, n > 0, κ >= 0, as long as work is left.
-    """
-
-    name: ClassVar[str] = STEAM
-    driven: ClassVar[bool] = False
-
-    expansion: Fraction
-    back: Fraction | None = None
-    exponent: Fraction = Fraction(1)
-    clearance: Fraction = Fraction(0)
-
-    def strokes(self, kind: Kind, double: bool) -> tuple[Stroke, Stroke]:
-        """Return the force of both strokes, on a kind of number; single-acting, the return idles."""
-        acting: Stroke = self.numbers(kind.of, kind.exponent)
-        return acting, acting if double else IdleStroke()
-
-    def __post_init__(self) -> None:
-        if self.expansion < 1:
-            raise ProblemError(too_small(self.expansion))
-        if self.expansion > LARGEST_EXPANSION:
-            raise ProblemError(
-                f"expansion ratio ε is {about(self.expansion)}; at most {LARGEST_EXPANSION} is allowed"
-            )
-        if self.back is not None and not 0 <= self.back <= 1:
-            raise ProblemError(
-                f"back pressure b is {about(self.back)}; it must lie within 0..1,"
-                " for it is a share of the steam pressure before cut-off"
-            )
-        if not 0 < self.exponent <= LARGEST_EXPONENT:
-            raise ProblemError(
-                f"exponent n is {about(self.exponent)}; it must be above 0 and at most {LARGEST_EXPONENT},"
-                " for the pressure falls as the steam expands"
-            )
-        if 0 < abs(self.exponent - 1) < LEAST_CURVE:
-            raise ProblemError(
-                f"exponent n is {about(self.exponent)}, nearer to 1 than 10^-6; write 1, Mariotte's law,"
-                " whose results have the same six figures"
-            )
-        if not 0 <= self.clearance <= LARGEST_CLEARANCE:
-            raise ProblemError(
-                f"clearance is {about(self.clearance)}; it must lie within 0..{LARGEST_CLEARANCE},"
-                " for it is a share of the volume swept in a stroke"
-            )
-        self._check_work()
-
-    def numbers(
-        self, of: Callable[[Fraction], Any], exponent_of: Callable[[Fraction], Any] | None = None
-    ) -> Expansion:
-        """Return the same in a kind of number, which may want its exponents in another."""
-        cut_off, clearance = of(1 / self.expansion), of(self.clearance)
-        exponent = (exponent_of or of)(self.exponent)
-        back = best_back(cut_off, exponent, clearance) if self.back is None else of(self.back)
-        return Expansion(cut_off, back, exponent, clearance)
-
-    def _check_work(self) -> None:
-        acting = self.numbers(float)
-        if acting.work(1.0) > LEAST_WORK:
-            return
-        ratio = plain(self.expansion)
-        limit = floor(1e6 * acting._replace(back=0.0).work(1.0)) / 1e6
-        if self.back is None:
-            raise ProblemError(
-                f"expansion ratio ε = {ratio} at its best back pressure, that of the steam at the end of the"
-                " stroke, leaves no work; give a lower one, for example --back 0"
-            )
-        raise ProblemError(
-            f"back pressure b = {about(self.back)} leaves no work at ε = {ratio}; b must be below"
-            f" {limit:g}, or the mean force P would not be above 0"
-        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,6 +45,31 @@ class Load:
             raise ProblemError(
                 f"the pressure is {about(self.pressure)} Pa; it must be above 0 and at most 10^12 Pa"
             )
+
+
+class Scaled(NamedTuple):
+    """A stroke on a share of the area, with a force that does not change; a `share` of None is the whole."""
+
+    stroke: Any
+    area: Number | None
+    push: Number
+
+    @property
+    def corners(self) -> Sequence[Number]:
+        found: Sequence[Number] = self.stroke.corners
+        return found
+
+    def force(self, share: Number) -> Number:
+        return self._scaled(self.stroke.force(share)) + self.push
+
+    def work(self, share: Number) -> Number:
+        return self._scaled(self.stroke.work(share)) + self.push * share
+
+    def slope(self, share: Number) -> Number:
+        return self._scaled(self.stroke.slope(share))
+
+    def _scaled(self, value: Number) -> Number:
+        return value if self.area is None else self.area * value
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,7 +96,7 @@ class Engine:
             raise ProblemError("crank ratio R:L is nearer to 1 than 10^-12; no engine is built so")
         check_count(len(self.cranks))
         if self.crank.effort is not None:
-            effort.check(self)
+            self._check_effort()
         if self.cranks[0] != 0:
             raise ProblemError(
                 f"the first crank is at {about(self.cranks[0])}°; angles count from the first crank,"
@@ -195,15 +134,40 @@ class Engine:
 
     def strokes(self, kind: Kind) -> Sequence[Stroke]:
         """Return the strokes of the load on the piston as it is, with its rods and its friction."""
-        if self.crank.effort is None:
-            return self.steam.strokes(kind, self.double)
-        return effort.rubbed(self, kind)
+        found, friction = self._pressed(kind), self.friction(kind)
+        return found if friction is None else tuple(Scaled(one, None, -friction) for one in found)
+
+    def _pressed(self, kind: Kind) -> Sequence[Stroke]:
+        """Return the strokes with the rods' areas alone."""
+        strokes = self.steam.strokes(kind, self.double)
+        areas = None if self.crank.effort is None else self.crank.effort.areas
+        if areas is None or areas.head == areas.crank == 1:
+            return strokes
+        # The areas behind the piston and before it, on the outstroke and on the return.
+        sides = (areas.head, areas.crank), (areas.crank, areas.head)
+        if self.carded:
+            from kurbel.engine.card.force import on_areas
+
+            cards: Sequence[Any] = strokes
+            return tuple(
+                on_areas(one, float(behind), float(before))
+                for one, (behind, before) in zip(cards, sides, strict=True)
+            )
+        # Steam presses on the side behind the piston, the back pressure on the other.
+        back = self.ideal.numbers(kind.of, kind.exponent).back
+        return tuple(
+            Scaled(one, kind.of(behind), back * kind.of(behind - before))
+            for one, (behind, before) in zip(strokes, sides, strict=True)
+        )
 
     def friction(self, kind: Kind) -> Number | None:
         """Return the friction of piston and crosshead in Q, None where there is none."""
         if not self.crank.rubbed:
             return None
-        return effort.friction_of(self, kind)
+        assert self.load is not None
+        assert self.pressure is not None
+        force = known(self.crank.effort).friction
+        return kind.of(4 * force / (self.load.bore**2 * self.pressure)) / kind.pi
 
     def weights(self, kind: Kind) -> Weights | None:
         """Return the masses in units of Q/(R ω²), in a kind of number."""
@@ -232,6 +196,27 @@ class Engine:
         elif not self.carded and self.load.pressure is None:
             raise ProblemError("the bore makes newtons of the steam only with its pressure; add that")
 
+    def _check_effort(self) -> None:
+        """Raise ProblemError for rods or friction that the engine cannot have."""
+        effort = known(self.crank.effort)
+        if effort.friction and (self.load is None or self.pressure is None):
+            raise ProblemError(
+                "friction needs the bore and the pressure to be weighed against the load; add these, for"
+                " example --bore 300mm --pressure 8bar"
+            )
+        if effort.areas is not None and (self.steam.name not in ("steam", "card") or not self.double):
+            raise ProblemError(
+                "--piston-rod and --tail-rod are for double-acting cylinders under steam or an indicator"
+                " card; leave them out"
+            )
+        made = (self._pressed(floats()), self.strokes(floats()))
+        work, left = (sum(float(one.work(1.0)) for one in strokes) for strokes in made)
+        if work > 0 and left < LEAST_WORK:
+            raise ProblemError(
+                f"the friction of {float(effort.friction):g} N takes all that the load gives; no engine runs"
+                " so"
+            )
+
     @property
     def carded(self) -> bool:
         """Whether the piston force comes from an indicator card."""
@@ -253,3 +238,80 @@ def check_count(cranks: int) -> None:
     """Raise ProblemError unless an engine can have so many cranks."""
     if not 1 <= cranks <= MOST_CRANKS:
         raise ProblemError(f"the engine has {cranks} cranks; 1 to {MOST_CRANKS} are allowed")
+
+
+@dataclass(frozen=True, slots=True)
+class Assembly:
+    """An engine made of parts, each of cylinders that are alike; a part follows the first by its `lag`.
+
+    Forces are in the first part's Q, lengths in its R. All have a bore, a pressure and a stroke, by which
+    their forces and torques compare, and one speed if they have masses. Valid for a first part without lag.
+    """
+
+    parts: tuple[Engine, ...]
+
+    def __post_init__(self) -> None:
+        if not self.parts:
+            raise ProblemError("no cylinder was given; an engine has one or more")
+        check_count(len(self.cranks))
+        if self.parts[0].lag:
+            raise ProblemError("the first cylinder's crank is at 0°; angles count from it")
+        if len(self.parts) == 1:
+            return
+        for number, part in enumerate(self.parts, 1):
+            if part.pressure is None or part.load is None or part.crank.radius is None:
+                raise ProblemError(
+                    f"cylinder {number} needs its bore, its pressure and its stroke to be compared with the"
+                    " others"
+                )
+        speeds = {part.crank.speed for part in self.parts if part.crank.moving is not None}
+        if len(speeds) > 1:
+            raise ProblemError("the cylinders have masses at unlike speeds; one shaft has one speed")
+
+    @property
+    def first(self) -> Engine:
+        """The part whose Q and R are the units."""
+        return self.parts[0]
+
+    def at_speed(self, factor: Fraction) -> Assembly:
+        """Return the engine at so many times its speed, that of its masses."""
+        parts = (part if part.crank.moving is None else part.at_speed(factor) for part in self.parts)
+        return Assembly(tuple(parts))
+
+    @property
+    def drive(self) -> Drive:
+        return self.first.drive
+
+    @property
+    def crank(self) -> Crank:
+        return self.first.crank
+
+    @property
+    def steam(self) -> Acting:
+        return self.first.steam
+
+    @property
+    def load(self) -> Load | None:
+        return self.first.load
+
+    @property
+    def double(self) -> bool:
+        return self.first.double
+
+    @property
+    def pressure(self) -> Fraction | None:
+        return self.first.pressure
+
+    @property
+    def cranks(self) -> tuple[Fraction, ...]:
+        """The angles in degrees by which all cranks follow the first."""
+        return tuple(180 * start for part in self.parts for start in part.starts)
+
+    @property
+    def carded(self) -> bool:
+        """Whether any piston force comes from an indicator card."""
+        return any(part.carded for part in self.parts)
+
+    @property
+    def plain(self) -> bool:
+        return len(self.parts) == 1 and self.first.plain

@@ -20,10 +20,10 @@ from kurbel.drive.at import known
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.drive.load import figure
 from kurbel.drive.moved import Drive, Moved
-from kurbel.engine.axes import engine_lines, load_text
+from kurbel.engine.captions import Alone, within
 from kurbel.engine.card.card import Diagram
-from kurbel.engine.cylinders.words import Alone, within
 from kurbel.engine.engine import Engine
+from kurbel.engine.loads.words import engine_lines, load_text
 from kurbel.engine.texts import PRESSED
 from kurbel.engine.turn import angle_at, turn_of
 from kurbel.errors import ProblemError
@@ -307,7 +307,7 @@ def _notes(question: PressuresRequest) -> Iterator[Label]:
     if pressed.engine is not None and getattr(pressed.engine.steam, "driven", False):
         yield PRESSED["driven"][lang]
     if pressed.engine is not None:
-        alone: Any = Alone(pressed.engine)
+        alone = Alone(pressed.engine)
         lines = [*engine_lines(alone, lang)]
         if alone.words.captioned:
             lines = [load_text(pressed.engine.steam, lang), *(within(line, lang) for line in lines)]

@@ -10,21 +10,16 @@ ideal card, "steam", the "load" or the "torque" that makes newtons, or the "radi
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from fractions import Fraction
-from functools import cache
+from functools import cache, partial
 from typing import Any, NamedTuple
 
 from kurbel.drive.at import CRANK_FORCES
-from kurbel.drive.wheel import Flywheel
-from kurbel.engine import flywheel
-from kurbel.engine.cylinder import AnyTurn
-from kurbel.engine.loads import work
+from kurbel.engine import work
+from kurbel.engine.cylinder import OUTSTROKE, RETURN_STROKE, WHOLE, AnyTurn, Where
 from kurbel.exact.numerals import Label
 from kurbel.motion.evaluation import Method
 from kurbel.page.quantity import Formula, Quantity, Words, entry, words
 
-# The spans of a turn that have extremes of their own.
-OUTSTROKE, RETURN_STROKE, WHOLE = 0, 1, None
 SPANS: Mapping[int | None, tuple[str, Words]] = {
     OUTSTROKE: ("outstroke", words("Hingang|Outstroke")),
     RETURN_STROKE: ("return", words("Rückgang|Return")),
@@ -75,13 +70,12 @@ EXTREMES = {"least": False, "greatest": True}
 AT_ANGLE = ("angle", "crank", "speed", "order", "cylinder")
 
 
-class Where(NamedTuple):
-    """What a quantity is asked for: a span of the turn, a crank angle in half turns, a flywheel."""
-
-    stroke: int | None = WHOLE
-    # A number, or an array or enclosures of them.
-    half_turns: Any = Fraction(0)
-    flywheel: Flywheel | None = None
+# Keys, names and Weisbach's letters.
+_STAGES = (
+    ("full_pressure_work", "Volldruckarbeit eines Hubes|Work at full pressure in a stroke", "$A_1$"),
+    ("expansion_work", "Expansionsarbeit eines Hubes|Work of the expansion in a stroke", "$A_2$"),
+    ("back_work", "Gegendruckarbeit eines Hubes|Work of the back pressure in a stroke", "$A_3$"),
+)
 
 
 def value(quantity: Quantity, turn: AnyTurn, where: Where) -> Any:
@@ -103,14 +97,14 @@ def engine_registry() -> Mapping[str, Quantity]:
     entries = (
         *_turn_entries(),
         *_path_entries(),
-        *work.entries(_entry),
+        *_work_entries(),
         *_flywheel_entries(),
         *_force_entries(),
     )
     return {entry.key: entry for entry in entries}
 
 
-def _entry(
+def row(
     key: str, name: str, symbol: Label, unit: Label, of: str, decimals: int | None,
     kernel: Callable[..., Any], **rest: Any,
 ) -> Quantity:  # fmt: skip
@@ -121,43 +115,43 @@ def _entry(
 def _extreme(name: str, of: str, index: str) -> Iterator[Quantity]:
     greatest = EXTREMES[of]
     de, en = name.split("|")
-    yield _entry(
+    yield row(
         f"alpha_{index}", f"{de} bei|{en} at", f"$α_{1 + greatest}$", "°", of, 3,
         lambda turn, where: 180 * turn.extreme(greatest, where.stroke).place, minutes=True,
     )  # fmt: skip
-    yield _entry(
+    yield row(
         f"v_{index}", name, f'$v_"{index}"/v_1 - 1$', "$(Q r)/(m_1 v_1^2)$", of, 4,
         lambda turn, where: turn.extreme(greatest, where.stroke).energy,
     )  # fmt: skip
 
 
 def _turn_entries() -> Iterator[Quantity]:
-    yield _entry("delta", "Ungleichförmigkeitsgrad|Degree of irregularity", "$δ$", "$(P r)/(m_1 v_1^2)$",
-                 "turn", 3, lambda turn, where: turn.irregularity())  # fmt: skip
-    yield _entry("mean_force", "mittlere Umfangskraft|Mean tangential force", "$P$", "$Q$", "turn", 5,
-                 lambda turn, where: turn.mean_force())  # fmt: skip
-    yield _entry("back", "Gegendruck|Back pressure", "$R_b$", "$Q$", "turn", 4,
-                 lambda turn, where: turn.back(), needs="steam")  # fmt: skip
-    yield _entry("exponent", "Exponent der Expansion|Exponent of the expansion", "$n$", "", "turn", None,
-                 lambda turn, where: turn.engine.steam.exponent, needs="curve")  # fmt: skip
-    yield _entry("clearance", "schädlicher Raum|Clearance", "$κ$", "", "turn", None,
-                 lambda turn, where: turn.engine.steam.clearance, needs="clearance")  # fmt: skip
-    yield _entry("alpha_cutoff", "Absperrung bei|Cut-off at", "$α_ε$", "°", "stroke", 3,
-                 lambda turn, where: 180 * turn.cut_off(where.stroke), minutes=True, needs="steam",
-                 )  # fmt: skip
+    yield row("delta", "Ungleichförmigkeitsgrad|Degree of irregularity", "$δ$", "$(P r)/(m_1 v_1^2)$",
+              "turn", 3, lambda turn, where: turn.irregularity())  # fmt: skip
+    yield row("mean_force", "mittlere Umfangskraft|Mean tangential force", "$P$", "$Q$", "turn", 5,
+              lambda turn, where: turn.mean_force())  # fmt: skip
+    yield row("back", "Gegendruck|Back pressure", "$R_b$", "$Q$", "turn", 4,
+              lambda turn, where: turn.back(), needs="steam")  # fmt: skip
+    yield row("exponent", "Exponent der Expansion|Exponent of the expansion", "$n$", "", "turn", None,
+              lambda turn, where: turn.engine.steam.exponent, needs="curve")  # fmt: skip
+    yield row("clearance", "schädlicher Raum|Clearance", "$κ$", "", "turn", None,
+              lambda turn, where: turn.engine.steam.clearance, needs="clearance")  # fmt: skip
+    yield row("alpha_cutoff", "Absperrung bei|Cut-off at", "$α_ε$", "°", "stroke", 3,
+              lambda turn, where: 180 * turn.cut_off(where.stroke), minutes=True, needs="steam",
+              )  # fmt: skip
     yield from _extreme("kleinste Geschwindigkeit|Least speed", "least", "min")
     yield from _extreme("größte Geschwindigkeit|Greatest speed", "greatest", "max")
-    yield _entry("tangential", "Tangentialkraft|Tangential force", "$T$", "$Q$", "angle", 4,
-                 lambda turn, where: turn.tangential_force(where.half_turns))  # fmt: skip
-    yield _entry("tangential_excess", "Überschuss über die mittlere|Excess over the mean", "$T - P$", "$Q$",
-                 "angle", 4,
-                 lambda turn, where: turn.tangential_force(where.half_turns) - turn.mean_force(),
-                 )  # fmt: skip
-    yield _entry("energy", "Überschussarbeit|Excess energy", "$W$", "$Q r$", "angle", 4,
-                 lambda turn, where: turn.energy_at(where.half_turns),
-                 direction=words("$W$ Arbeit des Überschusses seit dem inneren Totpunkt der ersten Kurbel"
-                                 "|$W$ work of the excess since the inner dead centre of the first crank"),
-                 )  # fmt: skip
+    yield row("tangential", "Tangentialkraft|Tangential force", "$T$", "$Q$", "angle", 4,
+              lambda turn, where: turn.tangential_force(where.half_turns))  # fmt: skip
+    yield row("tangential_excess", "Überschuss über die mittlere|Excess over the mean", "$T - P$", "$Q$",
+              "angle", 4,
+              lambda turn, where: turn.tangential_force(where.half_turns) - turn.mean_force(),
+              )  # fmt: skip
+    yield row("energy", "Überschussarbeit|Excess energy", "$W$", "$Q r$", "angle", 4,
+              lambda turn, where: turn.energy_at(where.half_turns),
+              direction=words("$W$ Arbeit des Überschusses seit dem inneren Totpunkt der ersten Kurbel"
+                              "|$W$ work of the excess since the inner dead centre of the first crank"),
+              )  # fmt: skip
 
 
 def _path_entries() -> Iterator[Quantity]:
@@ -168,21 +162,60 @@ def _path_entries() -> Iterator[Quantity]:
         ("pin_path_mm", "mm", 2, lambda turn: turn.of(1000 * turn.engine.crank.radius) * turn.pi,
          "stroke"),
     ):  # fmt: skip
-        yield _entry(key, path, "$s$", unit, "angle", decimals, along, scale=scale, needs=needs)
-    yield _entry("tangential_kpa", "Tangentialdruck|Tangential pressure", "$T/A$", "kPa", "angle", 1,
-                 lambda turn, where: turn.tangential_force(where.half_turns), needs="load",
-                 scale=lambda turn: turn.of(_kilopascals(turn)))  # fmt: skip
+        yield row(key, path, "$s$", unit, "angle", decimals, along, scale=scale, needs=needs)
+    yield row("tangential_kpa", "Tangentialdruck|Tangential pressure", "$T/A$", "kPa", "angle", 1,
+              lambda turn, where: turn.tangential_force(where.half_turns), needs="load",
+              scale=work.kilopascals)  # fmt: skip
 
 
-def _kilopascals(turn: AnyTurn) -> Fraction:
-    """The pressure in kPa that Q is of."""
-    assert turn.engine.pressure is not None
-    return turn.engine.pressure / 1000
+def _work_entries() -> Iterator[Quantity]:
+    yield row("work", "Arbeit einer Umdrehung|Work of a turn", "$A$", "$Q r$", "turn", 4, work.work)
+    for key, name, letter in _STAGES:
+        yield row(key, name, letter, "$Q r$", "turn", None, partial(work.stage_work, key), needs="steam")
+    per_area = "$Q$ je Kolbenfläche|$Q$ per piston area"
+    heading = "|".join(f"$p_m$ in {unit}" for unit in per_area.split("|"))
+    mean = row("mean_pressure", "mittlerer Druck|Mean pressure", "$p_m$", per_area, "turn", 4,
+               work.mean_pressure, heading=heading)  # fmt: skip
+    yield mean
+    yield mean._replace(
+        key="mean_pressure_kpa", unit=words("kPa"), decimals=1, heading=words("$p_m$ in kPa"),
+        scale=work.kilopascals, needs="load",
+    )  # fmt: skip
+    yield row("indicated_power", "indizierte Leistung|Indicated power", "$N_i$", "kW", "turn", None,
+              work.power, scale=work.kilowatts, needs="power")  # fmt: skip
+    yield row("volumetric_efficiency", "volumetrischer Wirkungsgrad|Volumetric efficiency", "$η_v$", "",
+              "turn", 4, work.volumetric_efficiency, needs="compressor")  # fmt: skip
+    yield row("delivered", "Fördervolumen|Delivered volume", "$V/V_h$", "", "turn", 4,
+              work.delivered, needs="compressor")  # fmt: skip
+    yield row("delivery", "Fördermenge|Delivery", "$V$", "m³/min", "turn", None, work.flow,
+              needs="flow")  # fmt: skip
+    yield row("efficiency", "idealer Wirkungsgrad|Ideal efficiency", "$η$", "", "turn", 4,
+              work.efficiency, needs="heat")  # fmt: skip
 
 
 def _flywheel_entries() -> Iterator[Quantity]:
-    for key, name, symbol, unit, decimals, kernel, needs in flywheel.ENTRIES:
-        yield _entry(key, name, symbol, unit, "flywheel", decimals, kernel, needs=needs)
+    for key, name, symbol, unit, decimals, kernel, needs in _FLYWHEEL:
+        yield row(key, name, symbol, unit, "flywheel", decimals, kernel, needs=needs)
+
+
+_SWING = "Arbeitsüberschuss|Energy swing"
+
+
+_FLYWHEEL: tuple[tuple[str, str, str, str, int | None, Callable[..., Any], str], ...] = (
+    ("power", "Leistung|Power", "$N$", "W", None, work.power_of, ""),
+    ("speed", "Drehzahl|Speed", "$n$", '$"min"^(-1)$', None, work.turns_a_minute, ""),
+    ("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", None, work.speed, ""),
+    ("mean_torque", "mittleres Drehmoment|Mean torque", "$P r$", "N m", None, work.mean_torque, ""),
+    ("swing_share", _SWING, "$(ΔW)/(P r)$", "", 4, lambda turn, where: turn.irregularity(), ""),
+    ("swing", _SWING, "$ΔW$", "J", None, work.swing, ""),
+    ("inertia", "Trägheitsmoment|Moment of inertia", "$J$", "kg m²", None, work.inertia, ""),
+    (
+        "inertia_true",
+        "Trägheitsmoment, Massen bei wahrer Geschwindigkeit|Moment of inertia, masses at their true speed",
+        "$J_δ$", "kg m²", None, work.true_inertia, "masses",
+    ),
+    ("mass", "Schwungmasse am Halbmesser|Mass at the radius", "$J/ρ^2$", "kg", None, work.mass, "radius"),
+)  # fmt: skip
 
 
 class _Force(NamedTuple):
@@ -197,6 +230,8 @@ class _Force(NamedTuple):
 _BEARING = words(
     "$H$ auf das Hauptlager, von dieser Kurbel allein|$H$ on the main bearing, of this crank alone"
 )
+
+
 # In the order in which pages say their directions. S is a thrust or a pull, which a direction in the frame
 # does not say.
 FORCES: Mapping[str, _Force] = {
@@ -256,7 +291,7 @@ FORCES: Mapping[str, _Force] = {
 def _force_entries() -> Iterator[Quantity]:
     for key, acting in CRANK_FORCES.items():
         one = FORCES[key]
-        in_steam = _entry(
+        in_steam = row(
             key, one.name, f"${one.letter}$", "$Q$", "crank", 4,
             lambda turn, where, force=acting: turn.crank_force(force, where.half_turns),
             direction=one.direction,
@@ -266,7 +301,7 @@ def _force_entries() -> Iterator[Quantity]:
             key=f"{key}_n", unit=words("N"), decimals=1, heading=words(f"{in_steam.symbol} in N"),
             scale=AnyTurn.force_unit, needs="load",
         )  # fmt: skip
-    yield _entry(
+    yield row(
         "torque_nm", "Drehmoment|Torque", "$M_d$", "N m", "angle", 1,
         lambda turn, where: turn.tangential_force(where.half_turns),
         scale=AnyTurn.torque_unit, needs="torque",

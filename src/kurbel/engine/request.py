@@ -13,11 +13,11 @@ from kurbel.drive.load import COMPRESSOR, GAS, LOADS, PUMP, STEAM
 from kurbel.drive.load import Load as Acting
 from kurbel.drive.moved import Drive
 from kurbel.drive.wheel import Flywheel, Wheel
-from kurbel.engine.axes import LoadWords, words_of
-from kurbel.engine.cylinder import AnyTurn
+from kurbel.engine.cylinder import OUTSTROKE, RETURN_STROKE, WHOLE, AnyTurn, Where
 from kurbel.engine.digits import check_card
-from kurbel.engine.engine import Engine, Load, check_count
-from kurbel.engine.quantities import ENGINE_METHODS, OUTSTROKE, RETURN_STROKE, UNKNOWN, WHOLE, Where
+from kurbel.engine.engine import Assembly, Engine, Load, check_count
+from kurbel.engine.loads.words import LoadWords, words_of, words_of_cylinders
+from kurbel.engine.quantities import ENGINE_METHODS, UNKNOWN
 from kurbel.engine.turn import turn_of
 from kurbel.errors import ProblemError
 from kurbel.motion.evaluation import PAGE_CELLS
@@ -32,7 +32,6 @@ from kurbel.reading.given import choose
 
 if TYPE_CHECKING:
     from kurbel.engine.arrays import Irregularities
-    from kurbel.engine.assembly import Assembly
     from kurbel.motion.long import LongColumns
 
 # So many engines take balls as long as NumPy and its formulas take for the first.
@@ -199,8 +198,6 @@ class EngineRequest(Question):
     def words(self) -> LoadWords:
         """What is said of the loads, which are of one kind, or of the cylinders."""
         if self.assembly is not None:
-            from kurbel.engine.cylinders.words import words_of_cylinders
-
             return words_of_cylinders(self.assembly)
         return words_of(self.steams[0].name)
 

@@ -7,6 +7,148 @@ from collections.abc import Mapping
 from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM
 from kurbel.page.quantity import Words, words
 
+ENGINE = {
+    "first_order": words(
+        "Erste Ordnung, $φ$ vom inneren Totpunkt: Weg und Arbeit mit $1 - cos φ + 1/2 λ sin^2 φ$"
+        "|First order, $φ$ from the inner dead centre: path and work with $1 - cos φ + 1/2 λ sin^2 φ$"
+    ),
+    "first_order_masses": words(
+        "Massen mit $p$ als $cos φ + λ cos 2 φ$, $ε_L$ als $-λ sin φ$"
+        "|masses with $p$ as $cos φ + λ cos 2 φ$, $ε_L$ as $-λ sin φ$"
+    ),
+    "first_order_forces": words(
+        "Kräfte beim genauen Winkel $ψ$ der Stange, $T$ mit $sin(φ + ψ)/(cos ψ)$"
+        "|forces at the exact angle $ψ$ of the rod, $T$ with $sin(φ + ψ)/(cos ψ)$"
+    ),
+    "first_order_energy": words(
+        "Energie der Massen mit $c$ als $sin φ + 1/2 λ sin 2 φ$, $ω_L$ als $λ cos φ$"
+        "|energy of the masses with $c$ as $sin φ + 1/2 λ sin 2 φ$, $ω_L$ as $λ cos φ$"
+    ),
+    "first_order_work": words(
+        "daher wächst $W$ nicht genau mit $T - P$|hence $W$ does not quite grow with $T - P$"
+    ),
+    "first_order_mean": words(
+        "$P$ aus der Arbeit, daher nicht genau das Mittel von $T$"
+        "|$P$ from the work, hence not quite the mean of $T$"
+    ),
+    "makes_delta": words("aus diesen beiden folgt $δ$|$δ$ follows from these two"),
+    "delta": words('$δ = (v_"max" - v_"min")/v_1$'),
+    "mean_force": words("$P$ mittlere Umfangskraft|$P$ mean tangential force"),
+    "flywheel_mass": words(
+        "$m_1$ Schwungmasse {at_radius}, $v_1$ Kurbelgeschwindigkeit im inneren Totpunkt"
+        "|$m_1$ flywheel mass {at_radius}, $v_1$ crank-pin velocity at the inner dead centre"
+    ),
+    "at_crank_radius": words("am Kurbelhalbmesser $r$|at the crank radius $r$"),
+    "at_radius": words("bei $r$|at $r$"),
+    "framed": words(
+        "{letters} positiv in der Richtung des Hinganges und nach der Seite, auf der dort der"
+        " Kurbelzapfen läuft"
+        "|{letters} positive in the direction of the outstroke and towards the side on which the"
+        " crank pin then runs"
+    ),
+    "framed along": words(
+        "{letters} positiv in der Richtung des Hinganges|{letters} positive in the direction of the outstroke"
+    ),
+    "framed across": words(
+        "{letters} positiv nach der Seite, auf der beim Hingang der Kurbelzapfen läuft"
+        "|{letters} positive towards the side on which the crank pin runs on the outstroke"
+    ),
+    "all_cranks": words(", von allen Kurbeln|, of all cranks"),
+    "first_crank": words("die übrigen der ersten Kurbel|the others of the first crank"),
+    "massless": words("ohne Massen|without masses"),
+    "flywheel": words(
+        "$(ΔW)/(P r)$ ist $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
+        " $P$ mittlere Umfangskraft {at_radius}"
+        "|$(ΔW)/(P r)$ is $δ$ in $(P r)/(m_1 v_1^2)$, $J = (ΔW)/(δ ω^2)$;"
+        " $P$ mean tangential force {at_radius}"
+    ),
+    "true_inertia": words(
+        "mit $J_δ$ bleibt die Geschwindigkeit der Maschine mit ihren Massen genau in $ω (1 ± δ/2)$"
+        "|with $J_δ$ the speed of the machine with its masses stays exactly within $ω (1 ± δ/2)$"
+    ),
+    "radius": words("$ρ = {radius}$"),
+    "turn": words(
+        "Winkel vom Totpunkt des Hubes, in der Umdrehung vom inneren Totpunkt"
+        "|Angles from the dead centre of the stroke, over the turn from the inner one"
+    ),
+    "whole_turn": words(
+        "Winkel vom inneren Totpunkt der ersten Kurbel|Angles from the inner dead centre of the first crank"
+    ),
+    "from_slide": words(
+        "$α$ vom inneren Totpunkt, $φ$ anderer Seiten von der Schubrichtung: $φ = α + φ_i$"
+        "|$α$ from the inner dead centre, $φ$ of other pages from the slide direction: $φ = α + φ_i$"
+    ),
+    "strokes_from_slide": words(
+        "$φ$ anderer Seiten von der Schubrichtung: $φ = α + φ_i$, wo Rückgang steht $φ = α + φ_o$"
+        "|$φ$ of other pages from the slide direction: $φ = α + φ_i$, where Return stands $φ = α + φ_o$"
+    ),
+    "over_slide": words(
+        "$φ$ von der Schubrichtung, der innere Totpunkt bei $φ_i$; $α$ anderer Seiten in der Umdrehung von"
+        " dort: $φ = α + φ_i$"
+        "|$φ$ from the slide direction, the inner dead centre at $φ_i$; $α$ of other pages over the turn from"
+        " there: $φ = α + φ_i$"
+    ),
+    "difference": words(
+        "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet."
+        "|Difference: exact value less approximation, taken before rounding."
+    ),
+    "weisbach": words(
+        "$sin α_1 = P/(Q - R_b) ± r/(2 l) sin 2 α_1$,"
+        " $P tan(α_2/2) = 2 Q/ε (1 ± r/l q) - 2 R_b q (1 ∓ r/l cos α_2)$, $q = sin^2(α_2/2)$;"
+        " oberes Zeichen: Rückgang, unteres Zeichen: Hingang"
+        "|$sin α_1 = P/(Q - R_b) ± r/(2 l) sin 2 α_1$,"
+        " $P tan(α_2/2) = 2 Q/ε (1 ± r/l q) - 2 R_b q (1 ∓ r/l cos α_2)$, $q = sin^2(α_2/2)$;"
+        " upper sign: return stroke, lower sign: outstroke"
+    ),
+}
+SIGNS = {
+    "signs": words(
+        "Die Welle treibt den Kolben: $T$ zählt in der Drehrichtung, Arbeit als abgegeben; das Mittel $P$ ist"
+        " negativ"
+        "|The shaft drives the piston: $T$ counts as the crank turns, work as delivered; the mean $P$ is"
+        " negative"
+    ),
+    "magnitude": words("$δ$ im Betrag von $P$|$δ$ in the magnitude of $P$"),
+    "mean": words("$P r$ im Betrag|$P r$ as a magnitude"),
+    "exchanged": words(
+        "größte und kleinste Geschwindigkeit haben gegen die Kraftmaschine die Plätze getauscht"
+        "|greatest and least speed have changed places with those of a driving machine"
+    ),
+    "supplied": words("{names} positiv, als zugeführt|{names} positive, as supplied"),
+    "turning_sense": words(
+        "Dreht der Kurbelzapfen im inneren Totpunkt nach oben, trägt bei liegender Maschine die obere"
+        " Gleitbahn; Arbeitsmaschinen drehen daher anders herum als Kraftmaschinen, und die untere trägt"
+        "|Where the crank pin rises at the inner dead centre, the upper guide face of a horizontal machine is"
+        " loaded; driven machines therefore turn the other way than driving ones, which loads the lower one"
+    ),
+}
+SUPPLIED = {
+    "power": words("Leistungen|powers"),
+    "indicated_power": words("Leistungen|powers"),
+    "mean_pressure": words("mittlere Drücke|mean pressures"),
+    "mean_pressure_kpa": words("mittlere Drücke|mean pressures"),
+}
+CYLINDERS = {
+    "cylinder": words("Zylinder {number}: |Cylinder {number}: "),
+    "stroke": words("Hub|stroke"),
+    "lag": words("um {angle} hinter Zylinder {number}|{angle} behind cylinder {number}"),
+    "driven": words(
+        "Die Welle treibt den Kolben von Zylinder {numbers}: $T$ zählt in der Drehrichtung, Arbeit als"
+        " abgegeben; dort sind das mittlere $T$ und die Arbeit negativ"
+        "|The shaft drives the piston of cylinder {numbers}: $T$ counts as the crank turns, work as"
+        " delivered; there the mean $T$ and the work are negative"
+    ),
+    "single": words("einfachwirkend|single-acting"),
+    "double": words("doppeltwirkend|double-acting"),
+    "count": words("{count} Zylinder|{count} cylinders"),
+    "one": words("1 Zylinder|1 cylinder"),
+}
+OF_FIRST = words(
+    "; $Q$, $r$ und $φ$ des zuerst genannten Zylinders, auf die alle Kräfte und Momente bezogen sind"
+    "|; $Q$, $r$ and $φ$ of the cylinder named first, which all forces and moments are referred to"
+)
+OF_SEVERAL = words("der Maschine mit {count} Zylindern|of the engine of {count} cylinders")
+OF_ONE = words("der Maschine mit einem Zylinder|of the engine of one cylinder")
 OF_SPEED = {
     "root": words("$v/v_1 = sqrt(1 + 2 W/(m_1 v_1^2))$"),
     "first_order": words(

@@ -4,35 +4,39 @@ Angles are half turns of the first crank's φ, from its inner dead centre on. Be
 whatever cranks, the excess of the tangential forces over their mean is one smooth formula but for the
 corners of the forces; such a piece is where zeros are searched. Dead centres that no rational number of half
 turns says are kept between two near ones, over which the excess is proved not to vanish.
+
+The same cycle on numbers that know what they are made of, as exact/terms.py has them, tells ties: at a
+rational angle forces are algebraic, and so are energies but for the logarithms of Mariotte's law; with the
+mean force comes 1/π, with newtons π, and with the masses a power of it. Of the places at which the speed is
+least or greatest no rational one is known: they are undecided, and so is what follows from them.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import cache, cached_property, partial
 from itertools import pairwise
 from math import floor
-from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, NoReturn, TypeAlias
 
 import flint
 
 from kurbel.drive.moved import Moved
-from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, Standing
-from kurbel.engine.engine import Engine, Steam
+from kurbel.engine.cylinder import SIGNS, AnyTurn, Cylinder, Peak, Standing
+from kurbel.engine.engine import Assembly, Engine
+from kurbel.engine.loads.steam import Steam
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import FLOAT_BITS, at_bits, ball, ball_circle, half_turn_circle
-from kurbel.exact.kind import balls
+from kurbel.exact.kind import Kind, balls
 from kurbel.exact.search import EQUAL_BITS, ISOLATING_BITS, Function, Zero, greatest, interval, isolate
+from kurbel.exact.terms import UndecidedError, tie_bits
+from kurbel.kernel import steam
 from kurbel.kernel.circle import Circle, Number
-
-if TYPE_CHECKING:
-    from kurbel.engine.assembly import Assembly
 
 # So near are the numbers between which a dead centre lies.
 GAP_BITS = 100
-
 # Half turns: an exact number of them, or a ball.
 Angle: TypeAlias = Fraction | Number
 
@@ -247,7 +251,6 @@ def turn_of(engine: Engine | Assembly, method: str) -> AnyTurn:
             if isinstance(ideal, Steam)
             else 'method "weisbach" has equations for steam alone, those of § 150; use exact or series'
         )
-    from kurbel.engine.weisbach import WeisbachTurn
 
     return WeisbachTurn(engine, method)
 
@@ -292,3 +295,81 @@ def circle(half_turns: Angle) -> Circle[Number]:
     if isinstance(half_turns, Fraction):
         return ball_circle(180 * half_turns)
     return half_turn_circle(half_turns)
+
+
+class WeisbachTurn(Turn):
+    """A turn with the angles of Weisbach's own relations, for Mariotte's law and one double-acting crank.
+
+    α₁ is the first zero of the first-order excess, as sin α₁ = P/(Q - R) ± ½λ sin 2α₁ says; α₂ comes from
+    cot(α₂/2), or where the speed turns before the cut-off from the second zero. Where it turns shortly after
+    the cut-off, his simplified cot(α₂/2) may place α₂ shortly before. Source: § 150.
+    """
+
+    def _stationary(self, piece: Piece) -> list[Extremum]:
+        zeros = super()._stationary(piece)
+        if not self._turns_beyond_cut_off(piece):
+            return zeros
+        relation, slope = partial(self._relation, piece, 0), partial(self._relation, piece, 1)
+        return [zeros[0], *stationary(piece, relation, slope)]
+
+    @property
+    def expands_first(self) -> bool:
+        """Whether on both strokes the speed is greatest beyond the cut-off, where his cot(α₂/2) holds."""
+        return all(map(self._turns_beyond_cut_off, self.pieces))
+
+    def _turns_beyond_cut_off(self, piece: Piece) -> bool:
+        (_, stroke, begun) = piece.strokes[0]
+        with at_bits(EQUAL_BITS):
+            return bool(self.excess(piece, self.cut_off(stroke) + ball(begun)) > 0)
+
+    def _relation(self, piece: Piece, part: int, at: Number) -> Number:
+        """His equation for α₂ as a function with that zero, or its slope over the half turns."""
+        (_, stroke, begun) = piece.strokes[0]
+        angle = at - ball(begun)
+        acting = self.part.ideal.numbers(ball)
+        loss = acting.back / acting.cut_off
+        work = acting.work(flint.arb(1)) / acting.cut_off
+        ratio = ball(SIGNS[stroke] * self.engine.crank.ratio)
+        half = (angle / 2).sin_cos_pi()
+        relation = steam.weisbach_maximum(half, circle(angle), ratio, loss, work, flint.arb.pi())
+        return relation[part] * (flint.arb.pi() if part else 1)
+
+
+class ExactTurn(Turn):
+    """A turn on a kind of number of its own, and at rational angles alone."""
+
+    def __init__(self, turn: Turn, kind: Kind) -> None:
+        super().__init__(turn.engine, turn.method)
+        self.turn, self.kind = turn, kind
+        self._own = self.cylinders_on(kind, self._circle)
+
+    def _circle(self, half_turns: Any) -> Circle[Any]:
+        if not isinstance(half_turns, (int, Fraction)):
+            raise UndecidedError
+        found: Circle[Any] = self.kind.circle(180 * Fraction(half_turns))
+        return found
+
+    @property
+    def cylinders(self) -> tuple[Cylinder, ...]:
+        return self._own
+
+    def has_reached(self, since: Fraction, part: int, stroke: int) -> bool:
+        return self.turn.has_reached(since, part, stroke)
+
+    def peaks(self, greatest: bool, stroke: int | None = None) -> NoReturn:
+        raise UndecidedError
+
+    def at_speed(self, factor: Fraction) -> NoReturn:
+        raise UndecidedError
+
+
+def turn_ties(value: Callable[..., Any], turns: Sequence[Any]) -> Callable[[Fraction], float]:
+    """Return how near a value of turns can come to a rounding boundary, as `certify.rounded` asks: of turns
+    in balls, of which alone more than a ball is known."""
+
+    def on(kind: Kind) -> Any:
+        if not all(isinstance(one, Turn) for one in turns):
+            raise UndecidedError
+        return value(*(ExactTurn(one, kind) for one in turns))
+
+    return lambda boundary: tie_bits(on, boundary)

@@ -37,7 +37,7 @@ SUBJECTS: Mapping[str, Pages] = {
     "tangent": Pages("kurbel.motion.tangent_page:SUBJECT", "forces --at tangent"),
     "irregularity": Pages("kurbel.engine.page:IRREGULARITY", "delta"),
     "strokes": Pages("kurbel.engine.page:STROKES", "delta --eps 2"),
-    "cylinders": Pages("kurbel.engine.cylinders.page:SUBJECT", _LISTED),
+    "cylinders": Pages("kurbel.engine.cylinders:SUBJECT", _LISTED),
     "compressor": Pages("kurbel.engine.page:COMPRESSOR", "delta --pressure-ratio 2..6"),
     "pump": Pages("kurbel.engine.page:PUMP", "delta --pump"),
     "gas cycle": Pages("kurbel.engine.page:GAS_CYCLE", "delta --compression 5..8 --heat 10"),

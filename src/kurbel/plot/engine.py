@@ -13,12 +13,12 @@ from itertools import product
 from math import ceil, floor, radians
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kurbel.engine.axes import named_load
-from kurbel.engine.captions import common, inner
+from kurbel.engine.captions import common, inner, named_load
+from kurbel.engine.cylinder import Where
 from kurbel.engine.diagram.fluctuation import place_text, shown
 from kurbel.engine.digits import Asked, estimated, settled
 from kurbel.engine.pressures import stroke_names
-from kurbel.engine.quantities import ENGINE_METHODS, Where, engine_registry, value
+from kurbel.engine.quantities import ENGINE_METHODS, engine_registry, value
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn, turn_of
 from kurbel.exact.kind import Kind, floats

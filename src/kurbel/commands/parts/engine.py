@@ -23,9 +23,8 @@ from kurbel.reading.notation import about
 
 if TYPE_CHECKING:
     from kurbel.drive.load import Load as Acting
-    from kurbel.engine.assembly import Assembly
+    from kurbel.engine.engine import Assembly, Load
     from kurbel.engine.engine import Engine as Part_
-    from kurbel.engine.engine import Load
 
 EXAMPLE = "angle=90 bore=500mm pressure=3bar eps=2"
 # How what is said or not is written in a text.
@@ -240,7 +239,7 @@ class Engine(Cylinder):
 
     def assembly(self, page: Layout) -> Assembly:
         """Return the engine of the cylinders that are described. Raises ProblemError with their number."""
-        from kurbel.engine.assembly import Assembly
+        from kurbel.engine.engine import Assembly
 
         if self.says("cranks"):
             raise ProblemError(
@@ -255,7 +254,7 @@ class Engine(Cylinder):
 
     def _seen(self, assembly: Assembly) -> tuple[Assembly, tuple[int, ...]]:
         """Return the engine with a cylinder, by its number, in the first place, and the numbers of all."""
-        from kurbel.engine.assembly import Assembly
+        from kurbel.engine.engine import Assembly
 
         if not self.says("of"):
             return assembly, ()

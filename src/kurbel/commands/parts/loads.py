@@ -115,7 +115,7 @@ class Loads(Piston):
     pump = word(
         "Pump: double (by itself), single or differential.",
         "KIND",
-        Choice("pump", "kurbel.engine.loads.pump:KINDS"),
+        Choice("pump", "kurbel.engine.loads.driven:KINDS"),
         bare="double",
         machine="pump.kind",
         topic="pump",
@@ -213,7 +213,7 @@ class Loads(Piston):
         return self._steams(page)
 
     def _steams(self, page: Layout) -> Sequence[Acting]:
-        from kurbel.engine.engine import Steam
+        from kurbel.engine.loads.steam import Steam
 
         back, pressure = self.back, self.raw("pressure") if self._back_is_pressure() else None
         share = None if back is None else as_share_or_pressure(back, "back pressure", pressure)
@@ -247,7 +247,7 @@ class Loads(Piston):
         ]
 
     def _compressors(self) -> Sequence[Acting]:
-        from kurbel.engine.loads.compressor import Compressor
+        from kurbel.engine.loads.driven import Compressor
 
         other = self.other_side
         if other is not None:
@@ -269,7 +269,7 @@ class Loads(Piston):
         ]  # fmt: skip
 
     def _pump(self) -> Acting:
-        from kurbel.engine.loads.pump import DIFFERENTIAL, DOUBLE, SINGLE, Pump
+        from kurbel.engine.loads.driven import DIFFERENTIAL, DOUBLE, SINGLE, Pump
 
         kind = self.pump or DOUBLE
         if self.single_acting:

@@ -19,11 +19,10 @@ from scipy.optimize import brentq
 
 from kurbel.drive.at import CrankForce
 from kurbel.engine.arrays import ZERO_TOLERANCE, FloatTurn
-from kurbel.engine.assembly import Assembly
 from kurbel.engine.card.card import Diagram
 from kurbel.engine.card.force import CardStroke
 from kurbel.engine.cylinder import Cylinder, Peak
-from kurbel.engine.engine import Engine
+from kurbel.engine.engine import Assembly, Engine
 from kurbel.errors import CardError, ProblemError
 
 # Between two samples of half a degree the excess has one zero at most, unless the card is all noise; that a

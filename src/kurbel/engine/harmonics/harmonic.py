@@ -19,7 +19,7 @@ from kurbel.balancing.arrangement import Residual
 from kurbel.balancing.harmonics_page import EXACT_ZERO
 from kurbel.balancing.lengths import LENGTHS, certified_length
 from kurbel.drive.at import known
-from kurbel.engine.cylinder import AnyTurn
+from kurbel.engine.cylinder import AnyTurn, Member
 from kurbel.engine.digits import CLEAN, FLOAT_ERROR, Estimate, certified, supported
 from kurbel.engine.harmonics.fourier import NOTHING_BITS, PARTS, Floats, Spectrum, Wave, star_of
 from kurbel.engine.quantities import ENGINE_METHODS
@@ -34,15 +34,6 @@ if TYPE_CHECKING:
 
 # Steps of orders beside one at which the cards' differences are looked at: one alone may vanish by chance.
 BESIDE = (-1, 0, 1)
-
-
-class Member(NamedTuple):
-    """A cylinder of an engine by its number, or the whole of it: its part, and by how many half turns its
-    crank follows the first; of the whole engine None."""
-
-    number: int
-    part: int | None = None
-    start: Fraction = Fraction(0)
 
 
 class At(NamedTuple):

@@ -13,13 +13,14 @@ from typing import Any
 
 from kurbel.balancing.harmonics import MOST_ORDERS
 from kurbel.balancing.harmonics_page import ORDER
-from kurbel.engine import captions
-from kurbel.engine.axes import LoadAxis
-from kurbel.engine.digits import error_number
-from kurbel.engine.engine import Steam
+from kurbel.engine.captions import caption
+from kurbel.engine.cylinder import Member, members_of
+from kurbel.engine.digits import ERROR, error_number
 from kurbel.engine.harmonics.fourier import Spectrum, spectrum_of
-from kurbel.engine.harmonics.harmonic import SPEED, STAR, At, Member, estimate, number_of, registry
-from kurbel.engine.page import ERROR, errors_beside
+from kurbel.engine.harmonics.harmonic import SPEED, STAR, At, estimate, number_of, registry
+from kurbel.engine.loads.steam import Steam
+from kurbel.engine.notes import from_dead_centre, notes
+from kurbel.engine.page import LoadAxis, errors_beside
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.texts import HARMONICS
 from kurbel.errors import ProblemError
@@ -63,8 +64,7 @@ class TorqueRequest(EngineRequest):
     @cached_property
     def members(self) -> tuple[Member, ...]:
         """The cylinders that the page is about, one of those that are alike, and after them the engine."""
-        places = [(part, start) for part, one in enumerate(self.first.parts) for start in one.starts]
-        every = tuple(Member(number, *place) for number, place in enumerate(places, 1))
+        every = members_of(self.first)
         if self.layout.subject == EXCITATION:
             return every
         if len(every) == 1:
@@ -142,11 +142,11 @@ def _member_axis(request: TorqueRequest) -> ListAxis:
 
 def _notes(request: TorqueRequest) -> Iterator[Label | Note]:
     lang = request.lang
-    regular = captions.from_dead_centre(request, (request.methods or ("exact",))[0])
+    regular = from_dead_centre(request, (request.methods or ("exact",))[0])
     yield HARMONICS["sum"][lang].replace("{begin}", HARMONICS["dead_centre" if regular else "slide"][lang])
     if any(column.quantity.needs == STAR for column in request.page_columns):
         yield HARMONICS["star"][lang]
-    yield from captions.notes(request)
+    yield from notes(request)
     yield HARMONICS["zero"][lang]
 
 
@@ -160,7 +160,7 @@ def _subject(key: str, layout: str, axes: Mapping[str, Callable[[Any], Axis]]) -
         axis_keys=tuple(names.get(name, name) for name in axes),
         quantities=registry,
         number=_number,
-        caption=captions.caption,
+        caption=caption,
         notes=_notes,
         beside=_beside,
         listed=None if key != EXCITATION else tuple,

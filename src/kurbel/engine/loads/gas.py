@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any, ClassVar, NamedTuple
 
 from kurbel.drive.load import GAS
-from kurbel.engine.loads.limits import LEAST_WORK, check_exponent
+from kurbel.engine.loads.steam import LEAST_WORK, check_exponent
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Number

@@ -1,129 +1,209 @@
-"""What pages say of compressors, pumps and gas engines."""
+"""What pages say of each kind of load, and what tells one from another of the same page."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from functools import cache
+from typing import Any, NamedTuple, Protocol
 
-from kurbel.drive.load import figure
-from kurbel.engine.axes import LoadWords, kilopascals, millimetres, number_label
-from kurbel.engine.loads.gas import DIESEL, DUAL, OTTO
-from kurbel.engine.loads.pump import DIFFERENTIAL, DOUBLE, SINGLE
-from kurbel.exact.numerals import Label
-from kurbel.page.quantity import words
+from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM, figure
+from kurbel.engine.engine import Assembly, Load
+from kurbel.engine.loads.driven import DIFFERENTIAL, DOUBLE, Compressor, Pump
+from kurbel.engine.loads.gas import GasCycle
+from kurbel.engine.loads.texts import CYCLES, OF_STEAM, OTHERS, PUMP_KINDS, PUMPS
+from kurbel.engine.texts import CYLINDERS, OF_FIRST, OF_ONE, OF_SEVERAL
+from kurbel.exact.numerals import Label, exact_text
+from kurbel.page.quantity import Words, words
+from kurbel.reading.amounts import amount
+from kurbel.reading.given import found_at
+from kurbel.reading.notation import plain
 
-if TYPE_CHECKING:
-    from kurbel.engine.engine import Load
-    from kurbel.engine.loads.compressor import Compressor
-    from kurbel.engine.loads.gas import GasCycle
-    from kurbel.engine.loads.pump import Pump
-    from kurbel.engine.request import EngineRequest
 
-WORDS = {
-    "isothermal": words("Verdichtung nach Mariotte (--exponent)|Compression by Mariotte's law (--exponent)"),
-    "polytropic": words(
-        'Verdichtung nach $p V^n = "const"$, $n = {exponent}$'
-        '|Compression by $p V^n = "const"$, $n = {exponent}$'
-    ),
-    "clearance": words(
-        "schädlicher Raum ${clearance}$ des Hubraumes, aus dem die Luft sich wieder ausdehnt"
-        "|clearance ${clearance}$ of the swept volume, out of which the air expands again"
-    ),
-    "unclear": words("ohne schädlichen Raum (--clearance)|no clearance (--clearance)"),
-    "lossless": words(
-        "Ventile ohne Verluste (--suction-loss, --delivery-loss)"
-        "|valves without losses (--suction-loss, --delivery-loss)"
-    ),
-    "suction_loss": words(
-        "im Zylinder beim Saugen $p_1 (1 - {share})$|in the cylinder at suction $p_1 (1 - {share})$"
-    ),
-    "delivery_loss": words("beim Ausschieben $p_2 (1 + {share})$|at delivery $p_2 (1 + {share})$"),
-    "other_side": words("auf der anderen Kolbenseite ${share} p_1$|on the other face ${share} p_1$"),
-    "same_side": words(
-        "auf der anderen Kolbenseite $p_1$ (--other-side)|on the other face $p_1$ (--other-side)"
-    ),
-    "above": words(
-        "Saugdruck ${head}$ über dem der anderen Kolbenseite"
-        "|suction pressure ${head}$ above that on the other face"
-    ),
-    "below": words(
-        "Saugdruck ${head}$ unter dem der anderen Kolbenseite"
-        "|suction pressure ${head}$ below that on the other face"
-    ),
-    "no_suction_head": words(
-        "Saugdruck gleich dem auf der anderen Kolbenseite (--suction-pressure)"
-        "|suction pressure that on the other face (--suction-pressure)"
-    ),
-    "ring": words(
-        "Ringfläche ${share}$ der Kolbenfläche{usual}, stets unter dem Förderdruck"
-        "|ring ${share}$ of the piston's area{usual}, always under the delivery pressure"
-    ),
-    "both": words(
-        "Exponent der Verdichtung und der Ausdehnung ${exponent}$"
-        "|exponent of compression and expansion ${exponent}$"
-    ),
-    "unraised": words("Auspuffdruck $p_1$ (--exhaust-pressure)|exhaust pressure $p_1$ (--exhaust-pressure)"),
-    "apart": words(
-        "Exponent der Verdichtung ${compression}$, der Ausdehnung ${expansion}$"
-        "|exponent of compression ${compression}$, of expansion ${expansion}$"
-    ),
-    "peak": words("Höchstdruck ${peak} p_1$|peak pressure ${peak} p_1$"),
-    "cut_off": words("Einspritzverhältnis ${cut_off}$|cut-off ratio ${cut_off}$"),
-    "heat": words("Wärme $q = {heat} R T_1$|heat $q = {heat} R T_1$"),
-    "exhaust": words("Auspuffdruck ${exhaust} p_1$|exhaust pressure ${exhaust} p_1$"),
-    "four": words(
-        "Viertakt (sonst --two-stroke), 0° im inneren Totpunkt bei der Zündung"
-        "|four-stroke (else --two-stroke), 0° at the inner dead centre of firing"
-    ),
-    "two": words(
-        "Zweitakt, 0° im inneren Totpunkt bei der Zündung|two-stroke, 0° at the inner dead centre of firing"
-    ),
-}
-KINDS = {
-    DOUBLE: words("doppeltwirkend|double-acting"),
-    SINGLE: words("einfachwirkend|single-acting"),
-    DIFFERENTIAL: words("Differentialpumpe|differential"),
-}
-PUMPS = {
-    DOUBLE: words("Pumpe doppeltwirkend (sonst --pump single)|Double-acting pump (else --pump single)"),
-    SINGLE: words("Pumpe einfachwirkend|Single-acting pump"),
-    DIFFERENTIAL: words("Differentialpumpe|Differential pump"),
-}
-CYCLES = {
-    OTTO: words("Otto-Prozess (--cycle)|Otto cycle (--cycle)"),
-    DIESEL: words("Diesel-Prozess|Diesel cycle"),
-    DUAL: words("gemischter Prozess (Seiliger)|dual cycle (Seiliger)"),
+class Loaded(Protocol):
+    """What is under a load, as words about that know it."""
+
+    @property
+    def steams(self) -> Sequence[Any]: ...
+    @property
+    def words(self) -> LoadWords: ...
+    @property
+    def first(self) -> Any: ...
+    @property
+    def double(self) -> bool: ...
+
+
+class LoadWords(NamedTuple):
+    """What pages say of a kind of load, and what tells one from another of the same page.
+
+    `key` is that of its field, `symbol` its letter, if it has one. `number` is what varies, None where that
+    is no number, `label` how it is written. `machine` is what is driven by it or drives it, in the genitive,
+    `several` what loads are called in sentences. `forces` says what Q is, `newtons` what it is of, and
+    `lines` yields what there is to be said of the load; `layout` is that of its irregularity, `halved` tells
+    that a single-acting one is called so, `captioned` that what tells it from others stands in captions,
+    `tag` what stands for it in records where that is not what is written, `pressure` the end of
+    a list of options that make newtons of the force.
+    """
+
+    key: str
+    name: Words
+    symbol: Label
+    number: Callable[[Any], Fraction | None]
+    label: Callable[[Any, str], Label]
+    machine: Words
+    several: str
+    forces: Words
+    newtons: Callable[[Any, Load], Label]
+    lines: Callable[[Any, str], Iterator[Label]]
+    layout: str = "delta-detail"
+    halved: bool = True
+    captioned: bool = True
+    tag: Callable[[Any], Label] | None = None
+    pressure: str = " and, but for a card, --pressure"
+
+
+SAID: Mapping[str, str] = {
+    STEAM: "kurbel.engine.loads.words:STEAM_WORDS",
+    CARD: "kurbel.engine.loads.words:CARD_WORDS",
+    COMPRESSOR: "kurbel.engine.loads.words:COMPRESSOR_WORDS",
+    PUMP: "kurbel.engine.loads.words:PUMP_WORDS",
+    GAS: "kurbel.engine.loads.words:GAS_WORDS",
 }
 
 
-def _compressor_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
-    load: Compressor = _first(request)
+@cache
+def words_of(load: str) -> LoadWords:
+    """Return what is said of a load, by its name."""
+    found = found_at(SAID[load])
+    assert isinstance(found, LoadWords)
+    return found
+
+
+def lettered(said: LoadWords, load: Any, lang: str) -> Label:
+    """Return what tells a load from others with its letter, if it has one: $ε = 4$, card.csv."""
+    label, letter = said.label(load, lang), said.symbol.strip("$")
+    return f"${letter} = {label.strip('$')}$" if letter else label
+
+
+def load_text(load: Any, lang: str) -> Label:
+    """Return the same of a load by itself."""
+    return lettered(words_of(load.name), load, lang)
+
+
+def number_label(number: Fraction) -> Label:
+    """Return a number as pages print it: 2, 2.5 or, of no finite decimal, 7/3."""
+    shown = plain(number)
+    return f"${shown if len(shown) <= 8 else f'{number.numerator}/{number.denominator}'}$"
+
+
+def millimetres(length: Fraction) -> Label:
+    """Return a length as it stands in a formula."""
+    return amount(length, "mm", exact_text)
+
+
+def kilopascals(load: Load, times: Fraction = Fraction(1)) -> Label:
+    """Return the pressure that Q is of, or a multiple of it, as it stands in a formula."""
+    assert load.pressure is not None
+    return amount(load.pressure * times, "kPa", exact_text)
+
+
+def _steam_lines(request: Loaded, lang: str) -> Iterator[Label]:
+    steam: Any = request.steams[0]
+    if all(request.words.number(one) == 1 for one in request.steams):
+        yield OF_STEAM["uncut"][lang]
+    elif steam.exponent == 1:
+        yield OF_STEAM["mariotte"][lang]
+    else:
+        yield OF_STEAM["polytropic"][lang].format(exponent=exact_text(steam.exponent))
+    if steam.clearance:
+        yield OF_STEAM["clearance"][lang].format(clearance=exact_text(steam.clearance))
+    elif any(request.words.number(one) != 1 for one in request.steams):
+        yield OF_STEAM["unclear"][lang]
+    if steam.back is not None:
+        yield OF_STEAM["back"][lang].format(back=f"{exact_text(steam.back)} Q" if steam.back else "0")
+    else:
+        yield best_back(steam, "R_b", "Q", lang)
+
+
+def best_back(steam: Any, back: Label, full: Label, lang: str) -> Label:
+    """Return what pages say of the back pressure that is taken where none is given, in these letters."""
+    said = "best" if steam.exponent == 1 and not steam.clearance else "best_end"
+    return OF_STEAM[said][lang].format(back=back, full=full)
+
+
+def engine_lines(request: Loaded, lang: str) -> Iterator[Label]:
+    """Yield what there is to be said of an engine: of its load, its sides and its cranks."""
+    yield from request.words.lines(request, lang)
+    engine = request.first
+    if request.words.halved:
+        yield OF_STEAM["double" if engine.double else "single"][lang]
+    if len(engine.cranks) > 1:
+        angles = ", ".join(f"${plain(angle)}°$" for angle in engine.cranks[1:])
+        yield OF_STEAM["cranks"][lang].format(angles=angles)
+
+
+STEAM_WORDS = LoadWords(
+    key="epsilon",
+    name=words("Expansionsverhältnis|Expansion ratio"),
+    symbol="$ε$",
+    number=lambda steam: steam.expansion,
+    label=lambda steam, lang: number_label(steam.expansion),
+    machine=words("der Dampfmaschine|of the steam engine"),
+    several="expansion ratios",
+    forces=words(
+        "$Q$ Dampfkraft auf den Kolben vor der Absperrung, $r$ Kurbelhalbmesser"
+        "|$Q$ steam force on the piston before cut-off, $r$ crank radius"
+    ),
+    newtons=lambda steam, load: f"$Q = π/4 d^2 p$, $d = {millimetres(load.bore)}$, $p = {kilopascals(load)}$",
+    lines=_steam_lines,
+)
+
+
+CARD_WORDS = LoadWords(
+    key="card",
+    name=words("Diagramm|Card"),
+    symbol="",
+    number=lambda diagram: None,
+    label=lambda diagram, lang: os.path.basename(diagram.card.name).replace("$", "\\$"),
+    machine=STEAM_WORDS.machine,
+    several="cards",
+    forces=words(
+        "$Q$ größter Druck des Diagramms mal Kolbenfläche, $r$ Kurbelhalbmesser"
+        "|$Q$ greatest pressure of the card times piston area, $r$ crank radius"
+    ),
+    newtons=lambda diagram, load: f"$d = {millimetres(load.bore)}$",
+    lines=lambda request, lang: iter([OF_STEAM["card"][lang]]),
+)
+
+
+def _compressor_lines(request: Loaded, lang: str) -> Iterator[Label]:
+    load: Compressor = request.steams[0]
     if load.exponent == 1:
-        yield WORDS["isothermal"][lang]
+        yield OTHERS["isothermal"][lang]
     else:
-        yield WORDS["polytropic"][lang].format(exponent=figure(load.exponent))
+        yield OTHERS["polytropic"][lang].format(exponent=figure(load.exponent))
     if load.clearance:
-        yield WORDS["clearance"][lang].format(clearance=figure(load.clearance))
+        yield OTHERS["clearance"][lang].format(clearance=figure(load.clearance))
     else:
-        yield WORDS["unclear"][lang]
+        yield OTHERS["unclear"][lang]
     if load.suction_loss:
-        yield WORDS["suction_loss"][lang].format(share=figure(load.suction_loss))
+        yield OTHERS["suction_loss"][lang].format(share=figure(load.suction_loss))
     if load.delivery_loss:
-        yield WORDS["delivery_loss"][lang].format(share=figure(load.delivery_loss))
+        yield OTHERS["delivery_loss"][lang].format(share=figure(load.delivery_loss))
     if not (load.suction_loss or load.delivery_loss):
-        yield WORDS["lossless"][lang]
+        yield OTHERS["lossless"][lang]
     if not request.double:
         said = "same_side" if load.other_side == 1 else "other_side"
-        yield WORDS[said][lang].format(share=figure(load.other_side))
+        yield OTHERS[said][lang].format(share=figure(load.other_side))
 
 
-def _pump_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
-    load: Pump = _first(request)
+def _pump_lines(request: Loaded, lang: str) -> Iterator[Label]:
+    load: Pump = request.steams[0]
     yield PUMPS[load.kind][lang]
     if load.kind == DIFFERENTIAL:
         usual = " (--small-area)" if load.small_area == Fraction(1, 2) else ""
-        yield WORDS["ring"][lang].format(share=figure(load.small_area), usual=usual)
+        yield OTHERS["ring"][lang].format(share=figure(load.small_area), usual=usual)
     if load.kind != DOUBLE:
         yield _suction(load, request.first.load, lang)
 
@@ -131,33 +211,29 @@ def _pump_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
 def _suction(pump: Pump, known: Load | None, lang: str) -> Label:
     """The suction pressure against that on the other face: in kPa, or in what the pump makes."""
     if not pump.suction:
-        return WORDS["no_suction_head"][lang]
+        return OTHERS["no_suction_head"][lang]
     head = abs(pump.suction)
     said = f"{figure(head)} (p_d - p_s)" if known is None else kilopascals(known, head)
-    return WORDS["above" if pump.suction > 0 else "below"][lang].format(head=said)
+    return OTHERS["above" if pump.suction > 0 else "below"][lang].format(head=said)
 
 
-def _gas_lines(request: EngineRequest, lang: str) -> Iterator[Label]:
-    load: GasCycle = _first(request)
+def _gas_lines(request: Loaded, lang: str) -> Iterator[Label]:
+    load: GasCycle = request.steams[0]
     yield CYCLES[load.cycle][lang]
-    yield WORDS["two" if load.two_stroke else "four"][lang]
+    yield OTHERS["two" if load.two_stroke else "four"][lang]
     for key in ("peak", "cut_off", "heat"):
         if (value := getattr(load, key)) is not None:
-            yield WORDS[key][lang].format(**{key: figure(value)})
+            yield OTHERS[key][lang].format(**{key: figure(value)})
     if load.expansion_exponent in (None, load.exponent):
         usual = " (--exponent)" if load.exponent == Fraction(7, 5) else ""
-        yield WORDS["both"][lang].format(exponent=figure(load.exponent)) + usual
+        yield OTHERS["both"][lang].format(exponent=figure(load.exponent)) + usual
     else:
         assert load.expansion_exponent is not None
         exponents = figure(load.exponent), figure(load.expansion_exponent)
-        yield WORDS["apart"][lang].format(compression=exponents[0], expansion=exponents[1])
+        yield OTHERS["apart"][lang].format(compression=exponents[0], expansion=exponents[1])
     if not load.two_stroke:
         said = "unraised" if load.exhaust == 1 else "exhaust"
-        yield WORDS[said][lang].format(exhaust=figure(load.exhaust))
-
-
-def _first(request: EngineRequest) -> Any:
-    return request.steams[0]
+        yield OTHERS[said][lang].format(exhaust=figure(load.exhaust))
 
 
 def _of_suction(_: Any, load: Load) -> Label:
@@ -188,12 +264,14 @@ COMPRESSOR_WORDS = LoadWords(
     layout="compressor",
     pressure=" and --suction-pressure",
 )
+
+
 PUMP_WORDS = LoadWords(
     key="pump",
     name=words("Pumpe|Pump"),
     symbol="",
     number=lambda load: None,
-    label=lambda load, lang: KINDS[load.kind][lang],
+    label=lambda load, lang: PUMP_KINDS[load.kind][lang],
     machine=words("der Kolbenpumpe|of the piston pump"),
     several="pumps",
     forces=words(
@@ -208,6 +286,8 @@ PUMP_WORDS = LoadWords(
     layout="pump",
     pressure=" and --delivery-pressure",
 )
+
+
 GAS_WORDS = LoadWords(
     key="compression",
     name=words("Verdichtungsverhältnis|Compression ratio"),
@@ -226,3 +306,26 @@ GAS_WORDS = LoadWords(
     halved=False,
     pressure=" and --suction-pressure",
 )
+
+
+def words_of_cylinders(assembly: Assembly) -> LoadWords:
+    """Return what is said of the cylinders of an engine."""
+    own, count = words_of(assembly.steam.name), len(assembly.cranks)
+    machine = OF_SEVERAL if count > 1 else OF_ONE
+    forces = {lang: said + OF_FIRST[lang] for lang, said in own.forces.items()}
+
+    return LoadWords(
+        key="cylinders",
+        name=words("Zylinder|Cylinders"),
+        symbol="",
+        number=lambda load: Fraction(count),
+        label=lambda load, lang: CYLINDERS["count" if count > 1 else "one"][lang].format(count=count),
+        machine={lang: text.format(count=count) for lang, text in machine.items()},
+        several="engines",
+        forces=forces,
+        newtons=own.newtons,
+        lines=own.lines,
+        captioned=False,
+        tag=lambda load: f"{count} cylinders" if count > 1 else "1 cylinder",
+        pressure=own.pressure,
+    )

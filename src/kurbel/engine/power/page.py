@@ -8,11 +8,12 @@ from functools import cached_property, lru_cache
 from typing import Any
 
 from kurbel.drive.load import figure
-from kurbel.engine.axes import WORDS as AXES
-from kurbel.engine.axes import LoadAxis, LoadWords, best_back, words_of
 from kurbel.engine.captions import DRIVEN
 from kurbel.engine.digits import FLOAT_ERROR, supported
 from kurbel.engine.engine import Engine
+from kurbel.engine.loads.texts import OF_STEAM
+from kurbel.engine.loads.words import LoadWords, best_back, words_of
+from kurbel.engine.page import LoadAxis
 from kurbel.engine.power.duty import (
     ASKED,
     EFFICIENT,
@@ -274,20 +275,20 @@ def _steam_taken(source: Acting, duty: Duty, lang: str) -> Label:
 def _steam_lines(source: Acting, lang: str) -> Iterator[Label]:
     steam = source.load
     if steam.expansion == 1:
-        yield AXES["uncut"][lang]
+        yield OF_STEAM["uncut"][lang]
     elif steam.exponent == 1:
-        yield AXES["mariotte"][lang]
+        yield OF_STEAM["mariotte"][lang]
     else:
-        yield AXES["polytropic"][lang].format(exponent=figure(steam.exponent))
+        yield OF_STEAM["polytropic"][lang].format(exponent=figure(steam.exponent))
     if steam.clearance:
         yield POWER_TEXTS["clearance"][lang].format(clearance=figure(steam.clearance))
     elif steam.expansion != 1:
-        yield AXES["unclear"][lang]
+        yield OF_STEAM["unclear"][lang]
     if steam.back is None:
         yield best_back(steam, "p_b", "p", lang)
     else:
         yield POWER_TEXTS["back"][lang].format(back=figure(steam.back))
-    yield AXES["double" if source.engine.double else "single"][lang]
+    yield OF_STEAM["double" if source.engine.double else "single"][lang]
 
 
 def _lines(request: PowerRequest, lang: str) -> Iterator[Label]:
@@ -297,7 +298,7 @@ def _lines(request: PowerRequest, lang: str) -> Iterator[Label]:
     else:
         yield from request.words.lines(request, lang)
     if request.words.halved:
-        yield AXES["double" if request.double else "single"][lang]
+        yield OF_STEAM["double" if request.double else "single"][lang]
 
 
 SUBJECT = Subject(

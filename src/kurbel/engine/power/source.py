@@ -8,11 +8,12 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from kurbel.drive.load import CARD, STEAM
+from kurbel.engine.cylinder import Where
 from kurbel.engine.digits import Asked, Estimate, check_card, estimate
 from kurbel.engine.engine import Engine
-from kurbel.engine.loads import work
-from kurbel.engine.quantities import Where, engine_registry
+from kurbel.engine.quantities import engine_registry
 from kurbel.engine.turn import turn_of
+from kurbel.engine.work import ends, mean_pressure_of
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.exact.real import Product
@@ -80,7 +81,7 @@ class Acting:
     @property
     def strokes(self) -> Fraction:
         """The working strokes of a cylinder in a turn."""
-        return work.ends(self.engine)
+        return ends(self.engine)
 
     @property
     def steamed(self) -> bool:
@@ -94,7 +95,7 @@ class Acting:
     def _mean(self, kind: Kind) -> Any:
         if self.carded:
             return kind.of(Fraction(float(self._estimate.value)))
-        mean = work.mean_pressure_of(self.engine, kind)
+        mean = mean_pressure_of(self.engine, kind)
         return -mean if self.driven else mean
 
     @cached_property

@@ -9,7 +9,7 @@ of its kind, None where there is none.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache, cached_property, reduce
 from itertools import groupby
@@ -19,7 +19,7 @@ from flint import arb
 
 from kurbel.drive.at import CrankForce
 from kurbel.engine.cylinder import AnyTurn
-from kurbel.engine.quantities import ENGINE_METHODS, engine_registry
+from kurbel.engine.quantities import engine_registry, row
 from kurbel.engine.segments import (
     At,
     Part,
@@ -36,7 +36,7 @@ from kurbel.exact.certify import at_bits
 from kurbel.exact.jet import Jet
 from kurbel.exact.numerals import Label
 from kurbel.kernel.steam import larger, smaller
-from kurbel.page.quantity import Formula, Quantity, Words, entry, words
+from kurbel.page.quantity import Quantity, Words, words
 
 THRUST, PULL = SIGNS = (1, -1)
 # Of a greatest load with fewer bits the sign is not said.
@@ -181,25 +181,17 @@ def rod_quantities() -> Mapping[str, Quantity]:
     return {one.key: one for one in (*_extremes(), *_spans())}
 
 
-def _entry(
-    key: str, name: str, symbol: Label, unit: Label, of: str, decimals: int, kernel: Callable[..., Any],
-    **rest: Any,
-) -> Quantity:  # fmt: skip
-    formulas = dict.fromkeys(ENGINE_METHODS, Formula(kernel))
-    return entry(key, name, symbol, unit, decimals, formulas, spanners=(words(name),), of=of, **rest)
-
-
 def _extremes() -> Iterator[Quantity]:
     for sign, key, name, symbol in _SIGNS:
         de, en = name.split("|")
         title = f"größter {de}|Greatest {en}"
-        force = _entry(key, title, symbol, "$Q$", FORCE, 4, lambda load, sign=sign: load.greatest(sign))
+        force = row(key, title, symbol, "$Q$", FORCE, 4, lambda load, sign=sign: load.greatest(sign))
         yield force
         yield force._replace(
             key=f"{key}_n", unit=words("N"), decimals=1, heading=words(f"{symbol} in N"),
             scale=AnyTurn.force_unit, needs="load",
         )  # fmt: skip
-        yield _entry(
+        yield row(
             f"phi_{key}", f"größter {de} bei|Greatest {en} at", "$φ$", "°", PLACE, DEGREE_DECIMALS,
             lambda load, sign=sign: load.degrees(sign), minutes=True,
         )  # fmt: skip
@@ -208,19 +200,19 @@ def _extremes() -> Iterator[Quantity]:
 def _spans() -> Iterator[Quantity]:
     for sign, key, name, _ in _SIGNS:
         de, en = name.split("|")
-        yield _entry(
+        yield row(
             f"{key}_angle", f"{de} über|{en[:1].upper()}{en[1:]} over", "", "°", SPAN, SPAN_DECIMALS,
             lambda load, sign=sign: 180 * load.angle(sign),
         )  # fmt: skip
-    yield _entry(
+    yield row(
         "reversal_angle", "Richtungswechsel über|Reversal over", "", "°", SPAN, SPAN_DECIMALS,
         lambda load: 180 * load.reversal(),
     )  # fmt: skip
-    yield _entry(
+    yield row(
         "reversal_unbroken", "davon am Stück|longest unbroken", "", "°", SPAN, SPAN_DECIMALS,
         lambda load: 180 * load.reversal(unbroken=True),
     )  # fmt: skip
-    yield _entry(
+    yield row(
         "reversal_share", "Gegenlast, Anteil der größten|Reversed load, share of the greatest", "", "%",
         SHARE, SPAN_DECIMALS, lambda load: 100 * load.reversed_share(),
     )  # fmt: skip

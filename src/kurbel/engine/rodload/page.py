@@ -8,11 +8,11 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from kurbel.drive.at import CRANK_FORCES
-from kurbel.engine import captions
-from kurbel.engine.axes import LoadAxis
+from kurbel.engine.captions import about_engines
 from kurbel.engine.cylinder import AnyTurn
-from kurbel.engine.digits import FLOAT_ERROR, error_number, supported
-from kurbel.engine.page import ERROR, errors_beside
+from kurbel.engine.digits import ERROR, FLOAT_ERROR, error_number, supported
+from kurbel.engine.notes import notes
+from kurbel.engine.page import LoadAxis, errors_beside
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.rodload.load import (
     ENDS,
@@ -26,8 +26,7 @@ from kurbel.engine.rodload.load import (
     sign_of,
 )
 from kurbel.engine.texts import ROD_LOAD
-from kurbel.engine.ties import turn_ties
-from kurbel.engine.turn import Turn
+from kurbel.engine.turn import Turn, turn_ties
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
@@ -144,7 +143,7 @@ def _estimated(asked: _Asked) -> Number | None:
 def _caption(request: EngineRequest) -> Label:
     """Return the layout's caption, whatever the columns: their names stand beside them."""
     methods = dict.fromkeys(column.method for column in request.page_columns)
-    return filled(request.layout.caption[request.lang], captions.about_engines(request, methods).items())
+    return filled(request.layout.caption[request.lang], about_engines(request, methods).items())
 
 
 def _notes(request: EngineRequest) -> Iterator[Label | Note]:
@@ -157,7 +156,7 @@ def _notes(request: EngineRequest) -> Iterator[Label | Note]:
     yield slide[lang] + (ROD_LOAD["masses"][lang] if heavy else "")
     if sum(len(part.starts) for part in request.first.parts) > 1:
         yield ROD_LOAD["first"][lang]
-    yield from captions.notes(request)
+    yield from notes(request)
     if any(one.key.startswith(_REVERSAL) for one in shown):
         yield ROD_LOAD["reversal"][lang]
 

@@ -8,22 +8,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cache
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from kurbel.drive.wheel import SQUARE, Wheel
-from kurbel.engine import captions
-from kurbel.engine.digits import Asked, error_number, estimate, estimated, settled
-from kurbel.engine.page import ERROR, IRREGULARITY, TURNING
-from kurbel.engine.quantities import ENGINE_METHODS, EXTREMES, engine_registry
+from kurbel.engine import notes
+from kurbel.engine.digits import Asked, printed
+from kurbel.engine.page import IRREGULARITY, TURNING
+from kurbel.engine.quantities import EXTREMES, engine_registry, row
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.speed.run import Run
 from kurbel.engine.speed.solved import run_of
 from kurbel.engine.texts import OF_SPEED
 from kurbel.exact.numerals import Label, exact_text
-from kurbel.kernel.circle import Number
 from kurbel.motion.captions import turns_label
 from kurbel.page.axes import Place
-from kurbel.page.quantity import Column, Formula, Quantity, entry, words
+from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.table import Note, Value
 from kurbel.reading.amounts import amount
 
@@ -46,43 +45,35 @@ def evenness_registry() -> Mapping[str, Quantity]:
     return {one.key: one for one in (*turn, *_evenness_entries())}
 
 
-def _entry(
-    key: str, name: str, symbol: Label, unit: Label, of: str, decimals: int | None,
-    kernel: Callable[..., Number], **rest: Any,
-) -> Quantity:  # fmt: skip
-    formulas = dict.fromkeys(ENGINE_METHODS, Formula(kernel))
-    return entry(key, name, symbol, unit, decimals, formulas, spanners=(words(name),), of=of, **rest)
-
-
 def _speed_entries() -> Iterator[Quantity]:
     turns = {"needs": "turns"}
-    yield _entry("speed", "Kurbelgeschwindigkeit|Crank-pin velocity", "$v/v_1$", "", AT_SPEED, 4,
-                 lambda run, where: run.speed(where.half_turns))  # fmt: skip
-    yield _entry("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", AT_SPEED, 3,
-                 lambda run, where: run.first_omega * run.speed(where.half_turns), **turns)  # fmt: skip
-    yield _entry("rpm", "Drehzahl|Speed", "$n$", '$"min"^(-1)$', AT_SPEED, 2,
-                 lambda run, where: 30 * run.first_omega * run.speed(where.half_turns) / run.turn.pi,
-                 **turns)  # fmt: skip
-    yield _entry("time", "Zeit|Time", "$t$", "s", AT_SPEED, 5,
-                 lambda run, where: run.time(where.half_turns),
-                 direction=words("$t$ seit dem inneren Totpunkt der ersten Kurbel"
-                                 "|$t$ since the inner dead centre of the first crank"), **turns)  # fmt: skip
+    yield row("speed", "Kurbelgeschwindigkeit|Crank-pin velocity", "$v/v_1$", "", AT_SPEED, 4,
+              lambda run, where: run.speed(where.half_turns))  # fmt: skip
+    yield row("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", AT_SPEED, 3,
+              lambda run, where: run.first_omega * run.speed(where.half_turns), **turns)  # fmt: skip
+    yield row("rpm", "Drehzahl|Speed", "$n$", '$"min"^(-1)$', AT_SPEED, 2,
+              lambda run, where: 30 * run.first_omega * run.speed(where.half_turns) / run.turn.pi,
+              **turns)  # fmt: skip
+    yield row("time", "Zeit|Time", "$t$", "s", AT_SPEED, 5,
+              lambda run, where: run.time(where.half_turns),
+              direction=words("$t$ seit dem inneren Totpunkt der ersten Kurbel"
+                              "|$t$ since the inner dead centre of the first crank"), **turns)  # fmt: skip
 
 
 def _evenness_entries() -> Iterator[Quantity]:
-    yield _entry("number", "Schwungradzahl|Number of the flywheel", "$(m_1 v_1^2)/(P r)$", "", OF_EVENNESS,
-                 None, lambda run, where: run.number, needs="inertia")  # fmt: skip
+    yield row("number", "Schwungradzahl|Number of the flywheel", "$(m_1 v_1^2)/(P r)$", "", OF_EVENNESS,
+              None, lambda run, where: run.number, needs="inertia")  # fmt: skip
     for index, of, name in (
         ("min", "least", "kleinste Geschwindigkeit|Least speed"),
         ("max", "greatest", "größte Geschwindigkeit|Greatest speed"),
     ):
         greatest = EXTREMES[of]
         de, en = name.split("|")
-        yield _entry(
+        yield row(
             f"phi_{index}", f"{de} bei|{en} at", f'$φ_"{index}"$', "°", of, 3,
             lambda run, where, greatest=greatest: 180 * run.extreme_place(greatest), minutes=True,
         )  # fmt: skip
-        yield _entry(
+        yield row(
             f"speed_{index}", name, f'$v_"{index}"/v_1$', "", OF_EVENNESS, 4,
             lambda run, where, greatest=greatest: run.extreme_speed(greatest),
         )  # fmt: skip
@@ -100,10 +91,10 @@ def _evenness_entries() -> Iterator[Quantity]:
             Run.first_irregularity,
         ),
     ):
-        yield _entry(f"delta_{suffix}", name, f"${symbol}$", "", OF_EVENNESS, 5,
-                     lambda run, where, value=value: value(run))  # fmt: skip
-        yield _entry(f"one_to_{suffix}", name, f"$1/{symbol}$", "", OF_EVENNESS, 1,
-                     lambda run, where, value=value: 1 / value(run))  # fmt: skip
+        yield row(f"delta_{suffix}", name, f"${symbol}$", "", OF_EVENNESS, 5,
+                  lambda run, where, value=value: value(run))  # fmt: skip
+        yield row(f"one_to_{suffix}", name, f"$1/{symbol}$", "", OF_EVENNESS, 1,
+                  lambda run, where, value=value: 1 / value(run))  # fmt: skip
 
 
 @cache
@@ -112,7 +103,7 @@ def of_runs() -> frozenset[str]:
     return frozenset(one.key for one in (*_speed_entries(), *_evenness_entries()))
 
 
-def notes(request: EngineRequest) -> Iterator[Label | Note]:
+def _notes(request: EngineRequest) -> Iterator[Label | Note]:
     """Yield the lines below the table: the law of the speed, the flywheel, the definitions, the engine."""
     lang = request.lang
     methods = dict.fromkeys(method for column in request.page_columns for method in column.methods)
@@ -122,13 +113,13 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     others = {"masses": heavy, "square_law": wheel.resistance == SQUARE}
     own = [law for law, holds in others.items() if holds]
     yield "; ".join([OF_SPEED[law][lang] for law in own or laws])
-    yield OF_SPEED["letters"][lang].format(at_radius=captions.at_radius(request))
+    yield OF_SPEED["letters"][lang].format(at_radius=notes.at_radius(request))
     if heavy:
         yield OF_SPEED["even"][lang]
     keys = {column.key.rpartition("_")[2] for column in request.page_columns if "_" in column.key}
     yield from (OF_SPEED[f"delta_{one}"][lang] for one in ("mean", "first") if one in keys)
     yield "; ".join(_wheel(request, wheel, lang))
-    yield from captions.notes(request)
+    yield from notes.notes(request)
 
 
 def _wheel(request: EngineRequest, wheel: Wheel, lang: str) -> Iterator[Label]:
@@ -150,9 +141,7 @@ def _number(request: EngineRequest, column: Column, place: Place, times: int) ->
     assert request.wheel is not None
     turns = [request.turn(place["expansion"], place["ratio"], method) for method in column.methods]
     asked = Asked(column, [run_of(turn, request.wheel) for turn in turns], request.where(place), times)
-    if column.key.endswith(ERROR):
-        return error_number(estimate(asked).error)
-    return estimated(asked, request.rounding) if request.carded else settled(asked, request.rounding)
+    return printed(asked, request.rounding, request.carded)
 
 
 def _listed(command: str, registry: Callable[[], Mapping[str, Quantity]]) -> Callable[[], Listed]:
@@ -165,7 +154,7 @@ SPEED = TURNING._replace(
     command="turning --flywheel 50",
     quantities=speed_registry,
     number=_number,
-    notes=notes,
+    notes=_notes,
     of=(),
     listed=_listed("turning --flywheel 50", speed_registry),
 )
@@ -177,7 +166,7 @@ EVENNESS = IRREGULARITY._replace(
     command="delta --flywheel 50",
     quantities=evenness_registry,
     number=_number,
-    notes=notes,
+    notes=_notes,
     of=(),
     listed=_listed("delta --flywheel 50", evenness_registry),
 )

@@ -71,7 +71,7 @@ class AnyRun(ABC):
         """The mean speed ½ (ω_max + ω_min) in 1/s."""
         given = self.wheel.speed
         assert given is not None
-        return self.turn.of(2 * given.value) * self.turn.pi if given.turns else self.turn.of(given.value)
+        return given.omega(self.turn)
 
     @property
     def first_omega(self) -> Number:

@@ -6,16 +6,18 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
-from kurbel.engine import captions
-from kurbel.engine.axes import load_text
-from kurbel.engine.cylinder import AnyTurn
-from kurbel.engine.digits import Asked, error_number, estimate, estimated, settled
+from kurbel.engine.captions import caption
+from kurbel.engine.cylinder import AnyTurn, Member, Where, members_of
+from kurbel.engine.digits import Asked, printed
 from kurbel.engine.engine import Engine
-from kurbel.engine.page import ERROR, errors_beside
-from kurbel.engine.quantities import ENGINE_METHODS, Where
+from kurbel.engine.loads.words import load_text
+from kurbel.engine.notes import notes
+from kurbel.engine.page import errors_beside
+from kurbel.engine.quantities import ENGINE_METHODS
 from kurbel.engine.request import EngineRequest
+from kurbel.engine.work import kilowatts
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, given
 from kurbel.page.axes import Axis, ColumnAxis, ListAxis, Place
@@ -32,27 +34,18 @@ SHARES = words(
 )
 
 
-class Row(NamedTuple):
-    """A cylinder by its number, its part of the engine, and by how many half turns it follows the first; of
-    all cylinders together the part is None."""
-
-    number: int
-    part: int | None = None
-    start: Fraction = Fraction(0)
-
-
-def _engine(turn: AnyTurn, row: Row) -> Engine | None:
+def _engine(turn: AnyTurn, row: Member) -> Engine | None:
     return None if row.part is None else turn.engine.parts[row.part]
 
 
-def _mean(turn: AnyTurn, row: Row) -> Any:
+def _mean(turn: AnyTurn, row: Member) -> Any:
     return turn.mean_force() if row.part is None else turn.cylinders[row.part].whole_mean
 
 
-def _of_part(value: Callable[[Engine], Any]) -> Callable[[AnyTurn, Row], Any]:
+def _of_part(value: Callable[[Engine], Any]) -> Callable[[AnyTurn, Member], Any]:
     """Return what a cylinder has by itself, and all together have not."""
 
-    def of(turn: AnyTurn, row: Row) -> Any:
+    def of(turn: AnyTurn, row: Member) -> Any:
         part = _engine(turn, row)
         return None if part is None else value(part)
 
@@ -70,14 +63,6 @@ def _stroke(part: Engine) -> Fraction | None:
     return 2000 * radius if radius is not None and straight else None
 
 
-def _kilowatts(turn: AnyTurn) -> Any:
-    """What makes kW of a mean force in Q."""
-    speed = turn.engine.crank.speed
-    assert speed is not None
-    omega = turn.of(2 * speed.value) * turn.pi if speed.turns else turn.of(speed.value)
-    return turn.torque_unit() * omega / 1000
-
-
 @cache
 def registry() -> Mapping[str, Quantity]:
     """Return what is listed of a cylinder, by its key. A kernel takes the turn and the row."""
@@ -92,7 +77,7 @@ def registry() -> Mapping[str, Quantity]:
         ("mean_force", "mittlere Tangentialkraft|Mean tangential force", "$P$", "$Q$", 5, _mean, {}),
         ("mean_torque", "mittleres Drehmoment|Mean torque", "$P r$", "N m", 1, _mean,
          {"scale": AnyTurn.torque_unit, "needs": "torque"}),
-        ("power", "Leistung|Power", "$N$", "kW", 3, _mean, {"scale": _kilowatts, "needs": "power"}),
+        ("power", "Leistung|Power", "$N$", "kW", 3, _mean, {"scale": kilowatts, "needs": "power"}),
     )  # fmt: skip
     return {row[0]: _entry(*row) for row in rows}
 
@@ -115,11 +100,10 @@ class CylindersRequest(EngineRequest):
             raise ProblemError("a list of cylinders is of one engine; give one load and one crank ratio")
 
     @cached_property
-    def rows(self) -> tuple[Row, ...]:
+    def rows(self) -> tuple[Member, ...]:
         """The cylinders in their order, and all together if there are several."""
-        places = [(part, start) for part, one in enumerate(self.first.parts) for start in one.starts]
-        every = [Row(number, *place) for number, place in enumerate(places, 1)]
-        return (*every, *([Row(0)] if len(every) > 1 else []))
+        every = members_of(self.first)
+        return (*every, *([Member(0)] if len(every) > 1 else []))
 
     @property
     def alike(self) -> bool:
@@ -150,9 +134,7 @@ def _number(request: CylindersRequest, column: Column, place: Place, times: int)
     asked = Asked(
         column._replace(quantity=quantity._replace(formulas={column.method: formula})), [turn], Where()
     )
-    if column.key.endswith(ERROR):
-        return error_number(estimate(asked).error)
-    return estimated(asked, request.rounding) if request.carded else settled(asked, request.rounding)
+    return printed(asked, request.rounding, request.carded)
 
 
 def _beside(request: CylindersRequest, column: Column) -> tuple[Column, ...]:
@@ -172,10 +154,12 @@ def _row_axis(request: CylindersRequest) -> ListAxis:
 def _notes(request: CylindersRequest) -> Iterator[Label | Note]:
     if any(column.key == "mean_share" for column in request.page_columns):
         yield SHARES[request.lang]
-    yield from captions.notes(request)
+    yield from notes(request)
 
 
 _AXES: Mapping[str, Callable[[Any], Axis | ColumnAxis]] = {"cylinder": _row_axis, "column": ColumnAxis}
+
+
 SUBJECT = Subject(
     key="cylinders",
     layout="cylinders",
@@ -184,7 +168,7 @@ SUBJECT = Subject(
     axis_keys=("cylinder",),
     quantities=registry,
     number=_number,
-    caption=captions.caption,
+    caption=caption,
     notes=_notes,
     beside=_beside,
     letters=True,

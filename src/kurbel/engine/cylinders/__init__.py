@@ -1,1 +1,0 @@
-"""Engines of unlike cylinders on their pages: what is said of each, and the list of them."""

@@ -1,0 +1,214 @@
+"""The work that a load does in a turn, and what follows from it: mean pressure, power, volume, the flywheel.
+
+Of a driven machine the work is negative, for the shaft does it; mean pressures and powers are positive. A
+kernel takes the turn and where in it, of which those of flywheels ask the flywheel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+from kurbel.drive.wheel import Flywheel
+from kurbel.engine.cylinder import AnyTurn, Where
+from kurbel.engine.engine import Engine
+from kurbel.exact.kind import Kind
+from kurbel.kernel import turning
+from kurbel.kernel.circle import Number
+from kurbel.kernel.steam import Expansion
+
+
+def work(turn: AnyTurn, where: Any) -> Number:
+    """Return the work of all cylinders in a turn, in Q R, positive as done on the cranks."""
+    return (
+        2 * turn.pi * turn.indicated_force()
+        if len(turn.engine.parts) > 1
+        else _on_areas(turn.engine.parts[0], _own(turn))
+    )
+
+
+def mean_pressure(turn: AnyTurn, where: Any) -> Number:
+    """Return the mean pressure of an end of a cylinder that works, in units of the pressure that Q is of."""
+    return abs(_mean_pressure(turn.engine.parts[0], _own(turn)))
+
+
+def power(turn: AnyTurn, where: Any) -> Number:
+    """Return the indicated power of all cylinders in Q R ω, positive."""
+    return abs(turn.indicated_force())
+
+
+def kilowatts(turn: AnyTurn) -> Number:
+    """Return Q R ω in kW."""
+    speed = turn.engine.crank.speed
+    assert speed is not None
+    return turn.torque_unit() * speed.omega(turn) / 1000
+
+
+def kilopascals(turn: AnyTurn) -> Number:
+    """Return the pressure that Q is of, in kPa."""
+    pressure = turn.engine.pressure
+    assert pressure is not None
+    return turn.of(pressure / 1000)
+
+
+def volumetric_efficiency(turn: AnyTurn, where: Any) -> Number:
+    """Return the share of the stroke on which a compressor sucks air."""
+    load: Any = turn.engine.steam
+    return load.volumetric_efficiency(turn.cylinder.kind)
+
+
+def delivered(turn: AnyTurn, where: Any) -> Number:
+    """Return the volume that a stroke delivers, in the state of suction, as a share of the swept one."""
+    load: Any = turn.engine.steam
+    return load.delivered(turn.cylinder.kind)
+
+
+def flow(turn: AnyTurn, where: Any) -> Number:
+    """Return what all cylinders deliver in m³/min, in the state of suction."""
+    engine, speed = turn.engine.parts[0], turn.engine.crank.speed
+    assert engine.load is not None
+    assert engine.crank.radius is not None
+    assert speed is not None
+    # π/4 d² times the stroke, both 2 R long and counted in R.
+    swept = turn.of(engine.load.bore**2 / 4 * engine.crank.radius) * turn.pi * turn.cylinder.drive.length
+    strokes = turn.of(ends(engine) * len(engine.starts) * 60 * speed.value)
+    turns = strokes if speed.turns else strokes / (2 * turn.pi)
+    return delivered(turn, where) * swept * turns
+
+
+def efficiency(turn: AnyTurn, where: Any) -> Number:
+    """Return the share of the heat that becomes work in an ideal gas cycle."""
+    load: Any = turn.engine.steam
+    return load.efficiency(turn.cylinder.kind)
+
+
+def ends(engine: Engine) -> Fraction:
+    """Return how many ends of a cylinder work in a turn."""
+    return Fraction(4 if engine.double else 2, getattr(engine.steam, "strokes_of_cycle", 2))
+
+
+def _own(turn: AnyTurn) -> tuple[Kind, Number]:
+    """The kind of number of a turn, and the length of the stroke in R."""
+    return turn.cylinder.kind, turn.cylinder.drive.length
+
+
+def _work(engine: Engine, own: tuple[Kind, Any]) -> Any:
+    kind, length = own
+    strokes = engine.steam.strokes(kind, engine.double)
+    cycle = sum(one.work(kind.of(Fraction(1))) for one in strokes)
+    return cycle * length * kind.of(Fraction(2 * len(engine.starts), len(strokes)))
+
+
+def _on_areas(engine: Engine, own: tuple[Kind, Any]) -> Any:
+    """The same on the piston's areas: in each end the load does as much as on the bore's, less the rod's."""
+    effort, whole = engine.crank.effort, _work(engine, own)
+    if effort is None or effort.areas is None:
+        return whole
+    return whole * own[0].of((effort.areas.head + effort.areas.crank) / 2)
+
+
+def _mean_pressure(engine: Engine, own: tuple[Kind, Any]) -> Any:
+    kind, _ = own
+    return _work(engine, (kind, 1)) / kind.of(ends(engine) * len(engine.starts))
+
+
+def mean_pressure_of(engine: Engine, kind: Kind) -> Any:
+    """Return the mean pressure in each end of a cylinder that works, on a kind of number; negative where the
+    shaft drives the piston."""
+    return _mean_pressure(engine, (kind, 1))
+
+
+def stage_work(key: str, turn: AnyTurn, where: Any) -> Any:
+    """Return the work of a stage in Q R, a fraction where it is rational; A₁ + A₂ - A₃ is that of a stroke.
+
+    A₁ = 2/ε, A₂ = 2 ln ε/ε, A₃ = 2 b of a straight crank by Mariotte's law. Source: Weisbach-Herrmann,
+    § 150; the exponent, the clearance and other strokes than 2 R are ours.
+    """
+    kind, steam = turn.cylinder.kind, turn.engine.parts[0].ideal
+    length = turn.cylinder.drive.length
+    exact = isinstance(length, int) and steam.exponent.denominator == 1
+    rational = exact and (key != "expansion_work" or steam.exponent != 1)
+    numbers = steam.numbers(*((_itself, _itself) if rational else (kind.of, kind.exponent)))
+    return length * _STAGES[key](numbers, Fraction(1) if rational else kind.of(Fraction(1)))
+
+
+def _itself(value: Fraction) -> Fraction:
+    return value
+
+
+def _expansion_work(steam: Expansion, whole: Any) -> Any:
+    return steam.work(whole) - steam.full_pressure_work(whole)
+
+
+_STAGES: dict[str, Callable[[Expansion, Any], Any]] = {
+    "full_pressure_work": lambda steam, whole: steam.cut_off * whole,
+    "expansion_work": _expansion_work,
+    "back_work": lambda steam, whole: steam.back * whole,
+}
+
+
+def mean_torque(turn: AnyTurn, where: Where) -> Any:
+    """|P| r in N m: of the power, rational where the speed is given in radians, or of the load."""
+    wheel = _flywheel(where)
+    if wheel.power is None:
+        return abs(turn.mean_force()) * turn.torque_unit()
+    turns = wheel.power / wheel.speed.value
+    return turn.of(turns / 2) / turn.pi if wheel.speed.turns else turns
+
+
+def power_of(turn: AnyTurn, where: Where) -> Any:
+    """The power in W, as it is given or of the steam."""
+    given = _flywheel(where).power
+    return mean_torque(turn, where) * _number(turn, speed(turn, where)) if given is None else given
+
+
+def turns_a_minute(turn: AnyTurn, where: Where) -> Any:
+    """n in 1/min."""
+    given = _flywheel(where).speed
+    return 60 * given.value if given.turns else turn.of(30 * given.value) / turn.pi
+
+
+def speed(turn: AnyTurn, where: Where) -> Any:
+    """ω in 1/s."""
+    given = _flywheel(where).speed
+    return given.omega(turn) if given.turns else given.value
+
+
+def swing(turn: AnyTurn, where: Where) -> Number:
+    return turning.energy_swing(turn.irregularity(), _number(turn, mean_torque(turn, where)))
+
+
+def inertia(turn: AnyTurn, where: Where) -> Number:
+    irregularity = turn.of(_flywheel(where).irregularity)
+    return turning.moment_of_inertia(swing(turn, where), irregularity, _number(turn, speed(turn, where)))
+
+
+def mass(turn: AnyTurn, where: Where) -> Number:
+    radius = _flywheel(where).radius
+    assert radius is not None
+    return inertia(turn, where) / turn.of(radius * radius)
+
+
+def _number(turn: AnyTurn, value: Any) -> Number:
+    return turn.of(value) if isinstance(value, Fraction) else value
+
+
+def _flywheel(where: Where) -> Flywheel:
+    assert where.flywheel is not None
+    return where.flywheel
+
+
+def true_inertia(turn: AnyTurn, where: Where) -> Number:
+    """J in kg m² with which the speed of the machine with its masses keeps within ω(1 ± δ/2), exactly.
+
+    Where the speed is greatest, the energy of the load less that of the masses at that speed is greatest,
+    and least where it is least at that; the inertia of the masses in the dead centre where energies begin
+    does not count. Re-derived.
+    """
+    wheel = _flywheel(where)
+    high, low = (turn.at_speed(1 + sign * wheel.irregularity / 2) for sign in (1, -1))
+    swung = high.extreme(greatest=True).energy - low.extreme(greatest=False).energy
+    moment, omega = _number(turn, turn.torque_unit()), _number(turn, speed(turn, where))
+    beyond = turning.moment_of_inertia(swung * moment, turn.of(wheel.irregularity), omega)
+    return beyond - 2 * turn.kinetic_energy_begun() * moment / (omega * omega)
