@@ -47,8 +47,8 @@ class CompiledWriter(ABC):
         """Return the page as a document."""
 
     @abstractmethod
-    def remarks(self, cells: int) -> Iterator[str]:
-        """Yield what is to be known, before it is made, of a document of so many cells."""
+    def remarks(self, cells: int, tables: int = 1) -> Iterator[str]:
+        """Yield what is to be known, before it is made, of a document of so many cells and tables."""
 
     @abstractmethod
     def whole(self, folder: str, standards: Sequence[str], read: Callable[[str], str]) -> bytes:

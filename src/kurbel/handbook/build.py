@@ -297,7 +297,8 @@ class Build:
         key = key_of(self.print, standards, os.environ.get("SOURCE_DATE_EPOCH"), used)
         if self.is_made(name, key) or (read := self.read(name, used)) is None:
             return []
-        for remark in COMPILED.writer.remarks(sum(content.count(b"[") for content in read.values())):
+        cells = sum(content.count(b"[") for content in read.values())
+        for remark in COMPILED.writer.remarks(cells, len(read)):
             tell(f"{self.folder.path}: {remark}")
         work = partial(make_pdf, self.folder.path, standards, self.apart)
         killed = PDF_STOPPED if self.apart else KILLED

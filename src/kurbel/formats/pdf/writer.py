@@ -129,29 +129,34 @@ _PLACE = re.compile(r"┌─ (.+):([0-9]+):[0-9]+$", re.MULTILINE)
 _MAIN = "__typst_py_bytes__.typ"
 
 
-# The memory of Typst in bytes: its own, and that of a cell, which is a block of content in the source. Of
-# tables of 1,000 to 10,000 rows it took 37 to 59 KiB a cell, of a handbook of 200 tables 33.
-OWN, A_CELL = 60 << 20, 40 << 10
+# The memory of Typst in bytes: its own, that of a table, and of a cell, a block of content in the source. It
+# took 2.6 GB for 10,000 rows of seven columns, 1.65 GB for a handbook of 200 tables, 7.4 GB for one of 1,000.
+OWN, A_TABLE, A_CELL = 60 << 20, 3 << 19, 37 << 10
 # What is not worth a word.
 MUCH = 1 << 30
 _INCLUDED = re.compile(r'include "(tables/[^"/\\]+\.typ)"')
 
 
-def remarks(cells: int) -> Iterator[str]:
+def needed_for(cells: int, tables: int) -> int:
+    """Return about how many bytes of memory a document takes."""
+    return OWN + A_TABLE * tables + A_CELL * cells
+
+
+def remarks(cells: int, tables: int = 1) -> Iterator[str]:
     """Yield what is to be known, before it begins, of a document of so many cells; one that is too large is
     refused."""
-    needed = OWN + A_CELL * cells
+    needed = needed_for(cells, tables)
     if MUCH < needed <= _most():
         yield f"a PDF of {cells} cells takes Typst about {_gigabytes(needed)} of memory"
 
 
 def _check_memory(source: str, root: str | None) -> None:
     """Raise LayoutError for a document for which the free memory of this machine is not enough."""
-    cells = source.count("[")
-    for name in _INCLUDED.findall(source):
+    cells, tables = source.count("["), _INCLUDED.findall(source)
+    for name in tables:
         with suppress(OSError, ValueError):
             cells += Path(root or "", name).read_text(encoding="utf-8").count("[")
-    needed = OWN + A_CELL * cells
+    needed = needed_for(cells, len(tables) or 1)
     if needed > _most():
         raise LayoutError(
             f"a PDF of about {cells} cells takes Typst {_gigabytes(needed)} of memory, and"
@@ -296,8 +301,8 @@ class Writer(CompiledWriter):
     def compiled(self, table: Table, decimal: str | None) -> bytes:
         return typeset_pdf(table, decimal=decimal)
 
-    def remarks(self, cells: int) -> Iterator[str]:
-        return remarks(cells)
+    def remarks(self, cells: int, tables: int = 1) -> Iterator[str]:
+        return remarks(cells, tables)
 
     def whole(self, folder: str, standards: Sequence[str], read: Callable[[str], str]) -> bytes:
         kept = cast("Sequence[Standard]", standards)
