@@ -24,7 +24,7 @@ from pages import command, default_page
 from prose_sample import SAMPLE, TEXTS, Parts, parsed, shown
 from readers import model_cells
 
-from kurbel.formats.printer import set_prose
+from kurbel.formats.documents import set_prose
 from kurbel.formats.render import render
 from kurbel.formats.rst.writer import GridCell, escape, finish, grid_lines, role
 from kurbel.page.formula import FUNCTIONS, GREEK, SIGNS, SYMBOLS, parse_formula
@@ -78,6 +78,7 @@ _LIST = re.compile(r"<(?:li|ol|ul|hr|pre|a)\b")
 @example("[](HTTP:)0")
 @example("\\\\\\")
 @example("=&#10;=")
+@example("`\\ :`")
 @example("0|0\n-|-")
 @example("```0\u00a0```")
 @example("a *b*c **d *e*** `` `f ``g")

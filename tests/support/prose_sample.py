@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import kurbel
 from kurbel.documents.markdown import parse_prose
-from kurbel.formats.printer import Reference, set_prose
+from kurbel.formats.documents import Reference, set_prose
 from kurbel.formats.registry import by_name
 
 SAMPLE = r"""# Kurbeltrieb mit $λ_1 = R/L$ & *mehr*

@@ -204,6 +204,11 @@ def checked_text(text: str) -> str:
     return text
 
 
+def quoted(name: str) -> str:
+    """Return the name of a sheet as it stands in an address."""
+    return "'" + name.replace("'", "''") + "'"
+
+
 _FOREIGN = re.compile(r"[\[\]:*?/\\\x00-\x1f]+")
 
 

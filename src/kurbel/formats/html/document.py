@@ -10,10 +10,9 @@ from typing import NamedTuple
 from kurbel.documents import prose
 from kurbel.documents.document import Chapter, Item
 from kurbel.documents.inject import MARKUP_COMMENT, Kind
-from kurbel.formats.documents import DocumentMaker
+from kurbel.formats.documents import DocumentMaker, ProsePrinter, Reference
 from kurbel.formats.html.svg import inline
 from kurbel.formats.html.writer import RUNS, beside, escape, live_of, of_each_step, panelled
-from kurbel.formats.printer import ProsePrinter, Reference
 
 KIND = Kind(
     name="HTML",

@@ -17,9 +17,8 @@ from kurbel.documents.document import WORDS, Item
 from kurbel.documents.inject import Code, Kind
 from kurbel.documents.prose import Grid, Index
 from kurbel.exact.numerals import Label
-from kurbel.formats.documents import DocumentMaker, DocumentTitle
+from kurbel.formats.documents import DocumentMaker, DocumentTitle, ProsePrinter, Reference, is_own
 from kurbel.formats.latex.writer import DEGREE, escape, string
-from kurbel.formats.printer import ProsePrinter, Reference, is_own
 
 _LITERAL = rb"verbatim|[BL]?Verbatim|lstlisting|minted|comment|alltt|filecontents"
 _BEGIN = re.compile(rb"\\begin[ \t]*\{((?:" + _LITERAL + rb")\*?)\}")

@@ -9,8 +9,7 @@ import string
 from kurbel.documents import prose
 from kurbel.documents.document import Chapter, Item
 from kurbel.documents.inject import MARKUP_COMMENT, Code, Kind, without_raw
-from kurbel.formats.documents import DocumentMaker, DocumentPart
-from kurbel.formats.printer import ProsePrinter, indented
+from kurbel.formats.documents import DocumentMaker, DocumentPart, ProsePrinter, indented
 
 _FENCE = re.compile(rb"(`{3,})[^`]*\Z|(~{3,})", re.DOTALL)
 _ITEM = re.compile(rb"(?:[-*+]|[0-9]{1,9}[.)])(?: +|\Z)")

@@ -9,8 +9,7 @@ from kurbel.documents import prose
 from kurbel.documents.document import Chapter, Item
 from kurbel.documents.prose import Block, Heading, stepwise
 from kurbel.exact.numerals import Label
-from kurbel.formats.documents import DocumentMaker, DocumentPart
-from kurbel.formats.printer import ProsePrinter, Reference, indented
+from kurbel.formats.documents import DocumentMaker, DocumentPart, ProsePrinter, Reference, indented
 from kurbel.formats.rst.writer import GridCell, escape, finish, grid_lines, role, width_of
 
 _LINES = "=-~^\"'"

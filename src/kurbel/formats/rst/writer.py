@@ -57,7 +57,8 @@ _START = re.compile(
     r"^ *(?=(?:[-+•‣⁃]|\.\.|>>>)(?: |$)|:[^:]|--?[A-Za-z]|/[A-Za-z]|=+ |\+-"
     r"|([!-/:-@\[\]^{-~])(?:\1{3}|\1*$)|\(?(?:[0-9]+|#|[A-Za-z]|[ivxlcdmIVXLCDM]+)[.)](?: |$))"
 )
-_ESCAPED = re.compile(r"\\(.)", re.DOTALL)
+# Within code a backslash is one.
+_ESCAPED = re.compile(r"(?<=\\ )``.+?``|\\(.)", re.DOTALL)
 _TWICE = re.compile(r"(?<=[`*_])(?:\\ )+(?=\\ [:`*])")
 _OPENING = re.compile(r":[a-z]+:`|[`*]")
 # What may touch markup before it and behind it.

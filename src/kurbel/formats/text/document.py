@@ -8,17 +8,17 @@ from typing import NamedTuple
 
 from kurbel.documents import prose
 from kurbel.documents.document import Chapter, Item
-from kurbel.formats.documents import DocumentMaker, DocumentPart
-from kurbel.formats.printer import ProsePrinter, Reference, indented, is_own
+from kurbel.formats.documents import DocumentMaker, DocumentPart, ProsePrinter, Reference, indented, is_own
 from kurbel.formats.text.writer import wrapped
 
-_WIDTH = 78
+# As wide as texts are.
+WIDTH = 78
 # A list in a list in a quotation keeps some room.
 _NARROWEST = 40
 
 
 class Printer(ProsePrinter):
-    room = _WIDTH
+    room = WIDTH
 
     def block(self, block: prose.Block) -> str:
         return "─" * self.room if isinstance(block, prose.Rule) else super().block(block)
@@ -101,8 +101,6 @@ class Printer(ProsePrinter):
         return f"{text} ({name})" if text and reference.kind != "matter" else text or name
 
 
-# As wide as texts are.
-WIDTH = 78
 CHAPTER, TITLE = "━", "═"
 
 

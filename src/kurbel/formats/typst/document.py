@@ -11,8 +11,7 @@ from kurbel.documents.document import WORDS, Chapter, Item
 from kurbel.documents.inject import Code, Kind, without_raw
 from kurbel.documents.prose import Index
 from kurbel.exact.numerals import Label
-from kurbel.formats.documents import DocumentChapter, DocumentMaker, DocumentTitle
-from kurbel.formats.printer import ProsePrinter, Reference
+from kurbel.formats.documents import DocumentChapter, DocumentMaker, DocumentTitle, ProsePrinter, Reference
 from kurbel.formats.typst.writer import paper, string
 
 _SIGN = re.compile(rb"`+|/\*|\*/|(?<!:)//")

@@ -11,7 +11,7 @@ from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
 from kurbel.exact.numerals import Number, number_text
-from kurbel.formats.sheet import Look, Sheet, SheetCell, Workbook, bare, runs
+from kurbel.formats.sheet import Look, Sheet, SheetCell, Workbook, bare, quoted, runs
 from kurbel.formats.writer import WorkbookWriter
 from kurbel.reading.environment import missing_extra
 
@@ -91,7 +91,7 @@ class _Written:
             case Number() as number:
                 to.write_number(row, column, float(number_text(number)), form)
             case str() as text if cell.link:
-                to.write_url(row, column, f"internal:{_quoted(cell.link)}!A1", form, bare(text))
+                to.write_url(row, column, f"internal:{quoted(cell.link)}!A1", form, bare(text))
             case str() as text:
                 self.text(to, row, column, text, cell.look)
             case None:
@@ -114,10 +114,6 @@ class _Written:
             own |= {"font_script": SUBSCRIPT} if low else {}
             self.formats[key] = self.file.add_format(own)
         return self.formats[key]
-
-
-def _quoted(name: str) -> str:
-    return "'" + name.replace("'", "''") + "'"
 
 
 def _properties(look: Look, is_text: bool) -> dict[str, Any]:
