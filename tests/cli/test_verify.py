@@ -240,13 +240,14 @@ def test_a_long_page_says_it_too(tmp_path: Path) -> None:
         ('{"rows": [], "columns": {}, "request": {}}', "is damaged: its columns"),
         ('{"rows": [{}], "columns": [{"key": "x", "unit": "", "method": "exact"}],'
          ' "request": {"command": "table", "options": {}}}', "what was asked for lack something"),
-        ("\udcff", "cannot be read"),
+        ("{\udcff", "is no JSON: it is not UTF-8"),
+        ("", "cannot be read"),
     ],
 )  # fmt: skip
 def test_other_files_are_refused_by_a_sentence(content: str, said: str, tmp_path: Path) -> None:
     path = tmp_path / "page.json"
-    if content.isprintable():
-        path.write_text(content, encoding="utf-8")
+    if content:
+        path.write_text(content, encoding="utf-8", errors="surrogateescape")
     found = kurbel("verify", str(path))
     assert found.code in (1, 2)
     assert found.out == ""
