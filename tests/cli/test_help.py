@@ -301,6 +301,12 @@ def test_a_folded_example_is_the_same_for_the_shell(words: tuple[str, ...]) -> N
     assert examples(50) or words in LISTS
 
 
+def test_an_example_that_fills_a_line_is_not_folded() -> None:
+    example = "  kurbel forces --eps 4 --bore 300mm --pressure 8bar"
+    # The last two columns of a screen stay free.
+    assert example in printed("forces", "--help", COLUMNS=str(len(example) + 2)).out.splitlines()
+
+
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
 def test_every_shell_gets_its_script(shell: str) -> None:
     script = printed(_KURBEL_COMPLETE=f"{shell}_source").out
