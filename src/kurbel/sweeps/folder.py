@@ -128,9 +128,7 @@ class Work:
 
 
 @contextmanager
-def working(
-    target: str, identity: Mapping[str, str], *, resume: bool = False, restart: bool = False
-) -> Iterator[Work]:
+def working(target: str, identity: Mapping[str, str], *, resume: bool, restart: bool) -> Iterator[Work]:
     """Give the folder of parts of a target to this run until the block ends; it stays if it has parts.
 
     Raises OutputError where another run has it, or where it has parts, but is not to be gone on with.
