@@ -21,8 +21,8 @@ from kurbel.page.table import DITTO, UNIT, Cell, Group, Note, Panel, Records, Ro
 from kurbel.page.table import Column as Printed
 from kurbel.reading.amounts import LARGER, TAKEN, printed_in
 
-# A page is held in memory whole; records stream. 300,000 cells take some seconds and 200 MB.
-MOST_CELLS = 300_000
+# A page is held in memory whole; records stream. 100,000 cells take some seconds and 100 MB.
+MOST_CELLS = 100_000
 MOST_COLUMNS = 500
 # Who is told how many numbers a page has, and returns what is called for each of them.
 WATCHER: ContextVar[Callable[[int], Callable[[], None]] | None] = ContextVar("watcher", default=None)
