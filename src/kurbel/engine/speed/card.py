@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 from kurbel.drive.wheel import Wheel
 from kurbel.engine.card.turn import CardTurn
 from kurbel.engine.cylinder import Cylinder
-from kurbel.engine.speed.run import AnyRun, Run
-from kurbel.engine.speed.solved import SAMPLES, Sampled, top
+from kurbel.engine.speed.run import SAMPLES, AnyRun, Run, Sampled, top
 from kurbel.kernel.circle import Number
 
 Floats: TypeAlias = NDArray[np.float64]

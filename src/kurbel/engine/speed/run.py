@@ -2,16 +2,17 @@
 
 Speeds are in units of v₁, that at the inner dead centre of the first crank; angles are half turns from there.
 The work above the mean of every turn is the same, and so is the speed at each angle: `root_speed` or, by
-Weisbach's method, `first_order_speed` gives it of the work.
+Weisbach's method, `first_order_speed` gives it of the work. Samples of a turn in floats tell nearly how a
+flywheel turns whose speeds follow by no formula, and how light it may be.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import ceil, floor, log10
-from typing import NoReturn
+from typing import NamedTuple, NoReturn, TypeVar
 
 import flint
 
@@ -25,12 +26,20 @@ from kurbel.kernel import turning
 from kurbel.kernel.circle import Number
 from kurbel.reading.notation import plain
 
-# Steps of a search for where the crank comes to rest, a degree each, and how far it is narrowed, in degrees.
+# Steps of a search for where the crank comes to rest, a degree each, and how often one is halved.
 SEARCHED = 360
-NARROWED = 1e-7
+NARROWINGS = 24
 CHECKED_BITS = 128
 # To multiples of so many bits series are computed; columns of few decimals more or less have one precision.
 STEP = 64
+T = TypeVar("T", float, Fraction)
+# In a turn; a multiple of all that cranks are usually apart.
+SAMPLES = 720
+HALVINGS = 80
+# s₁ is below 2, for the mean speed is 1 and no speed is below 0.
+MOST = 4.0
+# The mean speed is hit so nearly, or none of the run is.
+MOST_MISSED = 1e-6
 
 
 class AnyRun(ABC):
@@ -203,11 +212,7 @@ class Run(AnyRun):
         high = next((one for one in steps if not left(one) > 0), None)
         if high is None:
             return 180 * float(self.extreme_place(greatest=False))
-        low = max(high - 1, Fraction(0))
-        while high - low > NARROWED:
-            middle = (low + high) / 2
-            low, high = (middle, high) if left(middle) > 0 else (low, middle)
-        return float(high)
+        return float(halved(max(high - 1, Fraction(0)), high, lambda one: left(one) > 0, NARROWINGS))
 
 
 def above(bound: Number) -> str:
@@ -216,3 +221,89 @@ def above(bound: Number) -> str:
     decimals = 2 - floor(log10(value))
     scale = Fraction(10) ** decimals
     return plain(Fraction(ceil(Fraction(value) * scale)) / scale)
+
+
+class Sampled(NamedTuple):
+    """Samples of W and k over a cycle, ½ I where u is 1, k₀, and whether the flywheel goes by its number."""
+
+    works: Sequence[float]
+    energies: Sequence[float]
+    half: float
+    first: float
+    by_number: bool
+
+    def squares(self, start: float, factor: float = 1.0) -> list[float]:
+        """s² at all samples, of a flywheel so many times as heavy."""
+        own = factor * self.half / (start if self.by_number else 1)
+        level = (own + self.first) * start
+        pairs = zip(self.works, self.energies, strict=True)
+        return [(level + work) / (own + energy) for work, energy in pairs]
+
+    def start(self, run: AnyRun, degrees: float) -> float:
+        """Return u, of samples from so many degrees on. Raises ProblemError for too light a flywheel."""
+
+        def solved(factor: float) -> float | None:
+            return hit(lambda start: mean_of(self.squares(start, factor)), 1.0, MOST)
+
+        start = solved(1.0)
+        if start is None:
+            # Where the speed is just nowhere below 0.
+            rest = self.squares(halved(0.0, MOST, lambda start: min(self.squares(start)) < 0))
+            place = degrees + 360 * rest.index(min(rest)) / SAMPLES
+            run.refuse(place, given_of(run.wheel) * least_factor(solved))
+        return start
+
+
+def given_of(wheel: Wheel) -> float:
+    """Return what a flywheel is known by."""
+    given = wheel.inertia if wheel.number is None else wheel.number
+    assert given is not None
+    return float(given)
+
+
+def hit(value: Callable[[float], float | None], target: float, most: float) -> float | None:
+    """Return where a value has come to a target that rises up to `most`, None where it does not.
+
+    It is None where the flywheel comes to rest.
+    """
+
+    def is_low(at: float) -> bool:
+        found = value(at)
+        return found is None or found < target
+
+    high = halved(0.0, most, is_low)
+    found = value(high)
+    return high if found is not None and abs(found - target) < MOST_MISSED * found else None
+
+
+def halved(low: T, high: T, is_low: Callable[[T], bool], times: int = HALVINGS) -> T:
+    """Return the upper end of an interval that was halved so many times about where a number is too low."""
+    for _ in range(times):
+        middle = (low + high) / 2
+        low, high = (middle, high) if is_low(middle) else (low, middle)
+    return high
+
+
+def least_factor(found: Callable[[float], float | None]) -> float:
+    low, high = 1.0, 2.0
+    for _ in range(HALVINGS):
+        if found(high) is not None:
+            break
+        low, high = high, 2 * high
+    else:
+        raise ProblemError("the speed over the turn is not settled; give slightly other numbers")
+    return halved(low, high, lambda factor: found(factor) is None, HALVINGS // 4)
+
+
+def mean_of(squares: Sequence[float]) -> float | None:
+    """½ (s_max + s_min), None where the speed would be below 0."""
+    least, greatest = -top([-one for one in squares]), top(squares)
+    return (greatest**0.5 + least**0.5) / 2 if least >= 0 else None
+
+
+def top(values: Sequence[float]) -> float:
+    """Return the greatest value, of the parabola through the samples about it."""
+    highest = max(range(len(values)), key=values.__getitem__)
+    before, at, after = values[highest - 1], values[highest], values[(highest + 1) % len(values)]
+    bend = before - 2 * at + after
+    return at - (after - before) ** 2 / (8 * bend) if bend else at

@@ -18,20 +18,30 @@ The number is 1/a. Re-derived.
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache, partial, reduce
 from itertools import pairwise
 from math import exp, pi
 from typing import NamedTuple
 
-import flint
 from flint import arb
 
 from kurbel.drive.wheel import SQUARE, Wheel
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.speed.course import Bounds, Course, Section, energies
-from kurbel.engine.speed.run import STEP, AnyRun, Run, above
+from kurbel.engine.speed.run import (
+    SAMPLES,
+    STEP,
+    AnyRun,
+    Run,
+    Sampled,
+    above,
+    given_of,
+    hit,
+    least_factor,
+    mean_of,
+)
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, ball, kept
@@ -45,15 +55,8 @@ from kurbel.kernel.steam import larger, smaller
 NEAR, FARTHER = Fraction(1, 2**20), 4
 # By so much of its width a section is searched beyond its ends, where a zero of a slope may lie by a hair.
 BEYOND = Fraction(1, 18)
-# In a turn; a multiple of all that cranks are usually apart.
-SAMPLES = 720
-HALVINGS = 80
-# s₁ is below 2, for the mean speed is 1 and no speed is below 0.
-MOST = 4.0
 # The lag of the speed, 1/a in radians.
 LEAST_LAG, MOST_LAG = 0.15, 1e6
-# The mean speed is hit so nearly, or none of the run is.
-MOST_MISSED = 1e-6
 KEPT = 512
 
 
@@ -167,7 +170,11 @@ class HeavyRun(SolvedRun):
     """A turn with moving masses against a constant torque."""
 
     def first_guess(self) -> Fraction:
-        return first_start(self)
+        with at_bits(ISOLATING_BITS):
+            works, moved = (_sampled(one, Fraction(0)) for one in self.energies())
+            half, _ = map(float, self.level(arb(1)))
+            first = float(self.turn.kinetic_energy_begun())
+        return Fraction(Sampled(works, moved, half, first, self.wheel.number is not None).start(self, 0.0))
 
     def squares(self, number: Number) -> Course:
         half, energy = self.level(number)
@@ -190,7 +197,38 @@ class SquareRun(SolvedRun):
     """A turn against the square of the speed, without moving masses."""
 
     def first_guess(self) -> Fraction:
-        return first_lag(self)
+        with at_bits(ISOLATING_BITS):
+            excess = self.excess()
+            first = excess.lows[0]
+            works = _sampled(excess, first)
+            weight = float(self.at_mean) if self.wheel.number is None else float(self.wheel.number)
+
+        def weight_of(lag: float) -> float | None:
+            """What the flywheel would be, by its number or its inertia, None where it comes to rest."""
+            level = _level(works, lag)
+            mean = mean_of(level)
+            if mean is None:
+                return None
+            return 2 * (level[0] if self.wheel.number is not None else mean * mean)
+
+        def solved(factor: float) -> float | None:
+            return hit(weight_of, factor * weight, MOST_LAG)
+
+        lag = solved(1.0)
+        if lag is not None and lag < LEAST_LAG:
+            factor = weight_of(LEAST_LAG)
+            assert factor is not None
+            least = above(given_of(self.wheel) * factor / weight)
+            raise ProblemError(
+                f"{self.wheel.named} is too light: the speed follows the torque at every angle, as if there"
+                f" were none; {self.wheel.letter} must be above {least}{self.wheel.unit}"
+            )
+        if lag is None:
+            factor = least_factor(solved)
+            level = _level(works, solved(factor) or MOST_LAG)
+            place = 360 * level.index(min(level)) / SAMPLES + 180 * float(first)
+            self.refuse(place, given_of(self.wheel) * factor)
+        return Fraction(lag)
 
     def excess(self) -> Course:
         """Return w over the cycle."""
@@ -229,89 +267,9 @@ def _ended(part: Section, decay: Section, begun: Number, rate: Number) -> tuple[
     return constant, (part.function.at(part.end) + constant) * decay.function.at(part.end)
 
 
-def first_start(run: HeavyRun) -> Fraction:
-    """Return u nearly. Raises ProblemError for a flywheel that comes to rest."""
-    with at_bits(ISOLATING_BITS):
-        works, moved = (_sampled(one, Fraction(0)) for one in run.energies())
-        half, _ = map(float, run.level(flint.arb(1)))
-        first = float(run.turn.kinetic_energy_begun())
-    wheel = Sampled(works, moved, half, first, run.wheel.number is not None)
-    return Fraction(wheel.start(run, 0.0))
-
-
 def _sampled(course: Course, start: Fraction) -> list[float]:
     steps = range(course.cycle // 2 * SAMPLES)
     return [float(course.at(start + Fraction(2 * step, SAMPLES))) for step in steps]
-
-
-class Sampled(NamedTuple):
-    """Samples of W and k over a cycle, ½ I where u is 1, k₀, and whether the flywheel goes by its number."""
-
-    works: Sequence[float]
-    energies: Sequence[float]
-    half: float
-    first: float
-    by_number: bool
-
-    def squares(self, start: float, factor: float = 1.0) -> list[float]:
-        """s² at all samples, of a flywheel so many times as heavy."""
-        own = factor * self.half / (start if self.by_number else 1)
-        level = (own + self.first) * start
-        pairs = zip(self.works, self.energies, strict=True)
-        return [(level + work) / (own + energy) for work, energy in pairs]
-
-    def start(self, run: AnyRun, degrees: float) -> float:
-        """Return u, of samples from so many degrees on. Raises ProblemError for too light a flywheel."""
-        start = _solved(self.squares)
-        if start is None:
-            factor = _least_factor(lambda factor: _solved(lambda start: self.squares(start, factor)))
-            rest = self.squares(_slowest(self.squares))
-            given = run.wheel.inertia if run.wheel.number is None else run.wheel.number
-            assert given is not None
-            run.refuse(degrees + 360 * rest.index(min(rest)) / SAMPLES, float(given) * factor)
-        return start
-
-
-def first_lag(run: SquareRun) -> Fraction:
-    """Return 1/a nearly. Raises ProblemError for a flywheel that comes to rest."""
-    with at_bits(ISOLATING_BITS):
-        excess = run.excess()
-        first = excess.lows[0]
-        works = _sampled(excess, first)
-        weight = float(run.at_mean) if run.wheel.number is None else float(run.wheel.number)
-
-    def weight_of(level: Sequence[float]) -> float | None:
-        """What the flywheel would be, by its number or its inertia, None where it comes to rest."""
-        mean = _mean(level)
-        if mean is None:
-            return None
-        return 2 * (level[0] if run.wheel.number is not None else mean * mean)
-
-    def solved(factor: float) -> float | None:
-        low, high = 0.0, MOST_LAG
-        for _ in range(HALVINGS):
-            middle = (low + high) / 2
-            found = weight_of(_level(works, middle))
-            low, high = (middle, high) if found is None or found < factor * weight else (low, middle)
-        found = weight_of(_level(works, high))
-        return high if found is not None and abs(found - factor * weight) < MOST_MISSED * found else None
-
-    lag = solved(1.0)
-    given = run.wheel.inertia if run.wheel.number is None else run.wheel.number
-    assert given is not None
-    if lag is not None and lag < LEAST_LAG:
-        factor = weight_of(_level(works, LEAST_LAG))
-        assert factor is not None
-        raise ProblemError(
-            f"{run.wheel.named} is too light: the speed follows the torque at every angle, as if there were"
-            f" none; {run.wheel.letter} must be above {above(float(given) * factor / weight)}{run.wheel.unit}"
-        )
-    if lag is None:
-        factor = _least_factor(solved)
-        level = _level(works, solved(factor) or MOST_LAG)
-        place = 360 * level.index(min(level)) / SAMPLES + 180 * float(first)
-        run.refuse(place, float(given) * factor)
-    return Fraction(lag)
 
 
 def _level(works: Sequence[float], lag: float) -> list[float]:
@@ -340,54 +298,6 @@ def _weights(share: float) -> tuple[float, float]:
     return end - exp(-share), 1 - end
 
 
-def _solved(squares: Callable[[float], Sequence[float]]) -> float | None:
-    """Return the u at which the mean speed is 1, None if there is none."""
-    low, high = 0.0, MOST
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2
-        mean = _mean(squares(middle))
-        low, high = (middle, high) if mean is None or mean < 1 else (low, middle)
-    mean = _mean(squares(high))
-    return high if mean is not None and abs(mean - 1) < MOST_MISSED else None
-
-
-def _slowest(squares: Callable[[float], Sequence[float]]) -> float:
-    """Return the least u at which the speed is nowhere below 0."""
-    low, high = 0.0, MOST
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2
-        low, high = (middle, high) if min(squares(middle)) < 0 else (low, middle)
-    return high
-
-
-def _least_factor(found: Callable[[float], float | None]) -> float:
-    low, high = 1.0, 2.0
-    for _ in range(HALVINGS):
-        if found(high) is not None:
-            break
-        low, high = high, 2 * high
-    else:
-        raise ProblemError("the speed over the turn is not settled; give slightly other numbers")
-    for _ in range(HALVINGS // 4):
-        middle = (low + high) / 2
-        low, high = (middle, high) if found(middle) is None else (low, middle)
-    return high
-
-
-def _mean(squares: Sequence[float]) -> float | None:
-    """½ (s_max + s_min), None where the speed would be below 0."""
-    least, greatest = -top([-one for one in squares]), top(squares)
-    return (greatest**0.5 + least**0.5) / 2 if least >= 0 else None
-
-
-def top(values: Sequence[float]) -> float:
-    """Return the greatest value, of the parabola through the samples about it."""
-    highest = max(range(len(values)), key=values.__getitem__)
-    before, at, after = values[highest - 1], values[highest], values[(highest + 1) % len(values)]
-    bend = before - 2 * at + after
-    return at - (after - before) ** 2 / (8 * bend) if bend else at
-
-
 @lru_cache(KEPT)
 def run_of(turn: AnyTurn, wheel: Wheel) -> AnyRun:
     """Return the engine's run with the flywheel; the latest ones are kept."""
@@ -410,7 +320,6 @@ def run_of(turn: AnyTurn, wheel: Wheel) -> AnyRun:
 
 def _against_square(turn: AnyTurn, wheel: Wheel) -> AnyRun:
     """Return the run against the square of the speed. Raises ProblemError where that is not computed."""
-
     moving = any(part.crank.moving is not None for part in turn.engine.parts)
     for unknown, instead in (
         (not isinstance(turn, Turn), "of an indicator card"),
