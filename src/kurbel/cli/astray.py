@@ -40,6 +40,10 @@ ELSEWHERE = {
     ("pressures", "--over"): "pressures stand over the stroke by themselves, at --shares of it",
     ("inertia", "--over"): "forces over the path, those of masses too, are of kurbel forces",
     ("solve", "--over"): 'kurbel table has --over path, and here --where "s = 25%" is a share of the stroke',
+    **dict.fromkeys(
+        (("collate", "--machine"), ("example", "--machine")),
+        "it computes with the numbers of a book or of your transcription, and not with those of a machine",
+    ),
     ("", "--pdf-engine"): "Typst sets the PDF; for that of a TeX, let it compile handbook.tex",
 }
 # What pages draw themselves, by the flag that once drew it.

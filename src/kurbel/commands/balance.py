@@ -58,7 +58,7 @@ class Arranged(Part):
     )  # fmt: skip
 
 
-class FiringOptions(Arranged, Layouts, Plain, CommandOptions):
+class FiringOptions(Arranged, OnMachine, Layouts, Plain, CommandOptions):
     """Print the firing orders that an engine's cranks allow; with --order the cranks that it needs.
 
     \b

@@ -41,7 +41,11 @@ _FIGURES = r"[A-Za-z0-9.,:;/% -]*"
 _MINUS = r"(?<![\w.])-(?=[0-9.])"
 _PARTS = r"[^A-Za-z0-9.]+"
 # What those commands are about that a list of unlike cylinders says nothing to.
-_ALIKE = {"pressures": "one", "construct": "one", "power": "cylinders alike", "balance": "cylinders alike"}
+_ALIKE = {
+    "pressures": "one",
+    "construct": "one",
+    **dict.fromkeys(("power", "balance", "locomotive", "firing"), "cylinders alike"),
+}
 # Lines of the command line, which stand behind a \\b.
 _COMMAND_LINES = re.compile(r"\n*\x08\n(?:.+\n?)*")
 
@@ -66,7 +70,10 @@ class Command:
                     inspect.Parameter.POSITIONAL_OR_KEYWORD
                     if key in first
                     else inspect.Parameter.KEYWORD_ONLY,
-                    default=inspect.Parameter.empty if one.required else one.default,
+                    # What is required may be the machine's.
+                    default=inspect.Parameter.empty
+                    if one.required and MACHINE not in parameters
+                    else one.default,
                     annotation=one,
                 )
                 for key, one in parameters.items()
@@ -291,7 +298,8 @@ def machine_defaults(command: str, options: Mapping[str, bool], file: File) -> d
     machine = read_machine(file)
     if "rod" not in options:
         machine = with_ratio(machine)
-    for name in ("offset", "mechanism"):
+    # What knows neither of the two is not about the motion of a drive.
+    for name in ("offset", "mechanism") if {"ratio", "stroke"} & {*options} else ():
         if machine.get(name, "straight") != "straight" and name not in options:
             raise MachineError(
                 f"{file}: crank.{name} is {machine[name]}, and kurbel {command} is about the"

@@ -84,9 +84,10 @@ FIRST: Mapping[str, str] = {
     "harmonics": "ratio quantity orders machine eps bore pressure stroke speed reciprocating cranks columns",
     "balance": "engine cranks positions spacing orders ratio stroke speed machine reciprocating revolving"
     " columns",
-    "rotor": "masses radii angles planes bearings speed balance_planes balance_radii columns digits",
-    "locomotive": "reciprocating share gauge spacing cranks stroke revolving speed wheel_load wheel columns",
-    "firing": "engine cranks strokes order intervals columns",
+    "rotor": "masses radii angles planes bearings speed machine balance_planes balance_radii columns digits",
+    "locomotive": "reciprocating share gauge spacing cranks stroke revolving speed machine wheel_load wheel"
+    " columns",
+    "firing": "engine cranks machine strokes order intervals columns",
     "collate": "quantity csv ratio method only strict sources columns",
     "example": "ratio angle force eps back",
     "plot": "positions point animate ratio stroke rod offset mechanism rocker machine seconds",
