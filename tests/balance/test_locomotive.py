@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 from cli import printed
 from hypothesis import given, settings
 from hypothesis import strategies as st
+
+import kurbel
 
 Row = dict[str, str]
 RADIUS, GAUGE, TURNS = 0.31, 1.53, 4
@@ -104,3 +107,24 @@ def test_what_is_balanced_wholly_or_not_at_all_is_nought() -> None:
     none, whole = page(*words, "--share=0;1", digits="--lang=de")
     assert (none["blow_left_n"], none["balance_left_kgm"], none["angle_left"]) == ("0", "0", "")
     assert (whole["pull_n"], whole["sway_nm"], whole["pull_phi"]) == ("0", "0", "")
+
+
+def test_a_machine_gives_what_it_says_of_a_locomotive_and_its_cranks(tmp_path: Path) -> None:
+    machine = tmp_path / "engine.toml"
+    machine.write_text(
+        '[crank]\nstroke = "60cm"\nspeed = "5/s"\nangles = [0, 90]\n[masses]\nreciprocating = "300kg"\n',
+        "utf-8",
+    )
+    wheels = ("--spacing", "0.7m", "--gauge", "1.5m", "-f", "csv")
+    typed = ("--stroke", "60cm", "--speed", "5/s", "--cranks", "0;90", "--reciprocating", "300kg")
+    assert (
+        printed("locomotive", "--machine", str(machine), *wheels).out
+        == printed("locomotive", *typed, *wheels).out
+    )
+    found = kurbel.locomotive(machine=str(machine), spacing=0.7, gauge=1.5)
+    assert kurbel.typeset(found, "csv") == printed("locomotive", *typed, *wheels).out
+    firing = printed("firing", "--machine", str(machine), "-f", "csv").out
+    assert firing == printed("firing", "--cranks", "0;90", "-f", "csv").out
+    masses = ("--masses", "3;4kg", "--radii", "100mm", "--angles", "0;90", "-f", "csv")
+    rotor = printed("rotor", "--machine", str(machine), *masses).out
+    assert rotor == printed("rotor", *masses, "--speed", "5/s").out

@@ -16,7 +16,7 @@ from kurbel.balancing.firing_page import FiringRequest, asked
 from kurbel.balancing.harmonics import MOST_ORDERS
 from kurbel.balancing.newtons import Weighed
 from kurbel.balancing.page import BalanceRequest, arranged
-from kurbel.commands.options import Choice, Count, Option, alone, measure, word
+from kurbel.commands.options import Choice, Count, Option, alone, amount, measure, word
 from kurbel.commands.part import CommandOptions, Part, Rivals, Values, flag_of
 from kurbel.commands.parts.angles import Angles
 from kurbel.commands.parts.drive import Linked, OnMachine, Speed
@@ -171,11 +171,12 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
         *((name, "engine") for name in ("cranks", "positions", "banks")),
     )
 
-    positions: Option[object] = Option(
+    positions = measure(
+        lambda value, what: positions_of(value),
         "Where its cylinders lie along the shaft: '0;1;2;3', which is the default, or '0;400;800mm'.",
         "NUMBERS", unit="a unit of your own", whole=True,
     )  # fmt: skip
-    about: Option[object] = Option(
+    about = amount(
         "Position about which moments are taken: 1, 400mm; default: the middle.", "NUMBER",
         unit="that of the positions",
     )  # fmt: skip
@@ -215,7 +216,7 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
         if angles is not None and page.subject != AT_ANGLES:
             raise ProblemError(f"layout {page.key} is of the whole turn; leave --angle out")
         self._check_known()
-        places, in_metres = positions_of(self.positions)
+        places, in_metres = self.positions or ((), False)
         weights = self._weighed(page, in_metres)
         about = self.about if self.says("positions") else None
         centre = None if about is None else position_of(about, in_metres)
@@ -320,8 +321,6 @@ balance = function(BalanceOptions, "balance")
 
 def positions_of(positions: object) -> tuple[tuple[Fraction, ...], bool]:
     """Return the positions, and whether they were given as lengths and are in metres."""
-    if positions is None:
-        return (), False
     several = positions if isinstance(positions, Iterable) else ()
     parts = positions.split(";") if isinstance(positions, str) else several
     if any(isinstance(part, str) and is_measure(part) for part in parts):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from kurbel.books.collate_page import CollateRequest
 from kurbel.books.example import numbers_of, source_keys
@@ -85,7 +85,7 @@ class CollateOptions(Layouts, Worded, CommandOptions):
         "With --csv: exact (default), series, infinite, weisbach, approximate.", "METHOD", topic="crank"
     )
     only = word("all, or deviations: what is not right.", kind=Choice("choice", ONLY), default="all")
-    columns: Option[object] = Option(
+    columns: Option[Sequence[str]] = Option(
         "Keys of CSV and JSON and their order: place,printed,recomputed,verdict.", "NAMES",
         Columns("collation"), many=True, default=(), topic="page",
     )  # fmt: skip
@@ -136,7 +136,7 @@ class ExampleOptions(Worded, CommandOptions):
     sequence = "ratio angle beam eps back force"
 
     book = word("The book, as `kurbel example` lists it.", kind=Source(), positional=True)
-    number: Option[object] = Option("The number of the example.", kind=ExampleNumber(), positional=True)
+    number = word("The number of the example.", kind=ExampleNumber(), positional=True)
     ratio = Linked.ratio.read_as(alone(as_ratios))
     angle = Angles.angle.but(
         help="Crank angles in degrees, where the example starts from them: 60, lists '30;60'."

@@ -9,7 +9,7 @@ from typing import Any
 from kurbel.books.constructions.model import Construction
 from kurbel.books.constructions.page import ConstructionRequest, construction, construction_names, unfound
 from kurbel.books.constructions.placed import ALONE, CENTRE, GYRATION, TAKEN, Beside
-from kurbel.commands.options import Count, Kind, Option, file, measure, word
+from kurbel.commands.options import Count, Kind, Option, amount, file, measure, word
 from kurbel.commands.part import CommandOptions
 from kurbel.commands.parts.drawing import DECIMAL, Sized
 from kurbel.commands.parts.drive import AnyDrive
@@ -64,10 +64,10 @@ class Constructed(AnyDrive, CommandOptions):
         "Folder with constructions of your own: DIR/<name>.toml.", "DIR",
         environment="KURBEL_CONSTRUCTIONS", first=True,
     )  # fmt: skip
-    angle: Option[object] = Option(
+    angle = amount(
         "Crank angle from the inner dead centre, in degrees: 50.", "ANGLE", unit="degrees", topic="angles"
     )
-    point: Option[object] = Option(
+    point = amount(
         "Ensslin's Figs. 2 and 4: the point of the rod, in rod lengths from the crosshead pin: 0.5, 50%, or a"
         " length.",
         "SHARE",

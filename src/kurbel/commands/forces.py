@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kurbel.commands.motion import OverPath
-from kurbel.commands.options import Choice, LayoutName, Option, word
+from kurbel.commands.options import Choice, LayoutName, Option, measure, word
 from kurbel.commands.part import CommandOptions, flag_of
 from kurbel.commands.parts.angles import ENDS, FORCES_OVER_PATH, FULL_TURN, OVER_PATH, PATH
 from kurbel.commands.parts.drive import OF_MASSES, Turning
@@ -18,6 +18,7 @@ from kurbel.drive.mechanisms import LINKAGES, SUBJECTS
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.page.subject import Question
+from kurbel.reading.given import as_number, as_places
 
 ROD_LOAD, COUPLED, TANGENT = "rod load", "coupled axles", "tangent"
 OF_DRIVES = ("motion", "effort", "mass forces")
@@ -66,16 +67,19 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
     rivals = tuple((key, "force") for key in ("eps", "card", *FURTHER))
 
     columns = columns_over_angle("forces", "phi,rod_force,guide_force,torque")
-    axles: Option[object] = Option(
+    axles = measure(
+        as_places,
         "Parallel crank: so many coupled axles alike, 3, or the weights on them, by which they share the"
         " effort: '14;15;14'.",
         "WEIGHTS",
+        what="weight on an axle",
         whole=True,
         topic="linkage",
     )
-    driven: Option[object] = Option(
-        "With --axles: which of them the force F drives; default 1, the first.", "N", topic="linkage"
-    )
+    driven = measure(
+        as_number, "With --axles: which of them the force F drives; default 1, the first.", "N",
+        what="driven axle", topic="linkage",
+    )  # fmt: skip
     at = word(
         "tangent: a sheet of the position in which the rod touches the crank circle, with closed forms.",
         kind=Choice("position", (TANGENT,)),

@@ -18,7 +18,7 @@ from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism
 from kurbel.page.layouts import Layout
 from kurbel.page.subject import Question
-from kurbel.reading.given import as_numbers
+from kurbel.reading.given import Exact, as_numbers
 
 ERRORS = "series errors"
 BEAM, DRIVE = "dead centres", "drive dead centres"
@@ -104,7 +104,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
 
     columns = columns_over_angle("kinematics", "phi,x,c,p")
     layout = layout_option(*MOTIONS, OVER_PATH, POINTS, *APPROXIMATE)
-    point: Option[object] = Option(
+    point: Option[Sequence[Exact]] = Option(
         "Points of the rod by their share from the crosshead pin to the crank pin: 0.5, beyond the ends -0.2;"
         " beside its axis 0.5,0.1 in rod lengths; with --rod 150mm; lists '0;0.5;1', ranges 0..1:0.25.",
         "POINTS", many=True, numbers=False,

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, Generic, Self, TypeAlias, TypeVar, cast, 
 
 from kurbel.errors import NotationError
 from kurbel.reading import given
-from kurbel.reading.given import found_at, meant
+from kurbel.reading.given import Exact, found_at, meant
 
 if TYPE_CHECKING:
     from kurbel.commands.part import Part
@@ -337,6 +337,11 @@ def word(help: str, metavar: str | None = ..., kind: Kind = ..., **more: Any) ->
 def word(help: str, metavar: str | None = None, kind: Kind = TEXT, **more: Any) -> Option[object]:
     """Return an option that is a name or a text, as it stands."""
     return Option(help, metavar, kind, **more)
+
+
+def amount(help: str, metavar: str | None = None, **more: Any) -> Option[Exact | None]:
+    """Return an option that can be read only beside others, as an offset in crank radii or as a length."""
+    return Option(help, metavar, **more)
 
 
 def file(help: str, metavar: str = "FILE", **more: Any) -> Option[Path | None]:

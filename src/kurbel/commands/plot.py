@@ -22,7 +22,7 @@ from kurbel.motion.mechanism import Mechanism
 from kurbel.motion.points.page import SUBJECT, PointsRequest
 from kurbel.motion.points.point import Point, points_of
 from kurbel.motion.points.quantities import points_registry
-from kurbel.reading.given import as_angles, found_at
+from kurbel.reading.given import Exact, as_angles, found_at
 
 if TYPE_CHECKING:
     from kurbel.motion.page import AngleQuestion
@@ -60,7 +60,7 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
         "Draw the mechanism to scale at these crank angles: 30, or '30;90;150'.", "ANGLES", unit="degrees",
         many=True,
     )  # fmt: skip
-    point: Option[object] = Option(
+    point: Option[Sequence[Exact]] = Option(
         "Draw the paths of points of the rod beside the mechanism: 0.5, 0.5,0.1, '0;0.5;1'.", "POINTS",
         many=True, numbers=False,
     )  # fmt: skip

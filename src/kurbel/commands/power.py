@@ -42,6 +42,7 @@ from kurbel.reading.given import (
     as_speed,
     as_velocity,
 )
+from kurbel.reading.notation import about
 
 NEEDED = (
     "the power needs what acts on the piston: --eps with --pressure, --mean-pressure with --working-strokes,"
@@ -83,7 +84,8 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         " diagram_factor efficiency specific_volume"
     )
 
-    mean_pressure: Option[object] = Option(
+    mean_pressure = measure(
+        lambda value, what: _ends(value, what),
         "The mean effective pressure itself, with --working-strokes: 5bar; '3.5bar;3.2bar' of the ends at the"
         " cover and at the crank.",
         "PRESSURE",
@@ -113,7 +115,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     piston_speed = measure(
         as_velocity, "Mean piston speed in place of the stroke or the speed: 3m/s.", "VELOCITY", unit="m/s"
     )
-    cylinders: Option[object] = Option("Number of cylinders alike; default 1.", "NUMBER", topic="cylinders")
+    cylinders = measure(as_number, "Number of cylinders alike; default 1.", "NUMBER", topic="cylinders")
     columns = columns_option("power", "mean_pressure,indicated_power")
     layout = layout_option("power").but(default="power")
 
@@ -178,15 +180,11 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             brake_power=self.brake_power, stroke_bore=self.stroke_bore, piston_speed=self.piston_speed,
             cylinders=cylinders, piston_rod=self.piston_rod, tail_rod=self.tail_rod, factor_asked=asked,
             efficiency=self.efficiency,
-            diagram_factor=Fraction(1) if factor is None or asked else as_share(factor, "diagram factor"),
+            diagram_factor=factor if isinstance(factor, Fraction) else Fraction(1),
             specific_volume=self._volume() if self.says("eps") else None,
         )  # fmt: skip
-        if self.says("mean_pressure"):
-            ends = self.mean_pressure
-            parts = ends.split(";") if isinstance(ends, str) else [ends]
-            if len(parts) > 2:
-                raise ProblemError(f"{len(parts)} mean pressures were given; a piston has two ends")
-            return duty(ends=tuple(_above_zero(one, "mean pressure") for one in parts))
+        if (ends := self.mean_pressure) is not None:
+            return duty(ends=ends)
         names = [name for name in self.weighing() if name != "bore"]
         name = names[0] if names else "pressure"
         pressure = as_pressure(self.raw(name), name.replace("_", " ")) if names and self.says(name) else None
@@ -199,12 +197,11 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     def _count(self) -> int:
         """Return how many cylinders there are, one for each crank where these are given."""
         of_cranks = len(self.cranks) if self.cranks else None
-        cylinders = self.cylinders
-        if cylinders is None:
+        number = self.cylinders
+        if number is None:
             return of_cranks or 1
-        number = as_number(cylinders, "cylinders")
         if number.denominator != 1:
-            raise ProblemError(f"the number of cylinders is {cylinders}; it must be a whole number")
+            raise ProblemError(f"the number of cylinders is {about(number)}; it must be a whole number")
         if of_cranks not in (None, number):
             raise ProblemError(
                 f"--cylinders is {number}, and --cranks has {of_cranks} of them; leave one out"
@@ -256,6 +253,14 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         if load.name == PUMP and duty.bore is not None and duty.pressure is not None:
             size = Load(duty.bore, duty.pressure)
         return Engine(Crank(ratios[0]), load, double, load=size)
+
+
+def _ends(given: object, what: str) -> tuple[Fraction, ...]:
+    """Return the mean pressures of one or both ends of the piston. Raises KurbelError."""
+    parts = given.split(";") if isinstance(given, str) else [given]
+    if len(parts) > 2:
+        raise ProblemError(f"{len(parts)} mean pressures were given; a piston has two ends")
+    return tuple(_above_zero(one, what) for one in parts)
 
 
 def _above_zero(pressure: object, what: str) -> Fraction:

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Sequence
 from typing import Any
 
 from kurbel.commands.motion import some
-from kurbel.commands.options import Choice, Option, word
+from kurbel.commands.options import Choice, Option, amount, word
 from kurbel.commands.part import CommandOptions, Values, flag_of
 from kurbel.commands.parts.drive import Series, Turning
 from kurbel.commands.parts.effort import PRESSING, RODS, Effort
@@ -79,7 +79,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
         " gravity"
     )
 
-    where: Option[object] = Option(
+    where: Option[Sequence[str]] = Option(
         'Condition: p=0, s=25% (share of the stroke), x=1.1, "x = 200 mm", "c = 3 m/s", c=max, p=min,'
         ' "p = 1/6 of dead centre", psi=5; of an engine torque=max, tangential=0.5, "rod_force = 10 kN";'
         " repeated for several.",
@@ -96,7 +96,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
         " stroke or ratio; with --angle and one condition.",
         kind=Choice("unknown", "kurbel.conditions.unknown:UNKNOWNS"),
     )
-    angle: Option[object] = Option(
+    angle = amount(
         "With --unknown the crank angle at which the condition holds: 30, or c=max, where a quantity of the"
         " motion is greatest on the outstroke.",
         "ANGLE",

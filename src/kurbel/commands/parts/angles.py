@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, ClassVar
 
-from kurbel.commands.options import Choice, Option, alone, measure, word
+from kurbel.commands.options import Choice, Option, alone, amount, measure, word
 from kurbel.commands.part import Part, Rivals
 from kurbel.errors import NotationError, ProblemError
 from kurbel.page.axes import shifted
@@ -56,7 +56,7 @@ class Angles(Part):
         "Step of the angles; default 10. Without any of these options a layout has its own angles.", "ANGLE",
         unit="degrees",
     )  # fmt: skip
-    zero: Option[object] = Option(
+    zero = amount(
         "Where the angles of the page count from, if not from φ = 0: an angle, or outer for the outer dead"
         " centre, φ = 180°.",
         "ANGLE", unit="degrees",

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from kurbel.commands.options import Option, file, word
+from kurbel.commands.options import Option, file, measure, word
 from kurbel.commands.part import Part, flag_of
 from kurbel.errors import ProblemError
 from kurbel.reading.given import as_crank_angles, as_energy, as_fraction, as_power, as_share, as_speed
@@ -34,12 +34,13 @@ class Diagram(Part):
         "T", unit="N m", whole=True,
     )  # fmt: skip
     torque_file = file("The same from a CSV file with the columns angle and torque [N m].")
-    triangles: Option[object] = Option(
+    triangles: Option[Sequence[str]] = Option(
         "Diagram of triangles alike in width, as of the strokes of a gas engine, by their areas from the"
         " line of no torque: '-350;-1400;+3550;-500', with --turns and --area-scale, or --power and"
         " --speed.",
         "AREAS",
         whole=True,
+        read=lambda value, what: _texts(value),
     )
     load_torque = word(
         "Torque of the load, a formula or points; default: the mean of the drive. Alone, the drive has"
@@ -47,14 +48,16 @@ class Diagram(Part):
         "T", unit="N m", whole=True,
     )  # fmt: skip
     load_torque_file = file("The same from a CSV file.")
-    turns: Option[object] = Option(
+    turns = measure(
+        lambda value, what: _turns(value),
         "Turns after which a diagram comes again: 1, 2, 1/3; default: as its formula, or to its last point.",
         "N",
     )
-    areas: Option[object] = Option(
+    areas: Option[Sequence[str]] = Option(
         "Diagram by the areas between it and its mean line, in order, those above positive: '+52;-124;+72'.",
         "AREAS",
         whole=True,
+        read=lambda value, what: _texts(value),
     )
     area_scale = word(
         "What a unit of these areas stands for: 52.36J, or the units of torque and angle, '500 N m; 6°'.",
@@ -68,7 +71,7 @@ class Diagram(Part):
 
     def fluctuation(self) -> Fluctuation:
         """Return how the energy varies by the diagram. Raises KurbelError."""
-        return self.whole_areas(self.cycle_turns()) if self.says("areas") else self.excess()
+        return self.whole_areas(self.turns) if self.says("areas") else self.excess()
 
     def whole_areas(self, turns: Fraction | None = None) -> Areas:
         """Return the areas of a diagram, of a cycle of so many turns where these are known."""
@@ -76,13 +79,13 @@ class Diagram(Part):
 
         if not self.says("areas"):
             raise ProblemError("no areas were given; add --areas '+52;-124;+72' with --area-scale 52.36J")
-        return given_areas(_texts(self.areas), self.area_scale, turns)
+        return given_areas(self.areas, self.area_scale, turns)
 
     def excess(self) -> Excess:
         """Return the excess of the drive's torque over that of the load. Raises KurbelError."""
         from kurbel.engine.diagram.excess import Excess
 
-        turns = self.cycle_turns()
+        turns = self.turns
         drive, load = self._torque(DRIVES, turns, "torque"), self._torque(LOADS, turns, "torque of the load")
         if cranks := self.crank_angles():
             if drive is None:
@@ -97,17 +100,6 @@ class Diagram(Part):
     def constant(self) -> str:
         """Return which torque was not given and is the mean of the other, "load" or "drive"."""
         return ("" if self.says(*LOADS) else "load") if self.says(*DRIVES) else "drive"
-
-    def cycle_turns(self) -> Fraction | None:
-        """Return the turns of a cycle, None where they were not given."""
-        if self.turns is None:
-            return None
-        turns = as_fraction(self.turns)
-        if not 0 < turns <= MOST_TURNS:
-            raise ProblemError(
-                f"a cycle of {turns} turns was given; it must be above 0 and at most {MOST_TURNS}"
-            )
-        return turns
 
     def unread(self, option: Option[object]) -> str:
         name, flag = option.name, flag_of(option.name)
@@ -163,7 +155,7 @@ class Diagram(Part):
             )
         if turns is None:
             raise ProblemError("--triangles need the turns of their cycle; add --turns 2 for four strokes")
-        texts = _texts(self.triangles)
+        texts = self.triangles
         if not self.says("area_scale") and not any(map(str.isalpha, "".join(texts))):
             return triangles([*self._by_work(texts, turns)], turns)
         areas, scale, _ = scaled_areas(texts, self.area_scale, "triangles")
@@ -210,6 +202,14 @@ class Diagram(Part):
             )
         share = 1 if efficiency is None else as_share(efficiency, "efficiency")
         return as_power(power) * share * turns / mean.value
+
+
+def _turns(given: object) -> Fraction:
+    """Return the turns of a cycle. Raises KurbelError."""
+    turns = as_fraction(given)
+    if not 0 < turns <= MOST_TURNS:
+        raise ProblemError(f"a cycle of {turns} turns was given; it must be above 0 and at most {MOST_TURNS}")
+    return turns
 
 
 def _texts(areas: object) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from typing import ClassVar
 
-from kurbel.commands.options import Choice, Option, alone, file, measure, word
+from kurbel.commands.options import Choice, Option, alone, amount, file, measure, word
 from kurbel.commands.part import Origin, Part, Values
 from kurbel.commands.parts.angles import OVER_PATH
 from kurbel.commands.parts.sheet import Layouts
@@ -17,7 +17,7 @@ from kurbel.errors import ProblemError
 from kurbel.motion.evaluation import REACH, series_of
 from kurbel.motion.mechanism import Mechanism, mechanism, of_other_mechanisms
 from kurbel.page.layouts import layout_of
-from kurbel.reading.given import as_length, as_numbers, as_ratios, as_speed
+from kurbel.reading.given import Exact, as_length, as_numbers, as_ratios, as_speed
 from kurbel.reading.notation import plain, ratio_text
 
 # Of pages of approximations, and of pages about points of the rod.
@@ -46,40 +46,36 @@ class Linked(OnMachine):
     # Where no mechanism is named, a layout about one of these names it if it is of one alone.
     abouts: ClassVar[Sequence[str]] = (*MOTIONS, OVER_PATH, POINTS, *APPROXIMATE)
 
-    ratio: Option[object] = Option(
+    ratio: Option[Sequence[Exact] | Exact | None] = Option(
         "Crank ratio: 1:5, 1:4,5, 0.2; lists '1:4;1:5' and ranges 1:3..6:0.5; 1:∞ is the infinite rod.",
         "R:L", short="-r", many=True,
     )  # fmt: skip
-    offset: Option[object] = Option(
-        "Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R"
-    )
-    stroke: Option[object] = Option(
+    offset = amount("Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R")
+    stroke = amount(
         "2R: 600mm; or R, crank:300mm. Of an offset crank, whose piston goes further, also by its way,"
         " true:600mm, from which R follows with --rod or --ratio.",
         "LENGTH", unit="m",
     )  # fmt: skip
-    time_ratio: Option[object] = Option(
+    time_ratio = amount(
         "With --stroke true:600mm and --offset as a length: time of the outstroke over that of the return,"
         " from which R and L follow: 1.2.",
         "Q",
     )  # fmt: skip
-    rod: Option[object] = Option(
-        "Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m"
-    )
+    rod = amount("Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m")
     mechanism = word(registered.described(), kind=Choice("mechanism", MECHANISMS), topic="linkage")
-    rocker: Option[object] = Option(
+    rocker = amount(
         "Arc crank: length of the rocker in units of R, or a length with --stroke.",
         "B",
         unit="R",
         topic="linkage",
     )
-    pivot: Option[object] = Option(
+    pivot = amount(
         "Arc crank: the rocker's pivot along and across the slide, in units of R or as lengths; default:"
         " as far as the rod is long, and B above the slide line. With 'D;0' angles count from the line of"
         " centres, as of a four-bar.",
         "D;H", unit="R", whole=True, topic="linkage",
     )  # fmt: skip
-    circuit: Option[object] = Option(
+    circuit = amount(
         "Arc crank: 1 or -1, the two ways to assemble the links; default 1. Of a four-bar with its pivot at"
         " 'D;0' the open one is -1.",
         "WAY", topic="linkage",
@@ -134,7 +130,7 @@ class Linked(OnMachine):
 class AnyDrive(Linked):
     """Any crank drive, the beam engine among them."""
 
-    beam: Option[object] = Option(
+    beam = amount(
         "Beam engine: arm of the beam in units of R, or a length.",
         "A",
         unit="R",
@@ -171,7 +167,7 @@ class Method(Part):
 class Turning(Speed, Method):
     """How the crank turns, and by which formulas its motion is computed."""
 
-    acceleration: Option[object] = Option(
+    acceleration = amount(
         "Angular acceleration of the crank at these angles, at its --speed: 50rad/s², -20rad/s².", "ALPHA",
         unit="rad/s²",
     )  # fmt: skip

@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from kurbel.commands.options import Option, measure
+from kurbel.commands.options import Option, amount, measure
 from kurbel.commands.part import Part, flag_of
 from kurbel.commands.parts.masses import Masses, Rotating
 from kurbel.drive import load
@@ -132,9 +132,7 @@ class PinFriction(Part):
 class Effort(Piston, Friction, Pressing, Masses, Rotating):
     """All that acts on piston and crosshead where no engine does: a force, pressures, friction, masses."""
 
-    force: Option[object] = Option(
-        f"Piston force, for columns in N and N m: {load.examples()}.", "FORCE", unit="N"
-    )
+    force = amount(f"Piston force, for columns in N and N m: {load.examples()}.", "FORCE", unit="N")
 
     def is_pushed(self) -> bool:
         """Whether a force acts on the piston, that of moving masses among them."""

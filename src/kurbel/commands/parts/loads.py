@@ -7,7 +7,7 @@ from fractions import Fraction
 from os import PathLike
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
-from kurbel.commands.options import FILE, Choice, Option, Path, flag, measure, word
+from kurbel.commands.options import FILE, Choice, Option, Path, amount, flag, measure, word
 from kurbel.commands.part import Rivals, Values, flag_of
 from kurbel.commands.parts.effort import Piston
 from kurbel.drive.load import CARD, COMPRESSOR, GAS, LOADS, PUMP, STEAM
@@ -60,7 +60,7 @@ class Loads(Piston):
         "Expansion ratio, cut-off after 1/ε of the stroke: 4; lists '2;3;4', ranges 2..6.", "ε", many=True,
         machine="steam",
     )  # fmt: skip
-    back: Option[object] = Option(
+    back = amount(
         "Back pressure as a share of the steam pressure: 0.1, 10%, or beside --pressure as a pressure, both"
         " above vacuum: 1.1bar; default: the best, to which the steam expands.",
         "B",

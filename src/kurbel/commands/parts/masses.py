@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from kurbel.commands.options import Choice, Option, alone, file, measure, word
+from kurbel.commands.options import Choice, Option, alone, amount, file, measure, word
 from kurbel.commands.part import Part, Rivals, flag_of
 from kurbel.commands.parts.drive import Speed
 from kurbel.errors import ProblemError
@@ -43,12 +43,12 @@ class MovingRod(Part):
     )
 
     rod_mass = measure(as_mass, "Mass of the connecting rod: 150kg.", "MASS", unit="kg", machine="masses.rod")
-    centre: Option[object] = Option(
+    centre = amount(
         "Centre of mass of the rod from the crosshead pin, in rod lengths: 0.6, 60%; or a length, where that"
         " of the rod is known.",
         "A", unit="rod lengths",
     )  # fmt: skip
-    gyration: Option[object] = Option(
+    gyration = amount(
         "Radius of gyration about the centre of mass, in rod lengths: 0.3; or a length.", "K",
         unit="rod lengths",
     )  # fmt: skip

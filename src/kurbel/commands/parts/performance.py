@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, ClassVar
 
-from kurbel.commands.options import Choice, Option, measure, word
+from kurbel.commands.options import Choice, measure, word
 from kurbel.commands.part import Part, Rivals
 from kurbel.commands.parts.drive import Speed
 from kurbel.errors import ProblemError
@@ -82,7 +82,8 @@ class Losses(Part):
 
     topic = "work"
 
-    diagram_factor: Option[object] = Option(
+    diagram_factor = measure(
+        lambda value, what: value if value == "?" else as_share(value, what),
         "Area of the real card in that of the ideal one: 0.8, or ? to find it from a power; default 1, the"
         " ideal card.",
         "SHARE",

@@ -40,7 +40,10 @@ class Press(Part):
 
     topic = "press"
 
-    strokes: Option[object] = Option("Press: working strokes, 30/min.", "SPEED", unit="strokes a second")
+    strokes = measure(
+        lambda value, what: _strokes(value), "Press: working strokes, 30/min.", "SPEED",
+        unit="strokes a second",
+    )  # fmt: skip
     share = measure(
         as_share, "Press: share of the cycle in which it works, 1/4; 0 for a blow.", "SHARE",
         what="share of the cycle",
@@ -49,7 +52,8 @@ class Press(Part):
         as_duration, "Press: how long a stroke takes, in place of the share: 1s.", "TIME", unit="s",
         what="duration of a stroke",
     )  # fmt: skip
-    hole: Option[object] = Option(
+    hole = measure(
+        lambda value, what: _hole(value),
         "Press: diameter of the hole and thickness of the plate, whose work it does: '38mm x 32mm'.",
         "SIZES",
         whole=True,
@@ -68,10 +72,7 @@ class Press(Part):
     def of_press(self) -> Iterator[tuple[str, Known]]:
         """Yield the figures of the press, but for the share of its swing. Raises KurbelError."""
         if (strokes := self.strokes) is not None:
-            turns = as_speed(strokes)
-            if not turns.turns:
-                raise NotationError(f"the strokes are {strokes}; they count a minute or a second, as 30/min")
-            yield "cycles", Known(Product.of(turns.value), ("--strokes",))
+            yield "cycles", Known(Product.of(strokes), ("--strokes",))
         if self.is_driven() and (efficiency := self.efficiency) is not None:
             if not 0 < efficiency <= 1:
                 raise ProblemError(f"the efficiency is {about(efficiency)}; it must be above 0 and at most 1")
@@ -139,17 +140,31 @@ class Press(Part):
                 "--hole needs the energy of the sheared area, --shear-energy 7J/mm², or the strength of the"
                 " plate, --shear-strength 300MPa; give one of the two"
             )
-        sides = sides_of(self.hole)
-        if not sides:
-            raise NotationError(
-                f'hole "{str(self.hole)[:40]}" is not a diameter and the thickness of the plate, 38mm x 32mm'
-            )
-        diameter, thickness = (as_length(one, "hole") for one in sides)
+        assert self.hole is not None
+        diameter, thickness = self.hole
         area = diameter * thickness
         if energy is not None:
             return Known(Product.of(energy * area, 1), ("--hole", "--shear-energy"))
         assert strength is not None
         return Known(Product.of(strength * area * thickness * _HALF, 1), ("--hole", "--shear-strength"))
+
+
+def _strokes(given: object) -> Fraction:
+    """Return strokes a second. Raises KurbelError."""
+    turns = as_speed(given)
+    if not turns.turns:
+        raise NotationError(f"the strokes are {given}; they count a minute or a second, as 30/min")
+    return turns.value
+
+
+def _hole(given: object) -> tuple[Fraction, Fraction]:
+    """Return the diameter of a hole and the thickness of the plate in metres. Raises KurbelError."""
+    if not (sides := sides_of(given)):
+        raise NotationError(
+            f'hole "{str(given)[:40]}" is not a diameter and the thickness of the plate, 38mm x 32mm'
+        )
+    diameter, thickness = (as_length(one, "hole") for one in sides)
+    return diameter, thickness
 
 
 def sides_of(sizes: object) -> list[str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from os import PathLike
 from typing import TYPE_CHECKING, TypedDict
 
@@ -23,7 +23,7 @@ MEASURED = ("areas", "area_scale", "card", "cylinder", "hole", "rod_file", "torq
 LISTED = "; `kurbel quantities` lists them. What tells rows apart is always among them."
 
 
-def columns_option(usual: str, example: str, more: str = LISTED) -> Option[object]:
+def columns_option(usual: str, example: str, more: str = LISTED) -> Option[Sequence[str]]:
     """Return --columns of a command, whose columns are by default those of a layout."""
     return Option(
         f"Columns and their order: {example}{more}",
@@ -36,7 +36,7 @@ def columns_option(usual: str, example: str, more: str = LISTED) -> Option[objec
     )
 
 
-def columns_over_angle(usual: str, example: str) -> Option[object]:
+def columns_over_angle(usual: str, example: str) -> Option[Sequence[str]]:
     """Return the same of a command over the crank angle."""
     return columns_option(usual, example, f"{LISTED} Pages keep φ at the left.")
 
@@ -146,7 +146,7 @@ class Plain(Worded):
 
     topic = "page"
 
-    columns: Option[object] = columns_option("", "")
+    columns: Option[Sequence[str]] = columns_option("", "")
     digits: Option[int | None] = Option(
         f"Decimals of every column, 0 to {MOST_DIGITS}.",
         "N",

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import ClassVar
 
-from kurbel.commands.options import Option, alone, measure
+from kurbel.commands.options import Option, alone, amount, measure
 from kurbel.commands.part import Part, Rivals, flag_of
 from kurbel.commands.parts.drive import Speed
 from kurbel.commands.parts.press import Press, in_one_unit, sides_of
@@ -68,10 +68,10 @@ class Body(Part):
 
     topic = "wheel"
 
-    greatest_speed: Option[object] = Option(
+    greatest_speed = amount(
         "Greatest speed: 225/min; --speed 200..225/min has both.", "SPEED", unit="turns a second"
     )
-    least_speed: Option[object] = Option("Least speed: 200/min.", "SPEED", unit="turns a second")
+    least_speed = amount("Least speed: 200/min.", "SPEED", unit="turns a second")
     inertia = measure(
         as_inertia, "Moment of inertia of the flywheel: 1200kgm2.", "J", unit="kg m²",
         what="moment of inertia", machine="flywheel",
@@ -99,7 +99,7 @@ class Rim(Part):
         "Speed of the rim at its mean diameter: 25m/s, or 26..28m/s; with δ its mass needs no --speed.",
         "VELOCITY", unit="m/s", what="speed of the rim", machine="",
     )  # fmt: skip
-    rim_section: Option[object] = Option(
+    rim_section = amount(
         "Section of the rim: breadth to thickness, 2:1, both, '400mm x 200mm', or 800cm².",
         "SECTION",
         whole=True,
