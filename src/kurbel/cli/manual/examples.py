@@ -245,16 +245,22 @@ OWN: Mapping[str, Mapping[str, str]] = {
         "angles": "--layout balance-angle --angle 0..90:15",
     },
     "rotor": {
+        "crank": "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120' --machine engine.toml",
         "masses": "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120'",
         "counterweights": "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120' --planes '0;200mm'"
         " --balance-planes '50mm;150mm' --balance-radii 100mm",
     },
     "locomotive": {
+        "crank": "--machine engine.toml --spacing 0.7m --gauge 1.5m",
         "counterweights": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg --share 2/3",
         "masses": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg",
         "axle": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg",
     },
-    "firing": {"question": "--engine inline-6 --order 1-5-3-6-2-4", "cylinders": "--engine v8-90"},
+    "firing": {
+        "crank": "--machine engine.toml --cranks '0;90'",
+        "question": "--engine inline-6 --order 1-5-3-6-2-4",
+        "cylinders": "--engine v8-90",
+    },
     "collate": {
         "drawing": "roetscher-112 --width 85 -o deviations.svg",
         "question": "weisbach-150 --only deviations",
