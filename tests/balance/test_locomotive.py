@@ -116,15 +116,24 @@ def test_a_machine_gives_what_it_says_of_a_locomotive_and_its_cranks(tmp_path: P
         "utf-8",
     )
     wheels = ("--spacing", "0.7m", "--gauge", "1.5m", "-f", "csv")
-    typed = ("--stroke", "60cm", "--speed", "5/s", "--cranks", "0;90", "--reciprocating", "300kg")
+    typed = ("--stroke", "60cm", "--speed", "5/s", "--cranks", "0;270", "--reciprocating", "300kg")
     assert (
         printed("locomotive", "--machine", str(machine), *wheels).out
         == printed("locomotive", *typed, *wheels).out
     )
     found = kurbel.locomotive(machine=str(machine), spacing=0.7, gauge=1.5)
     assert kurbel.typeset(found, "csv") == printed("locomotive", *typed, *wheels).out
+    # A crank of a machine follows the first by its angle, so that it lies so far behind it.
     firing = printed("firing", "--machine", str(machine), "-f", "csv").out
-    assert firing == printed("firing", "--cranks", "0;90", "-f", "csv").out
+    assert firing == printed("firing", "--cranks", "0;270", "-f", "csv").out
+    forces = ("balance", "--ratio", "1:4", "--angle", "20;75", "-f", "csv")
+    followed = printed(*forces, "--machine", str(machine), "--reciprocating", "2kg").out
+    assert (
+        followed
+        == printed(
+            *forces, "--cranks", "0;270", "--stroke", "60cm", "--speed", "5/s", "--reciprocating", "2kg"
+        ).out
+    )
     masses = ("--masses", "3;4kg", "--radii", "100mm", "--angles", "0;90", "-f", "csv")
     rotor = printed("rotor", "--machine", str(machine), *masses).out
     assert rotor == printed("rotor", *masses, "--speed", "5/s").out

@@ -19,7 +19,7 @@ from kurbel.balancing.page import BalanceRequest, arranged
 from kurbel.commands.options import Choice, Count, Option, alone, amount, measure, word
 from kurbel.commands.part import CommandOptions, Part, Rivals, Values, flag_of
 from kurbel.commands.parts.angles import Angles
-from kurbel.commands.parts.drive import Linked, OnMachine, Speed
+from kurbel.commands.parts.drive import Linked, OnMachine, Speed, settle_cranks
 from kurbel.commands.parts.masses import Masses, MovingRod
 from kurbel.commands.parts.sheet import Layouts, Plain, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
@@ -56,6 +56,10 @@ class Arranged(Part):
         "Directions of its cylinders, counted as the cranks: '-45;45'; default 0.", "ANGLES", unit="degrees",
         read=alone(as_crank_angles), whole=True,
     )  # fmt: skip
+
+    @classmethod
+    def settle(cls, values: Values) -> None:
+        settle_cranks(values)
 
 
 class FiringOptions(Arranged, OnMachine, Layouts, Plain, CommandOptions):

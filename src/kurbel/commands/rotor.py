@@ -12,7 +12,7 @@ from kurbel.balancing.rotors.page import RotorRequest
 from kurbel.balancing.rotors.rotor import Mass, Places, Rotor
 from kurbel.commands.options import Count, Option, alone, measure
 from kurbel.commands.part import CommandOptions, Values, flag_of
-from kurbel.commands.parts.drive import Linked, OnMachine, Speed, settle_sizes
+from kurbel.commands.parts.drive import Linked, OnMachine, Speed, settle_cranks, settle_sizes
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
 from kurbel.errors import NotationError, ProblemError
@@ -251,6 +251,7 @@ class LocomotiveOptions(OnMachine, Speed, Layouts, Sheet, CommandOptions):
     @classmethod
     def settle(cls, values: Values) -> None:
         settle_sizes(values)
+        settle_cranks(values)
 
     def question(self) -> Question:
         speed, wheel = self.speed, self.wheel

@@ -17,7 +17,7 @@ from kurbel.errors import ProblemError
 from kurbel.motion.evaluation import REACH, series_of
 from kurbel.motion.mechanism import Mechanism, mechanism, of_other_mechanisms
 from kurbel.page.layouts import layout_of
-from kurbel.reading.given import Exact, as_length, as_numbers, as_ratios, as_speed
+from kurbel.reading.given import Exact, as_crank_angles, as_length, as_numbers, as_ratios, as_speed
 from kurbel.reading.notation import plain, ratio_text
 
 # Of pages of approximations, and of pages about points of the rod.
@@ -224,6 +224,13 @@ def settle_sizes(values: Values) -> None:
     if is_written(values.values.get("stroke")) or values.says("time_ratio"):
         values.values.update(in_strokes(values.values))
         values.read.add("time_ratio")
+
+
+def settle_cranks(values: Values) -> None:
+    """Give the cranks of a machine's file by their directions in the sense of rotation, where it says by which
+    angles they follow the first. Raises KurbelError."""
+    if values.says("cranks") and values.origins.get("cranks") is Origin.MACHINE:
+        values.values["cranks"] = tuple(-one % 360 for one in as_crank_angles(values.values["cranks"]))
 
 
 def _settle_lengths(values: Values) -> None:
