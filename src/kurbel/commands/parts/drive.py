@@ -227,7 +227,7 @@ def settle_sizes(values: Values) -> None:
 
 
 def settle_cranks(values: Values) -> None:
-    """Give the cranks of a machine's file by their directions in the sense of rotation, where it says by which
+    """Give the cranks of a machine's file by directions in the sense of rotation, where it says by which
     angles they follow the first. Raises KurbelError."""
     if values.says("cranks") and values.origins.get("cranks") is Origin.MACHINE:
         values.values["cranks"] = tuple(-one % 360 for one in as_crank_angles(values.values["cranks"]))
