@@ -25,7 +25,7 @@ from kurbel.motion.mechanism import STRAIGHT, Mechanism
 from kurbel.motion.page import worthwhile
 from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Quantity, words
+from kurbel.page.quantity import Column, Quantity, with_symbol, words
 from kurbel.page.subject import Question
 from kurbel.page.table import Field
 from kurbel.reading.given import choose
@@ -244,8 +244,7 @@ class EngineRequest(Question):
         if not self.layout.unit:
             return one
         # The page's last column has the units.
-        named = {lang: f"{name} {one.symbol}".rstrip() for lang, name in one.name.items()}
-        return one._replace(spanners=(), heading=named)
+        return one._replace(spanners=(), heading=with_symbol(one))
 
     def column(self, column: LayoutColumn) -> Column:
         return self.mechanism.headed(super().column(column))

@@ -126,6 +126,11 @@ def entry(
     return Quantity(key, words(name), symbol, words(unit), decimals, formulas, words(heading), **rest)
 
 
+def with_symbol(quantity: Quantity) -> Words:
+    """Return the name with the symbol behind it, as a stub has them."""
+    return {lang: f"{name} {quantity.symbol}".rstrip() for lang, name in quantity.name.items()}
+
+
 def multiplied(quantity: Quantity, times: Fraction) -> Quantity:
     """Return a quantity whose numbers are so many times those of another."""
     if times == 1:

@@ -15,7 +15,7 @@ from typing import NamedTuple
 from kurbel.engine.power.source import Acting, GivenPressure
 from kurbel.errors import ProblemError
 from kurbel.exact.real import Product
-from kurbel.page.quantity import Formula, Quantity, entry, words
+from kurbel.page.quantity import Formula, Quantity, entry, with_symbol
 from kurbel.reading.notation import about
 from kurbel.reading.units import Speed
 
@@ -373,5 +373,4 @@ def _entry(
 ) -> Quantity:  # fmt: skip
     formula = Formula(lambda found: kernel(found) / number(size))
     own = entry(key, name, symbol, unit, None, {"exact": formula}, needs=needs)
-    named = {lang: f"{said} {symbol}".rstrip() for lang, said in own.name.items()}
-    return own._replace(heading=words("|".join(named[lang] for lang in ("de", "en"))))
+    return own._replace(heading=with_symbol(own))

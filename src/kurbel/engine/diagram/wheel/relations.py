@@ -15,7 +15,7 @@ from typing import NamedTuple, TypeAlias
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, number_text
 from kurbel.exact.real import Product
-from kurbel.page.quantity import Formula, Quantity, entry
+from kurbel.page.quantity import Formula, Quantity, entry, with_symbol
 
 Values: TypeAlias = Mapping[str, Product]
 _ONE, _TWO, _HALF = Product.of(1), Product.of(2), Product.of(Fraction(1, 2))
@@ -112,16 +112,11 @@ SHOWN: Mapping[str, Shown] = {row[0]: row[4] for row in _ROWS}
 @cache
 def registry() -> Mapping[str, Quantity]:
     """Return every quantity by its key, in the order of the page; a kernel call takes the figure."""
-    return {
-        key: entry(
-            key, name, symbol, unit, None, {"exact": Formula(shown.of)}, _heading(name, symbol), needs=needs
-        )
+    entries = (
+        entry(key, name, symbol, unit, None, {"exact": Formula(shown.of)}, needs=needs)
         for key, name, symbol, unit, shown, needs in _ROWS
-    }
-
-
-def _heading(name: str, symbol: Label) -> str:
-    return "|".join(f"{one} {symbol}" for one in name.split("|"))
+    )
+    return {one.key: one._replace(heading=with_symbol(one)) for one in entries}
 
 
 class Rule(NamedTuple):
