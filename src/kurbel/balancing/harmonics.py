@@ -1,4 +1,4 @@
-"""Harmonics of the piston's path (A_k), velocity (C_k) and acceleration (B_k) with certified digits.
+"""Harmonics of the piston's path (A_k), velocity (C_k) and acceleration (B_k): certified, and their page.
 
 The sums are x = Σ A_k cos kφ, c = Σ C_k sin kφ, p = Σ B_k cos kφ of the straight crank; see
 kernel/harmonics.py.
@@ -6,16 +6,26 @@ kernel/harmonics.py.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cache, cached_property
+from math import inf
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import NEVER_TIES, ball, rounded
-from kurbel.exact.numerals import Number, nearest
+from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.kernel import harmonics
 from kurbel.kernel.harmonics import Term
+from kurbel.motion.evaluation import METHODS
+from kurbel.page.axes import ListAxis, Place, RatioAxis
+from kurbel.page.layouts import LayoutColumn
+from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio, words
+from kurbel.page.subject import Question, Subject
+from kurbel.page.table import Field
+from kurbel.reading.given import choose
 
 MOST_ORDERS = 100
 
@@ -115,3 +125,219 @@ def check_straight(crank: Crank) -> None:
         raise ProblemError(
             "the crank is offset; harmonics are known for the straight crank, without --offset"
         )
+
+
+DECIMALS = 6
+# A note has so many terms of each series, and series up to this order.
+TERMS = 3
+LAST_SERIES = 6
+# The powers of λ that the formulas of a method keep.
+POWERS: Mapping[str, float] = {"exact": inf, "series": 1, "infinite": 0}
+EXACT_ZERO = Number(0, 0)
+"""A value that is 0 by proof is printed as 0, one that is only small as 0.0000."""
+ORDER = words("Ordnung|Order")
+SERIES = words("Mit $λ = {ratio}$: |With $λ = {ratio}$: ")
+ODD = words("Ungerade Ordnungen über 1 sind 0|Odd orders above 1 are 0")
+
+
+@cache
+def quantities() -> Mapping[str, Quantity]:
+    """Return the coefficients by the key of the quantity that they add up to, which stands before the sum."""
+    rows = (
+        ("x", "Harmonische des Kolbenweges|Harmonics of the piston path", "$R$", "x/R"),
+        ("c", "Harmonische der Kolbengeschwindigkeit|Harmonics of the piston velocity", "$v$", "c/v"),
+        (
+            "p", "Harmonische der Kolbenbeschleunigung|Harmonics of the piston acceleration",
+            "$v^2/R$", "(p R)/v^2",
+        ),
+    )  # fmt: skip
+    found = {}
+    for key, name, unit, printed in rows:
+        letter, formulas = f"${HARMONICS[key].letter}_k$", {"exact": Formula(HARMONICS[key].value, printed)}
+        found[key] = entry(key, name, letter, unit, DECIMALS, formulas, letter)
+    return found
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class OrdersRequest(Question):
+    """A question about the harmonics up to an order, of one of the quantities that they add up to.
+
+    By the method of the infinite rod all ratios are 1:∞.
+    """
+
+    ratios: tuple[Fraction, ...]
+    last_order: int
+    method: str
+
+    def check(self) -> None:
+        printed_orders(self.harmonic, self.last_order)
+        object.__setattr__(self, "ratios", _checked_ratios(self.ratios, self.method))
+
+    @property
+    def harmonic(self) -> Harmonic:
+        return HARMONICS["p"]
+
+    @property
+    def orders(self) -> tuple[int, ...]:
+        return printed_orders(self.harmonic, self.last_order)
+
+    def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
+        return (self.method,)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class HarmonicsRequest(OrdersRequest):
+    """What is asked for: the harmonics of the path (x), velocity (c) or acceleration (p).
+
+    `quantity` empty leaves it to the layout.
+    """
+
+    quantity: str = ""
+
+    @property
+    def harmonic(self) -> Harmonic:
+        return HARMONICS[choose(self.quantity or self.layout.columns[0].quantity, HARMONICS, "quantity")]
+
+    @cached_property
+    def page_columns(self) -> tuple[Column, ...]:
+        return (self.column(replace(self.layout.columns[0], quantity=self.harmonic.key)),)
+
+
+def _checked_ratios(ratios: tuple[Fraction, ...], method: str) -> tuple[Fraction, ...]:
+    """Return the ratios by the method; raise a KurbelError for one that no crank may have."""
+    if not ratios:
+        raise ProblemError("no crank ratio was given; write one as --ratio 1:5")
+    for ratio in ratios:
+        Crank(ratio)
+    return (Fraction(0),) if choose(method, METHODS, "method") == "infinite" else ratios
+
+
+def caption(question: OrdersRequest) -> Label:
+    """Return the layout's caption with the ratio, if there is only one, and the method."""
+    layout, lang, ratios, method = question.layout, question.lang, question.ratios, question.method
+    shown = len(ratios) == 1 and method != "infinite"
+    parts = {
+        "{method}": METHODS[method].caption[lang],
+        "{for_ratio}": for_ratio(ratios[0], lang, layout.ratio_symbol) if shown else "",
+    }
+    return filled(layout.caption[lang], parts.items())
+
+
+def _caption(question: HarmonicsRequest) -> Label:
+    return caption(question).replace("{quantity}", question.page_columns[0].quantity.name[question.lang])
+
+
+class OrderAxis(ListAxis):
+    """The orders of harmonics."""
+
+    def __init__(self, question: Any) -> None:
+        name = ORDER[question.lang]
+        super().__init__(
+            question.orders,
+            Field("order", name, "$k$", "", 0),
+            lambda order: Number(order, 0),
+            lambda order: f"$k = {order}$",
+            f"{name} $k$",
+        )
+
+    def stub(self, place: Place) -> Number:
+        return Number(self._things[place["order"]], 0)
+
+
+class _HeadedRatioAxis(RatioAxis):
+    """Crank ratios below the symbol of the harmonic."""
+
+    def __init__(self, question: HarmonicsRequest) -> None:
+        super().__init__(question)
+        self.symbol: Label = question.page_columns[0].quantity.symbol
+
+    def heads(self, place: Place) -> tuple[Label, ...]:
+        return (f"{self.symbol}, ${self.layout.ratio_symbol}$", *super().heads(place))
+
+
+def harmonic_number(
+    harmonic: Harmonic, order: int, crank: Crank, decimals: int, method: str, rounding: str
+) -> Number:
+    """Return the printed coefficient."""
+    if rational(harmonic, order, crank, method) == 0:
+        return EXACT_ZERO
+    return certified(harmonic, order, crank, decimals, method, rounding)
+
+
+def _number(question: HarmonicsRequest, column: Column, place: Place, times: int) -> Number:
+    order, crank = question.orders[place["order"]], Crank(question.ratios[place["ratio"]])
+    return harmonic_number(question.harmonic, order, crank, column.places, question.method, question.rounding)
+
+
+def _notes(question: HarmonicsRequest) -> Iterator[Label]:
+    yield _sum_formula(question.harmonic, question.method)
+    yield from series_notes(question)
+    if question.last_order > 1:
+        yield ODD[question.lang]
+
+
+def series_notes(question: OrdersRequest) -> Iterator[Label]:
+    """Yield the note that gives the coefficients by powers of λ, if the rod is finite."""
+    if question.method == "infinite":
+        return
+    orders = (order for order in question.orders if order <= LAST_SERIES)
+    formulas = (series_formula(question.harmonic, order, question.method) for order in orders)
+    ratio = question.layout.ratio_symbol.replace(":", "/")
+    yield SERIES[question.lang].replace("{ratio}", ratio) + "; ".join(f"${one}$" for one in formulas if one)
+
+
+def _sum_formula(harmonic: Harmonic, method: str) -> Label:
+    """(p R)/v² = B_1 cos φ + B_2 cos 2 φ + B_4 cos 4 φ + ..."""
+    orders = [order for order in printed_orders(harmonic, 4) if _terms(harmonic, order, method)]
+    parts = [f"{harmonic.letter}_{order}{_wave(harmonic, order)}" for order in orders]
+    more = ["…"] if method == "exact" else []
+    return f"${quantities()[harmonic.key].formulas['exact'].printed} = {' + '.join(parts + more)}$"
+
+
+def _wave(harmonic: Harmonic, order: int) -> str:
+    if not order:
+        return ""
+    return f" {harmonic.wave} φ" if order == 1 else f" {harmonic.wave} {order} φ"
+
+
+def series_formula(harmonic: Harmonic, order: int, method: str = "exact") -> str:
+    """Return the coefficient by powers of λ: B_2 = λ + λ^3/4 + (15 λ^5)/128 + …; nothing if it is 0."""
+    terms = _terms(harmonic, order, method)
+    if not terms:
+        return ""
+    parts = [_term(term) for term in terms[:TERMS]] + ["+ …"] * (len(terms) > TERMS)
+    return f"{harmonic.letter}_{order} = {' '.join(parts).removeprefix('+ ')}"
+
+
+def _terms(harmonic: Harmonic, order: int, method: str) -> list[Term]:
+    return [term for term in series(harmonic, order, TERMS + 1) if term.power <= POWERS[method]]
+
+
+def _term(term: Term) -> str:
+    top, bottom = abs(term.coefficient.numerator), term.coefficient.denominator
+    power = f"λ^{term.power}" if term.power > 1 else "λ" * term.power
+    number = "" if top == 1 and power else str(top)
+    product = " ".join(filter(None, (number, power)))
+    if bottom > 1:
+        product = f"({product})/{bottom}" if " " in product else f"{product}/{bottom}"
+    return f"{'-' if term.coefficient < 0 else '+'} {product}"
+
+
+def _listed() -> Iterator[tuple[str, Quantity]]:
+    for key, one in quantities().items():
+        yield f"harmonics --quantity {key}", one._replace(key="value")
+
+
+SUBJECT = Subject(
+    key="harmonics",
+    layout="harmonics",
+    command="harmonics",
+    axes={"ratio": _HeadedRatioAxis, "order": OrderAxis},
+    axis_keys=("order", "ratio"),
+    quantities=quantities,
+    listed=_listed,
+    letters=True,
+    number=_number,
+    caption=_caption,
+    notes=_notes,
+)

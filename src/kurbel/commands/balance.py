@@ -8,9 +8,9 @@ from fractions import Fraction
 from functools import partial
 from typing import ClassVar
 
-from kurbel.balancing.angles.extremes import ExtremesRequest
-from kurbel.balancing.angles.page import AngleRequest
+from kurbel.balancing.angles import AngleRequest
 from kurbel.balancing.arrangement import usual
+from kurbel.balancing.extremes import ExtremesRequest
 from kurbel.balancing.firing import read_order
 from kurbel.balancing.firing_page import FiringRequest, asked
 from kurbel.balancing.harmonics import MOST_ORDERS

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from kurbel.balancing.harmonics import HARMONICS, MOST_ORDERS
-from kurbel.balancing.harmonics_page import HarmonicsRequest
+from kurbel.balancing.harmonics import HARMONICS, MOST_ORDERS, HarmonicsRequest
 from kurbel.commands.balance import BalanceOptions
 from kurbel.commands.options import Choice, Count, Option, word
 from kurbel.commands.part import CommandOptions, flag_of

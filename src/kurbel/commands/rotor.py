@@ -6,10 +6,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TypeAlias
 
-from kurbel.balancing.locomotives.locomotive import Crank, Locomotive, Run
-from kurbel.balancing.locomotives.page import LocomotiveRequest
-from kurbel.balancing.rotors.page import RotorRequest
-from kurbel.balancing.rotors.rotor import Mass, Places, Rotor
+from kurbel.balancing.locomotive import Crank, Locomotive, LocomotiveRequest, Run
+from kurbel.balancing.rotor import Mass, Places, Rotor
+from kurbel.balancing.rotor_page import RotorRequest
 from kurbel.commands.options import Count, Option, alone, measure
 from kurbel.commands.part import CommandOptions, Values, flag_of
 from kurbel.commands.parts.drive import Linked, OnMachine, Speed, settle_cranks, settle_sizes

@@ -8,10 +8,9 @@ from fractions import Fraction
 from math import ceil, isfinite, nan
 from typing import Any, NamedTuple
 
-from kurbel.balancing.angles.page import AngleRequest
+from kurbel.balancing.angles import AngleRequest
 from kurbel.balancing.newtons import IN_NEWTONS
-from kurbel.balancing.page import RESIDUALS, BalanceRequest
-from kurbel.balancing.words import UNITS, WORDS
+from kurbel.balancing.page import RESIDUALS, UNITS, WORDS, BalanceRequest
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.page.axes import RATIO, Axis, ListAxis, PageAxis, Place, places

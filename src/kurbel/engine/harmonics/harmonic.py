@@ -15,9 +15,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import flint
 
-from kurbel.balancing.arrangement import Residual
-from kurbel.balancing.harmonics_page import EXACT_ZERO
-from kurbel.balancing.lengths import LENGTHS, certified_length
+from kurbel.balancing.arrangement import LENGTHS, Residual, certified_length
+from kurbel.balancing.harmonics import EXACT_ZERO
 from kurbel.drive.at import known
 from kurbel.engine.cylinder import AnyTurn, Member
 from kurbel.engine.digits import CLEAN, FLOAT_ERROR, Estimate, certified, supported

@@ -11,8 +11,7 @@ from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import Any
 
-from kurbel.balancing.harmonics import MOST_ORDERS
-from kurbel.balancing.harmonics_page import ORDER
+from kurbel.balancing.harmonics import MOST_ORDERS, ORDER
 from kurbel.engine.captions import caption
 from kurbel.engine.cylinder import Member, members_of
 from kurbel.engine.digits import ERROR, error_number

@@ -8,8 +8,7 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any, NamedTuple
 
-from kurbel.balancing.rotors.rotor import Line, Placed, Places, Rotor, lines
-from kurbel.balancing.rotors.unknown import solved
+from kurbel.balancing.rotor import Line, Placed, Places, Rotor, lines, solved
 from kurbel.balancing.vector import Vector, omega
 from kurbel.drive.at import known
 from kurbel.exact.numerals import Label, Number, given

@@ -9,12 +9,9 @@ from functools import cache, cached_property, partial
 from math import inf
 from typing import Any
 
-from kurbel.balancing.angles.curve import Curve, left, slides_of
-from kurbel.balancing.angles.greatest import Greatest, greatest
-from kurbel.balancing.angles.page import WORDS, LineAxis
-from kurbel.balancing.angles.unbalanced import of_all, of_order
-from kurbel.balancing.arrangement import Residual, factor
-from kurbel.balancing.lengths import LENGTHS, certified_length
+from kurbel.balancing.angles import WORDS, LineAxis, of_all, of_order
+from kurbel.balancing.arrangement import LENGTHS, Residual, certified_length, factor
+from kurbel.balancing.greatest import Curve, Greatest, greatest, left, slides_of
 from kurbel.balancing.newtons import IN_NEWTONS
 from kurbel.balancing.page import NEEDS, RESIDUALS, SUBJECT, BalanceRequest, balance_notes, balance_registry
 from kurbel.balancing.vector import Vector

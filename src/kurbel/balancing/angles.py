@@ -1,4 +1,8 @@
-"""An engine's cylinders, angles and a layout become a table of its free forces and moments at these."""
+"""The free forces and moments of an engine at angles of the shaft, of each order and of all, and their page.
+
+Of all orders it is the sum over the cylinders of their piston accelerations, by the exact formula: cos θ,
+whose sum is the first order, and a rest that is the same at θ, -θ and θ + 180°.
+"""
 
 from __future__ import annotations
 
@@ -8,9 +12,8 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
 
-from kurbel.balancing.angles.unbalanced import of_all, of_order
-from kurbel.balancing.arrangement import factor
-from kurbel.balancing.harmonics_page import OrderAxis
+from kurbel.balancing.arrangement import Arrangement, Cylinder, Residual, factor
+from kurbel.balancing.harmonics import OrderAxis
 from kurbel.balancing.newtons import IN_NEWTONS
 from kurbel.balancing.page import (
     DECIMALS,
@@ -21,16 +24,64 @@ from kurbel.balancing.page import (
     BalanceRequest,
     balance_notes,
 )
-from kurbel.balancing.vector import Vector
+from kurbel.balancing.vector import Point, Vector
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
+from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, Number
 from kurbel.exact.real import EXACT_ZERO, Real
+from kurbel.kernel.balance import Star
+from kurbel.kernel.kinematics import piston_acceleration
 from kurbel.page.axes import AngleAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
 from kurbel.page.table import Field
 from kurbel.reading.amounts import BOTH
+
+# What a cylinder's force counts: 1, or its arm.
+Weigh = Callable[[Cylinder], Fraction]
+WEIGH: dict[str, Weigh] = {
+    "force": lambda cylinder: Fraction(1),
+    "moment": lambda cylinder: cylinder.position,
+}
+
+
+def of_order(residual: Residual, order: int, angle: Fraction) -> Vector:
+    """Return the vector of an order at an angle in degrees, in units of m R ω² |B_k|."""
+    forward = residual.forward.turned(order * angle)
+    return Vector(forward + residual.backward.turned(-order * angle))
+
+
+def of_all(arrangement: Arrangement, residual: str, first: Residual, crank: Crank, angle: Fraction) -> Vector:
+    """Return the vector of all orders at an angle in degrees, in units of m R ω²; `first` is the first order.
+
+    Exact for every crank ratio 0 <= λ < 1.
+    """
+    groups: dict[Fraction, Star] = {}
+    for cylinder in arrangement.cylinders:
+        turned = (angle + cylinder.crank - cylinder.bank) % 180
+        folded = min(turned, 180 - turned)
+        ray = Star.ray(cylinder.bank, cylinder.mass * WEIGH[residual](cylinder))
+        groups[folded] = groups.get(folded, Star()) + ray
+    rest: list[tuple[Point, Fraction]] = [
+        (_even(folded, star, crank.ratio), Fraction(1))
+        for folded, star in sorted(groups.items())
+        if crank.ratio and not star.vanishes()
+    ]
+    return Vector(of_order(first, 1, angle).star, tuple(rest))
+
+
+def _even(angle: Fraction, star: Star, ratio: Fraction) -> Point:
+    """Return a star times the piston acceleration less cos θ at an angle."""
+
+    def point(kind: Kind) -> tuple[Any, Any]:
+        circle = kind.circle(angle)
+        size = piston_acceleration(circle, kind.of(ratio)) - circle.cosine
+        x, y = star.point(kind.circle, kind.of)
+        return size * x, size * y
+
+    return point
+
 
 MOST_ANGLES = 10_000
 DIRECTION_DECIMALS = 2

@@ -1,1 +1,0 @@
-"""Locomotives: balancing masses in the wheels, hammer blow, swaying couple, variation of tractive force."""

@@ -1,1 +1,0 @@
-"""Rotating masses: what they leave unbalanced, and the masses that balance them."""
