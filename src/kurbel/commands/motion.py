@@ -49,7 +49,7 @@ class OverPath(Over, AnyDrive, Layouts, Sheet):
         drives: Sequence[Any] = (),
     ) -> Question:
         """Return what is asked for of drives that were described, or of these, at shares of the stroke."""
-        from kurbel.conditions.over.page import PathRequest
+        from kurbel.conditions.over import PathRequest
 
         if self.says("acceleration"):
             raise ProblemError("--acceleration is at crank angles of a turn; leave it out, or --over path")

@@ -227,8 +227,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
     def _unknown(self, unknown: str) -> Question:
         """Return what is asked for: all values of the unknown with which the condition holds at the angle."""
         from kurbel.commands.unknown import OfRatio, Sized
-        from kurbel.conditions.unknown import nowhere
-        from kurbel.conditions.unknown_page import UnknownRequest
+        from kurbel.conditions.unknown import UnknownRequest, nowhere
 
         page = self.page("solve-unknown", "unknown")
         if self.says(unknown):

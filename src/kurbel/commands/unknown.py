@@ -13,11 +13,10 @@ from kurbel.commands.motion import MotionOptions, some
 from kurbel.commands.part import flag_of
 from kurbel.commands.parts.effort import PRESSING
 from kurbel.commands.solve import SolveOptions
-from kurbel.conditions.captions import condition_label
 from kurbel.conditions.loaded import ASKED, MEASURED, NAMES, measured
+from kurbel.conditions.page import condition_label
 from kurbel.conditions.solve import MEASURES, TORQUE, read_on, solve, target_of
-from kurbel.conditions.unknown import UNKNOWNS, Polynomial, of_ratio
-from kurbel.conditions.unknown_page import WORDS
+from kurbel.conditions.unknown import UNKNOWNS, WORDS, Polynomial, of_ratio
 from kurbel.drive.at import At
 from kurbel.drive.load import figure
 from kurbel.engine.quantities import value

@@ -8,8 +8,8 @@ from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import Any, cast
 
-from kurbel.conditions.captions import WORDS as SOLVED
 from kurbel.conditions.loaded import ASKED, Loaded, measured
+from kurbel.conditions.page import WORDS as SOLVED
 from kurbel.drive.at import CRANK_FORCES
 from kurbel.engine.captions import about_engines
 from kurbel.engine.notes import from_dead_centre, notes

@@ -77,11 +77,9 @@ SUBJECTS: Mapping[str, Pages] = {
     "pin masses": Pages("kurbel.motion.rod_masses:PINS", _INERTIA),
     "rocker inertia": Pages("kurbel.linkage.arc.inertia:SUBJECT", f"{_INERTIA} {_ARC}"),
     "roots": Pages("kurbel.conditions.page:SUBJECT", "solve --where p=0"),
-    "over path": Pages("kurbel.conditions.over.page:MOTION", "table --over path"),
-    "forces over path": Pages("kurbel.conditions.over.page:FORCES", "forces --over path"),
-    "unknown": Pages(
-        "kurbel.conditions.unknown_page:SUBJECT", "solve --unknown ratio --angle 80 --where c=max"
-    ),
+    "over path": Pages("kurbel.conditions.over:MOTION", "table --over path"),
+    "forces over path": Pages("kurbel.conditions.over:FORCES", "forces --over path"),
+    "unknown": Pages("kurbel.conditions.unknown:SUBJECT", "solve --unknown ratio --angle 80 --where c=max"),
     "loaded roots": Pages("kurbel.conditions.load_page:SUBJECT", "solve --eps 4 --where torque=max"),
     "construction": Pages("kurbel.books.constructions.page:SUBJECT", "construct blau-9 --table"),
     "collation": Pages("kurbel.books.collate_page:SUBJECT", "collate roetscher-112"),

@@ -16,8 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kurbel.conditions.over.captions import WORDS
-from kurbel.conditions.over.page import ANGLES, PathRequest
+from kurbel.conditions.over import ANGLES, WORDS, PathRequest
 from kurbel.engine.captions import inner
 from kurbel.engine.pressures import Pressed, PressuresRequest, Where, is_carded, stroke_names
 from kurbel.engine.request import EngineRequest
