@@ -14,8 +14,8 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.terms import terms, tie_bits, vanishes
 from kurbel.kernel.steam import logarithm
-from kurbel.linkage.arc.crank import ArcCrank
-from kurbel.linkage.arc.quantities import arc_registry
+from kurbel.linkage.arc import ArcCrank
+from kurbel.linkage.arc_quantities import arc_registry
 from kurbel.motion.evaluation import kernel_of, value
 from kurbel.motion.quantities import registry
 from kurbel.reading.units import Speed

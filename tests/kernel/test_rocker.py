@@ -16,7 +16,7 @@ from kurbel.kernel.circle import Circle
 from kurbel.kernel.moving import Masses, joined, rod_masses
 from kurbel.kernel.rocker import LoadedRocker
 from kurbel.kernel.rod import Loaded
-from kurbel.linkage.arc.crank import ArcCrank
+from kurbel.linkage.arc import ArcCrank
 
 # mpmath has no types.
 Real = Any

@@ -17,7 +17,7 @@ from kurbel.drive.crank import Crank, check_angles
 from kurbel.drive.load import PistonForce
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
-from kurbel.linkage.beam.engine import BeamEngine
+from kurbel.linkage.beam_engine import BeamEngine
 from kurbel.page.axes import angle_text
 from kurbel.page.layouts import LANGUAGES
 from kurbel.page.table import (

@@ -31,7 +31,7 @@ from kurbel.exact.certify import NEVER_TIES, TieBits, ball, ball_circle, ball_de
 from kurbel.exact.kind import balls, bounds
 from kurbel.exact.numerals import Label
 from kurbel.exact.separation import Separation, circle_separation, power
-from kurbel.linkage.beam import engine as beam
+from kurbel.linkage import beam_engine as beam
 from kurbel.motion import evaluation
 from kurbel.motion.quantities import registry as motion_registry
 from kurbel.page.quantity import Quantity, words

@@ -14,7 +14,7 @@ from kurbel.commands.parts.masses import MovingRod, Weight
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_over_angle, layout_option
 from kurbel.commands.subject import function
 from kurbel.errors import ProblemError
-from kurbel.linkage.arc.inertia import RockerInertiaRequest
+from kurbel.linkage.arc_quantities import RockerInertiaRequest
 from kurbel.motion.inertia_page import ErrorsRequest
 from kurbel.motion.mechanism import Mechanism
 from kurbel.motion.page import Request

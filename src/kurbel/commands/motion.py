@@ -263,7 +263,7 @@ class DeadCentresOptions(Linked, Speed, Layouts, Sheet, CommandOptions):
         return self.says("beam", "exact") or not self.says(*_OF_DRIVES, *_LENGTHS)
 
     def _beam(self) -> Question:
-        from kurbel.linkage.beam.page import BeamRequest
+        from kurbel.linkage.beam_engine import BeamRequest
 
         page = self.page("weisbach-149", BEAM)
         known = all(map(self.says, _LENGTHS))

@@ -28,13 +28,9 @@ class Registered(NamedTuple):
 MECHANISMS: Mapping[str, Registered] = {
     "straight": Registered("motion", "kurbel.motion.mechanism:STRAIGHT", "default"),
     "offset": Registered("motion", "kurbel.motion.mechanism:OFFSET"),
-    "arc": Registered(
-        "arc crank", "kurbel.linkage.arc.mechanism:MECHANISM", "the rod moves a rocker", " --rocker 6"
-    ),
+    "arc": Registered("arc crank", "kurbel.linkage.arc:MECHANISM", "the rod moves a rocker", " --rocker 6"),
     "parallel": Registered("parallel crank", "kurbel.linkage.parallel:MECHANISM", "two equal cranks"),
-    "beam": Registered(
-        "beam engine", "kurbel.linkage.beam.mechanism:MECHANISM", "a beam engine", " --beam 3"
-    ),
+    "beam": Registered("beam engine", "kurbel.linkage.beam:MECHANISM", "a beam engine", " --beam 3"),
     # Another mechanism is one more line here.
 }
 # The crank drives without a crosshead, whose pages are their own.

@@ -14,12 +14,12 @@ from functools import cache
 from typing import Any
 
 from kurbel.drive.at import At, known
+from kurbel.drive.load import FORCE
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals
+from kurbel.linkage.linkage import LinkageRequest, force_lines, formula_line, linkage_subject
 from kurbel.linkage.parallel import parallel_registry
-from kurbel.linkage.quantities import FORCE
-from kurbel.linkage.question import LinkageRequest, force_lines, formula_line, linkage_subject
 from kurbel.motion.evaluation import value
 from kurbel.motion.quantities import Force, force_entries
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place

@@ -15,7 +15,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel import kinematics
-from kurbel.linkage.arc.rocker import RockerCrank
+from kurbel.linkage.rocker import RockerCrank
 from kurbel.motion.captions import size_notes, turns_label
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN
 from kurbel.motion.mechanism import Mechanism, mechanism
@@ -206,7 +206,7 @@ class DeadCentresRequest(DriveQuestion):
 
 
 def _number(question: DeadCentresRequest, column: Column, place: Place, times: int) -> Number:
-    """The printed number; for the boundaries see linkage/arc/captions.py, and for fewer decimals the error
+    """The printed number; for the boundaries see linkage/arc_captions.py, and for fewer decimals the error
     of one that is not settled."""
     quantity, drive = column.quantity, question.drives[place["ratio"]]
     kernel = quantity.formulas["exact"].kernel

@@ -1,19 +1,35 @@
-"""A crank drive without a crosshead at a crank angle, on any kind of number, and as it is drawn to scale."""
+"""Crank drives without a crosshead: how they stand, their forces and pages, and what conditions ask."""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
-from dataclasses import replace
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from types import MappingProxyType
+from typing import Any, ClassVar, NamedTuple
 
 from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
+from kurbel.drive.load import FORCE
+from kurbel.drive.mechanisms import LINKAGES, MECHANISMS
 from kurbel.exact.kind import Kind
-from kurbel.exact.numerals import Label
+from kurbel.exact.numerals import Label, Number
+from kurbel.kernel import linkage
 from kurbel.kernel.circle import Circle
-from kurbel.kernel.linkage import Place
-from kurbel.page.quantity import Words
+from kurbel.motion import quantities
+from kurbel.motion.captions import direction_notes, force_notes, moving_notes, size_notes, turns_label
+from kurbel.motion.drives import Drive
+from kurbel.motion.entries import Formulas
+from kurbel.motion.evaluation import NEEDS, OUT, certified
+from kurbel.motion.mechanism import FORCES as IN_DRAWINGS
+from kurbel.motion.mechanism import Mechanism, mechanism
+from kurbel.motion.page import CURVES, AngleQuestion, check_pairs, long_records
+from kurbel.motion.quantities import Force
+from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
+from kurbel.page.layouts import layout
+from kurbel.page.quantity import Column, Formula, Quantity, Words, enumerated, filled, for_ratio
+from kurbel.page.subject import Subject, subject
 
 Point = tuple[float, float]
 
@@ -65,7 +81,7 @@ class Linkage(ABC):
         return "2 R"
 
     @abstractmethod
-    def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
+    def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> linkage.Place[Any]:
         """Return where the driven end is: its way, its velocity, the slants of rod and crank against it."""
 
     def at(self, stroke: int, circle: Circle[Any], numbers: Kind, method: str, of: str | None = None) -> At:
@@ -76,3 +92,252 @@ class Linkage(ABC):
     def outline(self) -> Outline | None:
         """Return what it is seen as from its side, unless a drawing of its own knows."""
         return None
+
+
+DECIMALS = 4
+
+
+FORCES: Mapping[str, Force] = {
+    **{key: one for key, one in quantities.FORCES.items() if key not in quantities.EFFORT},
+    "rod_force": Force(
+        "Stangenkraft|Rod force", "S",
+        "$S$ am Stangenende, auf dem Hingang Druck, auf dem Rückgang Zug"
+        "|$S$ at the rod's end, thrust on the outstroke, pull on the return",
+    ),
+    "guide_force": Force(
+        "Schwingenkraft|Rocker force", "N",
+        "$N$ längs der Schwinge auf das Stangenende, nach der Seite, auf der in diesem Hub der Kurbelzapfen"
+        " läuft"
+        "|$N$ along the rocker on the rod's end, towards the side on which the crank pin runs in that stroke",
+    ),
+    "crosshead_pin_force": Force(
+        "Kraft am Schwingenzapfen|Rocker-pin force", "G",
+        "$G$ Betrag am Zapfen von Stange und Schwinge|$G$ magnitude at the pin of rod and rocker",
+    ),
+}  # fmt: skip
+_KERNELS: Mapping[str, Callable[[linkage.Place[Any]], Any]] = {
+    "rod_force": linkage.rod_force,
+    "guide_force": linkage.rocker_force,
+    "tangential_force": linkage.tangential_force,
+    "radial_force": linkage.radial_force,
+}
+
+
+def force_formula(key: str, printed: Label, symbols: tuple[Label, ...] = ()) -> Formula:
+    """Return the formula of a force as a page prints it."""
+    kernel = _KERNELS[key]
+    return Formula(lambda at: kernel(at.place), printed, symbols)
+
+
+def force_entries(printed: Mapping[str, Formula], masses: bool = False) -> Iterator[Quantity]:
+    """Yield the forces with these formulas as shares of F and in newtons, and the torque that they make.
+
+    A drive that may have moving `masses` has also the forces that these alone show.
+    """
+    newton = quantities.in_newtons if masses else _alone
+    for key in {**printed, **(FORCES if masses else {})}:
+        shares = {"exact": printed[key]} if key in printed else {}
+        yield from quantities.force_entries(key, FORCES[key], shares, newton(key, shares), of=FORCE)
+    torque = {"exact": force_formula("tangential_force", "$M_d/(F R) = T/F$")}
+    yield from quantities.torque_entries(torque, newton("tangential_force", torque), of=FORCE)
+
+
+def _alone(key: str, shares: Formulas) -> Formulas:
+    return shares
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class LinkageRequest(AngleQuestion):
+    """What is asked for of these drives, alike but for their ratios, at these angles."""
+
+    def check(self) -> None:
+        super().check()
+        check_pairs(self.layout, f"{self.subject.key}s")
+
+    def too_long(self) -> str:
+        return f"the table has {len(self)} rows"
+
+    @property
+    def moving(self) -> tuple[str, Any]:
+        # Coupled axles are parallel cranks.
+        own = (name for name in LINKAGES if MECHANISMS[name].subject == self.subject.key)
+        return next(own, "parallel"), self.drives[0]
+
+    def solved(self) -> tuple[Drive, ...]:
+        chosen = mechanism(self.moving[0])
+        of_motion = self.subject.key == chosen.subject and chosen.conditions()
+        return chosen.solved(self.drives, None) if of_motion else ()
+
+
+def linkage_subject(
+    key: str,
+    layout: str,
+    command: str,
+    quantities: Callable[[], Mapping[str, Quantity]],
+    notes: Callable[[LinkageRequest], Iterator[Label]],
+    caption: Callable[[LinkageRequest], Label] | None = None,
+    ratios: bool = False,
+) -> Subject:
+    """Return what pages of a drive are about; `ratios` if it has a rod."""
+
+    def listed() -> Iterator[tuple[str, Quantity]]:
+        for one in quantities().values():
+            yield command.replace("table", "forces") if one.of == FORCE else command, one
+
+    over_angle = {"angle": AngleAxis, "column": ColumnAxis}
+    return Subject(
+        key=key,
+        layout=layout,
+        command=command,
+        axes={"ratio": RatioAxis, **over_angle} if ratios else over_angle,
+        axis_keys=("ratio", "phi") if ratios else ("phi",),
+        quantities=quantities,
+        number=_number,
+        caption=caption or captioned,
+        notes=notes,
+        listed=listed,
+        rows=long_records,
+        options=NEEDS,
+        drawn=CURVES,
+    )
+
+
+def _number(question: LinkageRequest, column: Column, place: Place, times: int) -> Number:
+    drive, angle = question.drives[place.get("ratio", 0)], question.angles[place["angle"]]
+    scaled = certified(column.quantity, "exact", drive, angle, column.places, question.rounding)
+    return Number(scaled * times, column.places)
+
+
+def captioned(question: LinkageRequest, for_drive: Label | None = None) -> Label:
+    """Return the layout's caption with its quantities and what tells the drive, else its one ratio.
+
+    The ratio stands at the end of a caption without a place for it, unless rows or heads have it.
+    """
+    lang, layout = question.lang, question.layout
+    names = enumerated((one.quantity.name[lang] for one in question.page_columns), lang)
+    caption = layout.caption[lang]
+    if for_drive is None:
+        one = len(question.ratios) == 1
+        for_drive = for_ratio(question.ratios[0], lang, layout.ratio_symbol) if one else ""
+        if "{for_drive}" not in caption and "ratio" not in (*layout.stub, *layout.across):
+            caption += "{for_drive}"
+    return filled(caption, [("{quantities}", names), ("{for_drive}", for_drive)])
+
+
+def plain_notes(force: Words, motion: Words, *further: Words) -> Callable[[LinkageRequest], Iterator[Label]]:
+    """Return what yields the lines below the pages of a drive without a rod: its formulas, what is to be said
+    of its motion and of all its pages, and which force it is that acts on it."""
+
+    def notes(question: LinkageRequest) -> Iterator[Label]:
+        # A page says what its layout shows, though not all of it was chosen.
+        own = (question.entry(column.quantity) for column in question.layout.columns)
+        shown = [one for one in own if not question.missing(one)]
+        shown += (column.quantity for column in question.page_columns)
+        if line := formula_line([one.formulas["exact"] for one in shown]):
+            yield line
+        if any(one.of != FORCE for one in shown):
+            yield motion[question.lang]
+        yield from (one[question.lang] for one in further)
+        yield from force_lines(question, force)
+
+    return notes
+
+
+def formula_line(formulas: Sequence[Formula]) -> Label:
+    """Return these formulas as they are printed, each once, then what is to be said of their letters."""
+    printed = (one.printed for one in formulas)
+    symbols = (symbol for one in formulas for symbol in one.symbols)
+    return ", ".join(filter(None, dict.fromkeys((*printed, *symbols))))
+
+
+def force_lines(
+    question: LinkageRequest, force: Words, named: Mapping[str, Words] = MappingProxyType({})
+) -> Iterator[Label]:
+    """Yield in which directions forces are positive, and what makes newtons of them.
+
+    Of a drive that may have masses, `named` says where they are.
+    """
+    lang, shown = question.lang, [column.quantity for column in question.page_columns]
+    first: Crank = question.drives[0].crank
+    if any(one.of == FORCE for one in shown):
+        acting = [force[lang]] if first.force or not first.moving else []
+        said = (one.direction[lang] for one in shown if one.of == FORCE and one.direction)
+        yield "; ".join(dict.fromkeys([*acting, *said]))
+        columns = [column for column in question.page_columns if column.quantity.of == FORCE]
+        yield from direction_notes(question, columns)
+    sizes = size_notes(question.cranks)
+    if first.speed is not None and any(one.needs == "speed" for one in shown):
+        sizes.append(turns_label(first.speed))
+    yield from sizes
+    yield from force_notes(question.cranks, lang)
+    if first.moving is not None:
+        yield from moving_notes(first, question.layout.ratio_symbol, lang, named, sizes)
+
+
+class LinkageDrive(Drive):
+    """A drive with dead centres at 0° and 180°, and the layout whose page speaks of it.
+
+    It has a rod if its pages are of ratios.
+    """
+
+    def __init__(self, drive: Linkage, page: str) -> None:
+        super().__init__(drive, self.columns_of(page))
+        self.page = page
+        self.has_rod = "ratio" in subject(layout(page).subject).axes
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.drive, self.page)
+
+    @staticmethod
+    def columns_of(page: str) -> Mapping[str, Quantity]:
+        """Return the outstroke's quantities of such pages, which stand for either stroke."""
+        known = subject(layout(page).subject).quantities()
+        return {key: one for key, one in known.items() if one.stroke == OUT}
+
+    @property
+    def stroke(self) -> Label:
+        own: Label = self.drive.stroke
+        return own
+
+    def closing_lines(self, question: Any) -> Iterator[Label]:
+        """Yield what pages of the drive say of it, on both strokes."""
+        page = layout(self.page)
+        drives = tuple(one.drive for one in question.drives)
+        known = subject(page.subject).quantities()
+        keys = [column.key for column in question.page_columns if column.key in known]
+        both = (each for key in keys or ["path"] for each in (key, f"{key}_return") if each in known)
+        request = LinkageRequest(
+            layout=page, angles=(Fraction(0),), drives=drives, columns=tuple(both), lang=question.lang
+        )
+        for said in request.subject.notes(request):
+            assert isinstance(said, str)
+            yield said
+
+
+class LinkageMechanism(Mechanism):
+    """A crank drive whose pages are of its own subject, under no load or a constant force."""
+
+    loads: ClassVar[tuple[str, ...]] = (FORCE,)
+    forces = IN_DRAWINGS
+    drawing = "kurbel.plot.drawings:links_drawing"
+    moving = "kurbel.plot.moving:links_scene"
+    examples: ClassVar[Mapping[str, str]] = {
+        "table": "phi,path,rocker",
+        "forces": "phi,tangential_force",
+        "plot": "path,velocity",
+        "plot forces": "rod_force,guide_force",
+    }
+
+    def question(self, drives: Sequence[Linkage], method: str | None = None, **asked: Any) -> LinkageRequest:
+        return LinkageRequest(drives=tuple(drives), **asked)
+
+    def rod_notes(self, drives: Sequence[Linkage], lang: str) -> Iterable[Label]:
+        yield from size_notes(one.crank for one in drives)
+        if (speed := drives[0].crank.speed) is not None:
+            yield turns_label(speed)
+
+    def solved(self, drives: Sequence[Linkage], method: str | None) -> tuple[Drive, ...]:
+        return tuple(LinkageDrive(one, self.layout) for one in drives)
+
+    def conditions(self) -> Mapping[str, Quantity]:
+        return LinkageDrive.columns_of(self.layout)

@@ -15,10 +15,18 @@ from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.coupler import Rod, crank_pin
 from kurbel.kernel.linkage import Place, coupler, coupler_place
-from kurbel.linkage.linkage import Linkage, Outline, Point, Stand
-from kurbel.linkage.mechanism import LinkageMechanism
-from kurbel.linkage.quantities import DECIMALS, force_entries, force_formula
-from kurbel.linkage.question import linkage_subject, plain_notes
+from kurbel.linkage.linkage import (
+    DECIMALS,
+    Linkage,
+    LinkageMechanism,
+    Outline,
+    Point,
+    Stand,
+    force_entries,
+    force_formula,
+    linkage_subject,
+    plain_notes,
+)
 from kurbel.motion.entries import spanned
 from kurbel.page.quantity import AND, Formula, Quantity, words
 from kurbel.reading.notation import plain

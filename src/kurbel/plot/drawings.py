@@ -12,8 +12,8 @@ from kurbel.drive.crank import Crank, check_angles
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import FLOAT_BITS, at_bits
 from kurbel.exact.numerals import Label
-from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.linkage.linkage import Linkage
+from kurbel.linkage.rocker import RockerCrank
 from kurbel.motion import captions
 from kurbel.motion.page import Request
 from kurbel.page.axes import PHI

@@ -15,9 +15,9 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.kind import floats
 from kurbel.kernel.circle import circle
 from kurbel.kernel.kinematics import dead_centre_sine, rod_sine
-from kurbel.linkage.arc.quantities import arc_registry
-from kurbel.linkage.arc.rocker import RockerCrank
+from kurbel.linkage.arc_quantities import arc_registry
 from kurbel.linkage.linkage import Linkage, Stand
+from kurbel.linkage.rocker import RockerCrank
 from kurbel.motion.evaluation import OUT, RETURN, value
 from kurbel.page.steps import Joint, Line, Link, Point, Scene
 

@@ -13,8 +13,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from kurbel.errors import ProblemError
-from kurbel.linkage.arc.rocker import RockerCrank
 from kurbel.linkage.linkage import Outline, Stand
+from kurbel.linkage.rocker import RockerCrank
 from kurbel.plot.moving import LONGEST_ROD, SHAFT, Position, Rocker, Slide, Swung, crank_pin, polar_point
 from kurbel.plot.panel import degrees
 from kurbel.plot.place import CLEAR

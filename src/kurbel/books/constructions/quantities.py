@@ -155,7 +155,7 @@ def _beam(value: Callable[[Any, Any], Any]) -> Callable[[Placed], Any]:
     """Return what the beam engine has in truth, from q²/r²."""
 
     def found(at: Placed) -> Any:
-        from kurbel.linkage.beam.engine import BeamEngine, chord_square
+        from kurbel.linkage.beam_engine import BeamEngine, chord_square
 
         engine = BeamEngine(at.drive.arm, at.drive.crank.ratio)
         return at.kind.enclosed(lambda: value(engine, chord_square(engine)))
@@ -175,13 +175,13 @@ def _sagitta(engine: Any, square: Any) -> Any:
 
 
 def _upper_lean(at: Placed) -> Any:
-    from kurbel.linkage.beam.engine import UPPER
+    from kurbel.linkage.beam_engine import UPPER
 
     return _lean(UPPER)(at)
 
 
 def _lower_lean(at: Placed) -> Any:
-    from kurbel.linkage.beam.engine import LOWER
+    from kurbel.linkage.beam_engine import LOWER
 
     return _lean(LOWER)(at)
 

@@ -1,17 +1,27 @@
-"""What can stand in a table of the arc crank: one entry each, with its formulas."""
+"""What can stand in a table of the arc crank: an entry each; and the pages of its rod's inertia."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from kurbel.drive.at import At, angular_square, angular_velocity
+from kurbel.drive.at import At, angular_square, angular_velocity, known
 from kurbel.drive.crank import Crank
+from kurbel.exact.numerals import Label
 from kurbel.kernel import linkage
-from kurbel.linkage.arc.rocker import STROKE
-from kurbel.linkage.quantities import DECIMALS, force_entries, force_formula
+from kurbel.kernel.parts import Parted, parted_rocker
+from kurbel.kernel.rocker import LoadedRocker
+from kurbel.linkage.linkage import DECIMALS, LinkageRequest, force_entries, force_formula, linkage_subject
+from kurbel.linkage.rocker import STROKE, RockerCrank
+from kurbel.motion.captions import size_notes, turns_label
 from kurbel.motion.entries import OF_ROD, on_strokes, spanned
+from kurbel.motion.inertia import RodForce, rod_entries
+from kurbel.motion.mechanism import mechanism
+from kurbel.motion.notes.rod import connecting_rod
+from kurbel.motion.parts.accelerations import rocker_entries
+from kurbel.motion.parts.forces import part_entries
 from kurbel.page.quantity import Formula, Quantity, words
 
 ANGLE_DECIMALS = 3
@@ -181,3 +191,63 @@ def _arc_forces() -> Iterator[Quantity]:
         "radial_force": force_formula("radial_force", "$Z/F = (cos(ζ + τ))/(cos τ)$", (_ZETA, _TAU)),
     }
     return force_entries(printed, masses=True)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class RockerInertiaRequest(LinkageRequest):
+    """What is asked for of these drives with their rods, each called as in its own mechanism."""
+
+    def entry(self, key: str) -> Quantity:
+        called: Quantity = _moved(self.drives[0]).named(super().entry(key))
+        return called
+
+
+@cache
+def rocker_inertia_registry() -> Mapping[str, Quantity]:
+    """Return every force by every model, as of a rod between crank and crosshead, and Ensslin's parts."""
+    parts = (*rocker_entries(_parted), *part_entries(_parted, slide=False))
+    return {one.key: one for one in (*rod_entries(_kernel), *parts)}
+
+
+def _parted(at: At) -> Parted:
+    masses = known(at.drive.crank.rod).masses("exact", at.numbers.of)
+    return parted_rocker(at.circle, at.place, at.arc, masses)
+
+
+def _kernel(force: RodForce, model: str) -> Callable[[At], Any]:
+    def kernel(at: At) -> Any:
+        masses = known(at.drive.crank.rod).masses(model, at.numbers.of)
+        return force.formula(LoadedRocker(at.circle, at.place, at.arc, masses))
+
+    return kernel
+
+
+def _moved(drive: RockerCrank) -> Any:
+    return mechanism(drive.mechanism)
+
+
+def _caption(request: LinkageRequest) -> Label:
+    caption: Label = _moved(request.drives[0]).speech.caption(request)
+    return caption
+
+
+def _notes(request: LinkageRequest) -> Iterator[Label]:
+    lang, drives = request.lang, request.drives
+    yield from (note[lang] for note in request.layout.notes)
+    yield from size_notes(request.cranks)
+    speech = _moved(drives[0]).speech
+    yield from dict.fromkeys(turns_label(one.crank.speed) for one in drives if one.crank.speed)
+    yield from dict.fromkeys(connecting_rod(known(one.crank.rod), lang, "L", speech.words) for one in drives)
+    yield from (speech.dead_centres(drive, lang) for drive in drives)
+
+
+# Its quantities are listed as those of the slide.
+SUBJECT = linkage_subject(
+    "rocker inertia",
+    layout="inertia-rocker",
+    command="inertia --mechanism arc --rocker 6",
+    quantities=rocker_inertia_registry,
+    caption=_caption,
+    notes=_notes,
+    ratios=True,
+)._replace(listed=tuple)

@@ -1,4 +1,4 @@
-"""The beam engine, checked once, and its dead centres with certified digits.
+"""The beam engine, checked once, and the page of its dead centres with certified digits.
 
 Each quantity by the book's approximation or from the true geometry (`exact`); see kernel/beam.py. A page
 prints degrees and minutes, records degrees.
@@ -6,7 +6,7 @@ prints degrees and minutes, records degrees.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -18,10 +18,14 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball, ball_degrees, pi
 from kurbel.exact.kind import settled
-from kurbel.exact.numerals import Number
+from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.kernel import beam
-from kurbel.page.quantity import Formula, Quantity, entry
-from kurbel.reading.notation import about, ratio_text
+from kurbel.page.axes import ColumnAxis, LetteredRatioAxis, ListAxis, Place, angle_decimals
+from kurbel.page.layouts import LayoutColumn
+from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, words
+from kurbel.page.subject import Question, Subject
+from kurbel.page.table import Field
+from kurbel.reading.notation import about, plain, ratio_text
 
 UPPER, LOWER = 1, -1
 APPROXIMATE, EXACT = "approximate", "exact"
@@ -200,3 +204,96 @@ def certified(
 
     scaled = settled(lambda _: times * value(quantity, engine, method), decimals, rounding)
     return Number(scaled, decimals)
+
+
+METHODS = {
+    APPROXIMATE: words("Näherungen des § 149|approximations of § 149"),
+    EXACT: words("wahre Gestalt des Getriebes|true geometry of the linkage"),
+}
+ARM = words("Arm des Balanciers a/r|Arm of the beam a/r")
+SYMBOLS = words(
+    "$r$ Kurbelhalbmesser, $l$ Stangenlänge, $a$ Arm des Balanciers; die Welle liegt unter der Mitte der"
+    " Pfeilhöhe seines Bogens"
+    "|$r$ crank radius, $l$ length of the rod, $a$ arm of the beam; the shaft lies below the middle of the"
+    " sagitta of its arc"
+)
+SIDES = words(
+    "Strecklage: Stange und Kurbel gestreckt; der Abstand $180° + (ν - μ)$ liegt auf der Seite des"
+    " Drehpunkts; Wege bis zur senkrechten Kurbel"
+    "|stretched: rod and crank in line; the distance $180° + (ν - μ)$ lies on the side of the pivot; paths up"
+    " to the vertical crank"
+)
+SWING = words(
+    "der Balancier schwingt gleich weit über und unter die Waagrechte; Wege auf seinem Bogen"
+    "|the beam swings alike above and below the horizontal; paths along its arc"
+)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class BeamRequest(Question):
+    """What is asked for: the beam engines of all arms (outer) and crank ratios (inner)."""
+
+    arms: tuple[Fraction, ...]
+    ratios: tuple[Fraction, ...]
+    exact: bool = False
+
+    def check(self) -> None:
+        if not self.arms:
+            raise ProblemError("no beam arm was given; write one as --beam 3")
+        for arm in self.arms:
+            for ratio in self.ratios:
+                BeamEngine(arm, ratio)
+
+    @property
+    def method(self) -> str:
+        return EXACT if self.exact else APPROXIMATE
+
+    def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
+        return (self.method,)
+
+
+def _arm_axis(question: BeamRequest) -> ListAxis:
+    """The arms of the beam in crank radii."""
+    decimals = angle_decimals(question.arms)
+    return ListAxis(
+        question.arms,
+        Field("arm", ARM[question.lang], "$a$", "r", decimals),
+        lambda arm: f"${plain(arm)}$" if decimals is None else nearest(arm, decimals),
+        lambda arm: f"$a = {plain(arm)} r$",
+    )
+
+
+def _number(question: BeamRequest, column: Column, place: Place, times: int) -> Number:
+    engine = BeamEngine(question.arms[place["arm"]], question.ratios[place["ratio"]])
+    return certified(column.quantity, engine, column.method, column.places, question.rounding, times=times)
+
+
+def _caption(question: BeamRequest) -> Label:
+    lang = question.lang
+    return filled(question.layout.caption[lang], [("{method}", METHODS[question.method][lang])])
+
+
+def _notes(question: BeamRequest) -> Iterator[Label]:
+    lang = question.lang
+    if not question.exact:
+        printed = (one.formulas[APPROXIMATE].printed for one in registry().values())
+        yield ", ".join(filter(None, printed))
+    yield SYMBOLS[lang]
+    yield SIDES[lang]
+    if question.exact:
+        yield SWING[lang]
+
+
+SUBJECT = Subject(
+    key="dead centres",
+    layout="weisbach-149",
+    command="deadcentres",
+    axes={"arm": _arm_axis, "ratio": LetteredRatioAxis, "column": ColumnAxis},
+    axis_keys=("arm", "ratio"),
+    quantities=registry,
+    letters=True,
+    number=_number,
+    caption=_caption,
+    notes=_notes,
+    limits={"arm": lambda arm: BeamEngine(arm, Fraction(0))},
+)

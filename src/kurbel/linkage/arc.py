@@ -1,0 +1,368 @@
+"""The arc crank, checked once, as conditions see it, and as a mechanism; see kernel/linkage.py."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cache
+from math import isqrt, pi, tan
+from typing import Any, ClassVar
+
+from flint import arb
+
+from kurbel.drive.at import At
+from kurbel.drive.crank import LONGEST_ROD, Crank, Described, radii
+from kurbel.drive.load import CARD, COMPRESSOR, FORCE, GAS, MASSES, PUMP, STEAM
+from kurbel.errors import NotationError, ProblemError
+from kurbel.exact.certify import FLOAT_BITS, at_bits, ball, half_turn_circle
+from kurbel.exact.certify import pi as ball_pi
+from kurbel.exact.course import Course
+from kurbel.exact.kind import Kind, balls
+from kurbel.exact.numerals import Label
+from kurbel.exact.place import SQUARE, Centre, Place
+from kurbel.kernel.circle import Circle
+from kurbel.linkage.arc_captions import NAMES, SPEECH, Speech, headed, named
+from kurbel.linkage.arc_quantities import arc_registry
+from kurbel.linkage.linkage import LinkageDrive, LinkageMechanism, linkage_subject
+from kurbel.linkage.rocker import STROKE, RockerCrank, direct
+from kurbel.motion.captions import moving_notes
+from kurbel.motion.evaluation import OUT, STROKES
+from kurbel.motion.quantities import registry
+from kurbel.page.quantity import Column, Formula, Quantity, Words, words
+from kurbel.reading.given import as_number
+from kurbel.reading.notation import about
+
+# Lengths in a message are multiples of 1/_STEPS R, rounded so that a length changed by as much will do.
+_STEPS = 10**6
+
+
+@dataclass(frozen=True, slots=True)
+class ArcCrank(RockerCrank):
+    """An arc crank: the rod of the crank drive moves a rocker of length B, in units of R as all lengths here.
+
+    The pivot lies `distance` from the shaft along the slide direction, from which φ counts, and `height` to
+    the side on which the crank pin is during the outstroke, negative to the other. Left out, the distance is
+    L, so that the rocker stands square to the slide near mid-stroke, and the height e + B, so that the arc
+    touches the slide line of the offset e: as the rocker grows this becomes the straight or offset crank.
+    A pivot at height 0 lets φ count from the line of shaft and pivot. Of the two ways to assemble the links,
+    circuit 1 has the rod's end on the side of the slide: seen from the crank pin to the right of the pivot,
+    for a negative height to its left. Circuit -1 is the other one.
+
+    Valid for R + max(L, B, G) < the sum of the other two of L, B and the distance G of shaft and pivot: the
+    crank turns, the rocker swings, and the links never lie in line. λ = 0, the infinite rod, needs the
+    default distance.
+    """
+
+    mechanism: ClassVar[str] = "arc"
+    title: ClassVar[str] = "the arc crank"
+    noun: ClassVar[Words] = words("Bogenschubkurbel|Arc crank")
+
+    crank: Crank
+    rocker: Fraction
+    distance: Fraction | None = None
+    height: Fraction | None = None
+    circuit: Fraction | int = 1
+
+    def __post_init__(self) -> None:
+        if self.circuit not in (1, -1):
+            raise ProblemError(
+                f"circuit is {self.circuit}; it must be 1 or -1, the two ways to assemble the links"
+            )
+        if self.height is not None and self.crank.offset:
+            raise ProblemError(
+                f"offset e = {about(self.crank.offset)} R and a height of the pivot were both given;"
+                " give one, for the height is e + B"
+            )
+        self._check_rocker()
+        if self.crank.ratio:
+            self._check_pivot()
+        elif self.distance is not None:
+            raise ProblemError(
+                f"the pivot is {about(self.distance)} R from the shaft, but the rod is infinite;"
+                " leave the distance out, or give the rod a length"
+            )
+
+    def figures(self, stroke: int, kind: Kind) -> tuple[Any, Any, Any, Any]:
+        one, other, third, fourth = map(kind.of, self.numbers(stroke))
+        return one, other, third, fourth
+
+    def numbers(self, stroke: int) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        """Return λ, β, η and σ with the sign of the stroke."""
+        return (
+            stroke * self.crank.ratio,
+            stroke * self.curvature,
+            stroke * self.offset,
+            stroke * self.shift,
+        )
+
+    def at(self, stroke: int, circle: Circle[Any], numbers: Kind, method: str, of: str | None = None) -> At:
+        if of is None or not numbers.bounded:
+            # Without super(), which classes with slots lose.
+            return RockerCrank.at(self, stroke, circle, numbers, method)
+        place, arc = direct(self.numbers(stroke), circle, of == STROKE, numbers)
+        return At(circle, self, numbers, stroke, place=place, arc=arc)
+
+    @property
+    def shift(self) -> Fraction:
+        """σ, the distance less the rod length L."""
+        return Fraction(0) if self.distance is None else self.distance - 1 / self.crank.ratio
+
+    @property
+    def curvature(self) -> Fraction:
+        """β = R/B, negative with the pivot on the left of the end's way from the inner dead centre."""
+        side = -1 if self.pivot_height < 0 else 1
+        return self.circuit * side / self.rocker
+
+    @property
+    def offset(self) -> Fraction:
+        """η, where the arc comes nearest to the slide direction or, on circuit -1, farthest from it."""
+        return self.pivot_height - 1 / self.curvature
+
+    @property
+    def pivot_height(self) -> Fraction:
+        return self.crank.offset + self.rocker if self.height is None else self.height
+
+    def _check_rocker(self) -> None:
+        if self.rocker <= 1:
+            raise ProblemError(
+                f"rocker length B is {about(self.rocker)} R; it must be longer than the crank radius R,"
+                " or the crank cannot turn while the rocker swings"
+            )
+        lengths = self.rocker, self.distance or Fraction(0), self.height or Fraction(0)
+        if max(map(abs, lengths)) > LONGEST_ROD:
+            raise ProblemError(
+                f"the rocker or its pivot is beyond {LONGEST_ROD} R; take the straight crank for it"
+            )
+
+    def _check_pivot(self) -> None:
+        rod = 1 / self.crank.ratio
+        distance = rod if self.distance is None else self.distance
+        if distance <= 0:
+            raise ProblemError(
+                f"the pivot's distance is {about(distance)} R; it must be above 0, counted along the slide"
+                " direction from the shaft towards the rod's end"
+            )
+        square = distance * distance + self.pivot_height * self.pivot_height
+        _check_ground(square, rod, self.rocker)
+
+
+def _check_ground(square: Fraction, rod: Fraction, rocker: Fraction) -> None:
+    """Raise ProblemError unless the square of G lets the crank turn: R + |L - B| < G < L + B - R."""
+    ground = isqrt(int(square * _STEPS * _STEPS))
+    pivot = f"the pivot is G = {_length(ground)} R from the shaft"
+    links = f"for L = {about(rod)} R and B = {about(rocker)} R"
+    far, near = rod + rocker - 1, 1 + abs(rod - rocker)
+    if square >= far * far:
+        change = _length(ground + 1 - int(far * _STEPS))
+        raise ProblemError(
+            f"{pivot}, too far {links}; the crank turns with G below L + B - R = {about(far)} R or, the pivot"
+            f" left in place, with a rod or rocker longer by {change} R"
+        )
+    if square <= 1:
+        raise ProblemError(
+            f"{pivot}; it must be farther than the crank radius R, and {links} farther than"
+            f" R + |L - B| = {about(near)} R, or the rocker is carried round"
+        )
+    if square <= near * near:
+        longer, shorter = ("rod", "rocker") if rod < rocker else ("rocker", "rod")
+        change = _length(int(near * _STEPS) + 2 - ground)
+        raise ProblemError(
+            f"{pivot}, too near {links}; the crank turns with G above R + |L - B| = {about(near)} R or, the"
+            f" pivot left in place, with the {longer} longer or the {shorter} shorter by {change} R"
+        )
+
+
+def _length(steps: int) -> str:
+    return about(Fraction(steps, _STEPS))
+
+
+PATH_SHARE = "path_stroke"
+# Half turns about the middle of the stroke within which t = tan ½(φ - 90°) stays far from infinity.
+HALF_REACH = 0.45
+
+
+@cache
+def arc_columns() -> Mapping[str, Quantity]:
+    """Return what can be shown of a place: the outstroke's quantities, which stand for either stroke."""
+    return with_share({key: one for key, one in arc_registry().items() if one.stroke == OUT})
+
+
+def with_share(own: Mapping[str, Quantity]) -> Mapping[str, Quantity]:
+    """Return the quantities with the path's share of the stroke."""
+    path, share = own["path"], registry()["x_stroke"]
+    kernel = path.formulas["exact"].kernel
+    part = path._replace(
+        key=PATH_SHARE,
+        heading=share.heading,
+        unit=share.unit,
+        names=share.names,
+        formulas={"exact": Formula(lambda at: kernel(at) / at.drive.arc_stroke(at.numbers))},
+    )
+    return {"path": path, PATH_SHARE: part, **own}
+
+
+class ArcDrive(LinkageDrive):
+    """The arc crank."""
+
+    def __init__(self, crank: RockerCrank, page: str = "arc") -> None:
+        super().__init__(crank, page)
+        self.arc = crank
+        self.centre = self._centre()
+
+    @staticmethod
+    def columns_of(page: str) -> Mapping[str, Quantity]:
+        return arc_columns()
+
+    @property
+    def is_straight(self) -> bool:
+        return False
+
+    def _centre(self) -> Centre:
+        with at_bits(FLOAT_BITS):
+            ends = [float(place().mid()) for stroke in STROKES for place in self._dead_angles(stroke)]
+        if min(ends) > -HALF_REACH and max(ends) < 1 + HALF_REACH:
+            return SQUARE
+        middle = (min(ends) + max(ends)) / 2
+        turns = round(middle / 2)
+        return Centre(Fraction(tan(pi * (middle / 2 - turns))).limit_denominator(10), turns)
+
+    def is_free(self, quantity: Quantity) -> bool:
+        return quantity.of != STROKE and super().is_free(quantity)
+
+    def ends(self, stroke: int) -> tuple[Place, Place]:
+        return self.rests(self.asked("velocity", stroke), self._dead_angles(stroke))
+
+    def unclosed(self, quantity: Quantity, course: Course) -> Course:
+        velocity = self.asked("velocity", quantity.stroke)
+
+        def rise(half_turns: arb) -> Any:
+            return self.value(velocity, half_turn_circle(half_turns), balls()) * self._gauge(quantity)
+
+        ends = {"path": (Fraction(0), None), PATH_SHARE: (Fraction(0), Fraction(1))}
+        return replace(course, slope=rise, ends=ends.get(quantity.key, (None, None)))
+
+    def _dead_angles(self, stroke: int) -> tuple[Callable[[], arb], Callable[[], arb]]:
+        def begin() -> Any:
+            return self.arc.dead_angle(stroke, balls()) / 180
+
+        return begin, lambda: begin() + 1 + stroke * self.arc.lead(balls()) / 180
+
+    def _gauge(self, quantity: Quantity) -> Any:
+        """Return by how much the path, its share or the rocker's angle grows in half a turn at v = 1."""
+        if quantity.key == "path":
+            return ball_pi()
+        if quantity.key == PATH_SHARE:
+            return ball_pi() / self.arc.arc_stroke(balls())
+        return ball(-180 * quantity.stroke * self.arc.curvature)
+
+
+SUBJECT = linkage_subject(
+    "arc crank",
+    layout="arc",
+    command="table --mechanism arc",
+    quantities=arc_registry,
+    caption=SPEECH.caption,
+    notes=SPEECH.notes,
+    ratios=True,
+)
+
+
+class RockerMechanism(LinkageMechanism):
+    """A crank that moves a rocker: what pages say of it, and what they call its parts."""
+
+    loads = (FORCE, MASSES, STEAM, CARD, COMPRESSOR, PUMP, GAS)
+    motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
+    drawing = "kurbel.plot.drawings:arc_drawing"
+    moving = "kurbel.plot.moving:rocker_scene"
+    rod = "kurbel.linkage.rocker:rod"
+    speech: ClassVar[Speech]
+    names: ClassVar[Mapping[str, str]]
+
+    def loaded_notes(self, drives: Sequence[Any], lang: str) -> Sequence[Label]:
+        return self.speech.engine_notes(drives, lang)
+
+    def rod_notes(self, drives: Sequence[Any], lang: str) -> Iterable[Label]:
+        yield from super().rod_notes(drives, lang)
+        yield from (self.speech.dead_centres(one, lang) for one in drives)
+
+    def masses_notes(
+        self, crank: Crank, ratio_symbol: str, lang: str, shown: Collection[str] = ()
+    ) -> Iterable[Label]:
+        yield from moving_notes(crank, ratio_symbol, lang, self.speech.words)
+        yield from self.speech.held(crank, shown, lang)
+
+    def named(self, quantity: Quantity) -> Quantity:
+        return named(quantity, self.names)
+
+    def headed(self, column: Column) -> Column:
+        return headed(column, self.names)
+
+
+class Arc(RockerMechanism):
+    name = "arc"
+    title = ArcCrank.title
+    layout = "arc"
+    forces_layout = "forces-arc"
+    takes = (
+        "ratio",
+        "stroke",
+        "rod",
+        "speed",
+        "offset",
+        "rocker",
+        "pivot",
+        "circuit",
+        "rocker_inertia",
+        "method",
+    )
+    speech = SPEECH
+    names = NAMES
+
+    def lacking(self, said: Described) -> str:
+        if said.rocker is not None:
+            return ""
+        return "the arc crank needs the length of its rocker; add --rocker, for example --rocker 6"
+
+    def drives(self, said: Described, ratios: Sequence[str]) -> tuple[ArcCrank, ...]:
+        if said.method not in (None, "exact"):
+            raise ProblemError(
+                f'method "{said.method}" has no formulas for the arc crank; use exact,'
+                " with --ratio 1:∞ for the infinite rod"
+            )
+        return tuple(_arc(said, crank) for crank in said._replace(offset=None).cranks(ratios))
+
+    def solved(self, drives: Sequence[Any], method: str | None) -> tuple[ArcDrive, ...]:
+        return tuple(map(ArcDrive, drives))
+
+    def conditions(self) -> Mapping[str, Quantity]:
+        return arc_columns()
+
+
+def _arc(said: Described, crank: Crank) -> ArcCrank:
+    assert said.rocker is not None
+    rocker, places = radii(said.rocker, "rocker", crank.radius), _pivot(said, crank.radius)
+    if said.offset is not None:
+        crank = replace(crank, offset=radii(said.offset, "offset", crank.radius))
+    # Without a place the pivot has none of its own.
+    distance, height = places or (None, None)
+    circuit = 1 if said.circuit is None else as_number(said.circuit, "circuit")
+    return ArcCrank(crank, rocker, distance, height, circuit)
+
+
+def _pivot(said: Described, radius: Fraction | None) -> tuple[Fraction, Fraction] | tuple[()]:
+    """D and H from "5;6" or a pair."""
+    given = said.pivot
+    if given is None:
+        return ()
+    parts = given.split(";") if isinstance(given, str) else given
+    if not isinstance(parts, Sequence) or len(parts) != 2:
+        raise NotationError(
+            f'pivot "{str(given)[:40]}" is not a place; write its distance from the shaft along and across'
+            " the slide in units of R as 'D;H', for example '5;6'"
+        )
+    distance, height = (radii(part, "pivot", radius) for part in parts)
+    return distance, height
+
+
+MECHANISM = Arc()

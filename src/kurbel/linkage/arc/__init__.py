@@ -1,1 +1,0 @@
-"""The arc crank, whose rod moves a rocker."""
