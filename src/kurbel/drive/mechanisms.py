@@ -28,7 +28,9 @@ class Registered(NamedTuple):
 MECHANISMS: Mapping[str, Registered] = {
     "straight": Registered("motion", "kurbel.motion.mechanism:STRAIGHT", "default"),
     "offset": Registered("motion", "kurbel.motion.mechanism:OFFSET"),
-    "arc": Registered("arc crank", "kurbel.linkage.arc:MECHANISM", "the rod moves a rocker", " --rocker 6"),
+    "arc": Registered(
+        "arc crank", "kurbel.linkage.arc_mechanism:MECHANISM", "the rod moves a rocker", " --rocker 6"
+    ),
     "parallel": Registered("parallel crank", "kurbel.linkage.parallel:MECHANISM", "two equal cranks"),
     "beam": Registered("beam engine", "kurbel.linkage.beam:MECHANISM", "a beam engine", " --beam 3"),
     # Another mechanism is one more line here.

@@ -27,10 +27,10 @@ from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, exact_text
 from kurbel.exact.place import Place
 from kurbel.kernel import beam
-from kurbel.linkage.arc import ArcDrive, RockerMechanism, with_share
-from kurbel.linkage.arc_captions import NAMES as ARC_NAMES
-from kurbel.linkage.arc_captions import WORDS as ARC_WORDS
-from kurbel.linkage.arc_captions import Speech, named, printed
+from kurbel.linkage.arc import ArcDrive, with_share
+from kurbel.linkage.arc_mechanism import NAMES as ARC_NAMES
+from kurbel.linkage.arc_mechanism import WORDS as ARC_WORDS
+from kurbel.linkage.arc_mechanism import RockerMechanism, Speech, named, printed
 from kurbel.linkage.arc_quantities import OF_TURN, arc_registry
 from kurbel.linkage.beam_engine import BeamEngine, chord_square
 from kurbel.linkage.linkage import FORCES, linkage_subject

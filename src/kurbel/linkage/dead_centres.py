@@ -206,7 +206,7 @@ class DeadCentresRequest(DriveQuestion):
 
 
 def _number(question: DeadCentresRequest, column: Column, place: Place, times: int) -> Number:
-    """The printed number; for the boundaries see linkage/arc_captions.py, and for fewer decimals the error
+    """The printed number; for the boundaries see linkage/arc_mechanism.py, and for fewer decimals the error
     of one that is not settled."""
     quantity, drive = column.quantity, question.drives[place["ratio"]]
     kernel = quantity.formulas["exact"].kernel

@@ -264,7 +264,7 @@ def _drive_notes(request: ConstructionRequest) -> Iterator[Label]:
     if isinstance(request.drive, Crank):
         yield from offset_notes((request.drive,), request.lang)
     elif request.drive.at_end:
-        from kurbel.linkage.arc_captions import SPEECH
+        from kurbel.linkage.arc_mechanism import SPEECH
 
         yield SPEECH.dead_centres(request.drive, request.lang)
 
