@@ -223,9 +223,11 @@ class Second:
     def value(self, key: str, column: Head, row: Row) -> Value:
         """Return the value of a cell. Raises KurbelError for what is not computed a second time."""
         if (name := self.command) in SUMMED or (name := self.key) in SUMMED:
-            if key not in {one.key for one in self.question.page_columns}:
-                raise ProblemError(f"{key} is no column of such a page")
             stem, times = in_si(key.removesuffix(f"_{column['method']}"), column["unit"])
+            plain = stem.removesuffix("_nm").removesuffix("_n")
+            # A page in other units has other endings.
+            if not any(one.key.startswith(plain) for one in self.question.page_columns):
+                raise ProblemError(f"{key} is no column of such a page")
             return SUMMED[name](self, stem, column["method"], row) * times
         if self.command not in PAGES:
             raise ProblemError(f"pages of {self.command} are not computed a second time")
