@@ -23,7 +23,7 @@ from kurbel.drive.at import known
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, figure
 from kurbel.exact.real import PI, Real
-from kurbel.motion.captions import turns_label
+from kurbel.motion.notes import turns_label
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_text
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
 from kurbel.page.subject import Question, Subject

@@ -17,7 +17,7 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, figure
 from kurbel.exact.real import Real
-from kurbel.motion.captions import moving_notes, turns_label
+from kurbel.motion.notes import moving_notes, turns_label
 from kurbel.page.quantity import Words, words
 from kurbel.reading.amounts import Units, amount, digits, unit_of_page
 from kurbel.reading.notation import about

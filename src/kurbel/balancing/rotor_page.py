@@ -13,7 +13,7 @@ from kurbel.balancing.vector import Vector, omega
 from kurbel.drive.at import known
 from kurbel.exact.numerals import Label, Number, given
 from kurbel.exact.real import Real
-from kurbel.motion.captions import turns_label
+from kurbel.motion.notes import turns_label
 from kurbel.page.axes import ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
 from kurbel.page.subject import Question, Subject

@@ -23,7 +23,7 @@ from kurbel.engine.loads.steam import Steam
 from kurbel.errors import ChoiceError, ProblemError
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import exact_text
-from kurbel.motion.points.point import points_of
+from kurbel.motion.points import points_of
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.reading.given import File, as_angle, as_share, as_share_or_length, meant
 from kurbel.reading.names import enumerated

@@ -138,8 +138,8 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
 
     def _points(self, chosen: Mechanism, described: Described) -> Question:
         """Return what is asked for of points of the rod at crank angles."""
-        from kurbel.motion.points.page import SUBJECT, PointsRequest
-        from kurbel.motion.points.point import points_of
+        from kurbel.motion.points import points_of
+        from kurbel.motion.points_page import SUBJECT, PointsRequest
 
         if self.over == PATH:
             raise ProblemError("points of the rod are tabulated over the crank angle; leave --over out")
@@ -171,7 +171,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
             raise ProblemError(f"layout {page.key} is of a crank that turns evenly; leave --acceleration out")
         cranks = chosen.drives(described, page.ratios)
         if page.subject == ERRORS:
-            from kurbel.motion.series.errors_page import ORDERS, SeriesErrorsRequest
+            from kurbel.motion.series_errors import ORDERS, SeriesErrorsRequest
 
             self.check_whole(page)
             columns = self.on_page(page, "order,error_x,error_c,error_p")
@@ -181,7 +181,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
                 f"layout {page.key} has steps and no series; leave --order out, or choose columns, gf_1 to"
                 " gf_9"
             )
-        from kurbel.motion.series.chord_page import ChordRequest
+        from kurbel.motion.chord_page import ChordRequest
 
         return ChordRequest(
             drives=cranks, angles=self.angles(page), zero=self.zero_angle,

@@ -19,9 +19,9 @@ from kurbel.commands.subject import function
 from kurbel.errors import ProblemError
 from kurbel.motion.evaluation import is_known
 from kurbel.motion.mechanism import Mechanism
-from kurbel.motion.points.page import SUBJECT, PointsRequest
-from kurbel.motion.points.point import Point, points_of
-from kurbel.motion.points.quantities import points_registry
+from kurbel.motion.point_quantities import points_registry
+from kurbel.motion.points import RodPoint, points_of
+from kurbel.motion.points_page import SUBJECT, PointsRequest
 from kurbel.reading.given import Exact, as_angles, found_at
 
 if TYPE_CHECKING:
@@ -97,7 +97,7 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
         from kurbel.plot.rod_paths import coupled
 
         lang, mark, turn = self.lang, mark_of(self.lang, self.decimal), self.turn
-        points: tuple[Point, ...] = ()
+        points: tuple[RodPoint, ...] = ()
         if self.says("point"):
             chosen.rod_ends()
             points = points_of(self.point, [chosen.crank(drive)])
@@ -141,7 +141,7 @@ def _motion(chosen: Mechanism, drives: Sequence[Any], lang: str) -> AngleQuestio
     )  # fmt: skip
 
 
-def _of_points(chosen: Mechanism, drive: Any, points: tuple[Point, ...], lang: str) -> AngleQuestion:
+def _of_points(chosen: Mechanism, drive: Any, points: tuple[RodPoint, ...], lang: str) -> AngleQuestion:
     """Return what is read beside points of the rod: how they move."""
     from kurbel.plot.drawings import drawing_layout
 

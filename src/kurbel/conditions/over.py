@@ -15,10 +15,11 @@ from kurbel.conditions.solve import Root, at_share
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, exact_text
-from kurbel.motion.captions import force_notes, formula_lines, loaded_notes, signed, strokes_of
+from kurbel.motion.captions import formula_lines, signed, strokes_of
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES, TURN, method_named, unknown
 from kurbel.motion.mechanism import mechanism
+from kurbel.motion.notes import force_notes, loaded_notes
 from kurbel.motion.page import DriveQuestion
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import Axis, ColumnAxis, Place, RatioAxis, angle_decimals, angle_number

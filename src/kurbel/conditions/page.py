@@ -14,10 +14,10 @@ from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.course import ClosedForm, Target, closed_forms, form_text, is_at
 from kurbel.exact.numerals import Label, Number, degrees_text, exact_text, finite_decimals
-from kurbel.motion.captions import loaded_notes
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES, method_named, typed, unknown
 from kurbel.motion.mechanism import mechanism
+from kurbel.motion.notes import loaded_notes
 from kurbel.motion.page import DriveQuestion
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import PHI, Axis, ColumnAxis, ListAxis, Place, RatioAxis

@@ -17,7 +17,7 @@ from kurbel.engine.quantities import ENGINE_METHODS
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.texts import CYLINDERS
 from kurbel.exact.numerals import Label
-from kurbel.motion import captions as motion
+from kurbel.motion import notes as motion
 from kurbel.page.axes import (
     angle_text,
 )

@@ -18,7 +18,7 @@ from kurbel.engine.quantities import AT_ANGLE, EXTREMES, FORCES
 from kurbel.engine.request import BY_STROKE, OF_FORCES, OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest
 from kurbel.engine.texts import ENGINE, SIGNS, SUPPLIED
 from kurbel.exact.numerals import Label, Number, exact_text, number_text
-from kurbel.motion.captions import turns_label
+from kurbel.motion.notes import turns_label
 from kurbel.page.quantity import AND, Quantity, enumerated_letters, words
 from kurbel.page.table import Note
 from kurbel.reading.amounts import amount

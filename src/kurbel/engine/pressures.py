@@ -30,7 +30,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import half_turn_circle
 from kurbel.exact.kind import Kind, balls, floats, settled
 from kurbel.exact.numerals import Label, Number, nearest
-from kurbel.motion.captions import digits_text, moving_notes
+from kurbel.motion.notes import digits_text, moving_notes
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decimals
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio

@@ -24,9 +24,11 @@ from kurbel.linkage.linkage import (
     linkage_subject,
 )
 from kurbel.linkage.rocker import RockerCrank
-from kurbel.motion.captions import WORDS as MOTION_WORDS
-from kurbel.motion.captions import digits_text, direction_notes, moving_notes
+from kurbel.motion.captions import WORDS as FORMULA_WORDS
+from kurbel.motion.captions import direction_notes
 from kurbel.motion.evaluation import LOADED, OUT, RETURN
+from kurbel.motion.notes import WORDS as MOTION_WORDS
+from kurbel.motion.notes import digits_text, moving_notes
 from kurbel.page.quantity import Column, Quantity, Words, filled, words
 from kurbel.reading.given import as_number
 from kurbel.reading.notation import ratio_text
@@ -234,9 +236,9 @@ class Speech:
                 yield "; ".join(dict.fromkeys(said))
                 yield from direction_notes(request, turning)
         if RETURN in strokes:
-            yield MOTION_WORDS["offset_return"][lang].replace("{angle}", request.layout.angle_symbol)
+            yield FORMULA_WORDS["offset_return"][lang].replace("{angle}", request.layout.angle_symbol)
         if shown and len(strokes) > 1:
-            yield MOTION_WORDS["signs"][lang]
+            yield FORMULA_WORDS["signs"][lang]
 
 
 def _lettered(line: Label, drive: RockerCrank) -> Label:

@@ -15,13 +15,12 @@ from kurbel.kernel.parts import Parted, parted_rocker
 from kurbel.kernel.rocker import LoadedRocker
 from kurbel.linkage.linkage import DECIMALS, LinkageRequest, force_entries, force_formula, linkage_subject
 from kurbel.linkage.rocker import STROKE, RockerCrank
-from kurbel.motion.captions import size_notes, turns_label
 from kurbel.motion.entries import OF_ROD, on_strokes, spanned
 from kurbel.motion.inertia import RodForce, rod_entries
 from kurbel.motion.mechanism import mechanism
-from kurbel.motion.notes.rod import connecting_rod
-from kurbel.motion.parts.accelerations import rocker_entries
-from kurbel.motion.parts.forces import part_entries
+from kurbel.motion.notes import connecting_rod, size_notes, turns_label
+from kurbel.motion.rod_accelerations import rocker_entries
+from kurbel.motion.rod_forces import part_entries
 from kurbel.page.quantity import Formula, Quantity, words
 
 ANGLE_DECIMALS = 3

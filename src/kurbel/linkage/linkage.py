@@ -18,12 +18,13 @@ from kurbel.exact.numerals import Label, Number
 from kurbel.kernel import linkage
 from kurbel.kernel.circle import Circle
 from kurbel.motion import quantities
-from kurbel.motion.captions import direction_notes, force_notes, moving_notes, size_notes, turns_label
+from kurbel.motion.captions import direction_notes
 from kurbel.motion.drives import Drive
 from kurbel.motion.entries import Formulas
 from kurbel.motion.evaluation import NEEDS, OUT, certified
 from kurbel.motion.mechanism import FORCES as IN_DRAWINGS
 from kurbel.motion.mechanism import Mechanism, mechanism
+from kurbel.motion.notes import force_notes, moving_notes, size_notes, turns_label
 from kurbel.motion.page import CURVES, AngleQuestion, check_pairs, long_records
 from kurbel.motion.quantities import Force
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from kurbel.drive.at import gain, known
 from kurbel.drive.crank import Crank, largest
 from kurbel.exact.kind import floats
+from kurbel.kernel.circle import Circle
 from kurbel.motion.evaluation import LOADED, MOST_DECIMALS, columns_in_balls, fits_page, value
 from kurbel.page.quantity import Column
 from kurbel.reading.notation import Progression
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
     import numpy as np
 
     from kurbel.exact.bulk import OfDegrees
-    from kurbel.kernel.circle import Circle
 
 # Floats are worth their while as long as few of them are doubtful.
 DOUBTFUL_SHARE = 0.1
@@ -86,7 +86,7 @@ def float_bound(column: Column, crank: Crank, largest_angle: float) -> float:
 def greatest_value(column: Column, crank: Crank) -> float:
     """Return what no value of the column, nor its slopes over λ and the angle, exceeds by much."""
     if column.quantity.needs.startswith("thrust"):
-        from kurbel.motion.parts.forces import has_poles
+        from kurbel.motion.rod_forces import has_poles
 
         if has_poles(column.quantity, crank):
             return inf

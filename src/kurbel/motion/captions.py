@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from fractions import Fraction
-from functools import partial
-from typing import TYPE_CHECKING, Any, Protocol
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Protocol
 
-from kurbel.drive.at import known
+from kurbel.drive.at import gain
 from kurbel.drive.crank import Crank
 from kurbel.drive.load import figure
-from kurbel.exact.kind import Kind, settled
-from kurbel.exact.numerals import Label, Number, number_text
+from kurbel.exact.numerals import Label
+from kurbel.kernel.series import slope_term, terms_of, versine_term
 from kurbel.motion.evaluation import (
     DIFFERENCE,
     LOADED,
@@ -19,10 +17,13 @@ from kurbel.motion.evaluation import (
     OUT,
     REACH,
     RETURN,
+    ROD_MODELS,
     STROKES,
     TURN,
     method_named,
 )
+from kurbel.motion.notes import digits_text, drive_notes, force_notes, loaded_notes
+from kurbel.page.layouts import Layout
 from kurbel.page.quantity import (
     AND,
     Column,
@@ -33,13 +34,9 @@ from kurbel.page.quantity import (
     for_ratio,
     words,
 )
-from kurbel.reading.amounts import amount, unit_of_page
-from kurbel.reading.notation import ratio_text
 
 if TYPE_CHECKING:
     from kurbel.motion.page import AngleQuestion, Request
-    from kurbel.page.layouts import Layout
-    from kurbel.reading.units import Speed
 
 
 class Formulated(Protocol):
@@ -66,35 +63,6 @@ _SIGNED = ("{±}", "{sign}", "{turned}", "{ψ}", "{guide}", "{slant}")
 # For columns that the layout's own caption does not know.
 PLAIN_CAPTION = "{quantities}{for_ratio}; {method}"
 WORDS: Mapping[str, Words] = {
-    "offset": words(
-        "Geschränkt, $e = {offset} R$, $R:L = {ratio}$: Totlagen $φ_i = {inner}°$ und $φ_o = {outer}°$, Hub "
-        "${stroke} R$"
-        "|Offset $e = {offset} R$, $R:L = {ratio}$: dead centres at $φ_i = {inner}°$ and $φ_o = {outer}°$, "
-        "stroke ${stroke} R$"
-    ),
-    "speed": words(
-        "; {turns}$v = {pin} {unit}$, mittlere Kolbengeschwindigkeit $c_m = {mean} {unit}$, $v:c_m = "
-        "{quotient}$"
-        "|; {turns}$v = {pin} {unit}$, mean piston speed $c_m = {mean} {unit}$, $v:c_m = {quotient}$"
-    ),
-    "masses": words("Massen: |Masses: "),
-    "weightless": words(
-        "Gewicht der Massen nicht gerechnet (--slope)|Weight of the masses left out (--slope)"
-    ),
-    "reciprocating": words("Kolben und Kreuzkopf|piston and crosshead"),
-    "rotating": words("Kurbel weniger Gegengewicht, am Zapfen|crank less counterweight, at its pin"),
-    "connecting_rod": words(
-        "Schubstange: Schwerpunkt $a = {centre} {length}$ vom Kreuzkopfzapfen, $k = {gyration} {length}$, "
-        "$k^2 - a b = {couple} {length}^2${mass}"
-        "|Rod: centre of mass $a = {centre} {length}$ from the crosshead pin, $k = {gyration} {length}$, "
-        "$k^2 - a b = {couple} {length}^2${mass}"
-    ),
-    "swing": words(
-        '; $k$ aus der Dauer ${time} "s"$ einer Schwingung hin und her um {pin}'
-        '|; $k$ from the time ${time} "s"$ of a swing to and fro about {pin}'
-    ),
-    "swing_crosshead": words("den Kreuzkopfzapfen|the crosshead pin"),
-    "swing_crank": words("den Kurbelzapfen|the crank pin"),
     "outward": words(
         "jenseits des äußeren Totpunkts bleiben die Richtungen die des Hingangs"
         "|beyond the outer dead centre directions remain those of the outstroke"
@@ -105,6 +73,26 @@ WORDS: Mapping[str, Words] = {
     ),
     "signs": words(
         "oberes Zeichen: Hingang, unteres Zeichen: Rückgang|upper sign: outstroke, lower sign: return stroke"
+    ),
+    "first_order": words(
+        "Näherung der Massenkräfte: $(p R)/v^2 = cos {angle} {±} λ cos 2 {angle}$,"
+        " $ε_L/ω^2 = {turned}λ sin {angle}$; der Stangenwinkel $ψ$, mit dem die Stange drückt, ist genau"
+        "|Forces of the masses to first order: $(p R)/v^2 = cos {angle} {±} λ cos 2 {angle}$,"
+        " $ε_L/ω^2 = {turned}λ sin {angle}$; the angle $ψ$ at which the rod pushes is exact"
+    ),
+    "crank": words(
+        'Kurbel mit der Winkelbeschleunigung $α = {given} "rad/s"^2$, $α/ω^2 = {share}$'
+        '|Crank with the angular acceleration $α = {given} "rad/s"^2$, $α/ω^2 = {share}$'
+    ),
+    "p": words("zu $(p R)/v^2$ kommt $c/v · α/ω^2$|to $(p R)/v^2$ comes $c/v · α/ω^2$"),
+    "rod_acceleration": words("zu $ε_L/ω^2$ kommt $ω_L/ω · α/ω^2$|to $ε_L/ω^2$ comes $ω_L/ω · α/ω^2$"),
+    "common_acceleration": words("zu $p_2$ kommt $c/v · R α$|to $p_2$ comes $c/v · R α$"),
+    "turning_acceleration": words(
+        "von $p_4$ geht $(cos {angle})/(cos ψ) · R α$ ab|from $p_4$ goes $(cos {angle})/(cos ψ) · R α$"
+    ),
+    "torque": words(
+        "$M_d$ und $T$ ohne das, was Kurbel und Schwungrad beschleunigt"
+        "|$M_d$ and $T$ without what accelerates crank and flywheel"
     ),
     "offset_return": words(
         "Rückgang bei $180° + {angle}$, vom äußeren Totpunkt und in Richtung des Rückgangs gerechnet"
@@ -159,9 +147,7 @@ def notes(question: Request) -> Iterator[Label]:
     yield from sizes
     first_order = any(one.method in ("series", DIFFERENCE) for one in columns)
     if first_order or any(crank.acceleration for crank in question.cranks):
-        from kurbel.motion.notes.accelerated import lines
-
-        yield from lines(question, columns)
+        yield from acceleration_lines(question, columns)
     yield from force_notes(question.cranks, lang)
     for crank in question.cranks[:1]:
         yield from loaded_notes(crank, layout.ratio_symbol, lang, sizes)
@@ -213,8 +199,6 @@ def strokes_of(columns: Sequence[Column]) -> tuple[set[int], str]:
 def _printed(quantity: Quantity, key: str) -> Label:
     found = quantity.formulas.get(key)
     if found and key in REACH:
-        from kurbel.motion.series.printed import with_terms
-
         return with_terms(found.printed, REACH[key])
     return found.printed if found else ""
 
@@ -244,111 +228,109 @@ def signed(line: Label, page: Formulated, sign: str, rod_angle: bool) -> Label:
     return filled(line, parts.items())
 
 
-def drive_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
-    """Return the lines about lengths and speeds, and those about offsets."""
-    speeds = [_speed(crank, lang) if crank.speed else "" for crank in cranks if crank.radius is not None]
-    lines = [size + speed for size, speed in zip(size_notes(cranks), speeds, strict=True)]
-    return lines + offset_notes(cranks, lang)
+def acceleration_lines(page: Request, columns: Sequence[Column]) -> Iterator[Label]:
+    """Yield what pages say of how masses and cranks are accelerated, if not exactly and evenly."""
+    lang, crank = page.lang, page.cranks[0]
+    heavy = [one for one in columns if LOADED in one.quantity.formulas or one.quantity.of in ROD_MODELS]
+    if any(one.method in ("series", DIFFERENCE) for one in heavy) and (crank.moving or crank.rod):
+        yield signed(WORDS["first_order"][lang], page, strokes_of(columns)[1], False)
+    if not crank.acceleration:
+        return
+    share = digits_text(lambda kind: gain(crank, kind), 4)
+    said = [WORDS["crank"][lang].format(given=figure(crank.acceleration), share=share)]
+    formulated = ("common_acceleration", "turning_acceleration") if page.layout.formulas else ()
+    for key in ("p", "rod_acceleration", *formulated, "torque"):
+        named = ("tangential_force", "torque", "inertia_torque") if key == "torque" else (key,)
+        if any(_stem(column.quantity.key) in named for column in columns):
+            said.append(signed(WORDS[key][lang], page, "+", False))
+    yield "; ".join(said)
 
 
-def size_notes(cranks: Iterable[Crank]) -> list[Label]:
-    """Return the lines about lengths alone, of drives of which neither offset nor mean speed is a slide's."""
-    return [_size(crank, crank.radius) for crank in cranks if crank.radius is not None]
+def _stem(key: str) -> str:
+    for part in ("_mps2", "_radps2", "_nm", "_n", "_return", "_two_mass", "_railway"):
+        key = key.removesuffix(part)
+    return key
 
 
-def offset_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
-    """Return the lines about offsets: the dead centres and the stroke."""
-    return [_offset(crank, lang) for crank in cranks if crank.offset and crank.ratio]
+# So many terms are printed whole.
+WHOLE = 3
 
 
-def force_notes(cranks: Sequence[Crank], lang: str) -> Iterable[Label]:
-    """Return the lines about the piston forces."""
-    return dict.fromkeys(crank.force.note(lang) for crank in cranks if crank.force is not None)
+def with_terms(line: Label, order: int) -> Label:
+    """Return the line of a formula with the terms of its series up to λ to this power."""
+    return filled(line, ((f"{{{name}}}", terms(order)) for name, terms in TERMS.items()))
 
 
-def loaded_notes(crank: Crank, ratio_symbol: str, lang: str, sizes: Iterable[Label] = ()) -> Iterator[Label]:
-    """Yield the lines about what acts on piston and crosshead beside a given force, and about the masses."""
-    if crank.effort is not None:
-        from kurbel.motion.notes.effort import effort_notes
-
-        yield from effort_notes(crank.effort, lang)
-    if crank.moving is not None:
-        yield from moving_notes(crank, ratio_symbol, lang, sizes=sizes)
-        if crank.moving.slope is None and (crank.moving.rod or crank.moving.reciprocating):
-            yield WORDS["weightless"][lang]
+def _path(order: int) -> str:
+    """1/2 λ sin² φ + 1/8 λ³ sin⁴ φ"""
+    return _sum(order, lambda term: f"{_share(versine_term(term))}{_power(term)} {_sine(2 * term)}")
 
 
-def moving_notes(
-    crank: Crank,
-    ratio_symbol: str,
-    lang: str,
-    named: Mapping[str, Words] = WORDS,
-    sizes: Iterable[Label] = (),
-) -> Iterator[Label]:
-    """Yield the lines about the moving masses, with the size and the speed that make forces of them, unless
-    the lines above with `sizes` have these.
+def _velocity(order: int) -> str:
+    """1 + 1/2 λ² sin² φ: what λ sin φ cos φ is multiplied with, and also λ cos φ of the rod."""
 
-    A drive without a crosshead has names of its own for where they are.
-    """
-    moving, speed, radius = known(crank.moving), known(crank.speed), ratio_symbol[0]
-    said = {"reciprocating": moving.reciprocating, "rotating": moving.rotating}
-    parts = [f"{named[key][lang]} ${amount(mass, 'kg')}$" for key, mass in said.items() if mass]
-    if moving.rocker:
-        parts.append(f"{named['rocker'][lang]} $J = {amount(moving.rocker, 'kg m²')}$")
-    makes_forces = f"${radius} = {amount(known(crank.radius), 'mm')}$", turns_label(speed)
-    parts += (one for one in makes_forces if not any(one in line for line in sizes))
-    yield WORDS["masses"][lang] + ", ".join(parts)
-    if moving.rod is not None:
-        from kurbel.motion.notes.rod import connecting_rod
+    def one(term: int) -> str:
+        return "1" if term == 1 else f"{_share(slope_term(term))}{_even(term)} {_sine(2 * term - 2)}"
 
-        yield connecting_rod(moving.rod, lang, ratio_symbol[-1], named)
-    if moving.slope is not None:
-        from kurbel.motion.notes.effort import weight_notes
-
-        yield from weight_notes(moving, lang)
+    return _sum(order, one)
 
 
-def _size(crank: Crank, radius: Fraction) -> Label:
-    rod = f", $L = {amount(radius / crank.ratio, 'mm')}$" if crank.ratio else ""
-    return f"$R = {amount(radius, 'mm')}${rod}"
+def _acceleration(order: int) -> str:
+    """λ cos 2φ + 1/2 λ³ sin² φ (4 cos² φ - 1)"""
+
+    def one(term: int) -> str:
+        if term == 1:
+            return "λ cos 2 {angle}"
+        bracket = f"({2 * term} cos^2 {{angle}} - 1)"
+        return f"{_share(slope_term(term))}{_power(term)} {_sine(2 * term - 2)} {bracket}"
+
+    return _sum(order, one)
 
 
-def _speed(crank: Crank, lang: str) -> str:
-    speed = known(crank.speed)
-    quotient = digits_text(crank.pin_to_mean, 4)
-    times, unit = unit_of_page("m/s")
-    return WORDS["speed"][lang].format(
-        unit=unit,
-        turns=f"{turns_label(speed)}, ",
-        pin=digits_text(_times(crank.pin_velocity, times), 3),
-        mean=digits_text(_times(crank.mean_velocity, times), 3),
-        quotient=quotient if crank.offset else "π:2",
-    )
+def _rod_acceleration(order: int) -> str:
+    """1 - 1/2 λ² (3 cos² φ - 1): what -λ sin φ is multiplied with."""
+
+    def one(term: int) -> str:
+        if term == 1:
+            return "1"
+        sine = f" {_sine(2 * term - 4)}" if term > 2 else ""
+        bracket = f"({2 * term - 1} cos^2 {{angle}} - 1)"
+        return f"{_share(slope_term(term))}{_even(term)}{sine} {bracket}"
+
+    return _sum(order, one, " - ")
 
 
-def _times(value: Callable[[Kind], Any], factor: Fraction) -> Callable[[Kind], Any]:
-    return value if factor == 1 else lambda numbers: value(numbers) * numbers.of(factor)
+def _sum(order: int, term: Callable[[int], str], sign: str = " + ") -> str:
+    count = terms_of(order)
+    shown = range(1, count + 1) if count <= WHOLE else (1, 2, count)
+    parts = [term(one) for one in shown]
+    if count > WHOLE:
+        parts.insert(2, "…")
+    return sign.join(parts)
 
 
-def turns_label(speed: Speed) -> Label:
-    """Return the speed as it was given, as n or ω."""
-    value = figure(60 * speed.value if speed.turns else speed.value)
-    return f'$n = {value} "min"^(-1)$' if speed.turns else f'$ω = {value} "rad/s"$'
+def _share(coefficient: tuple[int, int]) -> str:
+    above, below = coefficient
+    return f"{above}/{below} "
 
 
-def _offset(crank: Crank, lang: str) -> Label:
-    def outer(numbers: Kind) -> Any:
-        return crank.dead_angle(RETURN, numbers) + 180
-
-    return WORDS["offset"][lang].format(
-        offset=figure(crank.offset),
-        ratio=ratio_text(crank.ratio),
-        inner=digits_text(partial(crank.dead_angle, OUT), 3),
-        outer=digits_text(outer, 3),
-        stroke=digits_text(crank.stroke, 4),
-    )
+def _power(term: int) -> str:
+    return "λ" if term == 1 else f"λ^{2 * term - 1}"
 
 
-def digits_text(value: Callable[[Kind], Any], decimals: int) -> str:
-    """Return the digits of a value."""
-    return number_text(Number(settled(value, decimals), decimals))
+def _even(term: int) -> str:
+    return f"λ^{2 * term - 2}"
+
+
+def _sine(power: int) -> str:
+    exponent = str(power) if power < 10 else f"({power})"
+    return f"sin^{exponent} {{angle}}"
+
+
+# By their places in printed formulas.
+TERMS: Mapping[str, Callable[[int], str]] = {
+    "path": _path,
+    "velocity": _velocity,
+    "acceleration": _acceleration,
+    "rod_acceleration": _rod_acceleration,
+}

@@ -11,7 +11,7 @@ from typing import Any
 from kurbel.drive.at import At, angular_square, angular_velocity, turn_time, turned
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
-from kurbel.kernel import kinematics
+from kurbel.kernel import kinematics, series
 from kurbel.motion.evaluation import OFFSET, OUT, REACH, RETURN, STROKES, TANGENT, TURN
 from kurbel.page.quantity import Formula, Quantity, entry, words
 
@@ -56,8 +56,6 @@ def _by_orders(first: Formulas, kernel: str, line: Label) -> Formulas:
 def _by_order(kernel: str, order: int) -> Kernel:
     def call(at: At) -> Any:
         # What is asked by other methods needs none of it.
-        from kurbel.kernel import series
-
         found = getattr(series, kernel)(at.circle, at.ratio, order)
         # Of a negative ratio fd would be negative, too.
         return at.stroke * found if kernel == "rod_versine" else found

@@ -12,7 +12,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from kurbel.drive.at import At, known, way_at
+from kurbel.drive.at import At, begun, known, way_at
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
@@ -87,6 +87,12 @@ ORDERS = {
 }
 # The gain of a page that shows two methods: exact minus first order, from unrounded values.
 DIFFERENCE = "difference"
+# What stands for the connecting rod where its masses count: MODELS of drive/rod.py.
+ROD_MODELS: Mapping[str, Words] = {
+    "exact": words("genau|exact"),
+    "two-mass": words("zwei Massen|two masses"),
+    "railway": words("6/10, 4/10"),
+}
 # Further formulas of a quantity: of the offset crank, of a drive with moving masses,
 OFFSET, LOADED = "offset", "loaded"
 # and in the position in which the rod touches the crank circle, as a closed form.
@@ -133,8 +139,6 @@ def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
     cos 36° - cos 72° = 1/2, which would need λ = 1 (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7).
     """
     if quantity.needs == "time":
-        from kurbel.drive.at import begun
-
         return not known(crank.speed).turns or begun(crank, quantity.stroke) is None
     if quantity.in_degrees or quantity.scale is Crank.pin_to_mean:
         return True

@@ -15,7 +15,9 @@ from kurbel.exact.numerals import Label
 from kurbel.kernel.moving import Masses
 from kurbel.kernel.rod import Loaded
 from kurbel.motion.entries import OF_ROD
-from kurbel.motion.evaluation import OFFSET
+from kurbel.motion.evaluation import OFFSET, ROD_MODELS
+from kurbel.motion.rod_accelerations import acceleration_entries
+from kurbel.motion.rod_forces import held, mollier_entries, part_entries
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
 # Of a loaded drive; others than the slide's know the same forces by these names.
@@ -75,13 +77,6 @@ _CHANGES = _shares(
     lambda one: one[1:], lambda one: ((one.pin + one.crosshead) ** 2 - (one.pin + one.couple) ** 2,)
 )
 
-# What stands for the connecting rod where its masses count: rod.MODELS.
-ROD_MODELS: Mapping[str, Words] = {
-    "exact": words("genau|exact"),
-    "two-mass": words("zwei Massen|two masses"),
-    "railway": words("6/10, 4/10"),
-}
-
 
 def _force(key: str, letter: Label, name: str, formula: RodFormula, shares: Coefficients) -> RodForce:
     return RodForce(key, letter, words(name), formula, formula, shares, shares)
@@ -132,9 +127,6 @@ ROD_COUPLES: Mapping[str, RodForce] = {
 def inertia_registry() -> Mapping[str, Quantity]:
     """Return every force by every model: inertia_guide, inertia_guide_two_mass, inertia_guide_railway_n; the
     parts of the acceleration, of which they come, and the forces of these."""
-    from kurbel.motion.parts.accelerations import acceleration_entries
-    from kurbel.motion.parts.forces import held, mollier_entries, part_entries
-
     parts = (*acceleration_entries(), *part_entries(held), *mollier_entries(ROD_MODELS))
     return {one.key: one for one in (*rod_entries(_of_slide), *parts)}
 

@@ -12,10 +12,11 @@ from kurbel.drive.at import known
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, nearest, number_text
 from kurbel.kernel.moving import Masses
-from kurbel.motion.captions import drive_notes, notes
-from kurbel.motion.inertia import ROD_FORCES, ROD_MODELS, inertia_registry
+from kurbel.motion.captions import notes
+from kurbel.motion.evaluation import ROD_MODELS
+from kurbel.motion.inertia import ROD_FORCES, inertia_registry
 from kurbel.motion.inertia_peak import Peak
-from kurbel.motion.notes.rod import connecting_rod
+from kurbel.motion.notes import connecting_rod, drive_notes
 from kurbel.motion.page import MOTION, CrankQuestion, Request
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis

@@ -1,9 +1,9 @@
-"""Columns over a long progression of crank angles, in floats with bounds; the doubtful cells in balls."""
+"""Columns of the motion over arrays and long progressions of angles: floats with bounds, else balls."""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
@@ -11,22 +11,64 @@ from math import lcm
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
+from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
-from kurbel.exact.bulk import Integers
+from kurbel.exact.bulk import Integers, evaluate
 from kurbel.exact.enclosure import ENCLOSURES, UNIT, Enclosure, half_turn_circle, is_worth, settled
 from kurbel.exact.enclosure import column as enclosed_column
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Number
 from kurbel.kernel.circle import Circle
 from kurbel.motion.bulk import integer_angles
-from kurbel.motion.evaluation import MOST_DECIMALS
+from kurbel.motion.evaluation import MOST_DECIMALS, kernel_of
 from kurbel.motion.page import CHUNK, Chunk, RecordRows
-from kurbel.motion.points.quantities import DIRECTION
+from kurbel.motion.point_quantities import DIRECTION
+from kurbel.motion.quantities import registry
 from kurbel.page.axes import Axis, Place
-from kurbel.page.quantity import Column
+from kurbel.page.quantity import Column, Quantity
 from kurbel.page.table import Value
 from kurbel.reading.notation import Progression
+
+Floats = NDArray[np.float64]
+# The formulas take the ratio from elsewhere.
+NO_RATIO = Crank(Fraction(0))
+
+
+def motion(
+    keys: Sequence[str],
+    degrees: ArrayLike,
+    ratio: ArrayLike,
+    method: str = "exact",
+    *,
+    fast: bool | None = None,
+) -> list[Floats]:
+    """Return each quantity of the straight crank as an array of the common shape of angles and ratios.
+
+    `keys` are of quantities of which nothing but the ratio need be known, on either stroke; ratios are R:L,
+    at least 0 and below 1, and not checked. On all cores, by numba where it is installed and worth it
+    (`fast` as in `exact.bulk.evaluate`); the bits are those of `kurbel.compute` at each ratio alone.
+    """
+    angles, ratios = np.asarray(degrees, np.float64), np.asarray(ratio, np.float64)
+    shape = np.broadcast_shapes(angles.shape, ratios.shape)
+    columns = [_of_ratio(registry()[key], method) for key in keys]
+    inputs = [np.broadcast_to(one, shape).ravel() for one in (angles, ratios)]
+    return [row.reshape(shape) for row in evaluate(columns, *inputs, fast=fast)]
+
+
+def _of_ratio(quantity: Quantity, method: str) -> Callable[[Any, Any], Any]:
+    kernel, numbers, stroke = kernel_of(quantity, method, NO_RATIO), floats(), quantity.stroke
+    scale = quantity.scale(NO_RATIO, numbers) if quantity.scale else None
+
+    def column(circle: Any, ratio: Any) -> Any:
+        # An infinite rod has no ratio, and the return stroke the other sign.
+        signed = 0.0 if method == "infinite" else ratio if stroke > 0 else -ratio
+        found = kernel(At(circle, NO_RATIO, numbers, stroke, signed, None, method == "series"))
+        return found if scale is None else found * scale
+
+    return column
+
 
 # Columns at so many places tell whether floats settle nearly all digits.
 PROBES = 1024

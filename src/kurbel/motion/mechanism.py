@@ -12,14 +12,15 @@ from kurbel.drive.load import CARD, COMPRESSOR, FORCE, GAS, LOADS, MASSES, PUMP,
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
+from kurbel.motion.notes import drive_notes, loaded_notes, offset_notes
+from kurbel.motion.page import Request
+from kurbel.page.quantity import Column, Quantity
 from kurbel.reading.given import found_at
 
 if TYPE_CHECKING:
-    from kurbel.motion.drives import Drive
+    from kurbel.motion.drives import Drive, SlideDrive
     from kurbel.motion.page import AngleQuestion, Request
-    from kurbel.motion.points.digits import Ends
-    from kurbel.motion.slide import SlideDrive
-    from kurbel.page.quantity import Column, Quantity
+    from kurbel.motion.point_quantities import Ends
 
 _LENGTHS = ("stroke", "rod", "speed")
 
@@ -84,8 +85,6 @@ class Mechanism(ABC):
     ) -> Iterable[Label]:
         """Return what pages that show quantities of these keys say of the moving masses, and of what else
         acts on the piston."""
-        from kurbel.motion.captions import loaded_notes
-
         return loaded_notes(crank, ratio_symbol, lang)
 
     def named(self, quantity: Quantity) -> Quantity:
@@ -107,8 +106,6 @@ class Mechanism(ABC):
 
     def rod_notes(self, drives: Sequence[Any], lang: str) -> Iterable[Label]:
         """Return what pages of points of the rod say of their drives."""
-        from kurbel.motion.captions import drive_notes
-
         return drive_notes([self.crank(one) for one in drives], lang)
 
     @abstractmethod
@@ -152,7 +149,7 @@ class StraightCrank(Mechanism):
     drawing = "kurbel.plot.drawings:mechanism_drawing"
     moving = "kurbel.plot.moving:slide_scene"
     crosshead = True
-    rod = "kurbel.motion.points.digits:rod"
+    rod = "kurbel.motion.point_quantities:rod"
 
     def drives(self, said: Described, ratios: Sequence[str]) -> tuple[Crank, ...]:
         return said.cranks(ratios)
@@ -161,22 +158,18 @@ class StraightCrank(Mechanism):
         return drive
 
     def loaded_notes(self, drives: Sequence[Crank], lang: str) -> Sequence[Label]:
-        from kurbel.motion.captions import offset_notes
-
         return offset_notes(drives, lang) if any(drive.offset for drive in drives) else ()
 
     def question(self, drives: Sequence[Crank], method: str | None = None, **asked: Any) -> Request:
-        from kurbel.motion.page import Request
-
         return Request(drives=tuple(drives), method=method, **asked)
 
     def solved(self, drives: Sequence[Crank], method: str | None) -> tuple[SlideDrive, ...]:
-        from kurbel.motion.slide import slide_drives
+        from kurbel.motion.drives import slide_drives
 
         return slide_drives(drives, method or "exact")
 
     def conditions(self) -> Mapping[str, Quantity]:
-        from kurbel.motion.slide import slide_columns
+        from kurbel.motion.drives import slide_columns
 
         return slide_columns()
 

@@ -14,6 +14,7 @@ from kurbel.exact.kind import Kind, floats
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import Circle, circle
 from kurbel.motion import captions
+from kurbel.motion.bulk import columns_in_floats, has_arrays, is_long, on_floats
 from kurbel.motion.evaluation import (
     DIFFERENCE,
     LOADED,
@@ -243,7 +244,8 @@ class Request(CrankQuestion, AngleQuestion):
             )
         check_pairs(self.layout, "offset cranks")
         if any(column.quantity.needs.startswith("thrust") for column in self.page_columns):
-            from kurbel.motion.parts.forces import check_poles
+            # Its module is large, and few pages have such a force.
+            from kurbel.motion.rod_forces import check_poles
 
             check_poles(self.page_columns, self.cranks, self.angles)
 
@@ -266,8 +268,6 @@ class Request(CrankQuestion, AngleQuestion):
         """Whether so many cells are computed in arrays."""
         if fits_page(self.page_columns, self.cranks, self.angles):
             return False
-        from kurbel.motion.bulk import is_long
-
         return is_long(self.page_columns, self.cranks, self.angles)
 
     @cached_property
@@ -280,19 +280,16 @@ class Request(CrankQuestion, AngleQuestion):
         """Return the scaled digits of every column at these angles."""
         if not self.bulk:
             return columns_in_balls(self.page_columns, crank, angles, self.rounding)
-        from kurbel.motion.bulk import columns_in_floats
-
         return columns_in_floats(self.page_columns, crank, angles, self.rounding)
 
     def solved(self) -> tuple[Drive, ...]:
-        from kurbel.motion.slide import slide_drives
+        from kurbel.motion.drives import slide_drives
 
         even = not any(crank.acceleration for crank in self.cranks)
         return slide_drives(self.cranks, self.method or "exact") if even else ()
 
     def curves(self, degrees: Any) -> list[list[Any]]:
         from kurbel.exact.bulk import evaluate
-        from kurbel.motion.bulk import on_floats
 
         found = [
             evaluate([on_floats(column, crank) for column in self.page_columns], degrees)
@@ -304,8 +301,6 @@ class Request(CrankQuestion, AngleQuestion):
 def worthwhile(question: Question, columns: str) -> Any:
     """Return the long columns of a question, by the place of their class; None where there is no NumPy or
     floats would settle too few digits."""
-    from kurbel.motion.bulk import has_arrays
-
     if not has_arrays():
         return None
     found = found_at(columns)(question)

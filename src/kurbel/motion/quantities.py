@@ -5,17 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from functools import cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
-from kurbel.drive.at import At
+from kurbel.drive.at import CRANK_FORCES, At, CrankForce
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.motion.entries import Formulas, motion_entries, on_strokes, spanned, speed_entries
 from kurbel.motion.evaluation import LOADED, OFFSET, TANGENT
 from kurbel.page.quantity import Formula, Quantity, words
-
-if TYPE_CHECKING:
-    from kurbel.drive.at import CrankForce
 
 
 @cache
@@ -168,8 +165,6 @@ def torque_entries(shares: Formulas, newton: Formulas, **rest: Any) -> Iterator[
 
 def _crank_force(key: str) -> CrankForce:
     # A table of the motion needs none.
-    from kurbel.drive.at import CRANK_FORCES
-
     return CRANK_FORCES[key]
 
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 from kurbel.drive.rod import Rod
 from kurbel.exact.numerals import Label, Number, given, number_text
 from kurbel.exact.real import Product
-from kurbel.motion.notes.rod import connecting_rod
+from kurbel.motion.notes import connecting_rod
 from kurbel.page.axes import ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, entry, words
 from kurbel.page.subject import Question, Subject

@@ -12,12 +12,12 @@ from kurbel.exact.certify import ball
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.forces import square_position
-from kurbel.motion.captions import drive_notes, force_notes
 from kurbel.motion.evaluation import (
     OUT,
     TANGENT,
     value,
 )
+from kurbel.motion.notes import drive_notes, force_notes
 from kurbel.motion.page import CrankQuestion
 from kurbel.motion.quantities import registry
 from kurbel.page.axes import PHI, ColumnAxis, LetteredRatioAxis, Place

@@ -8,8 +8,7 @@ from typing import NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
-from kurbel.motion.points.carried import carried, paths_of
-from kurbel.motion.points.point import Point as RodPoint
+from kurbel.motion.points import RodPoint, carried, paths_of
 from kurbel.page.steps import Point, Scene
 from kurbel.plot.moving import PLACES
 from kurbel.plot.panel import degrees

@@ -17,9 +17,9 @@ from kurbel.engine.loads.steam import Steam
 from kurbel.engine.request import EngineRequest
 from kurbel.exact.bulk import nearest
 from kurbel.kernel.loops import of_all
-from kurbel.motion.arrays import motion
 from kurbel.motion.bulk import float_bound
 from kurbel.motion.evaluation import MOST_DECIMALS
+from kurbel.motion.long import motion
 from kurbel.motion.page import MOTION, Request
 from kurbel.page.subject import Question
 from kurbel.sweeps.columns import BOUND, Asked, Cells, Rows

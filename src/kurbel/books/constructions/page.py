@@ -21,7 +21,7 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, ConstructionError
 from kurbel.exact.kind import Kind, floats, settled
 from kurbel.exact.numerals import Label, Number
-from kurbel.motion.captions import offset_notes
+from kurbel.motion.notes import offset_notes
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_text
 from kurbel.page.layouts import Folder
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, filled, for_ratio, words

@@ -24,7 +24,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats, settled
 from kurbel.exact.numerals import Label, Number, figures
 from kurbel.exact.real import Product
-from kurbel.motion.captions import turns_label
+from kurbel.motion.notes import turns_label
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, entry, words
 from kurbel.page.subject import Question, Subject

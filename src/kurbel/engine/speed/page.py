@@ -20,7 +20,7 @@ from kurbel.engine.speed.run import Run
 from kurbel.engine.speed.solved import run_of
 from kurbel.engine.texts import OF_SPEED
 from kurbel.exact.numerals import Label, exact_text
-from kurbel.motion.captions import turns_label
+from kurbel.motion.notes import turns_label
 from kurbel.page.axes import Place
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.table import Note, Value

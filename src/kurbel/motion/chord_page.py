@@ -20,8 +20,9 @@ from kurbel.exact.kind import Kind, balls, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.exact.terms import vanishes
 from kurbel.kernel import kinematics, series
-from kurbel.motion.captions import drive_notes
+from kurbel.motion.bulk import columns_in_floats
 from kurbel.motion.evaluation import columns_in_balls
+from kurbel.motion.notes import drive_notes
 from kurbel.motion.page import MOTION, Request
 from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
@@ -171,8 +172,6 @@ class ChordRequest(Request):
     def _lengths(self, columns: Sequence[Column], crank: Crank, angles: Sequence[Fraction]) -> Sequence[Any]:
         if not self.bulk:
             return columns_in_balls(columns, crank, angles, self.rounding)
-        from kurbel.motion.bulk import columns_in_floats
-
         return columns_in_floats(columns, crank, angles, self.rounding)
 
     def _steps(self, crank: Crank, angles: Sequence[Fraction]) -> list[int | None]:

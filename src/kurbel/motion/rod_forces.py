@@ -5,18 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from fractions import Fraction
 from itertools import product
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from kurbel.drive.at import At, known
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
+from kurbel.kernel.parts import Parted, moving_force, parted
 from kurbel.kernel.rod import Parts
 from kurbel.motion.evaluation import OFFSET
 from kurbel.page.quantity import Column, Formula, Quantity, Words, words
-
-if TYPE_CHECKING:
-    from kurbel.kernel.parts import Parted
 
 COMMON, TURNING, STRETCHING = PARTS = Parts._fields
 EXACT, THRUST = "exact", ("thrust", "thrust inertia")
@@ -132,8 +130,6 @@ def _of_rod(kernel: Kernel, parted_of: Callable[[Any], Parted]) -> Callable[[Any
 
 def held(at: At) -> Parted:
     """Return the rod between crank and crosshead at a place, with its masses."""
-    from kurbel.kernel.parts import parted
-
     masses = known(at.crank.rod).masses(EXACT, at.numbers.of)
     return parted(at.circle, at.ratio, masses, at.offset, at.by)
 
@@ -149,8 +145,6 @@ def mollier_entries(models: Mapping[str, Words]) -> Iterator[Quantity]:
 
 def _moving(model: str) -> Callable[[At], Any]:
     def moving(at: At) -> Any:
-        from kurbel.kernel.parts import moving_force
-
         rod = known(at.crank.rod)
         masses = rod.masses(model, at.numbers.of)
         if model == EXACT and rod.couple:

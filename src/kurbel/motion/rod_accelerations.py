@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
 from kurbel.kernel import rod
 from kurbel.kernel.moving import Masses
+from kurbel.kernel.parts import Parted, Vector, parted
 from kurbel.motion.evaluation import OFFSET
 from kurbel.page.quantity import Formula, Quantity, Words, words
-
-if TYPE_CHECKING:
-    from kurbel.kernel.parts import Parted, Vector
 
 UNIT = "R ω^2"
 EXACT = words("genau|exact")
@@ -98,8 +96,6 @@ _OTHERS: tuple[tuple[str, str, Words, str, tuple[Component, ...]], ...] = (
 
 def moved(at: At) -> Parted:
     """Return the rod at a place by its motion alone."""
-    from kurbel.kernel.parts import parted
-
     return parted(at.circle, at.ratio, NOTHING, at.offset, at.by)
 
 

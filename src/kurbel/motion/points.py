@@ -1,4 +1,4 @@
-"""Points of the rod as they are asked for: 0.5, 50%, 1/3, 500mm; beside the axis 0.5,0.1; several."""
+"""Points of the rod as they are asked for, 0.5, 50%, 1/3, 500mm, beside the axis 0.5,0.1; and in drawings."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, Number, exact_text, finite_decimals, nearest
 from kurbel.kernel.coupler import Point as KernelPoint
-from kurbel.reading import notation
+from kurbel.page.steps import Joint, Line, Point, Scene
+from kurbel.reading import notation, units
 from kurbel.reading.given import as_fraction, as_share_or_length
 from kurbel.reading.notation import about, plain, quoted
 
@@ -29,7 +30,7 @@ EXAMPLE = "0.5, or 0.5,0.1 for one beside the axis of the rod"
 
 
 @dataclass(frozen=True, slots=True)
-class Point:
+class RodPoint:
     """A point at the share s of the rod from the crosshead pin B to the crank pin A, and t rod lengths beside
     it, on the side of the crank pin during the outstroke."""
 
@@ -69,14 +70,14 @@ class Point:
         return self.text if decimals is None else nearest(self.share, decimals)
 
 
-def decimals_of(points: Sequence[Point]) -> int | None:
+def decimals_of(points: Sequence[RodPoint]) -> int | None:
     """Return how many decimals write all points as numbers, None if one of them is none."""
     counts = [None if one.beside else finite_decimals(one.share) for one in points]
     known = [count for count in counts if count is not None]
     return max(known) if len(known) == len(counts) else None
 
 
-def points_of(given: object, cranks: Sequence[Crank]) -> tuple[Point, ...]:
+def points_of(given: object, cranks: Sequence[Crank]) -> tuple[RodPoint, ...]:
     """Return the points of lists and ranges, each once; lengths count in that of the rod of these cranks."""
     found = tuple(dict.fromkeys(_each(given, _length_of(cranks))))
     notation.check_length(len(found), notation.LONGEST_LIST, "points")
@@ -85,27 +86,27 @@ def points_of(given: object, cranks: Sequence[Crank]) -> tuple[Point, ...]:
     return found
 
 
-def _each(given: object, one: Callable[[object], Fraction]) -> Iterator[Point]:
+def _each(given: object, one: Callable[[object], Fraction]) -> Iterator[RodPoint]:
     values = [given] if isinstance(given, str) or not isinstance(given, Iterable) else list(given)
     for value in values:
         if not isinstance(value, str):
-            yield Point(as_fraction(value))
+            yield RodPoint(as_fraction(value))
             continue
         for part in value.split(";"):
             yield from _read(part, value, one)
 
 
-def _read(part: str, whole: str, one: Callable[[object], Fraction]) -> Iterator[Point]:
+def _read(part: str, whole: str, one: Callable[[object], Fraction]) -> Iterator[RodPoint]:
     if not part.strip():
         raise NotationError(f"{_WHAT} {quoted(whole)} has an empty place; write a list as '0;0.5;1'")
     if ".." in part:
-        yield from map(Point, notation.each_number([part], _WHAT, one))
+        yield from map(RodPoint, notation.each_number([part], _WHAT, one))
         return
     share, comma, beside = part.partition(",")
     if comma:
         _check_comma(part, share, beside)
     try:
-        yield Point(one(share), one(beside) if comma else Fraction(0))
+        yield RodPoint(one(share), one(beside) if comma else Fraction(0))
     except NotationError as error:
         if "add --" in str(error) or "ratio" in str(error):
             raise
@@ -144,8 +145,6 @@ def _length_of(cranks: Sequence[Crank]) -> Callable[[object], Fraction]:
     lengths = {crank.rod_length for crank in cranks}
 
     def read(given: object) -> Fraction:
-        from kurbel.reading import units
-
         if not isinstance(given, str):
             return as_fraction(given)
         text = given.strip().removesuffix("L").strip()
@@ -168,3 +167,34 @@ def _length_of(cranks: Sequence[Crank]) -> Callable[[object], Fraction]:
         return measured / whole
 
     return read
+
+
+# What paths leave free beyond them, in R.
+ROOM = 0.25
+
+
+def carried(pin: Point, end: Point, share: float, beside: float) -> Point:
+    """Return a point of a rod from its driven end to the crank pin, and beside it by so many of its lengths,
+    above a rod that leads to the left."""
+    along, up = pin[0] - end[0], pin[1] - end[1]
+    return end[0] + share * along + beside * up, end[1] + share * up - beside * along
+
+
+def paths_of(points: Sequence[RodPoint], scene: Scene) -> Iterator[Joint]:
+    """Yield where points on the rod of what moves are, at equal steps of a turn."""
+    rod = next(link for link in scene.links if link.kind == "rod")
+    for one in points:
+        share, beside = float(one.share), float(one.beside)
+        yield tuple(carried(pin, end, share, beside) for pin, end in zip(rod.start, rod.end, strict=True))
+
+
+def with_points(scene: Scene, points: Sequence[RodPoint], whole: Scene | None = None) -> Scene:
+    """Return what moves with points of its rod as pins, and their paths, which are those of a whole turn."""
+    paths = tuple(paths_of(points, whole or scene))
+    xs, ys = zip(*(place for path in paths for place in path), strict=True)
+    return scene._replace(
+        low=(min(scene.low[0], min(xs) - ROOM), min(scene.low[1], min(ys) - ROOM)),
+        high=(max(scene.high[0], max(xs) + ROOM), max(scene.high[1], max(ys) + ROOM)),
+        fixed=(*scene.fixed, *(Line("centre", (*path, path[0])) for path in paths)),
+        pins=(*scene.pins, *paths_of(points, scene)),
+    )

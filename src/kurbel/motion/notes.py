@@ -1,0 +1,288 @@
+"""What pages say below their tables of a drive: its size, speed, forces, masses, rod, weight and friction."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import partial
+from math import isqrt
+from typing import Any
+
+from kurbel.drive.at import known
+from kurbel.drive.crank import Crank
+from kurbel.drive.effort import Areas, Effort
+from kurbel.drive.load import figure
+from kurbel.drive.rod import STANDARD_GRAVITY, Moving, Rod, Slope
+from kurbel.exact.kind import Kind, settled
+from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
+from kurbel.kernel.circle import root
+from kurbel.motion.evaluation import OUT, RETURN
+from kurbel.page.quantity import Words, words
+from kurbel.reading.amounts import amount, unit_of_page
+from kurbel.reading.notation import ratio_text
+from kurbel.reading.units import Speed
+
+WORDS: Mapping[str, Words] = {
+    "offset": words(
+        "Geschränkt, $e = {offset} R$, $R:L = {ratio}$: Totlagen $φ_i = {inner}°$ und $φ_o = {outer}°$, Hub "
+        "${stroke} R$"
+        "|Offset $e = {offset} R$, $R:L = {ratio}$: dead centres at $φ_i = {inner}°$ and $φ_o = {outer}°$, "
+        "stroke ${stroke} R$"
+    ),
+    "speed": words(
+        "; {turns}$v = {pin} {unit}$, mittlere Kolbengeschwindigkeit $c_m = {mean} {unit}$, $v:c_m = "
+        "{quotient}$"
+        "|; {turns}$v = {pin} {unit}$, mean piston speed $c_m = {mean} {unit}$, $v:c_m = {quotient}$"
+    ),
+    "masses": words("Massen: |Masses: "),
+    "weightless": words(
+        "Gewicht der Massen nicht gerechnet (--slope)|Weight of the masses left out (--slope)"
+    ),
+    "reciprocating": words("Kolben und Kreuzkopf|piston and crosshead"),
+    "rotating": words("Kurbel weniger Gegengewicht, am Zapfen|crank less counterweight, at its pin"),
+    "connecting_rod": words(
+        "Schubstange: Schwerpunkt $a = {centre} {length}$ vom Kreuzkopfzapfen, $k = {gyration} {length}$, "
+        "$k^2 - a b = {couple} {length}^2${mass}"
+        "|Rod: centre of mass $a = {centre} {length}$ from the crosshead pin, $k = {gyration} {length}$, "
+        "$k^2 - a b = {couple} {length}^2${mass}"
+    ),
+    "swing": words(
+        '; $k$ aus der Dauer ${time} "s"$ einer Schwingung hin und her um {pin}'
+        '|; $k$ from the time ${time} "s"$ of a swing to and fro about {pin}'
+    ),
+    "swing_crosshead": words("den Kreuzkopfzapfen|the crosshead pin"),
+    "swing_crank": words("den Kurbelzapfen|the crank pin"),
+}
+
+
+def drive_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
+    """Return the lines about lengths and speeds, and those about offsets."""
+    speeds = [_speed(crank, lang) if crank.speed else "" for crank in cranks if crank.radius is not None]
+    lines = [size + speed for size, speed in zip(size_notes(cranks), speeds, strict=True)]
+    return lines + offset_notes(cranks, lang)
+
+
+def size_notes(cranks: Iterable[Crank]) -> list[Label]:
+    """Return the lines about lengths alone, of drives of which neither offset nor mean speed is a slide's."""
+    return [_size(crank, crank.radius) for crank in cranks if crank.radius is not None]
+
+
+def offset_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
+    """Return the lines about offsets: the dead centres and the stroke."""
+    return [_offset(crank, lang) for crank in cranks if crank.offset and crank.ratio]
+
+
+def force_notes(cranks: Sequence[Crank], lang: str) -> Iterable[Label]:
+    """Return the lines about the piston forces."""
+    return dict.fromkeys(crank.force.note(lang) for crank in cranks if crank.force is not None)
+
+
+def loaded_notes(crank: Crank, ratio_symbol: str, lang: str, sizes: Iterable[Label] = ()) -> Iterator[Label]:
+    """Yield the lines about what acts on piston and crosshead beside a given force, and about the masses."""
+    if crank.effort is not None:
+        yield from effort_notes(crank.effort, lang)
+    if crank.moving is not None:
+        yield from moving_notes(crank, ratio_symbol, lang, sizes=sizes)
+        if crank.moving.slope is None and (crank.moving.rod or crank.moving.reciprocating):
+            yield WORDS["weightless"][lang]
+
+
+def moving_notes(
+    crank: Crank,
+    ratio_symbol: str,
+    lang: str,
+    named: Mapping[str, Words] = WORDS,
+    sizes: Iterable[Label] = (),
+) -> Iterator[Label]:
+    """Yield the lines about the moving masses, with the size and the speed that make forces of them, unless
+    the lines above with `sizes` have these.
+
+    A drive without a crosshead has names of its own for where they are.
+    """
+    moving, speed, radius = known(crank.moving), known(crank.speed), ratio_symbol[0]
+    said = {"reciprocating": moving.reciprocating, "rotating": moving.rotating}
+    parts = [f"{named[key][lang]} ${amount(mass, 'kg')}$" for key, mass in said.items() if mass]
+    if moving.rocker:
+        parts.append(f"{named['rocker'][lang]} $J = {amount(moving.rocker, 'kg m²')}$")
+    makes_forces = f"${radius} = {amount(known(crank.radius), 'mm')}$", turns_label(speed)
+    parts += (one for one in makes_forces if not any(one in line for line in sizes))
+    yield WORDS["masses"][lang] + ", ".join(parts)
+    if moving.rod is not None:
+        yield connecting_rod(moving.rod, lang, ratio_symbol[-1], named)
+    if moving.slope is not None:
+        yield from weight_notes(moving, lang)
+
+
+def _size(crank: Crank, radius: Fraction) -> Label:
+    rod = f", $L = {amount(radius / crank.ratio, 'mm')}$" if crank.ratio else ""
+    return f"$R = {amount(radius, 'mm')}${rod}"
+
+
+def _speed(crank: Crank, lang: str) -> str:
+    speed = known(crank.speed)
+    quotient = digits_text(crank.pin_to_mean, 4)
+    times, unit = unit_of_page("m/s")
+    return WORDS["speed"][lang].format(
+        unit=unit,
+        turns=f"{turns_label(speed)}, ",
+        pin=digits_text(_times(crank.pin_velocity, times), 3),
+        mean=digits_text(_times(crank.mean_velocity, times), 3),
+        quotient=quotient if crank.offset else "π:2",
+    )
+
+
+def _times(value: Callable[[Kind], Any], factor: Fraction) -> Callable[[Kind], Any]:
+    return value if factor == 1 else lambda numbers: value(numbers) * numbers.of(factor)
+
+
+def turns_label(speed: Speed) -> Label:
+    """Return the speed as it was given, as n or ω."""
+    value = figure(60 * speed.value if speed.turns else speed.value)
+    return f'$n = {value} "min"^(-1)$' if speed.turns else f'$ω = {value} "rad/s"$'
+
+
+def _offset(crank: Crank, lang: str) -> Label:
+    def outer(numbers: Kind) -> Any:
+        return crank.dead_angle(RETURN, numbers) + 180
+
+    return WORDS["offset"][lang].format(
+        offset=figure(crank.offset),
+        ratio=ratio_text(crank.ratio),
+        inner=digits_text(partial(crank.dead_angle, OUT), 3),
+        outer=digits_text(outer, 3),
+        stroke=digits_text(crank.stroke, 4),
+    )
+
+
+def digits_text(value: Callable[[Kind], Any], decimals: int) -> str:
+    """Return the digits of a value."""
+    return number_text(Number(settled(value, decimals), decimals))
+
+
+def connecting_rod(rod: Rod, lang: str, length: str = "L", named: Mapping[str, Words] = WORDS) -> Label:
+    """Return the line about a rod: where its masses are, and its mass if that is known."""
+    square = rod.gyration_square
+    said = named["connecting_rod"][lang].format(
+        length=length,
+        centre=figure(1 - rod.centre),
+        gyration=_root(square) or digits_text(lambda numbers: root(numbers.of(square)), 4),
+        couple=figure(rod.couple),
+        mass=f", $M = {amount(rod.mass, 'kg')}$" if rod.mass is not None else "",
+    )
+    return said + _swing(rod, lang)
+
+
+def _swing(rod: Rod, lang: str) -> Label:
+    """Return from which swing the radius of gyration is, nothing where it was given."""
+    if rod.swing is None:
+        return ""
+    time, pin, gravity = rod.swing
+    said = WORDS["swing"][lang].format(time=figure(time), pin=WORDS[f"swing_{pin}"][lang])
+    return f"{said}, $g = {amount(gravity, 'm/s²')}$" + usual_gravity(gravity)
+
+
+def _root(square: Fraction) -> str:
+    """The square root of a fraction that has a short one, else nothing."""
+    found = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    return figure(found) if found * found == square and finite_decimals(found) is not None else ""
+
+
+ACTING = {
+    "weight": words(
+        "Gewicht {parts}: Schubrichtung unter ${angle}°$ gegen die Waagerechte, {where}, $g = {gravity}$"
+        "|Weight of {parts}: slide at ${angle}°$ to the horizontal, {where}, $g = {gravity}$"
+    ),
+    "pressures": words(
+        "$F = π/4 ({cover} p_D - {other} p_K)$ zur Welle hin: $p_D = {head}$ auf der"
+        " Deckelseite, $p_K = {crank}$ auf der Kurbelseite, über dem Druck der Umgebung"
+        "|$F = π/4 ({cover} p_D - {other} p_K)$ towards the shaft: $p_D = {head}$ on the"
+        " side of the cover, $p_K = {crank}$ on that of the crank, above the surroundings"
+    ),
+    "difference": words(
+        "$F = π/4 d^2 Δp$ zur Welle hin: auf der Deckelseite $Δp = {head}$ mehr"
+        "|$F = π/4 d^2 Δp$ towards the shaft: $Δp = {head}$ more on the side of the cover"
+    ),
+    "rods": words(
+        "{rods}: Kolbenstange und durchgeführte Stange auf ihrer Seite von der Kolbenfläche abgezogen; auf"
+        " ihren Querschnitt wirkt kein Druck, auch nicht der der Luft"
+        "|{rods}: areas of piston rod and tail rod taken off on their sides of the piston; no pressure acts"
+        " on their sections, not even that of the atmosphere"
+    ),
+    "pins": words(
+        "$M_R$ weniger dem, was die Zapfen nehmen, mit Reibungskreisen $d/2 sin ρ$, $tan ρ = {friction}$:"
+        " Kreuzkopfzapfen $d = {crosshead}$, Kurbelzapfen $d = {crank}$, Welle $d = {shaft}$"
+        "|$M_R$ less what the pins take, with circles of friction $d/2 sin ρ$, $tan ρ = {friction}$:"
+        " crosshead pin $d = {crosshead}$, crank pin $d = {crank}$, shaft $d = {shaft}$"
+    ),
+    "friction": words("Reibung ${force}$ gegen die Bewegung|Friction ${force}$ against the motion"),
+    "reciprocating": words("von Kolben und Kreuzkopf|piston and crosshead"),
+    "rod": words("der Schubstange|rod"),
+    "all": words("von Kolben, Kreuzkopf und Schubstange|piston, crosshead and rod"),
+    "above": words("Zylinder über der Welle|cylinder above the shaft"),
+    "below": words("Zylinder unter der Welle|cylinder below the shaft"),
+    "level": words("Zylinder neben der Welle|cylinder beside the shaft"),
+    "over": words(
+        ", Kurbelzapfen auf dem Hingang über der Welle|, crank pin above the shaft on the outstroke"
+    ),
+    "under": words(
+        ", Kurbelzapfen auf dem Hingang unter der Welle|, crank pin below the shaft on the outstroke"
+    ),
+}
+
+
+def weight_notes(moving: Moving, lang: str) -> Iterator[Label]:
+    """Yield the line about the weight of moving masses, if it counts."""
+    if moving.slope is None:
+        return
+    parts = "all" if moving.rod and moving.reciprocating else "rod" if moving.rod else "reciprocating"
+    said = ACTING["weight"][lang].format(
+        parts=ACTING[parts][lang],
+        angle=figure(moving.slope.angle),
+        where=_where(moving.slope, lang),
+        gravity=amount(moving.slope.gravity, "m/s²"),
+    )
+    yield said + usual_gravity(moving.slope.gravity)
+
+
+def usual_gravity(gravity: Fraction) -> str:
+    """Return the option that gives another acceleration of gravity than the standard one."""
+    return " (--gravity)" if gravity == STANDARD_GRAVITY else ""
+
+
+def _where(slope: Slope, lang: str) -> str:
+    # What is below has a negative sine.
+    side = slope.angle % 360
+    height = "level" if side in (0, 180) else "above" if side < 180 else "below"
+    turning = "" if slope.upright else ACTING["over" if slope.over else "under"][lang]
+    return ACTING[height][lang] + turning
+
+
+def effort_notes(effort: Effort, lang: str) -> Iterator[Label]:
+    """Yield the lines about pressures on the piston and about friction."""
+    pressures = effort.pressures
+    if pressures is not None:
+        areas = pressures.areas
+        yield ", ".join(_areas(areas))
+        yield ACTING["difference" if pressures.difference else "pressures"][lang].format(
+            cover="(d^2 - d_D^2)" if areas.tail else "d^2",
+            other="(d^2 - d_K^2)" if areas.rod else "d^2",
+            head=amount(pressures.head, "kPa"),
+            crank=amount(pressures.crank, "kPa"),
+        )
+    if effort.areas is not None:
+        yield ACTING["rods"][lang].format(rods=", ".join([*_areas(effort.areas)][1:]))
+    if effort.pins is not None:
+        yield ACTING["pins"][lang].format(
+            friction=figure(effort.pins.friction),
+            **{name: amount(getattr(effort.pins, name), "mm") for name in ("crosshead", "crank", "shaft")},
+        )
+    if effort.friction:
+        yield ACTING["friction"][lang].format(force=amount(effort.friction, "N"))
+
+
+def _areas(areas: Areas) -> Iterator[Label]:
+    yield f"$d = {amount(areas.bore, 'mm')}$"
+    if areas.rod:
+        yield f"$d_K = {amount(areas.rod, 'mm')}$"
+    if areas.tail:
+        yield f"$d_D = {amount(areas.tail, 'mm')}$"

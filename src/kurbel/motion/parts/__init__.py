@@ -1,1 +1,0 @@
-"""The parts of the rod's inertia, as Ensslin parts them, as what pages can show."""

@@ -1,0 +1,315 @@
+"""The pages of points of the rod: what is asked for, what they say of it, records, subject."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+from kurbel.errors import ProblemError
+from kurbel.exact.kind import Kind, floats
+from kurbel.exact.numerals import Label, Number
+from kurbel.kernel.circle import Circle, circle
+from kurbel.motion.captions import formula_lines
+from kurbel.motion.evaluation import METHODS, NEEDS, OFFSET
+from kurbel.motion.mechanism import Mechanism
+from kurbel.motion.page import CURVES, AngleQuestion, check_pairs, long_records
+from kurbel.motion.point_quantities import (
+    BESIDE,
+    DIRECTION,
+    Ends,
+    Moved,
+    Vectorial,
+    acceleration,
+    continued,
+    path,
+    points_registry,
+    vector_of,
+    velocity,
+)
+from kurbel.motion.points import RodPoint, decimals_of, with_points
+from kurbel.motion.quantities import registry
+from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, RatioAxis
+from kurbel.page.layouts import Layout, LayoutColumn
+from kurbel.page.quantity import Column, Quantity, Words, bare, enumerated, filled, for_ratio, words
+from kurbel.page.steps import Scene
+from kurbel.page.subject import Subject
+from kurbel.page.table import Field
+
+WORDS: Mapping[str, Words] = {
+    "one": words("des Punktes {point} der {rod}|of the point {point} of the {rod}"),
+    "several": words("von Punkten der {rod}|of points of the {rod}"),
+    "rod": words("Schubstange|connecting rod"),
+    "parallel": words("Koppel|coupling rod"),
+    "point": words(
+        "$s$ vom {driven} $B$ ($s = 0$) zum Kurbelzapfen $A$ ($s = 1$), in Stangenlängen"
+        "|$s$ from the {driven} $B$ ($s = 0$) to the crank pin $A$ ($s = 1$), in rod lengths"
+    ),
+    "beside": words(
+        "; $t$ quer zur Stange, ebenso, nach der Seite des Kurbelzapfens beim Hingang"
+        "|; $t$ beside its axis, likewise, on the side of the crank pin during the outstroke"
+    ),
+    "crosshead": words("Kreuzkopfzapfen|crosshead pin"),
+    "rocker": words("Zapfen der Schwinge|pin of the rocker"),
+    "along": words(
+        "$ξ$ längs der Schubrichtung nach der Welle hin, vom Ort des Punktes im inneren Totpunkt an"
+        "|$ξ$ along the slide towards the shaft, from where the point is at the inner dead centre"
+    ),
+    "across": words(
+        "$η$ von der Geraden durch die Welle in der Schubrichtung an, nach der Seite des Kurbelzapfens beim"
+        " Hingang"
+        "|$η$ from the line through the shaft along the slide, to the side of the crank pin during the"
+        " outstroke"
+    ),
+    "shafts": words(
+        "$ξ$ längs der Wellenlinie, von $φ = 0$ an in der Richtung des Hinganges; $η$ quer, nach der Seite"
+        " des Kurbelzapfens beim Hingang"
+        "|$ξ$ along the line of shafts, from $φ = 0$ in the direction of the outstroke; $η$ square to it, to"
+        " the side of the crank pin during the outstroke"
+    ),
+    "signs": words(
+        "Geschwindigkeiten und Beschleunigungen in denselben Richtungen positiv"
+        "|velocities and accelerations positive in the same directions"
+    ),
+    "directions": words(
+        "$γ$ wie $φ$ gezählt, von der Richtung der Welle zum inneren Totpunkt im Drehsinn der Kurbel"
+        "|$γ$ counted as $φ$, from the direction of the shaft to the inner dead centre, as the crank turns"
+    ),
+    "ellipse": words(
+        "Die Punkte einer unendlich langen Stange laufen auf Ellipsen mit den Halbachsen $R$ längs und $s R$"
+        " quer"
+        "|The points of an infinitely long rod run on ellipses of the semi-axes $R$ along and $s R$ across"
+    ),
+    "vectors": words(
+        "Jeder Vektor des Punktes ist $1 - s$ mal der des Endes $B$ und $s$ mal der des Kurbelzapfens $A$"
+        "|Every vector of the point is $1 - s$ times that of the end $B$ and $s$ times that of the crank pin"
+        " $A$"
+    ),
+    "turned": words(
+        ", dazu $t$ mal der von $B$ nach $A$, um $90°$ gedreht"
+        "|, and $t$ times that from $B$ to $A$, turned by $90°$"
+    ),
+    "circle": words(
+        "Jeder Punkt der Koppel läuft wie der Kurbelzapfen, auf einem Kreis vom Halbmesser $R$; $η$ zählt von"
+        " dessen Mitte an"
+        "|Every point of the coupling rod moves as the crank pin, on a circle of radius $R$; $η$ counts from"
+        " its centre"
+    ),
+}
+
+
+def caption(question: PointsRequest) -> Label:
+    """Return the layout's caption with its quantities, the point or points, the ratio and the method."""
+    lang, layout, points = question.lang, question.layout, question.points
+    rod = WORDS["rod" if question.has_ratio else "parallel"][lang]
+    of = WORDS["one" if len(points) == 1 else "several"][lang].format(point=points[0].label, rod=rod)
+    ratios = question.ratios
+    one = len(ratios) == 1 and question.method != "infinite"
+    parts = {
+        "{quantities}": enumerated((column.quantity.name[lang] for column in question.page_columns), lang),
+        "{points}": of,
+        "{for_ratio}": for_ratio(ratios[0], lang, layout.ratio_symbol) if one else "",
+        "{method}": METHODS[question.method or "exact"].caption[lang],
+    }
+    return filled(layout.caption[lang], parts.items())
+
+
+def notes(question: PointsRequest) -> Iterator[Label]:
+    """Yield the lines below the table: where the point is, formulas, zeros and signs, the machine."""
+    lang, layout = question.lang, question.layout
+    yield from (note[lang] for note in layout.notes)
+    shown = [column.quantity for column in question.page_columns]
+    beside = any(one.beside for one in question.points)
+    driven = WORDS["crosshead" if question.mechanism.crosshead else "rocker"][lang]
+    if question.has_ratio:
+        said = WORDS["point"][lang].format(driven=driven)
+        yield said + (WORDS["beside"][lang] if beside else "")
+    if layout.formulas:
+        yield from _formulas(question, shown)
+    yield from _directions(question, shown)
+    yield from question.mechanism.rod_notes(question.drives, lang)
+    if question.mechanism.crosshead and not all(question.ratios):
+        yield WORDS["ellipse"][lang]
+
+
+def _formulas(question: PointsRequest, shown: Sequence[Quantity]) -> Iterator[Label]:
+    """Yield how the point's vectors follow from those of the ends of the rod."""
+    lang, beside = question.lang, any(one.beside for one in question.points)
+    if not question.has_ratio:
+        yield WORDS["circle"][lang]
+        return
+    if question.mechanism.crosshead:
+        offset = any(one.crank.offset for one in question.drives)
+        key = (OFFSET if offset else "exact") + (BESIDE if beside else "")
+        yield ", ".join(dict.fromkeys(one.formulas[key].printed for one in shown))
+        yield from _of_crosshead(question, shown)
+        return
+    yield WORDS["vectors"][lang] + (WORDS["turned"][lang] if beside else "")
+    own = dict.fromkeys(one.formulas["exact"].printed for one in shown if one.of)
+    if own:
+        yield ", ".join(own)
+
+
+_CROSSHEAD: Mapping[Vectorial, str] = {path: "x", velocity: "c", acceleration: "p"}
+
+
+def _of_crosshead(question: PointsRequest, shown: Sequence[Quantity]) -> Iterator[Label]:
+    """Yield the formulas of the crosshead's motion that stand in these, as pages of that print them."""
+    keys = dict.fromkeys(_CROSSHEAD[vector_of(one)] for one in shown)
+    columns = [bare(registry()[key], question.method or "exact", None) for key in keys]
+    yield from formula_lines(question, columns)
+
+
+def _directions(question: PointsRequest, shown: Sequence[Quantity]) -> Iterator[Label]:
+    """Yield from where and in which directions vectors count."""
+    lang = question.lang
+    ways = ("along", "across") if question.has_ratio else ("shafts",)
+    yield "; ".join(WORDS[key][lang] for key in (*ways, "signs"))
+    if any(one.of == DIRECTION for one in shown):
+        yield WORDS["directions"][lang]
+
+
+POINT = words("Punkt der Schubstange|Point of the rod")
+RATIO = "ratio"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class PointsRequest(AngleQuestion):
+    """What is asked for of these points on the rods of these drives, alike but for their ratios, at these
+    angles. By the method of the infinite rod all ratios are 1:∞."""
+
+    mechanism: Mechanism
+    points: tuple[RodPoint, ...]
+    method: str | None = None
+
+    def check(self) -> None:
+        super().check()
+        check_pairs(self.layout, "points of the rod")
+        if self.method == "infinite":
+            drives = (replace(one, ratio=Fraction(0)) for one in self.drives)
+            object.__setattr__(self, "drives", tuple(dict.fromkeys(drives)))
+        elif self.method == "series" and any(one.crank.offset for one in self.drives):
+            raise ProblemError(
+                'method "series" has no formulas for an offset crank; use exact, or leave the offset out'
+            )
+        if self.has_ratio and any(one.beside for one in self.points):
+            self._check_finite()
+        if not self.has_ratio and self.layout.subject == SUBJECT.key:
+            object.__setattr__(self, "layout", _without_ratio(self.layout))
+
+    def _check_finite(self) -> None:
+        if all(one.crank.ratio for one in self.drives):
+            return
+        raise ProblemError(
+            "a point beside the axis of an infinite rod is infinitely far from it, for it stands there so"
+            " many rod lengths; give a point on the axis, such as --point 0.5, or the rod a length"
+        )
+
+    @property
+    def has_ratio(self) -> bool:
+        """Whether the motion depends on the length of the rod."""
+        return RATIO in self.mechanism.takes
+
+    @property
+    def subject(self) -> Subject:
+        return SUBJECT if self.has_ratio else RODLESS
+
+    @property
+    def moving(self) -> tuple[str, Any]:
+        return self.mechanism.name, self.drives[0]
+
+    def carrying(self, scene: Scene | None, whole: Callable[[], Scene | None] | None = None) -> Scene | None:
+        return None if scene is None else with_points(scene, self.points, whole and whole())
+
+    def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
+        return (self.method or "exact",)
+
+    def too_long(self) -> str:
+        return f"{len(self.points)} points at {len(self.angles)} angles make a table of {len(self)} rows"
+
+    def moved(self, place: Mapping[str, int]) -> Moved:
+        """Return the point at a place on its drive."""
+        ends: Ends = self.mechanism.rod_ends()
+        return Moved(
+            ends, self.drives[place.get(RATIO, 0)], self.method or "exact", self.points[place["point"]]
+        )
+
+    @property
+    def places(self) -> list[dict[str, int]]:
+        """All points on all drives, in the order of records."""
+        return [
+            {RATIO: drive, "point": point}
+            for drive in range(len(self.drives))
+            for point in range(len(self.points))
+        ]
+
+    @property
+    def told(self) -> list[tuple[Label, ...]]:
+        return [(*drive, one.label) for drive in super().told for one in self.points]
+
+    def value(self, column: Column, place: Mapping[str, int], point: Circle[Any], kind: Kind) -> Any:
+        return self.moved(place).value(column.quantity, point, kind)
+
+    def curves(self, degrees: Any) -> list[list[Any]]:
+        point, kind, moved = circle(degrees), floats(), [self.moved(place) for place in self.places]
+        return [[_curve(column.quantity, one, point, kind) for one in moved] for column in self.page_columns]
+
+
+def _without_ratio(page: Layout) -> Layout:
+    """Return the layout of drives whose motion does not depend on a ratio."""
+    own = vars(page)
+    left = {name: tuple(one for one in own[name] if one != RATIO) for name in ("down", "stub", "across")}
+    return Layout(**{**own, **left, "ratios": ()})
+
+
+class PointAxis(ListAxis):
+    """The points of the rod."""
+
+    def __init__(self, question: PointsRequest) -> None:
+        decimals, name = decimals_of(question.points), POINT[question.lang]
+        super().__init__(
+            question.points,
+            Field("point", name, "$s$", "", decimals),
+            lambda one: one.value(decimals),
+            lambda one: one.label,
+        )
+
+    def over_group(self, place: Place) -> Label:
+        point: RodPoint = self._things[place["point"]]
+        return point.label
+
+
+def _curve(quantity: Quantity, moved: Moved, at: Any, kind: Kind) -> Any:
+    """Return a column over the crank angle, as floats; a direction has gaps where the point rests."""
+    values = moved.value(quantity, at, kind)
+    if quantity.of != DIRECTION:
+        return values
+    amount = points_registry()[quantity.key.removesuffix("_direction")]
+    return continued(values, moved.value(amount, at, kind))
+
+
+def _number(question: PointsRequest, column: Column, place: Place, times: int) -> Number | None:
+    moved, angle = question.moved(place), question.angles[place["angle"]]
+    scaled = moved.certified(column.quantity, angle, column.places, question.rounding)
+    return None if scaled is None else Number(scaled * times, column.places)
+
+
+SUBJECT = Subject(
+    key="rod points",
+    layout="rod-points",
+    command="table --point 0.5",
+    axes={RATIO: RatioAxis, "point": PointAxis, "angle": AngleAxis, "column": ColumnAxis},
+    axis_keys=(RATIO, "point", "phi"),
+    quantities=points_registry,
+    number=_number,
+    caption=caption,
+    notes=notes,
+    rows=long_records,
+    options=NEEDS,
+    drawn=CURVES,
+)
+RODLESS = SUBJECT._replace(
+    axes={"point": PointAxis, "angle": AngleAxis, "column": ColumnAxis}, axis_keys=("point", "phi")
+)
+"""The same of a drive whose motion does not depend on the length of its rod."""

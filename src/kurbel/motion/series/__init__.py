@@ -1,1 +1,0 @@
-"""Approximations of the motion: methods by powers of λ, their errors over the turn, and Rötscher's steps."""
