@@ -75,6 +75,10 @@ def test_cells_are_upright_in_which_letters_are_italic() -> None:
     page, _ = xlsx_sheets(BOOKS[0].content(kurbel.table("1:5", layout="kolbenwege"), None)).values()
     assert "φ in °" in page.values.values()
     assert not page.slanted
+    # Nor are they low where a letter is.
+    page, _ = xlsx_sheets(BOOKS[0].content(default_page("machine-forces"), None)).values()
+    assert "Hx in kN" in page.values.values()
+    assert not page.lowered
 
 
 def test_marks_of_missing_values_are_centred_and_other_texts_of_the_body_are_not() -> None:

@@ -28,6 +28,7 @@ class Read:
     spans: dict[Place, Place] = field(default_factory=dict)
     formulas: int = 0
     slanted: set[Place] = field(default_factory=set)
+    lowered: set[Place] = field(default_factory=set)
     centred: set[Place] = field(default_factory=set)
 
     def row(self, number: int) -> list[float | str]:
@@ -39,14 +40,17 @@ def xlsx_sheets(content: bytes) -> dict[str, Read]:
     with ZipFile(io.BytesIO(content)) as file:
         texts = [_letters(one, S) for one in _part(file, "xl/sharedStrings.xml")]
         styles = _part(file, "xl/styles.xml")
-        formats, slanted, centred = [*_formats(styles)], [*_slanted(styles)], [*_centred(styles)]
+        formats, centred = [*_formats(styles)], [*_centred(styles)]
+        slanted, lowered = [*_with_fonts(styles, "i")], [*_with_fonts(styles, "vertAlign")]
         names = [str(one.get("name")) for one in _part(file, "xl/workbook.xml").iter(f"{S}sheet")]
         sheets = {}
         for number, name in enumerate(names, 1):
             root, read = _part(file, f"xl/worksheets/sheet{number}.xml"), Read()
             for cell in root.iter(f"{S}c"):
                 _read_cell(cell, texts, formats, read)
-                for places, has in ((read.slanted, slanted), (read.centred, centred)):
+                for places, has in (
+                    (read.slanted, slanted), (read.lowered, lowered), (read.centred, centred)
+                ):  # fmt: skip
                     if has[int(cell.get("s", 0))]:
                         places.add(_place(str(cell.get("r"))))
             for merged in root.iter(f"{S}mergeCell"):
@@ -73,12 +77,12 @@ def _formats(styles: Element) -> Iterator[str]:
         yield own.get(one.get("numFmtId")) or known[str(one.get("numFmtId"))]
 
 
-def _slanted(styles: Element) -> Iterator[bool]:
+def _with_fonts(styles: Element, mark: str) -> Iterator[bool]:
     fonts, used = styles.find(f"{S}fonts"), styles.find(f"{S}cellXfs")
     assert fonts is not None
     assert used is not None
     for one in used:
-        yield fonts[int(one.get("fontId", 0))].find(f"{S}i") is not None
+        yield fonts[int(one.get("fontId", 0))].find(f"{S}{mark}") is not None
 
 
 def _centred(styles: Element) -> Iterator[bool]:

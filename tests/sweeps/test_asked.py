@@ -167,6 +167,10 @@ def test_a_sobol_design_is_scipys_between_the_ends_and_can_be_typed_again() -> N
     assert swept("delta", *again)[0]["delta"] == one["delta"]
     random = [swept("delta", "--eps=1..10", "--sample=random:5", f"--seed={seed}") for seed in (1, 2)]
     assert random[0] != random[1]
+    drawn = swept("delta", "--eps=1..10", "--sample=random:5")
+    assert drawn == swept("delta", "--eps=1..10", "--sample=random:5", "--seed=0")
+    same = library.sweep("delta", eps="1..10", sample="random:5")
+    assert [*map(float, same["epsilon"])] == [float(one["epsilon"]) for one in drawn]
     methods = swept("delta", "--eps=2..3", "--method=exact;series", "--sample=lhs:8")
     assert {one["method"] for one in methods} == {"exact", "series"}
     # Several cranks of one engine are one value, several engines an axis.

@@ -125,7 +125,7 @@ def _tail(curve: Curve, last: int, width: float) -> list[arb]:
     w, ratio = flint.arb(width), ball(curve.ratio)
     square = (ratio * w.cosh()) ** 2
     bound = ratio * ((2 * w).cosh() + square * w.cosh() ** 2) / (1 - square) ** flint.arb(1.5)
-    lengths = sum((abs(length) for one in curve.slides for _, length in one.star.rays), Fraction(0))
+    lengths = Fraction(sum(abs(length) for one in curve.slides for _, length in one.star.rays))
     first, decay = last + 2, (-2 * w).exp()
     # Two more orders j times have at most (1 + j)² of what the first has by its slopes.
     all_orders = 2 * bound * ball(lengths) * (-first * w).exp() * 2 / (1 - decay) ** 3

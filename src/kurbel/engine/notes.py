@@ -250,7 +250,7 @@ def _errors(request: EngineRequest) -> Iterator[Label]:
         said = [
             f"{one.symbol} ${number_text(error)}$ {one.unit[request.lang]}".rstrip()
             for one, error in numbers
-            if isinstance(error, Number) and error.scaled
+            if isinstance(error, Number)
         ]
         if said:
             yield ERRORS[request.lang] + _apart(request, steam, ratio) + ": " + ", ".join(said)

@@ -269,7 +269,7 @@ def _rational_power(value: Fraction, power: Fraction) -> Fraction | None:
 
 def exact_root(value: int, degree: int) -> int | None:
     """Return the whole root of a number, None if it has none."""
-    if degree == 1 or value in (0, 1):
+    if degree == 1:
         return value
     if value < 0:
         return None

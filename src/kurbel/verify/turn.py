@@ -292,7 +292,7 @@ def turn(
     load: Load,
     *,
     cranks: tuple[Any, ...] = (0,),
-    method: str = "exact",
+    method: str,
     bodies: Bodies | None = None,
     bore: Any = 1,
     pressure: Any = 1,
