@@ -245,3 +245,21 @@ def test_a_file_says_the_same_as_words_and_what_is_typed_outdoes_it(tmp_path: Pa
     assert float(row["delta"]) == float(single)
     typed = swept(str(tmp_path / "sweep.toml"), "--eps=4;5", "--back=0")
     assert {(row["epsilon"], row["ratio"]) for row in typed} == {("4", "0.25"), ("5", "0.2")}
+
+
+def test_a_file_may_name_a_machine_with_a_ratio_and_without(tmp_path: Path) -> None:
+    (tmp_path / "m.toml").write_text('[crank]\nstroke = "600mm"\nspeed = "120/min"\n')
+    for words, swept_by in (
+        ("table --angle=30 --columns=x_mm,c_mps", "--ratio=1:4;1:5"),
+        ("locomotive --gauge=1.5m --reciprocating=300kg --revolving=160kg --spacing=0.7m", "--share=0;0.5"),
+    ):
+        command, *options = words.replace("--", "").split()
+        lines = (f'{key} = "{value}"' for key, value in (one.split("=") for one in options))
+        key, value = swept_by[2:].split("=")
+        (tmp_path / "s.toml").write_text(
+            f'command = "{command}"\n[options]\nmachine = "m.toml"\n'
+            + "\n".join(lines)
+            + f"\n[axes]\n{key} = {value.split(';')}\n"
+        )
+        typed = swept(*words.split(), f"--machine={tmp_path / 'm.toml'}", swept_by)
+        assert swept(str(tmp_path / "s.toml")) == typed

@@ -11,6 +11,7 @@ from msgspec import Struct
 
 from kurbel.cli.options import FileName
 from kurbel.cli.sweep import MOST_SEED, TABLES
+from kurbel.commands.options import FILE as A_FILE
 from kurbel.commands.options import FLAG, Option
 from kurbel.errors import FailedError, KurbelError
 from kurbel.exact.numerals import MOST_DIGITS
@@ -123,6 +124,7 @@ SUFFIX = ".toml"
 # Where a context keeps the options of the file in their order, with the values of flags that vary, which no
 # word says.
 FILE = "kurbel.cli.sweep.file"
+MACHINE: Option[object] = Option("Machine in a TOML file.", "FILE", A_FILE)
 
 
 def words_of(
@@ -135,7 +137,7 @@ def words_of(
     outdone = {one.name for one in order}
     options = {one.name: one for one in command.params if isinstance(one, click.Option)}
     own = command.asking.options
-    machine = {"machine": own["ratio"]} if "machine" in options and "ratio" in own else {}
+    machine = {"machine": MACHINE} if "machine" in options else {}
     values = read.values({**own, **machine})
     flags = {
         name: (*map(bool, given),)
