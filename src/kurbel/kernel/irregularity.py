@@ -278,7 +278,7 @@ WORK = ("back", "net", "mean", "forgone")
 
 
 def extremes_in_loops(kind: type[Motion], ratio: Number, load: Load) -> Extremes:
-    """Return what `kernel.irregularity.extremes.extremes` returns, to the bit."""
+    """Return what `extremes` returns, to the bit."""
     if load.exponent is not None:
         # Powers are those of NumPy.
         return extremes(kind, ratio, load)
@@ -290,7 +290,7 @@ def extremes_in_loops(kind: type[Motion], ratio: Number, load: Load) -> Extremes
 
 
 def irregularity_in_loops(load: Load, *given: Number) -> Number:
-    """Return what `kernel.irregularity.extremes.irregularity` returns, to the bit."""
+    """Return what `irregularity` returns, to the bit."""
     arrays, floats = _sorted(load, WORK)
     return _filled(_irregularity_loop(tuple(arrays), floats), 1, [*given, *arrays.values()])[0]
 
