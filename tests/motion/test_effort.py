@@ -81,7 +81,13 @@ def test_columns_of_the_outstroke_say_so_at_angles_of_the_return(angle: int, lan
 
 def test_friction_at_a_dead_centre_is_that_of_the_stroke_which_begins_there() -> None:
     # sin φ_i = e/(L + R) = 1/2, which no ball tells from the dead centre.
-    asked: dict[str, Any] = {"crank": "100mm", "rod": "400mm", "offset": "250mm", "force": 1, "friction": 9}
+    asked: dict[str, Any] = {
+        "stroke": "crank:0.1m",
+        "rod": "0.4m",
+        "offset": "0.25m",
+        "force": 1,
+        "friction": 9,
+    }
     angles = {30: -9, "29.99999999999999999999": 9, "30.00000000000000000001": -9, 180: -9}
     found = [rows_of(**asked, angle=angle, columns="friction_force_n")[0] for angle in angles]
     assert [row["friction_force_n"] for row in found] == [*angles.values()]

@@ -18,7 +18,7 @@ RADIUS, LENGTH, FRICTION = 0.24, 0.9, 0.09
 PINS: dict[str, float] = {"crosshead_pin": 0.08, "crank_pin": 0.13, "shaft": 0.15}
 LIMITS = [one / 2 * FRICTION / sqrt(1 + FRICTION**2) for one in PINS.values()]
 ASKED: dict[str, Any] = {
-    "crank": "240mm", "rod": "900mm", "pin_friction": FRICTION, "digits": 5,
+    "stroke": "crank:240mm", "rod": "900mm", "pin_friction": FRICTION, "digits": 5,
     **{name: f"{1000 * one:.0f}mm" for name, one in PINS.items()},
 }  # fmt: skip
 
