@@ -280,7 +280,7 @@ class Second:
         return lambda _: disc(1) * force
 
     def bodies(self, drive: verify.Drive, force: Fraction | Force, row: Row) -> verify.Bodies:
-        key = (drive, force == 0, *(str(row.get(name)) for name in LOADED))
+        key = (drive, *(str(row.get(name)) for name in LOADED))
         if key not in self._kept:
             asked, rod = self.asked, drive.radius / drive.ratio if drive.ratio else None
             known: dict[str, Any] = {
