@@ -155,6 +155,12 @@ def test_what_is_not_computed_a_second_time_is_said_with_its_reason(tmp_path: Pa
     code, (column,) = verified(path)
     assert (code, column["confirmed"], column["wrong"]) == (0, "0", "0")
     assert column["reason"] == "masses that are asked for are not computed a second time"
+    path = page_of(
+        "turning --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min --inertia 500kgm2"
+        " --step 90 --columns phi,speed",
+        tmp_path,
+    )
+    assert "a flywheel without a power is not known" in kurbel("verify", str(path)).out
     assert verified(path, "--strict")[0] == 1
 
 
