@@ -116,6 +116,13 @@ def test_a_wrong_keyword_is_told_the_nearest(
 MACHINES = ("engine.toml", "blower.toml", "gas-engine.toml", "pump.toml", "machines/*.toml")
 
 
+# What a machine does not say.
+NEEDED = {
+    "rotor": {"masses": "3;5kg", "radii": "20mm", "angles": "0;90"},
+    "locomotive": {"gauge": "1.5m", "spacing": "0.7m", "reciprocating": "300kg"},
+}
+
+
 @pytest.mark.parametrize(
     "file",
     [str(one) for names in MACHINES for one in sorted(EXAMPLES.glob(names))],
@@ -131,6 +138,7 @@ def test_a_machine_gives_what_is_not_given_by_hand(file: str) -> None:
             apart = "[[cylinder]]\nstroke" in Path(file).read_text(encoding="utf-8")
             wanted = "stroke" in taken(function) and not (apart and "cylinder" in taken(function))
             more |= {"stroke": "610mm"} if wanted else {}
+            more |= NEEDED.get(name, {})
             line = kurbel_line(name, f"--machine={file}", *(f"--{key}={one}" for key, one in more.items()))
             try:
                 page = str(function(machine=file, **more))

@@ -45,7 +45,7 @@ def _with(unit: str) -> Callable[[str], str]:
 
 def _of(way: str) -> Callable[[str], str]:
     """Return what writes a length as a stroke in this way."""
-    return lambda value: f"{way}:{_with('mm')(value)}"
+    return lambda value: f"{way}:{_with('mm')(value.removeprefix(f'{way}:'))}"
 
 
 def _same(value: str) -> str:
