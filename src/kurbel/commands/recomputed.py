@@ -25,9 +25,8 @@ from kurbel.verify.drives import Course, Degrees
 from kurbel.verify.loads import disc
 from kurbel.verify.numbers import number as exactly
 from kurbel.verify.numbers import pi, sine_cosine
-from kurbel.verify.places import Place
-from kurbel.verify.roots import Spot, around, root
 from kurbel.verify.turn import Running
+from kurbel.verify.zeros import Place, Spot, around, between, root
 
 if TYPE_CHECKING:
     from kurbel.commands.verified import Second
@@ -83,7 +82,7 @@ def _of_engine(second: Second, key: str, method: str, at: Degrees, row: Row) -> 
     bore, pressure = second.unit()
 
     def push(place: Place) -> Number:
-        found = turn.known.crank.push(place.degrees, place.reach)
+        found = turn.known.crank.push(place)
         return found if pressure is None else found * disc(bore) * pressure
 
     there = second.bodies(turn.drive, push, row)
@@ -123,10 +122,7 @@ def _at_share(second: Second, drive: verify.Drive, method: str, row: Row, back: 
         if share in (0, 1):
             return Spot(lambda: around(_dead(drive, bool(share) != back, back)))
         low, high = (Fraction(float(_dead(drive, outer, back))) for outer in (back, not back))
-        for _ in range(40):
-            middle = (low + high) / 2
-            low, high = (middle, high) if float(course.value(Place(middle))) < share else (low, middle)
-        return root(lambda at: course.value(at) - share, (low + high) / 2)
+        return Spot(lambda: between(lambda at: course.value(at) - share, low, high))
 
     return second.spot((course, share), found)
 
@@ -238,9 +234,9 @@ def _on_engine(
 
     def missed(at: Place) -> Number:
         if condition.kind in (MAX, MIN):
-            return turn.known.slope(at.degrees, at.reach)
+            return turn.known.slope(at)
         mean = turn.known.mean if condition.quantity == "tangential_excess" else 0
-        return turn.known.force(at.degrees, True, at.reach) - mean - condition.value
+        return turn.known.force(at, True) - mean - condition.value
 
     place = second.spot((turn, condition, near), lambda: root(missed, near))
     if key == "phi":

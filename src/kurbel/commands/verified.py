@@ -45,9 +45,8 @@ from kurbel.reading.notation import number, ratio_text
 from kurbel.verify import UNDECIDED, WRONG, Value, enclose
 from kurbel.verify.bodies import Force
 from kurbel.verify.loads import disc
-from kurbel.verify.roots import Spot
 from kurbel.verify.turn import Running
-from kurbel.verify.zeros import TOO_WIDE
+from kurbel.verify.zeros import TOO_WIDE, Spot
 
 # Unit of a key that is not one of the second computation, and that in which it computes.
 OWN = {"length": "mm", "velocity": "mps", "acceleration": "mps2", "force": "n", "torque": "nm"}

@@ -19,9 +19,9 @@ from kurbel.verify.drives import Drive, drive
 from kurbel.verify.loads import Load, compressor, gas, pump, steam
 from kurbel.verify.numbers import Number, Undecided
 from kurbel.verify.turn import Turn, turn
-from kurbel.verify.value import CONFIRMED, UNDECIDED, WRONG, Value, confirms, digits
+from kurbel.verify.value import CONFIRMED, UNDECIDED, WRONG, Value
 
 __all__ = [
     "CONFIRMED", "UNDECIDED", "WRONG", "Bodies", "Drive", "Load", "Number", "Turn", "Undecided", "Value",
-    "bodies", "compressor", "confirms", "digits", "drive", "gas", "pump", "steam", "turn",
+    "bodies", "compressor", "drive", "gas", "pump", "steam", "turn",
 ]  # fmt: skip

@@ -8,18 +8,19 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import cached_property
 from itertools import product
 from typing import Any
 
 from kurbel.errors import ProblemError
 from kurbel.verify.drives import Degrees, Drive, place_of
-from kurbel.verify.enclose import Working
-from kurbel.verify.jets import Jet, slope_of_angle
-from kurbel.verify.numbers import Number, Undecided, number, sine_cosine, spread
-from kurbel.verify.places import OUT, RETURN, Place
+from kurbel.verify.enclose import by_bits
+from kurbel.verify.jets import Jet, slope_of, slope_of_angle
+from kurbel.verify.numbers import Number, Undecided, largest, number, sine_cosine
+from kurbel.verify.places import OUT, RETURN
 from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
+from kurbel.verify.zeros import Place
 
 # A force on B in N about a crank angle.
 Force = Callable[[Place], Jet | Number]
@@ -66,6 +67,10 @@ class Bodies:
         sine, cosine = sine_cosine(self.slope)
         return Arrow(-sine, -cosine).times(number(self.gravity))
 
+    def rod_centre(self, pin: Arrow, end: Arrow) -> Arrow:
+        """The centre of the rod's mass."""
+        return end.plus(pin.minus(end).times(number(self.centre)))
+
     def knows(self, key: str) -> bool:
         name, _, unit = key.replace("_return", "").rpartition("_")
         return unit in ("n", "nm", "j") and name in _FORCES
@@ -82,15 +87,11 @@ class Bodies:
     def at(self, name: str, place: Place, stroke: int = OUT, more: int = 0) -> Number:
         """A force about an angle, or one of its slopes by that in radians."""
         turned = place if stroke == OUT else place.turned(Fraction(180))
-        found = _FORCES[name](_at(self, turned, stroke, more, Working.bits))
-        value: Number = found.slope(more) if isinstance(found, Jet) else number(0) if more else found
-        return value
+        return slope_of(_FORCES[name](self._placed(turned, stroke, more)), more)
 
-
-@lru_cache(maxsize=64)
-def _at(bodies: Bodies, place: Place, stroke: int, more: int, bits: int) -> At:
-    """Kept for many columns, with the bits it was computed with."""
-    return At(bodies, place, stroke, more)
+    @by_bits
+    def _placed(self, place: Place, stroke: int, more: int) -> At:
+        return At(self, place, stroke, more)
 
 
 class At:
@@ -100,16 +101,15 @@ class At:
         self.bodies, self.drive, self.stroke, self.place = bodies, bodies.drive, stroke, place
         self.radius = number(self.drive.radius)
         self.pin_jet, self.end_jet = self.drive.placed(place, 2 + more)
-        pin, end = (
-            Arrow(*(Jet(one.terms[: more + 1]) for one in each)) for each in (self.pin_jet, self.end_jet)
+        self.centre_jet = bodies.rod_centre(self.pin_jet, self.end_jet)
+        self.crank, end, centre = (
+            Arrow(*(Jet(one.terms[: more + 1]) for one in each))
+            for each in (self.pin_jet, self.end_jet, self.centre_jet)
         )
-        self.centre_jet = self.end_jet.plus(self.pin_jet.minus(self.end_jet).times(number(bodies.centre)))
-        self.crank, self.pin, self.end = pin, pin.times(self.radius), end.times(self.radius)
-        self.centre = self.end.plus(self.pin.minus(self.end).times(number(bodies.centre)))
-        self.line = pin.minus(end).times(number(self.drive.ratio))
+        self.pin, self.end, self.centre = (one.times(self.radius) for one in (self.crank, end, centre))
+        self.line = self.crank.minus(end).times(number(self.drive.ratio))
         self.way = self.drive.way(end, stroke)
         self.weight = bodies.weight
-        self._solved: tuple[Arrow, Arrow, Arrow] | None = None
 
     def _by_time(self, first: Jet) -> Jet:
         """x'' ω² + x' α of the slope by the crank angle."""
@@ -140,14 +140,9 @@ class At:
         forward = forward or self.end_jet.slope(2).dot(way).sign()
         return number(-forward * self.bodies.friction)
 
-    @property
+    @cached_property
     def forces(self) -> tuple[Arrow, Arrow, Arrow]:
         """The forces on the rod at A and at B, and that of the guide or the rocker on B."""
-        if self._solved is None:
-            self._solved = self._solve()
-        return self._solved
-
-    def _solve(self) -> tuple[Arrow, Arrow, Arrow]:
         bodies, one, none = self.bodies, number(1), number(0)
         to_pin, to_end = self.pin.minus(self.centre), self.end.minus(self.centre)
         rod = self.accelerated(self.centre_jet).minus(self.weight).times(number(bodies.rod_mass))
@@ -194,8 +189,8 @@ class At:
             along = self.line.times((1 - lean * lean).root()).minus(self.line.right().times(lean))
             thrust = push / along.dot(self.way)
             moment = (self.end.minus(along.right().times(at_end * low))).cross(along) * thrust
-            found.append(moment.value - abs(thrust.value) * at_shaft)
-        return spread(min(one.low for one in found), min(one.high for one in found))
+            found.append(abs(thrust.value) * at_shaft - moment.value)
+        return -largest(found)
 
     @property
     def on_bearing(self) -> Arrow:
@@ -207,10 +202,10 @@ class At:
         return outward.plus(backward).minus(self.forces[0])
 
 
-def kinetic(bodies: Bodies, pin: Arrow) -> Jet:
-    """The energy of motion, over the crank angle at the drive's speed."""
+def energies(bodies: Bodies, pin: Arrow) -> tuple[Jet, Jet]:
+    """Those of motion, over the crank angle at the drive's speed, and of height."""
     drive, end = bodies.drive, bodies.drive.driven(pin)
-    centre = end.plus(pin.minus(end).times(number(bodies.centre)))
+    centre = bodies.rod_centre(pin, end)
     total = centre.derived().square() * bodies.rod_mass + end.derived().square() * bodies.reciprocating
     turn, long = slope_of_angle(*pin.minus(end)), 1 / number(drive.ratio)
     total = total + turn * turn * (long * long * (bodies.spread * bodies.rod_mass))
@@ -219,20 +214,8 @@ def kinetic(bodies: Bodies, pin: Arrow) -> Jet:
     if drive.rocker is not None:
         swung = slope_of_angle(*end.minus(drive.bearing))
         total = total + swung * swung * bodies.inertia
-    found: Jet = total * (omega * omega / 2)
-    return found
-
-
-def stored(bodies: Bodies, pin: Arrow) -> Jet:
-    """The energies of motion and of height."""
-    found = kinetic(bodies, pin)
-    if bodies.slope is None:
-        return found
-    end = bodies.drive.driven(pin)
-    centre = end.plus(pin.minus(end).times(number(bodies.centre)))
     places = end.times(number(bodies.reciprocating)).plus(centre.times(number(bodies.rod_mass)))
-    lifted = places.dot(bodies.weight) * number(bodies.drive.radius)
-    return found - lifted
+    return total * (omega * omega / 2), places.dot(bodies.weight) * -radius
 
 
 def solved(rows: list[list[Any]]) -> list[Any]:
@@ -271,7 +254,7 @@ _FORCES: dict[str, Callable[[At], Any]] = {
     "bearing_across": lambda at: at.on_bearing.y * at.stroke,
     "bearing_force": lambda at: at.on_bearing.size(),
     # Of the rod, of what goes with B and of the rocker.
-    "kinetic_energy": lambda at: kinetic(at.bodies, at.pin_jet),
+    "kinetic_energy": lambda at: energies(at.bodies, at.pin_jet)[0],
     "net_torque": lambda at: at.net_torque,
 }
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 
 from kurbel.verify.drives import Drive
-from kurbel.verify.jets import Jet, slope_of_angle, turned_by
-from kurbel.verify.loads import Load, hull
-from kurbel.verify.numbers import Number, Undecided, number, pi, sine_cosine, spread
+from kurbel.verify.jets import Jet, turned_by
+from kurbel.verify.loads import Load, Stroke
+from kurbel.verify.numbers import Number, hull, number, sine_cosine, spread
 from kurbel.verify.places import OUT, RETURN
 from kurbel.verify.plane import Arrow
-from kurbel.verify.zeros import narrowed
+from kurbel.verify.zeros import Place, between
 
 STROKES = ("outstroke", "return")
 
@@ -29,124 +30,87 @@ class Crank:
         self.whole = [stroke.work(number(1)) * self.size for stroke in self.strokes]
         self.total = sum(self.whole, number(0))
 
-    def pin(
-        self, degrees: Fraction, dead: bool = False, reach: Fraction = Fraction(0), order: int = 1
-    ) -> Arrow:
+    def pin(self, at: Place, order: int = 1, dead: bool = False) -> Arrow:
         """The crank pin at an angle, or at one beyond the inner dead centre, with as many slopes."""
         if not dead or self.inner.is_zero:
-            return self.drive.pin(degrees, order, reach)
+            return self.drive.pin(at.degrees, order, at.reach)
         # At the dead centre it points to B.
         towards = self.drive.dead(OUT).times(1 / (self.drive.rod + 1))
-        sine, cosine = sine_cosine(degrees)
+        sine, cosine = sine_cosine(at.degrees)
         return Arrow(
             *turned_by(towards.y * cosine + towards.x * sine, towards.x * cosine - towards.y * sine, order)
         )
 
-    def on(self, since: Number) -> list[tuple[int, int]]:
-        """The strokes on which an angle since the inner dead centre may be, and the cycles before them."""
-        turns = int((since.low + since.high) / 2 // self.cycle)
+    def on(self, at: Place, dead: bool = False) -> Iterator[tuple[Stroke, int, Number]]:
+        """The strokes on which an angle may be, their senses, and the work of all before them since the inner
+        dead centre."""
+        since = at.angle if dead else at.angle - self.inner
+        turns = int(since.middle // self.cycle)
         since = since - turns * self.cycle
-        found = []
         for index in range(-1, len(self.strokes) + 1):
             begin, end = (self.lead * (one % 2) + 360 * (one // 2) for one in (index, index + 1))
-            if _sign(since - begin) in (0, 1, None) and _sign(since - end) in (-1, None):
+            if (since - begin).side() != -1 and (since - end).side() in (-1, None):
                 after, stroke = divmod(index, len(self.strokes))
-                found.append((stroke, turns + after))
-        return found
+                before = sum(self.whole[:stroke], self.total * (turns + after))
+                yield self.strokes[stroke], RETURN if stroke % 2 else OUT, before
 
-    def since(self, degrees: Fraction, dead: bool, reach: Fraction = Fraction(0)) -> Number:
-        """Degrees from the inner dead centre."""
-        angle = number(degrees) if not reach else spread(degrees - reach, degrees + reach)
-        return angle if dead else angle - self.inner
-
-    def speed(self, pin: Arrow, sense: int) -> Jet:
-        """dx/dφ on a stroke."""
-        if self.flat:
-            lift = pin.y * pin.y * (self.drive.ratio / 2) - pin.x
-            return lift.derived() * number(sense)
-        end = self.drive.driven(pin)
-        if self.drive.rocker is None:
-            return end.x.derived() * number(-sense)
-        return slope_of_angle(*end.minus(self.drive.bearing)) * number(
-            -sense * self.drive.right * self.drive.rocker
-        )
-
-    def way(self, pin: Arrow, sense: int) -> Number:
+    def moved(self, pin: Arrow, sense: int) -> Jet:
         """x since the beginning of a stroke."""
-        if self.flat:
-            here = pin.value()
-            gone = 1 - here.x + here.y * here.y * (self.drive.ratio / 2)
-            return gone if sense == OUT else 2 - gone
-        end = self.drive.driven(pin)
-        if self.drive.rocker is None:
-            return (self.drive.dead(sense).x - end.x.value) * sense
-        found: Number = self.drive.moved(end, sense).value
+        if not self.flat:
+            found: Jet = self.drive.moved(self.drive.driven(pin), sense)
+            return found
+        gone: Jet = 1 - pin.x + pin.y * pin.y * (self.drive.ratio / 2)
+        return gone if sense == OUT else 2 - gone
+
+    def share(self, pin: Arrow, sense: int) -> Number:
+        found: Number = self.moved(pin, sense).value / self.size
         return found
 
-    def force(self, degrees: Fraction, true: bool, reach: Fraction = Fraction(0)) -> Number:
+    def force(self, at: Place, true: bool = False) -> Number:
         """T at its own angle; `true` with the rod's true angle on the path by first order."""
-        pin, found = self.pin(degrees, reach=reach), []
-        for index, _ in self.on(self.since(degrees, False, reach)):
-            sense = OUT if index % 2 == 0 else RETURN
-            slope = self.speed(pin, sense).value
+        pin, found = self.pin(at), []
+        for stroke, sense, _ in self.on(at):
+            slope = self.moved(pin, sense).slope()
             if true and self.flat and self.drive.ratio:
-                slope = self.drive.driven(pin).x.slope(1) * -sense
-            found.append(self.strokes[index].force(self.way(pin, sense) / self.size) * slope)
+                slope = self.drive.driven(pin).x.slope() * -sense
+            found.append(stroke.force(self.share(pin, sense)) * slope)
         return hull(found)
 
-    def push(self, degrees: Fraction, reach: Fraction = Fraction(0)) -> Number:
+    def push(self, at: Place) -> Number:
         """The force on the piston towards the shaft, at its own angle."""
-        pin, found = self.pin(degrees, reach=reach), []
-        for index, _ in self.on(self.since(degrees, False, reach)):
-            sense = OUT if index % 2 == 0 else RETURN
-            found.append(self.strokes[index].force(self.way(pin, sense) / self.size) * sense)
-        return hull(found)
+        pin = self.pin(at)
+        return hull([stroke.force(self.share(pin, sense)) * sense for stroke, sense, _ in self.on(at)])
 
-    def slope(self, degrees: Fraction, reach: Fraction) -> Number:
+    def slope(self, at: Place) -> Number:
         """dT/dφ = F'(s) x'²/S + F x'' over a cell."""
-        point, wide, found = self.pin(degrees), self.pin(degrees, reach=reach, order=2), []
-        arc = pi() / 180 * spread(-reach, reach)
-        for index, _ in self.on(self.since(degrees, False, reach)):
-            sense = OUT if index % 2 == 0 else RETURN
-            speed = self.speed(wide, sense)
-            share = (self.way(point, sense) + speed.value * arc) / self.size
+        point, wide, found = self.pin(Place(at.degrees)), self.pin(at, 2), []
+        for stroke, sense, _ in self.on(at):
+            moved = self.moved(wide, sense)
+            share = self.share(point, sense) + moved.slope() * at.arc / self.size
             share = spread(max(share.low, Fraction(0)), max(min(share.high, Fraction(1)), Fraction(0)))
-            stroke = self.strokes[index]
-            changed = stroke.slope(share) * speed.value * speed.value / self.size
-            found.append(changed + stroke.force(share) * speed.slope())
+            changed = stroke.slope(share) * moved.slope() * moved.slope() / self.size
+            found.append(changed + stroke.force(share) * moved.slope(2))
         return hull(found)
 
-    def work(self, degrees: Fraction, dead: bool = False) -> Number:
+    def work(self, at: Place, dead: bool = False) -> Number:
         """The work since its inner dead centre of the first cycle."""
-        pin, found = self.pin(degrees, dead), []
-        for index, turns in self.on(self.since(degrees, dead)):
-            sense = OUT if index % 2 == 0 else RETURN
-            part = self.strokes[index].work(self.way(pin, sense) / self.size) * self.size
-            found.append(sum(self.whole[:index], self.total * turns) + part)
-        return hull(found)
+        pin = self.pin(at, dead=dead)
+        return hull(
+            [
+                before + stroke.work(self.share(pin, sense)) * self.size
+                for stroke, sense, before in self.on(at, dead)
+            ]
+        )
 
     def cut_off(self, stroke: str) -> Number:
         """The angle from its dead centre at which a stroke's first pressure has its corner."""
         index = STROKES.index(stroke)
         sense, begin = (OUT, RETURN)[index], self.inner + self.lead * index
-        share = self.strokes[index].sides[0][1].pieces[0][0]
+        lasting, share = (self.lead, 360 - self.lead)[index], self.strokes[index].sides[0][1].pieces[0][0]
         if share.rational == 1:
-            return self.lead if sense == OUT else 360 - self.lead
-
-        def short(degrees: Fraction) -> Number:
-            return self.way(self.pin(degrees), sense) - share * self.size
-
-        low, high = Fraction(float(begin)), Fraction(float(self.inner + (self.lead, number(360))[index]))
-        for _ in range(30):
-            middle = (low + high) / 2
-            low, high = (low, middle) if float(short(middle)) > 0 else (middle, high)
-
-        def speed(degrees: Fraction, reach: Fraction) -> Number:
-            found: Number = self.speed(self.pin(degrees, reach=reach), sense).value
-            return found
-
-        point, reach = narrowed(short, speed, (low + high) / 2, Fraction(1, 1000))
-        return spread(point - reach, point + reach) - begin
+            return lasting
+        ends = (Fraction(float(one)) for one in (begin, begin + lasting))
+        return between(lambda at: self.share(self.pin(at), sense) - share, *ends).angle - begin
 
     def stage(self, first: bool) -> Number:
         """The work of the steam before the cut-off, or beyond it."""
@@ -157,10 +121,3 @@ class Crank:
     def back(self) -> Number:
         area, against = self.strokes[0].sides[1]
         return against.integral(number(1)) * -area * self.size
-
-
-def _sign(one: Number) -> int | None:
-    try:
-        return one.sign()
-    except Undecided:
-        return None

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from kurbel.verify.extremes import Sloping, greatest
 from kurbel.verify.numbers import Number, number, pi, sine_cosine, spread
-from kurbel.verify.places import Place
+from kurbel.verify.zeros import Place
 
 # Amplitude, order and phase in degrees; from one angle to another the first value and the slope per degree.
 Wave = tuple[Fraction, Fraction, Fraction]

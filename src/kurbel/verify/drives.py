@@ -11,11 +11,12 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.errors import ProblemError
-from kurbel.verify.jets import Jet, direction, slope_of_angle
-from kurbel.verify.numbers import Number, degrees_of, number, pi
-from kurbel.verify.places import OUT, RETURN, Place, Places
+from kurbel.verify.jets import Jet, direction, slope_of, slope_of_angle
+from kurbel.verify.numbers import Number, degrees_of, largest, number, pi
+from kurbel.verify.places import OUT, RETURN, Places
 from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
+from kurbel.verify.zeros import Place
 
 METHODS = ("exact", "series", "infinite", "difference")
 # An angle, or what finds one with the working bits.
@@ -191,8 +192,7 @@ class Course:
         else:
             turned = place if stroke == OUT else place.turned(Fraction(180))
             found = self.drive.course(name, turned, stroke, self.method, self.order, more)
-        at: Number = found.slope(more) if isinstance(found, Jet) else number(0) if more else found
-        return at * self.drive.unit(unit)
+        return slope_of(found, more) * self.drive.unit(unit)
 
 
 def drive(
@@ -317,13 +317,8 @@ def _transmission(drive: Drive) -> Number:
         abs((rod * rod + rocker * rocker - (apart + side) * (apart + side)) / (2 * rod * rocker))
         for side in (1, -1)
     ]
-    most = _greater(*cosines)
+    most = largest(cosines)
     return degrees_of(most, (1 - most * most).root())
-
-
-def _greater(one: Number, other: Number) -> Number:
-    ahead = (one - other).sign()
-    return one if ahead >= 0 else other
 
 
 def _lead(drive: Drive) -> Number:

@@ -11,12 +11,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from fractions import Fraction
-from typing import Any
+from functools import lru_cache, wraps
+from typing import Any, ParamSpec, TypeVar
 
 from mpmath import libmp
 
 # mpmath's float, a tuple; mpmath has no types.
 End = Any
+P = ParamSpec("P")
+Found = TypeVar("Found")
 
 # Guard bits take up what some dozens of roundings widen, spare ones what the terms of a series are cut off.
 GUARD, SPARE = 20, 10
@@ -28,9 +31,6 @@ class Working:
     bits = 53
 
 
-_constants: dict[tuple[str, int], Interval] = {}
-
-
 @contextmanager
 def working(bits: int) -> Iterator[None]:
     """Compute with so many bits and some guard bits."""
@@ -40,6 +40,20 @@ def working(bits: int) -> Iterator[None]:
         yield
     finally:
         Working.bits = before
+
+
+def by_bits(function: Callable[P, Found]) -> Callable[P, Found]:
+    """Keep what a function finds, with the bits it was found with."""
+
+    @lru_cache(maxsize=256)
+    def kept(bits: int, *given: P.args, **named: P.kwargs) -> Found:
+        return function(*given, **named)
+
+    @wraps(function)
+    def found(*given: P.args, **named: P.kwargs) -> Found:
+        return kept(Working.bits, *given, **named)  # type: ignore[arg-type]
+
+    return found
 
 
 class Interval:
@@ -125,25 +139,16 @@ def sized(bound: Interval) -> Interval:
     return Interval(libmp.mpf_neg(end), end)
 
 
-def square_root(x: Interval) -> Interval:
-    return Interval(*libmp.mpi_sqrt(x.ends, Working.bits))
-
-
+@by_bits
 def pi() -> Interval:
     """π = 16 arctan 1/5 - 4 arctan 1/239 (Machin), by the series of `_odd_powers`."""
-    return _constant("pi", lambda: 16 * _odd_powers(of(1) / 5, -1) - 4 * _odd_powers(of(1) / 239, -1))
+    return 16 * _odd_powers(of(1) / 5, -1) - 4 * _odd_powers(of(1) / 239, -1)
 
 
+@by_bits
 def log_two() -> Interval:
     """log 2 = 2 artanh 1/3, for (1 + 1/3)/(1 - 1/3) = 2."""
-    return _constant("log 2", lambda: 2 * _odd_powers(of(1) / 3, 1))
-
-
-def _constant(name: str, compute: Callable[[], Interval]) -> Interval:
-    key = name, Working.bits
-    if key not in _constants:
-        _constants[key] = compute()
-    return _constants[key]
+    return 2 * _odd_powers(of(1) / 3, 1)
 
 
 def _units(point: Interval, spare: int = SPARE) -> tuple[int, int]:
@@ -193,7 +198,7 @@ def arctangent(x: Interval) -> Interval:
     turned = low(point) > 1
     reduced = 1 / point if turned else point
     for _ in range(3):
-        reduced = reduced / (1 + square_root(1 + reduced * reduced))
+        reduced = reduced / (1 + root(1 + reduced * reduced))
     angle = 8 * _odd_powers(reduced, -1)
     return (pi() / 2 - angle if turned else angle) + reach
 
@@ -265,4 +270,4 @@ def root(x: Interval) -> Interval:
         if high(x) < 0:
             raise ZeroDivisionError("the root of a negative number")
         x = Interval(libmp.fzero, x.ends[1])
-    return square_root(x)
+    return Interval(*libmp.mpi_sqrt(x.ends, Working.bits))

@@ -10,9 +10,8 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from kurbel.verify.enclose import Working
-from kurbel.verify.numbers import Number, Undecided, pi, spread
-from kurbel.verify.places import Place
-from kurbel.verify.zeros import TOO_WIDE
+from kurbel.verify.numbers import Number, Undecided, spread
+from kurbel.verify.zeros import TOO_WIDE, Place
 
 CELLS, MOST, WIDEST = 24, 4000, Fraction(10**400)
 # A function over the crank angle, or its slope by that in radians.
@@ -20,8 +19,7 @@ Sloping = Callable[[Place, int], Number]
 
 
 def greatest(function: Sloping, low: Fraction, high: Fraction) -> Number:
-    width = (high - low) / CELLS / 2
-    cells = [Place(low + width * (2 * index + 1), width) for index in range(CELLS)]
+    cells = Place((low + high) / 2, (high - low) / 2).parts(CELLS)
     reached, fine, tried = -WIDEST, Fraction(1, 2 ** (Working.bits // 3)), 0
     while tried < MOST:
         bounds: list[tuple[Fraction, Place]] = []
@@ -29,7 +27,7 @@ def greatest(function: Sloping, low: Fraction, high: Fraction) -> Number:
         for cell in cells:
             try:
                 middle = function(Place(cell.degrees), 0)
-                around = middle + function(cell, 1) * spread(-cell.reach, cell.reach) * pi() / 180
+                around = middle + function(cell, 1) * cell.arc
             except TOO_WIDE:
                 bounds.append((WIDEST, cell))
             else:
@@ -39,9 +37,5 @@ def greatest(function: Sloping, low: Fraction, high: Fraction) -> Number:
         top = max(bound for bound, _ in bounds)
         if top - reached <= fine * max(abs(reached), fine):
             return spread(reached, top)
-        cells = [
-            Place(cell.degrees + side * cell.reach / 2, cell.reach / 2)
-            for _, cell in bounds
-            for side in (-1, 1)
-        ]
+        cells = [half for _, cell in bounds for half in cell.parts()]
     raise Undecided("the greatest value")

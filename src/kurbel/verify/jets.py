@@ -150,6 +150,9 @@ def angle_of(value: Number, slope: Jet) -> Jet:
     return Jet([value, *(one / k for k, one in enumerate(slope.terms, 1))])
 
 
-def variable(order: int) -> Jet:
-    """The variable itself, about 0."""
-    return Jet([number(int(k == 1)) for k in range(order + 1)])
+def slope_of(found: Jet | Number, order: int) -> Number:
+    """The slope of this order, 0 the value, of what may have none for it does not change."""
+    if isinstance(found, Jet):
+        slope: Number = found.slope(order)
+        return slope
+    return number(0) if order else found

@@ -17,7 +17,7 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.errors import ProblemError
-from kurbel.verify.numbers import Number, Undecided, number, pi, spread
+from kurbel.verify.numbers import Number, hull, number, pi, spread
 
 # Typed: a fraction or a decimal.
 Given = Any
@@ -78,13 +78,10 @@ class Pressure:
         """∫ from 0 to a share."""
         done, begin, found = number(0), number(0), []
         for end, piece in self.pieces:
-            try:
-                side = (share - end).sign()
-            except Undecided:
+            side = (share - end).side()
+            if side != 1:
                 found.append(done + piece.integral(begin, share))
-                side = 1
-            if side <= 0:
-                found.append(done + piece.integral(begin, share))
+            if side in (0, -1):
                 break
             done, begin = done + piece.integral(begin, end), end
         else:
@@ -97,10 +94,10 @@ class Pressure:
         begin = number(0)
         for end, piece in self.pieces:
             last = end is self.pieces[-1][0]
-            side = -1 if last else _side(share, end)
-            if side <= 0:
-                found.append((piece, _within(share, begin, end) if found or side == 0 or last else share))
-            if side < 0:
+            side = 0 if last else (share - end).side()
+            if side != 1:
+                found.append((piece, _within(share, begin, end) if found or side is None or last else share))
+            if side in (0, -1):
                 break
             begin = end
         return found
@@ -129,27 +126,12 @@ class Stroke:
 Load = Callable[[], tuple[Stroke, ...]]
 
 
-def _side(share: Number, end: Number) -> int:
-    """-1 where a share is before the corner or at it, 1 beyond, 0 where that is not known."""
-    try:
-        return 1 if (share - end).sign() > 0 else -1
-    except Undecided:
-        return 0
-
-
 def _within(share: Number, low: Number, high: Number) -> Number:
     """The part of an interval of shares that lies on a piece."""
     if share.exact is not None:
         return share
     begin, end = max(share.low, low.low), min(share.high, high.high)
     return spread(begin, end) if begin <= end else share
-
-
-def hull(numbers: list[Number]) -> Number:
-    """Return an enclosure of all of them."""
-    if len(numbers) == 1:
-        return numbers[0]
-    return spread(min(one.low for one in numbers), max(one.high for one in numbers))
 
 
 def monotone(function: Callable[[Number], Number], at: Number) -> Number:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -50,14 +51,15 @@ class Number:
     def is_zero(self) -> bool:
         return self.exact == {}
 
+    def side(self) -> int | None:
+        """The sign where it is known."""
+        return 0 if self.is_zero else 1 if self.low > 0 else -1 if self.high < 0 else None
+
     def sign(self) -> int:
-        if self.is_zero:
-            return 0
-        if self.low > 0:
-            return 1
-        if self.high < 0:
-            return -1
-        raise Undecided("a sign")
+        known = self.side()
+        if known is None:
+            raise Undecided("a sign")
+        return known
 
     @property
     def middle(self) -> Fraction:
@@ -76,7 +78,6 @@ class Number:
         if not isinstance(other, KINDS):
             return NotImplemented
         other = number(other)
-        exact = None
         if self.exact is not None and other.exact is not None:
             exact = surd.added(self.exact, other.exact)
             if exact is not None:
@@ -93,13 +94,9 @@ class Number:
         return Number(-self.span)
 
     def __sub__(self, other: Any) -> Number:
-        if not isinstance(other, KINDS):
-            return NotImplemented
-        return self + -number(other)
+        return self + -other
 
     def __rsub__(self, other: Any) -> Number:
-        if not isinstance(other, KINDS):
-            return NotImplemented
         return -self + other
 
     def __mul__(self, other: Any) -> Number:
@@ -170,6 +167,19 @@ def number(given: Number | Fraction | int | str) -> Number:
 
 def spread(low: Fraction, high: Fraction) -> Number:
     return Number(enclose.between(low, high))
+
+
+def hull(numbers: Sequence[Number]) -> Number:
+    """Return an enclosure of all of them."""
+    if len(numbers) == 1:
+        return numbers[0]
+    return spread(min(one.low for one in numbers), max(one.high for one in numbers))
+
+
+def largest(numbers: Sequence[Number]) -> Number:
+    """Return an enclosure of the greatest of them."""
+    best = max(one.low for one in numbers)
+    return hull([one for one in numbers if one.high >= best])
 
 
 def pi() -> Number:

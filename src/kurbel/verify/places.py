@@ -9,34 +9,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any
 
-from kurbel.verify import enclose
+from kurbel.verify.enclose import by_bits
 from kurbel.verify.jets import Jet, angle_of, slope_of_angle, turning
-from kurbel.verify.numbers import Number, degrees_of, number, pi, spread
+from kurbel.verify.numbers import Number, degrees_of, number, pi
 from kurbel.verify.plane import Arrow, circle_meets_circle, circle_meets_level
-from kurbel.verify.zeros import zero
+from kurbel.verify.zeros import Place, between
 
 OUT, RETURN = 1, -1
 # Slopes that a jet has.
 ORDER = 3
 SHAFT = Arrow(number(0), number(0))
-
-
-class Place(NamedTuple):
-    """A crank angle in degrees, or all within a reach of it."""
-
-    degrees: Fraction
-    reach: Fraction = Fraction(0)
-
-    @property
-    def angle(self) -> Number:
-        low, high = self.degrees - self.reach, self.degrees + self.reach
-        return spread(low, high) if self.reach else number(low)
-
-    def turned(self, degrees: Fraction) -> Place:
-        return Place(self.degrees + degrees, self.reach)
 
 
 @dataclass(frozen=True)
@@ -64,7 +48,7 @@ class Places:
     def bearing(self) -> Arrow:
         """The pivot of the rocker."""
         if self.beam:
-            return _beam_pivot(self, enclose.Working.bits)
+            return self._beam_pivot()
         assert self.rocker is not None
         if self.pivot is None:
             return Arrow(self.rod, number(self.offset + self.rocker))
@@ -77,20 +61,23 @@ class Places:
         """Where B is."""
         return self.reached(pin, self.rod)
 
+    @by_bits
     def placed(self, place: Place, order: int = ORDER) -> tuple[Arrow, Arrow]:
         """A and B at an angle, with so many slopes."""
-        return _placed(self, place, order, enclose.Working.bits)
+        pin = self.pin(place.degrees, order, place.reach)
+        return pin, self.driven(pin)
 
     def reached(self, centre: Arrow, reach: Number) -> Arrow:
         if self.rocker is None:
             return circle_meets_level(centre, reach, number(self.offset))
         return circle_meets_circle(centre, reach, self.bearing, number(self.rocker), self.right)
 
+    @by_bits
     def dead(self, stroke: int) -> Arrow:
         """Where B is at the dead centre from which a stroke begins: crank and rod in one line, L + 1 or L - 1
         from the shaft. Seen from the shaft it is on the same side of the pivot as from A, for A is on the
         line through B and the shaft, before B."""
-        return _dead(self, stroke, enclose.Working.bits)
+        return self.reached(SHAFT, self.rod + stroke)
 
     def dead_degrees(self, stroke: int) -> Number:
         """The crank angle of that dead centre: A points to B on the outstroke, away from it on the return."""
@@ -139,37 +126,23 @@ class Places:
         before, after = (self.dead(one).minus(self.bearing) for one in (OUT, RETURN))
         return abs(degrees_of(before.dot(after), before.cross(after)))
 
+    @by_bits
+    def _beam_pivot(self) -> Arrow:
+        """The beam's end swings from q above to q below; the vertical through the shaft halves its sagitta.
 
-# What many columns ask for is kept, with the bits it was computed with.
+        With s half the sagitta and the beam level at the height h, (h + q)² + s² = (L + 1)² and
+        (h - q)² + s² = (L - 1)²: their difference is h q = L, their mean L²/q² + q² + s² = L² + 1. The lesser
+        q is between 1, where s² is left, and √L, where the first two are least.
+        """
+        assert self.rocker is not None
+        arm, rod = number(self.rocker), self.rod
 
+        def half_sagitta(chord: Number) -> Number:
+            return (arm - (arm * arm - chord * chord).root()) / 2
 
-@lru_cache(maxsize=64)
-def _placed(places: Places, place: Place, order: int, bits: int) -> tuple[Arrow, Arrow]:
-    pin = places.pin(place.degrees, order, place.reach)
-    return pin, places.driven(pin)
+        def misses(at: Place) -> Number:
+            chord, aside = at.angle, half_sagitta(at.angle)
+            return rod * rod / (chord * chord) + chord * chord + aside * aside - (rod * rod + 1)
 
-
-@lru_cache(maxsize=64)
-def _dead(places: Places, stroke: int, bits: int) -> Arrow:
-    return places.reached(SHAFT, places.rod + stroke)
-
-
-@lru_cache(maxsize=64)
-def _beam_pivot(places: Places, bits: int) -> Arrow:
-    """The beam's end swings from q above to q below; the vertical through the shaft halves its sagitta.
-
-    With s half the sagitta and the beam level at the height h, (h + q)² + s² = (L + 1)² and
-    (h - q)² + s² = (L - 1)²: their difference is h q = L, their mean L²/q² + q² + s² = L² + 1.
-    """
-    assert places.rocker is not None
-    arm, rod = number(places.rocker), places.rod
-
-    def half_sagitta(chord: Any) -> Any:
-        return (arm - (arm * arm - chord * chord).root()) / 2
-
-    def misses(chord: Jet) -> Jet:
-        aside = half_sagitta(chord)
-        return rod * rod / (chord * chord) + chord * chord + aside * aside - (rod * rod + 1)
-
-    chord = zero(misses, Fraction(1))
-    return Arrow(rod / chord, arm - half_sagitta(chord))
+        chord = between(misses, Fraction(1), min(self.rocker, rod.root().middle)).angle
+        return Arrow(rod / chord, arm - half_sagitta(chord))

@@ -11,7 +11,7 @@ R, energies in Q R. What is proved, and how:
 - W is stationary where T = P. T is Lipschitz (dx/dφ vanishes where F leaps), so T(X) lies in
   T(m) + T'(X)(X - m) with T'(X) the hull over corners. Cells of a partition of the cycle are halved until
   either this excludes P, or T' has one sign there and the ends tell whether T meets P once or never: no
-  place is missed. Newton's interval then narrows each as far as asked.
+  place is missed. The sign of T - P then narrows each as far as asked.
 - Cranks that come again when all are turned by an angle make a turn that comes again after it, of which one
   period is looked at; of alike places the first counts.
 - The least and the greatest W are those of these places; a value is the hull of all that may be it.
@@ -23,22 +23,22 @@ Weisbach's own relations.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial
-from typing import Any
+from functools import cached_property, partial
+from typing import Any, NamedTuple
 
 from kurbel.errors import ProblemError
-from kurbel.verify import enclose
-from kurbel.verify.bodies import Bodies, stored
+from kurbel.verify.bodies import Bodies, energies
 from kurbel.verify.crank import STROKES, Crank
 from kurbel.verify.drives import Degrees, Drive, place_of
+from kurbel.verify.enclose import by_bits
 from kurbel.verify.jets import Jet
 from kurbel.verify.loads import Load, disc
-from kurbel.verify.numbers import Number, Undecided, number, pi, spread
-from kurbel.verify.places import ORDER, Place
+from kurbel.verify.numbers import Number, Undecided, largest, number, pi
+from kurbel.verify.places import ORDER
 from kurbel.verify.value import Value
-from kurbel.verify.zeros import TOO_WIDE, narrowed
+from kurbel.verify.zeros import TOO_WIDE, Place, between
 
 # Where cells begin, away from what machines are given by, cells of a turn, and the least half of one, in
 # degrees.
@@ -46,12 +46,10 @@ START, COUNT, LEAST = Fraction(-13, 89), 48, Fraction(1, 2**40)
 ZERO = Fraction(0)
 
 
-@dataclass(frozen=True)
-class Meeting:
+class Meeting(NamedTuple):
     """A cell in which T meets P exactly once; the speed is least where T rises."""
 
-    middle: Fraction
-    half: Fraction
+    cell: Place
     rising: bool
 
 
@@ -66,7 +64,6 @@ class Turn:
     bodies: Bodies | None = None
     bore: Fraction = Fraction(1)
     pressure: Fraction = Fraction(1)
-    _kept: dict[Any, Any] = field(default_factory=dict, compare=False, repr=False)
 
     def value(self, key: str, degrees: Degrees = 0, *, stroke: str = "turn") -> Value:
         """Return what kurbel's column of this key says: `tangential` at an angle, `delta` of the cycle,
@@ -88,21 +85,14 @@ class Turn:
         return self.known.narrowed(one)[0]
 
     @property
+    @by_bits
     def known(self) -> Known:
         """What is known with the working bits."""
-        bits = enclose.Working.bits
-        if bits not in self._kept:
-            self._kept[bits] = Known(self)
-        found: Known = self._kept[bits]
-        return found
+        return Known(self)
 
-    @property
+    @cached_property
     def meetings(self) -> list[Meeting]:
-        if "meetings" not in self._kept:
-            found: list[Meeting] = Value(lambda: number(0)).decided(lambda _: list(self.known.told_apart()))
-            self._kept["meetings"] = sorted(found, key=lambda one: one.middle)
-        kept: list[Meeting] = self._kept["meetings"]
-        return kept
+        return sorted(Value(lambda: number(0)).decided(lambda _: list(self.known.told_apart())))
 
 
 class Known:
@@ -114,77 +104,71 @@ class Known:
         self.period = repeated(turn.cranks, self.crank.cycle)
         self.mean = self.crank.total * len(turn.cranks) / (pi() * self.crank.cycle / 180)
         self.first = self._begun()
-        self._excess: dict[Fraction, Number] = {}
-        self._narrow: dict[Meeting, tuple[Number, Number]] = {}
 
-    def masses(self, degrees: Fraction, dead: bool = False, reach: Fraction = Fraction(0)) -> Jet:
+    def masses(self, at: Place, dead: bool = False) -> Jet:
         """The energy of all masses in Q R."""
         bodies = self.turn.bodies
         assert bodies is not None
         unit = disc(self.turn.bore) * self.turn.pressure * self.drive.radius
-        pins = (self.crank.pin(degrees - crank, dead, reach, ORDER) for crank in self.turn.cranks)
-        first, *rest = (stored(bodies, pin) * (1 / unit) for pin in pins)
+        pins = (self.crank.pin(at.turned(-crank), ORDER, dead) for crank in self.turn.cranks)
+        first, *rest = (one * (1 / unit) for pin in pins for one in energies(bodies, pin))
         return sum(rest, first)
 
-    def force(self, degrees: Fraction, true: bool = False, reach: Fraction = ZERO) -> Number:
-        total = sum((self.crank.force(degrees - one, true, reach) for one in self.turn.cranks), number(0))
-        return total - self.masses(degrees, reach=reach).slope() if self.turn.bodies else total
+    def force(self, at: Place, true: bool = False) -> Number:
+        total = sum((self.crank.force(at.turned(-one), true) for one in self.turn.cranks), number(0))
+        return total - self.masses(at).slope() if self.turn.bodies else total
 
-    def slope(self, degrees: Fraction, reach: Fraction) -> Number:
-        total = sum((self.crank.slope(degrees - one, reach) for one in self.turn.cranks), number(0))
-        return total - self.masses(degrees, reach=reach).slope(2) if self.turn.bodies else total
+    def slope(self, at: Place) -> Number:
+        total = sum((self.crank.slope(at.turned(-one)) for one in self.turn.cranks), number(0))
+        return total - self.masses(at).slope(2) if self.turn.bodies else total
 
-    def excess(self, degrees: Fraction) -> Number:
-        if degrees not in self._excess:
-            self._excess[degrees] = self.force(degrees) - self.mean
-        return self._excess[degrees]
+    @by_bits
+    def excess(self, at: Place) -> Number:
+        return self.force(at) - self.mean
 
     def _begun(self) -> Number:
         """What is taken from the works so that they count from the first crank's inner dead centre."""
-        nothing = [one for one in self.turn.cranks if one]
-        total = sum((self.crank.work(-one, True) for one in nothing), number(0))
-        return total - self.masses(Fraction(0), True).value if self.turn.bodies else total
+        works = (self.crank.work(Place(-one), True) for one in self.turn.cranks if one)
+        total = sum(works, number(0))
+        return total - self.masses(Place(ZERO), True).value if self.turn.bodies else total
 
     def energy(self, degrees: Fraction) -> Number:
         """W since that dead centre."""
-        done = sum((self.crank.work(degrees - one) for one in self.turn.cranks), number(0))
+        at = Place(degrees)
+        done = sum((self.crank.work(at.turned(-one)) for one in self.turn.cranks), number(0))
         if self.turn.bodies:
-            done = done - self.masses(degrees).value
-        return done - self.first - self.mean * self.crank.since(degrees, False) * pi() / 180
+            done = done - self.masses(at).value
+        return done - self.first - self.mean * (at.angle - self.crank.inner) * pi() / 180
 
     # Where the speed is least and greatest.
 
     def told_apart(self) -> Iterator[Meeting]:
         """All places of a period at which T meets P, each in a cell of its own."""
-        count = max(self.period * COUNT // 360, 1)
-        half = self.period / count / 2
-        cells = [(START + half * (2 * index + 1), half) for index in range(count)]
+        half = self.period / 2
+        cells = Place(START + half, half).parts(int(max(self.period * COUNT // 360, 1)))
         while cells:
-            middle, half = cells.pop()
+            cell = cells.pop()
             try:
-                slope = self.slope(middle, half)
-                reached = self.excess(middle) + slope * spread(-half, half) * pi() / 180
-                if ZERO not in reached:
+                slope = self.slope(cell)
+                if ZERO not in self.excess(Place(cell.degrees)) + slope * cell.arc:
                     continue
                 if ZERO not in slope:
-                    before, after = (self.excess(middle + side * half).sign() for side in (-1, 1))
+                    before, after = (self.excess(Place(end)).sign() for end in cell.ends)
                     if before != after:
-                        yield Meeting(middle, half, after > 0)
+                        yield Meeting(cell, after > 0)
                     continue
             except TOO_WIDE:
                 pass
-            if half < LEAST:
+            if cell.reach < LEAST:
                 raise Undecided("a place at which the speed is stationary")
-            cells += [(middle + side * half / 2, half / 2) for side in (-1, 1)]
+            cells += cell.parts()
 
+    @by_bits
     def narrowed(self, one: Meeting) -> tuple[Number, Number]:
         """The angle of a place from the slide direction, and the energy there."""
-        if one not in self._narrow:
-            point, reach = narrowed(self.excess, self.slope, one.middle, one.half)
-            around = spread(-reach, reach) * pi() / 180
-            off = (self.excess(point) + self.slope(point, reach) * around) * around
-            self._narrow[one] = spread(point - reach, point + reach), self.energy(point) + off
-        return self._narrow[one]
+        at = between(self.excess, *one.cell.ends)
+        off = (self.excess(Place(at.degrees)) + self.slope(at) * at.arc) * at.arc
+        return at.angle, self.energy(at.degrees) + off
 
     def extremes(self, stroke: str, greatest: bool) -> list[tuple[Number, Number]]:
         """Those that may be the greatest or the least: angles from the span's dead centre, energies."""
@@ -194,7 +178,7 @@ class Known:
                 continue
             angle, energy = self.narrowed(one)
             since = angle - self.crank.inner
-            since = since - int((since.low + since.high) / 2 // self.period) * self.period
+            since = since - int(since.middle // self.period) * self.period
             if stroke != "turn":
                 late = (since - self.crank.lead).sign() > 0
                 if late != (stroke == "return"):
@@ -213,9 +197,7 @@ class Known:
         return found[0][0]
 
     def extreme_energy(self, stroke: str, greatest: bool) -> Number:
-        """The greatest of several numbers is between the greatest ends."""
-        energies = [energy for _, energy in self.extremes(stroke, greatest)]
-        best = spread(max(one.low for one in energies), max(one.high for one in energies))
+        best = largest([energy for _, energy in self.extremes(stroke, greatest)])
         return best if greatest else -best
 
     def delta(self) -> Number:
@@ -264,11 +246,11 @@ class Running:
 
 _AT: dict[str, Callable[[Known, Place], Number]] = {
     # The work over the angle: by first order T is that of the true rod.
-    "power": lambda known, at: known.force(at.degrees, False, at.reach),
+    "power": lambda known, at: known.force(at),
     # Of the first crank, towards the shaft.
-    "piston_force": lambda known, at: known.crank.push(at.degrees, at.reach),
-    "tangential": lambda known, at: known.force(at.degrees, True, at.reach),
-    "tangential_excess": lambda known, at: known.force(at.degrees, True, at.reach) - known.mean,
+    "piston_force": lambda known, at: known.crank.push(at),
+    "tangential": lambda known, at: known.force(at, True),
+    "tangential_excess": lambda known, at: known.force(at, True) - known.mean,
     "energy": lambda known, at: known.energy(at.degrees),
 }
 _OF: dict[str, Callable[[Known], Number]] = {

@@ -72,8 +72,7 @@ class Value:
 
     def near(self, bits: int = 200) -> Fraction:
         """Return the middle of an enclosure, for those who compare with a tolerance."""
-        found = self.enclosure(bits)
-        return (found.low + found.high) / 2
+        return self.enclosure(bits).middle
 
     def __float__(self) -> float:
         return float(self.near(FIRST))
@@ -86,14 +85,6 @@ class Value:
 
     def __mul__(self, factor: Fraction | int) -> Value:
         return Value(lambda: self.recipe() * factor)
-
-
-def digits(value: Value, decimals: int) -> str:
-    return value.digits(decimals)
-
-
-def confirms(value: Value, printed: str) -> str:
-    return value.confirms(printed)
 
 
 def _rounded(found: Number, decimals: int, rounding: str) -> int:

@@ -1,72 +1,146 @@
-"""Zeros with proof: interval Newton."""
+"""Crank angles at which something is zero: a sign that changes, proved at both ends.
+
+Of a continuous function over the crank angle that is below zero at one end of an interval and above it at the
+other, a zero lies between. Nothing else of the function is needed, neither slopes nor a formula of the zero.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from fractions import Fraction
-from typing import Any
+from functools import cache
+from typing import NamedTuple
 
-from kurbel.verify import enclose
-from kurbel.verify.jets import Jet
+from kurbel.verify.enclose import Working, by_bits
 from kurbel.verify.numbers import Number, Undecided, number, pi, spread
+from kurbel.verify.value import Value
 
 # What an enclosure too wide for a cell raises.
 TOO_WIDE = (Undecided, ZeroDivisionError, OverflowError, ValueError)
+# How far from a printed angle its zero is looked for, in degrees: first near, then farther.
+NEAREST, FARTHEST = Fraction(1, 2000), Fraction(2)
+# A zero with a denominator up to this may be exact.
+SIMPLE = 720
 
 
-def zero(function: Callable[[Jet], Any], guess: Fraction) -> Number:
-    """Return an enclosure of the zero near a guess.
+class Place(NamedTuple):
+    """A crank angle in degrees, or all within a reach of it."""
 
-    Newton's steps from the guess find a point m; then m - f(m)/f'(X) within X = m ± ε proves that X has
-    exactly one zero, and that it lies there (f(m) = f'(ξ)(m - z) with ξ in X by the mean value).
+    degrees: Fraction
+    reach: Fraction = Fraction(0)
+
+    @property
+    def ends(self) -> tuple[Fraction, Fraction]:
+        return self.degrees - self.reach, self.degrees + self.reach
+
+    @property
+    def angle(self) -> Number:
+        return spread(*self.ends) if self.reach else number(self.degrees)
+
+    @property
+    def arc(self) -> Number:
+        """What they are from the middle, in radians."""
+        return spread(-self.reach, self.reach) * pi() / 180
+
+    def turned(self, degrees: Fraction) -> Place:
+        return Place(self.degrees + degrees, self.reach)
+
+    def parts(self, count: int = 2) -> list[Place]:
+        """The same in parts of equal width."""
+        width = self.reach / count
+        return [Place(self.degrees + width * (2 * index + 1 - count), width) for index in range(count)]
+
+
+Function = Callable[[Place], Number]
+
+
+class Spot:
+    """A crank angle that is found anew with more bits, as narrow as they say."""
+
+    def __init__(self, found: Callable[[], Place]) -> None:
+        self._find = found
+
+    @by_bits
+    def __call__(self) -> Place:
+        return self._find()
+
+    @property
+    def value(self) -> Value:
+        """The angle in degrees."""
+        return Value(lambda: self().angle)
+
+
+def around(angle: Number) -> Place:
+    exact = angle.rational
+    return Place(angle.middle, angle.high - angle.middle) if exact is None else Place(exact)
+
+
+def root(function: Function, near: Fraction, slope: Function | None = None) -> Spot:
+    """Return where a function over the crank angle is zero near an angle.
+
+    With its `slope` also where it only touches zero: where the slope changes its sign, and no enclosure of
+    the function excludes zero.
     """
-    bits = enclose.Working.bits
-    point = guess
-    for _ in range(60):
-        at = function(Jet([number(point), number(1)]))
-        step = at.value / at.slope()
-        moved = point - (step.low + step.high) / 2
-        point = Fraction(round(moved * 2**bits), 2**bits)
-        if max(abs(step.low), abs(step.high)) < Fraction(1, 2 ** (bits - 20)):
-            break
-    for widening in range(bits - 20, 8, -8):
-        reach = Fraction(1, 2**widening)
-        wide = Jet([spread(point - reach, point + reach), number(1)])
+
+    def found() -> Place:
         try:
-            found = number(point) - function(Jet([number(point), number(1)])).value / function(wide).slope()
+            return _nearest(cache(function), near)
         except Undecided:
-            continue
-        if point - reach < found.low and found.high < point + reach:
-            return found
-    raise Undecided("a zero")
+            if slope is None:
+                raise
+            place = _nearest(cache(slope), near)
+            if Fraction(0) not in function(place):
+                raise
+            return place
+
+    return Spot(found)
 
 
-def narrowed(
-    function: Callable[[Fraction], Number],
-    slope: Callable[[Fraction, Fraction], Number],
-    middle: Fraction,
-    half: Fraction,
-) -> tuple[Fraction, Fraction]:
-    """Return a point and a reach about it, in degrees, that hold the one zero of a cell.
+def _nearest(function: Function, near: Fraction) -> Place:
+    if function(Place(near)).is_zero:
+        return Place(near)
+    reach = NEAREST
+    while reach <= FARTHEST:
+        low, high = near - reach, near + reach
+        if function(Place(low)).sign() != function(Place(high)).sign():
+            return between(function, low, high)
+        reach *= 16
+    raise Undecided("no change of sign at the angle that is printed")
 
-    Newton's steps within the cell find a point m; m - f(m)/f'(X) within X = m ± ε proves a zero in X.
+
+def between(function: Function, low: Fraction, high: Fraction) -> Place:
+    """Return where a function whose signs at two ends differ is zero between them.
+
+    To two thirds of the bits it must have signs; beyond, the zero gets as narrow as there are any.
     """
-    bits, point, arc = enclose.Working.bits, middle, 180 / pi()
-    low, high = middle - half, middle + half
-    for _ in range(80):
-        step = function(point) / slope(point, Fraction(1, 2**bits)) * arc
-        moved = point - (step.low + step.high) / 2
-        moved = Fraction(round(min(max(moved, low), high) * 2**bits), 2**bits)
-        near, point = abs(moved - point) < Fraction(1, 2 ** (bits - 24)), moved
-        if near:
-            break
-    for widening in range(bits - 24, 8, -8):
-        reach = Fraction(1, 2**widening)
-        try:
-            off = function(point) / slope(point, reach) * arc
-        except TOO_WIDE:
-            continue
-        bound = max(abs(off.low), abs(off.high))
-        if bound < reach and low <= point - reach and point + reach <= high:
-            return point, Fraction(int(bound * 2 ** (2 * bits)) + 1, 2 ** (2 * bits))
-    raise Undecided("a zero")
+    bits, at = Working.bits, cache(lambda degrees: function(Place(degrees)))
+    before = at(low).sign()
+    if before == at(high).sign():
+        raise Undecided("no change of sign")
+
+    def cut(point: Fraction) -> None:
+        nonlocal low, high
+        point = Fraction(round(point * 2**bits), 2**bits)
+        if low < point < high:
+            low, high = (point, high) if at(point).sign() == before else (low, point)
+
+    def narrow(least: Fraction) -> None:
+        """Halve, or better: cut about where a straight line through both ends is zero, for the rest is of
+        second order."""
+        while (width := high - low) > least:
+            at_low, at_high = (abs(at(one).middle) for one in (low, high))
+            guess, about = low + width * at_low / (at_low + at_high), max(width * width / 16, least / 8)
+            cut(guess - about)
+            cut(guess + about)
+            if high - low > width / 2:
+                cut((low + high) / 2)
+
+    narrow(Fraction(1, 2 ** (bits * 2 // 3)))
+    with suppress(Undecided):
+        narrow(Fraction(1, 2 ** (bits - 24)))
+    middle = (low + high) / 2
+    simple = middle.limit_denominator(SIMPLE)
+    if low <= simple <= high and at(simple).is_zero:
+        return Place(simple)
+    return Place(middle, (high - low) / 2)
