@@ -70,10 +70,11 @@ class Crank:
         """T at its own angle; `true` with the rod's true angle on the path by first order."""
         pin, found = self.pin(at), []
         for stroke, sense, _ in self.on(at):
-            slope = self.moved(pin, sense).slope()
+            moved = self.moved(pin, sense)
+            slope = moved.slope()
             if true and self.flat and self.drive.ratio:
                 slope = self.drive.driven(pin).x.slope() * -sense
-            found.append(stroke.force(self.share(pin, sense)) * slope)
+            found.append(stroke.force(moved.value / self.size) * slope)
         return hull(found)
 
     def push(self, at: Place) -> Number:
@@ -83,7 +84,7 @@ class Crank:
 
     def slope(self, at: Place) -> Number:
         """dT/dφ = F'(s) x'²/S + F x'' over a cell."""
-        point, wide, found = self.pin(Place(at.degrees)), self.pin(at, 2), []
+        point, wide, found = self.pin(Place(at.degrees), 0), self.pin(at, 2), []
         for stroke, sense, _ in self.on(at):
             moved = self.moved(wide, sense)
             share = self.share(point, sense) + moved.slope() * at.arc / self.size
