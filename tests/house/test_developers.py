@@ -247,6 +247,20 @@ def test_the_page_of_the_house_has_every_floor_in_its_order_with_its_sentence() 
     assert {path.name for path in package.iterdir() if path.is_dir()} - {"__pycache__"} == set(floors)
 
 
+def test_pages_for_developers_name_files_that_there_are_and_what_stands_in_them() -> None:
+    missing = []
+    for page in DOCS.glob("*.md"):
+        # What a page adds is not there yet, and a name in capitals stands for any.
+        text = page.read_text(encoding="utf-8")
+        new = set(re.findall(r"(?:new|append|in)=(?:src/kurbel/)?(\S+)", text))
+        for name, path in re.findall(r"(?:`([\w.]+)`,? in\s+)?`([a-z_/]+/\w+\.(?:py|toml|jinja))`", text):
+            file = next((one for one in (ROOT / "src" / "kurbel" / path, ROOT / path) if one.is_file()), None)
+            known = file and name.rpartition(".")[2] in file.read_text(encoding="utf-8")
+            if not known and path not in new and not Path(path).stem.isupper():
+                missing.append((page.name, name, path))
+    assert not missing
+
+
 def test_the_motion_of_a_new_mechanism_is_that_of_its_pin(house: House) -> None:
     rows = house.records("kurbel table --mechanism yoke --angle 25;115;205 --columns phi,path,velocity")
     for angle, path, velocity in (map(float, row) for row in rows):
