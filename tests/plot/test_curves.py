@@ -286,6 +286,15 @@ def test_what_is_named_over_the_path_is_what_conditions_find() -> None:
         assert text in said
 
 
+def test_what_is_asked_for_in_place_of_an_angle_is_drawn_over_the_angles() -> None:
+    # The rod leans by 10° where R/L sin φ = sin 10°.
+    angle, ratio = plotted("solve", "--unknown=ratio", "--angle=30..150:20", "--where=psi=10").values(
+        "curve-1-1"
+    )
+    assert len(angle) == 7
+    np.testing.assert_allclose(ratio * np.sin(np.radians(angle)), np.sin(np.radians(10)), rtol=0, atol=1e-4)
+
+
 @pytest.mark.parametrize("load", ["--pressure-ratio=3;4", "--compression=6;7 --heat=10"])
 def test_a_unit_with_words_is_written_out_at_its_axis(load: str) -> None:
     assert "je Kolbenfläche" in printed("delta", *load.split(), "-f", "svg", "--text").out

@@ -97,9 +97,9 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
         kind=Choice("unknown", "kurbel.conditions.unknown:UNKNOWNS"),
     )
     angle = amount(
-        "With --unknown the crank angle at which the condition holds: 30, or c=max, where a quantity of the"
-        " motion is greatest on the outstroke.",
-        "ANGLE",
+        "With --unknown the crank angles at which the condition holds: 30, 0..90:15, or c=max, where a"
+        " quantity of the motion is greatest on the outstroke.",
+        "ANGLES",
         unit="degrees",
         topic="angles",
     )
@@ -225,9 +225,9 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
         )
 
     def _unknown(self, unknown: str) -> Question:
-        """Return what is asked for: all values of the unknown with which the condition holds at the angle."""
-        from kurbel.commands.unknown import OfRatio, Sized
-        from kurbel.conditions.unknown import UnknownRequest, nowhere
+        """Return what is asked for: all values of the unknown by which the condition holds."""
+        from kurbel.commands.unknown import OfRatio, Sized, angles_of
+        from kurbel.conditions.unknown import UnknownRequest
 
         page = self.page("solve-unknown", "unknown")
         if self.says(unknown):
@@ -238,11 +238,9 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
             raise ProblemError(
                 f"--unknown takes one condition, and {len(self.conditions)} were given; write one --where"
             )
-        asked = (OfRatio if unknown == "ratio" else Sized)(unknown, self.angle, self.conditions[0], self)
-        question = UnknownRequest(unknown=unknown, asked=asked, **self.on_page(page, "speed"))
-        if not question.asked.found:
-            raise nowhere(unknown, str(asked.condition))
-        return question
+        kind, condition = OfRatio if unknown == "ratio" else Sized, self.conditions[0]
+        asked = tuple(kind(unknown, angle, condition, self) for angle in angles_of(self.angle))
+        return UnknownRequest(unknown=unknown, asked=asked, **self.on_page(page, "speed"))
 
 
 solve = function(SolveOptions, "solve")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
@@ -50,6 +50,8 @@ FORCES = (
     *("crosshead_load", "piston_force", "inertia_force"),
 )
 CHECKED_BITS = 400
+# Each takes some hundredths of a second.
+MOST_ANGLES = 1000
 
 
 class Angle:
@@ -59,20 +61,9 @@ class Angle:
         self.degrees, self.text, self.half_turns = degrees, text, half_turns
 
     @classmethod
-    def read(cls, angle: Any, unknown: str, asked: SolveOptions) -> Angle:
-        if angle is None:
-            raise ProblemError(
-                "--unknown asks for a number with which a condition holds at a crank angle; add that as"
-                " --angle 30, or --angle c=max"
-            )
-        if not isinstance(angle, str) or "=" not in angle:
-            angles = as_angles(angle)
-            if len(angles) != 1:
-                raise ProblemError(
-                    f"{len(angles)} crank angles were given; --unknown takes one --angle, and kurbel sweep"
-                    " solve -o found.csv several"
-                )
-            return cls(angles[0], "", None)
+    def read(cls, angle: Fraction | str, unknown: str, asked: SolveOptions) -> Angle:
+        if isinstance(angle, Fraction):
+            return cls(angle, "", None)
         if unknown == "ratio":
             raise ProblemError(f"--angle {angle} depends on the ratio that is asked for; give it in degrees")
         if asked.is_engine():
@@ -102,6 +93,24 @@ class Angle:
             return f"$φ = {angle_text(self.degrees)}$"
         quantity = self.text.partition("=")[0].strip()
         return words(f"dem größten ${quantity}$|the greatest ${quantity}$")[lang]
+
+
+def angles_of(angle: Any) -> Sequence[Fraction | str]:
+    """Return the crank angles, or as it is written where a quantity is greatest. Raises KurbelError."""
+    if angle is None:
+        raise ProblemError(
+            "--unknown asks for a number with which a condition holds at a crank angle; add that as"
+            " --angle 30, or --angle c=max"
+        )
+    if isinstance(angle, str) and "=" in angle:
+        return [angle]
+    angles = as_angles(angle)
+    if len(angles) > MOST_ANGLES:
+        raise ProblemError(
+            f"{len(angles)} crank angles were given, and --unknown is solved at {MOST_ANGLES} at most; give a"
+            " wider step"
+        )
+    return angles
 
 
 class OfRatio:

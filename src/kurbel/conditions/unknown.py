@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, partial
+from functools import cache, cached_property, partial
 from typing import Any, NamedTuple, Protocol
 
 import flint
@@ -22,7 +22,7 @@ from kurbel.exact.certify import NEVER_TIES, at_bits, ball, rounded
 from kurbel.exact.jet import Jet
 from kurbel.exact.numerals import Label, Number, figures
 from kurbel.exact.search import isolate
-from kurbel.page.axes import Axis, ColumnAxis, Place
+from kurbel.page.axes import PHI, Axis, ColumnAxis, ListAxis, Place, angle_decimals, angle_number, angle_text
 from kurbel.page.quantity import Column, Formula, Quantity, Words, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
@@ -130,7 +130,10 @@ class Polynomial:
         while others and others[-1].contains(0):
             others.pop()
         if not others:
-            raise ProblemError("the condition does not depend on what is asked for; ask for another unknown")
+            raise ProblemError(
+                "at an angle that was given, such as a dead centre, the condition does not depend on what is"
+                " asked for; leave that angle out, or ask for another unknown"
+            )
         if len(others) == 1:
             return [-constant / others[0]]
         linear, square = others
@@ -175,15 +178,11 @@ def of_ratio(formula: Callable[[Any], Any], target: Callable[[], arb], greatest:
     return found
 
 
-def nowhere(unknown: str, condition: str) -> NoRootError:
-    """Return the error for a condition that no value of the unknown fulfils."""
-    name = unknown.replace("_", " ")
-    return NoRootError(f"{condition} is reached with no {name} above 0 at this angle; check signs and sizes")
-
-
 NEAR_BITS = 120
 WORDS = {
     "number": words("Lösung|Solution"),
+    "angles": words("den Winkeln $φ$|the angles $φ$"),
+    "first": words("mit dem ersten Wert:|with the first value:"),
     "all": words(
         "alle Werte über 0, bei denen die Bedingung gilt|all values above 0 with which the condition holds"
     ),
@@ -222,6 +221,7 @@ class Sought(Protocol):
     """A number and the condition by which it is found, at an angle: its values in SI units, at the precision
     in force, the labels of condition and angle, and what else there is to say."""
 
+    condition: Any
     place: Any
 
     @property
@@ -234,13 +234,37 @@ class Sought(Protocol):
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class UnknownRequest(Question):
-    """What is asked for: all values of an unknown, which `asked` finds."""
+    """What is asked for: all values of an unknown, which `asked` finds, each at its angle."""
 
     unknown: str
-    asked: Sought
+    asked: tuple[Sought, ...]
 
     no_column = "there is no column beside the number; add one, such as speed"
-    undrawn = "of several angles, --angle 0..90:15, kurbel sweep solve with -o found.csv makes a file to draw"
+    undrawn = "give several angles, --angle 0..90:15"
+
+    def check(self) -> None:
+        if not any(self.found):
+            name, where = (
+                self.unknown.replace("_", " "),
+                "any of these angles" if self.asked[1:] else "this angle",
+            )
+            condition = self.asked[0].condition
+            raise NoRootError(
+                f"{condition} is reached with no {name} above 0 at {where}; check signs and sizes"
+            )
+
+    def __len__(self) -> int:
+        return sum(map(len, self.found))
+
+    @property
+    def axis_keys(self) -> tuple[str, ...]:
+        # What is of one angle says so in its caption.
+        return ("phi", "solution") if self.asked[1:] else ("solution",)
+
+    @cached_property
+    def found(self) -> Sequence[Sequence[Callable[[], Any]]]:
+        """The values at each angle."""
+        return [one.found for one in self.asked]
 
     def missing(self, quantity: Quantity) -> str:
         own = (self.unknown, "rod_ratio") if self.unknown == "ratio" else (self.unknown,)
@@ -248,9 +272,25 @@ class UnknownRequest(Question):
             return ""
         return f"column {quantity.key} is not asked for; leave it out, or write --unknown {quantity.key}"
 
-    def value(self, index: int, column: Column) -> Any:
+    def value(self, place: Place, column: Column) -> Any:
         """Return a value in the unit of a column, at the precision in force."""
-        return column.quantity.formulas["exact"].kernel(self.asked.found[index]())
+        return column.quantity.formulas["exact"].kernel(self.found[place["phi"]][place["root"]]())
+
+
+def _angle_axis(question: UnknownRequest) -> ListAxis:
+    angles = [one.place.degrees or Fraction(0) for one in question.asked]
+    decimals = angle_decimals(angles)
+    return ListAxis(
+        angles,
+        Field("phi", PHI[question.lang], "$φ$", "°", decimals),
+        lambda angle: angle_number(angle, decimals),
+        lambda angle: f"$φ = {angle_text(angle)}$",
+    )
+
+
+def _exists(question: UnknownRequest, place: Place) -> bool:
+    """Whether there are so many values: not at every angle there are as many."""
+    return "root" not in place or place["root"] < len(question.found[place["phi"]])
 
 
 class _RootAxis(Axis):
@@ -259,7 +299,7 @@ class _RootAxis(Axis):
     key = "solution"
 
     def __init__(self, question: UnknownRequest) -> None:
-        super().__init__(len(question.asked.found))
+        super().__init__(max(map(len, question.found)))
         self.lang = question.lang
 
     def field(self) -> Field:
@@ -276,22 +316,22 @@ class _RootAxis(Axis):
 
 
 def _number(question: UnknownRequest, column: Column, place: Place, times: int) -> Number:
-    index, decimals = place["root"], column.decimals
+    decimals = column.decimals
     if decimals is None:
         with at_bits(NEAR_BITS):
-            decimals = figures(float(question.value(index, column).mid()))
-    scaled = rounded(lambda: times * question.value(index, column), decimals, question.rounding, NEVER_TIES)
+            decimals = figures(float(question.value(place, column).mid()))
+    scaled = rounded(lambda: times * question.value(place, column), decimals, question.rounding, NEVER_TIES)
     return Number(scaled, decimals)
 
 
 def _caption(question: UnknownRequest) -> Label:
-    name = UNKNOWNS[question.unknown].name[question.lang]
-    text = question.layout.caption[question.lang]
+    lang, first = question.lang, question.asked[0]
+    text = question.layout.caption[lang]
     for place, said in (
-        ("{unknown}", name),
+        ("{unknown}", UNKNOWNS[question.unknown].name[lang]),
         ("{which}", _WHICH.get(question.unknown, "die")),
-        ("{condition}", question.asked.label(question.lang)),
-        ("{angle}", question.asked.place.label(question.lang)),
+        ("{condition}", first.label(lang)),
+        ("{angle}", WORDS["angles"][lang] if question.asked[1:] else first.place.label(lang)),
     ):
         text = text.replace(place, said)
     return text
@@ -299,18 +339,23 @@ def _caption(question: UnknownRequest) -> Label:
 
 def _notes(question: UnknownRequest) -> Iterator[Label]:
     yield from (note[question.lang] for note in question.layout.notes)
-    yield from question.asked.lines(question.lang)
+    of_all, *of_first = next(one for one in question.asked if one.found).lines(question.lang)
+    yield of_all
+    if question.asked[1:] and of_first:
+        yield WORDS["first"][question.lang]
+    yield from of_first
 
 
 SUBJECT = Subject(
     key="unknown",
     layout="solve-unknown",
     command="solve --unknown speed",
-    axes={"root": _RootAxis, "column": ColumnAxis},
-    axis_keys=("solution",),
+    axes={"phi": _angle_axis, "root": _RootAxis, "column": ColumnAxis},
+    axis_keys=("phi", "solution"),
     quantities=registry,
     number=_number,
     caption=_caption,
     notes=_notes,
+    exists=_exists,
     letters=True,
 )

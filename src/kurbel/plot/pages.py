@@ -88,7 +88,8 @@ def _drawn(asked: Question, wish: Wish, keys: Sequence[str] = ()) -> Picture:
     sentence = "this page is drawn over an axis of its own; leave {} out"
     refuse(wish, infinite=sentence.format("--infinite"), over_path=sentence.format("--over-path"))
     across = _across(asked)
-    traces = [one for one in _traces(asked, across, keys) if any(map(isfinite, one.values))]
+    # Of a value at one place there is no line.
+    traces = [one for one in _traces(asked, across, keys) if sum(map(isfinite, one.values)) > 1]
     if not traces:
         raise ProblemError("the page has no number that could be drawn; name another column by --columns")
     if across.name in APART:
