@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from everything import everything, tall, wide
 from tex import PREAMBLE, compiled, complaints, each_engine
@@ -35,6 +38,29 @@ def test_table_longer_than_a_page_breaks_and_repeats_its_head(tmp_path: Path) ->
     log = compiled("pdflatex", text, tmp_path, runs=3)
     assert complaints(log) == []
     assert "(4 pages" in log
+
+
+@pytest.mark.parametrize(
+    "wishes", [{}, {"longtable": True}, {"plain": True}], ids=["table", "longtable", "plain"]
+)
+def test_a_table_has_a_heavy_rule_on_each_side_and_a_thin_one_below_its_heads(
+    wishes: dict[str, bool], tmp_path: Path
+) -> None:
+    table = replace(tall(6), panels=tall(6).panels[:1])
+    text = render(table, "latex", **wishes)
+    compiled("pdflatex", f"{PREAMBLE}\\pagestyle{{empty}}{text}\\end{{document}}\n", tmp_path, runs=2)
+    command = [require("pdftoppm"), "-gray", "-r", "600", "-l", "1", "page.pdf"]
+    made = subprocess.run(command, cwd=tmp_path, capture_output=True, check=True).stdout
+    start = re.match(rb"P5\s+(\d+)\s+(\d+)\s+255\s", made)
+    assert start
+    ink = np.frombuffer(made, np.uint8, offset=start.end()).reshape(int(start[2]), int(start[1])) < 200
+    # A rule goes through the middle of the page, unbroken for 1 cm; no letter does.
+    middle = ink.shape[1] // 2
+    lines = np.flatnonzero(ink[:, middle - 120 : middle + 120].all(axis=1))
+    rules = np.split(lines, np.flatnonzero(np.diff(lines) > 1) + 1)
+    top, below, bottom = map(len, rules)
+    assert abs(top - bottom) <= 1 and min(top, bottom) > below + 1
+    assert rules[1][0] - rules[0][-1] < rules[2][0] - rules[1][-1]
 
 
 def test_longtable_has_every_part_too(tmp_path: Path) -> None:

@@ -170,6 +170,25 @@ def test_a_group_that_goes_on_is_named_at_the_head_of_the_page(
     assert tops == {True, False}
 
 
+def test_notes_stand_below_rows_of_their_table(tmp_path: Path) -> None:
+    pages = [
+        kurbel.table(angle=f"0..{rows}:1", columns="x,c", lang="en", label=f"rows{rows}", layout="kinematics")
+        for rows in range(26, 36)
+    ]
+    for page in pages:
+        (tmp_path / f"{page.anchor}.tex").write_text(render(page, "latex", longtable=True), encoding="utf-8")
+    inputs = "".join(f"\\clearpage\\input{{{page.anchor}}}\n" for page in pages)
+    text = document("article", "letterpaper,10pt", []).replace(r"\end{document}", inputs + r"\end{document}")
+    assert complaints(compiled("pdflatex", text, tmp_path, runs=3)) == []
+    # Of the lengths some fill the page with their rows, so that their notes go on.
+    sheets = text_of_pdf(tmp_path).rstrip("\f").split("\f")
+    assert len(pages) < len(sheets) < 2 * len(pages)
+    for sheet in sheets:
+        rows = re.findall(r"^ *\d+ +\d\.\d{4}", sheet, re.MULTILINE)
+        assert len(rows) >= 3
+    assert sum("sin" in sheet for sheet in sheets) == len(pages)
+
+
 def test_what_is_too_long_for_floats_names_the_option_that_helps(tmp_path: Path) -> None:
     page = kurbel.table(angle="0..360:1", lang="en", label="long")
     (tmp_path / "long.tex").write_text(render(page, "latex"), encoding="utf-8")

@@ -41,6 +41,8 @@ UPRIGHT, TURNED, SMALL = (10.0, 9.0), (10.0, 9.0, 8.0, 7.0), 9.0
 # Rules in eighths of a point, and the space of rows that are set apart.
 HEAVY, THIN = "12", "4"
 APART, PAUSE = 4.0, 4.0
+# How many rows at least stand above the notes on their page.
+LAST_ROWS = 3
 # In equations there is space around signs, and some programs do not set them in the size of their table.
 EQUATION = 1.25
 # How wide a mark of a note is to what it is reckoned: it is raised, and hangs in the document's own face.
@@ -197,12 +199,14 @@ def _set_page(content: list[Element], upright: _Paper, turned: _Paper) -> _Paper
             " page of Word has; print fewer of its columns (--columns), or take -f xlsx"
         )
     widest = max((table.set(size, paper.room) for table in tables), default=paper.room)
-    for element in content:
-        if element.tag == f"{W}p" and _style(element) == "TableNotes":
-            # Notes are as wide as their table, or as a text that is read with ease.
-            beside = max(0.0, (paper.room - max(widest, upright.room / 2)) / 2)
-            _paragraph(element, left=beside, right=beside)
-            _set_size(element, SMALL)
+    notes = [one for one in content if one.tag == f"{W}p" and _style(one) == "TableNotes"]
+    if tables and notes:
+        tables[-1].keep_with_notes()
+    for note in notes:
+        # Notes are as wide as their table, or as a text that is read with ease.
+        beside = max(0.0, (paper.room - max(widest, upright.room / 2)) / 2)
+        _paragraph(note, left=beside, right=beside, keep=note is not notes[-1])
+        _set_size(note, SMALL)
     return paper
 
 
@@ -316,10 +320,14 @@ class _Grid:
                 self._body_cell(cell, spaces[cell.column], shifts[cell.column], size, before, after)
             held = place + 1 < len(self.body) and "held" in self.body[place + 1][1][0].classes
             if place == 0 or held or cells[0].across == self.count > 1:
-                for properties in row.iter(f"{W}pPr"):
-                    properties.insert(1, _made("keepNext"))
+                _keep(row)
         _set_size(self.element, size)
         return added(widths)
+
+    def keep_with_notes(self) -> None:
+        """Keep the last rows on the page of what stands below the table."""
+        for row, _ in self.body[-LAST_ROWS:]:
+            _keep(row)
 
     def _frame(self, widths: Sequence[float]) -> None:
         properties = self.element.find(f"{W}tblPr")
@@ -434,6 +442,12 @@ def _row(row: Element, cells: Sequence[_Cell], widths: Sequence[float]) -> None:
     for cell in cells:
         width = added(widths[cell.column : cell.column + cell.across])
         _cell_properties(cell.element).insert(0, _made("tcW", w=_twips(width), type="dxa"))
+
+
+def _keep(row: Element) -> None:
+    for properties in row.iter(f"{W}pPr"):
+        if properties.find(f"{W}keepNext") is None:
+            properties.insert(1, _made("keepNext"))
 
 
 def _cell_properties(cell: Element) -> Element:
