@@ -6,6 +6,7 @@ import re
 import subprocess
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -44,7 +45,7 @@ def test_table_longer_than_a_page_breaks_and_repeats_its_head(tmp_path: Path) ->
     "wishes", [{}, {"longtable": True}, {"plain": True}], ids=["table", "longtable", "plain"]
 )
 def test_a_table_has_a_heavy_rule_on_each_side_and_a_thin_one_below_its_heads(
-    wishes: dict[str, bool], tmp_path: Path
+    wishes: dict[str, Any], tmp_path: Path
 ) -> None:
     table = replace(tall(6), panels=tall(6).panels[:1])
     text = render(table, "latex", **wishes)
