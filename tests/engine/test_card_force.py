@@ -143,7 +143,7 @@ def test_a_noisy_card_stays_within_its_neighbours(noise: float, count: int) -> N
     check_monotone(drawn, shares, noisy)
     widths = np.diff(shares)
     least, most = np.minimum(noisy[1:], noisy[:-1]) @ widths, np.maximum(noisy[1:], noisy[:-1]) @ widths
-    assert least <= drawn.area(1.0) <= most
+    assert least <= drawn.work(1.0) <= most
 
 
 def check_monotone(drawn: Any, shares: Array, pressures: Array) -> None:
@@ -152,7 +152,7 @@ def check_monotone(drawn: Any, shares: Array, pressures: Array) -> None:
         steps = np.diff(drawn.pressure(left + (right - left) * inner)) * np.sign(last - first)
         size = max(abs(first), abs(last), 1e-300)
         assert np.all(steps >= -1e-12 * size) or (first == last and np.all(abs(steps) < 1e-12 * size))
-        assert_allclose(drawn.pressure([left, right]), [first, last], rtol=0, atol=1e-11 * size)
+        assert_allclose(drawn.pressure(np.array([left, right])), [first, last], rtol=0, atol=1e-11 * size)
 
 
 @settings(deadline=None, max_examples=40)

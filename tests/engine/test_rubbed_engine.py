@@ -63,6 +63,18 @@ def test_a_card_presses_on_the_areas_that_the_piston_rod_leaves(tmp_path: Path) 
     assert back == pytest.approx(-(ring * 5e5 - area * other), abs=6)
 
 
+def test_friction_takes_its_work_of_a_card(tmp_path: Path) -> None:
+    card = tmp_path / "card.csv"
+    lines = [f"{position / 20},5.0000,{1 + position / 40}" for position in range(21)]
+    card.write_text("position,p_forward [bar],p_return [bar]\n" + "\n".join(lines) + "\n")
+    alone, rubbed = (
+        float(rows(kurbel.delta(card=str(card), columns="mean_force", **more))[-1]["mean_force"])
+        for more in ({}, {"bore": "200mm", "friction": "1200N"})
+    )
+    # Against both strokes, two diameters, along the circle of π.
+    assert alone - rubbed == pytest.approx(2 * 1200 / pi / (0.2**2 / 4 * pi * 5e5), abs=1.01e-4)
+
+
 def test_indicated_power_is_that_of_the_steam_and_the_mean_torque_is_less() -> None:
     asked: dict[str, Any] = {
         **STEAM, "stroke": "600mm", "speed": "10rad/s", "columns": "indicated_power,mean_force"

@@ -24,9 +24,11 @@ from kurbel.engine.speed.solved import run_of
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
 from kurbel.exact.bulk import Integers, nearest
+from kurbel.exact.certify import at_bits
 from kurbel.exact.enclosure import ENCLOSURES, Enclosure, Floats, enclosed, half_turn_circle
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Number
+from kurbel.exact.search import ISOLATING_BITS
 from kurbel.kernel.circle import Circle, circle
 from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.long import Angle, LongColumns, Places, quotient
@@ -47,7 +49,7 @@ KEY, SUBJECT = "delta", "irregularity"
 
 
 class FloatTurn(AnyTurn):
-    """One cycle by a method, in floats."""
+    """One cycle by a method, in floats; where its speed is least or greatest, balls have proved."""
 
     @cached_property
     def cylinders(self) -> tuple[Cylinder, ...]:
@@ -56,7 +58,7 @@ class FloatTurn(AnyTurn):
     def total(self, value: Callable[[Cylinder, int, Any], Any], places: Floats, first: float) -> Floats:
         """Return the sum of a number and of what each crank has at an array of half turns."""
         total = np.full_like(places, first)
-        for start, cylinder in self._cranks():
+        for start, cylinder in self.cranks():
             total += _on_strokes(cylinder, start, value, places)
         return total
 
@@ -71,7 +73,16 @@ class FloatTurn(AnyTurn):
     def begun(self) -> list[Standing]:
         return [*self.positions(Fraction(self.cylinder.drive.dead_centre(0)))]
 
-    def _cranks(self) -> Iterator[tuple[Fraction, Cylinder]]:
+    @cached_property
+    def _proved(self) -> Turn:
+        return Turn(self.engine, self.method)
+
+    def peaks(self, greatest: bool, stroke: int | None = None) -> list[Peak]:
+        with at_bits(ISOLATING_BITS):
+            found = self._proved.peaks(greatest, stroke)
+            return [Peak(float(one.place), float(one.energy), one.stroke) for one in found]
+
+    def cranks(self) -> Iterator[tuple[Fraction, Cylinder]]:
         """Yield each crank's start, and its cylinder."""
         for part, cylinder in zip(self.engine.parts, self.cylinders, strict=True):
             for start in part.starts:
@@ -95,9 +106,6 @@ class ArrayTurn(FloatTurn):
             return cylinder.force(force, stroke, angle)
 
         return _on_strokes(self.cylinder, self.part.starts[0], of_first, half_turns)
-
-    def peaks(self, greatest: bool, stroke: int | None = None) -> Sequence[Peak]:
-        raise AssertionError("a crank angle has no extremes")
 
 
 def at_angles(request: EngineRequest, quantity: Quantity, method: str, degrees: Floats) -> list[Floats]:

@@ -125,9 +125,8 @@ class Cylinder(NamedTuple):
         return found * (SIGNS[way] if force.framed else 1)
 
     def slope(self, stroke: int, angle: Any) -> Number:
-        """Return the change of the power with the half turns, of a load that knows that of its force."""
-        circle, way = self.circle(angle), stroke % 2
-        acting: Any = self.strokes[stroke]
+        """Return the change of the power with the half turns."""
+        circle, way, acting = self.circle(angle), stroke % 2, self.strokes[stroke]
         share, velocity = self.share(stroke, circle), self.drive.velocity(way, circle)
         total = acting.slope(share) * velocity * velocity / self.drive.length
         total += acting.force(share) * self.drive.acceleration(way, circle)

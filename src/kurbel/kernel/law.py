@@ -1,4 +1,4 @@
-"""The pressure in one end of a cylinder over the share of the stroke: constant, or p V^n = const, by pieces.
+"""The pressure in one end of a cylinder over the share of the stroke: constant, p V^n = const, or of cubics.
 
 Pressures are in any one unit, work in that unit times the whole stroke. The share counts from the dead centre
 at which the stroke begins, 0 to 1, whichever end it is: the volume of the end that the piston leaves grows as
@@ -8,9 +8,10 @@ what compares as they do; a ball that lies over a corner gives one that holds bo
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from functools import reduce
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol, TypeAlias
 
 from kurbel.kernel.circle import Number
 from kurbel.kernel.steam import expansion_work, larger, power, smaller
@@ -129,11 +130,77 @@ class Law(NamedTuple):
         return sum(before, self.pieces[index].work(starts[index], share))
 
 
+class Cubics:
+    """A pressure by cubics between rising knots, on floats, arrays and balls; beyond the knots it stays.
+
+    Of the four rows of `powers` each has a coefficient of all pieces, the cube's first, of the share since
+    the knot where a piece begins. They are float64 arrays. At the `corners` the slope jumps.
+    """
+
+    def __init__(self, knots: Any, powers: Any, corners: Sequence[float] = ()) -> None:
+        cube, square, line, level = powers
+        areas = cube / 4, square / 3, line / 2, level
+        grown = _horner((*areas, 0.0), knots[1:] - knots[:-1])
+        begun = 0.0 * grown
+        begun[1:] = grown[:-1].cumsum()
+        self.knots, self.powers, self.corners = knots, powers, tuple(corners)
+        self._places: list[float] = knots.tolist()
+        self._pressure = _Polynomials(powers)
+        self._work = _Polynomials((*areas, begun))
+        self._slope = _Polynomials((3 * cube, 2 * square, line))
+
+    def pressure(self, share: Number) -> Number:
+        """Return the pressure at a share of the stroke."""
+        return self._at(share, self._pressure)
+
+    def work(self, share: Number) -> Number:
+        """Return ∫ of the pressure over the share from the first knot on, exact for the cubics."""
+        return self._at(share, self._work)
+
+    def slope(self, share: Number) -> Number:
+        """Return the change of the pressure with the share; of a ball over a knot that on both sides."""
+        return self._at(share, self._slope)
+
+    def times(self, factor: float) -> Cubics:
+        """Return so many times the pressure."""
+        return Cubics(self.knots, factor * self.powers, self.corners)
+
+    def _at(self, share: Any, pieces: _Polynomials) -> Any:
+        if hasattr(share, "shape"):
+            within = share.clip(self.knots[0], self.knots[-1])
+            index = self.knots[1:-1].searchsorted(within, "right")
+            return _horner([row[index] for row in pieces.rows], within - self.knots[index])
+        low, high = (share.lower(), share.upper()) if hasattr(share, "union") else (share, share)
+        first, last = (bisect_right(self._places, end, 1, len(self._places) - 1) - 1 for end in (low, high))
+        return _either([self._piece(index, share, pieces) for index in range(first, last + 1)])
+
+    def _piece(self, index: int, share: Number, pieces: _Polynomials) -> Number:
+        """Return the cubic of a piece, at the share as far as it lies on that."""
+        begin, end = self._places[index : index + 2]
+        return _horner(pieces.columns[index], smaller(larger(share, begin), end) - begin)
+
+
+class _Polynomials:
+    """Polynomials by the coefficients of each power, the highest first, and each by its own."""
+
+    def __init__(self, rows: Sequence[Any]) -> None:
+        self.rows = rows
+        self.columns = [*zip(*(row.tolist() for row in rows), strict=True)]
+
+
+def _horner(coefficients: Sequence[Any], at: Any) -> Any:
+    return reduce(lambda value, coefficient: value * at + coefficient, coefficients)
+
+
+Side: TypeAlias = Law | Cubics
+"""What the pressure in one end of a cylinder is."""
+
+
 class Between(NamedTuple):
     """A stroke of the piston between two ends of a cylinder: the law behind it less the law before it."""
 
-    behind: Law
-    before: Law
+    behind: Side
+    before: Side
 
     def force(self, share: Number) -> Number:
         """Return the net pressure in the direction of the stroke."""

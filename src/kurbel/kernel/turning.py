@@ -19,7 +19,7 @@ Formula = Callable[..., Number]
 class Stroke(Protocol):
     """The net pressure on the piston and its work, over the share of the stroke travelled.
 
-    `corners` are the shares at which the force has one. All but those of a card know their `slope`.
+    `corners` are the shares at which the force has one, `slope` its change with the share.
     """
 
     @property
@@ -28,6 +28,8 @@ class Stroke(Protocol):
     def force(self, share: Number) -> Number: ...
 
     def work(self, share: Number) -> Number: ...
+
+    def slope(self, share: Number) -> Number: ...
 
 
 class Motion(NamedTuple):

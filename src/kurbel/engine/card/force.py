@@ -11,16 +11,18 @@ sought, between the points too, and each smooth piece has cubics of its own.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from itertools import pairwise
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicHermiteSpline, PPoly
+from scipy.interpolate import CubicHermiteSpline
 from scipy.optimize import brentq
 
 from kurbel.engine.card.card import Card, CycleCard
 from kurbel.errors import ProblemError
+from kurbel.kernel.law import Between, Cubics, steady
 
 Points: TypeAlias = NDArray[np.float64]
 
@@ -33,42 +35,17 @@ SHARPNESS = 2
 LEAST_BEND = 1e-6
 # Of a noisy card the sharpest gaps alone are looked at; a card has four corners a line.
 MOST_CORNERS = 64
+# Of cards: each has two halves.
+KEPT = 48
 # In gaps: how far beyond its gap two continuations may cut each other, and how near to a point is on it.
 OVERSHOOT = 0.1
 NEAR = 1e-4
 
 
-class Curve(NamedTuple):
-    """A piecewise cubic, its antiderivative from 0 on, and the abscissas where its slope jumps."""
-
-    pressure: Any
-    area: Any
-    corners: tuple[float, ...]
-
-
-class CardStroke(NamedTuple):
-    """The pressures behind the piston and before it over the share of the stroke travelled, in units of Q."""
-
-    behind: Curve
-    before: Curve
-
-    @property
-    def corners(self) -> tuple[float, ...]:
-        """The shares of the stroke at which the slope of a pressure jumps."""
-        return tuple(sorted({*self.behind.corners, *self.before.corners}))
-
-    def force(self, share: Any) -> Any:
-        """Return the net force in the direction of travel; share is a float or a float64 array."""
-        return _at(self.behind.pressure, share) - _at(self.before.pressure, share)
-
-    def work(self, share: Any) -> Any:
-        """Return the work from the dead centre on, the exact integral of the force."""
-        return _at(self.behind.area, share) - _at(self.before.area, share)
-
-
+@lru_cache(KEPT)
 def card_strokes(
     card: Card | CycleCard, double_acting: bool, other_side: float | None = None, unit: float | None = None
-) -> tuple[CardStroke, ...]:
+) -> tuple[Between, ...]:
     """Return the strokes of a piston whose cylinder end gave the card, two or four.
 
     Double-acting: both ends give this card, each from its own dead centre, so that the pressure before the
@@ -78,45 +55,30 @@ def card_strokes(
     Derived by us.
     """
     scale = card.admission if unit is None else unit
-    curves = [_scaled(*course, scale) for course in card.courses()]
+    curves = [curve(shares, [one / scale for one in pressures]) for shares, pressures in card.courses()]
     if double_acting:
         if len(curves) > 2:
             raise ProblemError(
                 f"{card.name} is over two turns, and its cylinder works on one side of the piston; add"
                 " --single-acting and, for the other face, --other-side, for example 1bar"
             )
-        both = CardStroke(*curves)
+        both = Between(*curves)
         return both, both
     if other_side is None:
         raise ProblemError(
             "a single-acting piston has a pressure on its other face, which the card does not tell;"
             " give it as --other-side, for example 1bar"
         )
-    other = _scaled((0.0, 1.0), (other_side, other_side), scale)
+    other = steady(other_side / scale)
     return tuple(
-        CardStroke(other, one) if index % 2 else CardStroke(one, other) for index, one in enumerate(curves)
+        Between(other, one) if index % 2 else Between(one, other) for index, one in enumerate(curves)
     )
 
 
-def on_areas(stroke: CardStroke, behind: float, before: float) -> CardStroke:
+def on_areas(stroke: Between, behind: float, before: float) -> Between:
     """Return the stroke of a piston with these shares of the bore's area behind and before it."""
-    return CardStroke(_times(stroke.behind, behind), _times(stroke.before, before))
-
-
-def _times(one: Curve, factor: float) -> Curve:
-    pressure = PPoly(factor * one.pressure.c, one.pressure.x)
-    return Curve(pressure, pressure.antiderivative(), one.corners)
-
-
-def _scaled(positions: Sequence[float], pressures: Sequence[float], scale: float) -> Curve:
-    return curve(positions, [pressure / scale for pressure in pressures])
-
-
-def _at(polynomial: Any, share: Any) -> Any:
-    # x/2 may exceed 1 by rounding; outside the card the cubic would go on.
-    if isinstance(share, (int, float)):
-        return float(polynomial(min(max(share, 0.0), 1.0)))
-    return polynomial(np.clip(share, 0.0, 1.0))
+    sides: Any = stroke
+    return Between(sides.behind.times(behind), sides.before.times(before))
 
 
 class _Corner(NamedTuple):
@@ -128,7 +90,7 @@ class _Corner(NamedTuple):
     depth: float
 
 
-def curve(abscissas: Sequence[float], ordinates: Sequence[float]) -> Curve:
+def curve(abscissas: Sequence[float], ordinates: Sequence[float]) -> Cubics:
     """Return the curve through points with rising abscissas, at least 1e-9 apart.
 
     Between two points it is monotone, hence nowhere beyond the ordinates. Its area is exact for the curve.
@@ -139,8 +101,7 @@ def curve(abscissas: Sequence[float], ordinates: Sequence[float]) -> Curve:
     ends = [0, *np.searchsorted(x, corners), len(x) - 1]
     pieces = [slice(first, last + 1) for first, last in pairwise(ends)]
     cubics = [CubicHermiteSpline(x[piece], y[piece], _slopes(x[piece], y[piece])).c for piece in pieces]
-    pressure = PPoly(np.hstack(cubics), x)
-    return Curve(pressure, pressure.antiderivative(), tuple(corners))
+    return Cubics(x, np.hstack(cubics), corners)
 
 
 def _slopes(x: Points, y: Points) -> Points:

@@ -7,29 +7,23 @@ card supports.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
-from itertools import pairwise
+from operator import methodcaller
 from typing import Any
 
 import numpy as np
-from scipy.optimize import brentq
 
 from kurbel.drive.at import CrankForce
-from kurbel.engine.arrays import ZERO_TOLERANCE, FloatTurn
+from kurbel.engine.arrays import FloatTurn
 from kurbel.engine.card.card import Diagram
-from kurbel.engine.card.force import CardStroke
-from kurbel.engine.cylinder import Cylinder, Peak
 from kurbel.engine.engine import Assembly, Engine
 from kurbel.errors import CardError, ProblemError
 
-# Between two samples of half a degree the excess has one zero at most, unless the card is all noise; that a
-# pair of zeros is missed costs less than the interpolation, for the energy hardly changes between them.
+# Of a stroke.
 SAMPLES = 721
-# Of energies; those at the zeros of the excess force are off by the square of ZERO_TOLERANCE.
-EQUAL_ENERGY = 1e-12
 LEAST_FORCE = 1e-9
 # Cubics gain a factor of 16 with twice the points; noise may seem to gain 8 by chance.
 MOST_GAIN = 8.0
@@ -82,21 +76,21 @@ class CardTurn(FloatTurn):
     @cached_property
     def work_apart(self) -> float:
         """The greatest difference of work from the coarser cards', at any share of the strokes, in 2 Q R."""
-        return max(float(abs(one).max()) for one in self._apart(CardStroke.work))
+        return max(float(abs(one).max()) for one in self._apart("work"))
 
     @cached_property
     def force_apart(self) -> float:
         """The mean difference of force from the coarser cards', and the step of the pressures, in Q."""
-        return float(np.sqrt(np.mean(np.square(self._apart(CardStroke.force))))) + self.step
+        return float(np.sqrt(np.mean(np.square(self._apart("force"))))) + self.step
 
-    def _apart(self, value: Callable[[Any, Any], Any]) -> list[Any]:
+    def _apart(self, name: str) -> list[Any]:
         """The differences of a value over the strokes from those of the coarser cards."""
-        shares = np.linspace(0, 1, SAMPLES)
+        value = methodcaller(name, np.linspace(0, 1, SAMPLES))
         return [
-            (value(own, shares) - value(other, shares)) * (1.0 if mine.unit is None else mine.unit)
+            (value(own) - value(other)) * (1.0 if mine.unit is None else mine.unit)
             for half in self.coarser
-            for mine, coarse in zip(self.cylinders, half.cylinders, strict=True)
-            if isinstance(mine.strokes[0], CardStroke)
+            for part, mine, coarse in zip(self.engine.parts, self.cylinders, half.cylinders, strict=True)
+            if part.carded
             for own, other in zip(mine.strokes, coarse.strokes, strict=True)
         ]
 
@@ -120,10 +114,6 @@ class CardTurn(FloatTurn):
         """The power of all cranks less its mean."""
         return float(self.power(Fraction(half_turns)) - self.mean_force())
 
-    def _excesses(self, places: Any) -> Any:
-        """The excess at an array of half turns."""
-        return self.total(Cylinder.power, places, -self.mean_force())
-
     def crank_force_error(self, force: CrankForce, half_turns: Fraction) -> float:
         """How far such a force may be off, in Q: as far as the net pressure there, by the rod's slant."""
         _, stroke, angle = self.first(half_turns)
@@ -132,42 +122,3 @@ class CardTurn(FloatTurn):
         own = self.cylinder.strokes[stroke].force(share)
         apart = max(abs(float(own - half.cylinder.strokes[stroke].force(share))) for half in self.coarser)
         return max(apart, self.force_apart) * abs(float(self.cylinder.drive.bare(force, stroke % 2, circle)))
-
-    @cached_property
-    def extrema(self) -> tuple[Peak, ...]:
-        """Every place at which the speed is least or greatest over the cycle, in order."""
-        places = self.samples(SAMPLES - 1)
-        forces = self._excesses(np.array(places)).tolist()
-        zeros = [
-            brentq(self.excess, low, high, xtol=ZERO_TOLERANCE)
-            for (low, before), (high, after) in pairwise(zip(places, forces, strict=True))
-            if before * after < 0
-        ]
-        zeros += [place for place, force in zip(places, forces, strict=True) if force == 0]
-        return tuple(self._peak(zero) for zero in sorted(zeros))
-
-    def samples(self, steps: int) -> list[float]:
-        """Return places over the cycle, so many steps in a turn, and all dead centres."""
-        turns, first = self.cycle // 2, float(self.cylinder.drive.dead_centre(0))
-        dead_centres = {
-            (float(start + stroke) + cylinder.drive.dead_centre(stroke % 2) - first) % self.cycle + first
-            for start, cylinder in self._cranks()
-            for stroke in range(self.cycle)
-        }
-        every = {first + self.cycle * index / (turns * steps) for index in range(turns * steps + 1)}
-        return sorted(every | dead_centres)
-
-    def _peak(self, zero: float) -> Peak:
-        place = Fraction(zero)
-        return Peak(zero, float(self.energy_at(place)), self.first(place).stroke)
-
-    def peaks(self, greatest: bool, stroke: int | None = None) -> list[Peak]:
-        within = [peak for peak in self.extrema if stroke in (None, peak.stroke)]
-        if not within:
-            raise CardError(
-                f"{self.diagram.card.name}: the tangential force passes its mean in a peak too narrow to be"
-                " followed; give a card without it"
-            )
-        energies = [peak.energy for peak in within]
-        chosen = max(energies) if greatest else min(energies)
-        return [peak for peak in within if abs(peak.energy - chosen) < EQUAL_ENERGY]

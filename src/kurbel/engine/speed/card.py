@@ -79,9 +79,20 @@ class CardRun(Run):
     @cached_property
     def _course(self) -> tuple[Floats, Floats]:
         """The bounds of the cells and the time there; dead centres are bounds."""
-        nodes = np.array(self.turn.samples(CELLS))
+        nodes = np.array(self._edges())
         elapsed = self._elapsed(nodes[:-1], nodes[1:])
         return nodes, np.concatenate([[0.0], np.cumsum(elapsed)])
+
+    def _edges(self) -> list[float]:
+        """The cells of equal width and all dead centres, over the cycle."""
+        turn = self.turn
+        turns, first = turn.cycle // 2, float(turn.cylinder.drive.dead_centre(0))
+        dead_centres = {
+            (float(start + stroke) + cylinder.drive.dead_centre(stroke % 2) - first) % turn.cycle + first
+            for start, cylinder in turn.cranks()
+            for stroke in range(turn.cycle)
+        }
+        return sorted(dead_centres | {first + 2 * index / CELLS for index in range(turns * CELLS + 1)})
 
     def _elapsed(self, starts: Floats, ends: Floats) -> Floats:
         """The time from each place to another in the same cell."""
