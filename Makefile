@@ -67,6 +67,7 @@ peers: $(DEV) ## set one table with kurbel and its peers side by side, docs/gall
 
 docs: $(DOCS) ## build the site of the documentation in build/site and manual pages in build/man
 	$(BIN)/python docs/generate/schemas.py
+	$(BIN)/python docs/generate/front.py
 	$(BIN)/python docs/generate/website.py build/site --playground
 
 links: docs ## try the links of the documentation that lead elsewhere; needs a network

@@ -93,11 +93,11 @@ def shown() -> Iterator[Shown]:
     for name in layout_names():
         page = layout(name)
         words = (*_sample(page.subject), "--layout", name, "--lang", "en")
-        yield Shown(name, page.title["en"], words, picture_of(_made(words)))
+        yield Shown(name, page.title["en"], words, picture_of(page_or_drawing(words)))
     names: dict[str, int] = {}
     for line in _drawings():
         *typed, _, file = shlex.split(line)
-        drawing = _made((*typed, "--lang", "en"))
+        drawing = page_or_drawing((*typed, "--lang", "en"))
         assert isinstance(drawing, Drawing)
         stem = Path(file).stem
         names[stem] = names.get(stem, 0) + 1
@@ -107,7 +107,7 @@ def shown() -> Iterator[Shown]:
         yield Shown(name, without_formulas(drawing.title), own, picture_of(drawing))
 
 
-def _made(words: Sequence[str]) -> Table | Drawing:
+def page_or_drawing(words: Sequence[str]) -> Table | Drawing:
     made = asked(words, {}, folder=str(EXAMPLES)).made
     return made if isinstance(made, Drawing) else Table.of(made)
 

@@ -120,8 +120,8 @@ def test_files_of_the_pages_are_the_examples(page: str, name: str) -> None:
 
 def test_the_readme_is_short_and_its_first_command_prints_a_table() -> None:
     text = README.read_text(encoding="utf-8")
-    assert len(text.encode()) <= 8000
-    assert commands(text)[0] == "kurbel table --ratio 1:5 --lang en"
+    assert len(text.encode()) <= 7000
+    assert commands(text)[0] == "kurbel table --ratio 1:5 --step 30 --lang en"
     assert re.search(r"^ +90 +1\.1010 +0\.8990 ", text.split("```")[1], re.MULTILINE)
 
 
