@@ -1,3 +1,5 @@
+"""What `python -m kurbel` runs."""
+
 from kurbel.cli import main
 
 if __name__ == "__main__":

@@ -1,6 +1,5 @@
-"""What the cranks of a locomotive leave unbalanced, with masses in the wheels for a share of what goes to
-
-and fro.
+"""What the cranks of a locomotive leave unbalanced, with masses in the wheels for a share of what goes to and
+fro.
 
 The masses in the wheels turn: they balance what turns with the cranks wholly, of what goes to and fro the
 share c along the slides, and what they have for that presses the wheels on the rails and lifts them, the

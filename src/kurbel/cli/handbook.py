@@ -138,7 +138,6 @@ def check(options: Options) -> int:
     All is built anew, elsewhere. The stale files and their differences go to standard output; with --quiet
     the files alone.
     """
-
     handbooks, wrong = _opened_all(options)
     jobs, by = options.jobs or cores(), by_whom(options.scheduler)
     found = checked(handbooks, make_part, jobs, _bar_of(options), by)

@@ -115,7 +115,6 @@ class Enclosure:
 
     def log(self) -> Enclosure:
         """Return the natural logarithm."""
-
         return logarithm(self)
 
     def __abs__(self) -> Enclosure:

@@ -29,7 +29,7 @@ from kurbel.kernel.circle import Circle, Number
 
 
 def terms_of(order: int) -> int:
-    """Return how many terms of the path have λ to at most this power: λ, λ³, λ⁵, …"""
+    """Return how many terms of the path have λ to at most this power, of λ, λ³, λ⁵ and so on."""
     return (order + 1) // 2
 
 

@@ -112,7 +112,6 @@ class Traced:
 
     def unrounded(self, parts: Callable[[Traced], Any]) -> Any:
         """Return what `circle` does of an angle in degrees, without asking in which quarter it lies."""
-
         return unrounded(self, parts)
 
     def __gt__(self, other: Any) -> Condition:

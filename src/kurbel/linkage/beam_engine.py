@@ -201,7 +201,6 @@ def certified(
     for n = 64, else more. Nor can it be 16, for that field is cyclic and its only subfield of degree 8 would
     hold both cos μ and cos ν, hence sin(ν - μ).
     """
-
     scaled = settled(lambda _: times * value(quantity, engine, method), decimals, rounding)
     return Number(scaled, decimals)
 

@@ -262,7 +262,7 @@ def with_terms(line: Label, order: int) -> Label:
 
 
 def _path(order: int) -> str:
-    """1/2 λ sin² φ + 1/8 λ³ sin⁴ φ"""
+    """Return such as 1/2 λ sin² φ + 1/8 λ³ sin⁴ φ."""
     return _sum(order, lambda term: f"{_share(versine_term(term))}{_power(term)} {_sine(2 * term)}")
 
 
@@ -276,7 +276,7 @@ def _velocity(order: int) -> str:
 
 
 def _acceleration(order: int) -> str:
-    """λ cos 2φ + 1/2 λ³ sin² φ (4 cos² φ - 1)"""
+    """Return such as λ cos 2φ + 1/2 λ³ sin² φ (4 cos² φ - 1)."""
 
     def one(term: int) -> str:
         if term == 1:

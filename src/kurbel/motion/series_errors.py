@@ -251,7 +251,7 @@ def _notes(question: SeriesErrorsRequest) -> Iterator[Label]:
 
 
 def _left_out(order: int) -> str:
-    """1/8 λ³ sin⁴ φ"""
+    """Return the first term that a series leaves out, such as 1/8 λ³ sin⁴ φ."""
     term = terms_of(order) + 1
     above, below = versine_term(term)
     return f"{above}/{below} λ^({2 * term - 1}) sin^({2 * term}) φ"

@@ -105,7 +105,7 @@ def taken(hands: Hands[Made], count: int) -> Generator[tuple[int, Made], None, N
 
 
 class Here:
-    """This thread, for a sweep that is done before a process has started."""
+    """The thread itself, for a sweep that is done before a process has started."""
 
     most = 1
 

@@ -309,7 +309,6 @@ class Diagram:
     @property
     def measured(self) -> Card | CycleCard:
         """The card by the shares of the strokes, as the one of an engine is."""
-
         assert not isinstance(self.card, AngleCard)
         return self.card
 
