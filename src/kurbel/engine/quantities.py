@@ -4,7 +4,7 @@ Each is a number of a turn: of a stroke of it, of the whole turn, at a crank ang
 kernel takes the turn and where in it, and returns a number of the turn's kind or, where it is rational, a
 fraction. What it is `of`: a turn, a stroke, "least" or "greatest" (the extremes of the speed, in a stroke or
 in the turn), an angle (of all cranks), a crank (the first one, at an angle) or a flywheel. It `needs` an
-ideal card, "steam", the "load" or the "torque" that makes newtons, or the "radius" of the flywheel.
+ideal card, "steam", the "load" or the "torque" that makes newtons, or what else `EngineRequest.needs` says.
 """
 
 from __future__ import annotations
@@ -46,23 +46,6 @@ ENGINE_METHODS: Mapping[str, Method] = {
             ),
         ),
     )
-}
-# What is to be given for what quantities need.
-UNKNOWN: Mapping[str, str] = {
-    "steam": "an ideal card, with an expansion ratio",
-    "curve": "an ideal card, with an expansion ratio",
-    "clearance": "an ideal card, with an expansion ratio",
-    "compressor": "a compressor, with --pressure-ratio",
-    "heat": "the cycle of a gas engine, --compression, with one adiabatic exponent",
-    "power": "--stroke, --speed, --bore{pressure}",
-    "flow": "a compressor or a pump, --pressure-ratio or --pump",
-    "radius": "the radius at which the mass is, --radius",
-    "masses": "moving masses, such as --reciprocating 300kg",
-    "load": "--bore{pressure}",
-    "torque": "--stroke, --bore{pressure}",
-    "turns": "the mean speed, --speed",
-    "stroke": "--stroke",
-    "inertia": "the flywheel by its --inertia",
 }
 # What the extremes of the speed are called, and which of them is the greatest.
 EXTREMES = {"least": False, "greatest": True}

@@ -17,7 +17,7 @@ from kurbel.engine.cylinder import OUTSTROKE, RETURN_STROKE, WHOLE, AnyTurn, Whe
 from kurbel.engine.digits import check_card
 from kurbel.engine.engine import Assembly, Engine, Load, check_count
 from kurbel.engine.loads.words import LoadWords, words_of, words_of_cylinders
-from kurbel.engine.quantities import ENGINE_METHODS, UNKNOWN
+from kurbel.engine.quantities import ENGINE_METHODS
 from kurbel.engine.turn import turn_of
 from kurbel.errors import ProblemError
 from kurbel.motion.evaluation import PAGE_CELLS
@@ -256,33 +256,42 @@ class EngineRequest(Question):
         asked = not methods or not self.methods or set(methods) <= set(self.methods)
         return asked and super().shows(column)
 
-    def missing(self, quantity: Quantity) -> str:
-        load, crank, unlike = self.steams[0], self.first.crank, self.assembly is not None
-        sized = self.load is not None and crank.radius is not None
-        lacks = {
-            "steam": not self.steamed,
-            "curve": unlike or not hasattr(load, "exponent"),
-            "clearance": unlike or not hasattr(load, "clearance"),
-            "compressor": unlike or load.name != COMPRESSOR,
-            "heat": unlike or not getattr(load, "adiabatic", False),
-            "load": self.load is None,
-            "torque": not sized,
-            "stroke": crank.radius is None,
-            "power": not sized or crank.speed is None,
-            "flow": unlike or not sized or crank.speed is None or not hasattr(load, "delivered"),
-            "masses": all(part.crank.moving is None for part in self.first.parts),
-            "radius": not self.flywheels or self.flywheels[0].radius is None,
-            "turns": self.wheel is None or self.wheel.speed is None,
-            "inertia": self.wheel is None or self.wheel.inertia is None,
+    @cached_property
+    def needs(self) -> Mapping[str, tuple[bool, str]]:
+        """What quantities need: whether it is given, and how it is."""
+        load, crank, alone = self.steams[0], self.first.crank, self.assembly is None
+        sized, flows = self.load is not None and crank.radius is not None, hasattr(load, "delivered")
+        ideal, bore = "an ideal card, with an expansion ratio", f"--bore{self.words.pressure}"
+        powered, power = sized and crank.speed is not None, f"--stroke, --speed, {bore}"
+        pumped = power if flows else "a compressor or a pump, --pressure-ratio or --pump"
+        adiabatic = "the cycle of a gas engine, --compression, with one adiabatic exponent"
+        moving = any(part.crank.moving is not None for part in self.first.parts)
+        at_radius = bool(self.flywheels) and self.flywheels[0].radius is not None
+        return {
+            "": (True, ""),
+            "steam": (self.steamed, ideal),
+            "curve": (alone and hasattr(load, "exponent"), ideal),
+            "clearance": (alone and hasattr(load, "clearance"), ideal),
+            "compressor": (alone and load.name == COMPRESSOR, "a compressor, with --pressure-ratio"),
+            "heat": (alone and getattr(load, "adiabatic", False), adiabatic),
+            "load": (self.load is not None, bore),
+            "torque": (sized, f"--stroke, {bore}"),
+            "stroke": (crank.radius is not None, "--stroke"),
+            "power": (powered, power),
+            "flow": (alone and powered and flows, pumped),
+            "masses": (moving, "moving masses, such as --reciprocating 300kg"),
+            "radius": (at_radius, "the radius at which the mass is, --radius"),
+            "turns": (bool(self.wheel and self.wheel.speed), "the mean speed, --speed"),
+            "inertia": (bool(self.wheel and self.wheel.inertia), "the flywheel by its --inertia"),
         }
-        needs = "power" if quantity.needs == "flow" and hasattr(load, "delivered") else quantity.needs
-        needed = UNKNOWN[needs] if lacks.get(quantity.needs) else ""
-        needed = needed.format(pressure=self.words.pressure)
+
+    def missing(self, quantity: Quantity) -> str:
+        is_given, needed = self.needs[quantity.needs]
         if quantity.of == "stroke" and not self.first.plain:
-            needed = "one double-acting crank"
-        if unlike and quantity.key in OF_ALIKE:
-            needed = "cylinders alike"
-        return f"column {quantity.key} needs {needed}; leave it out, or give that" if needed else ""
+            is_given, needed = False, "one double-acting crank"
+        if self.assembly is not None and quantity.key in OF_ALIKE:
+            is_given, needed = False, "cylinders alike"
+        return "" if is_given else f"column {quantity.key} needs {needed}; leave it out, or give that"
 
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return _methods(column.method) or self.methods or ("exact",)

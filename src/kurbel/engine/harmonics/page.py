@@ -25,7 +25,7 @@ from kurbel.engine.texts import HARMONICS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.page.axes import Axis, ColumnAxis, ListAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, Quantity
+from kurbel.page.quantity import Column
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note, Value
 from kurbel.reading.notation import plain
@@ -83,15 +83,14 @@ class TorqueRequest(EngineRequest):
         spectrum = self.spectrum(place["expansion"], place["ratio"], method)
         return At(spectrum, self.members[place["cylinder"]], self.orders[place["order"]], self.speed)
 
-    def missing(self, quantity: Quantity) -> str:
-        needed = ""
-        if quantity.needs == STAR and not (self.alike and len(self.first.parts[0].starts) > 1):
-            needed = "several cranks with cylinders alike"
-        if quantity.needs == SPEED and self.speed is None:
-            needed = "--speed"
-        if needed:
-            return f"column {quantity.key} needs {needed}; leave it out, or give that"
-        return super().missing(quantity)
+    @cached_property
+    def needs(self) -> Mapping[str, tuple[bool, str]]:
+        several = self.alike and len(self.first.parts[0].starts) > 1
+        own = {
+            STAR: (several, "several cranks with cylinders alike"),
+            SPEED: (self.speed is not None, "--speed"),
+        }
+        return {**super().needs, **own}
 
 
 def _number(request: TorqueRequest, column: Column, place: Place, times: int) -> Value:

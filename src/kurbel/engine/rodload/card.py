@@ -57,7 +57,11 @@ class CardRodLoad(AnyRodLoad):
         angles = [
             np.linspace(*self._ends(stroke), SAMPLES) for stroke in range(len(self.turn.cylinder.strokes))
         ]
-        return [(each, self.load(stroke, each)) for stroke, each in enumerate(angles)]
+        loads = [self.load(stroke, each) for stroke, each in enumerate(angles)]
+        for each in loads:
+            # What is nothing but for rounding changes no sign in a dead centre.
+            each[[0, -1]] *= abs(each[[0, -1]]) > LEAST_LOAD
+        return [*zip(angles, loads, strict=True)]
 
     @cached_property
     def _greatest(self) -> dict[int, _Extreme]:
