@@ -14,6 +14,7 @@ from collections.abc import Iterator, Sequence
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
+from textwrap import fill
 
 from benchmarks.race import Race, Taken, run
 from benchmarks.table import Cells, markdown, measured, text
@@ -61,7 +62,8 @@ def results(names: Sequence[str], quick: bool, rounds: int | None) -> Iterator[C
 def conditions() -> str:
     """Return what was measured on: the processor, Python and the libraries."""
     known = [f"{name} {found}" for name in LIBRARIES if (found := _version(name))]
-    return f"{_processor()}; {platform.system()}, Python {platform.python_version()}; {', '.join(known)}."
+    line = f"{_processor()}; {platform.system()}, Python {platform.python_version()}; {', '.join(known)}."
+    return fill(line, 120, break_long_words=False, break_on_hyphens=False)
 
 
 def _processor() -> str:

@@ -117,3 +117,13 @@ def test_every_example_of_the_reference_runs(
         own = ("--jobs", "1") if words[1:3] == ["handbook", "build"] else ()
         result = kurbel(*words[1:], *own)
         assert result.code == 0, (line, result.err)
+
+
+def test_lines_of_prose_have_at_most_120_characters() -> None:
+    """What programs print is as wide as it is, and a row of a table cannot be broken."""
+    pages = [*ROOT.glob("*.md"), *DOCS.rglob("*.md")]
+    assert len(pages) > 60
+    for page in pages:
+        text = re.sub(r"^( *```).*?^\1", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+        long = [line for line in text.splitlines() if len(line) > 120 and not line.startswith("|")]
+        assert page.name == "CHANGELOG.md" or not long, (page, long)
