@@ -25,7 +25,7 @@ from terminals import own_terminal, shown
 from tools import require
 
 from kurbel import __version__ as kurbel_version
-from kurbel.cli.app import run
+from kurbel.cli.app import command_of, run
 from kurbel.cli.manual import topics
 
 ALONE = [words for words in EVERY if words[0] not in GROUPS]
@@ -117,8 +117,8 @@ def test_no_table_of_the_help_names_an_option_that_is_none() -> None:
     for topic in topics.TOPICS:
         for name in f"{topic.leading} {topic.also}".split():
             assert name.rpartition(".")[2] in every, (topic.name, name)
-    for command, first in topics.FIRST.items():
-        assert {*first.split()} <= known[(command,)], command
+    for (name, *below), names in known.items():
+        assert below or {*vars(command_of(name))["in_short"].split()} <= names, name
     for name in (*topics.SHORTER, *topics.DEFAULTS):
         assert name.rpartition(".")[2] in every, name
 

@@ -92,12 +92,7 @@ class ConstructCommand(TableCommand):
             Option(
                 ["--table"], is_flag=True, topic="question", help="The table of the lengths, also as PDF."
             ),
-            Option(
-                ["--text"],
-                is_flag=True,
-                topic="drawing",
-                help="SVG: letters stay text, to be searched and edited.",
-            ),
+            click_option(Pictured.text),
             own["steps"],
             own["width"],
             own["height"],
@@ -192,7 +187,8 @@ class PlotCommand(MakingCommand):
     """The command, whose options are those of the function and of its files."""
 
     def __init__(self) -> None:
-        super().__init__("plot", params=_params(), help=help_of(plot_mechanism.command))
+        command = plot_mechanism.command
+        super().__init__("plot", params=_params(), help=help_of(command), in_short=command.asks.in_short)
 
     def made(self, given: Given) -> tuple[Drawing, int]:
         """Return the drawing, and the exit code of the command."""

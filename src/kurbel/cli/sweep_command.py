@@ -36,21 +36,16 @@ class SweepCommand(TopicCommand):
             name,
             params=[*own_options(command), *sweep_options(), *running_options()],
             help=help_of(command),
+            in_short=command.asks.in_short,
         )
         self.place, self.asking = place, command
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        ctx.allow_extra_args = True
         with augment_usage_errors(ctx):
             if not ctx.resilient_parsing:
                 *_, order = self.make_parser(ctx).parse_args(args=[*args])
                 ctx.meta[ORDER] = [one.name for one in order]
-            left = super().parse_args(ctx, [*args])
-        if left and not ctx.resilient_parsing:
-            from kurbel.cli.astray import stray
-
-            raise click.UsageError(stray(left[0], self, args), ctx)
-        return left
+        return super().parse_args(ctx, args)
 
     def invoke(self, ctx: click.Context) -> int:
         with augment_usage_errors(ctx):

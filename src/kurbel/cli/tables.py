@@ -58,16 +58,6 @@ class MakingCommand(TopicCommand, ABC):
     def run(self, given: Given) -> int:
         """Print what the options say, and return the exit code."""
 
-    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        ctx.allow_extra_args = True
-        with augment_usage_errors(ctx):
-            left = super().parse_args(ctx, [*args])
-        if left and not ctx.resilient_parsing:
-            from kurbel.cli.astray import stray
-
-            raise click.UsageError(stray(left[0], self, args), ctx)
-        return left
-
     def invoke(self, ctx: click.Context) -> int:
         given = Given(ctx)
         with augment_usage_errors(ctx), given.naming_variables():
@@ -85,7 +75,10 @@ class TableCommand(MakingCommand):
     ) -> None:
         params, self.draws = _params(name, command, more or {}), name not in UNDRAWN
         super().__init__(
-            name, params=[*params, *drawing_options()] if self.draws else params, help=help_of(command)
+            name,
+            params=[*params, *drawing_options()] if self.draws else params,
+            help=help_of(command),
+            in_short=command.asks.in_short,
         )
         self.made_by = command
 

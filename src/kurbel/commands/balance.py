@@ -83,6 +83,7 @@ class FiringOptions(Arranged, OnMachine, Layouts, Plain, CommandOptions):
 
     unnamed = "engine"
     sequence = "cranks banks order intervals strokes columns"
+    in_short = "engine cranks machine strokes order intervals columns"
 
     order = word("Firing order whose cranks are sought, or of these cranks: 1-3-4-2.", "ORDER", whole=True)
     intervals = measure(
@@ -169,6 +170,9 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
     sequence = (
         "cranks positions about banks share angle ratio orders method reciprocating rod_mass centre gyration"
         " rod_file revolving revolving_share balance_radius stroke rod speed spacing columns"
+    )
+    in_short = (
+        "engine cranks positions spacing orders ratio stroke speed machine reciprocating revolving columns"
     )
     rivals: ClassVar[Rivals] = (
         ("engine", "cranks"),

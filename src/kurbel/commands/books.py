@@ -74,6 +74,7 @@ class CollateOptions(Layouts, Worded, CommandOptions):
 
     unnamed = "table"
     sequence = "csv quantity ratio method only columns sources"
+    in_short = "quantity csv ratio method only strict sources columns"
 
     table = word("A table of a book, as `kurbel sources` lists it.", positional=True)
     csv = file("Your own transcription: phi, epsilon or arm, and printed values.")
@@ -134,6 +135,7 @@ class ExampleOptions(Worded, CommandOptions):
     builder = "kurbel.books.example_page:build_example"
     unnamed = "book number"
     sequence = "ratio angle beam eps back force"
+    in_short = "ratio angle force eps back"
 
     book = word("The book, as `kurbel example` lists it.", kind=Source(), positional=True)
     number = word("The number of the example.", kind=ExampleNumber(), positional=True)

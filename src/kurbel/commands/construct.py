@@ -197,6 +197,8 @@ class ConstructionOptions(Constructed, Layouts, Sheet):
     ad,0.34315,0.34315
     """
 
+    in_short = "table point ratio angle offset machine steps width"
+
     columns = columns_option("construction", "formula,drawn,true")
     layout = layout_option("construction")
 

@@ -181,6 +181,7 @@ class DeltaOptions(EngineWithWheel):
 
     unnamed = "eps"
     sequence = f"{ENGINE_ORDER} {LOAD_ORDER} flywheel inertia power resistance speed detail columns"
+    in_short = "eps back bore pressure card ratio machine pressure_ratio compression cranks flywheel detail"
 
     of_sizes: ClassVar[Mapping[str, str]] = {"indicated_power": "power"}
     of_wheel = "delta_mean"
@@ -246,6 +247,7 @@ class TurningOptions(EngineWithWheel, Diagram):
         f"{ENGINE_ORDER} {LOAD_ORDER} flywheel inertia power resistance torque torque_file triangles"
         " load_torque load_torque_file turns areas area_scale speed angle step columns"
     )
+    in_short = "eps back bore pressure card ratio stroke machine torque cranks step columns"
     of_sizes: ClassVar[Mapping[str, str]] = {"pin_path_mm": "stroke", "tangential_kpa": "load"}
     of_wheel = "speed"
 

@@ -72,6 +72,7 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
         " rim_thickness density hoop_stress rim_share disc_diameter disc_thickness"
         f" {LOAD_ORDER} power speed delta radius columns"
     )
+    in_short = "delta power speed swing inertia mass radius eps ratio machine torque areas"
 
     columns = columns_option("flywheel", "target,swing,inertia")
     layout = layout_option(ENGINE, SIZING)

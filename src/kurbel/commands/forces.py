@@ -63,6 +63,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         " rotating rocker_inertia slope gravity head_pressure crank_pressure pressure_difference"
         " piston_rod tail_rod friction pin_friction crosshead_pin crank_pin shaft speed acceleration method"
     )
+    in_short = "ratio stroke rod speed machine force eps bore pressure reciprocating angle columns"
     # A force that is typed outdoes the load of a machine.
     rivals = tuple((key, "force") for key in ("eps", "card", *FURTHER))
 

@@ -47,6 +47,7 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
         " friction offset stroke time_ratio rod mechanism rocker pivot circuit beam eps"
         " reciprocating rocker_inertia speed columns"
     )
+    in_short = "ratio quantity orders machine eps bore pressure stroke speed reciprocating cranks columns"
 
     ratio = BalanceOptions.ratio
     method = BalanceOptions.method

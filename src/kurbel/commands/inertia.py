@@ -53,6 +53,7 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
         "angle from_ to step zero columns offset stroke time_ratio rod mechanism rocker"
         " pivot circuit beam rod_mass centre gyration rod_file speed acceleration method"
     )
+    in_short = "ratio stroke rod speed machine rod_mass centre gyration rod_file angle columns digits"
 
     columns = columns_over_angle("inertia", "phi,inertia_guide,inertia_pin")
     speed = Turning.speed.but(help="Speed, for columns in N and N m: 120/min, 12.5rad/s.")

@@ -100,6 +100,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
         "point angle from_ to step zero over shares columns offset stroke time_ratio rod"
         " method order speed acceleration mechanism rocker pivot circuit beam"
     )
+    in_short = "ratio stroke rod speed machine mechanism offset method angle step columns digits"
     rivals: ClassVar[Rivals] = (("mechanism", "layout"), ("layout", "mechanism"))
 
     columns = columns_over_angle("kinematics", "phi,x,c,p")
@@ -226,6 +227,7 @@ class DeadCentresOptions(Linked, Speed, Layouts, Sheet, CommandOptions):
 
     unnamed = "beam"
     sequence = "ratio exact mechanism offset rocker pivot circuit stroke time_ratio rod speed columns"
+    in_short = "exact ratio stroke rod time_ratio speed machine mechanism offset rocker beam columns"
 
     beam: Option[Sequence[Fraction] | None] = measure(
         as_numbers, "Arm of the beam in crank radii: 3; lists '3;4', ranges 3..6:0.5.", "A:R", many=True,

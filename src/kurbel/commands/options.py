@@ -354,6 +354,11 @@ def flag(help: str, **more: Any) -> Option[bool]:
     return Option(help, kind=FLAG, default=False, **more)
 
 
+def alone_of(value: object) -> Any:
+    """Return the one value of a list of one, which the command line makes of options that may be repeated."""
+    return value[0] if isinstance(value, list | tuple) and len(value) == 1 else value
+
+
 def is_given(value: object) -> bool:
     """Whether a value says anything."""
     if value is None or value is False:

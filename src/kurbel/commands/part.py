@@ -174,12 +174,14 @@ class CommandOptions(Part):
     """A command, made of its parts: what it asks for.
 
     `unnamed` are the options that need no name in Python, and `sequence` those that stand before others there
-    and in the names of pages; `builder` is the place of what makes a page of a question.
+    and in the names of pages; `in_short` are those that one needs first, of which the topic of the first one
+    leads the help; `builder` is the place of what makes a page of a question.
     """
 
     builder: ClassVar[str] = "kurbel.page.build:build"
     unnamed: ClassVar[str] = ""
     sequence: ClassVar[str] = ""
+    in_short: ClassVar[str] = ""
 
     def question(self) -> Any:
         """Return what is asked for, or drawn. Raises KurbelError."""

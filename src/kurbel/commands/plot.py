@@ -54,6 +54,7 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
     topic = "question"
 
     unnamed = "positions"
+    in_short = "positions point animate ratio stroke rod offset mechanism rocker machine seconds"
 
     positions = measure(
         alone(as_angles),

@@ -83,6 +83,9 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         " piston_rod tail_rod stroke speed power brake_power stroke_bore piston_speed cylinders"
         " diagram_factor efficiency specific_volume"
     )
+    in_short = (
+        "power mean_pressure eps pressure card bore stroke speed machine cylinders efficiency brake_power"
+    )
 
     mean_pressure = measure(
         lambda value, what: _ends(value, what),
@@ -308,6 +311,7 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
         " rocker pivot circuit beam stroke time_ratio rod speed reciprocating rod_mass"
         " centre gyration rod_file shares angle columns"
     )
+    in_short = "eps bore pressure card ratio stroke rod speed machine reciprocating shares columns"
 
     columns = columns_option("pressures", "share,gas_pressure,inertia_pressure")
     speed = Cylinder.speed.but(help="Speed, for the masses: 120/min, 12.5rad/s.")

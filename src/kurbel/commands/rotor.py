@@ -71,6 +71,7 @@ class RotorOptions(OnMachine, Speed, Layouts, Sheet, CommandOptions):
 
     unnamed = "masses"
     sequence = "masses radii angles planes balance_planes balance_radii bearings speed about"
+    in_short = "masses radii angles planes bearings speed machine balance_planes balance_radii columns digits"
 
     masses: Option[Sought] = Option(
         "The masses: '200kg;300kg', or '200;300kg'; a ? for one that is asked for.", "MASSES", unit="kg",
@@ -199,6 +200,9 @@ class LocomotiveOptions(OnMachine, Speed, Layouts, Sheet, CommandOptions):
     sequence = (
         "cranks spacing positions gauge stroke reciprocating revolving share axles balance_radius speed"
         " velocity wheel wheel_load hammer_blow"
+    )
+    in_short = (
+        "reciprocating share gauge spacing cranks stroke revolving speed machine wheel_load wheel columns"
     )
 
     cranks: Option[Sequence[Fraction]] = Option(

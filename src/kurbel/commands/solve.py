@@ -78,6 +78,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
         " pressure reciprocating rod_mass centre gyration rod_file rotating rocker_inertia slope"
         " gravity"
     )
+    in_short = "where unknown angle ratio stroke rod speed machine force eps bore pressure"
 
     where: Option[Sequence[str]] = Option(
         'Condition: p=0, s=25% (share of the stroke), x=1.1, "x = 200 mm", "c = 3 m/s", c=max, p=min,'

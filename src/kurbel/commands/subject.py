@@ -10,7 +10,7 @@ from dataclasses import replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
-from kurbel.commands.options import FILE, TEXT, Choice, Option, is_given
+from kurbel.commands.options import FILE, TEXT, Choice, Option, alone_of, is_given
 from kurbel.commands.part import CommandOptions, Origin, Values
 from kurbel.errors import MachineError, ProblemError
 from kurbel.page.table import Request, own_words
@@ -149,7 +149,7 @@ class Command:
         """Return what counted of the values of a question, as they were written."""
         written = values.written
         counted = {
-            name: _alone(written[name])
+            name: alone_of(written[name])
             for name, one in self.options.items()
             if name in values.read - UNTOLD and _is_other(one, written)
         }
@@ -270,11 +270,6 @@ def _variant_name(key: str, name: str, said: str) -> str:
     from hashlib import sha256
 
     return f"{key}{name[:LONGEST].rstrip('-.')}-{sha256(said.encode()).hexdigest()[:6]}"
-
-
-def _alone(value: object) -> Any:
-    """Return the one value of a list of one, which the command line makes of options that may be repeated."""
-    return value[0] if isinstance(value, list | tuple) and len(value) == 1 else value
 
 
 def _is_other(one: Option[object], values: Mapping[str, object]) -> bool:

@@ -115,8 +115,7 @@ def _zero(question: Question) -> Iterator[Label]:
 
 def _records(question: Question) -> Records:
     """Return the records, whose columns have the endings of their units as keys have them."""
-    about, units = question.subject, question.units
-    records = about.rows(question) if about.rows else records_of(question)
+    records, units = own_records(question), question.units
     if units is None:
         return records
     fields = (field._replace(key=units.key(field.key, field.unit)) for field in records.fields)
@@ -162,6 +161,12 @@ def _is_zero(question: Question, place: Place) -> bool:
     finest = question.finest
     number = finest.number(finest.page_columns[place.get("column", 0)], place)
     return isinstance(number, Number) and not number.scaled
+
+
+def own_records(question: Question) -> Records:
+    """Return the records that the subject has of a question, else one for each place."""
+    rows = question.subject.rows
+    return rows(question) if rows else records_of(question)
 
 
 def records_of(question: Question) -> Records:

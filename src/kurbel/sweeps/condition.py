@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from kurbel.commands.options import alone_of
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.separation import MOST_BITS, TooLargeError, outgrows, power
 from kurbel.reading import notation
@@ -305,18 +306,13 @@ def named_axes(plan: Plan, condition: Condition) -> Mapping[str, tuple[int, Axis
     """Return the axes that a condition names, by their options or columns, each with its group."""
     axes = {axis.option: (place, axis) for place, group in enumerate(plan.groups) for axis in group}
     # What is the same everywhere may be named, too.
-    axes |= {name: (FIXED, Axis(name, (_one(given),))) for name, given in plan.given.items()}
+    axes |= {name: (FIXED, Axis(name, (alone_of(given),))) for name, given in plan.given.items()}
     axes |= {key_of(option): found for option, found in axes.items()}
     if not condition.names:
         raise ProblemError(
             f"the condition {plan.only} names no option; choose from {', '.join(sorted(plan.axes))}"
         )
     return {name: axes[meant(name, axes, "option of the sweep")] for name in condition.names}
-
-
-def _one(given: Any) -> Any:
-    """Return the value of an option that may be repeated and was not."""
-    return given[0] if isinstance(given, list | tuple) and len(given) == 1 else given
 
 
 def _holds(

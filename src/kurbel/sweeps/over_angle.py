@@ -20,6 +20,7 @@ from kurbel.motion.bulk import float_angles, float_bound, greatest_value
 from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.page import AngleQuestion, Request
 from kurbel.page.axes import AngleAxis, shifted
+from kurbel.page.build import own_records
 from kurbel.page.quantity import Column
 from kurbel.page.subject import Question
 from kurbel.reading.notation import Progression
@@ -31,7 +32,6 @@ from kurbel.sweeps.records import (
     Pointwise,
     digits_of,
     is_small,
-    records_of_question,
 )
 
 # Questions of a part, and its rows at the most: some seconds, and some tens of megabytes.
@@ -260,7 +260,7 @@ class CertifiedOverAngle(OverAngle):
 
 def _records(plan: Plan, point: int, angles: Sequence[Fraction], digits: int) -> Any:
     question = question_at(plan, point, angles, digits)
-    return records_of_question(replace(question, angles=shifted(angles, question.zero)))
+    return own_records(replace(question, angles=shifted(angles, question.zero)))
 
 
 def is_over_angle(question: Question) -> bool:

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.certify import BALLS
 from kurbel.exact.numerals import MOST_DIGITS, Number
-from kurbel.page.build import records_of
+from kurbel.page.build import own_records
 from kurbel.page.subject import Question
 from kurbel.page.table import Field, Records
 from kurbel.sweeps.columns import MISSING, Asked, Record, Rows, columns_from
@@ -30,11 +30,11 @@ def records_at(plan: Plan, point: int, digits: int, keys: Sequence[str]) -> Reco
     """Return the records of the command at a point, with those of these keys that tell records apart
     elsewhere. Raises KurbelError."""
     question = plan.question(point, digits).for_data
-    records = records_of_question(question)
+    records = own_records(question)
     known = {*question.axis_keys, *question.named}
     if question.columns and {*keys} & known > {field.key for field in records.fields} & known:
         question = replace(question, columns=tuple(key for key in keys if key in known))
-        return records_of_question(question)
+        return own_records(question)
     return records
 
 
@@ -45,11 +45,6 @@ class First(NamedTuple):
     fields: tuple[Field, ...]
     rows: list[Sequence[Any]]
     needed: list[str]
-
-
-def records_of_question(question: Question) -> Records:
-    """Return the records of a question for data."""
-    return question.subject.rows(question) if question.subject.rows else records_of(question)
 
 
 def first_of(plan: Plan) -> First:
@@ -64,7 +59,7 @@ def first_of(plan: Plan) -> First:
     for point in (point for start in range(MIXED) for point in points[start::MIXED]):
         try:
             question = plan.question(point, digits_of(plan)).for_data
-            records = records_of_question(question)
+            records = own_records(question)
             needed = [*question.columns, *question.apart]
             found.append(First(records.fields, [*records.rows], needed))
         except KurbelError as error:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import click
+from click.core import augment_usage_errors
 
 from kurbel.cli.app import show
 from kurbel.cli.options import Document
@@ -60,10 +61,12 @@ class HelpOption(click.Option):
 
 
 class TopicCommand(click.Command):
-    """A command whose options stand in topics."""
+    """A command whose options stand in topics, `in_short` those that one needs first. What it asks for has no
+    words but behind options."""
 
-    def __init__(self, *args: Any, **more: Any) -> None:
+    def __init__(self, *args: Any, in_short: str, **more: Any) -> None:
         super().__init__(*args, **more)
+        self.in_short = in_short
         self.add_help_option = False
         short = click.Option(
             ["help_short", "-h"], is_flag=True, is_eager=True, expose_value=False, hidden=True,
@@ -73,6 +76,16 @@ class TopicCommand(click.Command):
 
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
         return [*super().get_params(ctx), *self._helps]
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        ctx.allow_extra_args = True
+        with augment_usage_errors(ctx):
+            left = super().parse_args(ctx, [*args])
+        if left and not ctx.resilient_parsing:
+            from kurbel.cli.astray import stray
+
+            raise click.UsageError(stray(left[0], self, args), ctx)
+        return left
 
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         from kurbel.cli.manual.help import write_text

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import click
 
 from kurbel.cli import LANGUAGES
+from kurbel.cli.manual.command import TopicCommand
 from kurbel.cli.manual.topics import (
     DEFAULTS,
     SHORTER,
@@ -154,6 +155,7 @@ def short_text(context: click.Context) -> str:
     from kurbel.cli.manual.examples import short
 
     command, path = context.command, context.command_path
+    assert isinstance(command, TopicCommand)
     formatter = context.make_formatter()
     command.format_usage(context, formatter)
     formatter.write_paragraph()

@@ -8,11 +8,14 @@ A topic has no command's name, for both are behind `kurbel help`.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple, TypeGuard
+from typing import TYPE_CHECKING, NamedTuple, TypeGuard
 
 import click
 
 from kurbel.cli.app import HELP_OPTIONS
+
+if TYPE_CHECKING:
+    from kurbel.cli.manual.command import TopicCommand
 
 
 class Topic(NamedTuple):
@@ -68,32 +71,7 @@ TOPICS = (
     Topic("drawing", "The drawing", "width height", "output"),
     Topic("output", "The output", "output format"),
 )
-# Of each command the options that one needs first; the topic of the first one leads its help.
-FIRST: Mapping[str, str] = {
-    "table": "ratio stroke rod speed machine mechanism offset method angle step columns digits",
-    "forces": "ratio stroke rod speed machine force eps bore pressure reciprocating angle columns",
-    "inertia": "ratio stroke rod speed machine rod_mass centre gyration rod_file angle columns digits",
-    "solve": "where unknown angle ratio stroke rod speed machine force eps bore pressure",
-    "delta": "eps back bore pressure card ratio machine pressure_ratio compression cranks flywheel detail",
-    "turning": "eps back bore pressure card ratio stroke machine torque cranks step columns",
-    "pressures": "eps bore pressure card ratio stroke rod speed machine reciprocating shares columns",
-    "power": "power mean_pressure eps pressure card bore stroke speed machine cylinders efficiency"
-    " brake_power",
-    "flywheel": "delta power speed swing inertia mass radius eps ratio machine torque areas",
-    "deadcentres": "exact ratio stroke rod time_ratio speed machine mechanism offset rocker beam columns",
-    "harmonics": "ratio quantity orders machine eps bore pressure stroke speed reciprocating cranks columns",
-    "balance": "engine cranks positions spacing orders ratio stroke speed machine reciprocating revolving"
-    " columns",
-    "rotor": "masses radii angles planes bearings speed machine balance_planes balance_radii columns digits",
-    "locomotive": "reciprocating share gauge spacing cranks stroke revolving speed machine wheel_load wheel"
-    " columns",
-    "firing": "engine cranks machine strokes order intervals columns",
-    "collate": "quantity csv ratio method only strict sources columns",
-    "example": "ratio angle force eps back",
-    "plot": "positions point animate ratio stroke rod offset mechanism rocker machine seconds",
-    "construct": "table point ratio angle offset machine steps width",
-}
-# So many are shown, with those behind its own.
+# So many options are shown in short, with those behind the command's own.
 MOST = 15
 # Of every command behind its own, of sweeps their own before.
 LAST = "lang output format"
@@ -133,7 +111,7 @@ DEFAULTS: Mapping[str, str] = {
 def topics_of(command: click.Command) -> Iterator[tuple[Topic, Sequence[click.Option]]]:
     """Yield the topics of a command with their options, that of its first option first."""
     options = options_of(command)
-    first = FIRST.get(command.name or "", "").partition(" ")[0]
+    first = getattr(command, "in_short", "").partition(" ")[0]
     found = []
     for topic in TOPICS:
         # What click has of its own is about the output.
@@ -144,12 +122,12 @@ def topics_of(command: click.Command) -> Iterator[tuple[Topic, Sequence[click.Op
     yield from sorted(found, key=lambda pair: options.get(first) not in pair[1])
 
 
-def first_of(command: click.Command) -> Sequence[click.Option]:
+def first_of(command: TopicCommand) -> Sequence[click.Option]:
     """Return what one needs first, at most fifteen."""
     options = options_of(command)
     own, last = (
         [options[name] for name in names.split() if name in options]
-        for names in (FIRST[command.name or ""], SWEEPS_LAST if is_sweep(command) else LAST)
+        for names in (command.in_short, SWEEPS_LAST if is_sweep(command) else LAST)
     )
     return [*own[: MOST - len(last)], *last]
 
