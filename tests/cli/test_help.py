@@ -243,7 +243,9 @@ def test_a_search_finds_what_others_call_otherwise(words: str, found: list[str])
 
 
 TEN = (ROOT / "docs" / "howto" / "problem-to-command.md").read_text(encoding="utf-8")
-WAYS = re.findall(r"^\*\*`([\w-]+)`\*\*: .*\nTyped: ([^$]*)\n```console\n\$ kurbel (.*)$", TEN, re.MULTILINE)
+WAYS = re.findall(
+    r"^\*\*`([\w-]+)`\*\*: [^$]*?\sTyped: ([^$]*)\n```console\n\$ kurbel (.*)$", TEN, re.MULTILINE
+)
 
 
 def read_toml(file: Path) -> dict[str, Any]:
