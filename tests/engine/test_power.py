@@ -50,7 +50,7 @@ def test_the_greatest_pressure_of_an_otto_cycle_is_a_pressure() -> None:
 
 def test_the_diagram_factor_is_found_from_the_power() -> None:
     mean = (10 * (1 + log(6)) / 6 - 0.55) * 1e5
-    steam = ("--eps=6", "--pressure=10bar", "--back=0.55bar", "--diagram-factor=?")
+    steam = ("--eps=6", "--pressure=10bar", "--back=0.55bar", "--unknown=diagram_factor")
     sizes = ("--bore=250mm", "--speed=210/min")
     factor = 45e3 / (2 * 3.5 * pi / 4 * 0.25**2 * 0.375 * mean)
     found = record(*steam, *sizes, "--stroke=375mm", "--power=45kW")
@@ -58,7 +58,7 @@ def test_the_diagram_factor_is_found_from_the_power() -> None:
     assert found["mean_pressure"] == pytest.approx(factor * mean / 1e5, abs=1e-9)
     brake = record(*steam, *sizes, "--stroke-bore=1.5", "--brake-power=36kW", "--efficiency=80%")
     assert brake["diagram_factor"] == found["diagram_factor"]
-    assert refusal("power", *steam, *sizes, "--power=45kW").endswith("speed and pressure; add --stroke")
+    assert refusal("power", *steam, *sizes, "--power=45kW").endswith("and pressure; add --stroke")
     assert "makes an indicated power of 52.868 kW, less than the 53 kW that are given" in refusal(
         "power", *steam, *sizes, "--stroke=375mm", "--power=53kW"
     )

@@ -121,3 +121,33 @@ def holes_in_a_plate(
 def riveting_machine(work: mpf, power: mpf, time: mpf, inertia: mpf, speed: mpf) -> Rows:
     after = sqrt(speed**2 - 2 * (work - power * time) / inertia)
     return [{"least_speed": per_minute(after), "strokes": power / work * 60}]
+
+
+@solution
+def rim_by_shares(
+    swing: mpf, speed: mpf, delta: mpf, density: mpf, share: mpf, breadth: mpf, thickness: mpf
+) -> Rows:
+    # Of a rim with a mean diameter of 1 m: its mass at half of that.
+    unit = density * breadth * thickness * pi / 4
+    diameter = (share * wheel(swing, speed, delta)["inertia"] / unit) ** mpf("0.2")
+    return [
+        {
+            "rim_diameter": diameter,
+            "breadth": breadth * diameter * 1000,
+            "thickness": thickness * diameter * 1000,
+            "rim_mass": 4 * unit * diameter**3,
+        }
+    ]
+
+
+@solution
+def disc_by_its_shape(swing: mpf, speed: mpf, delta: mpf, density: mpf, thickness: mpf) -> Rows:
+    mass = density * thickness * pi / 4
+    diameter = (wheel(swing, speed, delta)["inertia"] / (mass / 8)) ** mpf("0.2")
+    return [
+        {
+            "disc_diameter": diameter,
+            "disc_thickness": thickness * diameter * 1000,
+            "mass": mass * diameter**3,
+        }
+    ]

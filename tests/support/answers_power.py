@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from mpmath import mpf, pi, quad
+from collections.abc import Callable, Sequence
+
+from mpmath import diff, findroot, log, mpf, pi, quad
 from problem_answers import Rows, solution
 
 BAR = mpf(10) ** 5
@@ -133,5 +135,89 @@ def power_from_the_mean_pressure(
             "indicated_power": power / 1000,
             "brake_power": efficiency * power / 1000,
             "mean_torque": efficiency * power / speed,
+        }
+    ]
+
+
+def bisected(function: Callable[[mpf], mpf], low: mpf, high: mpf) -> mpf:
+    """The zero between two places at which a function has unlike signs."""
+    falls = function(low) > 0
+    for _ in range(110):
+        middle = (low + high) / 2
+        low, high = (middle, high) if (function(middle) > 0) == falls else (low, middle)
+    return low
+
+
+@solution
+def cut_off_for_a_power(
+    pressure: mpf, back: mpf, factor: mpf, bore: mpf, stroke: mpf, speed: mpf, power: mpf
+) -> Rows:
+    wanted = power / (2 * factor * swept(bore, stroke) * turns(speed)) + back
+
+    def lacking(share: mpf) -> mpf:
+        # The antiderivative of p share/x: without clearance the logarithm.
+        return pressure * share * (1 - log(share)) - wanted
+
+    return [{"cut_off": bisected(lacking, mpf("0.001"), mpf(1)), "indicated_power": power / 1000}]
+
+
+@solution
+def steam_pressure_for_a_power(
+    expansion: mpf, back: mpf, clearance: mpf, bore: mpf, stroke: mpf, speed: mpf, power: mpf
+) -> Rows:
+    whole = mean_pressure(mpf(1), mpf(0), expansion, clearance)
+    wanted = power / (2 * swept(bore, stroke) * turns(speed))
+    return [{"steam_pressure": (wanted + back) / whole / BAR, "mean_pressure": wanted / BAR}]
+
+
+def compressor_work(ratio: mpf, exponent: mpf, clearance: mpf) -> mpf:
+    """Work of the swept volume 1 at suction pressure 1: of the polytrope, p^(-1/n) over the pressure."""
+    part = 1 - 1 / exponent
+    return (1 + clearance - clearance * ratio ** (1 / exponent)) * (ratio**part - 1) / part
+
+
+@solution
+def compressor_for_a_delivery(
+    ratio: mpf, suction: mpf, exponent: mpf, clearance: mpf, delivery: mpf, shape: mpf, speed: mpf,
+    efficiency: mpf,
+) -> Rows:  # fmt: skip
+    sucked = 1 + clearance - clearance * ratio ** (1 / exponent)
+    volume = delivery / turns(speed) / sucked
+    bore = (volume / (pi / 4 * shape)) ** (mpf(1) / 3)
+    work = suction * volume * compressor_work(ratio, exponent, clearance)
+    power = work * turns(speed) / 1000
+    return [
+        {
+            "bore": bore * 1000,
+            "stroke": shape * bore * 1000,
+            "indicated_power": power,
+            "brake_power": power / efficiency,
+        }
+    ]
+
+
+@solution
+def pressure_ratio_for_a_power(
+    suction: mpf, exponent: mpf, clearance: mpf, bore: mpf, stroke: mpf, speed: mpf, power: mpf
+) -> Rows:
+    wanted = power / (swept(bore, stroke) * turns(speed) * suction)
+
+    def apart(ratio: mpf) -> mpf:
+        return compressor_work(ratio, exponent, clearance) - wanted
+
+    most = ((1 + clearance) / clearance) ** exponent
+    top = findroot(lambda at: diff(apart, at), (mpf(2) + most) / 4)
+    return [{"pressure_ratio": bisected(apart, *ends)} for ends in ((mpf(1), top), (top, most))]
+
+
+@solution
+def diagram_factor_of_cards(
+    expansion: mpf, pressure: mpf, back: mpf, cards: Sequence[mpf], bore: mpf, stroke: mpf, speed: mpf
+) -> Rows:
+    mean = sum(cards) / 2
+    return [
+        {
+            "diagram_factor": mean / mean_pressure(pressure, back, expansion),
+            "indicated_power": 2 * mean * swept(bore, stroke) * turns(speed) / 1000,
         }
     ]

@@ -41,6 +41,7 @@ UNITS = {
     "kg m2": mpf(1),
     "kgm2": mpf(1),
     "kg/m3": mpf(1),
+    "m3/min": mpf(1) / 60,
 }
 
 

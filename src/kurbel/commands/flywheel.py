@@ -6,14 +6,14 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from kurbel.commands.engine import ENGINE_ORDER, EXAMPLE, LOAD_ORDER, WITH_MASSES
-from kurbel.commands.options import Option
+from kurbel.commands.options import Choice, Option, word
 from kurbel.commands.part import CommandOptions, flag_of
 from kurbel.commands.parts.diagram import Diagram
 from kurbel.commands.parts.effort import RODS
 from kurbel.commands.parts.engine import Engine
 from kurbel.commands.parts.press import Press
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
-from kurbel.commands.parts.wheel import PLAIN, Body, Rim, Swing, Wheel
+from kurbel.commands.parts.wheel import FIGURES, PLAIN, SPEEDS, Body, Rim, Swing, Wheel
 from kurbel.commands.subject import function
 from kurbel.drive.wheel import Flywheel, check_irregularity
 from kurbel.engine.captions import caption
@@ -22,7 +22,8 @@ from kurbel.engine.diagram import texts
 from kurbel.engine.diagram.areas import Areas
 from kurbel.engine.diagram.fluctuation import Fluctuation
 from kurbel.engine.diagram.wheel.page import WheelRequest
-from kurbel.engine.diagram.wheel.sizing import Known, Sizing, gathered, sized
+from kurbel.engine.diagram.wheel.relations import SHOWN, registry
+from kurbel.engine.diagram.wheel.sizing import Known, Sizing, gathered, sized, told_by
 from kurbel.engine.notes import engine_notes
 from kurbel.engine.quantities import engine_registry, value
 from kurbel.engine.request import EngineRequest
@@ -70,10 +71,15 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
         " swing energy_fluctuation work strokes share duration hole shear_energy shear_strength efficiency"
         " greatest_speed least_speed inertia mass rim_diameter rim_speed rim_section rim_breadth"
         " rim_thickness density hoop_stress rim_share disc_diameter disc_thickness"
-        f" {LOAD_ORDER} power speed delta radius columns"
+        f" {LOAD_ORDER} power speed delta radius columns unknown"
     )
     in_short = "delta power speed swing inertia mass radius eps ratio machine torque areas"
 
+    unknown = word(
+        "What is asked for: disc_diameter, rim_mass, delta; says what is missing where it does not follow.",
+        kind=Choice("unknown", "kurbel.engine.diagram.wheel.relations:SHOWN"),
+        topic="question",
+    )
     columns = columns_option("flywheel", "target,swing,inertia")
     layout = layout_option(ENGINE, SIZING)
 
@@ -214,6 +220,8 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
             sized(gathered((*figures.items(), ("delta", Known(Product.of(target), ("--delta",))))), limit)
             for target in targets
         ] or [sized(figures, limit)]
+        for wheel in wheels:
+            self._check_unknown(wheel)
         return WheelRequest(
             wheels=tuple(wheels),
             targets=tuple(targets),
@@ -222,6 +230,20 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
             press=(share.working, share.rest) if share else None,
             **self.on_page(page, EXAMPLE),
         )
+
+    def _check_unknown(self, wheel: Sizing) -> None:
+        """Raise ProblemError for what is asked for and does not follow, with what would tell it."""
+        unknown = self.unknown
+        if unknown is None or wheel.knows(unknown):
+            return
+        options = {FIGURES.get(name, name): flag_of(name) for name in PLAIN}
+        options |= {figure: flag_of(name) for name, figure in SPEEDS.items()} | {"delta": "--delta"}
+        of = SHOWN[unknown].figure
+        ways = [
+            flag for figure, flag in options.items() if figure != of and told_by(wheel.figures, figure, of)
+        ]
+        name, more = registry()[unknown].name["en"], " or ".join(ways) or "more of the wheel"
+        raise ProblemError(f"{name} does not follow from what is given; add {more}")
 
     def _source(self) -> str:
         """Return what the swing is known from, for the caption."""

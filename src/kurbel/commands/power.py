@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
-from typing import Any
+from typing import Any, TypeGuard
 
-from kurbel.commands.options import Option, alone, measure
+from kurbel.commands.options import Choice, Option, alone, measure, word
 from kurbel.commands.part import CommandOptions, Values, flag_of
 from kurbel.commands.parts.angles import SHARE
 from kurbel.commands.parts.drive import Linked, OnMachine, settle_sizes
@@ -21,9 +22,10 @@ from kurbel.commands.subject import function
 from kurbel.drive.crank import Crank
 from kurbel.drive.load import CARD, MASSES, PUMP
 from kurbel.engine.engine import Engine, Load
-from kurbel.engine.power.duty import Duty
+from kurbel.engine.power.duty import Duty, equation
 from kurbel.engine.power.page import PowerRequest
 from kurbel.engine.power.source import Acting, GivenPressure
+from kurbel.engine.power.unknown import UNKNOWNS, sought
 from kurbel.engine.pressures import Pressed, PressuresRequest
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import ProblemError
@@ -32,6 +34,7 @@ from kurbel.page.layouts import Layout, layout
 from kurbel.page.subject import Question
 from kurbel.reading.given import (
     as_angles,
+    as_flow,
     as_length,
     as_number,
     as_power,
@@ -49,7 +52,9 @@ NEEDED = (
     " --card, --pressure-ratio, --pump or --compression"
 )
 # What makes a power of the mean pressure.
-SIZES = ("power", "brake_power", "bore", "stroke", "speed", "stroke_bore", "piston_speed")
+SIZES = ("power", "brake_power", "bore", "stroke", "speed", "stroke_bore", "piston_speed", "delivery")
+# What gives a delivery.
+GIVING = ("pressure_ratio", "pump")
 # What tells how much steam is taken.
 # The layouts over the stroke and over the crank angle, and what they are about.
 PRESSURES, ABOUT = ("pressures", "pressures-turn"), ("pressures", "pressures over the angle")
@@ -81,7 +86,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     sequence = (
         "mean_pressure working_strokes pressure back exponent clearance single_acting card ratio bore"
         " piston_rod tail_rod stroke speed power brake_power stroke_bore piston_speed cylinders"
-        " diagram_factor efficiency specific_volume"
+        " diagram_factor efficiency specific_volume delivery unknown"
     )
     in_short = (
         "power mean_pressure eps pressure card bore stroke speed machine cylinders efficiency brake_power"
@@ -119,16 +124,35 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         as_velocity, "Mean piston speed in place of the stroke or the speed: 3m/s.", "VELOCITY", unit="m/s"
     )
     cylinders = measure(as_number, "Number of cylinders alike; default 1.", "NUMBER", topic="cylinders")
+    delivery = measure(
+        as_flow, "Delivery of a compressor or a pump, in the state of suction, to find sizes: '2 m3/min'.",
+        "FLOW", unit="m³/s", topic="compressor",
+    )  # fmt: skip
+    unknown = word(
+        "What is asked for of a power, a mean pressure or a delivery: eps, pressure, back, clearance,"
+        " pressure_ratio or diagram_factor; bore, stroke, speed and power follow without it.",
+        kind=Choice("unknown", "kurbel.engine.power.unknown:NAMES"),
+        topic="question",
+    )
     columns = columns_option("power", "mean_pressure,indicated_power")
     layout = layout_option("power").but(default="power")
 
     @classmethod
     def settle(cls, values: Values) -> None:
+        unknown = values.values.get("unknown")
+        if isinstance(unknown, str) and not values.typed(unknown):
+            values.drop(unknown)
         settle_sizes(values)
 
     def question(self) -> Question:
-        page = self.page("power", "power")
-        duty = self._duty()
+        page, unknown = self.page("power", "power"), self.unknown
+        if unknown is not None and self.says(unknown):
+            raise ProblemError(
+                f"{flag_of(unknown)} is given and asked for, as --unknown; leave one of the two out"
+            )
+        duty = self._probed(unknown)._duty() if self._is_sought(unknown) else self._duty()
+        if unknown == "pressure":
+            duty = replace(duty, pressure=None)
         return PowerRequest(
             sources=self._sources(page, duty),
             duty=duty,
@@ -149,6 +173,8 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             return (
                 f"{flag} is for the power, and nothing tells it; add --bore, --stroke and --speed, or --power"
             )
+        if name == "delivery":
+            return f"{flag} is that of a compressor or a pump; add --pressure-ratio or --pump"
         if name == "working_strokes":
             return f"{flag} is for --mean-pressure; other loads say it themselves"
         if self.says("mean_pressure") and not load:
@@ -176,18 +202,18 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     def _duty(self) -> Duty:
         """Return what is given, with the pressure that mean pressures count in."""
         factor = self.diagram_factor
-        asked = factor == "?"
         cylinders = self._count() if self.says(*SIZES) else 1
         duty = partial(
             Duty, bore=self.bore, stroke=self.stroke, speed=self.speed, power=self.power,
             brake_power=self.brake_power, stroke_bore=self.stroke_bore, piston_speed=self.piston_speed,
-            cylinders=cylinders, piston_rod=self.piston_rod, tail_rod=self.tail_rod, factor_asked=asked,
-            efficiency=self.efficiency,
-            diagram_factor=factor if isinstance(factor, Fraction) else Fraction(1),
-            specific_volume=self._volume() if self.says("eps") else None,
+            cylinders=cylinders, piston_rod=self.piston_rod, tail_rod=self.tail_rod,
+            unknown=self.unknown or "", delivery=self.delivery if self.says(*GIVING) else None,
+            efficiency=self.efficiency, diagram_factor=Fraction(1) if factor is None else factor,
+            specific_volume=self._volume() if self.says("eps") or self.unknown == "eps" else None,
+            ends=self.mean_pressure or (),
         )  # fmt: skip
-        if (ends := self.mean_pressure) is not None:
-            return duty(ends=ends)
+        if self.says("mean_pressure") and not self.says("unknown"):
+            return duty()
         names = [name for name in self.weighing() if name != "bore"]
         name = names[0] if names else "pressure"
         pressure = as_pressure(self.raw(name), name.replace("_", " ")) if names and self.says(name) else None
@@ -223,7 +249,9 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     def _sources(self, page: Layout, duty: Duty) -> Sequence[Acting | GivenPressure]:
         """Return where the mean pressures come from."""
         named = self.load_names()
-        if self.says("mean_pressure"):
+        if self._is_sought(unknown := self.unknown):
+            return self._sought(page, duty, unknown)
+        if self.says("mean_pressure") and not (named and unknown):
             if named:
                 raise ProblemError(
                     f"{flag_of(named[0])} and --mean-pressure are two mean pressures; leave one out"
@@ -237,6 +265,52 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             return [GivenPressure(strokes)]
         if not named:
             raise ProblemError(NEEDED)
+        return self._acting(page, duty)
+
+    def _is_sought(self, unknown: str | None) -> TypeGuard[str]:
+        """Whether what is asked for is a number of the load, and not a factor of its relations: the steam
+        pressure is one where the back pressure is a share of it."""
+        return unknown in UNKNOWNS and (unknown != "pressure" or self._back_is_pressure())
+
+    def _probed(self, unknown: str, found: Fraction | None = None) -> PowerOptions:
+        """Return the same with a value of what is asked for: that which was found, or one with which there is
+        a load to begin with. Raises ProblemError for none."""
+        asked = UNKNOWNS[unknown]
+        if unknown not in asked.loads and not self.says(*asked.loads):
+            raise ProblemError(
+                f"--unknown {unknown} is a number of a load; add {' or '.join(map(flag_of, asked.loads))}"
+            )
+        values = asked.probes if found is None else (found,)
+        for value in values:
+            tried = PowerOptions(self.values.instead({unknown: value}, own=True))
+            try:
+                count = len(tried.loads(layout("power")))
+            except ProblemError:
+                if value == values[-1]:
+                    raise
+                continue
+            if count != 1:
+                raise ProblemError(f"--unknown is of one load, and {count} were given; give one")
+            break
+        return tried
+
+    def _sought(self, page: Layout, duty: Duty, unknown: str) -> Sequence[Acting]:
+        """Return what acts on the piston with every number of it that does what is given."""
+        over = as_pressure(self.raw("back"), "back pressure") if unknown == "pressure" else None
+        [source] = self._probed(unknown)._acting(page, duty)
+        relation, missing = equation(duty, source, over is not None)
+        if relation is None:
+            raise ProblemError(
+                f"--unknown {unknown} is found from a power, a mean pressure or a delivery; add"
+                f" {' and '.join(missing)}"
+            )
+        return [
+            replace(one, sought=found)
+            for found in sought(source.load, unknown, relation, over)
+            for one in self._probed(unknown, found.near)._acting(page, duty)
+        ]
+
+    def _acting(self, page: Layout, duty: Duty) -> Sequence[Acting]:
         loads = self.loads(page)
         double = getattr(loads[0], "double", None)
         double = not self.single_acting if double is None else double

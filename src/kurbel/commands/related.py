@@ -258,6 +258,8 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
     request = second.question
     duty, asked = request.duty, second.asked
     source = request.sources[0]
+    if source.sought is not None:
+        raise ProblemError("numbers of a load that are asked for are not computed a second time")
     if getattr(source, "carded", False):
         raise ProblemError("powers of indicator cards are not computed a second time")
 
@@ -275,6 +277,8 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
         }  # fmt: skip
         if not duty.factor_asked:
             known["diagram_factor"] = number(duty.diagram_factor)
+        if duty.delivery is not None:
+            known["delivery"] = number(duty.delivery)
         if duty.speed is not None:
             known["speed"] = _omega(duty.speed) / (2 * pi())
         if duty.efficiency is not None:
@@ -283,7 +287,9 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
             areas = [(duty.bore or 1) ** 2 - (rod or 0) ** 2 for rod in (duty.tail_rod, duty.piston_rod)]
             areas = areas[: len(duty.ends)]
             weighed = sum((one * area for one, area in zip(duty.ends, areas, strict=True)), Fraction(0))
-            known["pressure"] = number(weighed / sum(areas))
+            acting = hasattr(source, "load")
+            known["mean_pressure" if acting else "pressure"] = number(weighed / sum(areas))
+        if duty.ends and not acting:
             known["relative_pressure"] = number(1)
         else:
             strokes = second.load(row)()

@@ -285,6 +285,10 @@ POWER_TEXTS = {
         "$p_i = φ_d p_m$, Völligkeitsgrad des Diagramms $φ_d$ aus der Leistung"
         "|$p_i = φ_d p_m$, diagram factor $φ_d$ from the power"
     ),
+    "sought": words(
+        "{symbol}: alle Werte {bounds}, mit denen das Gegebene gilt"
+        "|{symbol}: all values {bounds} with which what is given holds"
+    ),
     "efficiency": words(
         "$N_e = η N_i$, mechanischer Wirkungsgrad $η = {efficiency}$"
         "|$N_e = η N_i$, mechanical efficiency $η = {efficiency}$"

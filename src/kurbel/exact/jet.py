@@ -79,6 +79,10 @@ class Jet:
         slope = arb(self.slope)
         return Jet(abs(self.value), slope.union(-slope), arb(0, "inf"))
 
+    def log(self) -> Jet:
+        rate = self.slope / self.value
+        return Jet(self.value.log(), rate, self.bend / self.value - rate * rate)
+
     def asin(self) -> Jet:
         """Return the arc that has this sine, within a right angle."""
         cosine = (1 - self.value * self.value) ** 0.5

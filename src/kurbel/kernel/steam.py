@@ -46,6 +46,12 @@ class Expansion(NamedTuple):
         gain = expansion_work(self.growth(share), self.exponent)
         return self.full_pressure_work(share) + (self.cut_off + self.clearance) * gain
 
+    def whole(self) -> Number:
+        """Return the work of the whole stroke, on numbers that need not compare."""
+        room = self.cut_off + self.clearance
+        gain = expansion_work((1 + self.clearance) / room, self.exponent)
+        return self.cut_off + room * gain - self.back
+
     def full_pressure_work(self, share: Number) -> Number:
         """Return the work without that of the expansion."""
         return smaller(share, self.cut_off) - self.back * share

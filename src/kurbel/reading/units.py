@@ -59,6 +59,10 @@ KNOWN: Mapping[str, Mapping[str, Fraction]] = {
         "lbf*ft": _FOOT_POUND, "ft*lbf": _FOOT_POUND, "lbf*in": _INCH_POUND,
     },
     "[length]**3/[mass]": _scaled({"m*m*m/kg": 1}),
+    "[length]**3/[time]": {
+        **_scaled({"m*m*m/s": 1, "m*m*m/min": "1/60", "m*m*m/h": "1/3600"}),
+        **_scaled({"l/s": "1/1000", "l/min": "1/60000", "L/s": "1/1000", "L/min": "1/60000"}),
+    },
     "[time]": _scaled({"s": 1, "ms": "1/1000", "min": 60}),
     "[pressure]": {
         **_scaled({"Pa": 1, "kPa": 1000, "MPa": 10**6, "bar": 10**5, "mbar": 100}),
@@ -170,6 +174,8 @@ energy = Measure("an energy such as 5kJ", "[energy]", "J")
 # "1.8s"
 duration = Measure("a time such as 1.8s", "[time]", "s", _LARGEST, "time")
 volume = Measure("a specific volume such as 0.24 m³/kg", "[length]**3/[mass]", "m**3/kg", _LARGEST)
+# "2 m³/min", "40 l/s"
+flow = Measure("a flow such as 2 m³/min", "[length]**3/[time]", "m**3/s", _LARGEST)
 density = Measure("a density such as 4.2 kg/m³", "[mass]/[length]**3", "kg/m**3", _LARGEST)
 # "1.013bar"; below 0 where it counts from the atmosphere
 pressure = Measure("a pressure such as 1bar", "[pressure]", "Pa")

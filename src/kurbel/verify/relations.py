@@ -30,9 +30,11 @@ FLYWHEEL = """
     omega_max = omega above; omega_min = omega below; 1 = delta steadiness;
     rim_speed = 1/2 omega rim_diameter; hoop_stress = density rim_speed^2; section = breadth thickness;
     rim_mass = pi rim_diameter density section; breadth = proportion thickness;
+    breadth = breadth_share rim_diameter; thickness = thickness_share rim_diameter;
     rim_inertia = 1/4 rim_mass rim_diameter^2; rim_inertia = inertia rim_share"""
 DISC = """
-    inertia = 1/8 mass disc_diameter^2; mass = 1/4 pi density disc_diameter^2 disc_thickness"""
+    inertia = 1/8 mass disc_diameter^2; mass = 1/4 pi density disc_diameter^2 disc_thickness;
+    disc_thickness = disc_share disc_diameter"""
 
 
 class Law(NamedTuple):

@@ -83,9 +83,9 @@ class Losses(Part):
     topic = "work"
 
     diagram_factor = measure(
-        lambda value, what: value if value == "?" else as_share(value, what),
-        "Area of the real card in that of the ideal one: 0.8, or ? to find it from a power; default 1, the"
-        " ideal card.",
+        as_share,
+        "Area of the real card in that of the ideal one: 0.8; default 1, the ideal card. --unknown finds it"
+        " from a power.",
         "SHARE",
         machine="steam",
     )

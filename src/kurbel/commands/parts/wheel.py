@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 from kurbel.commands.options import Option, alone, amount, measure
 from kurbel.commands.part import Part, Rivals, flag_of
@@ -39,9 +39,28 @@ PLAIN = (
     "disc_thickness",
 )  # fmt: skip
 FIGURES = {"rim_breadth": "breadth", "rim_thickness": "thickness"}
+# What they are where they are written as shares of a diameter.
+SHARES = {
+    "rim_breadth": "breadth_share",
+    "rim_thickness": "thickness_share",
+    "disc_thickness": "disc_share",
+}
 SPEEDS = {"speed": "omega", "greatest_speed": "omega_max", "least_speed": "omega_min"}
 _RANGE = re.compile(r"(.+?)\.\.(.+)")
 _SQUARE = re.compile(r"(?<=[a-z])2$")
+
+
+class ShareOf(NamedTuple):
+    """A share of a diameter, in the place of a length."""
+
+    share: Fraction
+
+
+def _size(given: object, what: str) -> Fraction | ShareOf:
+    """Return a length in metres, or what is written as 20% of a diameter. Raises KurbelError."""
+    if isinstance(given, str) and given.strip().endswith("%"):
+        return ShareOf(as_share(given, what))
+    return as_length(given, what)
 
 
 class Swing(Part):
@@ -105,12 +124,12 @@ class Rim(Part):
         whole=True,
     )
     rim_breadth = measure(
-        as_length, "Breadth of the rim, along the shaft: 300mm.", "LENGTH", unit="m",
-        what="breadth of the rim",
+        _size, "Breadth of the rim, along the shaft: 300mm, or a share of its mean diameter, 20%.", "LENGTH",
+        unit="m", what="breadth of the rim",
     )  # fmt: skip
     rim_thickness = measure(
-        as_length, "Thickness of the rim, along the radius: 150mm.", "LENGTH", unit="m",
-        what="thickness of the rim",
+        _size, "Thickness of the rim, along the radius: 150mm, or a share of its mean diameter, 10%.",
+        "LENGTH", unit="m", what="thickness of the rim",
     )  # fmt: skip
     density = measure(as_density, "Density of rim or disc: 7200kg/m³.", "DENSITY", unit="kg/m³")
     hoop_stress = measure(
@@ -131,8 +150,8 @@ class Rim(Part):
         topic="disc",
     )
     disc_thickness = measure(
-        as_length,
-        "Solid disc: its thickness, 80mm.",
+        _size,
+        "Solid disc: its thickness, 80mm, or a share of its diameter, 10%.",
         "LENGTH",
         unit="m",
         what="thickness of the disc",
@@ -193,6 +212,9 @@ class Wheel(Swing, Press, Body, Rim, Speed):
         else:
             what = "number of turns of a cycle" if name == "turns" else option.what or name.replace("_", " ")
             number = (option.read or as_number)(value, what)
+            if isinstance(number, ShareOf):
+                yield SHARES[name], _above_zero(number.share, what, "")
+                return
             assert isinstance(number, Fraction)
             if name == "rim_share" and number > 1:
                 raise ProblemError(f"the {what} is {about(number)}; it must be at most 1, the whole flywheel")

@@ -21,7 +21,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Number
 from kurbel.kernel.law import Between, Constant, Law, Polytrope, steady
-from kurbel.kernel.steam import power
+from kurbel.kernel.steam import expansion_work, power
 from kurbel.reading.given import choose
 from kurbel.reading.notation import about, plain
 
@@ -45,6 +45,10 @@ class _Ends(NamedTuple):
     growth: Number
     # Whether there is a clearance, in which something of the delivery is left.
     kept: bool
+
+    def sucked(self) -> Number:
+        """Return the share of the stroke on which air is sucked."""
+        return 1 + self.clearance * (1 - self.growth)
 
     def leaving(self) -> Law:
         """Return the pressure in the end that the piston leaves: what is left expands, then air is sucked."""
@@ -112,21 +116,33 @@ class Compressor:
         other = steady(kind.of(self.other_side))
         return Between(ends.leaving(), other), Between(other, ends.coming())
 
-    def volumetric_efficiency(self, kind: Kind) -> Number:
+    def volumetric_efficiency(self, kind: Kind, **found: Any) -> Number:
         """Return the share of the stroke on which air is sucked: 1 + κ - κ Π'^(1/n), Π' in the cylinder."""
-        return 1 + kind.of(self.clearance) * (1 - self._ends(kind).growth)
+        return self._ends(kind, **found).sucked()
 
-    def delivered(self, kind: Kind) -> Number:
+    def delivered(self, kind: Kind, **found: Any) -> Number:
         """Return the volume that a stroke delivers, as a share of the swept one, at p₁ and the temperature
-        of the air that is sucked."""
-        return self.volumetric_efficiency(kind) * kind.of(1 - self.suction_loss)
+        of the air that is sucked, with `found` numbers in the place of ratio or clearance."""
+        return self.volumetric_efficiency(kind, **found) * kind.of(1 - self.suction_loss)
 
-    def _ends(self, kind: Kind) -> _Ends:
+    def mean(self, kind: Kind, **found: Any) -> Number:
+        """Return the mean pressure that a stroke takes: η_v n/(n - 1) (Π'^((n - 1)/n) - 1), in the cylinder's
+        suction pressure; with `found` numbers in the place of ratio or clearance."""
+        ends = self._ends(kind, **found)
+        return -ends.suction * ends.sucked() * ends.exponent * expansion_work(1 / ends.growth, ends.exponent)
+
+    def _ends(self, kind: Kind, ratio: Any = None, clearance: Any = None) -> _Ends:
         inside = 1 - self.suction_loss, self.ratio * (1 + self.delivery_loss)
-        growth = power(kind.of(inside[1] / inside[0]), self._exponent(kind, 1 / self.exponent))
-        exponent = self._exponent(kind, self.exponent)
-        clearance, kept = kind.of(self.clearance), self.clearance > 0
-        return _Ends(kind.of(inside[0]), kind.of(inside[1]), exponent, clearance, growth, kept)
+        raised, delivery = kind.of(inside[1] / inside[0]), kind.of(inside[1])
+        if ratio is not None:
+            raised, delivery = (
+                ratio * kind.of(one / self.ratio) for one in (inside[1] / inside[0], inside[1])
+            )
+        growth = power(raised, self._exponent(kind, 1 / self.exponent))
+        exponent, room = self._exponent(kind, self.exponent), kind.of(self.clearance)
+        kept = self.clearance > 0 or clearance is not None
+        room = room if clearance is None else clearance
+        return _Ends(kind.of(inside[0]), delivery, exponent, room, growth, kept)
 
     def _exponent(self, kind: Kind, exponent: Fraction) -> Any:
         return 1 if exponent == 1 else kind.exponent(exponent)

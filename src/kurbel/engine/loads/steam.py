@@ -71,6 +71,13 @@ class Steam:
         back = best_back(cut_off, exponent, clearance) if self.back is None else of(self.back)
         return Expansion(cut_off, back, exponent, clearance)
 
+    def mean(self, kind: Kind, **found: Any) -> Any:
+        """Return the mean pressure on an end that works, with `found` numbers in the place of some."""
+        known = self.numbers(kind.of, kind.exponent)._replace(**found)
+        if self.back is None:
+            known = known._replace(back=best_back(known.cut_off, known.exponent, known.clearance))
+        return known.whole()
+
     def _check_work(self) -> None:
         acting = self.numbers(float)
         if acting.work(1.0) > LEAST_WORK:

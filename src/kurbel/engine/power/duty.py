@@ -7,14 +7,14 @@ product of them, of what else is given and of what acts on the piston.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, partial
 from typing import NamedTuple
 
 from kurbel.engine.power.source import Acting, GivenPressure
 from kurbel.errors import ProblemError
-from kurbel.exact.real import Product
+from kurbel.exact.real import Product, Term, number, variable
 from kurbel.page.quantity import Formula, Quantity, entry, with_symbol
 from kurbel.reading.notation import about
 from kurbel.reading.units import Speed
@@ -35,55 +35,8 @@ MOST_CYLINDERS = 24
 # What a quantity needs beside the variables in it.
 STEAMED, GIVES, EFFICIENT, FACTORED, UNITLESS = "steam", "delivery", "efficiency", "factor", "share"
 ASKED = "asked"
-
-
-@dataclass(frozen=True, slots=True)
-class Term:
-    """A known number times powers of variables that are not known."""
-
-    known: Product
-    powers: Mapping[str, Fraction] = field(default_factory=dict)
-
-    def __mul__(self, other: Term | int) -> Term:
-        if isinstance(other, int):
-            return Term(self.known * other, self.powers)
-        names = dict.fromkeys((*self.powers, *other.powers))
-        powers = {one: self.power(one) + other.power(one) for one in names}
-        return Term(self.known * other.known, {one: power for one, power in powers.items() if power})
-
-    def __truediv__(self, other: Term | int) -> Term:
-        if isinstance(other, int):
-            return Term(self.known / other, self.powers)
-        return self * other ** Fraction(-1)
-
-    def __pow__(self, exponent: Fraction) -> Term:
-        return Term(self.known**exponent, {one: power * exponent for one, power in self.powers.items()})
-
-    def power(self, name: str) -> Fraction:
-        """Return the exponent of a variable."""
-        return self.powers.get(name, Fraction(0))
-
-    def solved_for(self, name: str) -> Term:
-        """Return the variable with which this term is 1."""
-        return self._without(name) ** (-1 / self.power(name))
-
-    def put(self, name: str, value: Term) -> Term:
-        """Return the term with a value in the place of a variable."""
-        power = self.power(name)
-        return self._without(name) * value**power if power else self
-
-    def _without(self, name: str) -> Term:
-        return Term(self.known, {one: power for one, power in self.powers.items() if one != name})
-
-
-def number(value: Fraction | int, pi: int = 0) -> Term:
-    """Return a rational number above 0 times a power of π."""
-    return Term(Product.of(value, pi))
-
-
-def variable(name: str) -> Term:
-    """Return a variable that is not known."""
-    return Term(Product.of(1), {name: Fraction(1)})
+# What a load has of its own, open as long as a number of it is sought, and its pressure then.
+MEAN, DELIVERED, OPEN_PRESSURE = "mean", "delivered", "open pressure"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -92,11 +45,12 @@ class Duty:
 
     `power` is the indicated one in watts; `brake_power` that at the shaft, which with the mechanical
     efficiency η is η times the indicated one, of a driven machine the indicated one by η. `diagram_factor`
-    multiplies the mean pressure; it is to be found if `factor_asked`. `pressure` is what mean pressures
-    count in, and `pressure_option` gives it. `specific_volume` in m³/kg is that of the steam at admission.
-    The rods by their diameters in metres lessen the area of one end each, of a double-acting piston whose
-    bore is given. Mean pressures that are given are `ends`: of all, or of the ends at the cover and at the
-    crank.
+    multiplies the mean pressure. `unknown` is what is asked for: the diagram factor, another of the
+    variables, or a number of the load. `pressure` is what mean pressures count in, and `pressure_option`
+    gives it. `specific_volume` in m³/kg is that of the steam at admission. The rods by their diameters in
+    metres lessen the area of one end each, of a double-acting piston whose bore is given. Mean pressures that
+    are given are `ends`: of all, or of the ends at the cover and at the crank. `delivery` is that of all
+    cylinders in m³/s, in the state of suction.
     """
 
     power: Fraction | None = None
@@ -109,7 +63,8 @@ class Duty:
     stroke_bore: Fraction | None = None
     piston_speed: Fraction | None = None
     diagram_factor: Fraction = Fraction(1)
-    factor_asked: bool = False
+    unknown: str = ""
+    delivery: Fraction | None = None
     efficiency: Fraction | None = None
     specific_volume: Fraction | None = None
     cylinders: int = 1
@@ -152,6 +107,11 @@ class Duty:
                     f" {about(1000 * self.bore)} mm"
                 )
 
+    @property
+    def factor_asked(self) -> bool:
+        """Whether the diagram factor is to be found."""
+        return self.unknown == FACTOR
+
     def _of_ends(self) -> Fraction | None:
         """Return the mean of the pressures given, by the areas of the ends."""
         if len(self.ends) < 2 or self.bore is None:
@@ -168,14 +128,19 @@ class Duty:
     @property
     def sized(self) -> bool:
         """Whether anything of the power, the sizes or the speed is given."""
-        names = ("power", "brake_power", "bore", "stroke", "speed", "stroke_bore", "piston_speed")
+        names = (
+            *("power", "brake_power", "bore", "stroke", "speed", "stroke_bore", "piston_speed", "delivery"),
+        )
         return any(getattr(self, name) is not None for name in names)
 
     def given(self, source: Acting | GivenPressure) -> dict[str, Term]:
         """Return what is given, by the names of variables."""
         found = {name: getattr(self, name) for name in (POWER, BORE, STROKE, PRESSURE)}
-        found[PRESSURE] = source.pressure or self._of_ends() or found[PRESSURE]
+        own = self._of_ends() if isinstance(source, GivenPressure) else source.pressure
+        found[PRESSURE] = own or found[PRESSURE]
         known = {name: number(value) for name, value in found.items() if value is not None}
+        if source.sought is not None and source.sought.over is not None:
+            known[PRESSURE] = number(source.sought.over) / Term(Product.about(source.sought.number))
         if not self.factor_asked:
             known[FACTOR] = number(self.diagram_factor)
         if self.brake_power is not None:
@@ -190,11 +155,12 @@ class Duty:
         assert self.efficiency is not None
         return number(1 / self.efficiency if driven else self.efficiency)
 
-    def relations(self, source: Acting | GivenPressure) -> dict[str, tuple[Term, str]]:
+    def relations(self, source: Acting | GivenPressure, opened: bool = False) -> dict[str, tuple[Term, str]]:
         """Return terms that are 1, by the option that errors name, each with the variable it tells first.
 
         N = z k p_i A S n, A the mean area of both ends, with k working strokes of a cylinder in a turn;
-        S = (S/d) d; c_m = 2 S n.
+        S = (S/d) d; c_m = 2 S n; V = z k v A S n, v the share of the swept volume that a stroke delivers.
+        What the load makes is `opened` as long as a number of it is sought.
         """
         found = {}
         bore, stroke, speed = variable(BORE), variable(STROKE), variable(SPEED)
@@ -203,9 +169,15 @@ class Duty:
         if self.piston_speed is not None:
             found["--piston-speed"] = stroke * speed * number(2 / self.piston_speed), SPEED
         times = source.strokes * self.cylinders * self.open_area
-        rate = number(times / 4, pi=1) * Term(source.mean) * variable(FACTOR)
-        volume = bore * bore * stroke * speed
-        found["--power"] = rate * variable(PRESSURE) * volume / variable(POWER), POWER
+        swept = number(times / 4, pi=1) * bore * bore * stroke * speed
+        mean = variable(MEAN) if opened else Term(source.mean)
+        made = mean * variable(FACTOR) * variable(PRESSURE)
+        if self.ends and isinstance(source, Acting):
+            found["--mean-pressure"] = made / number(self._of_ends() or 1), FACTOR
+        if self.delivery is not None and isinstance(source, Acting):
+            moved = variable(DELIVERED) if opened else Term(source.delivered)
+            found["--delivery"] = moved * swept / number(self.delivery), BORE
+        found["--power"] = made * swept / variable(POWER), POWER
         return found
 
 
@@ -214,18 +186,38 @@ def solved(duty: Duty, source: Acting | GivenPressure) -> Mapping[str, Term]:
 
     Raises ProblemError where what is given contradicts itself.
     """
-    known = duty.given(source)
+    return _eliminated(duty, source)[0]
+
+
+def equation(duty: Duty, source: Acting, opened_pressure: bool) -> tuple[Term | None, list[str]]:
+    """Return what must be 1 for a number of the load that is sought: a product of what the load makes of it,
+    and of its pressure where that is `opened_pressure`; None where too little is given, with the options that
+    are missing."""
+    found, left = _eliminated(duty, source, opened=True, open_pressure=opened_pressure)
+    return left[0] if left else None, [option_of(duty, name) for name, one in found.items() if one.powers]
+
+
+def _eliminated(
+    duty: Duty, source: Acting | GivenPressure, opened: bool = False, open_pressure: bool = False
+) -> tuple[Mapping[str, Term], list[Term]]:
+    """Return the variables, and of what the load makes the relations that are left."""
+    known, left = duty.given(source), []
+    if open_pressure:
+        known[PRESSURE] = variable(OPEN_PRESSURE)
     found = dict(known)
-    for option, (relation, told) in duty.relations(source).items():
+    for option, (relation, told) in duty.relations(source, opened).items():
         for name, value in found.items():
             relation = relation.put(name, value)
         free = [name for name in (told, *VARIABLES) if name in relation.powers]
         if not free:
-            _check(option, relation, duty, known)
+            if relation.powers:
+                left.append(relation)
+            else:
+                _check(option, relation, duty, known)
             continue
         value = relation.solved_for(free[0])
         found = {name: one.put(free[0], value) for name, one in found.items()} | {free[0]: value}
-    return {name: found.get(name, variable(name)) for name in VARIABLES}
+    return {name: found.get(name, variable(name)) for name in VARIABLES}, left
 
 
 def lacking(duty: Duty, *terms: Term) -> list[str]:
@@ -241,15 +233,27 @@ def option_of(duty: Duty, name: str) -> str:
 
 def _check(option: str, relation: Term, duty: Duty, known: Mapping[str, Term]) -> None:
     """Raise ProblemError for a relation, all of whose variables are known, that does not hold."""
-    if relation.known.rational == 1:
+    if relation.known.equals(Product.of(1)):
         return
     off = float(relation.known)
+    if option in (
+        size := {"--delivery": (duty.delivery, Fraction(1, 60), "m³/min")}
+        | {"--mean-pressure": (duty._of_ends(), UNITS[PRESSURE], "bar")}
+    ):
+        given, one, unit = size[option]
+        value, what = float((given or 0) / one), option.strip("-").replace("-", " ")
+        raise ProblemError(
+            f"what is given makes a {what} of {value * off:.5g} {unit}, and {option} asks for {value:.5g}"
+            f" {unit}; leave one of them out, or ask for another by --unknown"
+        )
     if option == "--power":
         shown = "--power" if duty.brake_power is None else "--brake-power"
         power = float(known[POWER].known) / 1000
         # Of steam, whose ideal card makes more.
         steamed = duty.pressure is not None and duty.pressure_option == "--pressure"
-        asked = ", or take --diagram-factor ?" if off > 1 and steamed and duty.diagram_factor == 1 else ""
+        asked = (
+            ", or take --unknown diagram_factor" if off > 1 and steamed and duty.diagram_factor == 1 else ""
+        )
         raise ProblemError(
             f"bore, stroke, speed and pressure make an indicated power of {power * off:.5g} kW, and {shown}"
             f" asks for {power:.5g} kW; leave {shown} or one of the others out{asked}"
@@ -310,6 +314,12 @@ class Found(NamedTuple):
         """Return what is delivered in a second in m³, in the state of suction."""
         return Term(self.acting.delivered) * self.swept() * self.rate()
 
+    def sought(self) -> Term:
+        """Return the number of the load that was asked for."""
+        sought = self.acting.sought
+        assert sought is not None
+        return Term(Product.about(sought.number))
+
     def of(self, name: str) -> Term:
         """Return a variable in its SI unit, the speed in turns a second."""
         return self.variables[name]
@@ -323,6 +333,17 @@ def registry() -> Mapping[str, Quantity]:
 
 def _entries() -> Iterator[Quantity]:
     theory = "theoretischer mittlerer Druck|Theoretical mean pressure"
+    yield _entry("expansion", "Expansionsverhältnis|Expansion ratio", "$ε$", "", 1,
+                 lambda found: number(1) / found.sought(), "eps")  # fmt: skip
+    yield _entry("cut_off", "Füllung|Cut-off", "$1/ε$", "", 1, Found.sought, "eps")
+    yield _entry("ratio", "Druckverhältnis|Pressure ratio", "$Π$", "", 1, Found.sought, "pressure_ratio")
+    yield _entry("steam_pressure", "Dampfdruck|Steam pressure", "$p$", "bar", UNITS[PRESSURE],
+                 partial(_variable, PRESSURE), "pressure")  # fmt: skip
+    yield _entry("back", "Gegendruck|Back pressure", "$p_b$", "bar", UNITS[PRESSURE],
+                 lambda found: found.sought() * found.of(PRESSURE), "back")  # fmt: skip
+    yield _entry("back_share", "Gegendruck, bezogen|Relative back pressure", "$p_b/p$", "", 1, Found.sought,
+                 "back")  # fmt: skip
+    yield _entry("clearance", "schädlicher Raum|Clearance", "$κ$", "", 1, Found.sought, "clearance")
     yield _entry("relative_pressure", "bezogener mittlerer Druck|Relative mean pressure", "$p_m/p$", "",
                  1, lambda found: found.mean(), UNITLESS)  # fmt: skip
     yield _entry("theoretical_pressure", theory, "$p_m$", "bar", UNITS[PRESSURE],

@@ -26,17 +26,17 @@ from kurbel.engine.power.duty import (
     UNITLESS,
     Duty,
     Found,
-    Term,
     lacking,
     option_of,
     registry,
     solved,
 )
 from kurbel.engine.power.source import Acting, GivenPressure
+from kurbel.engine.power.unknown import UNKNOWNS
 from kurbel.engine.texts import COUNTED_IN, POWER_TEXTS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
-from kurbel.exact.real import Product
+from kurbel.exact.real import Product, Term
 from kurbel.page.axes import ColumnAxis, Place
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question, Subject
@@ -85,7 +85,10 @@ class PowerRequest(Question):
         touched = [one for name, one in found.items() if name != PRESSURE and set(one.powers) != {name}]
         asked = [found[POWER]] if found[POWER].powers else touched
         free = lacking(self.duty, *asked)
-        if free and self.duty.sized and not self.columns:
+        if unknown := found.get(self.duty.unknown):
+            asked, free = [unknown], lacking(self.duty, unknown)
+        sought = self.sources[0].sought is not None
+        if free and self.duty.sized and not sought and not self.columns:
             raise ProblemError(
                 f"this does not tell the power, or the sizes for it; add {' and '.join(free)}"
                 f"{_instead(free, self.duty)}"
@@ -95,16 +98,20 @@ class PowerRequest(Question):
         """Raise ProblemError where the diagram factor does not follow, or would be above 1."""
         for index, source in enumerate(self.sources):
             if not isinstance(source, Acting) or not source.steamed:
-                raise ProblemError("--diagram-factor ? is that of the ideal card of steam; add --eps")
+                raise ProblemError("--unknown diagram_factor is that of the ideal card of steam; add --eps")
             found = self.found(index).variables
-            missing = [option_of(self.duty, name) for name, one in found.items() if one.powers]
-            if missing := [option for option in missing if option != "--diagram-factor"]:
+            factor, free = found[FACTOR].known, [name for name, one in found.items() if one.powers]
+            if found[FACTOR].powers and (missing := [option_of(self.duty, one) for one in free[:-1]]):
                 raise ProblemError(
-                    "the diagram factor is found from power, bore, stroke, speed and pressure; add"
-                    f" {' and '.join(missing)}"
+                    "the diagram factor is found from power, bore, stroke, speed and pressure, or from"
+                    f" --mean-pressure and pressure; add {' and '.join(missing)}"
                 )
-            factor = found[FACTOR].known
             if factor.exceeds(Product.of(1)):
+                if self.duty.ends:
+                    raise ProblemError(
+                        f"the mean pressure that is given is {float(factor):.5g} times that of the ideal"
+                        " card; the diagram factor is at most 1"
+                    )
                 power = float(found[POWER].known) / 1000
                 raise ProblemError(
                     f"the ideal card makes an indicated power of {power / float(factor):.5g} kW, less than"
@@ -157,7 +164,8 @@ class PowerRequest(Question):
             GIVES: ("a compressor or a pump", acting is None or not hasattr(acting.load, "delivered")),
             EFFICIENT: ("the mechanical efficiency, --efficiency", duty.efficiency is None),
             FACTORED: ("--diagram-factor", duty.diagram_factor == 1 and not duty.factor_asked),
-            ASKED: ("--diagram-factor ?", not duty.factor_asked),
+            ASKED: ("--unknown diagram_factor", not duty.factor_asked),
+            **{name: (f"--unknown {name}", duty.unknown != name) for name in UNKNOWNS},
             UNITLESS: ("what acts on the piston", acting is None),
         }
         needed = [lacks[one][0] for one in quantity.needs.split() if lacks[one][1]]
@@ -226,6 +234,9 @@ def notes(request: PowerRequest) -> Iterator[Label]:
         yield POWER_TEXTS["power"][lang].format(cylinders=duty.cylinders, strokes=strokes, area=area)
     if duty.factor_asked:
         yield POWER_TEXTS["factor_found"][lang]
+    if source.sought is not None:
+        about = UNKNOWNS[duty.unknown]
+        yield POWER_TEXTS["sought"][lang].format(symbol=about.symbol, bounds=about.bounds[lang])
     if duty.diagram_factor != 1:
         yield POWER_TEXTS["factor"][lang].format(factor=figure(duty.diagram_factor))
     if duty.efficiency is not None:
@@ -249,6 +260,8 @@ def _given(duty: Duty, source: Acting | GivenPressure) -> Iterator[Label]:
         yield f"$p = {amount(duty.pressure, 'bar')}$"
     if duty.stroke_bore is not None:
         yield f"$S/d = {figure(duty.stroke_bore)}$"
+    if duty.delivery is not None:
+        yield f"$V = {amount(duty.delivery, 'm³/min')}$"
     if duty.speed is not None and not duty.speed.turns:
         yield f'$ω = {figure(duty.speed.value)} "rad/s"$'
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 from kurbel.drive.load import CARD, STEAM
 from kurbel.engine.cylinder import Where
@@ -15,13 +16,47 @@ from kurbel.engine.quantities import engine_registry
 from kurbel.engine.turn import turn_of
 from kurbel.engine.work import ends, mean_pressure_of
 from kurbel.errors import ProblemError
+from kurbel.exact.certify import at_bits
 from kurbel.exact.kind import Kind
+from kurbel.exact.numerals import figures, nearest
+from kurbel.exact.place import fraction
 from kurbel.exact.real import Product
 from kurbel.kernel.steam import power
 from kurbel.page.quantity import bare
 from kurbel.reading.notation import about
 
 MOST_STROKES = 24
+NEAR_BITS = 120
+# What heads a column, so that all have as many decimals.
+HEADS, DECIMALS = ("cut_off", "ratio"), 4
+
+
+class Sought(NamedTuple):
+    """A number of a load that was asked for, by the name that the load has for it, and the option that has
+    it; `place` encloses it at the precision in force. Of the steam pressure the number is the share that the
+    back pressure in Pa, `over` it, is of that."""
+
+    option: str
+    name: str
+    place: Callable[[], Any]
+    over: Fraction | None = None
+
+    @property
+    def near(self) -> Fraction:
+        """What the option is of the number, to as many figures as pages print, or decimals over a column."""
+        with at_bits(NEAR_BITS):
+            value = fraction(self.place().mid())
+        value = (self.over or 1) / value if self.over or self.name == "cut_off" else value
+        shown = nearest(value, DECIMALS if self.name in HEADS else figures(float(value)))
+        return Fraction(shown.scaled, 10**shown.decimals)
+
+    def number(self, kind: Kind) -> Any:
+        """Return it on a kind of number."""
+        return kind.enclosed(self.place)
+
+    def on(self, kind: Kind) -> dict[str, Any]:
+        """Return the same by its name."""
+        return {self.name: self.number(kind)}
 
 
 @dataclass(frozen=True)
@@ -32,6 +67,7 @@ class GivenPressure:
     driven: ClassVar[bool] = False
     carded: ClassVar[bool] = False
 
+    sought: ClassVar[None] = None
     # That which is given.
     pressure: ClassVar[Fraction | None] = None
 
@@ -52,9 +88,11 @@ class GivenPressure:
 
 @dataclass(frozen=True)
 class Acting:
-    """What acts on the piston of an engine: its mean pressure counts in the pressure that Q is of."""
+    """What acts on the piston of an engine: its mean pressure counts in the pressure that Q is of. A number
+    of it that is `sought` is near to that of the load of the engine."""
 
     engine: Engine
+    sought: Sought | None = None
 
     @property
     def load(self) -> Any:
@@ -95,6 +133,8 @@ class Acting:
     def _mean(self, kind: Kind) -> Any:
         if self.carded:
             return kind.of(Fraction(float(self._estimate.value)))
+        if self.sought is not None:
+            return self.load.mean(kind, **self.sought.on(kind))
         mean = mean_pressure_of(self.engine, kind)
         return -mean if self.driven else mean
 
@@ -107,19 +147,22 @@ class Acting:
         compression.
         """
         steam = self.load
-        if not steam.clearance:
+        if not steam.clearance and self.sought is None:
             return Product.of(1 / steam.expansion)
         return Product.about(self._steam_taken)
 
     def _steam_taken(self, kind: Kind) -> Any:
         steam, exponent = self.load.numbers(kind.of, kind.exponent), self.load.exponent
+        if self.sought is not None:
+            steam = steam._replace(**self.sought.on(kind))
         kept = steam.back if exponent == 1 else power(steam.back, kind.exponent(1 / exponent))
         return steam.cut_off + steam.clearance * (1 - kept)
 
     @cached_property
     def delivered(self) -> Product:
         """The volume that a stroke delivers, in the state of suction, as a share of the swept one."""
-        return Product.about(self.load.delivered)
+        found = self.sought
+        return Product.about(lambda kind: self.load.delivered(kind, **(found.on(kind) if found else {})))
 
     def apart(self, value: Product) -> float:
         """Return how far a value may be off, as a share of it, for the points of a card tell no more."""

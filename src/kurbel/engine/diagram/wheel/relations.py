@@ -14,7 +14,7 @@ from typing import NamedTuple, TypeAlias
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, number_text
-from kurbel.exact.real import Product
+from kurbel.exact.real import Product, Term
 from kurbel.page.quantity import Formula, Quantity, entry, with_symbol
 
 Values: TypeAlias = Mapping[str, Product]
@@ -127,24 +127,25 @@ class Rule(NamedTuple):
     value: Callable[[Values], Product]
 
 
-def _law(constant: Product, **powers: int) -> Iterator[Rule]:
-    """Yield how each figure follows from the others where the product of these powers is the constant."""
-    for of, own in powers.items():
-        others = {name: power for name, power in powers.items() if name != of}
-        yield Rule(of, (*others,), _solved(constant, Fraction(own), others))
+def _law(constant: Product, **powers: int) -> Term:
+    """Return what is 1 where the product of these powers is the constant."""
+    return Term(_ONE / constant, {name: Fraction(power) for name, power in powers.items()})
 
 
-def _solved(constant: Product, own: Fraction, others: Mapping[str, int]) -> Callable[[Values], Product]:
-    def value(values: Values) -> Product:
-        product = constant
-        for name, power in others.items():
-            product = product / values[name] ** Fraction(power)
-        return product ** (1 / own)
+def _rules(law: Term) -> Iterator[Rule]:
+    """Yield how each figure follows from the others."""
+    for of in law.powers:
+        told = law.solved_for(of)
 
-    return value
+        def value(values: Values, told: Term = told) -> Product:
+            for name in told.powers:
+                told = told.put(name, Term(values[name]))
+            return told.known
+
+        yield Rule(of, (*told.powers,), value)
 
 
-_LAWS: Sequence[Iterator[Rule]] = (
+LAWS: Sequence[Term] = (
     _law(_ONE, swing=1, inertia=-1, omega=-2, delta=-1),
     _law(_ONE, inertia=1, mass=-1, radius=-2),
     _law(_ONE, swing=1, energy_fluctuation=-1, work=-1),
@@ -161,6 +162,8 @@ _LAWS: Sequence[Iterator[Rule]] = (
     _law(_ONE, section=1, breadth=-1, thickness=-1),
     _law(_ONE, breadth=1, thickness=-1, proportion=-1),
     _law(_ONE, section=1, proportion=-1, thickness=-2),
+    _law(_ONE, breadth=1, breadth_share=-1, rim_diameter=-1),
+    _law(_ONE, thickness=1, thickness_share=-1, rim_diameter=-1),
     _law(Product.of(Fraction(1, 4)), rim_inertia=1, rim_mass=-1, rim_diameter=-2),
     _law(_ONE, rim_inertia=1, inertia=-1, rim_share=-1),
     # Of these without ω: J_R/J ΔW = m v² δ.
@@ -169,9 +172,10 @@ _LAWS: Sequence[Iterator[Rule]] = (
 
 
 # J = ½ m (D/2)², m = ρ π/4 D² t.
-_OF_DISC: Sequence[Iterator[Rule]] = (
+OF_DISC: Sequence[Term] = (
     _law(Product.of(Fraction(1, 8)), inertia=1, mass=-1, disc_diameter=-2),
     _law(Product.of(Fraction(1, 4), 1), mass=1, density=-1, disc_diameter=-2, disc_thickness=-1),
+    _law(_ONE, disc_thickness=1, disc_share=-1, disc_diameter=-1),
 )
 
 
@@ -239,11 +243,11 @@ _SPEEDS = (
 )
 
 
-RULES: Sequence[Rule] = (*_SPEEDS, *(rule for law in _LAWS for rule in law))
+RULES: Sequence[Rule] = (*_SPEEDS, *(rule for law in LAWS for rule in _rules(law)))
 
 
 # Of a solid disc alone.
-DISC_RULES: Sequence[Rule] = tuple(rule for law in _OF_DISC for rule in law)
+DISC_RULES: Sequence[Rule] = tuple(rule for law in OF_DISC for rule in _rules(law))
 
 
 def turns_a_minute(omega: Product) -> Product:

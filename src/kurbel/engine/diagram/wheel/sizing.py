@@ -2,20 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
-from kurbel.engine.diagram.wheel.relations import DISC_RULES, RULES, SHOWN, figures_of, registry
+from kurbel.engine.diagram.wheel.relations import (
+    DISC_RULES,
+    LAWS,
+    OF_DISC,
+    RULES,
+    SHOWN,
+    figures_of,
+    registry,
+)
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import number_text
-from kurbel.exact.real import Product
+from kurbel.exact.real import Product, Term
 from kurbel.reading.notation import about
 
 # What is taken where it is not given; pages say so.
 ONE_TURN, RIM_ALONE, LIMIT = "one turn", "rim alone", "limit"
-_OF_RIM = ("rim_diameter", "rim_speed", "section", "breadth", "thickness", "proportion")
+_OF_RIM = (
+    *("rim_diameter", "rim_speed", "section", "breadth", "thickness", "proportion"),
+    *("breadth_share", "thickness_share"),
+)
 SWING_MISSING = "the swing needs --swing, --areas, --torque, --energy-fluctuation or an engine, --eps"
 # An exact value that is longer is told to five figures.
 LONGEST_TOLD = 10
@@ -105,7 +116,47 @@ def completed(given: Figures) -> dict[str, Known]:
             before = known.setdefault(rule.of, found)
             if before is not found and not before.value.equals(value):
                 raise ProblemError(_contradiction(rule.of, before, found))
+        if not any(known.keys() >= {*rule.needs} for rule in waiting):
+            known |= _eliminated(known, [*LAWS, *(OF_DISC if disc else ())])
     return known
+
+
+def told_by(figures: Figures, figure: str, of: str) -> bool:
+    """Whether a figure would tell another."""
+    if figure in figures:
+        return False
+    try:
+        return of in completed({**figures, figure: Known(Product.of(1), ())})
+    except ProblemError:
+        return False
+
+
+def _eliminated(known: Mapping[str, Known], laws: Sequence[Term]) -> dict[str, Known]:
+    """Return the figures that follow from several laws together: each says one of its figures by others."""
+    rows = []
+    for law in laws:
+        options = {one for name in law.powers if name in known for one in known[name].options}
+        for name in law.powers.keys() & known.keys():
+            law = law.put(name, Term(known[name].value))
+        rows.append((law, options))
+    found: dict[str, Known] = {}
+    told: list[tuple[str, Term, set[str]]] = []
+    while rows := [row for row in rows if row[0].powers]:
+        row = min(rows, key=lambda one: len(one[0].powers))
+        name = next(iter(row[0].powers))
+        value = row[0].solved_for(name)
+        told.append((name, value, row[1]))
+        rows = [
+            (law.put(name, value), options | row[1] if name in law.powers else options)
+            for law, options in rows
+            if law is not row[0]
+        ]
+    for name, value, options in reversed(told):
+        for other in value.powers.keys() & found.keys():
+            value, options = value.put(other, Term(found[other].value)), options | {*found[other].options}
+        if not value.powers:
+            found[name] = Known(value.known, tuple(sorted(options)))
+    return found
 
 
 def _contradiction(figure: str, before: Known, found: Known) -> str:
