@@ -201,6 +201,7 @@ def test_every_figure_follows_from_the_others_as_it_was(data: st.DataObject) -> 
         "density",
         "disc_diameter",
         "disc_thickness",
+        "disc_share",
     }
 
 
