@@ -221,3 +221,26 @@ def diagram_factor_of_cards(
             "indicated_power": 2 * mean * swept(bore, stroke) * turns(speed) / 1000,
         }
     ]
+
+
+@solution
+def cushioned_steam(
+    pressure: mpf, back: mpf, expansion: mpf, clearance: mpf, release: mpf, cushion: mpf, lead: mpf,
+    factor: mpf, bore: mpf, stroke: mpf, speed: mpf,
+) -> Rows:  # fmt: skip
+    cut_off, closed = 1 / expansion, 1 - cushion + clearance
+
+    def expanded(gone: mpf) -> mpf:
+        return pressure * (cut_off + clearance) / (gone + clearance)
+
+    def compressed(left: mpf) -> mpf:
+        return back * closed / (left + clearance)
+
+    # Where a port has opened, the mean of both ends.
+    driving = pressure * cut_off + quad(expanded, [cut_off, release])
+    driving += (1 - release) * (expanded(release) + back) / 2
+    resisting = back * cushion + quad(compressed, [lead, 1 - cushion])
+    resisting += lead * (compressed(lead) + pressure) / 2
+    mean = factor * (driving - resisting)
+    power = 2 * mean * swept(bore, stroke) * turns(speed)
+    return [{"mean_pressure": mean / BAR, "indicated_power": power / 1000}]

@@ -299,9 +299,8 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
             if asked.says("eps"):
                 steam = strokes[0].sides[1][1].value(number(0))
                 room, power = asked.clearance or Fraction(0), asked.exponent or Fraction(1)
-                known["taken"] = 1 / nearest(row["epsilon"], asked.eps or ()) + room * (
-                    1 - steam.power(1 / power)
-                )
+                left = (1 - (asked.cushion or Fraction(1)) + room) * steam.power(1 / power)
+                known["taken"] = 1 / nearest(row["epsilon"], asked.eps or ()) + room - left
         return completed(known, ENGINE)
 
     stem = re.sub("_(mps|nm|mm)$", "", key)

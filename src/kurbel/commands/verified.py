@@ -51,8 +51,8 @@ from kurbel.verify.zeros import TOO_WIDE, Spot
 # Unit of a key that is not one of the second computation, and that in which it computes.
 OWN = {"length": "mm", "velocity": "mps", "acceleration": "mps2", "force": "n", "torque": "nm"}
 # Of each load its options, which the second computation calls likewise.
-STEAM = ("exponent", "clearance", "single_acting")
-AIR = (*STEAM, "suction_loss", "delivery_loss")
+AIR = ("exponent", "clearance", "single_acting", "suction_loss", "delivery_loss")
+STEAM = (*AIR[:3], "release", "cushion", "lead")
 GAS = ("cycle", "exponent", "expansion_exponent", "heat", "cut_off", "two_stroke")
 # Options that the second computation knows, and those of looks, of which there is nothing to know.
 KNOWN = frozenset((

@@ -365,7 +365,7 @@ def plain_steam(request: EngineRequest, method: str) -> Steam | None:
         return None
     if any(drive.crank != Crank(drive.crank.ratio) for drive in request.drives):
         return None
-    if method == "weisbach" and (first.clearance or first.exponent != 1):
+    if not first.plain or (method == "weisbach" and (first.clearance or first.exponent != 1)):
         return None
     kept = first.back, first.exponent, first.clearance
     alike = all(isinstance(one, Steam) and (one.back, one.exponent, one.clearance) == kept for one in others)

@@ -209,6 +209,11 @@ class Engine:
                 "--piston-rod and --tail-rod are for double-acting cylinders under steam or an indicator"
                 " card; leave them out"
             )
+        if effort.areas is not None and not getattr(self.steam, "plain", True):
+            raise ProblemError(
+                "--piston-rod and --tail-rod are for steam without --release, --cushion and --lead; leave"
+                " them out"
+            )
         made = (self._pressed(floats()), self.strokes(floats()))
         work, left = (sum(float(one.work(1.0)) for one in strokes) for strokes in made)
         if work > 0 and left < LEAST_WORK:

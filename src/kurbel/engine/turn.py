@@ -244,6 +244,10 @@ def turn_of(engine: Engine | Assembly, method: str) -> AnyTurn:
             'method "weisbach" has no equations for friction and piston rods; use exact or series'
         )
     ideal = engine.parts[0].steam
+    if not getattr(ideal, "plain", True):
+        raise ProblemError(
+            'method "weisbach" has no equations for release, cushioning and lead; use exact or series'
+        )
     if not engine.plain or not isinstance(ideal, Steam) or ideal.exponent != 1 or ideal.clearance:
         raise ProblemError(
             'method "weisbach" is for one double-acting crank, exponent 1 and no clearance, as in § 150;'

@@ -42,6 +42,27 @@ class Constant(NamedTuple):
         return 0 * self.level
 
 
+class Line(NamedTuple):
+    """A pressure that changes evenly from one share of the stroke to another."""
+
+    first: Number
+    last: Number
+    start: Number
+    end: Number
+
+    def pressure(self, share: Number) -> Number:
+        return self.first + self._rise() * (share - self.start)
+
+    def work(self, start: Number, end: Number) -> Number:
+        return (self.pressure(start) + self.pressure(end)) / 2 * (end - start)
+
+    def slope(self, share: Number) -> Number:
+        return self._rise() + 0 * share
+
+    def _rise(self) -> Number:
+        return (self.last - self.first) / (self.end - self.start)
+
+
 class Polytrope(NamedTuple):
     """p V^n = const through a pressure at a volume, where V is the first volume plus or minus the share.
 
@@ -91,6 +112,11 @@ class Law(NamedTuple):
     def slope(self, share: Number) -> Number:
         """Return the change of the pressure with the share."""
         return self._at(share, lambda index, at: self.pieces[index].slope(at))
+
+    def whole(self) -> Number:
+        """Return the work of the whole stroke, on numbers that need not compare."""
+        ends = zip(self.pieces, (0, *self.corners), (*self.corners, 1), strict=True)
+        return sum(piece.work(start, end) for piece, start, end in ends)
 
     def around(self, share: Number) -> tuple[int, ...]:
         """Return the pieces on which a float or a ball lies: at a corner those on both sides."""

@@ -149,6 +149,14 @@ def _level(height: Number | Fraction | int) -> Piece:
     return Piece(number(height), number(1), number(1), 0, Fraction(1))
 
 
+def _line(one: tuple[Number, Number], other: tuple[Number, Number]) -> Piece:
+    """A straight line through two points, as k (g/(a + σ s))ⁿ with n = -1; it rises or falls."""
+    (start, first), (end, last) = one, other
+    sense = -1 if float(last) < float(first) else 1
+    steep = (last - first) / (end - start) * sense
+    return Piece(steep, number(1), first / steep - start * sense, sense, Fraction(-1))
+
+
 def disc(bore: Given) -> Number:
     """π/4 d²."""
     return pi() / 4 * (Fraction(bore) * Fraction(bore))
@@ -160,6 +168,9 @@ def steam(
     back: Given | None = None,
     exponent: Given = 1,
     clearance: Given = 0,
+    release: Given = 1,
+    cushion: Given = 1,
+    lead: Given = 0,
     single_acting: bool = False,
     bore: Given = 1,
     piston_rod: Given = 0,
@@ -169,7 +180,9 @@ def steam(
 
     Without a back pressure it is that of the steam at the end of the stroke. The tail rod takes of the area
     on which the steam drives the outstroke, the piston rod of the other; a single-acting engine has no force
-    on the return.
+    on the return, but for compression. From the release on the pressure falls along a line to the back
+    pressure; on the return it is that up to the cushioning, then compressed, and with the lead rises along a
+    line to 1.
     """
     cut, room, power = 1 / Fraction(eps), Fraction(clearance), Fraction(exponent)
     head, crank = (1 - (Fraction(one) / Fraction(bore)) ** 2 for one in (tail_rod, piston_rod))
@@ -180,8 +193,24 @@ def steam(
         driving = Pressure(tuple(pieces if cut < 1 else pieces[:1]))
         behind = driving.value(number(1)) if back is None else number(Fraction(back))
         against = constant(behind)
-        out = Stroke(((head, driving), (-crank, against)))
-        return out, Stroke() if single_acting else Stroke(((crank, driving), (-head, against)))
+        opened, closed, entry = Fraction(release), Fraction(cushion), 1 - Fraction(lead)
+        if opened < 1:
+            falling = _line((number(opened), driving.value(number(opened))), (number(1), behind))
+            first = [(number(cut), _level(1)), (number(opened), expanding)][: 1 + (cut < opened)]
+            driving = Pressure((*first, (number(1), falling)))
+        idle = closed == entry == 1
+        if not idle:
+            squeezed = Piece(behind, number(1 - closed + room), number(1 + room), -1, power)
+            last = [(number(closed), _level(behind)), (number(entry), squeezed)][: 1 + (closed < entry)]
+            if entry < 1:
+                risen = squeezed.value(number(entry))
+                last.append((number(1), _line((number(entry), risen), (number(1), number(1)))))
+            against = Pressure(tuple(last))
+        if single_acting:
+            face = constant(behind)
+            after = Stroke() if idle else Stroke(((crank, face), (-head, against)))
+            return Stroke(((head, driving), (-crank, face))), after
+        return Stroke(((head, driving), (-crank, against))), Stroke(((crank, driving), (-head, against)))
 
     return pressures
 

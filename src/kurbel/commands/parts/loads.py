@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 # What an ideal card is described by, and a measured one is not.
-IDEAL = ("eps", "back", "exponent", "clearance")
+IDEAL = ("eps", "back", "exponent", "clearance", "release", "cushion", "lead")
 FURTHER = ("pressure_ratio", "pump", "compression")
 NEEDED = (
     "what acts on the piston is not known; add the expansion ratio of its steam, --eps 4, or --card,"
@@ -75,6 +75,15 @@ class Loads(Piston):
     clearance = measure(
         as_share, "Clearance as a share of the swept volume: 0.05, 5%.", "C", machine="steam compressor"
     )
+    release = _share(
+        "Share of the stroke at which the exhaust opens: 90%; from there pressure falls evenly to --back.",
+        "steam",
+    )  # fmt: skip
+    cushion = _share(
+        "Share of the return stroke at which the exhaust closes: 80%; what is left in the clearance is"
+        " compressed.", "steam",
+    )  # fmt: skip
+    lead = _share("Share of the stroke before its dead centre at which steam enters: 1%.", "steam")
     card: Option[Sequence[Path] | Path] = Option(
         "Indicator card: CSV with position, p_forward [bar], p_return [bar], or angle, p [bar].",
         "FILE",
@@ -224,7 +233,8 @@ class Loads(Piston):
                 raise ProblemError(NEEDED)
             expansions = as_expansions(page.expansions)
         exponent = Fraction(1) if exponent is None else exponent
-        return [Steam(one, share, exponent, clearance or Fraction(0)) for one in expansions]
+        valves = {name: getattr(self, name) for name in ("release", "cushion", "lead") if self.says(name)}
+        return [Steam(one, share, exponent, clearance or Fraction(0), **valves) for one in expansions]
 
     def _back_is_pressure(self) -> bool:
         """Whether the back pressure is given as a pressure, which counts in that of the steam."""

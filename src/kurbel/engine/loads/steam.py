@@ -10,8 +10,9 @@ from typing import Any, ClassVar
 
 from kurbel.drive.load import STEAM
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import Kind
-from kurbel.kernel.steam import Expansion, IdleStroke, best_back
+from kurbel.exact.kind import Kind, floats
+from kurbel.kernel.law import Between, Constant, Law, Line, Piece, Polytrope, steady
+from kurbel.kernel.steam import Expansion, IdleStroke, best_back, power
 from kurbel.kernel.turning import Stroke
 from kurbel.reading.notation import about, plain, too_small
 
@@ -30,7 +31,11 @@ class Steam:
     p V^n = const, clearance as a share of the stroke.
 
     `back` None is the best back pressure, that of the steam at the end of the stroke: 1/ε for n = 1 without
-    clearance. Valid for ε >= 1, 0 <= b <= 1, n > 0, κ >= 0, as long as work is left.
+    clearance. From the share `release` of the stroke on the pressure falls evenly to the back pressure. On
+    the return the exhaust closes at the share `cushion`, and what is left is compressed by the same law;
+    `lead` before its end steam enters, and the pressure rises evenly to that of the steam. Valid for ε >= 1,
+    0 <= b <= 1, n > 0, κ >= 0, as long as work is left and no more than the steam pressure is reached by
+    compression.
     """
 
     name: ClassVar[str] = STEAM
@@ -40,9 +45,25 @@ class Steam:
     back: Fraction | None = None
     exponent: Fraction = Fraction(1)
     clearance: Fraction = Fraction(0)
+    release: Fraction = Fraction(1)
+    cushion: Fraction = Fraction(1)
+    lead: Fraction = Fraction(0)
+
+    @property
+    def plain(self) -> bool:
+        """Whether the exhaust is open over the whole return stroke and no longer."""
+        return self.release == self.cushion == 1 and not self.lead
 
     def strokes(self, kind: Kind, double: bool) -> tuple[Stroke, Stroke]:
-        """Return the force of both strokes, on a kind of number; single-acting, the return idles."""
+        """Return the force of both strokes, on a kind of number; single-acting, the return idles, or
+        compresses."""
+        if not self.plain:
+            behind, before = self._laws(self.numbers(kind.of, kind.exponent), kind)
+            both = Between(behind, before)
+            if double:
+                return both, both
+            other = steady(self.numbers(kind.of, kind.exponent).back)
+            return Between(behind, other), Between(other, before)
         acting: Stroke = self.numbers(kind.of, kind.exponent)
         return acting, acting if double else IdleStroke()
 
@@ -60,6 +81,8 @@ class Steam:
             )
         check_exponent(self.exponent, "exponent n", "falls as the steam expands")
         check_clearance(self.clearance)
+        if not self.plain:
+            self._check_valves()
         self._check_work()
 
     def numbers(
@@ -76,11 +99,75 @@ class Steam:
         known = self.numbers(kind.of, kind.exponent)._replace(**found)
         if self.back is None:
             known = known._replace(back=best_back(known.cut_off, known.exponent, known.clearance))
-        return known.whole()
+        if self.plain:
+            return known.whole()
+        behind, before = self._laws(known, kind)
+        return behind.whole() - before.whole()
+
+    def kept(self, numbers: Expansion, kind: Kind) -> Any:
+        """Return the volume that what is left in the cylinder fills at the steam pressure."""
+        share = power(numbers.back, 1 if self.exponent == 1 else kind.exponent(1 / self.exponent))
+        return (numbers.clearance + kind.of(1 - self.cushion)) * share
+
+    def _laws(self, numbers: Expansion, kind: Kind) -> tuple[Law, Law]:
+        """Return the pressure in the end that the piston leaves, and in the other."""
+        whole, one = 1 + numbers.clearance, kind.of(Fraction(1))
+        release, cushion, entry = (kind.of(at) for at in (self.release, self.cushion, 1 - self.lead))
+        room = numbers.cut_off + numbers.clearance
+        expanding = Polytrope(one, room, numbers.exponent, numbers.clearance, 1)
+        behind: list[tuple[Any, Piece]] = [(numbers.cut_off, Constant(one))]
+        if 1 / self.expansion < self.release:
+            behind.append((release, expanding))
+        if self.release < 1:
+            level = power(room / (release + numbers.clearance), numbers.exponent)
+            behind.append((one, Line(level, numbers.back, release, one)))
+        before: list[tuple[Any, Piece]] = [(cushion, Constant(numbers.back))]
+        closed = whole - cushion
+        if self.cushion < 1 - self.lead:
+            before.append((entry, Polytrope(numbers.back, closed, numbers.exponent, whole, -1)))
+        if self.lead:
+            level = numbers.back * power(closed / (whole - entry), numbers.exponent)
+            before.append((one, Line(level, one, entry, one)))
+        return _law(behind), _law(before)
+
+    def _check_valves(self) -> None:
+        """Raise ProblemError for points of the stroke that no valve gear has in this order."""
+        for what, share in (("release", self.release), ("cushioning", self.cushion)):
+            if not 0 < share <= 1:
+                raise ProblemError(
+                    f"{what} is at {about(share)} of the stroke; it must be above 0 and at most 1"
+                )
+        if not 0 <= self.lead < 1:
+            raise ProblemError(f"lead is {about(self.lead)} of the stroke; it must be 0 or more and below 1")
+        if self.release * self.expansion < 1:
+            raise ProblemError(
+                f"release at {about(self.release)} of the stroke comes before the cut-off at"
+                f" {about(1 / self.expansion)}; it must not"
+            )
+        if self.cushion + self.lead > 1:
+            raise ProblemError(
+                f"the exhaust closes at {about(self.cushion)} of the return stroke, behind the lead, with"
+                f" which steam enters at {about(1 - self.lead)}; it must not"
+            )
+        left = self.lead + self.clearance
+        if self.cushion < 1 and not left:
+            raise ProblemError(
+                "cushioning needs a clearance, in which steam is compressed; add --clearance 5%"
+            )
+        numbers = self.numbers(float)
+        if (
+            left
+            and (most := numbers.back * float((1 - self.cushion + self.clearance) / left) ** numbers.exponent)
+            > 1
+        ):
+            raise ProblemError(
+                f"by cushioning from {about(self.cushion)} of the return stroke the steam left would reach"
+                f" {most:.4g} times the steam pressure; begin later, or give a larger clearance or lead"
+            )
 
     def _check_work(self) -> None:
         acting = self.numbers(float)
-        if acting.work(1.0) > LEAST_WORK:
+        if (acting.work(1.0) if self.plain else self.mean(floats())) > LEAST_WORK:
             return
         ratio = plain(self.expansion)
         limit = floor(1e6 * acting._replace(back=0.0).work(1.0)) / 1e6
@@ -93,6 +180,11 @@ class Steam:
             f"back pressure b = {about(self.back)} leaves no work at ε = {ratio}; b must be below"
             f" {limit:g}, or the mean force P would not be above 0"
         )
+
+
+def _law(ends: list[tuple[Any, Piece]]) -> Law:
+    """Return the pieces with the shares at which they end; one that fills the stroke has no corner."""
+    return Law(tuple(piece for _, piece in ends), tuple(end for end, _ in ends[:-1]))
 
 
 def check_exponent(exponent: Fraction, what: str, how: str = "rises as the volume shrinks") -> None:

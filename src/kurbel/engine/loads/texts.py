@@ -105,6 +105,18 @@ OF_STEAM = {
         "schädlicher Raum ${clearance}$ des Hubraumes|clearance ${clearance}$ of the swept volume"
     ),
     "unclear": words("ohne schädlichen Raum (--clearance)|no clearance (--clearance)"),
+    "release": words(
+        "Vorausströmung von {share} des Hubes an, gleichmäßig bis zum Gegendruck"
+        "|release at {share} of the stroke, evenly down to the back pressure"
+    ),
+    "cushion": words(
+        "Kompression von {share} des Rückgangs an, nach dem Gesetz der Expansion"
+        "|cushioning from {share} of the return stroke on, by the law of the expansion"
+    ),
+    "lead": words(
+        "Voreilung {share} des Hubes, gleichmäßig bis zum Dampfdruck"
+        "|lead {share} of the stroke, evenly up to the steam pressure"
+    ),
     "best": words(
         "Gegendruck ${back} = {full}/ε$, der vorteilhafteste (--back)"
         "|back pressure ${back} = {full}/ε$, the most favourable (--back)"

@@ -124,6 +124,14 @@ def _steam_lines(request: Loaded, lang: str) -> Iterator[Label]:
         yield OF_STEAM["back"][lang].format(back=f"{exact_text(steam.back)} Q" if steam.back else "0")
     else:
         yield best_back(steam, "R_b", "Q", lang)
+    yield from valve_lines(steam, lang)
+
+
+def valve_lines(steam: Any, lang: str) -> Iterator[Label]:
+    """Yield what there is to be said of the points at which valves open and close, beside the cut-off."""
+    for name, usual in (("release", 1), ("cushion", 1), ("lead", 0)):
+        if (share := getattr(steam, name)) != usual:
+            yield OF_STEAM[name][lang].format(share=f"${figure(share)}$")
 
 
 def best_back(steam: Any, back: Label, full: Label, lang: str) -> Label:

@@ -12,7 +12,7 @@ from kurbel.engine.captions import DRIVEN
 from kurbel.engine.digits import FLOAT_ERROR, supported
 from kurbel.engine.engine import Engine
 from kurbel.engine.loads.texts import OF_STEAM
-from kurbel.engine.loads.words import LoadWords, best_back, words_of
+from kurbel.engine.loads.words import LoadWords, best_back, valve_lines, words_of
 from kurbel.engine.page import LoadAxis
 from kurbel.engine.power.duty import (
     ASKED,
@@ -281,6 +281,8 @@ def _steam_taken(source: Acting, duty: Duty, lang: str) -> Label:
     assert volume is not None
     kept = "p_b/p" if steam.exponent == 1 else f"(p_b/p)^(1/{figure(steam.exponent)})"
     taken = f"$[1/ε + κ (1 - {kept})]$" if steam.clearance else "$1/ε$"
+    if steam.cushion != 1:
+        taken = f"$[1/ε + κ - (1 - {figure(steam.cushion)} + κ) {kept}]$"
     said = POWER_TEXTS["steam"][lang].format(volume=taken, specific=amount(volume, "m³/kg"))
     return said + (POWER_TEXTS["kept"][lang] if steam.clearance else "")
 
@@ -301,6 +303,7 @@ def _steam_lines(source: Acting, lang: str) -> Iterator[Label]:
         yield best_back(steam, "p_b", "p", lang)
     else:
         yield POWER_TEXTS["back"][lang].format(back=figure(steam.back))
+    yield from valve_lines(steam, lang)
     yield OF_STEAM["double" if source.engine.double else "single"][lang]
 
 

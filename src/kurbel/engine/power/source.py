@@ -21,7 +21,6 @@ from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import figures, nearest
 from kurbel.exact.place import fraction
 from kurbel.exact.real import Product
-from kurbel.kernel.steam import power
 from kurbel.page.quantity import bare
 from kurbel.reading.notation import about
 
@@ -142,21 +141,20 @@ class Acting:
     def steam_taken(self) -> Product:
         """The volume at admission of the steam that a stroke takes, as a share of the swept one.
 
-        1/ε + κ (1 - (p_b/p)^(1/n)): up to the cut-off steam fills the clearance as well, which still keeps
-        steam of the back pressure, by the law of the expansion. Derived by us for the ideal card without
-        compression.
+        1/ε + κ - (1 - c + κ) (p_b/p)^(1/n): up to the cut-off steam fills the clearance as well, which still
+        keeps what the exhaust left at the share c of the return stroke, by the law of the expansion. Derived
+        by us.
         """
         steam = self.load
-        if not steam.clearance and self.sought is None:
+        if not steam.clearance and steam.plain and self.sought is None:
             return Product.of(1 / steam.expansion)
         return Product.about(self._steam_taken)
 
     def _steam_taken(self, kind: Kind) -> Any:
-        steam, exponent = self.load.numbers(kind.of, kind.exponent), self.load.exponent
+        steam = self.load.numbers(kind.of, kind.exponent)
         if self.sought is not None:
             steam = steam._replace(**self.sought.on(kind))
-        kept = steam.back if exponent == 1 else power(steam.back, kind.exponent(1 / exponent))
-        return steam.cut_off + steam.clearance * (1 - kept)
+        return steam.cut_off + steam.clearance - self.load.kept(steam, kind)
 
     @cached_property
     def delivered(self) -> Product:

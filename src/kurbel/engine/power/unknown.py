@@ -7,7 +7,9 @@ that is 1 are enclosed by interval arithmetic (exact/search), so that none is mi
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from flint import arb
@@ -18,7 +20,7 @@ from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.jet import Jet
 from kurbel.exact.kind import balls
 from kurbel.exact.real import Term
-from kurbel.exact.search import isolate
+from kurbel.exact.search import Zero, isolate
 from kurbel.page.quantity import Words, words
 
 # Beyond the bounds, so that a number at one of them is found.
@@ -70,49 +72,81 @@ UNKNOWNS: Mapping[str, Unknown] = {
 NAMES = (*UNKNOWNS, *(name for name in VARIABLES if name not in (*UNKNOWNS, FACTOR)), FACTOR)
 
 
-def sought(load: Any, option: str, relation: Term, over: Fraction | None) -> list[Sought]:
-    """Return all numbers between the bounds with which the relation is 1. Raises ProblemError where two of
-    them cannot be told apart, and NoRootError where there is none."""
-    asked = UNKNOWNS[option]
-    first = relation.powers.get(MEAN, next(iter(relation.powers.values())))
-    known = relation.known ** (1 / first)
+class Search:
+    """All numbers of a load between the bounds with which a relation is 1."""
 
-    def sides(number: Any) -> list[Any]:
+    def __init__(self, load: Any, option: str, relation: Term, over: Fraction | None) -> None:
+        self.given = load, option, relation, over
+        self.load, self.option, self.over = load, option, over
+        first = relation.powers.get(MEAN, next(iter(relation.powers.values())))
+        self.known = relation.known ** (1 / first)
+        self.powers = {name: power / first for name, power in relation.powers.items()}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # What was found is found again elsewhere.
+        return type(self), self.given
+
+    @cached_property
+    def zeros(self) -> list[Zero]:
+        """The numbers. Raises ProblemError where two cannot be told apart, NoRootError for none."""
+        asked = UNKNOWNS[self.option]
+        low, high = asked.low + (BEYOND if asked.low == 1 else -BEYOND), asked.high + BEYOND
+        found = isolate(lambda at: arb(self._apart(at)), self._slope, low, high)
+        # Where nothing is delivered any more nothing is done, and of both any multiple.
+        found = [one for one in found if not any(side.contains(0) for side in self._sides(one.place())[1:])]
+        if any(one.rising is None for one in found):
+            raise ProblemError(
+                f"whether one or two values of {self.option} do is not settled; alter what is given a little"
+            )
+        if not found:
+            raise NoRootError(self._nowhere(asked, low, high))
+        return found
+
+    def _sides(self, number: Any) -> list[Any]:
         """Return what the load makes, and what it has to make."""
-        kind = balls()
-        found = [known.on(kind), kind.of(Fraction(1))]
-        for name, power in relation.powers.items():
-            if name == OPEN_PRESSURE:
+        kind, name = balls(), UNKNOWNS[self.option].name
+        found = [self.known.on(kind), kind.of(Fraction(1))]
+        for of, power in self.powers.items():
+            if of == OPEN_PRESSURE:
                 # The pressure is so many times the number below 1, which may be 0.
-                found = [found[0] * kind.of(over or Fraction(1)), found[1] * number]
+                found = [found[0] * kind.of(self.over or Fraction(1)), found[1] * number]
                 continue
-            made = (load.mean if name == MEAN else load.delivered)(kind, **{asked.name: number})
-            side, exponent = power / first < 0, abs(power / first)
+            made = (self.load.mean if of == MEAN else self.load.delivered)(kind, **{name: number})
+            side, exponent = power < 0, abs(power)
             found[side] = found[side] * (made if exponent == 1 else made ** kind.exponent(exponent))
         return found
 
-    def apart(number: Any) -> Any:
-        makes, has = sides(number)
+    def _apart(self, number: Any) -> Any:
+        makes, has = self._sides(number)
         return makes - has
 
-    def slope(at: arb) -> arb:
-        return arb(apart(Jet(at, arb(1), arb(0))).slope)
+    def _slope(self, at: arb) -> arb:
+        return arb(self._apart(Jet(at, arb(1), arb(0))).slope)
 
-    low, high = asked.low + (BEYOND if asked.low == 1 else -BEYOND), asked.high + BEYOND
-    zeros = isolate(lambda at: arb(apart(at)), slope, low, high)
-    # Where nothing is delivered any more nothing is done, and of both any multiple.
-    zeros = [one for one in zeros if not any(part.contains(0) for part in sides(one.place())[1:])]
-    if any(one.rising is None for one in zeros):
-        raise ProblemError(
-            f"whether one or two values of {option} do is not settled; alter what is given a little"
-        )
-    if not zeros:
+    def _nowhere(self, asked: Unknown, low: Fraction, high: Fraction) -> str:
         steps = (low + (high - low) * step / STEPS for step in range(1, STEPS))
-        shares = [float(one / other) for one, other in (sides(arb(float(at))) for at in steps)]
+        shares = [float(one / other) for one, other in (self._sides(arb(float(at))) for at in steps)]
         most = max(shares) < 1
         much, best = ("less, at most", max(shares)) if most else ("more, at least", min(shares))
-        raise NoRootError(
-            f"no {option} {asked.bounds['en']} does what is given: all make {much} {100 * best:.4g} % of it;"
-            " check sizes and pressures"
+        return (
+            f"no {self.option} {asked.bounds['en']} does what is given: all make {much} {100 * best:.4g} % of"
+            " it; check sizes and pressures"
         )
-    return [Sought(option, asked.name, one.place, over) for one in zeros]
+
+
+@dataclass(frozen=True)
+class Root:
+    """One of what a search finds, at the precision in force."""
+
+    search: Search
+    index: int
+
+    def __call__(self) -> arb:
+        return self.search.zeros[self.index].place()
+
+
+def sought(load: Any, option: str, relation: Term, over: Fraction | None) -> list[Sought]:
+    """Return all numbers between the bounds with which the relation is 1. Raises ProblemError where two of
+    them cannot be told apart, and NoRootError where there is none."""
+    search = Search(load, option, relation, over)
+    return [Sought(option, UNKNOWNS[option].name, Root(search, at), over) for at in range(len(search.zeros))]
