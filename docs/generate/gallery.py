@@ -46,7 +46,7 @@ GROUPS: Mapping[str, Group] = {
 # Pages as drawings, and mechanisms beside the examples in the help of `kurbel plot`.
 DRAWINGS = (
     "table --ratio 1:5 --infinite -f svg -o motion",
-    "table --ratio 1:5 --over path --infinite -f svg -o velocity-ellipse",
+    "table --ratio 1:5 --layout over-path --infinite -f svg -o velocity-ellipse",
     "forces --machine engine.toml -f svg -o forces",
     "forces --polar --ratio 1:5 --force 10kN -f svg -o crank-pin-force",
     "forces --polar --eps 4 --bore 300mm --pressure 8bar -f svg -o pin-of-an-engine",

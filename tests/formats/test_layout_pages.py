@@ -24,7 +24,8 @@ ROWS = {
         if "angle" in layout(name).down + layout(name).across
     },
     **dict.fromkeys(("kolbenwege", "roetscher-112"), ("--angle=0;150", "--ratio=1:5;1:4")),
-    **dict.fromkeys(("over-path", "forces-path", "pressures"), ("--shares=0;0.8",)),
+    **dict.fromkeys(("over-path", "forces-path"), ("--angle=s=0;s=80%",)),
+    "pressures": ("--shares=0;0.8",),
     "series-errors": ("--order=1;3",),
     **dict.fromkeys(("delta-tafel", "delta-flywheel"), ("--eps=2;4",)),
     **dict.fromkeys(("delta-verfahren", "weisbach-150"), ("--eps=4",)),

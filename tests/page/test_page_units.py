@@ -144,7 +144,11 @@ METRIC = re.compile(
 
 DRAWN = (
     ("table --stroke 24in --rod 5ft --columns x_mm", "in mm: 609.60 at 180°", "in inches: 24.000 at 180°"),
-    ("table --stroke 24in --rod 5ft --speed 2/s --columns c_mps --over path", "c in m/s: ", "c in ft/s: "),
+    (
+        "table --stroke 24in --rod 5ft --speed 2/s --columns c_mps --layout over-path",
+        "c in m/s: ",
+        "c in ft/s: ",
+    ),
     ("forces --force 1000lbf --stroke 24in --columns torque_nm", "in N m: 1382.7 at", "in lbf ft: 1019.8 at"),
     (f"forces --polar {ACTED} --stroke 24in", "in kN", "in 10³ lbf"),
     (f"pressures {ACTED} {ENGINE}", "in bar", "in psi"),

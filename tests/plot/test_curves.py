@@ -69,7 +69,8 @@ def drives(rows: list[dict[str, str]]) -> list[list[dict[str, str]]]:
 
 def test_the_title_over_the_path_names_the_ratio_of_one_drive_alone() -> None:
     one, several = (
-        printed("table", "--over=path", f"--ratio={ratios}", "-f", "svg").out for ratios in ("1:4", "1:4;1:5")
+        printed("table", "--layout=over-path", f"--ratio={ratios}", "-f", "svg").out
+        for ratios in ("1:4", "1:4;1:5")
     )
     assert "über dem Kolbenweg für R:L = 1:4; genaue Formeln" in one
     assert "über dem Kolbenweg; genaue Formeln" in several
@@ -217,7 +218,7 @@ def test_the_mean_of_the_speed_lies_between_its_extremes() -> None:
 def test_over_the_path_curves_are_the_columns_of_the_table_to_one_scale(
     words: tuple[str, ...], more: tuple[str, ...], stroke: float
 ) -> None:
-    paper = plotted("table", "--over=path", *words, *more)
+    paper = plotted("table", "--layout=over-path", *words, *more)
     rows = records("table", "--columns=x,c,p", *words, "--from=0", "--to=360", "--step=7.5", "--digits=9")
     x, *courses = (np.asarray([float(row[key]) for row in rows]) for key in ("x", "c", "p"))
     for number, true in enumerate(courses, 1):
@@ -273,7 +274,7 @@ def test_forces_over_the_path_are_full_up_to_the_cut_off_and_fall_by_mariotte() 
 def test_what_is_named_over_the_path_is_what_conditions_find() -> None:
     solved = printed("solve", "--where=p=0", "--where=c=max", "--columns=phi_turn,c", "--lang=en").out
     assert all(one in solved for one in ("79°6′", "280°54′", "1.0198"))
-    said = " ".join(plotted("table", "--over=path", "--ratio=1:5", "--lang=en").words)
+    said = " ".join(plotted("table", "--layout=over-path", "--ratio=1:5", "--lang=en").words)
     for text in (
         "79°6′",
         "280°54′",
@@ -300,7 +301,9 @@ def test_a_unit_with_words_is_written_out_at_its_axis(load: str) -> None:
     assert "je Kolbenfläche" in printed("delta", *load.split(), "-f", "svg", "--text").out
 
 
-@pytest.mark.parametrize("line", ["table --over=path", "table --over-path", "forces --over=path"])
+@pytest.mark.parametrize(
+    "line", ["table --layout=over-path", "table --over-path", "forces --layout=forces-path"]
+)
 def test_a_caption_of_ones_own_is_that_of_the_drawing(line: str) -> None:
     assert "<title>Eigenes</title>" in printed(*line.split(), "--caption=Eigenes", "-f", "svg").out
 

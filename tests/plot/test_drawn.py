@@ -17,8 +17,8 @@ from tools import require_library
 DRAWN = {
     "motion": "table --ratio=1:4",
     "drives": "table --ratio=1:4;1:5 --columns=x,c --lang=en",
-    "over-path": "table --over=path --ratio=1:5 --columns=x,psi,c --stroke=600mm",
-    "angle-over-path": "table --over=path --ratio=1:5 --columns=x,psi --stroke=600mm",
+    "over-path": "table --layout=over-path --ratio=1:5 --columns=x,psi,c --stroke=600mm",
+    "angle-over-path": "table --layout=over-path --ratio=1:5 --columns=x,psi --stroke=600mm",
     "forces": "forces --eps=4 --ratio=1:∞ --columns=piston_force,tangential_force",
     "polar": "forces --polar --eps=4",
     "compressor": "forces --polar --pressure-ratio=3 --clearance=5%",

@@ -18,7 +18,7 @@ shares = st.fractions(Fraction(0), Fraction(1), max_denominator=30)
 
 
 def asked(ratio: Fraction, share: Fraction, columns: str, *more: str) -> dict[str, str]:
-    words = ("table", "--over=path", f"--ratio={ratio}", f"--shares={share}", f"--columns=share,{columns}")
+    words = ("table", f"--ratio={ratio}", f"--angle=s={share}", f"--columns=share,{columns}")
     (found,) = records(*words, f"--digits={DIGITS}", *more)
     return found
 
@@ -27,7 +27,7 @@ def check(drive: verify.Drive, ratio: Fraction, share: Fraction, *more: str, met
     """Beside the angle the share is another on either side; what stands there is had at a closer angle."""
     row = asked(ratio, share, COLUMNS, *more)
     (close,) = records(
-        "table", "--over=path", f"--ratio={ratio}", f"--shares={share}", "--columns=phi,phi_return",
+        "table", f"--ratio={ratio}", f"--angle=s={share}", "--columns=phi,phi_return",
         "--digits=45", *more,
     )  # fmt: skip
     half = Fraction(1, 2 * 10**DIGITS)
@@ -73,7 +73,7 @@ def test_first_order_has_its_own_path() -> None:
 
 
 def test_the_return_stroke_is_the_outstroke_from_its_other_end() -> None:
-    rows = records("table", "--over=path", "--ratio=1:4", "--step=12.5%")
+    rows = records("table", "--ratio=1:4", "--angle=s=0..1:0.125")
     assert len(rows) == 9
     for row, other in zip(rows, reversed(rows), strict=True):
         assert row["c"] == other["c_return"]
@@ -83,10 +83,10 @@ def test_the_return_stroke_is_the_outstroke_from_its_other_end() -> None:
 
 def test_values_on_a_rounding_boundary_are_proved_to_lie_there() -> None:
     # 1 - cos φ = 1/2 at 60°, and there p = cos 60°.
-    (row,) = records("table", "--over=path", "--method=infinite", "--shares=25%", "--digits=0")
+    (row,) = records("table", "--method=infinite", "--angle=s=25%", "--digits=0")
     assert (row["phi"], row["p"], row["p_return"]) == ("60", "1", "1")
     # R, L and the way from shaft to crosshead are as 3, 4 and 5: sin φ = 4/5, tan ψ = 3/4, c/v = 5/4.
-    words = ("table", "--over=path", "--ratio=3:4", "--shares=1/3", "--columns=c", "--digits=1")
+    words = ("table", "--ratio=3:4", "--angle=s=1/3", "--columns=c", "--digits=1")
     roundings = ("half-even", "half-away")
     found = [records(*words, f"--rounding={one}")[0]["c"] for one in roundings]
     assert found == ["1.2", "1.3"]
@@ -100,8 +100,7 @@ def test_forces_of_masses_are_those_at_the_angle() -> None:
     (row,) = records(
         "forces",
         *about,
-        "--over=path",
-        "--shares=35%",
+        "--angle=s=35%",
         "--columns=phi,torque_nm,guide_force_return_n,phi_return",
     )
     fine = asked(Fraction(1, 5), Fraction(7, 20), "phi,phi_return", "--offset=0.3")
@@ -112,15 +111,15 @@ def test_forces_of_masses_are_those_at_the_angle() -> None:
 
 def test_friction_at_an_end_is_that_of_the_stroke_which_begins_there() -> None:
     rows = records(
-        "forces", "--over=path", "--offset=0.2", "--force=10kN", "--stroke=600mm", "--friction=500N",
-        "--step=50%", "--columns=friction_force_n,torque_nm",
+        "forces", "--offset=0.2", "--force=10kN", "--stroke=600mm", "--friction=500N",
+        "--angle=s=0..1:0.5", "--columns=friction_force_n,torque_nm",
     )  # fmt: skip
     assert [row["friction_force_n"] for row in rows] == ["-500.0", "-500.0", "500.0"]
 
 
 def test_linkages_move_over_their_arcs() -> None:
     words = ("--mechanism=arc", "--rocker=6", "--ratio=1:5", f"--digits={DIGITS}")
-    rows = records("table", "--over=path", *words, "--step=20%", "--columns=share,phi,path,velocity")
+    rows = records("table", *words, "--angle=s=0..1:0.2", "--columns=share,phi,path,velocity")
     whole, unit = Fraction(rows[-1]["path"]), Fraction(1, 10**DIGITS)
     for row in rows:
         assert abs(Fraction(row["path"]) - whole * Fraction(row["share"])) <= unit
@@ -131,7 +130,7 @@ def test_linkages_move_over_their_arcs() -> None:
 
 
 def test_python_takes_the_same_words() -> None:
-    page = kurbel.table("1:5", over="path", step=0.25, columns=["share", "phi"])
+    page = kurbel.table("1:5", angle="s=0..1:0.25", columns=["share", "phi"])
     assert kurbel.typeset(page, "csv").splitlines()[1] == "0.00,0.0000"
     assert len(list(page.records.rows)) == 5
 
@@ -160,12 +159,12 @@ TRIANGLE = "cos φ = ±(R² + y² - L²)/(2 R y)"
     ],
 )
 def test_a_page_says_what_holds_for_its_own_drive(words: str, there: list[str], absent: list[str]) -> None:
-    page = printed(*words.split(), "--over=path", "--shares=50%", "--lang=en").out
+    page = printed(*words.split(), "--angle=s=50%", "--lang=en").out
     said = " ".join(page.replace("−", "-").split())
     assert [one for one in there if one not in said] == []
     assert [one for one in absent if one in said] == []
 
 
 def test_defaults_in_degrees_are_left_out() -> None:
-    words = ("table", "--over=path", "--step=20%")
+    words = ("table", "--angle=s=0..1:0.2")
     assert printed(*words, KURBEL_TABLE_ZERO="outer", KURBEL_TABLE_TO="180").out == printed(*words).out

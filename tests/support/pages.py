@@ -117,8 +117,8 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "roots": ("solve", "--where=p=0", "--where=s=25%", "--where=c=max"),
     "construction": ("construct", "blau-9", "--table"),
     **dict.fromkeys(("series errors", "successive"), ("table",)),
-    "over path": ("table", "--over=path"),
-    "forces over path": ("forces", "--over=path"),
+    "over path": ("table", "--layout=over-path"),
+    "forces over path": ("forces", "--layout=forces-path"),
 }
 
 
@@ -263,8 +263,8 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "roots": (kurbel.solve, {"where": ("p=0", "s=25%", "c=max")}),
     "construction": (kurbel.construct, {"name": "blau-9"}),
     **dict.fromkeys(("series errors", "successive"), (kurbel.table, {})),
-    "over path": (kurbel.table, {"over": "path"}),
-    "forces over path": (kurbel.forces, {"over": "path"}),
+    "over path": (kurbel.table, {"layout": "over-path"}),
+    "forces over path": (kurbel.forces, {"layout": "forces-path"}),
 }  # fmt: skip
 
 

@@ -39,7 +39,11 @@ ELSEWHERE = {
     " and --over-path draws it so",
     ("pressures", "--over"): "pressures stand over the stroke by themselves, at --shares of it",
     ("inertia", "--over"): "forces over the path, those of masses too, are of kurbel forces",
-    ("solve", "--over"): 'kurbel table has --over path, and here --where "s = 25%" is a share of the stroke',
+    ("solve", "--over"): '--where "s = 25%" is a share of the stroke',
+    (
+        "",
+        "--over",
+    ): "shares of the stroke are angles at which the piston has gone them, --angle 's=0..100%:5%'",
     **dict.fromkeys(
         (("collate", "--machine"), ("example", "--machine")),
         "it computes with the numbers of a book or of your transcription, and not with those of a machine",
@@ -54,7 +58,7 @@ DRAWN = {
     "--turning": "turning --eps 4 -o turning.svg",
     "--columns": "table --columns x,c -o motion.svg",
     "--infinite": "table --ratio 1:5 --infinite -o motion.svg",
-    "--over": "table --ratio 1:5 --over path -o ellipse.svg",
+    "--over": "table --ratio 1:5 --angle 's=0..100%:10%' -o ellipse.svg",
 }
 # Whose values have words with spaces between them.
 SENTENCES = ("where", "only", "torque", "load_torque", "caption", "note", "source")

@@ -18,7 +18,7 @@ from kurbel.balancing.newtons import Weighed
 from kurbel.balancing.page import BalanceRequest, arranged
 from kurbel.commands.options import Choice, Count, Option, alone, amount, measure, word
 from kurbel.commands.part import CommandOptions, Part, Rivals, Values, flag_of
-from kurbel.commands.parts.angles import Angles
+from kurbel.commands.parts.angles import Angles, in_degrees
 from kurbel.commands.parts.drive import Linked, OnMachine, Speed, settle_cranks
 from kurbel.commands.parts.masses import Masses, MovingRod
 from kurbel.commands.parts.sheet import Layouts, Plain, Sheet, columns_option, layout_option
@@ -201,7 +201,10 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
         "exact, series (first order in λ) or infinite (rod of infinite length).",
         kind=Choice("method", "kurbel.motion.evaluation:METHODS"), default="exact", topic="crank",
     )  # fmt: skip
-    angle = Angles.angle.but(help="Angles of the shaft at which forces are printed: 30, '0;30', 0..180:10.")
+    angle = Angles.angle.but(
+        help="Angles of the shaft at which forces are printed: 30, '0;30', 0..180:10, or what holds there:"
+        " 's=10%'."
+    )
     reciprocating = measure(
         mass.each,
         "Mass of piston and crosshead of a cylinder: 2kg; or of each: '2;2.5kg'. Masses need --stroke and"
@@ -240,7 +243,8 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
         )
         request: Callable[..., Question] = BalanceRequest
         if page.subject == AT_ANGLES:
-            request = partial(AngleRequest, angles=as_angles(page.angles) if angles is None else angles)
+            given = as_angles(page.angles) if angles is None else angles
+            request = partial(AngleRequest, angles=in_degrees(given, self.values, page.ratios))
         elif page.subject == EXTREMES:
             request = ExtremesRequest
         return request(

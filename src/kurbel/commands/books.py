@@ -21,6 +21,7 @@ from kurbel.errors import ProblemError
 from kurbel.page.layouts import layout_of
 from kurbel.reading import notation
 from kurbel.reading.given import (
+    as_angles,
     as_expansions,
     as_force,
     as_fraction,
@@ -140,8 +141,9 @@ class ExampleOptions(Worded, CommandOptions):
     book = word("The book, as `kurbel example` lists it.", kind=Source(), positional=True)
     number = word("The number of the example.", kind=ExampleNumber(), positional=True)
     ratio = Linked.ratio.read_as(alone(as_ratios))
-    angle = Angles.angle.but(
-        help="Crank angles in degrees, where the example starts from them: 60, lists '30;60'."
+    angle = Angles.angle.read_as(
+        alone(as_angles),
+        help="Crank angles in degrees, where the example starts from them: 60, lists '30;60'.",
     )
     beam = measure(
         as_numbers,

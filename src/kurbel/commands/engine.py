@@ -8,7 +8,7 @@ from typing import ClassVar
 
 from kurbel.commands.options import Option, flag
 from kurbel.commands.part import CommandOptions, flag_of
-from kurbel.commands.parts.angles import FULL_TURN, STEP, Angles
+from kurbel.commands.parts.angles import FULL_TURN, STEP, Angles, in_degrees
 from kurbel.commands.parts.diagram import DIAGRAMS, Diagram
 from kurbel.commands.parts.drive import Speed
 from kurbel.commands.parts.effort import RODS
@@ -251,7 +251,10 @@ class TurningOptions(EngineWithWheel, Diagram):
     of_sizes: ClassVar[Mapping[str, str]] = {"pin_path_mm": "stroke", "tangential_kpa": "load"}
     of_wheel = "speed"
 
-    angle = Angles.angle.but(help="Crank angles in degrees: 22.5, 2°30', lists '0;45;90', ranges 0..360:10.")
+    angle = Angles.angle.but(
+        help="Crank angles in degrees: 22.5, 2°30', lists '0;45;90', ranges 0..360:10; or what holds there:"
+        " 's=10%', 'x=120mm', torque=max."
+    )
     step = Angles.step.but(help="Step of the angles through the whole turn; default 10.")
     columns = columns_option("turning", "phi,tangential,energy")
     layout = layout_option(*TURNING, TORQUES, AREAS)
@@ -319,7 +322,12 @@ class TurningOptions(EngineWithWheel, Diagram):
                 "--angle lists the angles and --step runs through the turn; use one or the other"
             )
         if angles is not None:
-            return angles
+            if page is None and any(isinstance(one, str) for one in angles):
+                raise ProblemError(
+                    "a turning-moment diagram has no piston whose place gives the angle; write --angle in"
+                    " degrees"
+                )
+            return in_degrees(angles, self.values, () if page is None else page.ratios, cycle)
         if step is None and page is not None and cycle <= FULL_TURN:
             return as_angles(page.angles)
         return notation.progression(Fraction(0), cycle, min(STEP, cycle) if step is None else step)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from kurbel.commands.motion import OverPath
 from kurbel.commands.options import Choice, LayoutName, Option, measure, word
 from kurbel.commands.part import CommandOptions, flag_of
-from kurbel.commands.parts.angles import ENDS, FORCES_OVER_PATH, FULL_TURN, OVER_PATH, PATH
+from kurbel.commands.parts.angles import ENDS, FORCES_OVER_PATH, FULL_TURN, OVER_PATH
 from kurbel.commands.parts.drive import OF_MASSES, Turning
 from kurbel.commands.parts.effort import PINNED, PRESSING, Effort, PinFriction
 from kurbel.commands.parts.engine import Engine, FromOne
@@ -57,7 +57,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
 
     unnamed = "ratio"
     sequence = (
-        "angle from_ to step zero over shares columns offset stroke time_ratio rod"
+        "angle from_ to step zero columns offset stroke time_ratio rod"
         " mechanism rocker pivot circuit beam axles driven force at eps back exponent clearance card"
         " other_side single_acting cranks bore pressure reciprocating rod_mass centre gyration rod_file"
         " rotating rocker_inertia slope gravity head_pressure crank_pressure pressure_difference"
@@ -197,8 +197,6 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
     def _tangent(self, chosen: Mechanism) -> Question:
         from kurbel.motion.tangent_page import TangentRequest
 
-        if self.over == PATH:
-            raise ProblemError("--at tangent is one position, with a path of its own; leave --over path out")
         assert self.at in (None, TANGENT)
         page = self.page("forces-tangent", TANGENT)
         _, described = self.described(None, ("stroke", "force"), ("speed", "acceleration", "method"))
@@ -211,7 +209,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         from kurbel.linkage.coupled import CoupledRequest, axles_of
 
         if self.is_over_path():
-            raise ProblemError("coupled axles have no piston; leave --axles or --over path out")
+            raise ProblemError("coupled axles have no piston; give --angle in degrees, or leave --axles out")
         page = self.page("forces-coupled", COUPLED)
         chosen, described = self._described()
         return CoupledRequest(
@@ -226,10 +224,10 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         """Return what is asked for of the first crank of an engine."""
         from kurbel.engine.request import EngineRequest
 
-        if self.is_over_path():
+        if self.layout_subject in (OVER_PATH, FORCES_OVER_PATH):
             raise ProblemError(
-                "forces of an engine are not set over the path; kurbel pressures sets its pressures over the"
-                " stroke, and a drawing with --over-path has the forces over it"
+                f"layout {self.layout} is not of an engine; give --angle 's=0..100%:5%' without it, and a"
+                " drawing with --over-path has the forces over the path"
             )
         self.refuse("force", *PRESSING, *PINNED)
         page = self.page("machine-forces" if self.is_heavy() else "engine-forces", *OF_ENGINES)
@@ -249,7 +247,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
         if self.is_heavy() and not chosen.crosshead:
             raise ProblemError(
                 f"forces of moving masses are not set over the path for {chosen.title}; print them over the"
-                " turn, without --over"
+                " turn, with --angle in degrees"
             )
         page = self.page("forces-path", FORCES_OVER_PATH, OVER_PATH)
         drives = self.weighed(chosen, chosen.drives(described, page.ratios))

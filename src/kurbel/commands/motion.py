@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from kurbel.commands.options import Columns, Option, flag, measure
 from kurbel.commands.part import CommandOptions, Rivals
-from kurbel.commands.parts.angles import FORCES_OVER_PATH, OVER_PATH, PATH, Over
+from kurbel.commands.parts.angles import ANGLE, ENDS, FORCES_OVER_PATH, OVER_PATH, Angles
 from kurbel.commands.parts.drive import APPROXIMATE, POINTS, AnyDrive, Linked, Series, Speed, Turning
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, columns_over_angle, layout_option
 from kurbel.commands.subject import function
@@ -26,19 +26,22 @@ _OF_DRIVES = ("mechanism", "offset", "rocker", "pivot", "circuit", "speed")
 _LENGTHS = ("stroke", "rod")
 
 
-class OverPath(Over, AnyDrive, Layouts, Sheet):
+class OverPath(Angles, AnyDrive, Layouts, Sheet):
     """A drive over the crank angle, or over the piston's path."""
 
     def is_over_path(self) -> bool:
-        """Whether a page over the piston's path is asked for, by --over or by its layout. Raises ProblemError
-        where the two contradict each other."""
-        name, path = self.layout, self.over == PATH
+        """Whether a page over the piston's path is asked for, by its layout or by shares of the stroke alone.
+        Raises ProblemError where the layout is given angles."""
         over = self.layout_subject in (OVER_PATH, FORCES_OVER_PATH)
-        if name and path and not over:
+        if not over:
+            return self.layout is None and self.says(ANGLE) and bool(self.shares())
+        angles = any(self.says(one) and self.values.typed(one) for one in (*ENDS, "zero"))
+        if angles or not self.shares():
             raise ProblemError(
-                f"layout {name} is not over the path; leave --over out, or --layout, for a page of its own"
+                f"layout {self.layout} is over the path; give shares of the stroke, --angle 's=0..100%:5%',"
+                " or leave the angles out"
             )
-        return over or path
+        return True
 
     def over_path(
         self,
@@ -52,12 +55,14 @@ class OverPath(Over, AnyDrive, Layouts, Sheet):
         from kurbel.conditions.over import PathRequest
 
         if self.says("acceleration"):
-            raise ProblemError("--acceleration is at crank angles of a turn; leave it out, or --over path")
+            raise ProblemError(
+                "--acceleration is at crank angles of a turn, and this page is over the path; leave it out"
+            )
         drives = some(drives or chosen.drives(described, page.ratios))
         return PathRequest(
             mechanism=chosen.name,
             drives=chosen.solved(drives, method),
-            shares=self.path_shares(),
+            shares=self.shares(),
             **self.on_page(page, "share,phi,c"),
         )
 
@@ -71,7 +76,8 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
     kurbel table --layout roetscher-112 --ratio 1:5 --ratio 1:4,5 --ratio 1:4
     kurbel table --stroke 600mm --rod 1500mm --speed 120/min
     kurbel table --mechanism arc --ratio 1:5 --rocker 6
-    kurbel table --ratio 1:5 --over path --step 5%
+    kurbel table --ratio 1:5 --angle 's=0..100%:5%'
+    kurbel table --ratio 1:5 --angle psi=max
     kurbel table --ratio 1:5 --point 0.5
     \f
     >>> import kurbel
@@ -86,7 +92,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
     phi,path,rocker
     0,0.0001,9.587
     90,1.1049,-0.963
-    >>> page = kurbel.table("1:5", over="path", shares="0;50%", columns="share,phi,c,c_return")
+    >>> page = kurbel.table("1:5", angle="s=0;s=50%", columns="share,phi,c,c_return")
     >>> print(kurbel.typeset(page, "csv"), end="")
     share,phi,c,c_return
     0.0,0.0000,0.0000,0.0000
@@ -97,7 +103,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
 
     unnamed = "ratio"
     sequence = (
-        "point angle from_ to step zero over shares columns offset stroke time_ratio rod"
+        "point angle from_ to step zero columns offset stroke time_ratio rod"
         " method order speed acceleration mechanism rocker pivot circuit beam"
     )
     in_short = "ratio stroke rod speed machine mechanism offset method angle step columns digits"
@@ -142,8 +148,6 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
         from kurbel.motion.points import points_of
         from kurbel.motion.points_page import SUBJECT, PointsRequest
 
-        if self.over == PATH:
-            raise ProblemError("points of the rod are tabulated over the crank angle; leave --over out")
         if self.says("order"):
             raise ProblemError("series of points of the rod are of first order; leave --order out")
         chosen.rod_ends()

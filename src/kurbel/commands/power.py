@@ -10,7 +10,6 @@ from typing import Any, TypeGuard
 
 from kurbel.commands.options import Choice, Option, alone, measure, word
 from kurbel.commands.part import CommandOptions, Values, flag_of
-from kurbel.commands.parts.angles import SHARE
 from kurbel.commands.parts.drive import Linked, OnMachine, settle_sizes
 from kurbel.commands.parts.engine import Cylinder
 from kurbel.commands.parts.engine import Engine as EnginePart
@@ -392,7 +391,7 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
     shares = measure(
         as_shares,
         "Shares of the stroke: 0.25, lists '0;0.5;1', ranges; default 0..1:0.1.", "SHARES", many=True,
-        what=SHARE, topic="angles",
+        what="share of the stroke", topic="angles",
     )  # fmt: skip
     angle = measure(
         alone(as_angles),
@@ -417,7 +416,7 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
         shares, angles = self.shares, self.angle
         return PressuresRequest(
             pressed=self._pressed(page),
-            shares=as_shares("0..1:0.1", SHARE) if shares is None else shares,
+            shares=as_shares("0..1:0.1", "share") if shares is None else shares,
             angles=as_angles(page.angles or "0") if angles is None else angles,
             **self.on_page(page, "share,inertia_pressure"),
         )

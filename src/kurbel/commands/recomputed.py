@@ -114,7 +114,7 @@ def _coupled(second: Second, drive: verify.Drive, key: str, row: Row) -> Value:
 
 def _at_share(second: Second, drive: verify.Drive, method: str, row: Row, back: bool) -> Spot:
     """Where B has gone a share of a stroke, on which it goes one way."""
-    shares = second.asked.path_shares() if second.command != "pressures" else second.shares
+    shares = second.asked.shares() if second.command != "pressures" else second.shares
     share, key = nearest(row["share"], shares), "x_stroke" if drive.rocker is None else "path_stroke"
     course = Course(drive, key, method, back=back)
 

@@ -98,8 +98,8 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
         kind=Choice("unknown", "kurbel.conditions.unknown:UNKNOWNS"),
     )
     angle = amount(
-        "With --unknown the crank angles at which the condition holds: 30, 0..90:15, or c=max, where a"
-        " quantity of the motion is greatest on the outstroke.",
+        "With --unknown the crank angles at which the condition holds: 30, 0..90:15, or what holds there on"
+        " the outstroke: c=max, 's=10%'.",
         "ANGLES",
         unit="degrees",
         topic="angles",

@@ -6,23 +6,25 @@ import re
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cache, cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 from kurbel.commands.forces import ForcesOptions
-from kurbel.commands.motion import MotionOptions, some
+from kurbel.commands.motion import MotionOptions
 from kurbel.commands.part import flag_of
+from kurbel.commands.parts.angles import as_positions, in_degrees
 from kurbel.commands.parts.effort import PRESSING
 from kurbel.commands.solve import SolveOptions
 from kurbel.conditions.loaded import ASKED, MEASURED, NAMES, measured
-from kurbel.conditions.page import condition_label
-from kurbel.conditions.solve import MEASURES, TORQUE, read_on, solve, target_of
+from kurbel.conditions.page import SolveRequest, condition_label
+from kurbel.conditions.solve import MEASURES, TORQUE, read_on, target_of
 from kurbel.conditions.unknown import UNKNOWNS, WORDS, Polynomial, of_ratio
 from kurbel.drive.at import At
 from kurbel.drive.load import figure
 from kurbel.engine.quantities import value
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import ball, half_turn_circle
+from kurbel.exact.certify import ball
 from kurbel.exact.course import Target
+from kurbel.exact.found import Found
 from kurbel.exact.kind import balls
 from kurbel.exact.numerals import exact_text, figures, nearest
 from kurbel.exact.place import fraction
@@ -32,7 +34,6 @@ from kurbel.page.axes import angle_text
 from kurbel.page.layouts import layout
 from kurbel.page.quantity import words
 from kurbel.reading import units
-from kurbel.reading.given import as_angles
 from kurbel.reading.names import enumerated
 from kurbel.reading.where import MAX, VALUE, Condition, read_condition
 
@@ -54,57 +55,39 @@ CHECKED_BITS = 400
 MOST_ANGLES = 1000
 
 
-class Angle:
-    """The crank angle: one in degrees, or where a quantity of the motion is greatest on the outstroke."""
+class Angle(NamedTuple):
+    """The crank angle φ in degrees, on the outstroke where a condition on the motion gives it."""
 
-    def __init__(self, degrees: Fraction | None, text: str, half_turns: Callable[[], Any] | None) -> None:
-        self.degrees, self.text, self.half_turns = degrees, text, half_turns
+    degrees: Fraction
 
     @classmethod
     def read(cls, angle: Fraction | str, unknown: str, asked: SolveOptions) -> Angle:
         if isinstance(angle, Fraction):
-            return cls(angle, "", None)
+            return cls(angle)
         if unknown == "ratio":
             raise ProblemError(f"--angle {angle} depends on the ratio that is asked for; give it in degrees")
-        if asked.is_engine():
-            raise ProblemError(f"--angle {angle} is of the motion alone; under a load give it in degrees")
-        return cls._greatest(angle, asked)
-
-    @classmethod
-    def _greatest(cls, text: str, asked: SolveOptions) -> Angle:
-        chosen, described = asked.described(beside=("force",), leaving=("speed", "method"))
-        ratios = layout(chosen.layout, asked.layouts).ratios
-        drive = chosen.solved(some(chosen.drives(described, ratios)), "exact")[0]
-        condition = read_on(drive, text)
-        if condition.kind != MAX:
-            raise ProblemError(
-                f"--angle {text} must be an angle such as 30, or as c=max where one is greatest"
-            )
-        place = next(root.place for root in solve(drive, condition) if root.stroke == 1)
-        return cls(place.degrees, text, place.half_turns)
-
-    def circle(self, kind: Any) -> Any:
-        if self.degrees is not None or self.half_turns is None:
-            return kind.circle(self.degrees)
-        return half_turn_circle(self.half_turns())
+        chosen = asked.drive()
+        return cls(in_degrees((angle,), asked.values, layout(chosen.layout, asked.layouts).ratios)[0])
 
     def label(self, lang: str) -> str:
-        if self.degrees is not None:
-            return f"$φ = {angle_text(self.degrees)}$"
-        quantity = self.text.partition("=")[0].strip()
-        return words(f"dem größten ${quantity}$|the greatest ${quantity}$")[lang]
+        found = self.degrees
+        asked = found.held.asked if isinstance(found, Found) else None
+        if not isinstance(asked, SolveRequest):
+            return f"$φ = {angle_text(found)}$"
+        condition = asked.conditions[0]
+        if condition.kind == MAX:
+            return words(f"dem größten ${condition.quantity}$|the greatest ${condition.quantity}$")[lang]
+        return condition_label(condition, asked.drives[0], lang)
 
 
 def angles_of(angle: Any) -> Sequence[Fraction | str]:
-    """Return the crank angles, or as it is written where a quantity is greatest. Raises KurbelError."""
+    """Return the crank angles, or conditions that hold there as they are written. Raises KurbelError."""
     if angle is None:
         raise ProblemError(
             "--unknown asks for a number with which a condition holds at a crank angle; add that as"
-            " --angle 30, or --angle c=max"
+            " --angle 30, or as what holds there, --angle c=max or s=10%"
         )
-    if isinstance(angle, str) and "=" in angle:
-        return [angle]
-    angles = as_angles(angle)
+    angles = as_positions(angle)
     if len(angles) > MOST_ANGLES:
         raise ProblemError(
             f"{len(angles)} crank angles were given, and --unknown is solved at {MOST_ANGLES} at most; give a"
@@ -160,7 +143,7 @@ class OfRatio:
             # The acceleration is zero once on the outstroke, where the velocity is greatest.
             if drive.crank.offset:
                 raise ProblemError("c=max with --unknown ratio is of the straight crank; leave --offset out")
-            if not 0 < (self.place.degrees or 0) < 180:
+            if not 0 < self.place.degrees < 180:
                 raise ProblemError("the velocity is greatest within the outstroke; give an angle in 0..180")
             condition, target = replace(condition, quantity="p"), Target.rational(Fraction(0))
         else:
@@ -171,7 +154,7 @@ class OfRatio:
         def formula(ratio: Any) -> Any:
             kind = balls()
             offset = kind.of(drive.crank.offset) if drive.crank.offset else None
-            found = kernel(At(self.place.circle(kind), drive.crank, kind, 1, ratio, offset))
+            found = kernel(At(kind.circle(self.place.degrees), drive.crank, kind, 1, ratio, offset))
             return found * scale(drive.crank, kind) if scale else found
 
         return of_ratio(formula, target.ball, self.greatest)
@@ -212,8 +195,6 @@ class Sized:
             )
         if unknown == "stroke" and asked.says("rod"):
             raise ProblemError("--unknown stroke is at a crank ratio; give --ratio in place of --rod")
-        if self.loaded and self.place.degrees is None:
-            raise ProblemError("under a load the angle is one in degrees; write it as --angle 30")
         if self.loaded and asked.method not in (None, "exact"):
             raise ProblemError("--unknown under a load is solved by the exact formulas; leave --method out")
         self.condition, self.column = self._read(text)
@@ -268,8 +249,7 @@ class Sized:
     def _question(self, value: Fraction) -> Any:
         """Return the question of the drive with a value of the unknown, at the angle."""
         moved = not self.loaded and self.column.endswith(("_mm", "_mps", "_mps2"))
-        angle = Fraction(0) if self.place.degrees is None else self.place.degrees
-        own = {"angle": [angle], "columns": [self.column], "layout": None, "units": None}
+        own = {"angle": [self.place.degrees], "columns": [self.column], "layout": None, "units": None}
         values = self.values.instead({**own, self.unknown: value})
         return (MotionOptions if moved else ForcesOptions)(values).question()
 
@@ -282,7 +262,7 @@ class Sized:
             place = {name: 0 for name in question.axes}
             return value(column.quantity, turn, question.where(place))
         kind = balls()
-        return at(column.quantity, column.method, question.cranks[0], self.place.circle(kind), kind)
+        return at(column.quantity, column.method, question.cranks[0], kind.circle(self.place.degrees), kind)
 
     @cached_property
     def found(self) -> list[Any]:

@@ -20,12 +20,14 @@ from kurbel.commands.engine import EngineWithWheel
 from kurbel.commands.motion import OverPath
 from kurbel.commands.options import Option
 from kurbel.commands.part import Values, flag_of
+from kurbel.commands.parts.angles import in_degrees
 from kurbel.commands.parts.drive import Turning
 from kurbel.commands.parts.effort import PINNED, PRESSING, Effort, PinFriction
 from kurbel.commands.recomputed import PAGES, Row, nearest
 from kurbel.commands.related import MODULES, SUMMED
 from kurbel.drive.crank import Described, radii
 from kurbel.errors import KurbelError, ProblemError
+from kurbel.page.axes import shifted
 from kurbel.page.layouts import Layout, layout
 from kurbel.reading.amounts import UNITS
 from kurbel.reading.given import (
@@ -57,7 +59,7 @@ GAS = ("cycle", "exponent", "expansion_exponent", "heat", "cut_off", "two_stroke
 # Options that the second computation knows, and those of looks, of which there is nothing to know.
 KNOWN = frozenset((
     "ratio", "stroke", "rod", "offset", "mechanism", "rocker", "pivot",
-    "circuit", "beam", "speed", "acceleration", "method", "order", "point", "over", "shares", "at",
+    "circuit", "beam", "speed", "acceleration", "method", "order", "point", "shares", "at",
     "axles", "driven", "force", "friction", "bore", "piston_rod", "tail_rod", "reciprocating",
     "rod_mass", "centre", "gyration", "rotating", "rocker_inertia", "slope", "gravity",
     "eps", "back", "pressure", "pressure_ratio", "suction_pressure", "delivery_pressure",
@@ -362,7 +364,8 @@ class Second:
 
     @cached_property
     def _listed(self) -> Sequence[Fraction]:
-        return self.asked.angle or ()
+        given, zero = self.asked.angle or (), self.asked.zero_angle
+        return shifted(in_degrees(given, self.asked.values, self._layout.ratios, zero=zero), -zero)
 
     def drive(self, row: Row) -> verify.Drive:
         raw = self.asked.raw

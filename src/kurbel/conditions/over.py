@@ -279,13 +279,13 @@ def _number(question: PathRequest, column: Column, place: Place, times: int) -> 
 
 
 def _listed() -> Iterator[tuple[str, Quantity]]:
-    yield from (("table --over path", one) for one in ANGLES.values())
+    yield from (("table --angle s=50%", one) for one in ANGLES.values())
 
 
 MOTION = Subject(
     key="over path",
     layout="over-path",
-    command="table --over path",
+    command="table --angle s=50%",
     axes={"ratio": RatioAxis, "share": _ShareAxis, "column": ColumnAxis},
     axis_keys=("ratio", "share"),
     quantities=quantities,
@@ -298,5 +298,5 @@ MOTION = Subject(
 )
 # The same of forces.
 FORCES = MOTION._replace(
-    key="forces over path", layout="forces-path", command="forces --over path", listed=tuple
+    key="forces over path", layout="forces-path", command="forces --angle s=50%", listed=tuple
 )

@@ -278,7 +278,7 @@ class UnknownRequest(Question):
 
 
 def _angle_axis(question: UnknownRequest) -> ListAxis:
-    angles = [one.place.degrees or Fraction(0) for one in question.asked]
+    angles = [one.place.degrees for one in question.asked]
     decimals = angle_decimals(angles)
     return ListAxis(
         angles,

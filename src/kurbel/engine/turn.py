@@ -350,7 +350,7 @@ class ExactTurn(Turn):
     def _circle(self, half_turns: Any) -> Circle[Any]:
         if not isinstance(half_turns, (int, Fraction)):
             raise UndecidedError
-        found: Circle[Any] = self.kind.circle(180 * Fraction(half_turns))
+        found: Circle[Any] = self.kind.circle(180 * half_turns)
         return found
 
     @property

@@ -23,6 +23,7 @@ import flint
 from flint import arb
 
 from kurbel.errors import ProblemError
+from kurbel.exact.found import Found
 from kurbel.exact.numerals import MOST_FIGURES
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinematics import rod_sine
@@ -52,9 +53,11 @@ copyreg.pickle(arb, _pickled)
 
 
 def ball(value: Fraction | int) -> arb:
-    """Return the ball around a rational number, at the precision in force."""
+    """Return the ball around a rational number, or of one that is found, at the precision in force."""
     if isinstance(value, int):
         return flint.arb(value)
+    if isinstance(value, Found):
+        return value.enclosed()
     return flint.arb(flint.fmpq(value.numerator, value.denominator))
 
 
@@ -66,6 +69,8 @@ def ball_circle(degrees: Fraction) -> Circle[arb]:
 @lru_cache(maxsize=512)
 def _ball_circle(degrees: Fraction, precision: int) -> Circle[arb]:
     half_turns = degrees / 180
+    if isinstance(half_turns, Found):
+        return half_turn_circle(half_turns.enclosed())
     turn = flint.fmpq(half_turns.numerator, half_turns.denominator)
     sine, cosine = flint.arb.sin_cos_pi_fmpq(turn)
     return Circle(sine, cosine, 2 * flint.arb.sin_pi_fmpq(turn / 2) ** 2)

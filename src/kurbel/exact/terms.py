@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cached_property, lru_cache, reduce
-from math import lcm
+from math import lcm, log2
 from typing import Any, NamedTuple, TypeAlias
 
 import flint
@@ -21,7 +21,9 @@ from flint import arb
 
 from kurbel.exact import certify
 from kurbel.exact.certify import at_bits
+from kurbel.exact.found import Found
 from kurbel.exact.kind import Kind, balls
+from kurbel.exact.place import Place
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel.circle import Circle
 
@@ -103,7 +105,7 @@ class Algebraic:
         raise DoubtfulError
 
 
-HALF = Fraction(1, 2)
+HALF, HALF_TURN = Fraction(1, 2), Fraction(180)
 
 
 class Unit(NamedTuple):
@@ -135,7 +137,7 @@ class Terms:
         """Return a rational number; one that is known by its ball alone is undecided."""
         if isinstance(value, Terms):
             return value
-        if not isinstance(value, (int, float, Fraction)):
+        if not isinstance(value, (int, float, Fraction)) or isinstance(value, Found):
             raise UndecidedError
         return cls({ONE: Algebraic.of(Fraction(value))})
 
@@ -290,7 +292,43 @@ def _primes(value: Fraction) -> dict[int | Algebraic, int] | None:
 def _circle(degrees: Fraction) -> Circle[Terms]:
     if not isinstance(degrees, (int, Fraction)):
         raise UndecidedError
+    if isinstance(degrees, Found):
+        return _turned(_held_circle(degrees), _circle_at(degrees.rest, flint.ctx.prec))
     return _circle_at(Fraction(degrees), flint.ctx.prec)
+
+
+def _held_circle(degrees: Found) -> Circle[Terms]:
+    """Return the circle of a place whose tangent is algebraic."""
+    place = degrees.held()
+    if place.polynomial is None or degrees.factor != HALF_TURN:
+        raise UndecidedError
+    t = Terms({ONE: Algebraic(place.t(), _tangent_bound(place))})
+    centre = place.centre.tangent
+    return _turned(_of_tangent(t), _of_tangent(Terms.of(centre)))
+
+
+def _of_tangent(t: Terms) -> Circle[Terms]:
+    """Return the circle of an angle by the tangent of its half."""
+    over = (1 + t * t) ** -1
+    return Circle(2 * t * over, (1 - t * t) * over, 2 * t * t * over)
+
+
+def _turned(one: Circle[Terms], other: Circle[Terms]) -> Circle[Terms]:
+    """Return the circle of the sum of two angles."""
+    cosine = one.cosine * other.cosine - one.sine * other.sine
+    return Circle(one.sine * other.cosine + one.cosine * other.sine, cosine, 1 - cosine)
+
+
+def _tangent_bound(place: Place) -> Separation:
+    """Return how near the tangent of a place comes to other numbers: of the zeros of a polynomial with the
+    leading coefficient a, a t is an algebraic integer of at most |a| and the largest of the others (Cauchy).
+    """
+    assert place.polynomial is not None
+    factors = [one for one, _ in place.polynomial.factor()[1]]
+    near = [one for one in factors if one(place.t()).contains(0)]
+    own = near[0] if len(near) == 1 else place.polynomial
+    whole = [abs(int(one)) for one in own.coeffs()]
+    return Separation(log2(whole[-1] + max(whole)), log2(whole[-1]), 1, frozenset({(place, own.degree())}))
 
 
 @lru_cache(maxsize=256)

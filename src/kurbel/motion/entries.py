@@ -244,7 +244,8 @@ def _clock_entries() -> Iterator[Quantity]:
     """Yield the time of an evenly turning crank since the dead centre where the stroke begins."""
 
     def since(at: At) -> Any:
-        return turned(at.crank, at.stroke, at.degrees, at.numbers)
+        degrees = at.numbers.of(at.degrees) if isinstance(at.degrees, Fraction) else at.degrees
+        return turned(at.crank, at.stroke, degrees, at.numbers)
 
     methods = ("exact", "series", *REACH, "infinite")
     formulas = dict.fromkeys(methods, Formula(since, "$t = {angle}/ω$"))

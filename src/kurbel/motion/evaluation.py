@@ -187,7 +187,7 @@ class Places:
             made: At = self.drive.at(
                 quantity.stroke, numbers.circle(self.angle), numbers, method, quantity.of
             )
-            made.way, made.degrees = self._way(quantity.stroke), numbers.of(self.angle)
+            made.way, made.degrees = self._way(quantity.stroke), self.angle
             self._made[key] = made
         return self._made[key]
 

@@ -11,7 +11,8 @@ from itertools import product
 from typing import Any, TypeAlias
 
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals, nearest
+from kurbel.exact.found import Found
+from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals, nearest, number_text
 from kurbel.page.quantity import words
 from kurbel.page.table import Cell, Ditto, Field, Value
 from kurbel.reading.notation import Progression, plain, ratio_text
@@ -20,6 +21,8 @@ RATIO = words("Kurbelverhältnis R:L|Crank ratio R:L")
 PHI = words("Kurbelwinkel|Crank angle")
 # An angle that is no finite decimal, such as 0°20', is given to programs to this many places.
 ANGLE_DECIMALS = 15
+# One at which a condition holds, as pages of conditions have it.
+FOUND_DECIMALS = 4
 MOST_ANGLE_DECIMALS = 50
 
 # A place on a page: the index on each axis by the axis' name.
@@ -263,6 +266,8 @@ def shifted(angles: Sequence[Fraction], by: Fraction) -> Sequence[Fraction]:
 
 def angle_text(angle: Fraction) -> str:
     """Return an angle for a formula: 45°, 22.5°, 0°20'."""
+    if isinstance(angle, Found):
+        return f"{number_text(angle_number(angle, None))}°"
     return degrees_text(angle) if finite_decimals(angle) is None else f"{plain(angle)}°"
 
 
@@ -273,6 +278,8 @@ def irregularity_label(irregularity: Fraction) -> Label:
 
 
 def _angle_label(angle: Fraction) -> Label:
+    if isinstance(angle, Found):
+        return f"${number_text(angle_number(angle, None))}$"
     return f"${plain(angle) if finite_decimals(angle) is not None else degrees_text(angle)}$"
 
 
@@ -288,9 +295,14 @@ def angle_number(angle: Fraction, decimals: int | None) -> Number:
     """Return the angle to the decimals of its column, or to its own where the column has no common ones."""
     if decimals is None:
         decimals = _decimals(angle)
+    if isinstance(angle, Found):
+        places = FOUND_DECIMALS if decimals is None else decimals
+        return Number(angle.rounded(places), places)
     return nearest(angle, ANGLE_DECIMALS if decimals is None else decimals)
 
 
 def _decimals(angle: Fraction) -> int | None:
+    if isinstance(angle, Found):
+        return FOUND_DECIMALS
     count = finite_decimals(angle)
     return None if count is None or count > MOST_ANGLE_DECIMALS else count

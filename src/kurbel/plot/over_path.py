@@ -68,7 +68,7 @@ EQUAL = words("$R$, $v$ und $v^2/R$ gleich lang|$R$, $v$ and $v^2/R$ of one leng
 def over_path(question: PathRequest, wish: Wish) -> Picture:
     """Return what is drawn of drives over the path of the piston: the columns of the page, each as one curve
     of both strokes."""
-    refuse(wish, polar="a polar diagram is over the turn; leave --polar or --over path out")
+    refuse(wish, polar="a polar diagram is over the turn; leave --polar out")
     chosen = mechanism(question.mechanism)
     forces = question.subject.key == "forces over path"
     drives = tuple(one.drive for one in question.drives)

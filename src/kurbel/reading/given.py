@@ -244,7 +244,9 @@ def as_names(given: object, example: str = "phi,x,c,p") -> tuple[str, ...]:
 
 
 def as_fraction(value: object) -> Fraction:
-    return Fraction(value) if isinstance(value, (int, Fraction)) else notation.number(str(value))
+    if isinstance(value, Fraction):
+        return value
+    return Fraction(value) if isinstance(value, int) else notation.number(str(value))
 
 
 def _exactly(read: Callable[Concatenate[str, P], Fraction]) -> Callable[Concatenate[object, P], Fraction]:

@@ -82,7 +82,6 @@ SHORTER: Mapping[str, str] = {
     "mechanism": "straight (default), offset, arc, parallel, beam",
     "method": "exact (default), series or infinite",
     "angle": "Crank angles in degrees: '0;45;90', 0..180:10",
-    "over": "What the page runs over: angle or path",
     "point": "Points of the rod, from the crosshead pin: 0.5",
     "shares": "Shares of the stroke: '0;25%;50%'",
     "back": "Back pressure as a share: 10%",

@@ -23,7 +23,7 @@ WANTS = (
             ("table --ratio 1:5", "path, velocity, acceleration"),
             ("table --stroke 600mm --rod 1500mm --speed 120/min", "in m and m/s"),
             ("table --ratio 1:5 --point 0.5", "of a point of the rod"),
-            ("table --ratio 1:5 --over path", "at shares of the stroke"),
+            ("table --ratio 1:5 --angle 's=0..100%:5%'", "at shares of the stroke"),
             ("harmonics --ratio 1:5", "as a series of cosines"),
         ),
         "subjects/motion subjects/points subjects/approximations",

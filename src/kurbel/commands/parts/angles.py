@@ -1,32 +1,73 @@
-"""The places of a page: crank angles, or shares of the piston's path."""
+"""The places of a page: crank angles, in degrees or by what holds there."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
-from kurbel.commands.options import Choice, Option, alone, amount, measure, word
-from kurbel.commands.part import Part, Rivals
-from kurbel.errors import NotationError, ProblemError
+from kurbel.commands.options import Option, alone, amount, measure
+from kurbel.commands.part import Part, Rivals, Values
+from kurbel.errors import ProblemError
 from kurbel.page.axes import shifted
 from kurbel.page.layouts import Layout
 from kurbel.reading import notation
-from kurbel.reading.given import as_angle, as_angles, as_share, as_shares
+from kurbel.reading.given import as_angle, as_angles, as_shares
+from kurbel.reading.notation import Progression
+from kurbel.reading.where import SHARE
 
 if TYPE_CHECKING:
     from kurbel.motion.page import AngleQuestion
 
 HALF_TURN, FULL_TURN = Fraction(180), Fraction(360)
 STEP = Fraction(10)
-ANGLE, PATH = "angle", "path"
-AXES = (ANGLE, PATH)
+ANGLE = "angle"
 # What pages over the path are about.
 OVER_PATH, FORCES_OVER_PATH = "over path", "forces over path"
-# What runs through angles, or through shares of the stroke.
+# What runs through angles.
 ENDS = ("from", "to", "step")
-SHARE, SHARES = "share of the stroke", Fraction(1, 10)
+# What a page over the path is of where no shares of the stroke are given.
+SHARES = "s=0..1:0.1"
+
+
+def as_positions(given: object) -> Sequence[Fraction | str]:
+    """Read crank angles, and conditions that hold at some, as texts; shares of the stroke each for itself."""
+    texts = [given] if isinstance(given, str) or not isinstance(given, Iterable) else [*given]
+    if not any(isinstance(text, str) and "=" in text for text in texts):
+        return as_angles(given)
+    found: list[Fraction | str] = []
+    for text in texts:
+        parts = text.split(";") if isinstance(text, str) else [text]
+        for part in parts:
+            found += _conditions(part.strip()) if isinstance(part, str) and "=" in part else as_angles(part)
+    return tuple(dict.fromkeys(found))
+
+
+def _conditions(text: str) -> list[str]:
+    name, _, right = text.partition("=")
+    if name.strip() != SHARE:
+        return [text]
+    return [f"{SHARE}={one}" for one in as_shares(right, "share")]
+
+
+def in_degrees(
+    angles: Sequence[Any],
+    values: Values,
+    ratios: Sequence[str],
+    turn: Fraction = FULL_TURN,
+    zero: Fraction = Fraction(0),
+) -> Sequence[Fraction]:
+    """Return crank angles that count from `zero` as φ, and those at which conditions hold, of one turn or of
+    so much of it; a drive that no option gives is one of these ratios."""
+    if isinstance(angles, Progression) or not any(isinstance(one, str) for one in angles):
+        return shifted(angles, zero)
+    from kurbel.commands.found import angles_of
+
+    several = (
+        angles_of(one, values, ratios, turn) if isinstance(one, str) else (one + zero,) for one in angles
+    )
+    return tuple(dict.fromkeys(one for found in several for one in found))
 
 
 class Angles(Part):
@@ -39,10 +80,11 @@ class Angles(Part):
         *((end, ANGLE) for end in ENDS),
     )
 
-    angle: Option[Sequence[Fraction] | None] = measure(
-        alone(as_angles),
-        "Crank angles in degrees: 22.5, 2°30', lists '0;45;90', ranges 0..180:10.", "ANGLES", unit="degrees",
-        many=True,
+    angle: Option[Sequence[Fraction | str] | None] = measure(
+        alone(as_positions),
+        "Crank angles in degrees: 22.5, 2°30', lists '0;45;90', ranges 0..180:10; or what holds there, as"
+        " --where of kurbel solve: 's=10%', 's=0..100%:5%', 'x=120mm', psi=max, c=max.", "ANGLES",
+        unit="degrees", many=True,
     )  # fmt: skip
     from_ = measure(as_angle, "First angle; default 0.", "ANGLE", unit="degrees", what="first angle")
     to = measure(
@@ -81,7 +123,13 @@ class Angles(Part):
     def angles(self, page: Layout, turn: Fraction = FULL_TURN) -> Sequence[Fraction]:
         """Return the angles that are listed, or those of a run, or the layout's own, as φ; a run without an
         end is of so much of a `turn`."""
-        return shifted(self._counted(page, turn), self.zero_angle)
+        return in_degrees(self._counted(page, turn), self.values, page.ratios, turn, self.zero_angle)
+
+    def shares(self) -> Sequence[Fraction]:
+        """Return the shares of the stroke, where nothing else is given; by default every tenth."""
+        given = as_positions(SHARES) if self.angle is None else self.angle
+        texts = [one for one in given if isinstance(one, str) and one.startswith(f"{SHARE}=")]
+        return tuple(Fraction(one.partition("=")[2]) for one in texts) if len(texts) == len(given) else ()
 
     def ends(self, turn: Fraction = FULL_TURN) -> tuple[Fraction, Fraction]:
         """Return the first and the last angle, by default those of the whole turn, or of so much of it."""
@@ -111,7 +159,7 @@ class Angles(Part):
             angles=tuple(one for one in angles if one <= HALF_TURN) if is_beyond(angles) else angles,
         )
 
-    def _counted(self, page: Layout, turn: Fraction) -> Sequence[Fraction]:
+    def _counted(self, page: Layout, turn: Fraction) -> Sequence[Any]:
         angles = self.angle
         if not self.says(*ENDS):
             return as_angles(page.angles) if angles is None else angles
@@ -123,67 +171,3 @@ class Angles(Part):
         if (step := self.step) is not None:
             return notation.progression(first, last, step)
         return notation.progression(first, last, min(STEP, last - first) if last > first else STEP)
-
-
-class Over(Angles):
-    """What a page runs over: the crank angle, or the piston's path."""
-
-    over = word(
-        "What the page runs over: angle (default), or path, at equal shares of the stroke, both strokes"
-        " beside each other; with --step 5% or --shares.",
-        kind=Choice("axis", AXES), default=ANGLE,
-    )  # fmt: skip
-    shares: Option[Sequence[Fraction] | None] = measure(
-        as_shares,
-        "With --over path: shares of the stroke, 25%, lists '0;0.5;1', ranges; default 0..1:0.1.",
-        "SHARES",
-        many=True,
-        what=SHARE,
-    )
-
-    def unread(self, option: Option[object]) -> str:
-        if option.name == "shares":
-            return "--shares are those of the stroke, with --over path; add that"
-        if "shares" not in self.values.read or option.name not in (ANGLE, "zero"):
-            return ""
-        why = "is for pages over the crank angle; with --over path give shares of the stroke"
-        if option.name == "zero":
-            return f"--zero {why}, which count from the dead centre where the stroke begins"
-        return f"--{option.name} {why}, --shares '0;50%;100%' or --step 5%"
-
-    def path_shares(self) -> Sequence[Fraction]:
-        """Return the shares that are listed, or those of a run, by default every tenth of the stroke."""
-        if (shares := self.shares) is not None:
-            if self.says(*ENDS):
-                raise ProblemError(
-                    "--shares lists the shares and --from, --to, --step run through them; use one or the"
-                    " other"
-                )
-            return shares
-        first, last, step = (self._share(name) for name in ENDS)
-        start, stop = first or Fraction(0), Fraction(1) if last is None else last
-        if step is None:
-            step = min(SHARES, stop - start) if stop > start else SHARES
-        return notation.progression(start, stop, step, "share")
-
-    def _share(self, name: str) -> Fraction | None:
-        """Return where a run of shares begins or ends, or its step; what is no share is of angles, and is
-        left out where it is not typed."""
-        value = self.raw(name)
-        if value is None:
-            return None
-        try:
-            found = as_share(value, SHARE)
-        except NotationError:
-            if self.values.typed(name):
-                raise
-            return None
-        if 0 <= found <= 1:
-            return found
-        if not self.values.typed(name):
-            return None
-        text = str(value).strip()[:40]
-        instead = f"; write --{name} {text}%" if text.isdigit() and found <= 100 else ""
-        raise ProblemError(
-            f"--{name} {text} is no share of the stroke, which runs from 0 to 1, that is 0% to 100%{instead}"
-        )
