@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
+from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import Circle, circle
 from kurbel.motion.captions import formula_lines
-from kurbel.motion.evaluation import METHODS, NEEDS, OFFSET
-from kurbel.motion.mechanism import Mechanism
+from kurbel.motion.evaluation import METHODS, NEEDS, OFFSET, OUT, certified
+from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.page import CURVES, AngleQuestion, check_pairs, long_records
 from kurbel.motion.point_quantities import (
     BESIDE,
@@ -35,6 +37,7 @@ from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Quantity, Words, bare, enumerated, filled, for_ratio, words
 from kurbel.page.steps import Scene
 from kurbel.page.subject import Subject
+from kurbel.page.subject import subject as registered
 from kurbel.page.table import Field
 
 WORDS: Mapping[str, Words] = {
@@ -119,7 +122,7 @@ def notes(question: PointsRequest) -> Iterator[Label]:
     """Yield the lines below the table: where the point is, formulas, zeros and signs, the machine."""
     lang, layout = question.lang, question.layout
     yield from (note[lang] for note in layout.notes)
-    shown = [column.quantity for column in question.page_columns]
+    shown = [one.quantity for one in question.page_columns if one.key in points_registry()]
     beside = any(one.beside for one in question.points)
     driven = WORDS["crosshead" if question.mechanism.crosshead else "rocker"][lang]
     if question.has_ratio:
@@ -127,7 +130,11 @@ def notes(question: PointsRequest) -> Iterator[Label]:
         yield said + (WORDS["beside"][lang] if beside else "")
     if layout.formulas:
         yield from _formulas(question, shown)
-    yield from _directions(question, shown)
+    if shown:
+        yield from _directions(question, shown)
+    said = (one.direction[lang] for one in _beside(question) if one.direction)
+    if directions := "; ".join(dict.fromkeys(said)):
+        yield directions
     yield from question.mechanism.rod_notes(question.drives, lang)
     if question.mechanism.crosshead and not all(question.ratios):
         yield WORDS["ellipse"][lang]
@@ -136,28 +143,38 @@ def notes(question: PointsRequest) -> Iterator[Label]:
 def _formulas(question: PointsRequest, shown: Sequence[Quantity]) -> Iterator[Label]:
     """Yield how the point's vectors follow from those of the ends of the rod."""
     lang, beside = question.lang, any(one.beside for one in question.points)
-    if not question.has_ratio:
+    if not question.has_ratio and shown:
         yield WORDS["circle"][lang]
+    if not question.has_ratio:
         return
     if question.mechanism.crosshead:
         offset = any(one.crank.offset for one in question.drives)
         key = (OFFSET if offset else "exact") + (BESIDE if beside else "")
-        yield ", ".join(dict.fromkeys(one.formulas[key].printed for one in shown))
+        if shown:
+            yield ", ".join(dict.fromkeys(one.formulas[key].printed for one in shown))
         yield from _of_crosshead(question, shown)
         return
-    yield WORDS["vectors"][lang] + (WORDS["turned"][lang] if beside else "")
+    if shown:
+        yield WORDS["vectors"][lang] + (WORDS["turned"][lang] if beside else "")
     own = dict.fromkeys(one.formulas["exact"].printed for one in shown if one.of)
     if own:
         yield ", ".join(own)
+
+
+def _beside(question: PointsRequest) -> list[Quantity]:
+    """Return what the page shows of the drive beside its points."""
+    return [one.quantity for one in question.page_columns if one.key not in points_registry()]
 
 
 _CROSSHEAD: Mapping[Vectorial, str] = {path: "x", velocity: "c", acceleration: "p"}
 
 
 def _of_crosshead(question: PointsRequest, shown: Sequence[Quantity]) -> Iterator[Label]:
-    """Yield the formulas of the crosshead's motion that stand in these, as pages of that print them."""
+    """Yield the formulas of the crosshead's motion that stand in these, and those of what stands beside them,
+    as pages of that print them."""
     keys = dict.fromkeys(_CROSSHEAD[vector_of(one)] for one in shown)
-    columns = [bare(registry()[key], question.method or "exact", None) for key in keys]
+    asked = [*(registry()[key] for key in keys), *(one for one in _beside(question) if one.key not in keys)]
+    columns = [bare(one, question.method or "exact", None) for one in asked]
     yield from formula_lines(question, columns)
 
 
@@ -168,6 +185,37 @@ def _directions(question: PointsRequest, shown: Sequence[Quantity]) -> Iterator[
     yield "; ".join(WORDS[key][lang] for key in (*ways, "signs"))
     if any(one.of == DIRECTION for one in shown):
         yield WORDS["directions"][lang]
+
+
+# What stands beside points: of the rod, of the driven end, of the rocker.
+OF_DRIVE = (
+    *("x", "c", "p", "psi", "rod_velocity", "rod_acceleration", "time"),
+    *("path", "rocker", "rod", "turn_velocity", "turn_acceleration"),
+)
+_UNITS = ("_mm", "_mps", "_mps2", "_radps", "_radps2")
+
+
+@cache
+def of_drive(name: str) -> Mapping[str, Quantity]:
+    """Return what a page of points can show of a mechanism, over the whole turn."""
+    known = registered(mechanism(name).subject).quantities()
+    keys = (key for one in OF_DRIVE for key in (one, *(f"{one}{unit}" for unit in _UNITS)))
+    return {
+        key: one._replace(part=None, spanners=tuple(label for label in one.spanners if label != one.part))
+        for key in keys
+        if (one := known.get(key)) is not None and one.stroke == OUT
+    }
+
+
+@cache
+def quantities() -> Mapping[str, Quantity]:
+    """Return what pages of points can show, of all mechanisms that have a rod."""
+    found = dict(points_registry())
+    for name in MECHANISMS:
+        if mechanism(name).rod:
+            for key, one in of_drive(name).items():
+                found.setdefault(key, one)
+    return found
 
 
 POINT = words("Punkt der Schubstange|Point of the rod")
@@ -225,6 +273,15 @@ class PointsRequest(AngleQuestion):
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return (self.method or "exact",)
 
+    def entry(self, key: str) -> Quantity:
+        own = points_registry().get(key) or of_drive(self.mechanism.name).get(key)
+        return super().entry(key) if own is None else own
+
+    def missing(self, quantity: Quantity) -> str:
+        if quantity.key in points_registry() or quantity.key in of_drive(self.mechanism.name):
+            return super().missing(quantity)
+        return f"column {quantity.key} belongs to another mechanism; leave it out"
+
     def too_long(self) -> str:
         return f"{len(self.points)} points at {len(self.angles)} angles make a table of {len(self)} rows"
 
@@ -249,11 +306,21 @@ class PointsRequest(AngleQuestion):
         return [(*drive, one.label) for drive in super().told for one in self.points]
 
     def value(self, column: Column, place: Mapping[str, int], point: Circle[Any], kind: Kind) -> Any:
+        if column.key not in points_registry():
+            return super().value(column, place, point, kind)
         return self.moved(place).value(column.quantity, point, kind)
 
     def curves(self, degrees: Any) -> list[list[Any]]:
-        point, kind, moved = circle(degrees), floats(), [self.moved(place) for place in self.places]
-        return [[_curve(column.quantity, one, point, kind) for one in moved] for column in self.page_columns]
+        point, kind = circle(degrees), floats()
+        return [
+            [
+                _curve(column.quantity, self.moved(place), point, kind)
+                if column.key in points_registry()
+                else self.value(column, place, point, kind)
+                for place in self.places
+            ]
+            for column in self.page_columns
+        ]
 
 
 def _without_ratio(page: Layout) -> Layout:
@@ -291,7 +358,11 @@ def _curve(quantity: Quantity, moved: Moved, at: Any, kind: Kind) -> Any:
 
 def _number(question: PointsRequest, column: Column, place: Place, times: int) -> Number | None:
     moved, angle = question.moved(place), question.angles[place["angle"]]
-    scaled = moved.certified(column.quantity, angle, column.places, question.rounding)
+    if column.key in points_registry():
+        scaled = moved.certified(column.quantity, angle, column.places, question.rounding)
+    else:
+        by = moved.drive, angle, column.places, question.rounding
+        scaled = certified(column.quantity, column.method, *by)
     return None if scaled is None else Number(scaled * times, column.places)
 
 
@@ -301,12 +372,13 @@ SUBJECT = Subject(
     command="table --point 0.5",
     axes={RATIO: RatioAxis, "point": PointAxis, "angle": AngleAxis, "column": ColumnAxis},
     axis_keys=(RATIO, "point", "phi"),
-    quantities=points_registry,
+    quantities=quantities,
     number=_number,
     caption=caption,
     notes=notes,
     rows=long_records,
     options=NEEDS,
+    listed=lambda: [("table --point 0.5", one) for one in points_registry().values()],
     drawn=CURVES,
 )
 RODLESS = SUBJECT._replace(
