@@ -132,8 +132,8 @@ def notes(question: PointsRequest) -> Iterator[Label]:
         yield from _formulas(question, shown)
     if shown:
         yield from _directions(question, shown)
-    said = (one.direction[lang] for one in _beside(question) if one.direction)
-    if directions := "; ".join(dict.fromkeys(said)):
+    turning = (one.direction[lang] for one in _beside(question) if one.direction)
+    if directions := "; ".join(dict.fromkeys(turning)):
         yield directions
     yield from question.mechanism.rod_notes(question.drives, lang)
     if question.mechanism.crosshead and not all(question.ratios):
