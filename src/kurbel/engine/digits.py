@@ -92,7 +92,7 @@ def estimate(asked: Asked) -> Estimate:
     if isinstance(best, Fraction):
         return Estimate(best, 0.0)
     quantity, where, unit = asked.column.quantity, asked.where, asked.unit
-    turns: Sequence[CardTurn] = asked.turns
+    turns = asked.turns
     if quantity.key in KNOWN:
         return Estimate(best, FLOAT_ERROR * (abs(best) + 1))
     if quantity.minutes:
@@ -107,11 +107,13 @@ def estimate(asked: Asked) -> Estimate:
     ]
     # A difference may vanish by chance: what the work allows and what it shows, whichever is more.
     shown = max(abs(best - other) for other in coarser)
-    allowed = unit * sum(_sensitivity(quantity, turn, best) * turn.work_apart for turn in turns)
+    cards = [turn.turn if quantity.of in OF_RUNS else turn for turn in turns]
+    off = [unit * _sensitivity(quantity, turn, best) for turn in turns]
+    allowed = sum(one * card.work_apart for one, card in zip(off, cards, strict=True))
     # What twice the points do not bring nearer to the truth is noise, half of which both have in common.
-    noisy = 2 if turns[0].gain < CLEAN else 1
-    written = unit * sum(_sensitivity(quantity, turn, best) * turn.step / 2 for turn in turns)
-    error = noisy * max(shown, allowed) / turns[0].gain + written + FLOAT_ERROR * (abs(best) + 1)
+    noisy = 2 if cards[0].gain < CLEAN else 1
+    written = sum(one * card.step / 2 for one, card in zip(off, cards, strict=True))
+    error = noisy * max(shown, allowed) / cards[0].gain + written + FLOAT_ERROR * (abs(best) + 1)
     return Estimate(best, error)
 
 

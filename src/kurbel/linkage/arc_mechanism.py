@@ -302,6 +302,14 @@ class RockerMechanism(LinkageMechanism):
     speech: ClassVar[Speech]
     names: ClassVar[Mapping[str, str]]
 
+    def check_method(self, said: Described) -> None:
+        """Raise ProblemError for a method other than the exact one."""
+        if said.method not in (None, "exact"):
+            raise ProblemError(
+                f'method "{said.method}" has no formulas for {self.title}; use exact,'
+                " with --ratio 1:∞ for the infinite rod"
+            )
+
     def loaded_notes(self, drives: Sequence[Any], lang: str) -> Sequence[Label]:
         return self.speech.engine_notes(drives, lang)
 
@@ -348,11 +356,7 @@ class Arc(RockerMechanism):
         return "the arc crank needs the length of its rocker; add --rocker, for example --rocker 6"
 
     def drives(self, said: Described, ratios: Sequence[str]) -> tuple[ArcCrank, ...]:
-        if said.method not in (None, "exact"):
-            raise ProblemError(
-                f'method "{said.method}" has no formulas for the arc crank; use exact,'
-                " with --ratio 1:∞ for the infinite rod"
-            )
+        self.check_method(said)
         return tuple(_arc(said, crank) for crank in said._replace(offset=None).cranks(ratios))
 
     def solved(self, drives: Sequence[Any], method: str | None) -> tuple[ArcDrive, ...]:

@@ -267,11 +267,7 @@ class Beam(RockerMechanism):
         return "the beam engine needs the arm of its beam; add --beam, for example --beam 3"
 
     def drives(self, said: Described, ratios: Sequence[str]) -> tuple[BeamCrank, ...]:
-        if said.method not in (None, "exact"):
-            raise ProblemError(
-                f'method "{said.method}" has no formulas for the beam engine; use exact,'
-                " with --ratio 1:∞ for the infinite rod"
-            )
+        self.check_method(said)
         assert said.beam is not None
         return tuple(
             BeamCrank(crank, radii(said.beam, "beam", crank.radius)) for crank in said.cranks(ratios)

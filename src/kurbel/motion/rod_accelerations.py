@@ -118,7 +118,7 @@ def rocker_entries(parted_of: Callable[[Any], Parted]) -> Iterator[Quantity]:
     yield from component_entries(parted_of)
     for part in PARTS[1:]:
         formulas = {"exact": Formula(_of_rod(part.key, parted_of))}
-        share = _entry(f"{part.key}_acceleration", part.letter, part.name, EXACT, formulas)
+        share = entry_of_rod(f"{part.key}_acceleration", part.letter, part.name, EXACT, formulas)
         yield from (share, in_seconds(share))
 
 
@@ -134,7 +134,7 @@ def _part(part: Part) -> Quantity:
 
     head = f"${part.letter}/({UNIT}) = "
     formulas = {method: Formula(kernel, f"{head}{said}$") for method, said in part.printed.items()}
-    return _entry(f"{part.key}_acceleration", part.letter, part.name, EXACT, formulas)
+    return entry_of_rod(f"{part.key}_acceleration", part.letter, part.name, EXACT, formulas)
 
 
 def _component(
@@ -144,7 +144,7 @@ def _component(
         return one.kernel(parted_of(at)) + 0
 
     formulas = dict.fromkeys(("exact", "infinite", OFFSET), Formula(kernel, printed if not one.end else ""))
-    return _entry(f"{key}{one.end}", f"{letter}{one.mark}", name, one.part, formulas)
+    return entry_of_rod(f"{key}{one.end}", f"{letter}{one.mark}", name, one.part, formulas)
 
 
 def in_seconds(share: Quantity) -> Quantity:
@@ -160,18 +160,21 @@ def in_seconds(share: Quantity) -> Quantity:
     )
 
 
-def _entry(key: str, letter: str, name: Words, part: Words, formulas: Mapping[str, Formula]) -> Quantity:
+def entry_of_rod(
+    key: str, letter: str, name: Words, part: Words, formulas: Mapping[str, Formula], unit: str = UNIT,
+    of: str = "exact",
+) -> Quantity:  # fmt: skip
+    """Return what is known of a rod in a unit by one of its models: all of them stand under the letter."""
     return Quantity(
         key=key,
         name=name,
         symbol=f"${letter}$",
-        unit=words(UNIT.replace("^2", "²")),
+        unit=words(unit.replace("^2", "²")),
         decimals=4,
         formulas=formulas,
-        # One acceleration by several models stands under its letter.
-        spanners=(name, words(f"${letter}/({UNIT})$")),
+        spanners=(name, words(f"${letter}/({unit})$")),
         heading=part,
         part=part,
         needs="rod",
-        of="exact",
+        of=of,
     )

@@ -14,6 +14,7 @@ from kurbel.exact.kind import Kind
 from kurbel.kernel.parts import Parted, moving_force, parted
 from kurbel.kernel.rod import Parts
 from kurbel.motion.evaluation import OFFSET
+from kurbel.motion.rod_accelerations import ACROSS, ALONG, entry_of_rod
 from kurbel.page.quantity import Column, Formula, Quantity, Words, words
 
 COMMON, TURNING, STRETCHING = PARTS = Parts._fields
@@ -27,7 +28,6 @@ NAMES: Mapping[str, Words] = {
     STRETCHING: words("3. Dehnung|3. stretching"),
     "": words("Summe|sum"),
 }
-ALONG, ACROSS = words("längs|along"), words("quer|across")
 _IN = "Kraft in {0}|Force in {0}"
 
 # Of the rod at a place, in parts.
@@ -196,19 +196,9 @@ def _rests(crank: Crank, angle: Fraction) -> bool:
 
 
 def _entry(share: Share, kernel: Callable[[At], Any], model: str) -> Quantity:
-    return Quantity(
-        key=share.key,
-        name=share.name,
-        symbol=f"${share.letter}$",
-        unit=words(share.unit.replace("^2", "²")),
-        decimals=4,
-        # Parts of first order do not add up to p₁.
-        formulas=dict.fromkeys(("exact", "infinite", OFFSET), Formula(kernel)),
-        spanners=(share.name, words(f"${share.letter}/({share.unit})$")),
-        heading=share.part,
-        part=share.part,
-        of=model,
-    )
+    # Parts of first order do not add up to p₁.
+    formulas = dict.fromkeys(("exact", "infinite", OFFSET), Formula(kernel))
+    return entry_of_rod(share.key, share.letter, share.name, share.part, formulas, share.unit, model)
 
 
 def _in_both_units(share: Quantity, needs: str, newtons: str) -> Iterator[Quantity]:

@@ -34,18 +34,6 @@ class CardRun(Run):
         """The runs by the two cards that have every second point."""
         return tuple(type(self)(half, self.wheel) for half in self.turn.coarser)
 
-    @property
-    def gain(self) -> float:
-        return self.turn.gain
-
-    @property
-    def step(self) -> float:
-        return self.turn.step
-
-    @property
-    def work_apart(self) -> float:
-        return self.turn.work_apart
-
     def place_error(self, greatest: bool, stroke: int | None) -> float:
         return self.turn.place_error(greatest, stroke)
 
