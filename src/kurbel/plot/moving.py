@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Sequence
-from functools import cached_property
 from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank
@@ -16,7 +15,7 @@ from kurbel.exact.kind import floats
 from kurbel.kernel.circle import circle
 from kurbel.kernel.kinematics import dead_centre_sine, rod_sine
 from kurbel.linkage.arc_quantities import arc_registry
-from kurbel.linkage.linkage import Linkage, Stand
+from kurbel.linkage.linkage import Linkage, Outline, Stand
 from kurbel.linkage.rocker import RockerCrank
 from kurbel.motion.evaluation import OUT, RETURN, value
 from kurbel.page.steps import Joint, Line, Link, Point, Scene
@@ -53,6 +52,16 @@ def polar_point(centre: Point, radius: float, turn: float) -> Point:
     return centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle)
 
 
+class Reach(NamedTuple):
+    """How far goes what does not move: centre lines from a shaft, the one through it up to the right, guides
+    and arcs beyond the dead centres; half the height between guides."""
+
+    shaft: float
+    right: float
+    overrun: float = 0.0
+    guide: float = 0.0
+
+
 class Swung(ABC):
     """A drive whose rod leads its head to and fro between two dead centres, `inner` and `outer`."""
 
@@ -66,6 +75,10 @@ class Swung(ABC):
     @abstractmethod
     def placed(self, one: Position) -> Stand:
         """Return its links and pins where it stands."""
+
+    @abstractmethod
+    def fixed(self, reach: Reach) -> tuple[Line, ...]:
+        """Return the lines that do not move, but for dead centres and bearings."""
 
     def stand(self, angle: float) -> Stand:
         return self.placed(self.at(angle))
@@ -95,6 +108,18 @@ class Slide(Swung):
         letters = (("crank", "$R$", 0.68), ("rod", "$L$", 0.4))
         return Stand(links, (one.pin, one.head), ((SHAFT, one.pin, one.head),), letters)
 
+    def fixed(self, reach: Reach) -> tuple[Line, ...]:
+        level, beyond = self.offset, reach.shaft
+        low, high = level - reach.guide, level + reach.guide
+        start, end = self.outer.head[0] - reach.overrun, self.inner.head[0] + reach.overrun
+        return (
+            *_crossed(SHAFT, beyond),
+            Line("centre", ((-beyond, 0), (beyond if level else reach.right, 0))),
+            *([Line("centre", ((-beyond, level), (reach.right, level)))] if level else ()),
+            Line("left", ((start, high), (end, high))),
+            Line("right", ((start, low), (end, low))),
+        )
+
 
 class Rocker(Swung):
     """A crank that moves a rocker, or a beam, whose other arm reaches beyond its pivot; the angle is that of
@@ -122,6 +147,10 @@ class Rocker(Swung):
         letters = (("crank", "$R$", 0.68), ("rod", "$L$", 0.45), ("rocker", f"${self.crank.letter}$", 0.45))
         return Stand(links, pins, ((SHAFT, one.pin, one.head, end),), letters)
 
+    def fixed(self, reach: Reach) -> tuple[Line, ...]:
+        level = Line("centre", ((-reach.shaft, 0), (reach.right, 0)))
+        return (*_crossed(SHAFT, reach.shaft), level, Line("centre", self.arc(reach.overrun)))
+
     def end(self, head: Point) -> Point:
         """Return where the rocker ends: at its pivot, or with another arm as far beyond it."""
         x, y = self.pivot
@@ -134,10 +163,11 @@ class Rocker(Swung):
         turn = (last - first + 180) % 360 - 180
         return sorted(first + turn * step / 40 for step in range(41))
 
-    @cached_property
-    def arc(self) -> tuple[Point, ...]:
-        """The way of the rod's end between the dead centres."""
-        turns = self.swept(self.inner.head, self.outer.head)
+    def arc(self, overrun: float = 0.0) -> tuple[Point, ...]:
+        """Return the way of the rod's end between the dead centres, and so far beyond them."""
+        turns, more = self.swept(self.inner.head, self.outer.head), math.degrees(overrun / self.length)
+        if overrun:
+            turns = [turns[0] - more, *turns, turns[-1] + more]
         return tuple(polar_point(self.pivot, self.length, turn) for turn in turns)
 
 
@@ -146,23 +176,14 @@ def slide_scene(crank: Crank, angles: Sequence[float] = TURN) -> Scene | None:
     if crank.ratio * LONGEST_ROD < 1:
         return None
     drive = Slide(float(crank.ratio), float(crank.offset))
-    offset, (first, last) = drive.offset, (drive.outer.head[0], drive.inner.head[0])
-    low, high = offset - GUIDE, offset + GUIDE
-    start, end = first - 2 * HEAD, last + 2 * HEAD
+    offset, last = drive.offset, drive.inner.head[0]
+    right = last + 2 * HEAD + 0.1
     level = min(offset, -1.0) - LEVEL if offset < 0 else offset - GUIDE - LEVEL
     joints = _joints(drive.stand, angles)
     return Scene(
         low=(-BEYOND, min(-BEYOND, level - 0.2)),
-        high=(end + 0.1, max(BEYOND, high + 0.2)),
-        fixed=(
-            *_crossed(SHAFT),
-            Line("centre", ((-BEYOND, 0), (BEYOND if offset else end + 0.1, 0))),
-            *([Line("centre", ((-BEYOND, offset), (end + 0.1, offset)))] if offset else ()),
-            Line("left", ((start, high), (end, high))),
-            Line("right", ((start, low), (end, low))),
-            Line("bearing", (SHAFT,)),
-            *drive.dead,
-        ),
+        high=(right, max(BEYOND, offset + GUIDE + 0.2)),
+        fixed=(*drive.fixed(Reach(BEYOND, right, 2 * HEAD, GUIDE)), Line("bearing", (SHAFT,)), *drive.dead),
         **joints,
         heads=joints["pins"][1:],
         path=(last, level),
@@ -175,7 +196,7 @@ def rocker_scene(crank: RockerCrank, angles: Sequence[float] = TURN) -> Scene | 
     if crank.crank.ratio * LONGEST_ROD < 1 or crank.rocker > LONGEST_ROD:
         return None
     drive = Rocker(crank)
-    joints, arc, pivot = _joints(drive.stand, angles), drive.arc, drive.pivot
+    joints, arc, pivot = _joints(drive.stand, angles), drive.arc(), drive.pivot
     xs, ys = zip(*arc, *joints["links"][2].end, pivot, (-1.0, -1.0), (1.0, 1.0), strict=True)
     high = max(xs) + ROOM, max(ys) + ROOM
     # The ground of the pivot is away from the rocker, or beside a beam.
@@ -184,9 +205,7 @@ def rocker_scene(crank: RockerCrank, angles: Sequence[float] = TURN) -> Scene | 
         low=(min(xs) - ROOM, min(ys) - ROOM),
         high=high,
         fixed=(
-            *_crossed(SHAFT),
-            Line("centre", ((-BEYOND, 0), (high[0], 0))),
-            Line("centre", arc),
+            *drive.fixed(Reach(BEYOND, high[0])),
             Line("bearing", (SHAFT,)),
             Line(bearing, (pivot,)),
             *drive.dead,
@@ -195,18 +214,24 @@ def rocker_scene(crank: RockerCrank, angles: Sequence[float] = TURN) -> Scene | 
     )
 
 
+def links_fixed(outline: Outline, beyond: float, beside: float) -> tuple[Line, ...]:
+    """Return the lines of a drive that do not move, which go so far beyond shafts and beside links."""
+    return (
+        Line("centre", ((outline.left - beside, 0), (outline.right + beside, 0))),
+        *(line for shaft in outline.shafts for line in _crossed(shaft, beyond)),
+    )
+
+
 def links_scene(drive: Linkage, angles: Sequence[float] = TURN) -> Scene | None:
     """Return a drive by what it says of its outline, nothing for one without an outline."""
     outline = drive.outline()
     if outline is None:
         return None
-    left, right = outline.left - 0.3, outline.right + 0.3
     return Scene(
-        low=(left, -1.3),
-        high=(right, 1.3),
+        low=(outline.left - 0.3, -1.3),
+        high=(outline.right + 0.3, 1.3),
         fixed=(
-            Line("centre", ((left, 0), (right, 0))),
-            *(line for shaft in outline.shafts for line in _crossed(shaft)),
+            *links_fixed(outline, BEYOND, 0.3),
             *(Line("bearing", (shaft,)) for shaft in outline.shafts),
         ),
         **_joints(lambda angle: outline.stand(crank_pin(angle)), angles),
@@ -237,7 +262,7 @@ def _joint(places: Iterable[Point]) -> Joint:
     return found[:1] if len(set(found)) == 1 else found
 
 
-def _crossed(centre: Point) -> tuple[Line, ...]:
+def _crossed(centre: Point, beyond: float) -> tuple[Line, ...]:
     """Return a circle of radius R and the centre line square to the line of shafts."""
     x, y = centre
-    return Line("circle", (centre,)), Line("centre", ((x, y - BEYOND), (x, y + BEYOND)))
+    return Line("circle", (centre,)), Line("centre", ((x, y - beyond), (x, y + beyond)))

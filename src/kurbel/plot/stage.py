@@ -61,7 +61,8 @@ class Moving(NamedTuple):
 
 def draw_scene(sketch: Sketch, scene: Scene, angles: Points, at: int) -> Moving:
     """Draw a mechanism as it stands at one of the angles, for which its scene has all joints."""
-    shafts = [*_fixed(sketch, scene.fixed)]
+    shafts = [line.points[0] for line in scene.fixed if line.kind in GROUNDS]
+    draw_fixed(sketch, scene.fixed, shafts)
     sketch.write()
     stage = _Stage(sketch, angles, at)
     parts = [*stage.links(scene), *stage.heads(scene)]
@@ -73,11 +74,16 @@ def draw_scene(sketch: Sketch, scene: Scene, angles: Points, at: int) -> Moving:
     return Moving(tuple(parts), tuple(grown), tuple(seen), tuple(stage.shafts(shafts)))
 
 
-def _fixed(sketch: Sketch, lines: Sequence[Line]) -> Iterator[Point]:
-    """Draw what stands still, and yield the places of shafts."""
+def draw_fixed(sketch: Sketch, lines: Sequence[Line], shafts: Sequence[Point]) -> None:
+    """Draw what stands still; at a shaft a centre line has the middle of a dash."""
     for kind, points in lines:
-        if kind == "centre":
-            sketch.centre_line(*points) if len(points) == 2 else sketch.chain(*points)
+        if kind == "centre" and len(points) == 2:
+            start, end = points
+            on = [one for one in shafts if start[0] <= one[0] <= end[0] and start[1] <= one[1] <= end[1]]
+            sketch.centre_line(start, *on, end)
+        elif kind == "centre":
+            # Ways of points are closed.
+            sketch.chain(*points).set_gid("arc" if points[0] != points[-1] else None)
         elif kind == "circle":
             sketch.crank_circle(points[0])
         elif kind == "dead":
@@ -86,7 +92,6 @@ def _fixed(sketch: Sketch, lines: Sequence[Line]) -> Iterator[Point]:
             sketch.ground(points[0], points[1], UP if kind == "left" else DOWN)
         else:
             sketch.bearing(points[0], GROUNDS[kind])
-            yield points[0]
 
 
 class _Stage:

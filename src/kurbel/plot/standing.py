@@ -15,7 +15,18 @@ from typing import TYPE_CHECKING
 from kurbel.errors import ProblemError
 from kurbel.linkage.linkage import Outline, Stand
 from kurbel.linkage.rocker import RockerCrank
-from kurbel.plot.moving import LONGEST_ROD, SHAFT, Position, Rocker, Slide, Swung, crank_pin, polar_point
+from kurbel.plot.moving import (
+    LONGEST_ROD,
+    SHAFT,
+    Position,
+    Reach,
+    Rocker,
+    Slide,
+    Swung,
+    crank_pin,
+    links_fixed,
+    polar_point,
+)
 from kurbel.plot.panel import degrees
 from kurbel.plot.place import CLEAR
 from kurbel.plot.rod_paths import Coupled, around, draw_paths, usual_scale
@@ -33,6 +44,7 @@ from kurbel.plot.sketch import (
     laid_out,
     page_fitted,
 )
+from kurbel.plot.stage import draw_fixed
 from kurbel.plot.style import BLACK, MEDIUM, PALE, WIDTH, Size, arrowhead, style, text_of
 from kurbel.reading.notation import about
 
@@ -43,6 +55,8 @@ if TYPE_CHECKING:
 LARGEST_RADIUS, MOST_HEIGHT = 24.0, 150.0
 # Around a drive: at the left, below and above, and for dimensions; beside links without a crosshead.
 LEFT, OUTSIDE, DIMENSIONS, BESIDE = 8.0, 7.0, 9.0, 9.0
+# How far centre lines go on beyond a crank circle.
+SHAFT_OVERRUN = 3.5
 # Around a slide, where an offset is dimensioned at the left; its crosshead, and how far the guides go on.
 OFFSET_LEFT, SLIDE_RIGHT, SLIDE_DIMENSIONS, LETTER = 3.0, 9.0, 17.0, 3.5
 HEAD_LENGTH, HEAD_HEIGHT, OVERRUN = 8.0, 6.5, 3.0
@@ -129,10 +143,6 @@ class SwungStanding(Standing):
     def stand(self, angle: float) -> Stand:
         return self.drive.stand(angle)
 
-    def mark_dead_centres(self, sketch: Sketch) -> None:
-        for line in self.drive.dead:
-            sketch.dead_centre(line.points[0])
-
 
 class SlideStanding(SwungStanding):
     """The crank drive by λ = R/L and the offset e/R; the slide is to the right of the shaft and, by the
@@ -165,19 +175,10 @@ class SlideStanding(SwungStanding):
         return (-1 - self.beside * mm, bottom), (right, top)
 
     def fixed(self, sketch: Sketch) -> None:
-        """Draw centre lines, the crank circle, and both guides, hatched on the side of the frame."""
-        mm = sketch.mm
-        beyond, overrun = 1 + 3.5 * mm, (HEAD_LENGTH / 2 + OVERRUN) * mm
-        end = self.end + (HEAD_LENGTH / 2 + OVERRUN + 2) * mm
-        sketch.centre_line((0, -beyond), (0, 0), (0, beyond))
-        sketch.centre_line((-beyond, 0), (0, 0), (beyond if self.offset else end, 0))
-        if self.offset:
-            sketch.centre_line((-beyond, self.offset), (end, self.offset))
-        sketch.crank_circle()
-        self.mark_dead_centres(sketch)
-        for way in (UP, DOWN):
-            y = self.offset + way[1] * HEAD_HEIGHT / 2 * mm
-            sketch.ground((self.start - overrun, y), (self.end + overrun, y), way)
+        overrun, mm = HEAD_LENGTH / 2 + OVERRUN, sketch.mm
+        right = self.end + (overrun + 2) * mm
+        reach = Reach(1 + SHAFT_OVERRUN * mm, right, overrun * mm, HEAD_HEIGHT / 2 * mm)
+        draw_fixed(sketch, (*self.drive.fixed(reach), *self.drive.dead), self.shafts)
 
     def strong(self, sketch: Sketch, first: Stand, pin: Point) -> None:
         from matplotlib.patches import Rectangle
@@ -252,7 +253,8 @@ class RockerStanding(SwungStanding):
         drive = self.drive = Rocker(crank)
         self.letter, self.pivot = f"${crank.letter}$", drive.pivot
         self.shafts = (SHAFT, drive.pivot)
-        reached = [drive.pivot, *drive.arc, *map(drive.end, drive.arc), (-1.0, -1.0), (1.0, 1.0)]
+        arc = drive.arc()
+        reached = [drive.pivot, *arc, *map(drive.end, arc), (-1.0, -1.0), (1.0, 1.0)]
         self.low, self.high = ((end(x for x, _ in reached), end(y for _, y in reached)) for end in (min, max))
         width, height = self.high[0] - self.low[0], self.high[1] - self.low[1]
         beside, above = LEFT + ROCKER_RIGHT, 2 * OUTSIDE + DIMENSIONS
@@ -277,20 +279,10 @@ class RockerStanding(SwungStanding):
         return LEFTWARD if self.drive.is_beam else UP if self.pivot[1] >= 0 else DOWN
 
     def fixed(self, sketch: Sketch) -> None:
-        """Draw centre lines, the crank circle, the arc and the dead centres on both."""
-        mm, drive = sketch.mm, self.drive
-        beyond, (x, y) = 1 + 3.5 * mm, self.pivot
-        sketch.centre_line((0, -beyond), (0, 0), (0, beyond))
-        sketch.centre_line((-beyond, 0), (0, 0), (self.high[0] + 4 * mm, 0))
+        mm, drive, (x, y) = sketch.mm, self.drive, self.pivot
+        reach = Reach(1 + SHAFT_OVERRUN * mm, self.high[0] + 4 * mm, ARC_OVERRUN * mm)
+        draw_fixed(sketch, (*drive.fixed(reach), *drive.dead), self.shafts)
         sketch.centre_line((x, y + sketch.side * 4 * mm), (x, y), (x, self._lowest(sketch)))
-        sketch.crank_circle()
-        turns = drive.swept(drive.inner.head, drive.outer.head)
-        more = math.degrees(ARC_OVERRUN * mm / drive.length)
-        first, last = (
-            polar_point(self.pivot, drive.length, one) for one in (turns[0] - more, turns[-1] + more)
-        )
-        sketch.chain(first, *drive.arc, last).set_gid("arc")
-        self.mark_dead_centres(sketch)
         for dead in (drive.inner, drive.outer):
             sketch.line(dead.head, self.beyond(dead.head, LEADER * mm))
 
@@ -364,11 +356,8 @@ class LinksStanding(Standing):
         return (left, -1 - (OUTSIDE + DIMENSIONS) * mm), (right, 1 + OUTSIDE * mm)
 
     def fixed(self, sketch: Sketch) -> None:
-        beyond = 3.5 * sketch.mm
-        sketch.centre_line((self.outline.left - beyond, 0), *self.shafts, (self.outline.right + beyond, 0))
-        for x, y in self.shafts:
-            sketch.centre_line((x, y - 1 - beyond), (x, y), (x, y + 1 + beyond))
-            sketch.crank_circle((x, y))
+        beyond = SHAFT_OVERRUN * sketch.mm
+        draw_fixed(sketch, links_fixed(self.outline, 1 + beyond, beyond), self.shafts)
 
     def dimensions(self, sketch: Sketch, angle: float) -> None:
         """Draw φ and R of the first crank, the letters of links, and lengths along the line of shafts."""
