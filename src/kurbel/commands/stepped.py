@@ -198,7 +198,8 @@ def _value(question: Question, column: Column, axis: str, place: int) -> Value:
 
 def run_of(question: Question, over_angles: bool) -> Run | None:
     """Return what runs along the pages of a question, over the turn if it is asked for crank angles."""
-    columns = _columns(question)
+    # Of two strokes the one that goes through the turn.
+    columns = [one for one in question.page_columns if not _returns(one)][:MOST_COLUMNS]
     if not columns or question.subject.grid:
         return None
     keys = tuple(column.key for column in columns)
@@ -210,11 +211,6 @@ def run_of(question: Question, over_angles: bool) -> Run | None:
         angles = tuple(Fraction(angle) for angle in range(0, turn + 1, STEP))
         return Run("angle", _turned(question, axis, angles, turn), keys, shown, angles)
     return _along(question, keys, shown)
-
-
-def _columns(question: Question) -> list[Column]:
-    """Return the columns that are read along an axis: of two strokes the one that goes through the turn."""
-    return [one for one in question.page_columns if not _returns(one)][:MOST_COLUMNS]
 
 
 def _turned(question: Question, axis: AngleAxis, angles: Sequence[Fraction], turn: int) -> Cursor:

@@ -269,8 +269,10 @@ class Sized:
         square = self.condition.quantity in MAGNITUDES
         if square and self.condition.value < 0:
             raise ProblemError(f'condition "{self.condition}" is of a magnitude, which is not below 0')
+        power = 1 if self.column.endswith("_mps") else self.about.power
+        degree = 2 if self.unknown == "stroke" and self.condition.quantity == "torque" else 1
         polynomial = Polynomial(
-            self.value, lambda: ball(self._target()), self.about.probe, self._power(), self._degree(), square
+            self.value, lambda: ball(self._target()), self.about.probe, power, degree, square
         )
         found = polynomial.roots()
         for root in found:
@@ -303,12 +305,6 @@ class Sized:
         if self.loaded or self.condition.quantity != TORQUE:
             return measured(self.condition)
         return units.signed_torque(f"{exact_text(self.condition.value)} {self.condition.unit}", TORQUE)
-
-    def _power(self) -> int:
-        return 1 if self.column.endswith("_mps") else self.about.power
-
-    def _degree(self) -> int:
-        return 2 if self.unknown == "stroke" and self.condition.quantity == "torque" else 1
 
     def label(self, lang: str) -> str:
         symbol = self.question(self.about.probe).page_columns[0].quantity.symbol.strip("$")

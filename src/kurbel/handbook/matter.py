@@ -153,7 +153,7 @@ def notation(
         rounding=_rounding(rounded, lang),
         books=BOOKS[lang] if books else "",
     )
-    drive = (_line(symbol, said[lang]) for symbol, said in LETTERS.items())
+    drive = (_item(f"{symbol} {said[lang]}") for symbol, said in LETTERS.items())
     directions = dict.fromkeys(_directions(letters))
     blocks = (*parse_prose(text), _list(drive))
     if directions:
@@ -191,10 +191,6 @@ def _directions(letters: Iterable[Letter]) -> Iterator[Label]:
 
 def _item(label: Label) -> prose.Blocks:
     return (prose.Paragraph(inlines(label)),)
-
-
-def _line(symbol: Label, said: str) -> prose.Blocks:
-    return _item(f"{symbol} {said}")
 
 
 def _list(items: Iterable[prose.Blocks]) -> prose.Listing:

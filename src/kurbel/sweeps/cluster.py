@@ -20,6 +20,7 @@ from typing import Any, TypeVar
 
 from kurbel.errors import ChoiceError, FailedError
 from kurbel.reading.environment import missing_extra
+from kurbel.sweeps.hands import FOR_EACH
 from kurbel.sweeps.versions import LIBRARIES, NONE, content_of, makers, other
 
 try:
@@ -37,8 +38,6 @@ PATIENCE, WORKERS = 10, 30
 RETURN = 60
 # How often the cluster is looked at, in seconds.
 GLANCE = 1.0
-# For each thread of a worker one is computed, and one is there as soon as that is done.
-FOR_EACH = 2
 SCHEMES = ("tcp://", "tls://")
 # What runs the work, though no digit depends on it.
 RUNNERS = ("kurbel", "dask", "distributed")

@@ -41,37 +41,9 @@ _BOOKS = frozenset(("collate", "example"))
 
 
 @overload
-def sweep(
-    command: Callable[..., Any] | str,
-    *,
-    digits: int | None = ...,
-    bounds: bool = ...,
-    zip: str | Iterable[str | Sequence[str]] = ...,
-    only: str = ...,
-    sample: str = ...,
-    seed: int = ...,
-    strict: bool = ...,
-    output: None = ...,
-    **options: Any,
-) -> Dataset: ...
+def sweep(command: Callable[..., Any] | str, *, output: None = ..., **options: Any) -> Dataset: ...
 @overload
-def sweep(
-    command: Callable[..., Any] | str,
-    *,
-    digits: int | None = ...,
-    bounds: bool = ...,
-    zip: str | Iterable[str | Sequence[str]] = ...,
-    only: str = ...,
-    sample: str = ...,
-    seed: int = ...,
-    strict: bool = ...,
-    output: str | PathLike[str],
-    jobs: int | None = ...,
-    scheduler: str | None = ...,
-    resume: bool = ...,
-    restart: bool = ...,
-    **options: Any,
-) -> Outcome: ...
+def sweep(command: Callable[..., Any] | str, *, output: str | PathLike[str], **options: Any) -> Outcome: ...
 def sweep(
     command: Callable[..., Any] | str,
     *,

@@ -60,7 +60,9 @@ class OverAngle:
 
     @cached_property
     def group(self) -> int:
-        return group_of(self.asked.plan)
+        """Which group of options is that of the crank angle."""
+        groups = self.asked.plan.groups
+        return next(place for place, group in enumerate(groups) if group[0].option == "angle")
 
     @cached_property
     def angles(self) -> Sequence[Fraction]:
@@ -164,11 +166,6 @@ class OverAngle:
         return True
 
 
-def group_of(plan: Plan) -> int:
-    """Return which group is that of the crank angle."""
-    return next(place for place, group in enumerate(plan.groups) if group[0].option == "angle")
-
-
 def question_at(plan: Plan, point: int, angles: Sequence[Fraction], digits: int = DECIMALS) -> Any:
     """Return what the command asks at a point with other angles. Raises KurbelError."""
     ends = list(dict.fromkeys((min(angles[0], angles[-1]), max(angles[0], angles[-1]))))
@@ -195,7 +192,7 @@ def _curves(question: Any, degrees: Floats) -> list[Any]:
 
 def has_arrays(plan: Plan, question: Question) -> bool:
     """Whether floats over the angle are there for all columns of a question, and good enough for the plan."""
-    if plan.digits is not None or not any(isinstance(one, AngleAxis) for one in question.axes.values()):
+    if plan.digits is not None or not is_over_angle(question):
         return False
     columns = question.page_columns
     if isinstance(question, Request):

@@ -42,7 +42,7 @@ def whole_path(target: str, scratch: str, owned: Callable[[str], bool] | None = 
             os.rename(target, f"{half}.old")
         os.replace(half, target)
     except OSError as error:
-        raise OutputError(f"cannot write {target}: {_said(error)}") from error
+        raise OutputError(f"cannot write {target}: {error.strerror or error}") from error
     finally:
         _removed(half)
         _removed(f"{half}.old")
@@ -59,10 +59,6 @@ def _check(target: str, owned: Callable[[str], bool] | None) -> None:
         raise NotADirectoryError(20, "it is a file, and this is written as a folder")
     elif os.path.isdir(target) and os.listdir(target) and not owned(target):
         raise FileExistsError(17, "the folder has other files; name a new one")
-
-
-def _said(error: OSError) -> str:
-    return error.strerror or str(error)
 
 
 def _removed(path: str) -> None:

@@ -21,10 +21,9 @@ _PACKAGE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__fil
 def makers(libraries: tuple[str, ...] = LIBRARIES) -> dict[str, str]:
     """Return kurbel and all that its digits and files are made by, with their versions."""
     python = f"{platform.python_implementation()} {'.'.join(platform.python_version_tuple()[:2])}"
-    own = {
-        "kurbel": f"{_version('kurbel')} ({hashlib.sha256(_sources().encode()).hexdigest()[:12]})",
-        "python": python,
-    }
+    # The source tells this kurbel from others of the same version.
+    source = hashlib.sha256(f"{tree_of(_PACKAGE)}{tree_of(template_folder())}".encode()).hexdigest()
+    own = {"kurbel": f"{_version('kurbel')} ({source[:12]})", "python": python}
     return {**own, "processor": platform.machine(), **{name: _version(name) for name in libraries}}
 
 
@@ -67,8 +66,3 @@ def _version(library: str) -> str:
         return version(library)
     except PackageNotFoundError:
         return NONE
-
-
-def _sources() -> str:
-    """Return what tells the source of this kurbel from others of the same version."""
-    return tree_of(_PACKAGE) + tree_of(template_folder())

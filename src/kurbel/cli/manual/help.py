@@ -51,12 +51,10 @@ def write_text(text: str, formatter: click.HelpFormatter) -> None:
 def folded(text: str, width: int) -> str:
     """Return the text with examples of the shell on as many lines as they need."""
     return "\n".join(
-        line for one in text.split("\n") for line in (_folded(one, width) if _is_example(one) else (one,))
+        line
+        for one in text.split("\n")
+        for line in (_folded(one, width) if one.startswith("kurbel ") else (one,))
     )
-
-
-def _is_example(line: str) -> bool:
-    return line.startswith("kurbel ")
 
 
 def _folded(example: str, width: int) -> Iterator[str]:
