@@ -38,7 +38,7 @@ COMMAND = re.compile(r"^\$ (.+)\n", re.MULTILINE)
 # What is new stands in a handbook of these parts.
 PARTS = (
     *("table --ratio 1:5 --columns phi,jerk", "collate lehrheft-wege", "table --layout hubwege"),
-    *("table --mechanism yoke", "forces --force 10kN..4kN", "construct momentanpol"),
+    *("table --mechanism cardan", "forces --force 10kN..4kN", "construct momentanpol"),
 )
 WORKER = """import json, sys
 from cli import kurbel
@@ -180,8 +180,8 @@ def test_what_is_new_is_in_reference_handbook_drawings_lists_and_help(house: Hou
         "asciidoc",
         "| `hubwege` | Piston paths in strokes, ratios side by side |",
         "`tangential_force_n` | Tangential force: T as the crank turns | N | 1"
-        " | `forces --mechanism yoke --force` |",
-        "- Scotch yoke: `path`, `s`, `velocity`, `acceleration`",
+        " | `forces --mechanism cardan --force` |",
+        "- Cardan gear: `path`, `s`, `velocity`, `acceleration`",
         "| a linear force | `10kN..4kN` | straight, offset |",
     ):
         assert line in done.stdout
@@ -192,25 +192,25 @@ def test_what_is_new_is_in_reference_handbook_drawings_lists_and_help(house: Hou
     page = (house.desk / "pages" / "handbook.html").read_text(encoding="utf-8")
     for words in (
         *("Kolbenruck", "1,879", "in Teilen des Hubes", "linear über den Hub"),
-        "Weg, Geschwindigkeit und Beschleunigung der Schleife einer Kreuzschubkurbel",
+        "Weg, Geschwindigkeit und Beschleunigung am Radkranz eines Kardangetriebes",
     ):
         assert words in page
     assert "Zahlendreher" in page or "vertauscht" in page
     assert any(
         ".Kolbenweg" in one.read_text(encoding="utf-8") for one in (house.desk / "pages").rglob("*.adoc")
     )
-    for name in ("jerk", "motion", "yoke", "forces"):
+    for name in ("jerk", "motion", "cardan", "forces"):
         assert "<svg" in (house.desk / f"{name}.svg").read_text(encoding="utf-8")
-    assert 'id="slot"' in (house.desk / "yoke.svg").read_text(encoding="utf-8")
+    assert 'id="spoke"' in (house.desk / "cardan.svg").read_text(encoding="utf-8")
     assert "|0,9083" in (house.desk / "solve.adoc").read_text(encoding="utf-8")
     for command, line in (
         ("quantities", r"^jerk_return +Kolbenruck, Rückgang +v³/R² +table"),
-        ("quantities", r"^velocity +Geschwindigkeit +v +table --mechanism yoke"),
+        ("quantities", r"^velocity +Geschwindigkeit +v +table --mechanism cardan"),
         ("layouts", r"^hubwege +Kolbenwege in Teilen des Hubes"),
-        ("layouts", r"^yoke +Kreuzschubkurbel"),
+        ("layouts", r"^cardan +Kardangetriebe"),
         ("sources", r"^ *lehrheft-wege "),
         ("construct", r"^momentanpol +Momentanpol der Schubstange"),
-        ("table --help", r"beam\s+\(a\s+beam\s+engine\)\s+or\s+yoke\s+\(a\s+pin\s+in\s+a\s+slot\)"),
+        ("table --help", r"slotted\s+\(quick\s+return\)\s+or\s+cardan\s+\(a\s+wheel\s+in\s+a\s+ring\)"),
         ("forces --help", r"10kN,\s+10kN\.\.4kN"),
     ):
         assert re.search(line, house.kurbel(f"kurbel {command}"), re.MULTILINE), line
@@ -223,9 +223,9 @@ def test_what_is_new_is_in_reference_handbook_drawings_lists_and_help(house: Hou
          "jerk has no formula for an offset crank; leave the offset out"),
         ("table --ratio 1:5 --method series --columns phi,jerk",
          'method "series" has no formula for jerk; use exact'),
-        ("table --mechanism yoke --ratio 1:5", "--ratio does not belong to the Scotch yoke"),
-        ("forces --mechanism yoke --eps 4", "the Scotch yoke under steam is not computed"),
-        ("forces --polar --mechanism yoke -o polar.svg", "the polar diagram of the Scotch yoke is not drawn"),
+        ("table --mechanism cardan --ratio 1:5", "--ratio does not belong to the Cardan gear"),
+        ("forces --mechanism cardan --eps 4", "the Cardan gear under steam is not computed"),
+        ("forces --polar --mechanism cardan -o p.svg", "the polar diagram of the Cardan gear is not drawn"),
         ("forces --mechanism arc --rocker 6 --force 10kN..4kN",
          "the arc crank under a linear force is not computed"),
     ],
@@ -262,10 +262,10 @@ def test_pages_for_developers_name_files_that_there_are_and_what_stands_in_them(
 
 
 def test_the_motion_of_a_new_mechanism_is_that_of_its_pin(house: House) -> None:
-    rows = house.records("kurbel table --mechanism yoke --angle 25;115;205 --columns phi,path,velocity")
+    rows = house.records("kurbel table --mechanism cardan --angle 25;115;205 --columns phi,path,velocity")
     for angle, path, velocity in (map(float, row) for row in rows):
         phi = math.radians(angle)
-        assert (path, velocity) == pytest.approx((1 - math.cos(phi), math.sin(phi)), abs=0.51e-4)
+        assert (path, velocity) == pytest.approx((2 - 2 * math.cos(phi), 2 * math.sin(phi)), abs=0.51e-4)
 
 
 def test_the_rod_turns_about_the_centre_of_a_new_construction(house: House) -> None:
@@ -303,11 +303,11 @@ def simpson(values: list[float], step: float) -> float:
 
 
 def test_the_force_on_the_pin_of_a_new_mechanism_does_the_work(house: House) -> None:
-    """F times the way of the yoke is the torque times the angle: 10 kN over 600 mm of a stroke."""
+    """F times the way of the rim is the torque times the angle: 10 kN over 4 R, R half of 600 mm."""
     words = "--force 10kN --stroke 600mm --from 0 --to 180 --step 0.5 --columns phi,torque_nm --digits 6"
-    torques = [float(row[1]) for row in house.records(f"kurbel forces --mechanism yoke {words}")]
+    torques = [float(row[1]) for row in house.records(f"kurbel forces --mechanism cardan {words}")]
     # Simpson's error is some 1e-9 of the whole here.
-    assert simpson(torques, math.radians(0.5)) == pytest.approx(10_000 * 0.6, rel=1e-7)
+    assert simpson(torques, math.radians(0.5)) == pytest.approx(10_000 * 1.2, rel=1e-7)
 
 
 @pytest.mark.parametrize("drive", ["--ratio 1:5", "--ratio 1:4 --offset 0.5"])
@@ -340,17 +340,16 @@ def test_long_tables_of_a_new_load_have_the_digits_of_short_ones(house: House) -
 
 @pytest.fixture(scope="module")
 def double(house: House, tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
-    """The yoke with a stroke, a ratio and a letter of its own."""
+    """The gear with a ratio and a letter of its own."""
     double = House(tmp_path_factory.mktemp("double") / "copy", house.folder)
     changed = {
-        "src/kurbel/linkage/yoke.py": {
-            '"$x/R = 1 - cos φ$")': '"$x/R = 1 - cos φ$", ("$φ$ von innen",))',
-            "    def outline(": '    stroke = "4 R"\n\n    def outline(',
-            "quantities=yoke_registry,": "quantities=yoke_registry, ratios=True,",
+        "src/kurbel/linkage/cardan.py": {
+            '"$x/R = 2 (1 - cos φ)$")': '"$x/R = 2 (1 - cos φ)$", ("$φ$ von innen",))',
+            "quantities=gear_registry,": "quantities=gear_registry, ratios=True,",
             "def drives(": 'takes = ("ratio",)\n\n    def drives(',
-            "return (Yoke(said.rodless),)": "return tuple(map(Yoke, said.cranks(ratios)))",
+            "return (Gear(said.rodless),)": "return tuple(map(Gear, said.cranks(ratios)))",
         },
-        "templates/yoke/layout.toml": {
+        "templates/cardan/layout.toml": {
             'down = ["angle"]': 'ratios = ["1:5"]\ndown = ["ratio", "angle"]',
         },
     }
@@ -362,18 +361,18 @@ def double(house: House, tmp_path_factory: pytest.TempPathFactory) -> Iterator[H
 
 
 def test_pages_of_a_new_mechanism_say_its_letters_its_stroke_and_its_ratio(double: House) -> None:
-    table = "kurbel table --mechanism yoke --step 90"
+    table = "kurbel table --mechanism cardan --step 90"
     page = " ".join(double.kurbel(f"{table} --lang en --columns phi,path,velocity").split())
-    assert "x/R = 1 − cos φ, c/v = sin φ, p R/v² = cos φ, φ von innen" in page
-    assert "Path and velocity of a Scotch yoke for R:L = 1:5" in page
+    assert "x/R = 2 (1 − cos φ), c/v = 2 sin φ, p R/v² = 2 cos φ, φ von innen" in page
+    assert "Path and velocity of a Cardan gear for R:L = 1:5" in page
     many = double.kurbel(f"{table} --ratio '1:3;1:4' --lang en -f markdown")
-    assert many.splitlines()[0] == "**Path, velocity and acceleration of a Scotch yoke**"
+    assert many.splitlines()[0] == "**Path, velocity and acceleration of a Cardan gear**"
     assert many.count("R:L = 1:3") == many.count("R:L = 1:4") == 1
-    solved = "kurbel solve --mechanism yoke --ratio 1:3 --where"
+    solved = "kurbel solve --mechanism cardan --ratio 1:3 --where"
     one = " ".join(double.kurbel(f"{solved} s=25% --lang en").split())
     assert "for R:L = 1:3, x/S = 25 %" in one
     assert "from the inner one; S = 4 R" in one
-    double.kurbel("kurbel plot --mechanism yoke --ratio 1:3 --positions 50 --lang en -o double.svg")
-    assert "Scotch yoke for R:L = 1:3" in (double.desk / "double.svg").read_text(encoding="utf-8")
+    double.kurbel("kurbel plot --mechanism cardan --ratio 1:3 --positions 50 --lang en -o double.svg")
+    assert "Cardan gear for R:L = 1:3" in (double.desk / "double.svg").read_text(encoding="utf-8")
     # Whatever the ratio is, p is cos φ.
     assert [row[3] for row in double.records(f"{solved} 'p = 1/2 of dead centre'")] == ["60.0000"] * 2

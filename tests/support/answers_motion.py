@@ -182,3 +182,53 @@ def time_of_half_a_stroke(crank: mpf, rod: mpf, speed: mpf) -> Rows:
         {"phi": degrees(phi), "time": phi / speed},
         {"phi": 180 - degrees(phi), "time": (pi - phi) / speed},
     ]
+
+
+@solution
+def crank_and_slotted_lever(crank: mpf, frame: mpf, lever: mpf) -> Rows:
+    half = degrees(acos(crank / frame))
+    stroke = 2 * lever * crank / frame
+    return [{"time_ratio": (180 - half) / half, "swing": 2 * (90 - half), "stroke_mm": stroke * 1000}]
+
+
+@solution
+def whitworth_quick_return(crank: mpf, frame: mpf, arm: mpf, rod: mpf) -> Rows:
+    half = degrees(acos(frame / crank))
+    return [{"time_ratio": (180 - half) / half, "stroke_mm": 2 * arm * 1000}]
+
+
+@solution
+def shaper_ram(crank: mpf, frame: mpf, lever: mpf, rod: mpf, line: mpf, speed: mpf, angle: mpf) -> Rows:
+    """With the ram to the left of the lever, which the pin turns from the right."""
+
+    def block(t: mpf) -> mpf:
+        return crank * expj(radians(angle) + speed * t) + 1j * frame
+
+    def ram(t: mpf) -> mpf:
+        end = lever * expj(arg(block(t)))
+        return sqrt(rod**2 - (line + frame - end.imag) ** 2) - end.real
+
+    turned, slide = (diff(one, 0) for one in (lambda t: arg(block(t)), lambda t: abs(block(t))))
+    return [
+        {
+            "velocity_mps": diff(ram, 0),
+            "acceleration_mps2": diff(ram, 0, 2),
+            "lever_acceleration_radps2": diff(lambda t: arg(block(t)), 0, 2),
+            "block_velocity_mps": slide,
+            "coriolis_mps2": 2 * turned * slide,
+        }
+    ]
+
+
+@solution
+def scotch_yoke(stroke: mpf, speed: mpf, angle: mpf) -> Rows:
+    pin = stroke / 2 * expj(radians(angle))
+    moved = 1j * speed * pin
+    return [
+        {
+            "path_mm": (stroke / 2 - pin.real) * 1000,
+            "velocity_mps": -moved.real,
+            "slot_velocity_mps": moved.imag,
+            "acceleration_mps2": speed**2 * pin.real,
+        }
+    ]

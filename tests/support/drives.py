@@ -68,7 +68,7 @@ BEAMS = [beam("3", "5"), beam("1.7", "3.5"), beam("6.3", "9")]
 def of_size(drive: Drive, radius: str, speed: str, force: str = "1") -> Drive:
     """The same drive with R in m, ω in rad/s and a force in N."""
     size = {"radius": Fraction(radius), "speed": Fraction(speed), "force": Fraction(force)}
-    return drive._replace(true=verify.Drive(**{**drive.true.__dict__, **size}))
+    return drive._replace(true=type(drive.true)(**{**drive.true.__dict__, **size}))
 
 
 def confirm(

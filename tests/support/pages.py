@@ -89,6 +89,8 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "formulas": ("collate", "blau-equations"),
     "arc crank": ("table", "--mechanism=arc", "--rocker=6"),
     "parallel crank": ("table", "--mechanism=parallel"),
+    "Scotch yoke": ("table", "--mechanism=yoke"),
+    "slotted lever": ("table", "--mechanism=slotted", "--pivot=2"),
     "rod points": ("table", "--point=0.5"),
     "effort": (
         "forces",
@@ -145,11 +147,23 @@ BALANCES = about("harmonics", "balance")
 TURNED = about("balance at angles", "balance extremes", "rotor", "locomotive")
 COLLATIONS = about("collation", "formulas")
 EFFORTS = about("effort")
-LINKAGES = about("arc crank", "parallel crank", "coupled axles", "beam engine", "rod points")
+LINKAGES = about(
+    "arc crank",
+    "parallel crank",
+    "coupled axles",
+    "beam engine",
+    "Scotch yoke",
+    "slotted lever",
+    "rod points",
+)
 # What `kurbel table` prints.
 APPROXIMATED = about("series errors", "successive")
 DRIVES = sorted(
-    (*about("motion", "arc crank", "parallel crank", "beam engine", "rod points", "over path"), *APPROXIMATED)
+    (
+        *about("motion", "arc crank", "parallel crank", "beam engine", "Scotch yoke", "slotted lever"),
+        *about("rod points", "over path"),
+        *APPROXIMATED,
+    )
 )
 PRESSED = about("pressures", "pressures over the angle")
 RODS = about(
@@ -236,6 +250,8 @@ FUNCTIONS: Mapping[str, tuple[Callable[..., Table], Mapping[str, Any]]] = {
     "formulas": (kurbel.collate, {"table": "blau-equations"}),
     "arc crank": (kurbel.table, {"mechanism": "arc", "rocker": 6}),
     "parallel crank": (kurbel.table, {"mechanism": "parallel"}),
+    "Scotch yoke": (kurbel.table, {"mechanism": "yoke"}),
+    "slotted lever": (kurbel.table, {"mechanism": "slotted", "pivot": 2}),
     "rod points": (kurbel.table, {"point": 0.5}),
     "effort": (kurbel.forces, {
         "bore": 0.3, "piston_rod": 0.05, "head_pressure": 150_000, "stroke": 0.6, "speed": 2,

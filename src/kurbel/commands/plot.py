@@ -88,8 +88,8 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
                 f"--{flag} draws one crank drive, and {len(drives)} ratios were given; choose one"
             )
         angles = as_angles(POSITION) if self.positions is None else self.positions
-        if not (self.animate or (self.says("stroke") and self.says("rod"))):
-            self.refuse("stroke", "rod")
+        if self.says("stroke") != (self.says("rod") or self.compares_lengths()) and not self.animate:
+            self.refuse("stroke", *(("rod",) if "ratio" in chosen.takes else ()))
         return self._mechanism(chosen, drives[0], angles)
 
     def _mechanism(self, chosen: Mechanism, drive: Any, angles: Sequence[Fraction]) -> Drawing:

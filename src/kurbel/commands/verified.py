@@ -27,6 +27,7 @@ from kurbel.commands.recomputed import PAGES, Row, nearest
 from kurbel.commands.related import MODULES, SUMMED
 from kurbel.drive.crank import Described, radii
 from kurbel.errors import KurbelError, ProblemError
+from kurbel.motion.mechanism import mechanism
 from kurbel.page.axes import shifted
 from kurbel.page.layouts import Layout, layout
 from kurbel.reading.amounts import UNITS
@@ -369,8 +370,11 @@ class Second:
 
     def drive(self, row: Row) -> verify.Drive:
         raw = self.asked.raw
+        if self.key == "forces-slotted" or "slotted" in (self.asked.mechanism, self.key):
+            return self._slotted()
         parallel = "parallel" in (self.asked.mechanism, raw("layout"))
-        printed = row.get("ratio", "1:∞" if parallel else "")
+        rodless = parallel or "yoke" in (self.asked.mechanism, self.key)
+        printed = row.get("ratio", "1:∞" if rodless else "")
         described = Described.of({name: raw(name) for name in ("stroke", "rod", "offset", "ratio")})
         cranks = described.cranks((printed,) if printed else self._layout.ratios)
         found = [one for one in cranks if ratio_text(one.ratio) == printed] or cranks
@@ -395,6 +399,25 @@ class Second:
                 # Of a list of beams the row has its arm.
                 if (length := raw(name)) is not None and "arm" not in row
             },
+        )
+
+    def _slotted(self) -> verify.Drive:
+        """The slotted lever by its lengths."""
+        raw = self.asked.raw
+        names = ("stroke", "rod", "speed", "offset", "rocker", "pivot", "circuit")
+        (lever,) = mechanism("slotted").drives(Described.of({name: raw(name) for name in names}), ())
+        speed = lever.crank.speed
+        return of_given(
+            verify.SlottedLever,
+            Fraction(0),
+            pivot_below=lever.pivot,
+            arm=lever.arm,
+            ram_rod=lever.rod,
+            height=lever.height,
+            circuit=int(lever.circuit),
+            radius=lever.crank.radius,
+            speed=speed and speed.value,
+            turns=speed and speed.turns,
         )
 
     def pushed(self, row: Row) -> verify.Drive:

@@ -258,7 +258,8 @@ class Described(NamedTuple):
     @property
     def rodless(self) -> Crank:
         """What is known of the crank of a drive without a rod."""
-        return replace(RODLESS, radius=self.radius, force=self.force)
+        turns = None if self.speed is None else as_speed(self.speed)
+        return replace(RODLESS, radius=self.radius, speed=turns, force=self.force)
 
     def cranks(self, default: Sequence[str]) -> tuple[Crank, ...]:
         """Return the straight or offset cranks, of a layout's ratios if nothing gives one."""

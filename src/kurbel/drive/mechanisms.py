@@ -33,6 +33,8 @@ MECHANISMS: Mapping[str, Registered] = {
     ),
     "parallel": Registered("parallel crank", "kurbel.linkage.parallel:MECHANISM", "two equal cranks"),
     "beam": Registered("beam engine", "kurbel.linkage.beam:MECHANISM", "a beam engine", " --beam 3"),
+    "yoke": Registered("Scotch yoke", "kurbel.linkage.yoke:MECHANISM", "a pin in a slot"),
+    "slotted": Registered("slotted lever", "kurbel.linkage.slotted:MECHANISM", "quick return", " --pivot 2"),
     # Another mechanism is one more line here.
 }
 # The crank drives without a crosshead, whose pages are their own.

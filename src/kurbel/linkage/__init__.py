@@ -1,1 +1,1 @@
-"""The other crank drives: the arc crank, the parallel crank, the beam engine."""
+"""The other crank drives: the arc crank, the parallel crank, the beam engine, quick returns."""

@@ -192,7 +192,7 @@ def with_share(own: Mapping[str, Quantity]) -> Mapping[str, Quantity]:
         heading=share.heading,
         unit=share.unit,
         names=share.names,
-        formulas={"exact": Formula(lambda at: kernel(at) / at.drive.arc_stroke(at.numbers))},
+        formulas={"exact": Formula(lambda at: kernel(at) / at.drive.way(at.numbers))},
     )
     return {"path": path, PATH_SHARE: part, **own}
 
@@ -248,5 +248,5 @@ class ArcDrive(LinkageDrive):
         if quantity.key == "path":
             return ball_pi()
         if quantity.key == PATH_SHARE:
-            return ball_pi() / self.arc.arc_stroke(balls())
+            return ball_pi() / self.arc.way(balls())
         return ball(-180 * quantity.stroke * self.arc.curvature)

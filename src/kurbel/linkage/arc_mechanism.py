@@ -199,7 +199,7 @@ class Speech:
             inner=printed(partial(drive.dead_angle, OUT), angle),
             outer=printed(outer, angle),
             swing=printed(drive.swing, angle),
-            stroke=printed(drive.arc_stroke, share),
+            stroke=printed(drive.way, share),
             times=printed(drive.time_ratio, share),
             least=printed(drive.least_transmission, angle),
         )
@@ -312,6 +312,10 @@ class RockerMechanism(LinkageMechanism):
 
     def loaded_notes(self, drives: Sequence[Any], lang: str) -> Sequence[Label]:
         return self.speech.engine_notes(drives, lang)
+
+    def lengths(self, drive: RockerCrank) -> list[Label]:
+        """Return the lengths of a drive with their letters."""
+        return self.speech.links(drive)
 
     def rod_notes(self, drives: Sequence[Any], lang: str) -> Iterable[Label]:
         yield from super().rod_notes(drives, lang)

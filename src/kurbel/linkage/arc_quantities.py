@@ -87,24 +87,24 @@ def arc_registry() -> Mapping[str, Quantity]:
 
 
 def _arc_entries() -> Iterator[Quantity]:
-    yield _entry(
+    yield headed_entry(
         "path", "Weg auf dem Bogen|Path along the arc", "x", "R", Formula(_path),
         of=STROKE, names=("path", "x"), rises=True,
     )  # fmt: skip
-    yield _sized(
+    yield sized_entry(
         "path_mm", "Weg auf dem Bogen|Path along the arc", "x", "mm", Formula(_path), Crank.millimetres,
         needs="length", of=STROKE,
     )  # fmt: skip
-    yield _entry("velocity", "Geschwindigkeit|Velocity", "c", "v", _VELOCITY, names=("velocity", "c"))
-    yield _sized("velocity_mps", "Geschwindigkeit|Velocity", "c", "m/s", _VELOCITY, Crank.pin_velocity)
-    yield _sized(
+    yield headed_entry("velocity", "Geschwindigkeit|Velocity", "c", "v", _VELOCITY, names=("velocity", "c"))
+    yield sized_entry("velocity_mps", "Geschwindigkeit|Velocity", "c", "m/s", _VELOCITY, Crank.pin_velocity)
+    yield sized_entry(
         "acceleration_mps2", "Beschleunigung|Acceleration", "p", "m/s²", _ACCELERATION, Crank.pin_acceleration
     )
-    yield _entry(
+    yield headed_entry(
         "acceleration", "Beschleunigung|Acceleration", "p", "v²/R", _ACCELERATION, "$(p R)/v^2$",
         names=("acceleration", "p"),
     )  # fmt: skip
-    yield _entry(
+    yield headed_entry(
         "rocker",
         "Schwingenwinkel|Rocker angle",
         "θ",
@@ -113,17 +113,17 @@ def _arc_entries() -> Iterator[Quantity]:
         names=("rocker", "θ"),
         rises=True,
     )
-    yield _entry(
+    yield headed_entry(
         "rod", "Schubstangenwinkel|Rod angle", "ψ", "°", Formula(lambda at: _slant(at) - _rocker(at))
     )
-    yield _entry("slant", "Stange gegen Bogen|Rod against arc", "τ", "°", Formula(_slant, "", (_TAU,)))
+    yield headed_entry("slant", "Stange gegen Bogen|Rod against arc", "τ", "°", Formula(_slant, "", (_TAU,)))
     for key, name, letter, kernel in (
         ("chord", "Sehne des Weges|Chord of the path", "q", linkage.chord),
         ("slide_path", "Weg längs der Schubrichtung|Path along the slide", "x_s", linkage.slide_path),
         ("rise", "Weg quer zur Schubrichtung|Path across the slide", "y_s", linkage.rise),
     ):
-        yield _entry(key, name, letter, "R", _of(kernel), of=STROKE)
-    yield _entry(
+        yield headed_entry(key, name, letter, "R", _of(kernel), of=STROKE)
+    yield headed_entry(
         "turn", "Drehung der Schwinge|Turn of the rocker", "ϑ", "°", Formula(lambda at: abs(_turned(at)))
     )
     for key, name, letter, velocity, acceleration, said in (
@@ -138,24 +138,24 @@ def _arc_entries() -> Iterator[Quantity]:
     ):  # fmt: skip
         de, en = name.split("|")
         speed = f"Winkelgeschwindigkeit {de}|Angular velocity {en}"
-        yield _entry(
+        yield headed_entry(
             f"{key}_velocity", speed, f"ω_{letter}", "ω", velocity, names=(f"{key}_velocity",), direction=said
         )
         gain = f"Winkelbeschleunigung {de}|Angular acceleration {en}"
-        yield _entry(
+        yield headed_entry(
             f"{key}_acceleration", gain, f"ε_{letter}", "ω²", acceleration,
             names=(f"{key}_acceleration",), direction=said,
         )  # fmt: skip
         turning, twice = angular_velocity, angular_square
-        yield _sized(
+        yield sized_entry(
             f"{key}_velocity_radps", speed, f"ω_{letter}", "rad/s", velocity, turning, direction=said
         )
-        yield _sized(
+        yield sized_entry(
             f"{key}_acceleration_radps2", gain, f"ε_{letter}", "rad/s²", acceleration, twice, direction=said
         )
 
 
-def _entry(
+def headed_entry(
     key: str, name: str, letter: str, unit: str, formula: Formula, heading: str = "", **rest: Any
 ) -> Quantity:
     """An entry, headed by letter and unit unless another head is given."""
@@ -168,7 +168,7 @@ def _entry(
     return spanned(key, name, symbol, heading, unit, decimals, {"exact": formula}, **rest)
 
 
-def _sized(
+def sized_entry(
     key: str, name: str, letter: str, unit: str, formula: Formula, scale: Callable[..., Any],
     needs: str = "speed", **rest: Any,
 ) -> Quantity:  # fmt: skip

@@ -15,7 +15,6 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel import kinematics
-from kurbel.linkage.rocker import RockerCrank
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.notes import size_notes, turns_label
@@ -32,6 +31,7 @@ NAMES: Mapping[str, Words] = {
     "offset": words("geschränkter Kurbeltrieb|offset crank"),
     "arc": words("Bogenschubkurbel|arc crank"),
     "beam": words("Balanciermaschine|beam engine"),
+    "slotted": words("Kurbelschleife|slotted lever"),
 }
 WORDS: Mapping[str, Words] = {
     "angles": words(
@@ -53,6 +53,10 @@ WORDS: Mapping[str, Words] = {
         " Balancier"
         "|The slide direction is the vertical through the shaft; $S$ along the arc, $μ$ between rod and beam"
     ),
+    "slotted": words(
+        "$S$ des Stößels, $μ$ zwischen Stange und Senkrechter zur Schubrichtung"
+        "|$S$ of the ram, $μ$ between the rod and the square to the slide"
+    ),
 }
 
 
@@ -64,7 +68,7 @@ def drives_of(chosen: Mechanism, said: Described, ratios: Sequence[str]) -> tupl
     if chosen.name not in NAMES:
         *others, last = (mechanism(name).title for name in NAMES)
         raise ProblemError(
-            f"{chosen.title} has no stroke between dead centres; {', '.join(others)} and {last} have one"
+            f"dead centres of {chosen.title} are not computed; those of {', '.join(others)} and {last} are"
         )
     drives = chosen.drives(said, ratios)
     if not drives or isinstance(drives[0], Crank) or said.speed is None:
@@ -76,7 +80,7 @@ def drives_of(chosen: Mechanism, said: Described, ratios: Sequence[str]) -> tupl
 class Ends(NamedTuple):
     """A drive and the dead centres between which it moves, on a kind of number."""
 
-    drive: Crank | RockerCrank
+    drive: Any
     kind: Kind
 
     def inner(self) -> Any:
@@ -115,7 +119,7 @@ class Ends(NamedTuple):
     def stroke(self) -> Any:
         """Return the way between the dead centres in units of R: of an arc crank along its arc."""
         drive = self.drive
-        return drive.stroke(self.kind) if isinstance(drive, Crank) else drive.arc_stroke(self.kind)
+        return drive.stroke(self.kind) if isinstance(drive, Crank) else drive.way(self.kind)
 
     def stroke_mm(self) -> Any:
         """Return the same in millimetres."""
@@ -123,12 +127,11 @@ class Ends(NamedTuple):
 
     def swing(self) -> Any:
         """Return the angle in degrees through which the rocker of an arc crank swings."""
-        assert isinstance(self.drive, RockerCrank)
         return self.drive.swing(self.kind)
 
     def transmission(self) -> Any:
         """Return the least angle in degrees between the rod and what guides its end."""
-        if isinstance(self.drive, RockerCrank):
+        if not isinstance(self.drive, Crank):
             return self.drive.least_transmission(self.kind)
         crank = self.drive
         return 90 - self.kind.arc(self.kind.of(crank.ratio * (1 + abs(crank.offset))))
@@ -230,12 +233,12 @@ def _notes(question: DeadCentresRequest) -> Iterator[Label]:
     yield from dict.fromkeys(line for drive in drives for line in _sizes(question, drive))
 
 
-def _sizes(question: DeadCentresRequest, drive: Crank | RockerCrank) -> Iterator[Label]:
+def _sizes(question: DeadCentresRequest, drive: Any) -> Iterator[Label]:
     """Yield the lines with what was given of a drive beside its ratio."""
     crank = drive.crank
-    if isinstance(drive, RockerCrank):
+    if not isinstance(drive, Crank):
         moved: Any = mechanism(question.mechanism)
-        yield ", ".join(moved.speech.links(drive))
+        yield ", ".join(moved.lengths(drive))
     elif crank.offset:
         yield f"$e = {figure(crank.offset)} R$"
     if crank.radius is None:

@@ -50,13 +50,16 @@ class Stand(NamedTuple):
 
 class Outline(NamedTuple):
     """What does not move: the shafts, about each of which a crank turns, and how far links reach to the left
-    and to the right; `stand` is of the place of the crank pin."""
+    and to the right, down and up; `stand` is of the place of the crank pin. About `pivots` links turn."""
 
     title: Words
     shafts: tuple[Point, ...]
     left: float
     right: float
     stand: Callable[[Point], Stand]
+    low: float = -1.0
+    high: float = 1.0
+    pivots: tuple[Point, ...] = ()
 
 
 class Linkage(ABC):

@@ -70,10 +70,10 @@ class RockerCrank(Linkage):
         return 2 * kind.arc(linkage.half_sine(arc.sine, arc.cosine))
 
     def swing(self, kind: Kind) -> Any:
-        """Return the rocker's swing in degrees; its way along the arc is `arc_stroke`."""
+        """Return the rocker's swing in degrees; its way along the arc is `way`."""
         return abs(2 * kind.arc(linkage.swing_half_sine(*self._dead_centres(kind))))
 
-    def arc_stroke(self, kind: Kind) -> Any:
+    def way(self, kind: Kind) -> Any:
         """Return the way of the rod's end along its arc between the dead centres, in units of R."""
         return self.swing(kind) * kind.pi / 180 * kind.of(self.rocker)
 
@@ -143,7 +143,7 @@ class MovedRocker(Moved):
     def __init__(self, drive: RockerCrank, kind: Kind) -> None:
         self.drive, self.kind = drive, kind
         self.arcs = [drive.dead_centre(stroke, kind) for stroke in (OUT, RETURN)]
-        self.length = drive.arc_stroke(kind)
+        self.length = drive.way(kind)
         self._dead_angles = [drive.dead_angle(stroke, kind) / 180 for stroke in (OUT, RETURN)]
         self._last: tuple[int, Any, Place[Any]] | None = None
 

@@ -228,11 +228,11 @@ def links_scene(drive: Linkage, angles: Sequence[float] = TURN) -> Scene | None:
     if outline is None:
         return None
     return Scene(
-        low=(outline.left - 0.3, -1.3),
-        high=(outline.right + 0.3, 1.3),
+        low=(outline.left - 0.3, outline.low - 0.3),
+        high=(outline.right + 0.3, outline.high + 0.3),
         fixed=(
             *links_fixed(outline, BEYOND, 0.3),
-            *(Line("bearing", (shaft,)) for shaft in outline.shafts),
+            *(Line("bearing", (shaft,)) for shaft in (*outline.shafts, *outline.pivots)),
         ),
         **_joints(lambda angle: outline.stand(crank_pin(angle)), angles),
     )

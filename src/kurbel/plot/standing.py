@@ -126,8 +126,8 @@ class Standing(ABC):
                     sketch.light_links(chain, one.pins, self.shafts)
             self.dimensions(sketch, float(angles[0]))
             self.strong(sketch, stands[0], pins[0])
-            pin, end = stands[0].links["rod"]
-            draw_paths(sketch, paths, pin, end, mark)
+            if paths:
+                draw_paths(sketch, paths, *stands[0].links["rod"], mark)
             sketch.beside_points(self.names(sketch.mm), CLEAR)
             several = zip(pins, angles, strict=True) if len(pins) > 1 else ()
             sketch.beside_points([(pin, pin, degrees(angle, mark)) for pin, angle in several])
@@ -345,7 +345,7 @@ class LinksStanding(Standing):
     """A drive by what it says of its outline: cranks turn from the line of shafts."""
 
     def __init__(self, outline: Outline) -> None:
-        self.outline, self.shafts = outline, outline.shafts
+        self.outline, self.shafts = outline, (*outline.shafts, *outline.pivots)
         self.usual = (WIDTH - 2 * BESIDE) / (outline.right - outline.left)
 
     def stand(self, angle: float) -> Stand:
@@ -353,11 +353,12 @@ class LinksStanding(Standing):
 
     def corners(self, side: int, mm: float) -> tuple[Point, Point]:
         left, right = self.outline.left - BESIDE * mm, self.outline.right + BESIDE * mm
-        return (left, -1 - (OUTSIDE + DIMENSIONS) * mm), (right, 1 + OUTSIDE * mm)
+        low, high = self.outline.low, self.outline.high
+        return (left, low - (OUTSIDE + DIMENSIONS) * mm), (right, high + OUTSIDE * mm)
 
     def fixed(self, sketch: Sketch) -> None:
         beyond = SHAFT_OVERRUN * sketch.mm
-        draw_fixed(sketch, links_fixed(self.outline, 1 + beyond, beyond), self.shafts)
+        draw_fixed(sketch, links_fixed(self.outline, 1 + beyond, beyond), self.outline.shafts)
 
     def dimensions(self, sketch: Sketch, angle: float) -> None:
         """Draw φ and R of the first crank, the letters of links, and lengths along the line of shafts."""

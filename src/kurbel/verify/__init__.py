@@ -18,10 +18,11 @@ from kurbel.verify.bodies import Bodies, bodies
 from kurbel.verify.drives import Drive, drive
 from kurbel.verify.loads import Load, compressor, gas, pump, steam
 from kurbel.verify.numbers import Number, Undecided
+from kurbel.verify.slotted import SlottedLever
 from kurbel.verify.turn import Turn, turn
 from kurbel.verify.value import CONFIRMED, UNDECIDED, WRONG, Value
 
 __all__ = [
-    "CONFIRMED", "UNDECIDED", "WRONG", "Bodies", "Drive", "Load", "Number", "Turn", "Undecided", "Value",
-    "bodies", "compressor", "drive", "gas", "pump", "steam", "turn",
+    "CONFIRMED", "UNDECIDED", "WRONG", "Bodies", "Drive", "Load", "Number", "SlottedLever", "Turn",
+    "Undecided", "Value", "bodies", "compressor", "drive", "gas", "pump", "steam", "turn",
 ]  # fmt: skip

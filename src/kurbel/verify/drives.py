@@ -79,6 +79,9 @@ class Drive(Places):
             return _parallel(name, self.pin(place.degrees, 2 + more, place.reach))
         if name in _OF_DRIVE:
             return _OF_DRIVE[name](self)
+        if name == "slot_velocity":
+            # The pin's way in the slot of a Scotch yoke, which moves as a piston with an infinite rod.
+            return self.pin(place.degrees, 1 + more, place.reach).y.derived()
         if name == "time":
             return (place.angle - self.dead_degrees(stroke)) * pi() / 180 / self.omega
         if name in _FORCES:
@@ -340,6 +343,11 @@ _OF_DRIVE: dict[str, Callable[[Drive], Number]] = {
     "c_m": lambda drive: drive.stroke / pi(),
     "v_c_m": lambda drive: pi() / drive.stroke,
 }
+# Of a slotted lever and a Scotch yoke alone.
+_SLOTTED = (
+    "lever", "lever_velocity", "lever_acceleration", "block_velocity", "coriolis", "block_force",
+    "slot_velocity",
+)  # fmt: skip
 _FORCES = ("rod_force", "guide_force", "tangential_force", "radial_force", "torque")
 # What is a slope of what.
 _SLOPES = {
@@ -360,6 +368,6 @@ _POINTS = [
 ]
 _COUPLER = ("path", "velocity", "acceleration", "rise", "rise_velocity", "rise_acceleration")
 _NAMES = (
-    *_OF_DRIVE, *_FORCES, *_SLOPES, *_POINTS, *(f"coupler_{one}" for one in _COUPLER),
+    *_OF_DRIVE, *_FORCES, *_SLOPES, *_SLOTTED, *_POINTS, *(f"coupler_{one}" for one in _COUPLER),
     *("time", "fd", "psi", "rod", "turn", "rocker", "slant", "chord", "slide_path", "rise"),
 )  # fmt: skip

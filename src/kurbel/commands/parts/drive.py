@@ -50,7 +50,11 @@ class Linked(OnMachine):
         "Crank ratio: 1:5, 1:4,5, 0.2; lists '1:4;1:5' and ranges 1:3..6:0.5; 1:∞ is the infinite rod.",
         "R:L", short="-r", many=True,
     )  # fmt: skip
-    offset = amount("Offset crank: e as a share of R, or as a length with --stroke.", "E", unit="R")
+    offset = amount(
+        "Offset crank: e as a share of R, or as a length with --stroke. Of a slotted lever that of the ram's"
+        " line from the shaft, away from the pivot.",
+        "E", unit="R",
+    )  # fmt: skip
     stroke = amount(
         "2R: 600mm; or R, crank:300mm. Of an offset crank, whose piston goes further, also by its way,"
         " true:600mm, from which R follows with --rod or --ratio.",
@@ -64,7 +68,8 @@ class Linked(OnMachine):
     rod = amount("Rod length L, which with --stroke gives the ratio: 1500mm.", "LENGTH", unit="m")
     mechanism = word(registered.described(), kind=Choice("mechanism", MECHANISMS), topic="linkage")
     rocker = amount(
-        "Arc crank: length of the rocker in units of R, or a length with --stroke.",
+        "Arc crank: length of the rocker in units of R, or a length with --stroke. Of a slotted lever that of"
+        " its arm, to the rod of the ram; default: as long as the block needs.",
         "B",
         unit="R",
         topic="linkage",
@@ -72,12 +77,12 @@ class Linked(OnMachine):
     pivot = amount(
         "Arc crank: the rocker's pivot along and across the slide, in units of R or as lengths; default:"
         " as far as the rod is long, and B above the slide line. With 'D;0' angles count from the line of"
-        " centres, as of a four-bar.",
+        " centres, as of a four-bar. Of a slotted lever how far it is from the shaft, square to the slide.",
         "D;H", unit="R", whole=True, topic="linkage",
     )  # fmt: skip
     circuit = amount(
         "Arc crank: 1 or -1, the two ways to assemble the links; default 1. Of a four-bar with its pivot at"
-        " 'D;0' the open one is -1.",
+        " 'D;0' the open one is -1. Of a slotted lever -1 has the ram behind it on the outstroke.",
         "WAY", topic="linkage",
     )  # fmt: skip
 
