@@ -70,6 +70,12 @@ def test_the_zero_of_the_page_shifts_what_is_printed_and_not_the_place() -> None
     assert [Fraction(row["phi"]) - 90 for row in rows] == [Fraction(row["phi"]) for row in shifted]
 
 
+def test_every_point_of_a_sweep_has_its_own_angles() -> None:
+    found = printed("sweep", "table", "--ratio=1:4;1:5", "--angle=c=max", "-f", "csv", "-o", "-").records()
+    assert [row["p"] for row in found] == ["0"] * 4
+    assert len({row["phi"] for row in found}) == 4
+
+
 def test_an_unknown_is_at_such_an_angle() -> None:
     words = ("--stroke=300mm", "--rod=600mm", "--where=p=10 m/s²", "--angle=s=10%", "--digits=6", "-f=csv")
     (row,) = printed("solve", "--unknown=speed", *words).records()

@@ -22,7 +22,17 @@ from kurbel.exact.certify import NEVER_TIES, at_bits, ball, rounded
 from kurbel.exact.jet import Jet
 from kurbel.exact.numerals import Label, Number, figures
 from kurbel.exact.search import isolate
-from kurbel.page.axes import PHI, Axis, ColumnAxis, ListAxis, Place, angle_decimals, angle_number, angle_text
+from kurbel.page.axes import (
+    PHI,
+    Axis,
+    ColumnAxis,
+    ListAxis,
+    Place,
+    angle_decimals,
+    angle_number,
+    angle_text,
+    method_of,
+)
 from kurbel.page.quantity import Column, Formula, Quantity, Words, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
@@ -282,7 +292,7 @@ def _angle_axis(question: UnknownRequest) -> ListAxis:
     decimals = angle_decimals(angles)
     return ListAxis(
         angles,
-        Field("phi", PHI[question.lang], "$φ$", "°", decimals),
+        Field("phi", PHI[question.lang], "$φ$", "°", decimals, method_of(angles)),
         lambda angle: angle_number(angle, decimals),
         lambda angle: f"$φ = {angle_text(angle)}$",
     )

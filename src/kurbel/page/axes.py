@@ -197,7 +197,8 @@ class AngleAxis(Axis):
         return angle_decimals(self.all)
 
     def field(self) -> Field:
-        return Field("phi", PHI[self.lang], f"${self.layout.angle_symbol}$", "°", self.decimals)
+        symbol = f"${self.layout.angle_symbol}$"
+        return Field("phi", PHI[self.lang], symbol, "°", self.decimals, method_of(self.all))
 
     def value(self, place: Place) -> Number:
         return angle_number(self.all[place["angle"]], self.decimals)
@@ -289,6 +290,12 @@ def angle_decimals(angles: Sequence[Fraction]) -> int | None:
     counts = [_decimals(angle) for angle in ends]
     known = [count for count in counts if count is not None]
     return max(known) if len(known) == len(counts) else None
+
+
+def method_of(angles: Sequence[Fraction]) -> str:
+    """Return by which formulas angles are computed at which something holds; those that are given are not."""
+    given = isinstance(angles, Progression) or not any(isinstance(one, Found) for one in angles)
+    return "" if given else "exact"
 
 
 def angle_number(angle: Fraction, decimals: int | None) -> Number:

@@ -160,9 +160,16 @@ def left_of(command: Command, options: Values) -> dict[str, object]:
     return {name: value for name, value in given.items() if name == "time_ratio" or trial.says(name)}
 
 
+def _each(given: object) -> Sequence[object]:
+    return given if isinstance(given, list | tuple) else [given]
+
+
 def values_of(option: Option[object], given: object) -> Sequence[Any]:
     """Return the values that an option was given, each as the command takes it. Raises NotationError."""
     if isinstance(given, bool) or not is_given(given):
+        return (given,)
+    if option.name == "angle" and any("=" in str(one) for one in _each(given)):
+        # What holds at crank angles, of which every point has its own.
         return (given,)
     if option.whole and option.many:
         return (option.taken(given),)
@@ -272,7 +279,7 @@ def _grouped(axes: Sequence[Axis], linked: Iterable[str | Sequence[str]]) -> tup
 
 def _with_angles(plan: Plan, order: Sequence[str]) -> Plan:
     """Return the plan with the crank angles of the command's page as an axis, where it has such."""
-    question = next(questions(plan), None)
+    question = None if plan.held else next(questions(plan), None)
     if question is None or not any(isinstance(axis, AngleAxis) for axis in question.axes.values()):
         return plan
     if axis := plan.axes.get("angle"):

@@ -100,6 +100,13 @@ class Plan:
         return {axis.option: axis for group in self.groups for axis in group}
 
     @property
+    def held(self) -> bool:
+        """Whether crank angles are given by what holds there, so that every point has its own."""
+        given = self.given.get("angle")
+        several = given if isinstance(given, list | tuple) else [given]
+        return any(isinstance(one, str) and "=" in one for one in several)
+
+    @property
     def carded(self) -> bool:
         """Whether an indicator card is among what is given."""
         cylinders = self.given.get("cylinder")

@@ -24,7 +24,7 @@ from kurbel.sweeps.records import First, Pointwise, first_of, questions
 def way_of(asked: Asked) -> Way:
     """Return how the rows of a plan are computed."""
     plan, found = asked.plan, [*questions(asked.plan)]
-    if any(column.role == GIVEN for column in asked.columns):
+    if plan.held or any(column.role == GIVEN for column in asked.columns):
         # It stands in the records alone.
         return Pointwise(asked)
     if asked.each == 1 and is_motion(plan, found[0]):
