@@ -71,6 +71,11 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
                 " arc crank and of the beam engine"
             )
         if not chosen.crosshead:
+            if self.says("acceleration"):
+                raise ProblemError(
+                    f"{chosen.title} with its masses is computed for a crank that turns evenly; leave"
+                    " --acceleration out"
+                )
             return self._rocker(chosen)
         page = self.page("inertia", *INERTIA)
         if page.subject in MASSES:

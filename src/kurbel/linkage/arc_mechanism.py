@@ -344,6 +344,7 @@ class Arc(RockerMechanism):
         "stroke",
         "rod",
         "speed",
+        "acceleration",
         "offset",
         "rocker",
         "pivot",

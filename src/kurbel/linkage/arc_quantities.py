@@ -60,6 +60,17 @@ def _by_rocker(kernel: Callable[..., Any]) -> Formula:
     return Formula(lambda at: kernel(at.place, at.arc) / at.numbers.of(at.drive.rocker))
 
 
+def _gaining(even: Formula, velocity: Formula) -> Formula:
+    """Return the formula of an acceleration, to which comes what the crank's own acceleration adds to it: so
+    much of the velocity."""
+
+    def kernel(at: At) -> Any:
+        found = even.kernel(at)
+        return found if at.gain is None else found + at.gain * velocity.kernel(at)
+
+    return even._replace(kernel=kernel)
+
+
 _PATHS: dict[str, Formulas] = {
     "path": {
         "exact": Formula(_path, "{part} $x = B (θ_i - θ)$"),
@@ -72,10 +83,13 @@ _PATHS: dict[str, Formulas] = {
 }
 _PATHS |= {f"{key}_mm": formulas for key, formulas in _PATHS.items()}
 _VELOCITY = _of(linkage.velocity, "$c/v = (sin(ζ + τ))/(cos τ)$", (_ZETA, _TAU))
-_ACCELERATION = _of(
-    linkage.acceleration,
-    "$(p R)/v^2 = cos ζ {±} λ (cos^2 ζ)/(cos^3 τ) - (sin ζ {β±} β c^2/v^2) tan τ$",
-    (_ZETA, _TAU, "$λ = R/L$", "$β = R/B$"),
+_ACCELERATION = _gaining(
+    _of(
+        linkage.acceleration,
+        "$(p R)/v^2 = cos ζ {±} λ (cos^2 ζ)/(cos^3 τ) - (sin ζ {β±} β c^2/v^2) tan τ$",
+        (_ZETA, _TAU, "$λ = R/L$", "$β = R/B$"),
+    ),
+    _VELOCITY,
 )
 
 
@@ -141,7 +155,10 @@ def _arc_entries() -> Iterator[Quantity]:
         yield headed_entry(
             f"{key}_velocity", speed, f"ω_{letter}", "ω", velocity, names=(f"{key}_velocity",), direction=said
         )
-        gain = f"Winkelbeschleunigung {de}|Angular acceleration {en}"
+        gain, acceleration = (
+            f"Winkelbeschleunigung {de}|Angular acceleration {en}",
+            _gaining(acceleration, velocity),
+        )
         yield headed_entry(
             f"{key}_acceleration", gain, f"ε_{letter}", "ω²", acceleration,
             names=(f"{key}_acceleration",), direction=said,

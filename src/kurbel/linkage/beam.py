@@ -257,7 +257,7 @@ class Beam(RockerMechanism):
     title = BeamCrank.title
     layout = "beam"
     forces_layout = "forces-beam"
-    takes = ("ratio", "stroke", "rod", "speed", "beam", "rocker_inertia", "method")
+    takes = ("ratio", "stroke", "rod", "speed", "acceleration", "beam", "rocker_inertia", "method")
     speech = SPEECH
     names = NAMES
 

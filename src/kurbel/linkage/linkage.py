@@ -11,7 +11,7 @@ from typing import Any, ClassVar, NamedTuple
 
 from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
-from kurbel.drive.load import FORCE
+from kurbel.drive.load import FORCE, figure
 from kurbel.drive.mechanisms import LINKAGES, MECHANISMS
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, Number
@@ -29,7 +29,7 @@ from kurbel.motion.page import CURVES, AngleQuestion, check_pairs, long_records
 from kurbel.motion.quantities import Force
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
-from kurbel.page.quantity import Column, Formula, Quantity, Words, enumerated, filled, for_ratio
+from kurbel.page.quantity import Column, Formula, Quantity, Words, enumerated, filled, for_ratio, words
 from kurbel.page.subject import Subject, subject
 
 Point = tuple[float, float]
@@ -254,6 +254,17 @@ def formula_line(formulas: Sequence[Formula]) -> Label:
     return ", ".join(filter(None, dict.fromkeys((*printed, *symbols))))
 
 
+GAIN = words(
+    ", zu jeder Beschleunigung kommt $α/ω^2$ mal die Geschwindigkeit"
+    "|, to every acceleration comes $α/ω^2$ times the velocity"
+)
+
+
+def gain_label(crank: Crank, lang: str) -> Label:
+    """Return the angular acceleration of a crank, and what it adds."""
+    return f'$α = {figure(crank.acceleration)} "rad/s"^2${GAIN[lang]}'
+
+
 def force_lines(
     question: LinkageRequest, force: Words, named: Mapping[str, Words] = MappingProxyType({})
 ) -> Iterator[Label]:
@@ -272,6 +283,8 @@ def force_lines(
     sizes = size_notes(question.cranks)
     if first.speed is not None and any(one.needs == "speed" for one in shown):
         sizes.append(turns_label(first.speed))
+    if first.acceleration:
+        sizes.append(gain_label(first, lang))
     yield from sizes
     yield from force_notes(question.cranks, lang)
     if first.moving is not None:
@@ -339,6 +352,8 @@ class LinkageMechanism(Mechanism):
         yield from size_notes(one.crank for one in drives)
         if (speed := drives[0].crank.speed) is not None:
             yield turns_label(speed)
+        if drives[0].crank.acceleration:
+            yield gain_label(drives[0].crank, lang)
 
     def solved(self, drives: Sequence[Linkage], method: str | None) -> tuple[Drive, ...]:
         return tuple(LinkageDrive(one, self.layout) for one in drives)

@@ -232,6 +232,11 @@ class Masses(MovingRod, Weight):
         speed = self.as_part(Speed).speed
         heavy = [replace(crank, speed=speed, moving=moving) for crank in cranks]
         if self.says("acceleration") and not even:
+            if not chosen.crosshead:
+                raise ProblemError(
+                    f"{chosen.title} with its masses is computed for a crank that turns evenly; leave"
+                    " --acceleration out"
+                )
             from kurbel.drive.at import acceleration_of
 
             gain = acceleration_of(self.raw("acceleration"), speed)
