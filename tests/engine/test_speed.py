@@ -139,6 +139,12 @@ def test_card_of_the_ideal_engine_has_its_speed_and_time(masses: str, wheel: str
     for card, ideal in zip(by_card, numbers(f"turning {steam} {asked}"), strict=True):
         assert_allclose([card[key] for key in ideal], [*ideal.values()], rtol=1e-6, atol=1.1e-6)
         assert masses or card["time_error"] < 1e-8
+    extremes = f"{wheel} {speed} --columns speed_min,speed_max --digits 5 {masses}"
+    (card,), (ideal,) = (
+        numbers(f"delta --card {CARDS / 'ideal-2.csv'} {extremes}"),
+        numbers(f"delta {steam} {extremes}"),
+    )
+    assert_allclose([card["speed_min"], card["speed_max"]], [*ideal.values()], atol=2e-5)
 
 
 def test_bounds_of_the_flywheel_are_where_the_speed_vanishes() -> None:

@@ -114,6 +114,7 @@ def test_numba_is_taken_once_arrays_have_taken_as_long_as_loading_it(monkeypatch
     assert loops.chosen([sine], 0, loops.FEWEST - 1, None) is None
     assert loops.chosen([sine], 0, 1, True) is not None
     assert loops.chosen([sine], 0, 10**9, False) is None
+    assert [loops.pays("a loop", 1, fast) for fast in (True, False, None)] == [True, False, False]
 
 
 def broken() -> Any:

@@ -157,7 +157,7 @@ def angles(texts: Iterable[str], repeated: bool = False) -> Sequence[Fraction]:
     """
     parts = [*parts_of(texts, angle, "angle")]
     if len(parts) == 1 and ".." in parts[0]:
-        return _read(parts[0], angle, _angle_range)
+        return _read(parts[0], angle, _angle_range, lists=False)
     values = _values(parts, angle, _angle_range, LONGEST_ANGLE_LIST, "angles in a list", repeated)
     return values if repeated else tuple(dict.fromkeys(values))
 
@@ -221,7 +221,7 @@ def _read(
     part: str,
     one: Callable[[str], Fraction],
     several: Callable[[str], Sequence[Fraction]],
-    lists: bool = False,
+    lists: bool,
 ) -> Sequence[Fraction]:
     """Return the values of a part; raise NotationError, for a range of another spelling with ours."""
     try:
