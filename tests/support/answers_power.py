@@ -244,3 +244,74 @@ def cushioned_steam(
     mean = factor * (driving - resisting)
     power = 2 * mean * swept(bore, stroke) * turns(speed)
     return [{"mean_pressure": mean / BAR, "indicated_power": power / 1000}]
+
+
+def raised(low: mpf, high: mpf, exponent: mpf) -> mpf:
+    """Work on what fills the volume 1 at the lower pressure: the volume over the pressure."""
+    return quad(lambda at: (low / at) ** (1 / exponent), [low, high])
+
+
+@solution
+def drive_of_a_compressor(
+    ratio: mpf, suction: mpf, exponent: mpf, delivery: mpf, shape: mpf, speed: mpf, efficiency: mpf
+) -> Rows:
+    work, least = raised(suction, ratio * suction, exponent), raised(suction, ratio * suction, mpf(1))
+    bore = (delivery / turns(speed) / (pi / 4 * shape)) ** (mpf(1) / 3)
+    return [
+        {
+            "bore": bore * 1000,
+            "stroke": shape * bore * 1000,
+            "isothermal_efficiency": least / work,
+            "adiabatic_efficiency": raised(suction, ratio * suction, mpf("1.4")) / work,
+            "brake_power": work * delivery / efficiency / 1000,
+        }
+    ]
+
+
+@solution
+def free_air(
+    ratio: mpf, suction: mpf, warm: mpf, free: mpf, cold: mpf, exponent: mpf, clearance: mpf, bore: mpf,
+    stroke: mpf, speed: mpf,
+) -> Rows:  # fmt: skip
+    room = clearance * swept(bore, stroke)
+    sucked = swept(bore, stroke) + room - room * ratio ** (1 / exponent)
+    # In units of R: the mass of a stroke, and its volume as free air.
+    mass = suction * sucked / warm
+    volume = mass * cold / free
+    hot = suction * ratio * (1 / ratio) ** (1 / exponent) / (suction / warm)
+    return [
+        {
+            "volumetric_efficiency": sucked / swept(bore, stroke),
+            "free_efficiency": volume / swept(bore, stroke),
+            "free_delivery": 2 * volume * turns(speed) * 60,
+            "end_temperature": hot,
+        }
+    ]
+
+
+@solution
+def two_stages(
+    ratio: mpf, suction: mpf, exponent: mpf, clearance: mpf, delivery: mpf, shape: mpf, speed: mpf, warm: mpf
+) -> Rows:
+    part = 1 - 1 / exponent
+
+    def both(between: mpf) -> mpf:
+        # Cooled to its first temperature the air fills the volume suction/between.
+        return between**part + (ratio / between) ** part
+
+    least = findroot(lambda at: diff(both, at), ratio ** mpf("0.45"))
+    high = ratio * suction
+    work = raised(suction, least * suction, exponent) + raised(least * suction, high, exponent) / least
+    sucked = 1 + clearance - clearance * least ** (1 / exponent)
+    volume = delivery / turns(speed) / sucked
+    bore = (volume / (pi / 4 * shape)) ** (mpf(1) / 3)
+    return [
+        {
+            "bore": bore * 1000,
+            "second_bore": bore * 1000 / least ** mpf("0.5"),
+            "intermediate_pressure": least * suction / BAR,
+            "indicated_power": work * delivery / 1000,
+            "isothermal_efficiency": raised(suction, high, mpf(1)) / work,
+            "end_temperature": warm * least**part,
+        }
+    ]

@@ -30,6 +30,7 @@ UNITS = {
     "t": mpf(1000),
     "N": mpf(1),
     "kN": mpf(1000),
+    "K": mpf(1),
     "J": mpf(1),
     "kJ": mpf(1000),
     "W": mpf(1),

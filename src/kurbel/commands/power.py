@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import partial
 from typing import Any, TypeGuard
 
-from kurbel.commands.options import Choice, Option, alone, measure, word
+from kurbel.commands.options import Choice, Count, Option, alone, measure, word
 from kurbel.commands.part import CommandOptions, Values, flag_of
 from kurbel.commands.parts.drive import Linked, OnMachine, settle_sizes
 from kurbel.commands.parts.engine import Cylinder
@@ -34,6 +34,7 @@ from kurbel.page.subject import Question
 from kurbel.reading.given import (
     as_angles,
     as_flow,
+    as_free_air,
     as_length,
     as_number,
     as_power,
@@ -42,6 +43,7 @@ from kurbel.reading.given import (
     as_share,
     as_shares,
     as_speed,
+    as_temperature,
     as_velocity,
 )
 from kurbel.reading.notation import about
@@ -85,7 +87,8 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     sequence = (
         "mean_pressure working_strokes pressure back exponent clearance single_acting card ratio bore"
         " piston_rod tail_rod stroke speed power brake_power stroke_bore piston_speed cylinders"
-        " diagram_factor efficiency specific_volume delivery unknown"
+        " diagram_factor efficiency specific_volume delivery unknown stages"
+        " suction_temperature free_air"
     )
     in_short = (
         "power mean_pressure eps pressure card bore stroke speed machine cylinders efficiency brake_power"
@@ -126,6 +129,18 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     delivery = measure(
         as_flow, "Delivery of a compressor or a pump, in the state of suction, to find sizes: '2 m3/min'.",
         "FLOW", unit="m³/s", topic="compressor",
+    )  # fmt: skip
+    stages: Option[int] = Option(
+        "Stages of a compressor, with perfect intercooling and the best intermediate pressure: 2.", "N",
+        Count("stages", 1, 6), default=1, topic="compressor",
+    )  # fmt: skip
+    suction_temperature = measure(
+        as_temperature, "Temperature of suction of a compressor: 30°C, 303K.", "TEMPERATURE", unit="K",
+        topic="compressor",
+    )  # fmt: skip
+    free_air = measure(
+        as_free_air, "State of free air, in which --delivery then counts: '1.013bar 15°C'.", "STATE",
+        topic="compressor", whole=True,
     )  # fmt: skip
     unknown = word(
         "What is asked for of a power, a mean pressure or a delivery: eps, pressure, back, clearance,"
@@ -172,6 +187,8 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             return (
                 f"{flag} is for the power, and nothing tells it; add --bore, --stroke and --speed, or --power"
             )
+        if name in ("stages", "suction_temperature", "free_air"):
+            return f"{flag} is of a compressor; add --pressure-ratio"
         if name == "delivery":
             return f"{flag} is that of a compressor or a pump; add --pressure-ratio or --pump"
         if name == "working_strokes":
@@ -207,6 +224,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             brake_power=self.brake_power, stroke_bore=self.stroke_bore, piston_speed=self.piston_speed,
             cylinders=cylinders, piston_rod=self.piston_rod, tail_rod=self.tail_rod,
             unknown=self.unknown or "", delivery=self.delivery if self.says(*GIVING) else None,
+            **self._air(),
             efficiency=self.efficiency, diagram_factor=Fraction(1) if factor is None else factor,
             specific_volume=self._volume() if self.says("eps") or self.unknown == "eps" else None,
             ends=self.mean_pressure or (),
@@ -221,6 +239,20 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         if pressure is not None and pressure <= 0:
             raise ProblemError(f"{flag_of(name)} is {self.raw(name)}; it must be above 0")
         return duty(pressure=pressure, pressure_option=flag_of(name))
+
+    def _air(self) -> dict[str, Any]:
+        """Return what is given of the air of a compressor."""
+        if not self.says("pressure_ratio"):
+            return {}
+        free, warm = self.free_air, self.suction_temperature
+        if free is not None and (warm is None or not self.says("suction_pressure")):
+            missing = "--suction-pressure" if warm is not None else "--suction-temperature"
+            raise ProblemError(f"free air is compared with the state of suction; add {missing}")
+        return {"free_air": free, "suction_temperature": warm}
+
+    def _compressors(self) -> Sequence[Any]:
+        found: Sequence[Any] = super()._compressors()
+        return [replace(one, stages=self.stages) for one in found]
 
     def _count(self) -> int:
         """Return how many cylinders there are, one for each crank where these are given."""

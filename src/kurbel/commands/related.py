@@ -258,6 +258,8 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
     request = second.question
     duty, asked = request.duty, second.asked
     source = request.sources[0]
+    if getattr(getattr(source, "load", None), "stages", 1) > 1:
+        raise ProblemError("compressors in several stages are not computed a second time")
     if source.sought is not None:
         raise ProblemError("numbers of a load that are asked for are not computed a second time")
     if getattr(source, "carded", False):

@@ -285,6 +285,20 @@ POWER_TEXTS = {
         "$p_i = φ_d p_m$, Völligkeitsgrad des Diagramms $φ_d$ aus der Leistung"
         "|$p_i = φ_d p_m$, diagram factor $φ_d$ from the power"
     ),
+    "warm": words('Ansaugtemperatur $T_1 = {temperature} "K"$|suction temperature $T_1 = {temperature} "K"$'),
+    "free": words(
+        'freie Luft: ${pressure}$, ${temperature} "K"$|free air: ${pressure}$, ${temperature} "K"$'
+    ),
+    "stages": words(
+        "{stages} Stufen mit vollkommener Zwischenkühlung beim besten Zwischendruck $p_z$, ihre mittleren"
+        " Drücke zusammen auf den Kolben der ersten bezogen; alle mit ihrem Hub und ihrem schädlichen Raum"
+        "|{stages} stages with perfect intercooling at the best intermediate pressure $p_z$, their mean"
+        " pressures together on the piston of the first; all with its stroke and its clearance"
+    ),
+    "ideal_air": words(
+        '$N_"is" = p_1 V ln Π$, $N_"ad" = γ/(γ - 1) p_1 V (Π^((γ - 1)/γ) - 1)$ in einer Stufe, $γ = 1.4$'
+        '|$N_"is" = p_1 V ln Π$, $N_"ad" = γ/(γ - 1) p_1 V (Π^((γ - 1)/γ) - 1)$ in one stage, $γ = 1.4$'
+    ),
     "sought": words(
         "{symbol}: alle Werte {bounds}, mit denen das Gegebene gilt"
         "|{symbol}: all values {bounds} with which what is given holds"

@@ -194,6 +194,23 @@ def specific_volume(text: str, what: str) -> Fraction:
     return 1 / density(text, what) if dense else volume(text, what)
 
 
+def temperature(text: str, what: str) -> Fraction:
+    """Return an absolute temperature in K: "30 °C", "303K"."""
+    found = re.fullmatch(rf"\s*({BEFORE_UNIT})\s*(°\s*C|C|K)\s*", text) if len(text) <= _LONGEST else None
+    if found is None:
+        raise NotationError(f'{what} "{text[:40]}" cannot be read; write a temperature such as 30°C or 303K')
+    kelvin = number(found[1], what) + (0 if found[2] == "K" else Fraction("273.15"))
+    return _checked(kelvin, text, what, "K", 10**6)
+
+
+def free_air(text: str, what: str) -> tuple[Fraction, Fraction]:
+    """Return the pressure in Pa and the temperature in K of "1.013bar 15°C"."""
+    parts = text.replace(" °", "°").split()
+    if len(parts) != 2:
+        raise NotationError(f'{what} "{text[:40]}" is not a pressure and a temperature; write 1.013bar 15°C')
+    return replace(pressure, most=10**12)(parts[0], what), temperature(parts[1], what)
+
+
 def speed(text: str) -> Speed:
     """Return a speed of rotation: "120/min", "2 Hz", "720 deg/s" in turns, "12.5 rad/s" in radians."""
     example = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"

@@ -21,7 +21,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Number
 from kurbel.kernel.law import Between, Constant, Law, Polytrope, steady
-from kurbel.kernel.steam import expansion_work, power
+from kurbel.kernel.steam import expansion_work, logarithm, power
 from kurbel.reading.given import choose
 from kurbel.reading.notation import about, plain
 
@@ -32,6 +32,8 @@ DOUBLE, SINGLE, DIFFERENTIAL = KINDS = ("double", "single", "differential")
 LARGEST_HEAD = 10**6
 LARGEST_RATIO = 10**6
 LARGEST_LOSS = 10
+# The adiabatic exponent of air.
+AIR = Fraction(7, 5)
 
 
 class _Ends(NamedTuple):
@@ -71,8 +73,11 @@ class Compressor:
 
     The losses of the valves are shares of the pressures outside: in the cylinder it is p₁ (1 - ζ_s) at
     suction, p₂ (1 + ζ_d) at delivery. Q is p₁ times the piston's area. A single-acting piston has
-    `other_side` p₁ on its other face, by default p₁ itself. Valid for Π > 1, n > 0, as long as something is
-    delivered. Derived by us from p V^n = const; the volumetric efficiency is the textbook's.
+    `other_side` p₁ on its other face, by default p₁ itself. Of several `stages`, between which the air is
+    cooled down to its first temperature, the intermediate pressures are the best, with which all take the
+    same work: each raises the pressure by the root of Π; the strokes are those of the first stage. Valid for
+    Π > 1, n > 0, as long as something is delivered. Derived by us from p V^n = const; the volumetric
+    efficiency is the textbook's.
     """
 
     name: ClassVar[str] = COMPRESSOR
@@ -84,6 +89,7 @@ class Compressor:
     suction_loss: Fraction = Fraction(0)
     delivery_loss: Fraction = Fraction(0)
     other_side: Fraction = Fraction(1)
+    stages: int = 1
 
     def __post_init__(self) -> None:
         if self.ratio <= 1:
@@ -127,12 +133,42 @@ class Compressor:
 
     def mean(self, kind: Kind, **found: Any) -> Number:
         """Return the mean pressure that a stroke takes: η_v n/(n - 1) (Π'^((n - 1)/n) - 1), in the cylinder's
-        suction pressure; with `found` numbers in the place of ratio or clearance."""
+        suction pressure, of all stages on the piston of the first; with `found` numbers in the place of ratio
+        or clearance."""
         ends = self._ends(kind, **found)
-        return -ends.suction * ends.sucked() * ends.exponent * expansion_work(1 / ends.growth, ends.exponent)
+        return (
+            -self.stages
+            * ends.suction
+            * ends.sucked()
+            * ends.exponent
+            * expansion_work(1 / ends.growth, ends.exponent)
+        )
+
+    def isothermal(self, kind: Kind, **found: Any) -> Number:
+        """Return the work at the temperature of suction on what a stroke delivers, over p₁ and the volume
+        that it sweeps: v ln Π."""
+        ratio = found.get("ratio", kind.of(self.ratio))
+        return self.delivered(kind, **found) * logarithm(ratio)
+
+    def adiabatic(self, kind: Kind, **found: Any) -> Number:
+        """Return the same without heat, in one stage: v γ/(γ - 1) (Π^((γ - 1)/γ) - 1) with γ = 1.4 of air."""
+        ratio, part = found.get("ratio", kind.of(self.ratio)), 1 - 1 / AIR
+        return self.delivered(kind, **found) * (ratio ** kind.exponent(part) - 1) / kind.of(part)
+
+    def stage_ratio(self, kind: Kind, **found: Any) -> Number:
+        """Return by how many times a stage raises the pressure."""
+        ratio = found.get("ratio", kind.of(self.ratio))
+        return power(ratio, 1 if self.stages == 1 else kind.exponent(Fraction(1, self.stages)))
+
+    def heated(self, kind: Kind, **found: Any) -> Number:
+        """Return the temperature at the end of the compression of a stage, in that of suction."""
+        inside = kind.of((1 + self.delivery_loss) / (1 - self.suction_loss))
+        return power(self.stage_ratio(kind, **found) * inside, kind.exponent(1 - 1 / self.exponent))
 
     def _ends(self, kind: Kind, ratio: Any = None, clearance: Any = None) -> _Ends:
         inside = 1 - self.suction_loss, self.ratio * (1 + self.delivery_loss)
+        if self.stages > 1:
+            ratio = self.stage_ratio(kind, **({} if ratio is None else {"ratio": ratio}))
         raised, delivery = kind.of(inside[1] / inside[0]), kind.of(inside[1])
         if ratio is not None:
             raised, delivery = (

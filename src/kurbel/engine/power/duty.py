@@ -35,6 +35,8 @@ MOST_CYLINDERS = 24
 # What a quantity needs beside the variables in it.
 STEAMED, GIVES, EFFICIENT, FACTORED, UNITLESS = "steam", "delivery", "efficiency", "factor", "share"
 ASKED = "asked"
+AIRY, FREE, STAGED, WARM = "compressor", "free", "stages", "warm"
+HALF = Fraction(1, 2)
 # What a load has of its own, open as long as a number of it is sought, and its pressure then.
 MEAN, DELIVERED, OPEN_PRESSURE = "mean", "delivered", "open pressure"
 
@@ -50,7 +52,8 @@ class Duty:
     gives it. `specific_volume` in m³/kg is that of the steam at admission. The rods by their diameters in
     metres lessen the area of one end each, of a double-acting piston whose bore is given. Mean pressures that
     are given are `ends`: of all, or of the ends at the cover and at the crank. `delivery` is that of all
-    cylinders in m³/s, in the state of suction.
+    cylinders in m³/s, in the state of suction, or if that is given, of free air, by its pressure in Pa and
+    its temperature in K.
     """
 
     power: Fraction | None = None
@@ -65,6 +68,8 @@ class Duty:
     diagram_factor: Fraction = Fraction(1)
     unknown: str = ""
     delivery: Fraction | None = None
+    suction_temperature: Fraction | None = None
+    free_air: tuple[Fraction, Fraction] | None = None
     efficiency: Fraction | None = None
     specific_volume: Fraction | None = None
     cylinders: int = 1
@@ -150,6 +155,13 @@ class Duty:
             known[SPEED] = turns if self.speed.turns else turns / number(2, pi=1)
         return known
 
+    def freed(self) -> Term:
+        """Return what times a volume in the state of suction is that of free air, 1 where none is given."""
+        if self.free_air is None or self.pressure is None or self.suction_temperature is None:
+            return number(1)
+        pressure, temperature = self.free_air
+        return number(self.pressure * temperature / (pressure * self.suction_temperature))
+
     def to_brake(self, driven: bool) -> Term:
         """Return what times the indicated power is that at the shaft."""
         assert self.efficiency is not None
@@ -176,7 +188,7 @@ class Duty:
             found["--mean-pressure"] = made / number(self._of_ends() or 1), FACTOR
         if self.delivery is not None and isinstance(source, Acting):
             moved = variable(DELIVERED) if opened else Term(source.delivered)
-            found["--delivery"] = moved * swept / number(self.delivery), BORE
+            found["--delivery"] = moved * swept * self.freed() / number(self.delivery), BORE
         found["--power"] = made * swept / variable(POWER), POWER
         return found
 
@@ -314,6 +326,14 @@ class Found(NamedTuple):
         """Return what is delivered in a second in m³, in the state of suction."""
         return Term(self.acting.delivered) * self.swept() * self.rate()
 
+    def of_load(self, name: str) -> Term:
+        """Return what a compressor knows by a name."""
+        return Term(self.acting.of_load(name))
+
+    def ideal(self, name: str) -> Term:
+        """Return the power in W that takes so much of a stroke, in p₁ and the swept volume."""
+        return self.of_load(name) * self.of(PRESSURE) * self.swept() * self.rate()
+
     def sought(self) -> Term:
         """Return the number of the load that was asked for."""
         sought = self.acting.sought
@@ -382,6 +402,27 @@ def _entries() -> Iterator[Quantity]:
                  f"{STEAMED} {EFFICIENT}")  # fmt: skip
     yield _entry("delivery", "Fördermenge|Delivery", "$V$", "m³/min", Fraction(1, 60),
                  Found.delivery, GIVES)  # fmt: skip
+    yield _entry("free_delivery", "Fördermenge, freie Luft|Delivery of free air", "$V_f$", "m³/min",
+                 Fraction(1, 60), lambda found: found.delivery() * found.duty.freed(), FREE)  # fmt: skip
+    yield _entry("volumetric_efficiency", "Liefergrad|Volumetric efficiency", "$η_v$", "", 1,
+                 lambda found: found.of_load("volumetric_efficiency"), AIRY)  # fmt: skip
+    yield _entry("free_efficiency", "Liefergrad, freie Luft|Volumetric efficiency by free air", "$η_f$", "",
+                 1, lambda found: Term(found.acting.delivered) * found.duty.freed(), FREE)  # fmt: skip
+    yield _entry("isothermal_power", "isothermische Leistung|Isothermal power", '$N_"is"$', "kW",
+                 UNITS[POWER], lambda found: found.ideal("isothermal"), AIRY)  # fmt: skip
+    yield _entry("isothermal_efficiency", "isothermischer Wirkungsgrad|Isothermal efficiency", '$N_"is"/N_i$',
+                 "", 1, lambda found: found.of_load("isothermal") / found.mean(), AIRY)  # fmt: skip
+    yield _entry("adiabatic_efficiency", "adiabatischer Wirkungsgrad|Adiabatic efficiency", '$N_"ad"/N_i$',
+                 "", 1, lambda found: found.of_load("adiabatic") / found.mean(), AIRY)  # fmt: skip
+    yield _entry("intermediate_pressure", "Zwischendruck|Intermediate pressure", "$p_z$", "bar",
+                 UNITS[PRESSURE], lambda found: found.of(PRESSURE) * found.of_load("stage_ratio"),
+                 STAGED)  # fmt: skip
+    yield _entry("second_bore", "Bohrung der zweiten Stufe|Bore of the second stage", "$d_2$", "mm",
+                 UNITS[BORE], lambda found: found.of(BORE) / found.of_load("stage_ratio") ** HALF,
+                 STAGED)  # fmt: skip
+    yield _entry("end_temperature", "Temperatur der Verdichtung|Temperature of compression", "$T_2$", "K", 1,
+                 lambda found: number(found.duty.suction_temperature or 1) * found.of_load("heated"),
+                 WARM)  # fmt: skip
 
 
 def _variable(name: str, found: Found) -> Term:

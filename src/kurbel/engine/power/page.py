@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any
 
-from kurbel.drive.load import figure
+from kurbel.drive.load import COMPRESSOR, figure
 from kurbel.engine.captions import DRIVEN
 from kurbel.engine.digits import FLOAT_ERROR, supported
 from kurbel.engine.engine import Engine
@@ -15,15 +15,19 @@ from kurbel.engine.loads.texts import OF_STEAM
 from kurbel.engine.loads.words import LoadWords, best_back, valve_lines, words_of
 from kurbel.engine.page import LoadAxis
 from kurbel.engine.power.duty import (
+    AIRY,
     ASKED,
     EFFICIENT,
     FACTOR,
     FACTORED,
+    FREE,
     GIVES,
     POWER,
     PRESSURE,
+    STAGED,
     STEAMED,
     UNITLESS,
+    WARM,
     Duty,
     Found,
     lacking,
@@ -159,9 +163,14 @@ class PowerRequest(Question):
     def missing(self, quantity: Quantity) -> str:
         source, duty = self.sources[0], self.duty
         acting = source if isinstance(source, Acting) else None
+        airy = acting is not None and acting.name == COMPRESSOR
         lacks = {
             STEAMED: ("steam with --eps", acting is None or not acting.steamed),
             GIVES: ("a compressor or a pump", acting is None or not hasattr(acting.load, "delivered")),
+            AIRY: ("a compressor, --pressure-ratio", not airy),
+            STAGED: ("--stages 2", acting is None or not airy or acting.load.stages == 1),
+            WARM: ("a compressor with --suction-temperature", not airy or duty.suction_temperature is None),
+            FREE: ("a compressor with --free-air", not airy or duty.free_air is None),
             EFFICIENT: ("the mechanical efficiency, --efficiency", duty.efficiency is None),
             FACTORED: ("--diagram-factor", duty.diagram_factor == 1 and not duty.factor_asked),
             ASKED: ("--unknown diagram_factor", not duty.factor_asked),
@@ -246,12 +255,28 @@ def notes(request: PowerRequest) -> Iterator[Label]:
         return
     if duty.specific_volume is not None and not shown.isdisjoint(("steam", "steam_per_kwh")):
         yield _steam_taken(source, duty, lang)
+    if source.name == COMPRESSOR:
+        yield from _air_lines(source, duty, shown, lang)
     lines = [*(_steam_lines(source, lang) if source.steamed else _lines(request, lang))]
     if source.steamed and duty.diagram_factor == 1 and not duty.factor_asked:
         lines.append(POWER_TEXTS["ideal"][lang])
     yield "; ".join(lines)
     if request.driven:
         yield POWER_TEXTS["supplied"][lang]
+
+
+def _air_lines(source: Acting, duty: Duty, shown: set[str], lang: str) -> Iterator[Label]:
+    if duty.suction_temperature is not None:
+        yield POWER_TEXTS["warm"][lang].format(temperature=figure(duty.suction_temperature))
+    if duty.free_air is not None:
+        pressure, temperature = duty.free_air
+        yield POWER_TEXTS["free"][lang].format(
+            pressure=amount(pressure, "bar"), temperature=figure(temperature)
+        )
+    if source.load.stages > 1:
+        yield POWER_TEXTS["stages"][lang].format(stages=source.load.stages)
+    if not shown.isdisjoint(("isothermal_power", "isothermal_efficiency", "adiabatic_efficiency")):
+        yield POWER_TEXTS["ideal_air"][lang]
 
 
 def _given(duty: Duty, source: Acting | GivenPressure) -> Iterator[Label]:

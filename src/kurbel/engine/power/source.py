@@ -132,8 +132,8 @@ class Acting:
     def _mean(self, kind: Kind) -> Any:
         if self.carded:
             return kind.of(Fraction(float(self._estimate.value)))
-        if self.sought is not None:
-            return self.load.mean(kind, **self.sought.on(kind))
+        if self.sought is not None or getattr(self.load, "stages", 1) > 1:
+            return self.load.mean(kind, **self._found(kind))
         mean = mean_pressure_of(self.engine, kind)
         return -mean if self.driven else mean
 
@@ -159,8 +159,15 @@ class Acting:
     @cached_property
     def delivered(self) -> Product:
         """The volume that a stroke delivers, in the state of suction, as a share of the swept one."""
-        found = self.sought
-        return Product.about(lambda kind: self.load.delivered(kind, **(found.on(kind) if found else {})))
+        return self.of_load("delivered")
+
+    def of_load(self, name: str) -> Product:
+        """Return what the load knows by a name, a number above 0."""
+        return Product.about(lambda kind: getattr(self.load, name)(kind, **self._found(kind)))
+
+    def _found(self, kind: Kind) -> dict[str, Any]:
+        """Return the number that was sought by its name, on a kind of number."""
+        return {} if self.sought is None else self.sought.on(kind)
 
     def apart(self, value: Product) -> float:
         """Return how far a value may be off, as a share of it, for the points of a card tell no more."""
