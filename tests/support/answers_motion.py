@@ -15,6 +15,7 @@ from mpmath import (
     findroot,
     lu_solve,
     matrix,
+    mpc,
     mpf,
     pi,
     radians,
@@ -231,4 +232,91 @@ def scotch_yoke(stroke: mpf, speed: mpf, angle: mpf) -> Rows:
             "slot_velocity_mps": moved.imag,
             "acceleration_mps2": speed**2 * pin.real,
         }
+    ]
+
+
+@solution
+def middle_of_the_rod(crank: mpf, rod: mpf, speed: mpf, angle: mpf) -> Rows:
+    def pin(phi: mpf) -> mpc:
+        # Along towards the shaft, across to the side of the pin.
+        return mpc(-crank * cos(phi), crank * sin(phi))
+
+    def end(phi: mpf) -> mpf:
+        return path(phi, crank, rod) - crank - rod
+
+    phi, lean = radians(angle), lambda phi: asin(crank / rod * sin(phi))
+    half = [lambda phi: pin(phi).real / 2 + end(phi) / 2, lambda phi: pin(phi).imag / 2]
+    velocity, acceleration = (sqrt(sum(diff(part, phi, n) ** 2 for part in half)) for n in (1, 2))
+    return [
+        {
+            "velocity_mps": velocity * speed,
+            "acceleration_mps2": acceleration * speed**2,
+            "rod_velocity_radps": diff(lean, phi) * speed,
+            "rod_acceleration_radps2": diff(lean, phi, 2) * speed**2,
+            "c_mps": diff(end, phi) * speed,
+        }
+    ]
+
+
+def angle_after(gone: mpf, crank: mpf, rod: mpf) -> mpf:
+    """The crank angle from the inner dead centre at which the piston is so far from there."""
+    there = crank + rod - gone
+    return degrees(acos((crank**2 + there**2 - rod**2) / (2 * crank * there)))
+
+
+@solution
+def after_a_share_of_the_stroke(stroke: mpf, rod: mpf, speed: mpf, share: mpf) -> Rows:
+    crank = stroke / 2
+    out, back = (angle_after(gone, crank, rod) for gone in (share * stroke, (1 - share) * stroke))
+    first, second = (place(phi, crank, rod, speed) for phi in (out, back))
+    return [
+        {
+            "phi": out,
+            "phi_return": 180 - back,
+            "c_mps": first["c_mps"],
+            "c_return_mps": second["c_mps"],
+            "p_mps2": first["p_mps2"],
+        }
+    ]
+
+
+@solution
+def after_a_length_of_path(stroke: mpf, rod: mpf, speed: mpf, path: mpf) -> Rows:
+    crank = stroke / 2
+    angles = angle_after(path, crank, rod), 360 - angle_after(stroke - path, crank, rod)
+    found = []
+    for phi in angles:
+        there = place(phi, crank, rod, speed)
+        found.append({"phi": phi, "c_mps": there["c_mps"], "p_mps2": there["p_mps2"]})
+    return found
+
+
+@solution
+def speed_for_an_acceleration(stroke: mpf, rod: mpf, gain: mpf) -> Rows:
+    crank = stroke / 2
+    return [{"speed": sqrt(gain / (crank * (1 + crank / rod))) * 30 / pi}]
+
+
+@solution
+def four_bar_that_speeds_up(
+    crank: mpf, coupler: mpf, rocker: mpf, frame: mpf, speed: mpf, gain: mpf, angle: mpf
+) -> Rows:
+    def far(phi: mpf) -> tuple[mpc, mpc]:
+        pin = crank * expj(phi)
+        across = abs(frame - pin)
+        lean = acos((coupler**2 + across**2 - rocker**2) / (2 * coupler * across))
+        return pin, pin + coupler * expj(arg(frame - pin) + lean)
+
+    def at(time: mpf) -> mpf:
+        return radians(angle) + speed * time + gain * time**2 / 2
+
+    def rocking(time: mpf) -> mpf:
+        return arg(far(at(time))[1] - frame)
+
+    def leaning(time: mpf) -> mpf:
+        pin, end = far(at(time))
+        return arg(end - pin)
+
+    return [
+        {"turn_acceleration_radps2": diff(rocking, 0, 2), "rod_acceleration_radps2": -diff(leaning, 0, 2)}
     ]

@@ -24,6 +24,7 @@ UNITS = {
     "rad/s": mpf(1),
     "rad/s2": mpf(1),
     "m/s": mpf(1),
+    "m/s²": mpf(1),
     "km/h": mpf(1) / mpf("3.6"),
     "s": mpf(1),
     "kg": mpf(1),
