@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mpmath import mpf, pi, sqrt
+from mpmath import mpf, pi, quad, sqrt
 from problem_answers import Rows, solution
 
 
@@ -149,5 +149,20 @@ def disc_by_its_shape(swing: mpf, speed: mpf, delta: mpf, density: mpf, thicknes
             "disc_diameter": diameter,
             "disc_thickness": thickness * diameter * 1000,
             "mass": mass * diameter**3,
+        }
+    ]
+
+
+@solution
+def flywheel_runs_up(mass: mpf, radius: mpf, speed: mpf, moment: mpf) -> Rows:
+    gain = moment / (mass * radius**2)
+    time = speed / gain
+    return [
+        {
+            "run_up_time": time,
+            "run_up_turns": quad(lambda t: gain * t, [0, time]) / (2 * pi),
+            "run_up_acceleration": gain,
+            "run_up_energy": quad(lambda t: moment * gain * t, [0, time]),
+            "slip_energy": quad(lambda t: moment * (speed - gain * t), [0, time]),
         }
     ]

@@ -32,6 +32,8 @@ UNITS = {
     "N": mpf(1),
     "kN": mpf(1000),
     "K": mpf(1),
+    "Nm": mpf(1),
+    "kNm": mpf(1000),
     "J": mpf(1),
     "kJ": mpf(1000),
     "W": mpf(1),

@@ -284,6 +284,7 @@ as_inertia = _measured("moment_of_inertia")
 as_pressure = _measured("pressure")
 as_force = _measured("force")
 as_power = _measured("power")
+as_torque = _measured("signed_torque")
 as_duration = _measured("duration")
 # Radians a second squared.
 as_angular_acceleration = _measured("angular_acceleration")

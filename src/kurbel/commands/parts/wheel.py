@@ -18,6 +18,7 @@ from kurbel.exact.real import Product
 from kurbel.reading.given import (
     as_area,
     as_density,
+    as_duration,
     as_energy,
     as_inertia,
     as_irregularities,
@@ -29,6 +30,7 @@ from kurbel.reading.given import (
     as_share,
     as_speed,
     as_stress,
+    as_torque,
     as_velocity,
 )
 
@@ -36,7 +38,7 @@ from kurbel.reading.given import (
 PLAIN = (
     "swing", "energy_fluctuation", "work", "turns", "power", "inertia", "mass", "radius", "rim_diameter",
     "rim_speed", "rim_breadth", "rim_thickness", "density", "hoop_stress", "rim_share", "disc_diameter",
-    "disc_thickness",
+    "disc_thickness", "run_up_torque", "run_up_time", "run_up_turns",
 )  # fmt: skip
 FIGURES = {"rim_breadth": "breadth", "rim_thickness": "thickness"}
 # What they are where they are written as shares of a diameter.
@@ -95,6 +97,15 @@ class Body(Part):
         as_inertia, "Moment of inertia of the flywheel: 1200kgm2.", "J", unit="kg m²",
         what="moment of inertia", machine="flywheel",
     )  # fmt: skip
+    run_up_torque = measure(
+        as_torque, "From rest to its --speed under a constant torque: 20 N m.", "TORQUE", unit="N m",
+        what="torque of running up",
+    )  # fmt: skip
+    run_up_time = measure(
+        as_duration, "How long it takes from rest to its --speed: 12s.", "TIME", unit="s",
+        what="time of running up",
+    )  # fmt: skip
+    run_up_turns = amount("How many turns it makes meanwhile: 40.", "TURNS")
     mass = measure(
         as_mass,
         "Mass of the flywheel, which with --radius gives the inertia: 6.5t.",

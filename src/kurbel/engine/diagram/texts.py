@@ -88,6 +88,12 @@ OF_WHEELS: Mapping[str, Words] = {
         " the mass at the mean diameter, $v$ its speed"
     ),
     "exactly": words(", genau|, exactly"),
+    "run_up": words(
+        "Aus der Ruhe mit gleichbleibendem Drehmoment: $M_a = J ω/t_a$, $2 π u_a = ω t_a/2$,"
+        " $W_a = J ω^2/2$; eine Kupplung an einer Welle, die $ω$ behält, verliert ebensoviel, $W_k = W_a$"
+        "|From rest under a constant torque: $M_a = J ω/t_a$, $2 π u_a = ω t_a/2$, $W_a = J ω^2/2$; a clutch"
+        " on a shaft that keeps $ω$ loses as much, $W_k = W_a$"
+    ),
     "mass": words("$J = m k^2$"),
     "cycle": words(
         "$W$ Arbeit eines Spiels von {turns}|$W$ work of a cycle of {turns}"

@@ -55,6 +55,8 @@ def notes(question: WheelRequest) -> Iterator[Label]:
         yield _cycle(question)
     if question.press is not None:
         yield _press(*question.press, lang)
+    if "run_up_time" in wheel.figures:
+        yield OF_WHEELS["run_up"][lang]
     if "mass" in wheel.figures and "disc_diameter" not in wheel.figures:
         yield OF_WHEELS["mass"][lang]
     yield from _rim(question)
@@ -128,6 +130,9 @@ def _fraction(product: Product) -> str:
     return plain(value) if finite_decimals(value) is not None else f"{value.numerator}/{value.denominator}"
 
 
+OF_RUN_UP = ("run_up_energy", "slip_energy")
+
+
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class WheelRequest(Question):
     """What is asked for: flywheels by what is given, one for each of the irregularities to keep.
@@ -158,7 +163,9 @@ class WheelRequest(Question):
         # Where its turns are known, the speed says how many cycles there are.
         turns = self.wheels[0].figures.get("turns")
         by_turns = turns is not None and turns.options in ((), ("--turns",), ("the torque",))
-        return super().shows(column) and (column.key != "strokes" or not by_turns)
+        # The energy is that of any flywheel, and stands where one runs up.
+        idle = OF_RUN_UP if "run_up_time" not in self.wheels[0].figures else ()
+        return super().shows(column) and column.key not in (*idle, *(("strokes",) if by_turns else ()))
 
 
 def _target_axis(question: WheelRequest) -> ListAxis:

@@ -54,6 +54,7 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "section": ("--rim-diameter", "--density", "--rim-section"),
     "disc": ("--disc-diameter", "--density"),
     "diagram": ("--torque",),
+    "run up": ("--run-up-torque", "--run-up-time", "--inertia", "--speed"),
 }
 
 
@@ -85,6 +86,15 @@ _ROWS: tuple[Row, ...] = (
      Shown("omega_min"), "wheel"),
     ("inertia", "Trägheitsmoment|Moment of inertia", "$J$", "kg m²", Shown("inertia"), "wheel"),
     ("stored", "Bewegungsenergie|Kinetic energy", "$J ω^2/2$", "J", Shown("stored"), "wheel"),
+    ("run_up_torque", "Drehmoment des Anlaufs|Torque of running up", "$M_a$", "N m", Shown("run_up_torque"),
+     "run up"),
+    ("run_up_time", "Zeit des Anlaufs|Time of running up", "$t_a$", "s", Shown("run_up_time"), "run up"),
+    ("run_up_turns", "Umdrehungen des Anlaufs|Turns of running up", "$u_a$", "", Shown("run_up_turns"),
+     "run up"),
+    ("run_up_acceleration", "Winkelbeschleunigung des Anlaufs|Angular acceleration of running up", "$ε_a$",
+     "rad/s²", Shown("run_up_acceleration"), "run up"),
+    ("run_up_energy", "Arbeit des Anlaufs|Energy of running up", "$W_a$", "J", Shown("stored"), "run up"),
+    ("slip_energy", "Verlust der Kupplung|Loss of the clutch", "$W_k$", "J", Shown("stored"), "run up"),
     ("mass", "Masse|Mass", "$m$", "kg", Shown("mass"), "mass"),
     ("radius", "Trägheitshalbmesser|Radius of gyration", "$k$", "m", Shown("radius"), "mass"),
     ("rim_share", "Anteil des Kranzes|Share of the rim", "$J_R/J$", "", Shown("rim_share"),
@@ -155,6 +165,11 @@ LAWS: Sequence[Term] = (
     _law(_ONE, power=1, mean_torque=-1, omega=-1),
     _law(Product.of(2, 1), work=1, mean_torque=-1, turns=-1),
     _law(_HALF, stored=1, inertia=-1, omega=-2),
+    # From rest under a constant torque: ω = ε t, M = J ε, 2π u = ½ ω t. A clutch between a shaft that keeps ω
+    # and the flywheel loses what this takes up: ∫ M (ω - ε t) dt = ½ J ω².
+    _law(_ONE, omega=1, run_up_acceleration=-1, run_up_time=-1),
+    _law(_ONE, run_up_torque=1, inertia=-1, run_up_acceleration=-1),
+    _law(Product.of(4, 1), omega=1, run_up_time=1, run_up_turns=-1),
     # The rim: v = ½ ω D, σ = ρ v², m = ρ A π D, A = b t, J = m (D/2)².
     _law(_HALF, rim_speed=1, omega=-1, rim_diameter=-1),
     _law(_ONE, hoop_stress=1, density=-1, rim_speed=-2),

@@ -231,6 +231,8 @@ def _check_answered(given: Figures, figures: Figures) -> None:
     unknown = {"swing", "inertia", "omega", "delta"} - figures.keys()
     found = figures.keys() - given.keys() - _ASIDE
     swing_alone = "swing" in given and {"inertia", "delta"} <= unknown
+    if {"run_up_torque", "run_up_time"} <= figures.keys():
+        return
     if "rim_mass" in found and unknown <= {"inertia", "omega"}:
         return
     if not unknown or ("delta" in unknown and {"swing", "inertia"} & unknown and found and not swing_alone):
