@@ -98,6 +98,8 @@ class CardRun(Run):
 class HeavyCardRun(CardRun):
     """A turn by a card with moving masses against a constant torque."""
 
+    acceleration = AnyRun.acceleration
+
     def __init__(self, turn: CardTurn, wheel: Wheel) -> None:
         # Without masses, whether it comes to rest is known by the excess alone.
         AnyRun.__init__(self, turn, wheel)

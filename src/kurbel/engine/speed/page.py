@@ -54,6 +54,8 @@ def _speed_entries() -> Iterator[Quantity]:
     yield row("rpm", "Drehzahl|Speed", "$n$", '$"min"^(-1)$', AT_SPEED, 2,
               lambda run, where: 30 * run.first_omega * run.speed(where.half_turns) / run.turn.pi,
               **turns)  # fmt: skip
+    yield row("angular_acceleration", "Winkelbeschleunigung|Angular acceleration", "$α$", "rad/s²",
+              AT_SPEED, 3, lambda run, where: run.acceleration(where.half_turns), **turns)  # fmt: skip
     yield row("time", "Zeit|Time", "$t$", "s", AT_SPEED, 5,
               lambda run, where: run.time(where.half_turns),
               direction=words("$t$ seit dem inneren Totpunkt der ersten Kurbel"

@@ -120,6 +120,13 @@ class AnyRun(ABC):
         """Return the seconds since the inner dead centre."""
         return self.turned(half_turns) * self.turn.pi / self.first_omega
 
+    def acceleration(self, half_turns: Fraction) -> Number:
+        """Return the angular acceleration dω/dt in 1/s²."""
+        raise ProblemError(
+            "the angular acceleration of the shaft is computed under ideal steam and the like, without moving"
+            " masses and against a constant torque; leave angular_acceleration out"
+        )
+
     def refuse(self, degrees: float, bound: Number) -> NoReturn:
         """Raise ProblemError for a flywheel that would come to rest at an angle, with its bound."""
         raise ProblemError(
@@ -167,6 +174,13 @@ class Run(AnyRun):
 
     def speed(self, half_turns: Fraction) -> Number:
         return self.speed_of(self.turn.energy_at(half_turns))
+
+    def acceleration(self, half_turns: Fraction) -> Number:
+        """Return (T - P) r/J, for ω dω/dφ = ω₁² w'/M; of first order as much more as the speed is."""
+        mean = self.turn.mean_force()
+        found = (self.turn.power(half_turns) - mean) / (abs(mean) * self.number)
+        share = self.speed(half_turns) if self.method == "weisbach" else 1
+        return found * share * self.first_omega * self.first_omega
 
     def slowness(self) -> Course:
         assert isinstance(self.turn, Turn)
