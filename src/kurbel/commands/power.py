@@ -250,9 +250,8 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             raise ProblemError(f"free air is compared with the state of suction; add {missing}")
         return {"free_air": free, "suction_temperature": warm}
 
-    def _compressors(self) -> Sequence[Any]:
-        found: Sequence[Any] = super()._compressors()
-        return [replace(one, stages=self.stages) for one in found]
+    def staged(self) -> int:
+        return self.stages
 
     def _count(self) -> int:
         """Return how many cylinders there are, one for each crank where these are given."""

@@ -200,7 +200,8 @@ class Compressor:
     def _largest_ratio(self) -> float:
         """The pressure ratio at which this clearance delivers nothing any more."""
         inside: float = float(1 + 1 / self.clearance) ** float(self.exponent)
-        return inside * float((1 - self.suction_loss) / (1 + self.delivery_loss))
+        found: float = (inside * float((1 - self.suction_loss) / (1 + self.delivery_loss))) ** self.stages
+        return found
 
 
 def _down(bound: float) -> str:

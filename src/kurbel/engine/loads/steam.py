@@ -104,6 +104,15 @@ class Steam:
         behind, before = self._laws(known, kind)
         return behind.whole() - before.whole()
 
+    def least(self, name: str) -> Fraction:
+        """Return the least clearance in which compression reaches no more than the steam pressure, near
+        below it; 0 of other numbers."""
+        if name != "clearance" or self.plain or not self.back:
+            return Fraction(0)
+        grown = float(self.back) ** (-1 / float(self.exponent))
+        least = (float(1 - self.cushion) - float(self.lead) * grown) / (grown - 1) if grown > 1 else 0.0
+        return max(Fraction(0), Fraction(least).limit_denominator(10**9) - Fraction(1, 10**8))
+
     def kept(self, numbers: Expansion, kind: Kind) -> Any:
         """Return the volume that what is left in the cylinder fills at the steam pressure."""
         share = power(numbers.back, 1 if self.exponent == 1 else kind.exponent(1 / self.exponent))

@@ -91,6 +91,9 @@ class Search:
         """The numbers. Raises ProblemError where two cannot be told apart, NoRootError for none."""
         asked = UNKNOWNS[self.option]
         low, high = asked.low + (BEYOND if asked.low == 1 else -BEYOND), asked.high + BEYOND
+        # Below it compression reaches more than there is.
+        least = self.load.least(asked.name) if hasattr(self.load, "least") else Fraction(0)
+        low = max(low, least) if least else low
         found = isolate(lambda at: arb(self._apart(at)), self._slope, low, high)
         # Where nothing is delivered any more nothing is done, and of both any multiple.
         found = [one for one in found if not any(side.contains(0) for side in self._sides(one.place())[1:])]
