@@ -66,6 +66,15 @@ def test_every_digit_is_that_of_the_closed_links(drive: Drive) -> None:
             assert abs(value - float(drive.true.value(key, str(angle)))) <= 1e-13 * max(1, abs(value)), key
 
 
+def test_a_lever_that_is_carried_round_counts_its_angle_over_the_turn() -> None:
+    options: dict[str, Any] = {"mechanism": "slotted", "pivot": "0.5"}
+    page = records("table", "--mechanism=slotted", "--pivot=0.5", "--angle=0;90;270;300", "--columns=lever")
+    # With the pin at (cos φ, D + sin φ) from the pivot, 1/2 below the shaft.
+    true = [-63.43495, 0, 180, 233.79397]
+    assert [float(row["lever"]) for row in page] == pytest.approx(true, abs=6e-4)
+    assert kurbel.compute([0, 90, 270, 300], columns="lever", **options)["lever"] == pytest.approx(true)
+
+
 @pytest.mark.parametrize("drive", LEVERS[1::3], ids=str)
 def test_conditions_hold_where_the_links_say(drive: Drive) -> None:
     turning = drive.true.value("lever_velocity", 50).digits(2)

@@ -207,9 +207,11 @@ def _lever_angle(at: At) -> Any:
     if at.drive.swings:
         return at.stroke * at.numbers.arc(place.sine)
     if at.degrees is None:
-        return at.stroke * 2 * at.numbers.arc(half_sine(place.sine, place.cosine))
+        # From -90° on as well, where the lever lies along the slide.
+        return 90 + 2 * at.numbers.arc(half_sine(-place.cosine, at.stroke * place.sine))
     between = at.numbers.arc(-at.arc.pivot * at.circle.cosine / place.reach)
-    return at.degrees - 90 * at.stroke - between
+    turned = at.degrees - 90 * at.stroke
+    return (at.numbers.of(turned) if isinstance(turned, Fraction) else turned) - between
 
 
 def _of(kernel_function: Callable[..., Any], *printed: Any) -> Formula:
