@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -245,12 +246,10 @@ def _opened(given: str, outside: bool) -> tuple[Manifest, Folder]:
 
 def _build_words(folder: str, only: Iterable[str] = (), outside: bool = False) -> str:
     """Return what one would type to build the handbook in a folder."""
-    from shlex import join
-
     where = [] if folder == "." else [folder]
     names = [word for name in only for word in ("--only", name)]
     further = ["--allow-outside"] if outside else []
-    return join(["kurbel", "handbook", "build", *where, *names, *further])
+    return shlex.join(["kurbel", "handbook", "build", *where, *names, *further])
 
 
 def _report(done: Build) -> str:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from kurbel.drive.crank import LARGEST_ANGLE, Crank, check_angles
 from kurbel.errors import ChoiceError, NotationError, ProblemError
 from kurbel.motion.evaluation import METHODS
+from kurbel.motion.evaluation import certified as scaled
 from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Quantity, bare
 from kurbel.page.subject import check_rounding
@@ -51,8 +52,6 @@ def certified(
     >>> certified("c", "1:4,5", "22°30'", digits=6)
     Decimal('0.461536')
     """
-    from kurbel.motion.evaluation import certified as scaled
-
     chosen = _quantity(quantity)
     check_rounding(digits, rounding)
     method = _method(method, order)

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any, NamedTuple
+
+import flint
 
 from kurbel.commands.forces import ForcesOptions
 from kurbel.commands.motion import MotionOptions
@@ -22,7 +25,7 @@ from kurbel.drive.at import At
 from kurbel.drive.load import figure
 from kurbel.engine.quantities import value
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import ball
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.course import Target
 from kurbel.exact.found import Found
 from kurbel.exact.kind import balls
@@ -136,8 +139,6 @@ class OfRatio:
 
     @cached_property
     def found(self) -> list[Any]:
-        from dataclasses import replace
-
         drive, condition = self.drive, self.condition
         if condition.kind == MAX:
             # The acceleration is zero once on the outstroke, where the velocity is greatest.
@@ -281,10 +282,6 @@ class Sized:
 
     def _check(self, root: Callable[[], Any]) -> None:
         """Raise ProblemError for a value that no drive has, or one with which the formula is another."""
-        import flint
-
-        from kurbel.exact.certify import at_bits
-
         with at_bits(CHECKED_BITS):
             near = fraction(root().mid())
             apart = self.value(near) - ball(self._target())
@@ -314,8 +311,6 @@ class Sized:
 
     def lines(self, lang: str) -> list[str]:
         """Return what the page of the force or the motion says, with the first value that was found."""
-        from kurbel.exact.certify import at_bits
-
         with at_bits(CHECKED_BITS):
             near = fraction(self.found[0]().mid()) / self.about.size
         shown = nearest(near, figures(float(near)))

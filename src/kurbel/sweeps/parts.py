@@ -157,8 +157,6 @@ def made(unit: Unit, place: Place, number: int) -> str | bytes:
     """Make a part and return the name of its file; where the folder cannot be seen, its content."""
     if place.is_here:
         return _kept(partial(unit.write, number), number, place.folder, unit.suffix)
-    import pyarrow as pa
-
     sink = pa.BufferOutputStream()
     unit.write(number, sink)
     return memoryview(sink.getvalue()).tobytes()

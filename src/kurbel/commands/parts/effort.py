@@ -5,18 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from kurbel.commands.options import Option, amount, measure
 from kurbel.commands.part import Part, flag_of
 from kurbel.commands.parts.masses import Masses, Rotating
 from kurbel.drive import load
+from kurbel.drive.effort import Areas, Pins, Pressures
+from kurbel.drive.effort import Effort as Efforts
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism
 from kurbel.reading.given import as_force, as_length, as_pressure, as_share
-
-if TYPE_CHECKING:
-    from kurbel.drive import effort as efforts
 
 RODS = ("piston_rod", "tail_rod")
 PRESSING = ("head_pressure", "crank_pressure", "pressure_difference")
@@ -46,10 +45,8 @@ class Piston(Part):
         machine="steam",
     )
 
-    def piston_areas(self) -> efforts.Areas:
+    def piston_areas(self) -> Areas:
         """Return the areas of the piston, whose bore is known."""
-        from kurbel.drive.effort import Areas
-
         bore = self.bore
         assert bore is not None
         return Areas(bore, self.piston_rod or Fraction(0), self.tail_rod or Fraction(0))
@@ -113,15 +110,13 @@ class PinFriction(Part):
     crank_pin = measure(as_length, "The same of the crank pin: 120mm.", "LENGTH", unit="m")
     shaft = measure(as_length, "The same of the shaft: 140mm.", "LENGTH", unit="m")
 
-    def pins(self) -> efforts.Pins | None:
+    def pins(self) -> Pins | None:
         """Return the pins with their friction, None without any."""
         if not self.says("pin_friction"):
             return None
         if not self.says(*PINS):
             names = ", ".join(map(flag_of, PINS))
             raise ProblemError(f"--pin-friction needs the diameter of a pin; add one of {names}")
-        from kurbel.drive.effort import Pins
-
         friction = self.pin_friction
         assert friction is not None
         return Pins(
@@ -166,16 +161,14 @@ class Effort(Piston, Friction, Pressing, Masses, Rotating):
                 effort.pins.check(crank.radius, crank.ratio)
         return with_effort(chosen, drives, effort)
 
-    def effort(self) -> efforts.Effort | None:
+    def effort(self) -> Efforts | None:
         """Return the pressures, the friction and the pins that are given, None without any."""
         pressures, pins, friction = self.pressures(), self.as_part(PinFriction).pins(), self.friction
         if pressures is None and pins is None and friction is None:
             return None
-        from kurbel.drive.effort import Effort as Efforts
-
         return Efforts(pressures, friction or Fraction(0), pins=pins)
 
-    def pressures(self) -> efforts.Pressures | None:
+    def pressures(self) -> Pressures | None:
         """Return the pressures on both sides. Raises ProblemError without the area on which they act."""
         first = next((name for name in PRESSING if self.says(name)), "")
         if not first:
@@ -186,8 +179,6 @@ class Effort(Piston, Friction, Pressing, Masses, Rotating):
             raise ProblemError(
                 f"{flag_of(first)} needs the area on which it acts; add --bore, for example --bore 300mm"
             )
-        from kurbel.drive.effort import Areas, Pressures
-
         if (difference := self.pressure_difference) is None:
             return Pressures(
                 self.piston_areas(), self.head_pressure or Fraction(0), self.crank_pressure or Fraction(0)
@@ -213,7 +204,7 @@ class Effort(Piston, Friction, Pressing, Masses, Rotating):
         return ""
 
 
-def with_effort(chosen: Mechanism, drives: Sequence[Any], effort: efforts.Effort) -> list[Any]:
+def with_effort(chosen: Mechanism, drives: Sequence[Any], effort: Efforts) -> list[Any]:
     """Return the drives with an effort. Raises ProblemError for drives of which it is not computed."""
     if not chosen.crosshead:
         raise ProblemError(

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 from kurbel.commands.options import Choice, Option, alone, amount, file, measure, word
 from kurbel.commands.part import Part, Rivals, flag_of
 from kurbel.commands.parts.drive import Speed
+from kurbel.drive.at import acceleration_of
+from kurbel.drive.rod import STANDARD_GRAVITY, VERTICAL, Moving, Rod, Slope
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism, of_other_mechanisms
 from kurbel.reading.given import (
@@ -21,9 +23,6 @@ from kurbel.reading.given import (
     as_share_or_length,
     as_signed_mass,
 )
-
-if TYPE_CHECKING:
-    from kurbel.drive.rod import Rod, Slope
 
 _UNKNOWN = "that of the rod is not known; add --stroke and one --ratio, or give a share of the rod's length"
 OF_ROD = ("rod_mass", "centre", "gyration", "pendulum", "pendulum_from", "rod_file")
@@ -87,8 +86,6 @@ class MovingRod(Part):
 
 def _slope(value: object, what: str) -> Fraction:
     """Return the angle of a slope. Raises KurbelError."""
-    from kurbel.drive.rod import VERTICAL
-
     is_word = isinstance(value, str) and value.strip().lower() == "vertical"
     return VERTICAL if is_word else as_angle(value, what)
 
@@ -122,8 +119,6 @@ class Weight(Part):
         angle = self.slope
         if angle is None:
             return None
-        from kurbel.drive.rod import STANDARD_GRAVITY, Slope
-
         gravity = self.gravity
         found = Slope(angle, STANDARD_GRAVITY if gravity is None else gravity)
         lean = as_angle(self.values.values.get("bank") or 0, "bank")
@@ -212,8 +207,6 @@ class Masses(MovingRod, Weight):
             *others, last = missing
             needed = f"{', '.join(others)} and {last}" if others else last
             raise ProblemError(f"{self.called(self.a_mass())} needs {needed} to become a force")
-        from kurbel.drive.rod import Moving
-
         # One rod for all ratios has a length of its own only if there is one ratio.
         length = cranks[0].rod_length if len(cranks) == 1 else None
         slope = self.slope_of_slide()
@@ -237,8 +230,6 @@ class Masses(MovingRod, Weight):
                     f"{chosen.title} with its masses is computed for a crank that turns evenly; leave"
                     " --acceleration out"
                 )
-            from kurbel.drive.at import acceleration_of
-
             gain = acceleration_of(self.raw("acceleration"), speed)
             heavy = [replace(crank, acceleration=gain) for crank in heavy]
         return [drive.of(crank) for drive, crank in zip(drives, heavy, strict=True)]
