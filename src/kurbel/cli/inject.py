@@ -17,6 +17,7 @@ from kurbel.cli.asking import Asked, asked
 from kurbel.documents.inject import Kind, Place, content, difference, filled, places
 from kurbel.errors import KurbelError, LayoutError, MarkerError
 from kurbel.formats.registry import PageFormat, kind_of
+from kurbel.formats.render import render, whole_file
 from kurbel.page.table import Table
 from kurbel.reading.given import DOCUMENT
 
@@ -172,8 +173,6 @@ def _text(one: Asked, form: PageFormat, kind: Kind, number: int, place: Place, n
     """Return a table as a fragment of the document, a drawing for HTML as SVG."""
     where = f"{name}:{place.line}"
     if isinstance(one.made, Table):
-        from kurbel.formats.render import render
-
         for remark in form.remarks(one.made, one.longtable):
             say(f"{where}: {remark}")
         wishes = partial(
@@ -204,8 +203,6 @@ def _check_encoding(old: bytes, contents: Sequence[bytes], name: str) -> None:
 
 
 def _refresh(document: Document) -> None:
-    from kurbel.formats.render import whole_file
-
     count = len(document.stale)
 
     # Tables take their time, in which an author may save the document.

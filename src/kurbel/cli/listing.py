@@ -23,6 +23,7 @@ from kurbel.formats.registry import DEFAULT, FORMATS, RecordsFormat
 from kurbel.page.axes import PHI, RATIO
 from kurbel.page.labels import fitted, lines_of, longest_word
 from kurbel.page.layouts import SUBJECTS, Layout, layout, layout_file, layout_names
+from kurbel.page.table import Field, Records, Table
 from kurbel.reading.given import File
 
 GAP = 2
@@ -130,8 +131,6 @@ def plain_lines(rows: Sequence[Sequence[str]]) -> Sequence[str]:
 
 
 def _records(listing: Listing, form: RecordsFormat) -> Iterator[str]:
-    from kurbel.page.table import Field, Records, Table
-
     fields = tuple(Field(key, key) for key in listing.keys)
     rows = [[one.replace("$", r"\$") for one in row] for row in listing.rows]
     yield from form.writer.rows(Table(listing.key, listing.lang, "", (), Records(fields, rows)), "point")

@@ -180,7 +180,6 @@ class _Commands(Group):
     def further(self) -> Mapping[str, Sequence[click.Option]]:
         """Return the options of every sweep, by the heads below which manuals have them."""
         from kurbel.cli.manual.topics import topics_of
-        from kurbel.cli.sweep import running_options, sweep_options
 
         own = click.Command("sweep", params=[*sweep_options(), *running_options()], add_help_option=False)
         return {topic.title: options for topic, options in topics_of(own)}

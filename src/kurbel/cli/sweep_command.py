@@ -16,6 +16,8 @@ from kurbel.cli.sweep_file import FILE
 from kurbel.commands.part import Origin, Values, flag_of
 from kurbel.commands.subject import Command
 from kurbel.reading.environment import need
+from kurbel.sweeps.asked import planned
+from kurbel.sweeps.hands import cores
 
 if TYPE_CHECKING:
     from kurbel.sweeps.plan import Plan
@@ -76,8 +78,6 @@ class SweepCommand(TopicCommand):
     def plan(self, given: Given, order: Sequence[str]) -> Plan:
         """Return the plan that the options make: in the order of the file, then of the command line, and
         behind them what comes from elsewhere. Raises KurbelError."""
-        from kurbel.sweeps.asked import planned
-
         values, file = given.values, click.get_current_context().meta.get(FILE, {})
         asked = SweepRequest.of(values)
         flags = {name: several for name, several in file.items() if several}
@@ -134,7 +134,6 @@ LEAST = {"seconds": "less than a second", "kB": "less than a kilobyte"}
 
 def show_estimate(sweep: Sweep, target: str | None, format: str | None) -> None:
     """Print rows, columns, parts, size and time of a sweep. Raises KurbelError."""
-    from kurbel.sweeps.hands import cores
     from kurbel.sweeps.parts import form_of
     from kurbel.sweeps.run import estimated
 

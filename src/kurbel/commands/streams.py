@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from kurbel.drive.crank import largest
 from kurbel.exact.numerals import Number
 from kurbel.formats.render import folders_of, has_template, template_of
+from kurbel.motion.bulk import integer_angles
 from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.page import CHUNK, RecordRows
 from kurbel.page.axes import angle_decimals, angle_number, shifted
@@ -86,7 +87,6 @@ def _scaled_angles(angles: Sequence[Fraction], decimals: int, mark: bytes) -> Sc
     import numpy as np
 
     from kurbel.formats.columns import Scaled
-    from kurbel.motion.bulk import integer_angles
 
     if isinstance(angles, Progression):
         numerators, denominator = integer_angles(angles)

@@ -25,6 +25,7 @@ from kurbel.handbook.manifest import Manifest, Part
 from kurbel.handbook.model import COMPILED
 from kurbel.handbook.pages import Failure, document_of, fragment_paths, make_document, make_pdf
 from kurbel.handbook.pool import KILLED, PDF_STOPPED, Made, Piece, Task, Worked, worked
+from kurbel.reading.given import check_inside, is_inside
 from kurbel.reading.names import did_you_mean
 from kurbel.sweeps.versions import content_of
 
@@ -137,8 +138,6 @@ class Build:
         if self.templates and not os.path.isdir(self.templates):
             raise HandbookError(f"{self.manifest.path}: there is no folder {self.templates} with templates")
         if self.templates and not self.outside:
-            from kurbel.reading.given import check_inside
-
             check_inside(self.templates, self.manifest.folder, self.templates)
         return key_of(fingerprint(), self.templates and content_of(self.templates))
 
@@ -174,8 +173,6 @@ class Build:
 
     def is_other(self, path: str, hashed: str) -> bool:
         """Tell whether an input is not what it was, or may be read no longer."""
-        from kurbel.reading.given import is_inside
-
         file = self.input(path)
         return content_of(file) != hashed or not (self.outside or is_inside(file, self.manifest.folder))
 

@@ -23,6 +23,7 @@ from kurbel.formats.registry import FORMATS, PageFormat
 from kurbel.formats.render import remove_left_over, whole_file
 from kurbel.handbook.manifest import manifest_path, read_manifest
 from kurbel.handbook.pool import About
+from kurbel.page.layouts import template_folder
 from kurbel.sweeps.hands import lock
 
 # What is only of use on this machine: the lock and what the last build knew.
@@ -277,8 +278,6 @@ def fingerprint() -> str:
     Sizes and times of kurbel's own files, and the names of what is installed, which have the versions in
     them: to ask for the versions one by one takes longer than to build nothing.
     """
-    from kurbel.page.layouts import template_folder
-
     package = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     files = [
         os.path.join(folder, name)

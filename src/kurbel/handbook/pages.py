@@ -13,6 +13,7 @@ from kurbel.documents.document import PLACE, Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats.apart import deadline
 from kurbel.formats.registry import FORMATS, DocumentFormat, WorkbookFormat
+from kurbel.formats.render import as_one_page
 from kurbel.handbook.folder import LARGEST, SHEETS
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
 from kurbel.handbook.model import COMPILED
@@ -155,7 +156,6 @@ def make_document(
             {f"handbook{form.suffixes[0]}": form.writer.written(document_workbook(document, fragments))}
         )
     from kurbel.formats.documents import document_files
-    from kurbel.formats.render import as_one_page
 
     if isinstance(form, DocumentFormat):
         with as_one_page(templates):

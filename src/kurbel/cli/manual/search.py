@@ -20,6 +20,8 @@ from kurbel.cli.manual.topics import flag_of, options_of, topics_of
 from kurbel.cli.manual.wants import WANTS
 from kurbel.errors import ChoiceError, OutputError
 from kurbel.handbook.problems import Problem, problems_of
+from kurbel.page.layouts import SUBJECTS, layout, layout_names
+from kurbel.page.subject import subject
 from kurbel.reading.names import did_you_mean
 
 # What others call it, and what is searched for then.
@@ -236,9 +238,6 @@ def _options() -> Iterator[Found]:
 
 
 def _quantities() -> Iterator[Found]:
-    from kurbel.page.layouts import SUBJECTS
-    from kurbel.page.subject import subject
-
     for about in map(subject, SUBJECTS):
         for one, command in about.entries():
             unit = one.plain_unit("en")
@@ -248,7 +247,6 @@ def _quantities() -> Iterator[Found]:
 
 def _layouts() -> Iterator[Found]:
     from kurbel.cli.listing import printing
-    from kurbel.page.layouts import layout, layout_names
 
     for one in map(layout, layout_names()):
         yield Found("Layouts", one.key, one.title["en"], printing(one, None), one.title["de"])

@@ -10,6 +10,7 @@ from kurbel.commands.options import Option, file, measure, word
 from kurbel.commands.part import Part, flag_of
 from kurbel.errors import ProblemError
 from kurbel.reading.given import as_crank_angles, as_energy, as_fraction, as_power, as_share, as_speed
+from kurbel.reading.notation import about, each_number
 
 if TYPE_CHECKING:
     from kurbel.engine.diagram.areas import Areas
@@ -168,8 +169,6 @@ class Diagram(Part):
 
     def _by_work(self, texts: Sequence[str], turns: Fraction) -> Iterator[Fraction]:
         """Yield the areas of triangles in J, of which all together are the work of the cycle."""
-        from kurbel.reading.notation import about, each_number
-
         areas = each_number(texts, "area")
         total, work = sum(areas, Fraction(0)), self._cycle_work(turns)
         if total <= 0:

@@ -22,6 +22,7 @@ from kurbel.reading.given import (
     as_shares,
     of_given,
 )
+from kurbel.reading.units import is_measure
 
 if TYPE_CHECKING:
     from kurbel.drive.load import Load as Acting
@@ -434,8 +435,6 @@ KINDS: Mapping[str, Kind] = {
 
 
 def _is_measure(value: object) -> bool:
-    from kurbel.reading.units import is_measure
-
     return isinstance(value, str) and is_measure(value)
 
 
