@@ -25,3 +25,9 @@ def test_it_is_half_the_slope_of_the_square_of_the_speed(words: str) -> None:
     before, at, after = records(*line, "--columns=omega,angular_acceleration")
     slope = (Fraction(after["omega"]) ** 2 - Fraction(before["omega"]) ** 2) / (4 * STEP * DEGREE)
     assert abs(slope - Fraction(at["angular_acceleration"])) < Fraction(1, 10**9)
+
+
+def test_a_share_of_the_stroke_needs_no_length_beside_the_speed() -> None:
+    line = ("turning", "--eps=4", "--flywheel=50", "--angle=s=25%", "--columns=phi,omega,tangential")
+    (out, _) = records(*line, "--speed=120/min")
+    assert (out["phi"], out["tangential"]) == ("55.3765", "0.6883")

@@ -48,8 +48,8 @@ def angles_of(text: str, values: Values, ratios: Sequence[str], cycle: Fraction)
         own["ratio"] = tuple(ratios)
     if of_motion:
         own |= dict.fromkeys((*ACTING, "acceleration"))
-        # Without a unit the speed says nothing here.
-        own["speed"] = values.values.get("speed")
+        # Without a unit such as m/s the speed says nothing here.
+        own["speed"] = values.values.get("speed") if "/s" in text else None
     asked: Any = SolveOptions(values.instead(own, own=True)).question()
     if len(asked.drives) != 1:
         raise ProblemError(
