@@ -56,6 +56,8 @@ PAGES = {
     "table --angle s=0..1:0.5 --mechanism arc --rocker 6": 3 * 6,
     "deadcentres --beam 3 --exact": 6,
     "deadcentres --beam 3": 6,
+    "deadcentres --beam 3 --columns mu,distance_1,path_2": 3,
+    "deadcentres --beam 3;1e11 --ratio 1:∞ --exact": 12,
     "solve --where p=0 --where s=12.5% --where c=max --where x=1 --where x=max --offset 0.3 --digits 9": 60,
     "solve --where x=0 --where psi=max --where 'p = 1/6 of dead centre' --ratio 1:4": 42,
     "solve --stroke 600mm --rod 1500mm --speed 120/min --where 'c = 3 m/s'": 28,
@@ -140,6 +142,31 @@ def test_a_change_by_hand_is_found(line: str, digit: str, other: str, said: str,
     found = kurbel("verify", str(path))
     assert found.code == 1
     assert said in found.out
+
+
+CARD = Path(__file__).parents[2] / "scripts/corpus/files/cards/condenser.csv"
+
+
+@pytest.mark.parametrize(
+    ("line", "confirmed", "digit", "other"),
+    [
+        ("delta", 9, '"v_max": 0.3', '"v_max": 0.4'),
+        # Of 20,831 N the points bear two figures, which are rounded to thousands.
+        ("forces --bore 200mm --angle 0", 5, '_n": 21000', '_n": 22000'),
+        ("turning --bore 300mm --friction 2kN --angle 80", 4, '"energy": 0.3', '"energy": 0.4'),
+        ("pressures --shares 0;0.4", 8, '"gas_pressure": 5.5', '"gas_pressure": 5.6'),
+    ],
+)  # fmt: skip
+def test_what_an_indicator_card_bears_is_confirmed(
+    line: str, confirmed: int, digit: str, other: str, tmp_path: Path
+) -> None:
+    path = page_of(f"{line} --card {CARD}", tmp_path)
+    code, columns = verified(path)
+    counted = [one for one in columns if not one["column"].endswith("_error")]
+    assert sum(int(one["confirmed"]) for one in counted) == sum(int(one["cells"]) for one in counted)
+    assert (code, sum(int(one["confirmed"]) for one in counted)) == (0, confirmed)
+    path.write_text(path.read_text("utf-8").replace(digit, other), "utf-8")
+    assert "right is" in kurbel("verify", str(path)).out
 
 
 def test_a_page_comes_through_a_pipe(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -263,8 +290,8 @@ def test_other_files_are_refused_by_a_sentence(content: str, said: str, tmp_path
 
 def test_without_mpmath_one_sentence_says_what_installs_it(tmp_path: Path) -> None:
     path = page_of("table --angle 60", tmp_path)
-    gone = {name: one for name, one in sys.modules.items() if not name.startswith("kurbel.verify")}
-    gone.pop("kurbel.commands.verified", None)
+    computing = ("kurbel.verify", "kurbel.commands.verified", "kurbel.commands.second")
+    gone = {name: one for name, one in sys.modules.items() if not name.startswith(computing)}
     with (
         mock.patch.dict(sys.modules, gone, clear=True),
         mock.patch("importlib.util.find_spec", lambda _: None),

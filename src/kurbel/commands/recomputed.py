@@ -29,13 +29,13 @@ from kurbel.verify.turn import Running
 from kurbel.verify.zeros import Place, Spot, around, between, root
 
 if TYPE_CHECKING:
-    from kurbel.commands.verified import Second
+    from kurbel.commands.second import Second
 
 # A row without what it has nothing of.
 Row: TypeAlias = Mapping[str, str]
 RETURN = "_return"
 # Farther no axis goes.
-FARTHEST = 10**9
+FARTHEST = 10**12
 
 
 def of_drive(second: Second, key: str, method: str, row: Row) -> Value:
@@ -140,12 +140,13 @@ def _off_vertical(ratio: Fraction, arm: Fraction, side: int) -> Number:
 def of_dead_centres(second: Second, key: str, method: str, row: Row) -> Value:
     """Of a beam engine the angles at which its dead centres lie off the vertical, and the beam's paths from
     there; by Weisbach R²/(4 a (L ± R)) in radians, and R (1 - cos) of them."""
-    if "arm" not in row:
-        return of_drive(second, key, method, row)
     name, _, number_of = key.partition("_")
-    drive = second.drive(row)
-    arm = nearest(row["arm"], ())
-    if method == "approximate":
+    drive = second.drive(row) if "arm" in row or second.asked.says("beam") else None
+    if drive is None or not (name in ("mu", "nu") or number_of in ("1", "2")):
+        return of_drive(second, key, method, row)
+    arm = nearest(row["arm"], ()) if "arm" in row else drive.rocker or Fraction(0)
+    rough = method == "approximate" or not drive.ratio
+    if rough:
         angles = [Value(partial(_off_vertical, drive.ratio, arm, side)) for side in (1, -1)]
     else:
         beam = verify.drive(drive.ratio, beam=arm)
@@ -155,7 +156,7 @@ def of_dead_centres(second: Second, key: str, method: str, row: Row) -> Value:
     if name == "distance":
         apart = angles[1] - angles[0]
         return Value(lambda: 180 + apart.recipe() * (1 if number_of == "1" else -1))
-    if method != "approximate":
+    if not rough:
         return beam.value("path" if number_of == "1" else "path_return")
     angle = angles[number_of == "2"]
     return Value(lambda: 1 - sine_cosine(*around(angle.recipe()))[1])

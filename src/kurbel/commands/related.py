@@ -23,7 +23,7 @@ from kurbel.verify.shaft import Pull, Slide, heading, held, moment, parts, ray, 
 
 if TYPE_CHECKING:
     from kurbel.commands.recomputed import Row
-    from kurbel.commands.verified import Second
+    from kurbel.commands.second import Second
 
 # What is printed of a vector.
 Printed = Callable[[Arrow], Number]
@@ -262,8 +262,6 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
         raise ProblemError("compressors in several stages are not computed a second time")
     if source.sought is not None:
         raise ProblemError("numbers of a load that are asked for are not computed a second time")
-    if getattr(source, "carded", False):
-        raise ProblemError("powers of indicator cards are not computed a second time")
 
     def found() -> dict[str, Number]:
         known = {
@@ -298,6 +296,8 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
             work = sum((one.work(number(1)) for one in strokes), number(0))
             ends = source.strokes * Fraction(len(strokes), 2) * duty.open_area
             known["relative_pressure"] = abs(work / ends)
+            if asked.says("card"):
+                known["pressure"] = number(Fraction(second.card.admission))
             if asked.says("eps"):
                 steam = strokes[0].sides[1][1].value(number(0))
                 room, power = asked.clearance or Fraction(0), asked.exponent or Fraction(1)

@@ -16,7 +16,7 @@ if find_spec("mpmath") is None:  # pragma: no cover
 
 from kurbel.verify.bodies import Bodies, bodies
 from kurbel.verify.drives import Drive, drive
-from kurbel.verify.loads import Load, compressor, gas, pump, steam
+from kurbel.verify.loads import Load, card, compressor, gas, pump, steam
 from kurbel.verify.numbers import Number, Undecided
 from kurbel.verify.slotted import SlottedLever
 from kurbel.verify.turn import Turn, turn
@@ -24,5 +24,5 @@ from kurbel.verify.value import CONFIRMED, UNDECIDED, WRONG, Value
 
 __all__ = [
     "CONFIRMED", "UNDECIDED", "WRONG", "Bodies", "Drive", "Load", "Number", "SlottedLever", "Turn",
-    "Undecided", "Value", "bodies", "compressor", "drive", "gas", "pump", "steam", "turn",
+    "Undecided", "Value", "bodies", "card", "compressor", "drive", "gas", "pump", "steam", "turn",
 ]  # fmt: skip

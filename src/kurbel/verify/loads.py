@@ -11,12 +11,16 @@ where an interval holds a corner they are the hull of what either side gives.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from bisect import bisect_left
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
+from itertools import accumulate
 from typing import Any
 
 from kurbel.errors import ProblemError
+from kurbel.verify.jets import Jet, angle_of
 from kurbel.verify.numbers import Number, hull, number, pi, spread
 
 # Typed: a fraction or a decimal.
@@ -27,7 +31,7 @@ WIDE = Fraction(1, 2**30)
 
 @dataclass(frozen=True)
 class Piece:
-    """k (g/(a + σ s))ⁿ, or the constant k where σ is 0."""
+    """k (g/(a + σ s))ⁿ."""
 
     height: Number
     grown: Number
@@ -36,21 +40,15 @@ class Piece:
     exponent: Fraction
 
     def value(self, share: Number) -> Number:
-        if not self.sense:
-            return self.height
         return monotone(lambda at: self.height * (self.grown / self._volume(at)).power(self.exponent), share)
 
     def slope(self, share: Number) -> Number:
         """d/ds k (g/V)ⁿ = -n σ k (g/V)ⁿ/V."""
-        if not self.sense:
-            return number(0)
         factor = -self.exponent * self.sense
         return monotone(lambda at: self.value(at) / self._volume(at) * factor, share)
 
     def integral(self, low: Number, high: Number) -> Number:
         """∫ from one share to another."""
-        if not self.sense:
-            return self.height * (high - low)
         begin, end = self._volume(low), self._volume(high)
         if self.exponent == 1:
             return self.height * self.grown * (end / begin).log() * self.sense
@@ -63,43 +61,59 @@ class Piece:
 
 
 @dataclass(frozen=True)
+class Cubic:
+    """c₀ + c₁ h + c₂ h² + c₃ h³ or less, h the share from where it begins."""
+
+    begin: Number | Fraction
+    terms: Jet
+
+    def value(self, share: Number) -> Any:
+        return self.terms.at(share - self.begin)
+
+    def slope(self, share: Number) -> Any:
+        return self.terms.derived().at(share - self.begin)
+
+    def integral(self, low: Number, high: Number) -> Any:
+        whole = angle_of(number(0), self.terms)
+        return whole.at(high - self.begin) - whole.at(low - self.begin)
+
+
+@dataclass(frozen=True)
 class Pressure:
     """Pieces with the share at which each ends, the last at 1; the pressure does not leap between them."""
 
-    pieces: tuple[tuple[Number, Piece], ...]
+    pieces: tuple[tuple[Number, Piece | Cubic], ...]
 
     def value(self, share: Number) -> Number:
-        return hull([piece.value(part) for piece, part in self._touched(share)])
+        return hull([self.pieces[index][1].value(part) for index, part in self._touched(share)])
 
     def slope(self, share: Number) -> Number:
-        return hull([piece.slope(part) for piece, part in self._touched(share)])
+        return hull([self.pieces[index][1].slope(part) for index, part in self._touched(share)])
 
     def integral(self, share: Number) -> Number:
         """∫ from 0 to a share."""
-        done, begin, found = number(0), number(0), []
-        for end, piece in self.pieces:
-            side = (share - end).side()
-            if side != 1:
-                found.append(done + piece.integral(begin, share))
-            if side in (0, -1):
-                break
-            done, begin = done + piece.integral(begin, end), end
-        else:
-            found.append(done)
-        return hull(found)
+        touched = ((self._whole[k], self.pieces[k][1], self._begins[k], at) for k, at in self._touched(share))
+        return hull([done + piece.integral(begin, at) for done, piece, begin, at in touched])
 
-    def _touched(self, share: Number) -> list[tuple[Piece, Number]]:
+    @cached_property
+    def _begins(self) -> list[Number]:
+        return [number(0), *(end for end, _ in self.pieces)]
+
+    @cached_property
+    def _whole(self) -> list[Number]:
+        """∫ up to where each piece begins."""
+        parts = (piece.integral(self._begins[k], end) for k, (end, piece) in enumerate(self.pieces))
+        return list(accumulate(parts, initial=number(0)))
+
+    def _touched(self, share: Number) -> list[tuple[int, Number]]:
         """The pieces on which a share, or part of an interval of shares, may lie."""
-        found: list[tuple[Piece, Number]] = []
-        begin = number(0)
-        for end, piece in self.pieces:
-            last = end is self.pieces[-1][0]
-            side = 0 if last else (share - end).side()
-            if side != 1:
-                found.append((piece, _within(share, begin, end) if found or side is None or last else share))
-            if side in (0, -1):
+        found: list[tuple[int, Number]] = []
+        first = bisect_left(self.pieces[:-1], share.low, key=lambda one: one[0].high)
+        for index in range(first, len(self.pieces)):
+            begin, end = self._begins[index : index + 2]
+            found.append((index, _within(share, begin, end)))
+            if (share - end).side() in (0, -1):
                 break
-            begin = end
         return found
 
 
@@ -145,16 +159,13 @@ def constant(height: Number | Fraction | int) -> Pressure:
     return Pressure(((number(1), _level(height)),))
 
 
-def _level(height: Number | Fraction | int) -> Piece:
-    return Piece(number(height), number(1), number(1), 0, Fraction(1))
+def _level(height: Number | Fraction | int) -> Piece | Cubic:
+    return Cubic(Fraction(0), Jet([number(height), number(0)]))
 
 
-def _line(one: tuple[Number, Number], other: tuple[Number, Number]) -> Piece:
-    """A straight line through two points, as k (g/(a + σ s))ⁿ with n = -1; it rises or falls."""
-    (start, first), (end, last) = one, other
-    sense = -1 if float(last) < float(first) else 1
-    steep = (last - first) / (end - start) * sense
-    return Piece(steep, number(1), first / steep - start * sense, sense, Fraction(-1))
+def _line(one: tuple[Number, Number], other: tuple[Number, Number]) -> Piece | Cubic:
+    """The straight line through two points."""
+    return Cubic(one[0], Jet([one[1], (other[1] - one[1]) / (other[0] - one[0])]))
 
 
 def disc(bore: Given) -> Number:
@@ -211,6 +222,35 @@ def steam(
             after = Stroke() if idle else Stroke(((crank, face), (-head, against)))
             return Stroke(((head, driving), (-crank, face))), after
         return Stroke(((head, driving), (-crank, against))), Stroke(((crank, driving), (-head, against)))
+
+    return pressures
+
+
+def card(
+    courses: Sequence[Sequence[Sequence[Fraction]]],
+    *,
+    other: Given | None = None,
+    bore: Given = 1,
+    piston_rod: Given = 0,
+    tail_rod: Given = 0,
+) -> Load:
+    """What is measured in one end on each stroke of a cycle: cubics with the share at which each begins.
+
+    The other end has the same on the other stroke, or its face the pressure `other`.
+    """
+    areas = [1 - (Fraction(one) / Fraction(bore)) ** 2 for one in (tail_rod, piston_rod)]
+
+    def pressures() -> tuple[Stroke, ...]:
+        found = []
+        for cubics in courses:
+            ends = [number(one[0]) for one in (*cubics[1:], [Fraction(1)])]
+            pieces = (Cubic(begin, Jet([*map(number, terms)])) for begin, *terms in cubics)
+            found.append(Pressure(tuple(zip(ends, pieces, strict=True))))
+        pairs = [found, found]
+        if other is not None:
+            face = constant(Fraction(other))
+            pairs = [[one, face][:: 1 - k % 2 * 2] for k, one in enumerate(found)]
+        return tuple(Stroke(((areas[k % 2], a), (-areas[k % 2 - 1], b))) for k, (a, b) in enumerate(pairs))
 
     return pressures
 

@@ -16,8 +16,7 @@ R, energies in Q R. What is proved, and how:
   period is looked at; of alike places the first counts.
 - The least and the greatest W are those of these places; a value is the hull of all that may be it.
 
-Nothing is known here of indicator cards, friction, a speed that changes within the turn, and the angles by
-Weisbach's own relations.
+Nothing is known here of a speed that changes within the turn, and of the angles by Weisbach's own relations.
 """
 
 from __future__ import annotations
