@@ -284,10 +284,11 @@ def _measured(question: PressuresRequest, column: Column, where: Where) -> Numbe
     share = float(pressed.share(where, floats()))
     own, *halves = (float(one.cylinder.strokes[where.stroke].force(share)) for one in (turn, *turn.coarser))
     apart = max(abs(own - half) for half in halves)
-    unit = float(known(known(pressed.engine).pressure)) / PASCALS
+    bar = float(question.of_page("bar"))
+    unit = bar * float(known(known(pressed.engine).pressure)) / PASCALS
     value = own * unit
     if column.quantity.needs == BOTH:
-        value -= float(pressed.masses(where, balls()))
+        value -= bar * float(pressed.masses(where, balls()))
     supported = min(column.places, floor(-log10(2 * max(apart, turn.force_apart) * unit)))
     return nearest(Fraction(value), supported, question.rounding) if supported >= 0 else None
 
