@@ -155,6 +155,7 @@ CARD = Path(__file__).parents[2] / "scripts/corpus/files/cards/condenser.csv"
         ("forces --bore 200mm --angle 0", 5, '_n": 21000', '_n": 22000'),
         ("turning --bore 300mm --friction 2kN --angle 80", 4, '"energy": 0.3', '"energy": 0.4'),
         ("pressures --shares 0;0.4", 8, '"gas_pressure": 5.5', '"gas_pressure": 5.6'),
+        ("pressures --shares 0;0.4 --units imperial", 8, '"gas_pressure_psi": ', '"gas_pressure_psi": 1'),
     ],
 )  # fmt: skip
 def test_what_an_indicator_card_bears_is_confirmed(
