@@ -152,13 +152,12 @@ def test_a_list_of_several_options_stays_one_and_the_same_twice_is_once() -> Non
     "line",
     [
         *(
-            "table --ratio 1:3..6",
             "example blau 33 --ratio 1:5",
             "solve --where v=max",
             "balance --engine V8",
+            "table --lang English",
         ),
-        *("table --angle 0..180:10", "table --stroke 600mm", "forces --force 10kN", "table --lang English"),
-        *("harmonics --quantity velocity", "table --columns phi,x", "table --layout verfahren"),
+        *("harmonics --quantity velocity", "forces --force 10kN"),
     ],
 )
 def test_the_option_that_a_value_astray_is_told_takes_it(line: str) -> None:
@@ -182,15 +181,6 @@ def test_what_is_typed_in_vain_is_refused(line: str, sentence: str) -> None:
     found = kurbel(*shlex.split(line))
     assert found.code == 2
     assert sentence in found.err
-
-
-def test_what_a_machine_or_the_environment_gives_in_vain_is_left_unread(tmp_path: Path) -> None:
-    machine = tmp_path / "engine.toml"
-    machine.write_text('[crank]\nratio = "1:4"\n[steam]\nbore = "300mm"\n', encoding="utf-8")
-    plain = kurbel("forces", "--ratio", "1:4", "--step", "90")
-    assert kurbel("forces", "--machine", str(machine), "--step", "90").out == plain.out
-    assert kurbel("forces", "--ratio", "1:4", "--step", "90", KURBEL_FORCES_BORE="300mm").out == plain.out
-    assert kurbel("forces", "--ratio", "1:4", "--bore", "300mm").code == 2
 
 
 @pytest.mark.parametrize("form", ["svg", "drawing"])

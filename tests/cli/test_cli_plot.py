@@ -185,21 +185,13 @@ def test_a_page_in_pdf_is_a_page_and_a_drawing_where_that_is_asked_for(tmp_path:
     [
         ("table --width=85 -f csv", "--width is for drawings, and csv is a page"),
         ("table --polar", "--polar is for drawings, and text is a page"),
-        ("table --digits=3 -f svg", "--digits is for pages, and svg is a drawing; leave it out"),
         ("table --layout=arc --rocker=6 --mechanism=arc --infinite -f svg", "--infinite is for the straight"),
         ("delta --eps=2..6 --polar -f svg", "--polar is for the force on the crank pin"),
-        ("delta --eps=4 -f svg", "a drawing needs an axis with several places"),
         (
             "table --columns=x,c,p,psi,rod_force -f svg",
             "5 panels are too many for a drawing, which has at most 4",
         ),
-        (
-            "forces --polar --ratio=1:4;1:5 -f svg",
-            "--polar draws one crank drive, and 2 crank ratios were given",
-        ),
-        ("balance --engine=v12-60 --cranks=0;180 -f svg", "--engine has its cranks"),
         ("plot --ratio=1:5 -f svg", "kurbel table --ratio 1:5 -o motion.svg"),
-        ("plot --forces -f svg", "write kurbel forces --eps 4 -o forces.svg"),
         ("plot --turning -f svg", "write kurbel turning --eps 4 -o turning.svg"),
     ],
 )

@@ -308,11 +308,11 @@ STRANGE: list[Any] = [
 ]
 # With how often each is damaged: every speed over the turn of an engine is proved.
 DAMAGED = {
-    "table --ratio 1:5 --angle 60 --stroke 600mm --speed 2/s": 40,
-    "table --mechanism arc --rocker 6 --pivot '5;6' --angle 60": 40,
-    "table --point 0.5 --angle 60": 40,
-    f"forces --eps 4 {MASSES} --angle 50": 40,
-    "turning --compression 6 --peak-pressure 30 --angle 200": 40,
+    "table --ratio 1:5 --angle 60 --stroke 600mm --speed 2/s": 20,
+    "table --mechanism arc --rocker 6 --pivot '5;6' --angle 60": 20,
+    "table --point 0.5 --angle 60": 20,
+    f"forces --eps 4 {MASSES} --angle 50": 20,
+    "turning --compression 6 --peak-pressure 30 --angle 200": 20,
     "delta --eps 4 --detail": 10,
     "rotor --masses 12;9kg --radii 5cm --angles 0;70 --planes 0;3cm --balance-planes 1;5cm": 12,
     "locomotive --spacing 1m --gauge 1.5m --stroke 60cm --reciprocating 300kg --speed 5/s --share 1/2": 12,

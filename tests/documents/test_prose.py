@@ -80,11 +80,6 @@ INDEXED = "words for the index are [words](index:) or, with another term, [words
             'line 4: the link to "file:///etc" cannot be set; it must begin with http:, https: or mailto:,'
             " or be # and the name of a table, figure or chapter",
         ),
-        (
-            "[x](javascript:a)",
-            'line 1: the link to "javascript:a" cannot be set; it must begin with http:, https: or mailto:,'
-            " or be # and the name of a table, figure or chapter",
-        ),
         ("[](<index:b>)", f"line 1: {INDEXED}"),
         ("a\n[*a*](index:)", f"line 2: {INDEXED}"),
         (

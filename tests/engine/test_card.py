@@ -87,9 +87,6 @@ AMONG_OTHERS = "\n".join(
         text_of(end="\r\n"),
         "\ufeff" + text_of(),
         "\ufeff# scanned 1907\n\n" + text_of().replace("\n0.5", "\n\n  # cut-off\n0.5") + ",,\n\n",
-        text_of(delimiter=";", mark=","),
-        text_of(delimiter=";"),
-        text_of(delimiter="\t", mark=","),
         text_of(("position", "p_forward (bar)", "p_return/bar")),
         text_of(("Position [-]", "P_FORWARD in bar", " p_return bar ")),
         text_of(("position/1", "p_forward/(bar)", "p_return[bar]")),
@@ -112,11 +109,6 @@ def test_a_card_is_read_however_it_is_written(text: str, tmp_path: Path) -> None
 @pytest.mark.parametrize(
     ("unit", "pascals"),
     [
-        ("mbar", 100),
-        ("Pa", 1),
-        ("hPa", 100),
-        ("kPa", 1000),
-        ("MPa", 1e6),
         # The standard acceleration is 9.80665 m/s², the pound 0.45359237 kg, the inch 0.0254 m.
         ("at", 98066.5),
         ("kp/cm²", 98066.5),

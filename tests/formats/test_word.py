@@ -8,6 +8,7 @@ from pathlib import Path
 from xml.etree.ElementTree import Element, fromstring
 from zipfile import ZipFile
 
+import manifests
 import pytest
 from browser import Viewer
 from cli import kurbel, printed, refusal
@@ -189,31 +190,14 @@ def test_no_template_brings_files_of_the_machine_along(tmp_path: Path) -> None:
         assert "done" in text(fromstring(file.read("word/document.xml")))
 
 
-MANIFEST = """\
-title = "Tafeln & mehr"
-formats = ["docx"]
-
-[[chapter]]
-title = "Wege für $R:L$"
-
-[[chapter.part]]
-text = "Siehe [](#wege)."
-
-[[chapter.part]]
-run = "table --ratio 1:5 --angle 0;90"
-name = "wege"
-
-[[chapter.part]]
-run = "table --layout kolbenwege"
-name = "breit"
-
-[[chapter.part]]
-run = "table --columns p --ratio 1:5 -f drawing"
-name = "bild"
-
-[[chapter.part]]
-text = "Zum Schluss."
-"""
+PARTS = (
+    manifests.text("Siehe [](#wege)."),
+    manifests.run("wege", "table --ratio 1:5 --angle 0;90"),
+    manifests.run("breit", "table --layout kolbenwege"),
+    manifests.run("bild", "table --columns p --ratio 1:5 -f drawing"),
+    manifests.text("Zum Schluss."),
+)
+MANIFEST = 'title = "Tafeln & mehr"\nformats = ["docx"]\n' + manifests.chapter("Wege für $R:L$", *PARTS)
 
 
 def test_a_handbook_is_one_document_with_its_texts_and_drawings(tmp_path: Path) -> None:

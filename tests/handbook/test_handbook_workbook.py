@@ -7,38 +7,18 @@ from zipfile import ZipFile
 
 import pytest
 from cli import Result, kurbel
+from manifests import chapter, run, text
 from tools import require_library
 from workbooks import sheets_of
 
-MANIFEST = """\
+WAYS = run("wege", "table --ratio 1:5 --angle 0;90", caption="=1+1")
+MANIFEST = f"""\
 title = "Tafeln"
 author = "A. & B."
 formats = ["xlsx", "ods"]
-
-[[chapter]]
-title = "Wege für $R:L$"
-
-[[chapter.part]]
-text = "Siehe [](#wege)."
-
-[[chapter.part]]
-run = "table --ratio 1:5 --angle 0;90"
-name = "wege"
-caption = "=1+1"
-
-[[chapter]]
-title = "Words"
-
-[[chapter.part]]
-text = "Nothing but words."
-
-[[chapter]]
-title = "Irregularity"
-lang = "en"
-
-[[chapter.part]]
-run = "deadcentres"
-name = "irregularity-of-engines-with-a-long-name"
+{chapter("Wege für $R:L$", text("Siehe [](#wege)."), WAYS)}
+{chapter("Words", text("Nothing but words."))}
+{chapter("Irregularity", run("irregularity-of-engines-with-a-long-name", "deadcentres"), lang="en")}
 """
 NAMES = ["Inhalt", "Tab. 1 wege", "Table 2 irregularity-of-engines"]
 

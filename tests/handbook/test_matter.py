@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from cli import kurbel
+from manifests import run
 
 MANIFEST = """\
 title = "Tafeln"
@@ -16,30 +17,19 @@ formats = ["markdown", "json"]
 {keys}
 [[chapter]]
 title = "Wege"
-
 [[chapter.part]]
 text = "Die [geschränkte Kurbel](<index:Kurbel, geschränkte>), der [Balancier](index:); siehe [](#{page})."
 
-[[chapter.part]]
-run = "table --ratio 1:5 --step 90"
-name = "wege"
-
-[[chapter.part]]
-run = "table --ratio 1:5 --step 90 --method series"
-name = "reihe"
-
-[[chapter.part]]
-run = "forces --ratio 1:5 --step 90"
-name = "kraefte"
-
-[[chapter.part]]
-run = "table --layout lueger-kolbenbewegung"
-name = "lueger"
-
-[[chapter.part]]
-run = "collate weisbach-149"
-name = "balancier"
-"""
+""" + "".join(
+    run(name, command)
+    for name, command in {
+        "wege": "table --ratio 1:5 --step 90",
+        "reihe": "table --ratio 1:5 --step 90 --method series",
+        "kraefte": "forces --ratio 1:5 --step 90",
+        "lueger": "table --layout lueger-kolbenbewegung",
+        "balancier": "collate weisbach-149",
+    }.items()
+)
 ALL = 'matter = ["notation", "symbols", "index", "colophon"]\n'
 
 

@@ -26,8 +26,6 @@ anything = st.one_of(st.text(max_size=80), notations)
 @pytest.mark.parametrize(
     ("text", "value"),
     [
-        ("4.5", Fraction(9, 2)),
-        ("4,5", Fraction(9, 2)),
         (" 7 ", Fraction(7)),
         ("-2e-3", Fraction(-1, 500)),
         ("+1,25E+2", Fraction(125)),
@@ -86,15 +84,11 @@ def test_fractions_stand_in_lists_and_ranges() -> None:
     ("text", "value"),
     [
         ("1:10/3", Fraction(3, 10)),
-        ("5/2:9", Fraction(5, 18)),
         ("1:4 1/2", Fraction(2, 9)),
-        ("1:5", Fraction(1, 5)),
         ("1:4,5", Fraction(2, 9)),
         ("1/4.5", Fraction(2, 9)),
         ("2:9", Fraction(2, 9)),
-        ("300:1350", Fraction(2, 9)),
         ("0.2", Fraction(1, 5)),
-        ("0,25", Fraction(1, 4)),
         (" 1 : 6 ", Fraction(1, 6)),
         ("0", Fraction(0)),
         ("1:∞", Fraction(0)),
@@ -129,12 +123,10 @@ def test_a_ratio_is_printed_over_one_where_the_rod_is_a_finite_decimal(value: Fr
 @pytest.mark.parametrize(
     ("text", "value"),
     [
-        ("45", Fraction(45)),
         ("22,5", Fraction(45, 2)),
         ("2°30'", Fraction(5, 2)),
         ("2° 30′", Fraction(5, 2)),
         ("30'", Fraction(1, 2)),
-        ("0°20'", Fraction(1, 3)),
         ("79°20'15\"", 79 + Fraction(20, 60) + Fraction(15, 3600)),
         ("79°20'15''", 79 + Fraction(20, 60) + Fraction(15, 3600)),
         ("-79°20′15″", -79 - Fraction(20, 60) - Fraction(15, 3600)),
@@ -155,15 +147,12 @@ def test_an_angle_in_seconds_is_read_back_from_what_is_printed(seconds: int) -> 
 @pytest.mark.parametrize(
     ("texts", "rods"),
     [
-        (["1:5"], [5]),
         (["1:4;1:4,5", "1:5"], [4, Fraction(9, 2), 5]),
-        (["1:3..6"], [3, 4, 5, 6]),
         (["1:3..1:6"], [3, 4, 5, 6]),
         (["1/3..4:0,5"], [3, Fraction(7, 2), 4]),
         (["0.2..0.25:0.05"], [5, 4]),
         (["1:5;0.2;2:10"], [5]),
         # A comma before another ratio parts a list, which needs no quotes in a shell; others are decimals.
-        (["1:4,1:5"], [4, 5]),
         (["1:4,1:4,5,1:10/3"], [4, Fraction(9, 2), Fraction(10, 3)]),
         (["1:4,5, 1:5;1:6"], [Fraction(9, 2), 5, 6]),
         (["1:3..4,5:0,5"], [3, Fraction(7, 2), 4, Fraction(9, 2)]),
@@ -177,14 +166,11 @@ def test_lists_and_ranges_of_ratios(texts: list[str], rods: list[Fraction]) -> N
 @pytest.mark.parametrize(
     ("texts", "angles"),
     [
-        (["0;30;60"], [0, 30, 60]),
         (["0", "30;60", "30"], [0, 30, 60]),
-        (["0..30:10"], [0, 10, 20, 30]),
         (["0..25:10"], [0, 10, 20]),
         (["88..91"], [88, 89, 90, 91]),
         (["2°30'..7°30':2°30'"], [Fraction(5, 2), 5, Fraction(15, 2)]),
         (["0..20:10;45"], [0, 10, 20, 45]),
-        (["-10..10:10"], [-10, 0, 10]),
         (["0..1,5:0,5"], [0, Fraction(1, 2), 1, Fraction(3, 2)]),
     ],
 )
