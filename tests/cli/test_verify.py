@@ -30,6 +30,7 @@ PAGES = {
     "table --mechanism arc --rocker 6R --pivot '5;6' --step 90": 3 * 10,
     "table --method series --order 3 --step 60 --zero 90": 7 * 3,
     "table --layout verfahren --step 90": 5 * 9,
+    "table --label my-table --angle 30": 6,
     "table --point 1/3 --angle 40": 10,
     "table --mechanism parallel --angle 40": 6,
     "deadcentres --mechanism arc --rocker 3 --stroke 1m --speed 2/s --columns outstroke_time,return_time": 2,

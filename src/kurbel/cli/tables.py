@@ -131,7 +131,7 @@ class TableCommand(MakingCommand):
 
             form = printing.format.for_excel if printing.excel else printing.format
             decimal = form.decimal_name(question.lang, printing.decimal)
-            request = self.made_by.request(given)
+            request = self.made_by.request(question, given)
             _write(record_chunks(question, request, form, decimal), printing.output, len(question))
         else:
             with _numbers_counted():

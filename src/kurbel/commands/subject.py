@@ -143,9 +143,9 @@ class Command:
         """Return the table that was asked for, which these values of the options name."""
         page = cast("Page", found_at(self.builder)(question))
         named = variant(page.key, self.parameters, values.values)
-        return replace(page, variant=named, request=self.request(values))
+        return replace(page, variant=named, request=self.request(question, values))
 
-    def request(self, values: Values) -> Request:
+    def request(self, question: Any, values: Values) -> Request:
         """Return what counted of the values of a question, as they were written."""
         written = values.written
         counted = {
@@ -153,6 +153,9 @@ class Command:
             for name, one in self.options.items()
             if name in values.read - UNTOLD and _is_other(one, written)
         }
+        # A page with a label of its author's does not say by its name which layout it has.
+        if "layout" in self.options and values.says("label"):
+            counted["layout"] = question.layout.key
         return Request(self.name, counted)
 
     def _units(self, asked: Any, values: Mapping[str, object]) -> Units | None:

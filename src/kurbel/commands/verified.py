@@ -98,7 +98,8 @@ def _is_whole(page: Mapping[str, Any]) -> TypeGuard[Page]:
 
 def checked(page: Page) -> Iterator[Cell]:
     """Yield the cells of a page with numbers, each computed a second time. Raises KurbelError."""
-    second = Second(page["request"]["command"], page["request"]["options"], str(page.get("table")))
+    options = page["request"]["options"]
+    second = Second(page["request"]["command"], options, str(options.get("layout", page.get("table"))))
     columns = {column["key"]: column for column in page["columns"]}
     for line, whole in enumerate(page["rows"], 1):
         row = {key: text for key in columns if (text := whole[key]) is not None}
