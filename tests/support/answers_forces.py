@@ -58,6 +58,11 @@ def forces_at_an_angle(crank: mpf, rod: mpf, force: mpf, angle: mpf) -> Rows:
 
 
 @solution
+def pull_on_the_piston(crank: mpf, rod: mpf, force: mpf, angle: mpf) -> Rows:
+    return [forces(crank, rod, angle, force=-force)(*KEYS)]
+
+
+@solution
 def masses_in_the_dead_centre(crank: mpf, rod: mpf, speed: mpf, mass: mpf) -> Rows:
     return [forces(crank, rod, at, speed, reciprocating=mass)("rod_force_n") for at in (0, 180)]
 

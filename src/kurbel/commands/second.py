@@ -32,12 +32,12 @@ from kurbel.reading.amounts import UNITS
 from kurbel.reading.given import (
     as_angular_acceleration,
     as_expansions,
-    as_force,
     as_number,
     as_pressure,
     as_share_or_length,
     as_share_or_pressure,
     as_shares,
+    as_signed_force,
     as_speed,
     found_at,
     of_given,
@@ -215,7 +215,7 @@ class Second:
         """What pushes the piston towards the shaft where no engine does, in N."""
         asked = self.asked
         if not asked.says(*PRESSING):
-            return as_force(asked.raw("force") or 0, "force")
+            return as_signed_force(asked.raw("force") or 0, "force")
         bore, difference = asked.bore, asked.pressure_difference
         assert bore is not None
         tail, rod = (asked.tail_rod or 0, asked.piston_rod or 0) if difference is None else (0, 0)
@@ -368,7 +368,7 @@ class Second:
     def pushed(self, row: Row) -> verify.Drive:
         """The drive with the force that is given."""
         force, drive = self.asked.raw("force"), self.drive(row)
-        return drive if force is None else replace(drive, force=as_force(force, "force"))
+        return drive if force is None else replace(drive, force=as_signed_force(force, "force"))
 
     def turn(self, method: str, row: Row, alone: bool = False) -> verify.Turn:
         """The turn of the page, or that of one crank `alone`, without its masses."""

@@ -13,10 +13,11 @@ from kurbel.exact.numerals import Label
 from kurbel.exact.numerals import figure as figure
 from kurbel.kernel.turning import Stroke
 from kurbel.reading.amounts import amount
-from kurbel.reading.given import as_force, found_at
+from kurbel.reading.given import as_signed_force, found_at
 from kurbel.reading.notation import about
 
 LARGEST_FORCE = 10**12
+AGAINST = {"de": ", gegen die Richtung des Hubes", "en": ", against the direction of the stroke"}
 FORCE, MASSES, STEAM, CARD = "force", "masses", "steam", "card"
 COMPRESSOR, PUMP, GAS = "compressor", "pump", "gas"
 
@@ -53,7 +54,8 @@ class OnStroke(Protocol):
 
 @dataclass(frozen=True)
 class PistonForce:
-    """A force on the piston in newtons, in the direction of the stroke: by itself a constant one.
+    """A force on the piston in newtons, in the direction of the stroke, below 0 against it, on the outstroke
+    a pull: by itself a constant one.
 
     Of another load `first` is the force where a stroke begins.
     """
@@ -63,15 +65,16 @@ class PistonForce:
     first: Fraction
 
     def __post_init__(self) -> None:
-        if not 0 < self.first <= LARGEST_FORCE:
+        if not 0 < abs(self.first) <= LARGEST_FORCE:
             raise ProblemError(
-                f"the piston force is {about(self.first)} N; it must be above 0 and at most 10^12"
+                f"the piston force is {about(self.first)} N; it is above 0 or, against the direction of"
+                " the stroke, below it, and at most 10^12 N"
             )
 
     @classmethod
     def read(cls, given: object) -> PistonForce | None:
         """Return the load that is written so, None if none of these is."""
-        return cls(as_force(given))
+        return cls(as_signed_force(given, "force"))
 
     def relative(self, place: OnStroke) -> Any:
         """Return the force at a place as a multiple of the first, on its kind of number; None for one."""
@@ -84,7 +87,8 @@ class PistonForce:
 
     def note(self, lang: str) -> Label:
         """Return the line that pages have below their tables."""
-        return f"$F = {amount(self.first, 'N')}$"
+        against = AGAINST[lang] if self.first < 0 else ""
+        return f"$F = {amount(self.first, 'N')}${against}"
 
 
 def read_force(given: object) -> PistonForce:

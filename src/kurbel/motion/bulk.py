@@ -216,7 +216,7 @@ def greatest_load(crank: Crank) -> Fraction:
     """Return a bound of the forces in newtons that piston force and moving masses call up, but for the rod's
     slant: without the factor (2π)² where the speed counts turns."""
     moving, speed = crank.moving, crank.speed
-    force = crank.force.first * crank.force.growth if crank.force else Fraction(0)
+    force = abs(crank.force.first) * crank.force.growth if crank.force else Fraction(0)
     if crank.effort is not None:
         force += crank.effort.greatest
     if moving is None or speed is None:

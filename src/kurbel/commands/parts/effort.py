@@ -127,7 +127,10 @@ class PinFriction(Part):
 class Effort(Piston, Friction, Pressing, Masses, Rotating):
     """All that acts on piston and crosshead where no engine does: a force, pressures, friction, masses."""
 
-    force = amount(f"Piston force, for columns in N and N m: {load.examples()}.", "FORCE", unit="N")
+    force = amount(
+        f"Piston force, for columns in N and N m: {load.examples()}; -5kN is against the stroke.",
+        "FORCE", unit="N",
+    )  # fmt: skip
 
     def is_pushed(self) -> bool:
         """Whether a force acts on the piston, that of moving masses among them."""
