@@ -194,7 +194,7 @@ class PathRequest(DriveQuestion):
             )
         for share in self.shares:
             if not 0 <= share <= 1:
-                percent = f"; write {about(share)}%" if 1 < share <= 100 else ""
+                percent = f"; write {about(share)}%" if 2 <= share <= 100 else ""
                 raise ProblemError(
                     f"share of the stroke is {about(share)}; it must lie within 0..1, that is 0%..100%"
                     f"{percent}"

@@ -295,6 +295,11 @@ POWER_TEXTS = {
         "|{stages} stages with perfect intercooling at the best intermediate pressure $p_z$, their mean"
         " pressures together on the piston of the first; all with its stroke and its clearance"
     ),
+    "further_stages": words(
+        "hinter jeder weiteren Stufe der Druck $Π^(1/{stages})$ mal so hoch, ihr Kolben um so viel kleiner"
+        "|behind each further stage the pressure is $Π^(1/{stages})$ times as high, and its piston's area as"
+        " much smaller"
+    ),
     "ideal_air": words(
         '$N_"is" = p_1 V ln Π$, $N_"ad" = γ/(γ - 1) p_1 V (Π^((γ - 1)/γ) - 1)$ in einer Stufe, $γ = 1.4$'
         '|$N_"is" = p_1 V ln Π$, $N_"ad" = γ/(γ - 1) p_1 V (Π^((γ - 1)/γ) - 1)$ in one stage, $γ = 1.4$'

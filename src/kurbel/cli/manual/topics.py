@@ -79,7 +79,7 @@ SWEEPS_LAST = "zip_ sample only dry_run output format"
 # Where the beginning of what an option says is too little, or too much, for `-h`.
 SHORTER: Mapping[str, str] = {
     "machine": "A machine in TOML; what is typed outdoes it",
-    "mechanism": "straight (default), offset, arc, parallel, beam",
+    "mechanism": "straight (default), offset, arc, beam, yoke, slotted",
     "method": "exact (default), series or infinite",
     "angle": "Crank angles in degrees: '0;45;90', 0..180:10",
     "point": "Points of the rod, from the crosshead pin: 0.5",

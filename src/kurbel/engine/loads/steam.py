@@ -153,6 +153,11 @@ class Steam:
                 f"release at {about(self.release)} of the stroke comes before the cut-off at"
                 f" {about(1 / self.expansion)}; it must not"
             )
+        if self.lead and self.cushion == 1:
+            raise ProblemError(
+                f"with a lead of {about(self.lead)} the exhaust must be closed before steam enters, at"
+                f" {about(1 - self.lead)} of the return stroke; add --cushion {about(100 * (1 - self.lead))}%"
+            )
         if self.cushion + self.lead > 1:
             raise ProblemError(
                 f"the exhaust closes at {about(self.cushion)} of the return stroke, behind the lead, with"

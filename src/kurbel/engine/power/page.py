@@ -273,8 +273,9 @@ def _air_lines(source: Acting, duty: Duty, shown: set[str], lang: str) -> Iterat
         yield POWER_TEXTS["free"][lang].format(
             pressure=amount(pressure, "bar"), temperature=figure(temperature)
         )
-    if source.load.stages > 1:
-        yield POWER_TEXTS["stages"][lang].format(stages=source.load.stages)
+    if (stages := source.load.stages) > 1:
+        said = ["stages", *(["further_stages"] if stages > 2 else [])]
+        yield "; ".join(POWER_TEXTS[key][lang].format(stages=stages) for key in said)
     if not shown.isdisjoint(("isothermal_power", "isothermal_efficiency", "adiabatic_efficiency")):
         yield POWER_TEXTS["ideal_air"][lang]
 

@@ -27,6 +27,9 @@ _OF_RIM = (
     *("rim_diameter", "rim_speed", "section", "breadth", "thickness", "proportion"),
     *("breadth_share", "thickness_share"),
 )
+# Shares of the diameter, and what they find.
+_SHARES = {"breadth_share": "breadth", "thickness_share": "thickness", "disc_share": "disc_thickness"}
+_RUN_UP = {"run_up_torque", "run_up_time", "run_up_turns"}
 SWING_MISSING = "the swing needs --swing, --areas, --torque, --energy-fluctuation or an engine, --eps"
 # An exact value that is longer is told to five figures.
 LONGEST_TOLD = 10
@@ -87,6 +90,12 @@ def sized(given: Figures, limit: Known | None = None) -> Sizing:
             "--rim-section is the ratio of breadth to thickness of a rim whose section is not known; add"
             " --rim-diameter and --density, or leave it out"
         )
+    for share, of in _SHARES.items():
+        if share in given and of not in figures:
+            raise ProblemError(
+                f"{given[share].options[0]} is a share of a diameter that does not follow from what is given;"
+                " add more, such as --density, or leave it out"
+            )
     _check_rim(figures)
     _check_answered(given, figures)
     return Sizing(figures, tuple(taken))
@@ -212,7 +221,14 @@ def _check_turns(given: Figures, figures: Figures) -> None:
 
 
 def _check_rim(figures: Figures) -> None:
-    """Raise ProblemError where the rim has more than the whole flywheel."""
+    """Raise ProblemError where the rim has more than the whole flywheel, or would reach beyond its middle."""
+    if {"thickness", "rim_diameter"} <= figures.keys():
+        thickness, diameter = (figures[name].value for name in ("thickness", "rim_diameter"))
+        if thickness.exceeds(diameter):
+            raise ProblemError(
+                f"the rim is {figures_of(thickness)} m thick at a mean diameter of {figures_of(diameter)} m,"
+                " and would reach beyond its middle; give a thinner rim, or a disc, --disc-thickness"
+            )
     share = figures.get("rim_share")
     if share is not None and share.value.exceeds(Product.of(1)):
         rim, whole = (figures_of(figures[name].value) for name in ("rim_inertia", "inertia"))
@@ -231,7 +247,7 @@ def _check_answered(given: Figures, figures: Figures) -> None:
     unknown = {"swing", "inertia", "omega", "delta"} - figures.keys()
     found = figures.keys() - given.keys() - _ASIDE
     swing_alone = "swing" in given and {"inertia", "delta"} <= unknown
-    if {"run_up_torque", "run_up_time"} <= figures.keys():
+    if found and {"run_up_torque", "run_up_time"} <= figures.keys():
         return
     if "rim_mass" in found and unknown <= {"inertia", "omega"}:
         return
@@ -242,6 +258,11 @@ def _check_answered(given: Figures, figures: Figures) -> None:
 
 def _missing(unknown: set[str], given: Figures, figures: Figures) -> str:
     """Return the sentence that names the option that is missing."""
+    if _RUN_UP & given.keys() and "run_up_torque" not in figures.keys() - given.keys():
+        return (
+            "running up follows from three of --run-up-torque, --run-up-time, --run-up-turns, --speed and"
+            " --inertia, or --mass and --radius for that; add one"
+        )
     if "swing" in unknown and "energy_fluctuation" in figures:
         return (
             "the coefficient of fluctuation of energy is a share of the work of a cycle; add --work, or"
