@@ -16,10 +16,10 @@ from kurbel.errors import ProblemError
 from kurbel.verify import Number, Value, drive, harmonics
 from kurbel.verify.diagram import Diagram, swing
 from kurbel.verify.loads import disc
-from kurbel.verify.numbers import number, pi
+from kurbel.verify.numbers import heading, number, pi
 from kurbel.verify.plane import Arrow
 from kurbel.verify.relations import ENGINE, completed, flywheel
-from kurbel.verify.shaft import Pull, Slide, heading, held, moment, parts, ray, together
+from kurbel.verify.shaft import Pull, Slide, held, moment, parts, ray, together
 
 if TYPE_CHECKING:
     from kurbel.commands.recomputed import Row
@@ -81,7 +81,7 @@ def of_rotor(second: Second, key: str, method: str, row: Row) -> Value:
     if key == "angle" and given is not None:
         return Value(lambda: number(given.angle))
     if key == "angle":
-        return Value(lambda: heading(vector()))
+        return Value(lambda: heading(*vector()))
     if key == "mass":
         return Value(lambda: vector().size() / radius)
     arm = _one
@@ -135,7 +135,7 @@ def of_locomotive(second: Second, key: str, method: str, row: Row) -> Value:
 
     def upright(arrow: Arrow) -> Number:
         """The crank angle at which the vector lies along the slides."""
-        found = heading(Arrow(arrow.x, -arrow.y))
+        found = heading(arrow.x, -arrow.y)
         return found
 
     known: Mapping[str, Callable[[], Number]] = {
@@ -144,7 +144,7 @@ def of_locomotive(second: Second, key: str, method: str, row: Row) -> Value:
         "velocity_kmh": lambda: omega() * wheel,
         "balance": lambda: balance(side).size(),
         "mass": lambda: balance(side).size() / run.radius,
-        "angle": lambda: heading(balance(side)),
+        "angle": lambda: heading(*balance(side)),
         "blow": lambda: blows(share)[side].size() * square(),
         "load_least": lambda: run.load - blow(share) * square(),
         "load_greatest": lambda: run.load + blow(share) * square(),
@@ -241,7 +241,7 @@ _AT: Mapping[str, Printed] = {
     "along": lambda arrow: arrow.x,
     "across": lambda arrow: arrow.y,
     "magnitude": lambda arrow: arrow.size(),
-    "direction": heading,
+    "direction": lambda arrow: heading(*arrow),
 }
 _OF_ORDER: Mapping[str, Callable[[Arrow, Arrow], Number]] = {
     "along": lambda f, b: Arrow(f.x + b.x, f.y - b.y).size(),

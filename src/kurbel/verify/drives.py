@@ -5,14 +5,14 @@ Where the pins are is known from `places`; everything else is its slope, or a fo
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.verify.jets import Jet, direction, slope_of, slope_of_angle
-from kurbel.verify.numbers import Number, degrees_of, largest, number, pi
+from kurbel.verify.numbers import Number, arccosine, heading, largest, number, pi
 from kurbel.verify.places import OUT, RETURN, Places
 from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
@@ -25,6 +25,33 @@ Degrees = Fraction | int | str | Callable[[], Place]
 
 def place_of(degrees: Degrees) -> Place:
     return degrees() if callable(degrees) else Place(Fraction(degrees))
+
+
+def typed(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return numbers as fractions, which may be decimals as text, without what is None."""
+
+    def exact(one: Any) -> Any:
+        if isinstance(one, tuple):
+            return tuple(map(exact, one))
+        return Fraction(one) if isinstance(one, str | int | Fraction) else one
+
+    return {name: exact(one) for name, one in given.items() if one is not None}
+
+
+class Held(NamedTuple):
+    """The crank pin, the force on it, that in the rod, and what guide and sliding block hold."""
+
+    pin: Arrow
+    on_pin: Arrow
+    rod_force: Jet | Number
+    guide_force: Jet | Number
+    block_force: Jet | Number = number(0)
+
+    def force(self, name: str) -> Jet | Number:
+        if name in self._fields:
+            found: Jet | Number = getattr(self, name)
+            return found
+        return -self.on_pin.dot(self.pin) if name == "radial_force" else self.pin.cross(self.on_pin)
 
 
 @dataclass(frozen=True)
@@ -76,21 +103,23 @@ class Drive(Places):
         if not self.ratio and not self.parallel:
             method = "infinite"
         if self.parallel:
+            if name in FORCES:
+                return self.held(place, OUT, "infinite", more).force(name)
             return _parallel(name, self.pin(place.degrees, 2 + more, place.reach))
-        if name in _OF_DRIVE:
-            return _OF_DRIVE[name](self)
+        if name in OF_DRIVE:
+            return OF_DRIVE[name](self)
         if name == "slot_velocity":
             # The pin's way in the slot of a Scotch yoke, which moves as a piston with an infinite rod.
             return self.pin(place.degrees, 1 + more, place.reach).y.derived()
         if name == "time":
             return (place.angle - self.dead_degrees(stroke)) * pi() / 180 / self.omega
-        if name in _FORCES:
-            return self._force(name, place, stroke, method, more)
+        if name in FORCES:
+            return self.held(place, stroke, method, more).force(name)
         if method == "exact" or (name == "psi" and method == "series"):
-            return self._moving(name, place, stroke, more)
+            return self.moving(name, place, stroke, more)
         return _approximate(name, self, place, stroke, order if method == "series" else 0, more)
 
-    def _moving(self, name: str, place: Place, stroke: int, more: int) -> Jet:
+    def moving(self, name: str, place: Place, stroke: int, more: int) -> Jet:
         of, slope = _SLOPES.get(name, (name, 0))
         pin, end = self.placed(place, slope + more)
         rod = pin.minus(end)
@@ -117,8 +146,8 @@ class Drive(Places):
         path: Jet = moved.size() if name == "chord" else moved.x if name == "slide_path" else -moved.y
         return path
 
-    def _force(self, name: str, place: Place, stroke: int, method: str, more: int) -> Jet | Number:
-        """A force of 1 on B in the direction of the stroke, which rod and guide hold."""
+    def held(self, place: Place, stroke: int, method: str, more: int) -> Held:
+        """What a force of 1 on B in the direction of the stroke does, which rod and guide hold."""
         if method == "infinite":
             crank, line = self.pin(place.degrees, more, place.reach), Arrow(number(-1), number(0))
             way = Arrow(number(-stroke), number(0))
@@ -128,13 +157,21 @@ class Drive(Places):
         # Along the path the rod alone holds it.
         thrust: Jet | Number = 1 / line.dot(way)
         on_pin = line.times(thrust)
-        if name == "rod_force":
-            return thrust * number(stroke)
-        found: Jet | Number = {
-            "guide_force": lambda: on_pin.dot(way.right()),
-            "radial_force": lambda: -on_pin.dot(crank),
-        }.get(name, lambda: crank.cross(on_pin))()
-        return found
+        return Held(crank, on_pin, thrust * number(stroke), on_pin.dot(way.right()))
+
+    @property
+    def transmission(self) -> Number:
+        """The least angle between the rod and the square to the slide, or the rocker.
+
+        The rod leans most where A is farthest from the line of the slide. Between rod and rocker it is least
+        at an extreme of the distance from A to the pivot: where the crank lies in the line of centres.
+        """
+        if self.rocker is None:
+            return arccosine((1 + abs(number(self.offset))) * self.ratio)
+        rod, rocker, apart = self.rod, number(self.rocker), self.bearing.size()
+        squares = ((apart + side) * (apart + side) for side in (1, -1))
+        cosines = [abs((rod * rod + rocker * rocker - one) / (2 * rod * rocker)) for one in squares]
+        return arccosine(largest(cosines))
 
     def point(self, name: str, place: Place, point: tuple[Fraction, Fraction]) -> Jet | Number:
         """The motion of a point at a share of the rod from B and beside it."""
@@ -148,11 +185,10 @@ class Drive(Places):
         dead = self.dead(OUT)
         before = at(dead.times(1 / (self.rod + 1)), dead)
         quantity, _, part = name.partition("_")
-        order = {"path": 0, "velocity": 1, "acceleration": 2}[quantity]
+        order = _ORDERS[quantity]
         arrow = moved.slope(order) if order else moved.value().minus(Arrow(before.x, number(0)))
         if part == "direction":
-            found = degrees_of(*arrow)
-            return found if found.is_zero or found.sign() >= 0 else found + 360
+            return heading(*arrow)
         known: Number = {"along": -arrow.x, "across": arrow.y, "": arrow.size()}[part]
         return known
 
@@ -198,41 +234,19 @@ class Course:
         return slope_of(found, more) * self.drive.unit(unit)
 
 
-def drive(
-    ratio: Fraction | str = Fraction(0),
-    offset: Fraction | str | int = 0,
-    *,
-    rocker: Fraction | str | int | None = None,
-    pivot: tuple[Any, Any] | None = None,
-    circuit: int = 1,
-    beam: Fraction | str | int | None = None,
-    parallel: bool = False,
-    radius: Fraction | str | int = 1,
-    speed: Fraction | str | int = 1,
-    turns: bool = False,
-    force: Fraction | str | int = 1,
-) -> Drive:
-    """Return a drive as users describe it: "1:5", an offset in crank radii, a rocker, the arm of a beam.
+def drive(ratio: Fraction | str = Fraction(0), offset: Fraction | str | int = 0, **given: Any) -> Drive:
+    """Return a drive as users describe it: "1:5", an offset in crank radii, a `rocker` about a `pivot` (x, y)
+    or of the other `circuit`, the arm of a `beam`, or `parallel` cranks.
 
     `radius` is in m, `speed` in rad/s, or with `turns` in 1/s, and `force` in N.
     """
     if isinstance(ratio, str):
         crank, _, rod = ratio.partition(":")
         ratio = Fraction(crank) / Fraction(rod or 1)
-    arm = beam if rocker is None else rocker
-    found = Drive(
-        Fraction(ratio),
-        Fraction(offset),
-        None if arm is None else Fraction(arm),
-        None if pivot is None else (Fraction(pivot[0]), Fraction(pivot[1])),
-        circuit,
-        beam is not None,
-        parallel,
-        Fraction(radius),
-        Fraction(speed),
-        turns,
-        Fraction(force),
-    )
+    numbers = typed(given)
+    if (arm := numbers.pop("beam", None)) is not None:
+        numbers = {"rocker": arm, **numbers, "beam": True}
+    found = Drive(ratio, Fraction(offset), **numbers)
     if found.rocker is not None and not found.ratio:
         raise ProblemError("an infinite rod that a rocker guides is not to be verified")
     if found.rocker is None and found.ratio and abs(found.offset) >= 1 / found.ratio - 1:
@@ -284,58 +298,29 @@ def _approximate(name: str, drive: Drive, place: Place, stroke: int, order: int,
 
 
 def _parallel(name: str, pin: Arrow) -> Jet | Number:
-    """Every point of the coupling rod runs as the crank pin, on a circle of its own."""
-    place, velocity = pin, pin.derived()
-    acceleration = velocity.derived()
-    known: dict[str, Jet | Number] = {
-        "coupler_path": 1 - place.x,
-        "coupler_velocity": -velocity.x,
-        "coupler_acceleration": -acceleration.x,
-        "coupler_rise": place.y,
-        "coupler_rise_velocity": velocity.y,
-        "coupler_rise_acceleration": acceleration.y,
-        "rod_velocity": number(0),
-        "rod_acceleration": number(0),
-        # A force of 1 against x.
-        "tangential_force": place.y,
-        "radial_force": place.x,
-        "torque": place.y,
-    }
-    if name not in known:
+    """Every point of the coupling rod runs as the crank pin, on a circle of its own; it does not turn."""
+    part, _, quantity = name.rpartition("_")
+    if part == "rod":
+        return number(0)
+    order = _ORDERS.get(quantity, 0)
+    if not part.startswith("coupler"):
         raise ProblemError(f'there is no "{name}" of parallel cranks to verify')
-    return known[name]
-
-
-def _transmission(drive: Drive) -> Number:
-    """The least angle between the rod and the square to the slide, or the rocker.
-
-    The rod leans most where A is farthest from the line of the slide. Between rod and rocker it is least at
-    an extreme of the distance from A to the pivot, that is where the crank lies in the line of centres.
-    """
-    if drive.rocker is None:
-        lean = (1 + abs(number(drive.offset))) * drive.ratio
-        return degrees_of(lean, (1 - lean * lean).root())
-    rod, rocker, apart = drive.rod, number(drive.rocker), drive.bearing.size()
-    cosines = [
-        abs((rod * rod + rocker * rocker - (apart + side) * (apart + side)) / (2 * rod * rocker))
-        for side in (1, -1)
-    ]
-    most = largest(cosines)
-    return degrees_of(most, (1 - most * most).root())
+    found: Jet = (pin.y if "rise" in name else 1 - pin.x).derived(order)
+    return found
 
 
 def _lead(drive: Drive) -> Number:
     return drive.dead_degrees(RETURN) - drive.dead_degrees(OUT) - 180
 
 
-_OF_DRIVE: dict[str, Callable[[Drive], Number]] = {
+OF_DRIVE: dict[str, Callable[[Drive], Number]] = {
     "phi_i": lambda drive: drive.dead_degrees(OUT),
     "phi_o": lambda drive: drive.dead_degrees(RETURN),
     "lead": _lead,
     "time_ratio": lambda drive: (180 + _lead(drive)) / (180 - _lead(drive)),
     "stroke": lambda drive: drive.stroke,
     "swing": lambda drive: drive.swing,
-    "transmission": _transmission,
+    "transmission": lambda drive: drive.transmission,
     "outstroke_time": lambda drive: (180 + _lead(drive)) * pi() / 180 / drive.omega,
     "return_time": lambda drive: (180 - _lead(drive)) * pi() / 180 / drive.omega,
     # The mean over a turn of two strokes.
@@ -345,29 +330,23 @@ _OF_DRIVE: dict[str, Callable[[Drive], Number]] = {
 }
 # Of a slotted lever and a Scotch yoke alone.
 _SLOTTED = (
-    "lever", "lever_velocity", "lever_acceleration", "block_velocity", "coriolis", "block_force",
-    "slot_velocity",
+    "lever", "lever_velocity", "lever_acceleration", "block_velocity", "coriolis", "slot_velocity",
 )  # fmt: skip
-_FORCES = ("rod_force", "guide_force", "tangential_force", "radial_force", "torque")
+FORCES = ("rod_force", "guide_force", "block_force", "tangential_force", "radial_force", "torque")
+_ORDERS = {"path": 0, "velocity": 1, "acceleration": 2}
 # What is a slope of what.
 _SLOPES = {
-    "x": ("path", 0),
-    "c": ("path", 1),
-    "p": ("path", 2),
-    "path": ("path", 0),
-    "velocity": ("path", 1),
-    "acceleration": ("path", 2),
-    "turn_velocity": ("turn", 1),
-    "turn_acceleration": ("turn", 2),
-    "rod_velocity": ("rod", 1),
-    "rod_acceleration": ("rod", 2),
+    **{name: ("path", order) for names in ("xcp", _ORDERS) for order, name in enumerate(names)},
+    **{
+        f"{of}_{name}": (of, _ORDERS[name]) for of in ("turn", "rod") for name in ("velocity", "acceleration")
+    },
 }
 _POINTS = [
-    *(f"{one}_{part}" for one in ("path", "velocity", "acceleration") for part in ("along", "across")),
+    *(f"{one}_{part}" for one in _ORDERS for part in ("along", "across")),
     *("velocity_direction", "acceleration_direction"),
 ]
-_COUPLER = ("path", "velocity", "acceleration", "rise", "rise_velocity", "rise_acceleration")
+_COUPLER = (*_ORDERS, "rise", "rise_velocity", "rise_acceleration")
 _NAMES = (
-    *_OF_DRIVE, *_FORCES, *_SLOPES, *_SLOTTED, *_POINTS, *(f"coupler_{one}" for one in _COUPLER),
+    *OF_DRIVE, *FORCES, *_SLOPES, *_SLOTTED, *_POINTS, *(f"coupler_{one}" for one in _COUPLER),
     *("time", "fd", "psi", "rod", "turn", "rocker", "slant", "chord", "slide_path", "rise"),
 )  # fmt: skip

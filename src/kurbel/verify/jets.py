@@ -7,7 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import reduce
 from math import factorial
+from operator import add
 from typing import Any
 
 from kurbel.verify.numbers import Number, degrees_of, number, pi, sine_cosine
@@ -80,7 +82,7 @@ class Jet:
         if _depth(other) > _depth(self):
             return other * self
         a, b = self.terms, other.terms
-        return Jet([_sum(a[i] * b[k - i] for i in range(k + 1)) for k in range(min(len(a), len(b)))])
+        return Jet([reduce(add, (a[i] * b[k - i] for i in range(k + 1))) for k in range(min(len(a), len(b)))])
 
     __rmul__ = __mul__
 
@@ -89,10 +91,8 @@ class Jet:
             return Jet([one / other for one in self.terms])
         found: list[Coefficient] = []
         for k in range(min(len(self.terms), len(other.terms))):
-            rest = self.terms[k]
-            for i in range(k):
-                rest = rest - found[i] * other.terms[k - i]
-            found.append(rest / other.terms[0])
+            taken = (-found[i] * other.terms[k - i] for i in range(k))
+            found.append(reduce(add, taken, self.terms[k]) / other.terms[0])
         return Jet(found)
 
     def __rtruediv__(self, other: Any) -> Jet:
@@ -102,22 +102,13 @@ class Jet:
         """r with r² = self: 2 r₀ r_k is what the lower ones leave of the coefficient."""
         found = [self.terms[0].root()]
         for k in range(1, len(self.terms)):
-            rest = self.terms[k]
-            for i in range(1, k):
-                rest = rest - found[i] * found[k - i]
-            found.append(rest / (2 * found[0]))
+            taken = (-found[i] * found[k - i] for i in range(1, k))
+            found.append(reduce(add, taken, self.terms[k]) / (2 * found[0]))
         return Jet(found)
 
 
 def _depth(one: Any) -> int:
     return 1 + _depth(one.terms[0]) if isinstance(one, Jet) else 0
-
-
-def _sum(terms: Any) -> Coefficient:
-    total, *rest = terms
-    for one in rest:
-        total = total + one
-    return total
 
 
 def turning(degrees: Fraction, order: int, reach: Fraction = Fraction(0)) -> tuple[Jet, Jet]:

@@ -233,6 +233,17 @@ def degrees_of(x: Number, y: Number) -> Number:
     return 90 * number(y.sign()) - _arctangent(x / y)
 
 
+def heading(x: Number, y: Number) -> Number:
+    """The angle of (x, y) in degrees from 0 up to 360."""
+    found = degrees_of(x, y)
+    return found if found.sign() >= 0 else found + 360
+
+
+def arccosine(cosine: Number) -> Number:
+    """In degrees, from 0 to 180."""
+    return degrees_of(cosine, (1 - cosine * cosine).root())
+
+
 def _arctangent(slope: Number) -> Number:
     return Number(enclose.arctangent(slope.span) * 180 / enclose.pi())
 

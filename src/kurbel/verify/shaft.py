@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from functools import reduce
 from typing import NamedTuple
 
-from kurbel.verify.numbers import Number, degrees_of, number, sine_cosine
+from kurbel.verify.numbers import Number, number, sine_cosine
 from kurbel.verify.plane import Arrow
 
 
@@ -39,10 +40,7 @@ def ray(size: Number | Fraction, degrees: Fraction) -> Arrow:
 
 
 def together(arrows: Iterable[Arrow]) -> Arrow:
-    total = Arrow(number(0), number(0))
-    for one in arrows:
-        total = total.plus(one)
-    return total
+    return reduce(Arrow.plus, arrows, Arrow(number(0), number(0)))
 
 
 def moment(pulls: Sequence[Pull], about: Number | Fraction = Fraction(0)) -> Arrow:
@@ -57,12 +55,6 @@ def held(pulls: Sequence[Pull], planes: Sequence[Fraction]) -> tuple[Arrow, ...]
         return (whole,)
     far = moment(pulls, planes[0]).times(1 / number(planes[1] - planes[0]))
     return whole.minus(far), far
-
-
-def heading(arrow: Arrow) -> Number:
-    """The direction in degrees from 0 up to 360."""
-    found = degrees_of(*arrow)
-    return found if found.sign() >= 0 else found + 360
 
 
 def parts(slides: Sequence[Slide], order: int, harmonic: Number, share: Fraction) -> tuple[Arrow, Arrow]:

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kurbel.errors import ProblemError
-from kurbel.verify.drives import Drive
+from kurbel.verify.drives import FORCES, OF_DRIVE, Drive, Held
 from kurbel.verify.jets import Jet, direction, slope_of_angle
-from kurbel.verify.numbers import Number, degrees_of, largest, number
+from kurbel.verify.numbers import Number, arccosine, degrees_of, heading, largest, number
 from kurbel.verify.places import OUT, RETURN
 from kurbel.verify.plane import Arrow, circle_meets_level
 from kurbel.verify.zeros import Place
@@ -64,16 +64,24 @@ class SlottedLever(Drive):
         return foot.plus(arm.times(nearest + (1 - (foot.square() - nearest * nearest)).root()))
 
     def dead_degrees(self, stroke: int) -> Number:
-        found = degrees_of(*self.dead_pin(stroke))
-        return found if stroke == OUT or found.low > 0 else found + 360
+        pin = self.dead_pin(stroke)
+        return degrees_of(*pin) if stroke == OUT else heading(*pin)
 
-    def dead_ram(self, stroke: int) -> Number:
-        end = self.foot.plus(self.dead_arm(stroke).times(number(self.arm)))
-        return self.ram(end).x
+    def end(self, lever: Arrow) -> Arrow:
+        """Where the arm's end is, by the direction of the lever."""
+        return self.foot.plus(lever.times(number(self.arm)))
+
+    def driven(self, pin: Arrow) -> Arrow:
+        along = pin.minus(self.foot)
+        return self.ram(self.end(along.times(1 / along.size())))
+
+    def dead(self, stroke: int) -> Arrow:
+        return self.ram(self.end(self.dead_arm(stroke)))
 
     @property
     def stroke(self) -> Number:
-        return self.dead_ram(OUT) - self.dead_ram(RETURN)
+        found: Number = self.dead(OUT).x - self.dead(RETURN).x
+        return found
 
     @property
     def swing(self) -> Number:
@@ -86,69 +94,48 @@ class SlottedLever(Drive):
     ) -> Jet | Number:
         if method != "exact":
             raise ProblemError("a slotted lever is verified by exact formulas alone")
-        if name == "transmission":
-            return self._transmission()
-        if name in _DEAD:
-            return super().course(name, place, stroke, method, order, more)
+        if name in OF_DRIVE:
+            return OF_DRIVE[name](self)
+        if name in FORCES:
+            return self.held(place, stroke, method, more).force(name)
+        if name in ("path", "velocity", "acceleration"):
+            return self.moving(name, place, stroke, more)
         pin = self.pin(place.degrees, 2 + more, place.reach)
         along = pin.minus(self.foot)
-        reach = along.size()
-        unit = along.times(1 / reach)
-        end = self.foot.plus(unit.times(number(self.arm)))
-        ram = self.ram(end)
-        way = (self.dead_ram(stroke) - ram.x) * stroke
-        turning = slope_of_angle(*along)
-        if name in _FORCES:
-            return self._by_statics(name, stroke, pin, along, end, ram)
+        reach, turning = along.size(), slope_of_angle(*along)
         known: dict[str, Callable[[], Jet]] = {
-            "path": lambda: way,
-            "velocity": way.derived,
-            "acceleration": lambda: way.derived(2),
             "lever": lambda: direction(along.y, -along.x),
             "lever_velocity": lambda: turning,
             "lever_acceleration": turning.derived,
             "block_velocity": reach.derived,
             # The pin's acceleration square to the lever is that of the lever there, and that of Coriolis.
-            "coriolis": lambda: unit.cross(pin.derived().derived()) - reach * turning.derived(),
+            "coriolis": lambda: along.cross(pin.derived().derived()) / reach - reach * turning.derived(),
         }
         return known[name]()
 
-    def _by_statics(
-        self, name: str, stroke: int, pin: Arrow, along: Arrow, end: Arrow, ram: Arrow
-    ) -> Jet | Number:
-        """A force of 1 on the ram in the direction of the stroke, which rod and guide pass on to the lever.
+    def held(self, place: Place, stroke: int, method: str, more: int) -> Held:
+        """What a force of 1 on the ram in the direction of the stroke does, by statics.
 
         The lever turns freely about its pivot: what the rod does there the block takes, square to the lever.
         """
-        push = number(-stroke)
+        pin = self.pin(place.degrees, more, place.reach)
+        along = pin.minus(self.foot)
+        reach, push = along.size(), number(-stroke)
+        end = self.end(along.times(1 / reach))
+        ram = self.ram(end)
+        # Of what acts on the ram nothing is left: the guide holds what the rod does across the slide.
         rise = 0 * pin.x if self.ram_rod is None else (end.y - ram.y) / (end.x - ram.x) * push
         on_end = Arrow(0 * pin.x + push, rise)
-        # Of what acts on the ram nothing is left: the guide holds what the rod does across the slide.
-        guide = rise
-        block = end.minus(self.foot).cross(on_end) / along.size()
-        on_pin = Arrow(-along.y, along.x).times(block / along.size())
-        if name == "rod_force":
-            return on_end.size()
-        found: Jet | Number = {
-            "guide_force": lambda: guide,
-            # With the lever upright a push in the direction of the stroke.
-            "block_force": lambda: block * stroke,
-            "radial_force": lambda: -on_pin.dot(pin),
-        }.get(name, lambda: pin.cross(on_pin))()
-        return found
+        block = end.minus(self.foot).cross(on_end) / reach
+        on_pin = Arrow(-along.y, along.x).times(block / reach)
+        # With the lever upright a push on the block in the direction of the stroke.
+        return Held(pin, on_pin, on_end.size(), rise, block * stroke)
 
-    def _transmission(self) -> Number:
+    @property
+    def transmission(self) -> Number:
         """The rod leans most where the arm's end is highest or lowest: upright, or at an end of its swing."""
         if self.ram_rod is None:
             return number(90)
         turned = self.dead_arm(OUT).y if self.pivot_below > 1 else number(-1)
-        cosine = largest([abs(number(self.height) - number(self.arm) * one) for one in (number(1), turned)])
-        lean = cosine / number(self.ram_rod)
-        return degrees_of(lean, (1 - lean * lean).root())
-
-
-_DEAD = (
-    "phi_i", "phi_o", "lead", "time_ratio", "stroke", "swing", "outstroke_time", "return_time", "v", "c_m",
-    "v_c_m",
-)  # fmt: skip
-_FORCES = ("rod_force", "guide_force", "block_force", "radial_force", "tangential_force", "torque")
+        leans = [abs(number(self.height) - number(self.arm) * one) for one in (number(1), turned)]
+        return arccosine(largest(leans) / number(self.ram_rod))

@@ -61,22 +61,15 @@ def root(one: Surd) -> Surd | None:
 
 def parted(number: int) -> tuple[int, int]:
     """Return a, b with number = a² b, b free of small squares."""
-    whole = isqrt(number)
-    if whole * whole == number:
-        return whole, 1
-    outside, inside = 1, number
+    outside, small, rest = 1, 1, number
     for prime in PRIMES:
-        while inside % (prime * prime) == 0:
-            outside, inside = outside * prime, inside // (prime * prime)
+        while rest % (prime * prime) == 0:
+            outside, rest = outside * prime, rest // (prime * prime)
+        if rest % prime == 0:
+            small, rest = small * prime, rest // prime
     # Small primes apart, the rest may still be a square.
-    small = 1
-    for prime in PRIMES:
-        if inside % prime == 0:
-            small, inside = small * prime, inside // prime
-    rest = isqrt(inside)
-    if rest * rest == inside:
-        return outside * rest, small
-    return outside, small * inside
+    whole = isqrt(rest)
+    return (outside * whole, small) if whole * whole == rest else (outside, small * rest)
 
 
 def _kept(found: Surd) -> Surd | None:

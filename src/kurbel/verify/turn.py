@@ -30,7 +30,7 @@ from typing import Any, NamedTuple
 from kurbel.errors import ProblemError
 from kurbel.verify.bodies import Bodies, energies
 from kurbel.verify.crank import STROKES, Crank
-from kurbel.verify.drives import Degrees, Drive, place_of
+from kurbel.verify.drives import Degrees, Drive, place_of, typed
 from kurbel.verify.enclose import by_bits
 from kurbel.verify.jets import Jet
 from kurbel.verify.loads import Load, disc
@@ -113,13 +113,16 @@ class Known:
         first, *rest = (one * (1 / unit) for pin in pins for one in energies(bodies, pin))
         return sum(rest, first)
 
+    def whole(self, of: Callable[[Place], Number], at: Place, order: int) -> Number:
+        """Of all cranks, less the slope of this order of the energy of their masses."""
+        total = sum((of(at.turned(-one)) for one in self.turn.cranks), number(0))
+        return total - self.masses(at).slope(order) if self.turn.bodies else total
+
     def force(self, at: Place, true: bool = False) -> Number:
-        total = sum((self.crank.force(at.turned(-one), true) for one in self.turn.cranks), number(0))
-        return total - self.masses(at).slope() if self.turn.bodies else total
+        return self.whole(partial(self.crank.force, true=true), at, 1)
 
     def slope(self, at: Place) -> Number:
-        total = sum((self.crank.slope(at.turned(-one)) for one in self.turn.cranks), number(0))
-        return total - self.masses(at).slope(2) if self.turn.bodies else total
+        return self.whole(self.crank.slope, at, 2)
 
     @by_bits
     def excess(self, at: Place) -> Number:
@@ -134,9 +137,7 @@ class Known:
     def energy(self, degrees: Fraction) -> Number:
         """W since that dead centre."""
         at = Place(degrees)
-        done = sum((self.crank.work(at.turned(-one)) for one in self.turn.cranks), number(0))
-        if self.turn.bodies:
-            done = done - self.masses(at).value
+        done = self.whole(self.crank.work, at, 0)
         return done - self.first - self.mean * (at.angle - self.crank.inner) * pi() / 180
 
     # Where the speed is least and greatest.
@@ -268,18 +269,8 @@ _EXTREMES: dict[str, Callable[[Known, str], Number]] = {
 }
 
 
-def turn(
-    drive: Drive,
-    load: Load,
-    *,
-    cranks: tuple[Any, ...] = (0,),
-    method: str,
-    bodies: Bodies | None = None,
-    bore: Any = 1,
-    pressure: Any = 1,
-) -> Turn:
+def turn(drive: Drive, load: Load, *, method: str, **given: Any) -> Turn:
     """Return a drive under a load; `bore` in m and the pressure of Q in Pa weigh the bodies of each crank."""
     if method not in ("exact", "series") or (method == "series" and (drive.offset or drive.rocker)):
         raise ProblemError(f'no turn by the method "{method}" can be verified')
-    angles = tuple(Fraction(one) for one in cranks)
-    return Turn(drive, load, angles, method, bodies, Fraction(bore), Fraction(pressure))
+    return Turn(drive, load, method=method, **typed(given))
