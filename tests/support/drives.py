@@ -38,7 +38,7 @@ def arc(rod: str, rocker: str, pivot: str = "", circuit: int = 1, offset: str = 
     options |= {"offset": offset} if offset != "0" else {}
     words = typed({"mechanism": "arc"} | {key: one for key, one in options.items() if one})
     place = tuple(pivot.split(";")) if pivot else None
-    true = verify.drive(1 / Fraction(rod), offset, rocker=rocker, pivot=place, circuit=circuit, **size)  # type: ignore[arg-type]
+    true = verify.drive(1 / Fraction(rod), offset, rocker=rocker, pivot=place, circuit=circuit, **size)
     return Drive(words, true)
 
 

@@ -30,8 +30,8 @@ Force = Callable[[Place], Jet | Number]
 class Bodies:
     """What a drive moves, in kg, m and N.
 
-    `centre` of the rod's mass from B and the square of its radius of gyration are in lengths of the rod,
-    `rotating` is the crank's own mass reduced to its pin, `inertia` the moment of inertia of the rocker
+    `centre` of the rod's mass from B and its radius of gyration, or the square of that, are in lengths of the
+    rod, `rotating` is the crank's own mass reduced to its pin, `inertia` the moment of inertia of the rocker
     about its pivot. The slide rises by `slope` degrees in the crank's sense; without a slope nothing has
     weight. `force`, which may be a function of the place, acts on B in the direction of the stroke,
     `friction` against it; the crank itself accelerates by `acceleration`. `pins` are the diameters of
@@ -42,7 +42,8 @@ class Bodies:
     reciprocating: Fraction = Fraction(0)
     rod_mass: Fraction = Fraction(0)
     centre: Fraction = Fraction(1, 2)
-    gyration_square: Fraction = Fraction(0)
+    gyration: Fraction = Fraction(0)
+    gyration_square: Fraction | None = None
     rotating: Fraction = Fraction(0)
     inertia: Fraction = Fraction(0)
     slope: Fraction | None = None
@@ -52,6 +53,11 @@ class Bodies:
     acceleration: Fraction = Fraction(0)
     pin_friction: Fraction = Fraction(0)
     pins: tuple[Fraction, ...] = (Fraction(0),) * 3
+
+    @property
+    def spread(self) -> Fraction:
+        """The square of the radius of gyration, in squares of the rod's length."""
+        return self.gyration**2 if self.gyration_square is None else self.gyration_square
 
     @property
     def weight(self) -> Arrow:
@@ -142,7 +148,7 @@ class At:
         rod = self.accelerated(self.centre_jet).minus(self.weight).times(number(bodies.rod_mass))
         long = self.radius / self.drive.ratio
         turned = self.spun(self.pin_jet.minus(self.end_jet))
-        couple = turned * (long * long * (bodies.gyration_square * bodies.rod_mass))
+        couple = turned * (long * long * (bodies.spread * bodies.rod_mass))
         pushed = self.way.times(self.piston_force + self.friction_force)
         end = self.accelerated(self.end_jet).minus(self.weight).times(number(bodies.reciprocating))
         end = end.minus(pushed)
@@ -202,7 +208,7 @@ def energies(bodies: Bodies, pin: Arrow) -> tuple[Jet, Jet]:
     centre = bodies.rod_centre(pin, end)
     total = centre.derived().square() * bodies.rod_mass + end.derived().square() * bodies.reciprocating
     turn, long = slope_of_angle(*pin.minus(end)), 1 / number(drive.ratio)
-    total = total + turn * turn * (long * long * (bodies.gyration_square * bodies.rod_mass))
+    total = total + turn * turn * (long * long * (bodies.spread * bodies.rod_mass))
     radius, omega = number(drive.radius), drive.omega
     total = total * (radius * radius)
     if drive.rocker is not None:
@@ -254,9 +260,5 @@ _FORCES: dict[str, Callable[[At], Any]] = {
 
 
 def bodies(drive: Drive, **given: Any) -> Bodies:
-    """Return the bodies of a drive; numbers are fractions or decimals as text, a force may be a function, and
-    of the rod's radius of gyration its square or, `gyration`, itself is given."""
-    numbers = typed(given)
-    if (gyration := numbers.pop("gyration", None)) is not None:
-        numbers.setdefault("gyration_square", gyration**2)
-    return Bodies(drive, **numbers)
+    """Return the bodies of a drive; numbers are fractions or decimals as text, a force may be a function."""
+    return Bodies(drive, **typed(given))
