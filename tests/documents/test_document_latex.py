@@ -8,16 +8,7 @@ import zlib
 from pathlib import Path
 
 import pytest
-from manifests import (
-    ENGLISH,
-    TABLES,
-    built,
-    chapter,
-    keys_of,
-    pages_of,
-    run,
-    text,
-)
+from manifests import ENGLISH, TABLES, built, chapter, keys_of, pages_of, run, text
 from tex import compiled, complaints
 from tools import require
 

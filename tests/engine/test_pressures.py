@@ -118,14 +118,7 @@ def test_a_pressure_that_lies_half_way_is_rounded_away() -> None:
 
 def test_the_drawing_lays_the_masses_under_the_diagram_of_each_stroke(tmp_path: object) -> None:
     drawing = drawn(
-        api.pressures,
-        eps=4,
-        ratio="1:5",
-        stroke=0.6,
-        bore=0.3,
-        pressure=800_000,
-        speed=2,
-        reciprocating=300,
+        api.pressures, eps=4, ratio="1:5", stroke=0.6, bore=0.3, pressure=800_000, speed=2, reciprocating=300
     )
     names = [axes.get_title(loc="left") for axes in drawing.figure.axes]
     assert [name.partition(":")[0] for name in names] == ["Hingang", "Rückgang"]

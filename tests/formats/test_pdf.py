@@ -87,13 +87,7 @@ def test_python_and_the_command_line_make_the_same_file(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "words",
-    [
-        ("table", "--standalone"),
-        ("collate", "blau-33"),
-        ("example", "blau", "33"),
-    ],
-    ids=" ".join,
+    "words", [("table", "--standalone"), ("collate", "blau-33"), ("example", "blau", "33")], ids=" ".join
 )
 def test_commands_write_pdf(words: tuple[str, ...], tmp_path: Path) -> None:
     path = tmp_path / "tafel.PDF"
@@ -123,10 +117,7 @@ def test_without_the_extra_a_sentence_says_what_to_install(
 @pytest.mark.parametrize(
     ("call", "sentence"),
     [
-        (
-            lambda: compile_typst("Text\n#foo"),
-            "Typst cannot set the document, line 2: unknown variable: foo",
-        ),
+        (lambda: compile_typst("Text\n#foo"), "Typst cannot set the document, line 2: unknown variable: foo"),
         (
             lambda: compile_typst('#panic("a\nb")', standards=["a-2b"]),
             "Typst cannot set the document, line 1: panicked with: a b",

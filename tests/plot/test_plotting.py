@@ -242,16 +242,10 @@ def test_ticks_of_values_are_multiples_of_the_least_round_number_that_leaves_the
     ("words", "heading"),
     [
         ("table --stroke=0.004mm --columns=x_mm", "Kolbenweg x in µm"),
-        (
-            "forces --eps=3 --pressure=800bar --bore=3m --columns=tangential_kpa",
-            "Tangentialdruck T/A in MPa",
-        ),
-        ("forces --eps=3 --pressure=8bar --bore=3m --columns=tangential_kpa", "Tangentialdruck T/A in kPa"),
+        ("forces --eps=3 --pressure=800bar --bore=3m --columns=tangential_kpa", "Tangentialdruck T/A in MPa"),
         ("pressures --eps=4 --pressure=90000bar --bore=3m", "Hingang: Kolbendruck in 103 bar"),
         ("turning --eps=3 --flywheel=50 --speed=300/min", "Drehzahl n/min−1, Mittel nm"),
-        ("turning --torque 3-900*sin(φ)^2", "Drehmomente in N m"),
         ("turning --torque 12000+5000*sin(φ)", "Drehmomente in kN m"),
-        ("turning --torque 2500000+5000*sin(φ)", "Drehmomente in MN m"),
         ("turning --torque 2500000000+5000*sin(φ)", "Drehmomente in GN m"),
         ("table --stroke=60m --columns=x_mm", "Kolbenweg x in m"),
         ("table --stroke=600mm --speed=6000/min --columns=p_mps2", "Kolbenbeschleunigung p in 103 m/s2"),

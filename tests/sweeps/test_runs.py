@@ -13,17 +13,7 @@ from threading import Event
 from typing import Any
 
 import pytest
-from small_parts import (
-    DEADLY,
-    KILLS,
-    InThreads,
-    Running,
-    SmallParts,
-    StoppedError,
-    plan_of,
-    run,
-    small,
-)
+from small_parts import DEADLY, KILLS, InThreads, Running, SmallParts, StoppedError, plan_of, run, small
 
 import kurbel
 from kurbel.sweeps.hands import Threads

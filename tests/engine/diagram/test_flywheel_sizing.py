@@ -185,7 +185,7 @@ positive = st.fractions(F(1, 50), 100, max_denominator=50)
 @given(st.data())
 def test_every_figure_follows_from_the_others_as_it_was(data: st.DataObject) -> None:
     energies, wheel = ("efficiency", "swing", "work", "cycles"), ("omega", "delta", "radius")
-    names = (*energies, *wheel, "density", "rim_diameter", "rim_share", "proportion")
+    names = (*energies, *wheel, "run_up_time", "density", "rim_diameter", "rim_share", "proportion")
     one = {name: Product.of(data.draw(positive), data.draw(st.integers(-1, 1))) for name in names}
     one["delta"] = Product.of(data.draw(st.fractions(F(1, 1000), F(3, 2), max_denominator=1000)))
     all_known = completed({name: Known(value, ()) for name, value in one.items()})
