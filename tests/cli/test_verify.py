@@ -242,7 +242,7 @@ def test_no_option_is_left_unsaid_that_the_page_counts() -> None:
         label="a",
     )
     request = json.loads(page.typeset("json"))["request"]
-    asked = {"ratio": ["1/4", 0.2], "angle": [60.0, 90.0], "stroke": 0.6, "force": "5kN"}
+    asked = {"ratio": ["1/4", 0.2], "angle": [60.0, 90.0], "stroke": 0.6, "force": "5kN", "layout": "forces"}
     assert request == {"command": "forces", "options": asked}
 
 

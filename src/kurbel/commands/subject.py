@@ -154,7 +154,7 @@ class Command:
             if name in values.read - UNTOLD and _is_other(one, written)
         }
         # A page with a label of its author's does not say by its name which layout it has.
-        if "layout" in self.options and values.says("label"):
+        if "layout" in self.options and question.label:
             counted["layout"] = question.layout.key
         return Request(self.name, counted)
 
