@@ -55,7 +55,7 @@ def test_page_is_golden(name: str) -> None:
 @cache
 def german_page(name: str) -> Table:
     """Return a page from Python, which the command line prints in English."""
-    return page_of(name, lang="de", **dict(word[2:].split("=") for word in ROWS.get(name, ())))
+    return page_of(name, lang="de", **dict(word[2:].split("=", 1) for word in ROWS.get(name, ())))
 
 
 @pytest.mark.parametrize("name", layout_names())
