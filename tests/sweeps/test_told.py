@@ -101,7 +101,7 @@ def test_a_sweep_takes_as_long_as_its_sample_times_its_rows(
     # the file to be written.
     seconds = (max(0, number - free) for number in itertools.count())
     monkeypatch.setattr("time.process_time", lambda: next(seconds))
-    monkeypatch.setattr("kurbel.sweeps.hands.cores", lambda: 3)
+    monkeypatch.setattr("kurbel.cli.sweep_command.cores", lambda: 3)
     monkeypatch.setattr("kurbel.sweeps.run.TRIED", 4)
     monkeypatch.setattr("kurbel.sweeps.run.WRITTEN", 8)
     words = ["flywheel", "--eps=3", "--ratio=1:5", "--delta=1:50", "--power=50kW", "--dry-run"]
