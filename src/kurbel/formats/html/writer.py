@@ -22,15 +22,15 @@ if TYPE_CHECKING:
 WORDS: Mapping[str, str] = {
     "de": """
         Ab-stand Ab-stände Aus-geglichener Balancier-kraft Balancier-winkel Be-lastung Beschleu-nigung
-        Beschleunigungs-druck Dreh-moment Dreh-zahl Druck-verhältnis Expansions-verhältnis Führungs-druck
-        Geschwin-digkeit Haupt-lager Hin-gang Kolben-beschleunigung Kolben-druck Kolben-geschwindigkeit
-        Kolben-kraft Kolben-weg Kolben-wege Kreuz-kopf Kreuzkopf-zapfen Kurbel-verhältnis Kurbel-winkel
-        Kurbel-zapfen Kurbel-zapfens Liefe-rung Massen-kraft Massen-kräfte Mechanis-mus Nach-lauf
-        Radial-kraft Rück-gang Schubstangen-winkel Schwer-punkt Schwingen-kraft Schwingen-winkel
-        Stangen-kraft Stangen-verhältnis Tangen-tial-kraft Um-drehung Umfangs-kraft
-        Ungleich-förmigkeits-grad Unter-schied ver-bleibender Verdichtungs-verhältnis Wellen-linie
-        Winkel-beschleunigung Wirkungs-grad Zapfen-kraft Zünd-folge Zünd-winkel Über-schuss
-        Überschuss-arbeit
+        Beschleunigungs-druck Dreh-moment Dreh-zahl Druck-verhältnis Expansions-verhältnis
+        Führungs-druck Geschwin-digkeit Haupt-lager Hebel-winkel Hin-gang Kolben-beschleunigung
+        Kolben-druck Kolben-geschwindigkeit Kolben-kraft Kolben-weg Kolben-wege Kreuz-kopf
+        Kreuzkopf-zapfen Kurbel-verhältnis Kurbel-winkel Kurbel-zapfen Kurbel-zapfens Liefe-rung
+        Massen-kraft Massen-kräfte Mechanis-mus Nach-lauf Radial-kraft Rück-gang Schubstangen-winkel
+        Schwer-punkt Schwingen-kraft Schwingen-winkel Stangen-kraft Stangen-verhältnis Tangen-tial-kraft
+        Um-drehung Umfangs-kraft Ungleich-förmigkeits-grad Unter-schied ver-bleibender
+        Verdichtungs-verhältnis Wellen-linie Winkel-beschleunigung Wirkungs-grad Zapfen-kraft Zünd-folge
+        Zünd-winkel Über-schuss Überschuss-arbeit
     """,
     "en": """
         Accelera-tion accelera-tion Ampli-tude Compres-sion Cross-head cross-head Cylin-der Deliv-ery
