@@ -12,8 +12,8 @@ from flint import arb
 from numpy.testing import assert_allclose
 
 from kurbel import verify
-from kurbel.exact.certify import ball
-from kurbel.kernel.law import Between, Constant, Law, Polytrope
+from kurbel.exact.certify import at_bits, ball
+from kurbel.kernel.law import Between, Constant, Cubics, Law, Polytrope
 from kurbel.verify import enclose
 from kurbel.verify.numbers import number
 
@@ -83,3 +83,15 @@ def test_the_whole_stroke_is_one_ball() -> None:
         acting, whole = stroke(case, ball), ball(0).union(ball(1))
         assert acting.force(whole).is_finite()
         assert acting.work(whole).is_finite()
+
+
+def test_a_cubic_has_the_slope_and_the_area_of_itself_beyond_the_bits_of_its_coefficients() -> None:
+    random = np.random.default_rng(7)
+    knots = np.array([0.0, 0.3, 1.0])
+    cubics = Cubics(knots, random.uniform(-1, 1, (4, 2)))
+    with at_bits(400):
+        near = arb(10) ** -30
+        for place in map(arb, (0.1, 0.25, 0.4, 0.9)):
+            for value, slope in ((cubics.pressure, cubics.slope), (cubics.work, cubics.pressure)):
+                found = (value(place + near) - value(place - near)) / (2 * near) - slope(place)
+                assert abs(found) < arb(10) ** -55

@@ -25,7 +25,7 @@ from kurbel.balancing.harmonics import HARMONICS
 from kurbel.errors import ProblemError
 from kurbel.exact import search
 from kurbel.exact.certify import at_bits, ball, ball_circle
-from kurbel.exact.search import SHARP_BITS, Summit, Zero, both, isolate
+from kurbel.exact.search import SHARP_BITS, Summit, Zero, isolate
 from kurbel.kernel.balance import Star
 
 # The value, its slope and half its second slope.
@@ -192,7 +192,7 @@ class _Squares:
         """Return the square, over an interval as narrow as the mean-value form is."""
         middle = half_turns.mid()
         away = self.slope(half_turns) * (half_turns - middle)
-        return both(self._term(half_turns, 0), self._term(middle, 0) + away)
+        return self._term(half_turns, 0).intersection(self._term(middle, 0) + away)
 
     def slope(self, half_turns: arb) -> arb:
         return self._term(half_turns, 1)

@@ -38,14 +38,6 @@ BEFORE, BEHIND = Fraction(5, 11 << 20), Fraction(7, 13 << 20)
 QUARTERS = 2
 
 
-def both(one: arb, other: arb) -> arb:
-    """Return what lies in both balls, which overlap.
-
-    FLINT's own (3.6) does not always count the rounding of its ends, and has lost zeros that lie near one.
-    """
-    return max(one.lower(), other.lower()).union(min(one.upper(), other.upper()))
-
-
 class Zero:
     """A zero of a function that rises or falls there, the one between `low` and `high`.
 
@@ -83,7 +75,7 @@ class Zero:
             better = middle - self.function(middle) / self.slope(found)
             if not better.is_finite():
                 return found
-            better = both(better, found)
+            better = better.intersection(found)
             if not better.rad() < 0.75 * found.rad():
                 return better
             found = better

@@ -164,58 +164,59 @@ class Cubics:
     """
 
     def __init__(self, knots: Any, powers: Any, corners: Sequence[float] = ()) -> None:
-        cube, square, line, level = powers
-        areas = cube / 4, square / 3, line / 2, level
-        grown = _horner((*areas, 0.0), knots[1:] - knots[:-1])
-        begun = 0.0 * grown
-        begun[1:] = grown[:-1].cumsum()
+        begun = 0.0 * knots[1:]
+        begun[1:] = _work((*powers, 0.0), knots[1:] - knots[:-1])[:-1].cumsum()
         self.knots, self.powers, self.corners = knots, powers, tuple(corners)
         self._places: list[float] = knots.tolist()
-        self._pressure = _Polynomials(powers)
-        self._work = _Polynomials((*areas, begun))
-        self._slope = _Polynomials((3 * cube, 2 * square, line))
+        self._rows = (*powers, begun)
+        self._pieces = [*zip(*(row.tolist() for row in self._rows), strict=True)]
 
     def pressure(self, share: Number) -> Number:
         """Return the pressure at a share of the stroke."""
-        return self._at(share, self._pressure)
+        return self._at(share, _pressure)
 
     def work(self, share: Number) -> Number:
         """Return ∫ of the pressure over the share from the first knot on, exact for the cubics."""
-        return self._at(share, self._work)
+        return self._at(share, _work)
 
     def slope(self, share: Number) -> Number:
         """Return the change of the pressure with the share; of a ball over a knot that on both sides."""
-        return self._at(share, self._slope)
+        return self._at(share, _slope)
 
     def times(self, factor: float) -> Cubics:
         """Return so many times the pressure."""
         return Cubics(self.knots, factor * self.powers, self.corners)
 
-    def _at(self, share: Any, pieces: _Polynomials) -> Any:
+    def _at(self, share: Any, value: Callable[[Sequence[Any], Any], Any]) -> Any:
         if hasattr(share, "shape"):
             within = share.clip(self.knots[0], self.knots[-1])
             index = self.knots[1:-1].searchsorted(within, "right")
-            return _horner([row[index] for row in pieces.rows], within - self.knots[index])
+            return value([row[index] for row in self._rows], within - self.knots[index])
         low, high = (share.lower(), share.upper()) if hasattr(share, "union") else (share, share)
         first, last = (bisect_right(self._places, end, 1, len(self._places) - 1) - 1 for end in (low, high))
-        return _either([self._piece(index, share, pieces) for index in range(first, last + 1)])
+        return _either([self._piece(index, share, value) for index in range(first, last + 1)])
 
-    def _piece(self, index: int, share: Number, pieces: _Polynomials) -> Number:
-        """Return the cubic of a piece, at the share as far as it lies on that."""
+    def _piece(self, index: int, share: Number, value: Callable[[Sequence[Any], Any], Any]) -> Number:
+        """Return the value on a piece, at the share as far as it lies on that."""
         begin, end = self._places[index : index + 2]
-        return _horner(pieces.columns[index], smaller(larger(share, begin), end) - begin)
+        return value(self._pieces[index], smaller(larger(share, begin), end) - begin)
 
 
-class _Polynomials:
-    """Polynomials by the coefficients of each power, the highest first, and each by its own."""
+# Of a cubic at a share since its knot. No coefficient is multiplied before: in floats that would be rounded,
+# and the slope would be that of another cubic.
+def _pressure(piece: Sequence[Any], at: Any) -> Any:
+    cube, square, line, level, _ = piece
+    return ((cube * at + square) * at + line) * at + level
 
-    def __init__(self, rows: Sequence[Any]) -> None:
-        self.rows = rows
-        self.columns = [*zip(*(row.tolist() for row in rows), strict=True)]
+
+def _slope(piece: Sequence[Any], at: Any) -> Any:
+    cube, square, line, _, _ = piece
+    return (3 * (cube * at) + 2 * square) * at + line
 
 
-def _horner(coefficients: Sequence[Any], at: Any) -> Any:
-    return reduce(lambda value, coefficient: value * at + coefficient, coefficients)
+def _work(piece: Sequence[Any], at: Any) -> Any:
+    cube, square, line, level, begun = piece
+    return (((0.75 * (cube * at) + square) * at / 3 + line / 2) * at + level) * at + begun
 
 
 Side: TypeAlias = Law | Cubics
