@@ -33,14 +33,13 @@ class OverPath(Angles, AnyDrive, Layouts, Sheet):
         """Whether a page over the piston's path is asked for, by its layout or by shares of the stroke alone.
         Raises ProblemError where the layout is given angles."""
         over = self.layout_subject in (OVER_PATH, FORCES_OVER_PATH)
-        # The return of a quick return has velocities and forces of its own.
-        quick = self.mechanism == "slotted"
         if not over:
-            return self.layout is None and self.says(ANGLE) and bool(self.shares()) and not quick
-        if quick:
+            alone = self.layout is None and self.says(ANGLE) and bool(self.shares())
+            return alone and not self.drive().quick
+        if (chosen := self.drive()).quick:
             raise ProblemError(
-                f"layout {self.layout} has one velocity for both strokes, and the return of a slotted lever"
-                " is quick; leave the layout out and give its places, --angle 's=0..100%:10%'"
+                f"layout {self.layout} has one velocity for both strokes, and the return of {chosen.title} is"
+                " quick; leave the layout out and give its places, --angle 's=0..100%:10%'"
             )
         angles = any(self.says(one) and self.values.typed(one) for one in (*ENDS, "zero"))
         if angles or not self.shares():

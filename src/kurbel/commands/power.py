@@ -56,7 +56,6 @@ NEEDED = (
 SIZES = ("power", "brake_power", "bore", "stroke", "speed", "stroke_bore", "piston_speed", "delivery")
 # What gives a delivery.
 GIVING = ("pressure_ratio", "pump")
-# What tells how much steam is taken.
 # The layouts over the stroke and over the crank angle, and what they are about.
 PRESSURES, ABOUT = ("pressures", "pressures-turn"), ("pressures", "pressures over the angle")
 

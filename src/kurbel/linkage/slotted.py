@@ -414,6 +414,7 @@ class Slotted(LinkageMechanism):
     layout = "slotted"
     forces_layout = "forces-slotted"
     heavy = False
+    quick = True
     takes = ("stroke", "rod", "speed", "offset", "rocker", "pivot", "circuit")
     motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
 

@@ -34,8 +34,8 @@ class Mechanism(ABC):
     `examples` are columns for messages, by command. `drawing` makes the drawing to scale, of a drive, angles,
     language, decimal mark and size, `moving` what moves on interactive pages, of a drive. A drive with a
     `crosshead` has its pages of forces in common with engines, and a polar diagram; of one that is `heavy`
-    the forces of moving masses are computed. `rod` finds the ends of
-    its connecting rod, for points on that.
+    the forces of moving masses are computed. Of one with a `quick` return no page is over the path: both
+    strokes would stand beside one velocity. `rod` finds the ends of its connecting rod, for points on that.
     """
 
     name: ClassVar[str]
@@ -51,6 +51,7 @@ class Mechanism(ABC):
     moving: ClassVar[str]
     crosshead: ClassVar[bool] = False
     heavy: ClassVar[bool] = True
+    quick: ClassVar[bool] = False
     rod: ClassVar[str] = ""
 
     @property

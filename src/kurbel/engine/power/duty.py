@@ -133,9 +133,8 @@ class Duty:
     @property
     def sized(self) -> bool:
         """Whether anything of the power, the sizes or the speed is given."""
-        names = (
-            *("power", "brake_power", "bore", "stroke", "speed", "stroke_bore", "piston_speed", "delivery"),
-        )
+        sizes = ("bore", "stroke", "speed", "stroke_bore", "piston_speed")
+        names = ("power", "brake_power", *sizes, "delivery")
         return any(getattr(self, name) is not None for name in names)
 
     def given(self, source: Acting | GivenPressure) -> dict[str, Term]:
