@@ -1,60 +1,36 @@
-"""What was asked for, computed a second time: its drive, its load and its turn as `kurbel.verify` has them.
+"""What was asked for, computed a second time.
 
-The request is read as kurbel reads it; which value a cell has, `recomputed` and `related` say.
+What it is `requested` says; which value a cell has, `recomputed` and `related`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cached_property
 from typing import Any, TypedDict
 
 from kurbel import verify
-from kurbel.commands.engine import EngineWithWheel
-from kurbel.commands.motion import OverPath
-from kurbel.commands.options import Option
 from kurbel.commands.part import Values, flag_of
 from kurbel.commands.parts.angles import in_degrees
-from kurbel.commands.parts.drive import Turning
-from kurbel.commands.parts.effort import PINNED, PRESSING, Effort, PinFriction
+from kurbel.commands.parts.effort import PINNED, PRESSING
 from kurbel.commands.recomputed import PAGES, Row, nearest
 from kurbel.commands.related import MODULES, SUMMED
-from kurbel.drive.crank import Described, radii
-from kurbel.engine.card.card import AngleCard
-from kurbel.engine.card.file import read_card
+from kurbel.commands.requested import AIR, GAS, LOADED, STEAM, Requested
 from kurbel.errors import KurbelError, ProblemError
-from kurbel.motion.mechanism import mechanism
 from kurbel.page.axes import shifted
-from kurbel.page.layouts import Layout, layout
 from kurbel.reading.amounts import UNITS
 from kurbel.reading.given import (
-    as_angular_acceleration,
-    as_expansions,
     as_number,
-    as_pressure,
-    as_share_or_length,
-    as_share_or_pressure,
     as_shares,
-    as_signed_force,
-    as_speed,
     found_at,
-    of_given,
 )
-from kurbel.reading.notation import number, ratio_text
 from kurbel.verify import UNDECIDED, WRONG, Value, enclose
-from kurbel.verify.bodies import Force
-from kurbel.verify.loads import Stroke, constant, disc
 from kurbel.verify.turn import Running
 from kurbel.verify.zeros import TOO_WIDE, Spot
 
 # Unit of a key that is not one of the second computation, and that in which it computes.
 OWN = {"length": "mm", "velocity": "mps", "acceleration": "mps2", "force": "n", "torque": "nm"}
-# Of each load its options, which the second computation calls likewise.
-AIR = ("exponent", "clearance", "single_acting", "suction_loss", "delivery_loss")
-STEAM = (*AIR[:3], "release", "cushion", "lead")
-GAS = ("cycle", "exponent", "expansion_exponent", "heat", "cut_off", "two_stroke")
 # Options that the second computation knows, and those of looks, of which there is nothing to know.
 KNOWN = frozenset((
     "ratio", "stroke", "rod", "offset", "mechanism", "rocker", "pivot",
@@ -69,14 +45,6 @@ KNOWN = frozenset((
     "columns", "digits", "rounding", "units", "layout", "decimal", "templates",
     *PRESSING, *PINNED, *STEAM, *AIR, *GAS,
 ))  # fmt: skip
-# How near a point of a card its curve passes, in the greatest pressure.
-THROUGH = 1e-12
-# Columns that say which load a row is of.
-LOADED = ("epsilon", "pressure_ratio", "pump", "compression")
-
-
-class Figure(str):
-    """A number of a file as it is written there."""
 
 
 class Head(TypedDict):
@@ -87,31 +55,8 @@ class Head(TypedDict):
     method: str
 
 
-class Asked(OverPath, EngineWithWheel, Effort, PinFriction, Turning):
-    """All options that the second computation knows; by which method it computes each column says itself."""
-
-    method: Option[Any] = EngineWithWheel.method
-
-
-class Second:
+class Second(Requested):
     """What was asked for, computed a second time."""
-
-    def __init__(self, command: str, options: Mapping[str, object], key: str) -> None:
-        self.command, self.key = command, key
-        self.written = {name: _given(value) for name, value in options.items()}
-        known = {one.name: one for one in Asked.options().values() if one.name != "method"}
-        self.options = {
-            name: known[name].taken(value) if name in known else value for name, value in self.written.items()
-        }
-        values = Values({**dict.fromkeys(known), **self.options}, {})
-        for part in Asked.parts():
-            if "settle" in vars(part):
-                part.settle(values)
-        self.asked = Asked(values)
-        self._kept: dict[Any, verify.Bodies] = {}
-        self._turns: dict[Any, verify.Turn] = {}
-        self._found: dict[Any, Any] = {}
-        self._spots: dict[Any, Spot] = {}
 
     def verdict(self, key: str, column: Head, row: Row) -> tuple[str, str]:
         """Return whether a cell is confirmed, and else its right digits, or why it is not computed."""
@@ -169,82 +114,6 @@ class Second:
         command.settle(found)
         return found
 
-    def unit(self) -> tuple[Fraction, Fraction | None]:
-        """The bore, and the pressure that makes Q of its area, where both are known."""
-        asked = self.asked
-        if asked.says("card"):
-            return asked.bore or Fraction(1), Fraction(self.card.admission)
-        if asked.bore is None:
-            return Fraction(1), None
-        if asked.says("pump"):
-            delivery, suction = asked.delivery_pressure, asked.suction_pressure or 0
-            return asked.bore, delivery and delivery - suction
-        return asked.bore, asked.pressure if asked.says("pressure") else asked.suction_pressure
-
-    @cached_property
-    def card(self) -> Any:
-        """The indicator card."""
-        given: Any = self.asked.card
-        files = [given] if isinstance(given, str) else given
-        if len(files) != 1:
-            raise ProblemError("of several cards the row does not say which it is of")
-        found = read_card(files[0])
-        if isinstance(found, AngleCard):
-            raise ProblemError("cards over the crank angle are not computed a second time")
-        return found
-
-    def measured(self) -> verify.Load:
-        """The card as a load: kurbel's cubics, where they pass through the points of the file."""
-        from kurbel.engine.card.force import curve
-
-        asked, scale, courses = self.asked, self.card.admission, []
-        for shares, pressures in self.card.courses():
-            heights = [one / scale for one in pressures]
-            cubics = curve(shares, heights)
-            if any(abs(cubics.pressure(one) - p) > THROUGH for one, p in zip(shares, heights, strict=True)):
-                raise ProblemError("the curve of the card misses one of its points")
-            begins, terms = cubics.knots[:-1].tolist(), cubics.powers[::-1].T.tolist()
-            courses.append(
-                [[*map(Fraction, (begin, *one))] for begin, one in zip(begins, terms, strict=True)]
-            )
-        other = asked.other_side and asked.other_side / Fraction(scale)
-        own = {name: getattr(asked, name) for name in ("bore", "piston_rod", "tail_rod") if asked.says(name)}
-        return of_given(verify.card, courses, other=other, **own)
-
-    def push(self) -> Fraction | Force:
-        """What pushes the piston towards the shaft where no engine does, in N."""
-        asked = self.asked
-        if not asked.says(*PRESSING):
-            return as_signed_force(asked.raw("force") or 0, "force")
-        bore, difference = asked.bore, asked.pressure_difference
-        assert bore is not None
-        tail, rod = (asked.tail_rod or 0, asked.piston_rod or 0) if difference is None else (0, 0)
-        head, crank = (
-            (asked.head_pressure or 0, asked.crank_pressure or 0) if difference is None else (difference, 0)
-        )
-        # π/4 stands once before all.
-        force = (bore**2 - tail**2) * head - (bore**2 - rod**2) * crank
-        return lambda _: disc(1) * force
-
-    def bodies(self, drive: verify.Drive, force: Fraction | Force, row: Row) -> verify.Bodies:
-        key = (drive, *(str(row.get(name)) for name in LOADED))
-        if key not in self._kept:
-            asked, rod = self.asked, drive.radius / drive.ratio if drive.ratio else None
-            known: dict[str, Any] = {
-                "reciprocating": asked.reciprocating, "rod_mass": asked.rod_mass, "rotating": asked.rotating,
-                "inertia": asked.rocker_inertia, "friction": asked.friction, "gravity": asked.gravity,
-                "centre": _of_rod(asked.raw("centre"), rod), "gyration": _of_rod(asked.raw("gyration"), rod),
-                "slope": asked.slope,
-            }  # fmt: skip
-            if (gain := asked.raw("acceleration")) is not None:
-                known["acceleration"] = as_angular_acceleration(gain, "acceleration")
-            if asked.pin_friction:
-                pins = asked.crosshead_pin, asked.crank_pin, asked.shaft
-                known["pins"] = tuple(one or Fraction(0) for one in pins)
-                known["pin_friction"] = asked.pin_friction
-            self._kept[key] = verify.bodies(drive, force=force, **known)
-        return self._kept[key]
-
     def spot(self, key: Any, find: Callable[[], Spot]) -> Spot:
         """A place, found once for all columns of a row."""
         if key not in self._spots:
@@ -257,23 +126,6 @@ class Second:
         if place not in self._found:
             self._found[place] = find()
         return self._found[place]
-
-    def rod(self, drive: verify.Drive, model: str, weighed: bool) -> verify.Bodies:
-        """The rod alone, of a mass of 1 or its own; of two masses k² = a b, and by the railways' rule 6/10
-        of it are at the crank pin."""
-        key = (drive, model, weighed)
-        if key not in self._kept:
-            asked, long = self.asked, drive.radius / drive.ratio if drive.ratio else None
-            centre = _of_rod(asked.raw("centre"), long) or Fraction(0)
-            known: dict[str, Any] = {"gyration": _of_rod(asked.raw("gyration"), long)}
-            if model:
-                centre = Fraction(3, 5) if model == "railway" else centre
-                known = {"gyration_square": centre * (1 - centre)}
-            if weighed and (gain := asked.raw("acceleration")) is not None:
-                known["acceleration"] = as_angular_acceleration(gain, "acceleration")
-            mass = asked.rod_mass if weighed else Fraction(1)
-            self._kept[key] = verify.bodies(drive, rod_mass=mass, centre=centre, **known)
-        return self._kept[key]
 
     def running(self, turn: verify.Turn) -> Running:
         """The flywheel on a turn."""
@@ -297,12 +149,6 @@ class Second:
         return self._listed[0] + self.asked.zero_angle
 
     @cached_property
-    def _layout(self) -> Layout:
-        """The layout, whose own values count where a row does not say them."""
-        # A rim is of an engine whose own page is the flywheel's.
-        return layout("flywheel" if self.key == "flywheel-sizing" else self.key)
-
-    @cached_property
     def shares(self) -> Sequence[Fraction]:
         """Those of a page over the stroke."""
         given = self.options.get("shares")
@@ -312,63 +158,6 @@ class Second:
     def _listed(self) -> Sequence[Fraction]:
         given, zero = self.asked.angle or (), self.asked.zero_angle
         return shifted(in_degrees(given, self.asked.values, self._layout.ratios, zero=zero), -zero)
-
-    def drive(self, row: Row) -> verify.Drive:
-        raw = self.asked.raw
-        if self.key == "forces-slotted" or "slotted" in (self.asked.mechanism, self.key):
-            return self._slotted()
-        parallel = "parallel" in (self.asked.mechanism, raw("layout"))
-        rodless = parallel or "yoke" in (self.asked.mechanism, self.key)
-        printed = row.get("ratio", "1:∞" if rodless else "")
-        described = Described.of({name: raw(name) for name in ("stroke", "rod", "offset", "ratio")})
-        cranks = described.cranks((printed,) if printed else self._layout.ratios)
-        found = [one for one in cranks if ratio_text(one.ratio) == printed] or cranks
-        if len(found) != 1:
-            raise ProblemError("the row does not say its crank ratio as it was asked for")
-        crank, radius = found[0], found[0].radius
-        speed = None if raw("speed") is None else as_speed(raw("speed"))
-        place = str(raw("pivot")).split(";") if raw("pivot") else None
-        return of_given(
-            verify.drive,
-            crank.ratio,
-            crank.offset,
-            radius=radius,
-            speed=speed and speed.value,
-            turns=speed and speed.turns,
-            parallel=parallel,
-            circuit=int(number(str(raw("circuit") or 1))),
-            pivot=place and tuple(radii(one, "pivot", radius) for one in place),
-            **{
-                name: radii(length, name, radius)
-                for name in ("beam", "rocker")
-                # Of a list of beams the row has its arm.
-                if (length := raw(name)) is not None and "arm" not in row
-            },
-        )
-
-    def _slotted(self) -> verify.Drive:
-        """The slotted lever by its lengths."""
-        raw = self.asked.raw
-        names = ("stroke", "rod", "speed", "offset", "rocker", "pivot", "circuit")
-        (lever,) = mechanism("slotted").drives(Described.of({name: raw(name) for name in names}), ())
-        speed = lever.crank.speed
-        return of_given(
-            verify.SlottedLever,
-            Fraction(0),
-            pivot_below=lever.pivot,
-            arm=lever.arm,
-            ram_rod=lever.rod,
-            height=lever.height,
-            circuit=int(lever.circuit),
-            radius=lever.crank.radius,
-            speed=speed and speed.value,
-            turns=speed and speed.turns,
-        )
-
-    def pushed(self, row: Row) -> verify.Drive:
-        """The drive with the force that is given."""
-        force, drive = self.asked.raw("force"), self.drive(row)
-        return drive if force is None else replace(drive, force=as_signed_force(force, "force"))
 
     def turn(self, method: str, row: Row, alone: bool = False) -> verify.Turn:
         """The turn of the page, or that of one crank `alone`, without its masses."""
@@ -393,59 +182,6 @@ class Second:
                     bodies=self.bodies(drive, Fraction(0), row),
                 )  # fmt: skip
         return self._turns[key]
-
-    def rubbed(self, load: verify.Load) -> verify.Load:
-        """A load less the friction of piston and crosshead, in Q."""
-        friction, (bore, pressure) = self.asked.friction, self.unit()
-        if not pressure:
-            raise ProblemError("friction needs what Q is in N")
-
-        def less() -> tuple[Stroke, ...]:
-            against = Fraction(-1), constant(friction / (disc(bore) * pressure))
-            return tuple(Stroke((*one.sides, against)) for one in load())
-
-        return less
-
-    def load(self, row: Row) -> verify.Load:
-        asked, raw = self.asked, self.asked.raw
-
-        def of(names: Sequence[str]) -> Mapping[str, object]:
-            return {name: getattr(asked, name) for name in names if asked.says(name)}
-
-        def of_row(key: str, given: Sequence[Fraction] | None) -> Fraction:
-            if key in row:
-                return nearest(row[key], given or ())
-            listed = as_expansions(self._layout.expansions) if given is None else given
-            if len(listed) != 1:
-                raise ProblemError(f"the row does not say its load; add {key} to the columns")
-            return listed[0]
-
-        if asked.says("card"):
-            return self.measured()
-        if asked.says("pressure_ratio"):
-            ratio = of_row("pressure_ratio", asked.pressure_ratio)
-            other = asked.other_side and asked.other_side / (asked.suction_pressure or 1)
-            return of_given(verify.compressor, ratio, other=other, **of(AIR))
-        if asked.says("pump"):
-            return of_given(
-                verify.pump,
-                "single" if asked.single_acting else asked.pump or "double",
-                suction=asked.suction_pressure,
-                delivery=asked.delivery_pressure,
-                small_area=asked.small_area,
-            )
-        if asked.says("compression"):
-            peaks = {
-                name: _in(given, name, asked.suction_pressure)
-                for name in ("peak", "exhaust")
-                if (given := raw(f"{name}_pressure")) is not None
-            }
-            return of_given(verify.gas, of_row("compression", asked.compression), **peaks, **of(GAS))
-        back = raw("back")
-        if back is not None:
-            back = as_share_or_pressure(back, "back pressure", raw("pressure"))
-        own = of((*STEAM, "bore", "piston_rod", "tail_rod"))
-        return of_given(verify.steam, of_row("epsilon", asked.eps), back=back, **own)
 
 
 def in_own_unit(key: str, symbol: str) -> tuple[str, Fraction]:
@@ -474,21 +210,3 @@ def _to_tens(value: Value, printed: str, rounding: str) -> str:
     zeros = len(printed) - len(printed.rstrip("0")) if "." not in printed else 0
     tried = ((value * Fraction(1, 10**k)).confirms(printed[:-k], rounding) for k in range(1, zeros + 1))
     return next((one for one in tried if one != WRONG), WRONG)
-
-
-def _of_rod(value: object, rod: Fraction | None) -> Fraction | None:
-    return None if value is None else as_share_or_length(value, "share", rod, "the rod's is not")
-
-
-def _in(value: object, name: str, suction: Fraction | None) -> Fraction:
-    """Return a pressure in suction pressures."""
-    if suction and isinstance(value, str) and any(map(str.isalpha, value)):
-        return as_pressure(value, name) / suction
-    return as_number(value, name)
-
-
-def _given(value: object) -> object:
-    """Return the value of an option as Python gives it."""
-    if isinstance(value, Figure):
-        return Fraction(value)
-    return tuple(map(_given, value)) if isinstance(value, list) else value

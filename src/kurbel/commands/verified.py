@@ -12,7 +12,8 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple, TypedDict, TypeGuard
 
-from kurbel.commands.second import Figure, Head, Second
+from kurbel.commands.requested import Figure
+from kurbel.commands.second import Head, Second
 from kurbel.errors import ProblemError
 
 SHAPE = {"request": dict, "columns": list, "rows": list}
