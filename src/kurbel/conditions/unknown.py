@@ -200,6 +200,7 @@ WORDS = {
         "alle Kurbelverhältnisse unter {greatest}, bei denen die Bedingung gilt"
         "|all crank ratios below {greatest} with which the condition holds"
     ),
+    "none": words("bei den anderen Winkeln gilt sie nie|at the other angles it never holds"),
 }
 
 # What stands for an unknown in a German sentence, where it is not "die".
@@ -351,6 +352,8 @@ def _notes(question: UnknownRequest) -> Iterator[Label]:
     yield from (note[question.lang] for note in question.layout.notes)
     of_all, *of_first = next(one for one in question.asked if one.found).lines(question.lang)
     yield of_all
+    if not all(one.found for one in question.asked):
+        yield WORDS["none"][question.lang]
     if question.asked[1:] and of_first:
         yield WORDS["first"][question.lang]
     yield from of_first
