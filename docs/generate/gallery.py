@@ -11,7 +11,7 @@ from typing import NamedTuple
 from markdown import fenced, plain, toctree
 from pictures import Picture, picture_of
 
-from kurbel.books.constructions.page import construction, construction_names
+from kurbel.books.constructions.construction_page import construction, construction_names
 from kurbel.cli.app import command_of
 from kurbel.cli.asking import asked
 from kurbel.commands.shown import Drawing, Table

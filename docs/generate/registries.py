@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from kurbel.books.example import example, numbers_of, source_keys
 from kurbel.drive.load import LOADS
 from kurbel.drive.mechanisms import MECHANISMS
-from kurbel.engine.quantities import ENGINE_METHODS
+from kurbel.engine.engine_quantities import ENGINE_METHODS
 from kurbel.formats.registry import FORMATS
 from kurbel.motion.drives import condition_names
 from kurbel.motion.evaluation import METHODS

@@ -20,8 +20,8 @@ from places import ROOT, SOURCES
 from registers import BOOKS, rows_of
 
 import kurbel as library
+from kurbel.books.book_values import Expression
 from kurbel.books.printed_value import printed_value
-from kurbel.books.quantities import Expression
 
 TABLES = (*(f"blau-3{number}" for number in range(1, 6)), "roetscher-112", "weisbach-149", "weisbach-150")
 VALUES = "place;formula;printed\n"

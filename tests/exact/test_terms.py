@@ -17,7 +17,7 @@ from kurbel.kernel.steam import logarithm
 from kurbel.linkage.arc import ArcCrank
 from kurbel.linkage.arc_quantities import arc_registry
 from kurbel.motion.evaluation import kernel_of, value
-from kurbel.motion.quantities import registry
+from kurbel.motion.motion_quantities import registry
 from kurbel.reading.units import Speed
 
 F = Fraction

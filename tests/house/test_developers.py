@@ -28,8 +28,8 @@ from mpmath import mp
 from places import ROOT, SUPPORT
 
 from kurbel.books.constructions.file import SHAPES
+from kurbel.books.constructions.formula_names import FUNCTIONS_OF_DRIVE, KNOWN
 from kurbel.books.constructions.formulas import FUNCTIONS
-from kurbel.books.constructions.quantities import FUNCTIONS_OF_DRIVE, KNOWN
 
 DOCS = ROOT / "docs" / "developers"
 PAGES = ("quantity", "source", "format", "layout", "mechanism", "load", "option", "construction")

@@ -13,9 +13,7 @@ from functools import cache, cached_property
 from typing import Any
 
 from kurbel.balancing.arrangement import Arrangement, Cylinder, Residual, factor
-from kurbel.balancing.harmonics import OrderAxis
-from kurbel.balancing.newtons import IN_NEWTONS
-from kurbel.balancing.page import (
+from kurbel.balancing.balance_page import (
     DECIMALS,
     NEEDS,
     NEWTON_DECIMALS,
@@ -24,6 +22,8 @@ from kurbel.balancing.page import (
     BalanceRequest,
     balance_notes,
 )
+from kurbel.balancing.harmonics import OrderAxis
+from kurbel.balancing.newtons import IN_NEWTONS
 from kurbel.balancing.vector import Point, Vector
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank

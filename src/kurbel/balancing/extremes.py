@@ -11,9 +11,16 @@ from typing import Any
 
 from kurbel.balancing.angles import WORDS, LineAxis, of_all, of_order
 from kurbel.balancing.arrangement import LENGTHS, Residual, certified_length, factor
+from kurbel.balancing.balance_page import (
+    NEEDS,
+    RESIDUALS,
+    SUBJECT,
+    BalanceRequest,
+    balance_notes,
+    balance_registry,
+)
 from kurbel.balancing.greatest import Curve, Greatest, greatest, left, slides_of
 from kurbel.balancing.newtons import IN_NEWTONS
-from kurbel.balancing.page import NEEDS, RESIDUALS, SUBJECT, BalanceRequest, balance_notes, balance_registry
 from kurbel.balancing.vector import Vector
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank

@@ -9,9 +9,9 @@ from functools import cache, cached_property
 from typing import Any, NamedTuple
 
 from kurbel.balancing.arrangement import Arrangement, Cylinder, check_count, row
+from kurbel.balancing.balance_page import WORDS as BALANCE
+from kurbel.balancing.balance_page import angle_notes, arranged, engine_label, listed
 from kurbel.balancing.firing import PERIODS, TURN, Firing, Order, check_strokes, cranks_of, firings, fitting
-from kurbel.balancing.page import WORDS as BALANCE
-from kurbel.balancing.page import angle_notes, arranged, engine_label, listed
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_number, angle_text

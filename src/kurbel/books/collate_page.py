@@ -149,7 +149,7 @@ def _letters(number: int) -> str:
 
 def _printed_page(request: CollateRequest) -> tuple[Layout, Grid]:
     """The page in the book's layout, with the characters of the book."""
-    from kurbel.motion.page import Request
+    from kurbel.motion.motion_page import Request
 
     table = request.table
     try:

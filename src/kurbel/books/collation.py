@@ -11,6 +11,15 @@ from fractions import Fraction
 from functools import partial
 from typing import NamedTuple
 
+from kurbel.books.book_values import (
+    AXES,
+    Truth,
+    formula_truth,
+    kept,
+    methods_of,
+    quantity_label,
+    quantity_truth,
+)
 from kurbel.books.printed_value import (
     COARSER,
     DIGIT,
@@ -24,15 +33,6 @@ from kurbel.books.printed_value import (
     Units,
     Verdict,
     verdict,
-)
-from kurbel.books.quantities import (
-    AXES,
-    Truth,
-    formula_truth,
-    kept,
-    methods_of,
-    quantity_label,
-    quantity_truth,
 )
 from kurbel.books.source import SourceCell, SourceTable
 from kurbel.errors import KurbelError, SourceError

@@ -23,8 +23,8 @@ from typing import Any, ClassVar, NamedTuple
 
 from msgspec import Struct
 
+from kurbel.books.book_values import FRACTIONS, Expression, Truth, formula_truth, kept, quantity_truth
 from kurbel.books.printed_value import Printed, printed_value
-from kurbel.books.quantities import FRACTIONS, Expression, Truth, formula_truth, kept, quantity_truth
 from kurbel.books.source import SOURCE, Book, SourceTable
 from kurbel.exact.numerals import Label, finite_decimals, nearest, number_text
 from kurbel.page.axes import angle_text

@@ -10,9 +10,9 @@ from functools import cached_property
 from itertools import product
 from math import prod
 
+from kurbel.books.book_values import engine_turn
 from kurbel.books.example import WORDS, Entry, Example, Part, Working, exact_text, example
 from kurbel.books.printed_value import Printed
-from kurbel.books.quantities import engine_turn
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.drive.load import PistonForce
 from kurbel.errors import ProblemError

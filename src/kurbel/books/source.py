@@ -26,10 +26,10 @@ from typing import Annotated, Any, ClassVar, Generic, NamedTuple, TypeVar
 
 from msgspec import Struct
 
+from kurbel.books.book_values import Expression
 from kurbel.books.equation import OF_LETTER, RELATIONS, STARTS, Finding, Step, found
 from kurbel.books.form import SLOPE, Form
 from kurbel.books.printed_value import Printed, printed_value
-from kurbel.books.quantities import Expression
 from kurbel.errors import ChoiceError, LayoutError, NotationError, SourceError
 from kurbel.page.formula import GREEK
 from kurbel.page.labels import parse

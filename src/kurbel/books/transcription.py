@@ -18,15 +18,15 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from kurbel.books.book_values import AXES, FAMILIES, keys_by, methods_of
 from kurbel.books.collation import Collated, Collation, cell_truth, collate, collated_units
 from kurbel.books.printed_value import Printed, printed_value
-from kurbel.books.quantities import AXES, FAMILIES, keys_by, methods_of
 from kurbel.books.source import SourceCell, SourceTable, all_tables
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, KurbelError, NotationError, ProblemError, SourceError
 from kurbel.motion.bulk import columns_in_floats, is_long
 from kurbel.motion.evaluation import METHODS, columns_in_balls, is_known
-from kurbel.motion.quantities import registry
+from kurbel.motion.motion_quantities import registry
 from kurbel.page.quantity import bare, words
 from kurbel.reading.csv_file import Head, Kind, place, read_rows, shown, whole_head
 from kurbel.reading.given import choose, meant

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import click
 
+from kurbel.books.constructions.construction_page import construction, construction_names
 from kurbel.books.constructions.model import Construction
-from kurbel.books.constructions.page import construction, construction_names
 from kurbel.cli.drawings import check_moving, check_terminal, suffix_of, write
 from kurbel.cli.listing import Listing, form_of_list, plain_lines, show_list
 from kurbel.cli.options import (

@@ -311,6 +311,6 @@ def _bar(rows: int) -> AbstractContextManager[Any]:
     """A bar on the terminal for long tables, counted in chunks of rows."""
     if rows < BAR_ROWS or not sys.stderr.isatty():
         return nullcontext()
-    from kurbel.motion.page import CHUNK
+    from kurbel.motion.motion_page import CHUNK
 
     return click.progressbar(length=-(-rows // CHUNK), label=f"{rows} rows", file=sys.stderr)

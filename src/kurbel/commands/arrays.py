@@ -14,11 +14,11 @@ from kurbel.commands.forces import forces
 from kurbel.commands.inertia import inertia
 from kurbel.commands.motion import table
 from kurbel.engine.arrays import at_angles
-from kurbel.engine.diagram.page import TorquesRequest
+from kurbel.engine.diagram.diagram_page import TorquesRequest
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.kind import floats
-from kurbel.motion.page import AngleQuestion
+from kurbel.motion.motion_page import AngleQuestion
 from kurbel.page.quantity import Quantity
 from kurbel.page.subject import Question
 from kurbel.reading.names import unknown

@@ -6,8 +6,13 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
+from kurbel.books.constructions.construction_page import (
+    ConstructionRequest,
+    construction,
+    construction_names,
+    unfound,
+)
 from kurbel.books.constructions.model import Construction
-from kurbel.books.constructions.page import ConstructionRequest, construction, construction_names, unfound
 from kurbel.books.constructions.placed import ALONE, CENTRE, GYRATION, TAKEN, Beside
 from kurbel.commands.options import Count, Kind, Option, amount, file, measure, word
 from kurbel.commands.part import CommandOptions

@@ -71,7 +71,7 @@ class EngineWithWheel(Flywheel, Engine, Layouts, Sheet, CommandOptions):
         """Return the flywheel of a page on which it says something. Raises ProblemError if no column does."""
         if page.subject not in WITH_WHEEL:
             return None
-        from kurbel.engine.speed.page import of_runs
+        from kurbel.engine.speed.speed_page import of_runs
 
         found = self.wheel(self.is_heavy())
         if names and not of_runs() & {*names}:
@@ -290,7 +290,7 @@ class TurningOptions(EngineWithWheel, Diagram):
 
     def _diagram(self) -> Question:
         """Return what is asked for of a diagram without an engine. Raises KurbelError."""
-        from kurbel.engine.diagram.page import AreasRequest, TorquesRequest
+        from kurbel.engine.diagram.diagram_page import AreasRequest, TorquesRequest
 
         if self.is_diagram():
             self.refuse(*KINDS, "cylinder")

@@ -21,11 +21,11 @@ from kurbel.engine.cylinder import Where
 from kurbel.engine.diagram import texts
 from kurbel.engine.diagram.areas import Areas
 from kurbel.engine.diagram.fluctuation import Fluctuation
-from kurbel.engine.diagram.wheel.page import WheelRequest
 from kurbel.engine.diagram.wheel.relations import SHOWN, registry
 from kurbel.engine.diagram.wheel.sizing import Known, Sizing, gathered, sized, told_by
+from kurbel.engine.diagram.wheel.wheel_page import WheelRequest
+from kurbel.engine.engine_quantities import engine_registry, value
 from kurbel.engine.notes import engine_notes
-from kurbel.engine.quantities import engine_registry, value
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import floats

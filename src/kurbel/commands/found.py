@@ -10,7 +10,7 @@ from typing import Any
 from kurbel.commands.part import Values
 from kurbel.commands.parts.effort import PRESSING
 from kurbel.commands.solve import OF_MOTION, SolveOptions
-from kurbel.conditions.page import SolveRequest
+from kurbel.conditions.solve_page import SolveRequest
 from kurbel.errors import ProblemError
 from kurbel.exact.found import Found
 from kurbel.exact.place import Place

@@ -17,7 +17,7 @@ from kurbel.errors import ProblemError
 from kurbel.linkage.arc_quantities import RockerInertiaRequest
 from kurbel.motion.inertia_page import ErrorsRequest
 from kurbel.motion.mechanism import Mechanism
-from kurbel.motion.page import Request
+from kurbel.motion.motion_page import Request
 from kurbel.motion.rod_masses import RodMassesRequest
 from kurbel.page.layouts import Layout
 from kurbel.page.subject import Question

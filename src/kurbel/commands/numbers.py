@@ -11,7 +11,7 @@ from kurbel.drive.crank import LARGEST_ANGLE, Crank, check_angles
 from kurbel.errors import ChoiceError, NotationError, ProblemError
 from kurbel.motion.evaluation import METHODS
 from kurbel.motion.evaluation import certified as scaled
-from kurbel.motion.quantities import registry
+from kurbel.motion.motion_quantities import registry
 from kurbel.page.quantity import Quantity, bare
 from kurbel.page.subject import check_rounding
 from kurbel.reading import notation

@@ -25,7 +25,7 @@ from kurbel.motion.points_page import SUBJECT, PointsRequest
 from kurbel.reading.given import Exact, as_angles, found_at
 
 if TYPE_CHECKING:
-    from kurbel.motion.page import AngleQuestion
+    from kurbel.motion.motion_page import AngleQuestion
 
 # Where the crank stands beside the path of a point, unless that is asked for.
 POSITION = "60"

@@ -22,7 +22,7 @@ from kurbel.drive.crank import Crank
 from kurbel.drive.load import CARD, MASSES, PUMP
 from kurbel.engine.engine import Engine, Load
 from kurbel.engine.power.duty import Duty, equation
-from kurbel.engine.power.page import PowerRequest
+from kurbel.engine.power.power_page import PowerRequest
 from kurbel.engine.power.source import Acting, GivenPressure
 from kurbel.engine.power.unknown import UNKNOWNS, sought
 from kurbel.engine.pressures import Pressed, PressuresRequest

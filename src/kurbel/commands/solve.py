@@ -16,8 +16,8 @@ from kurbel.commands.parts.loads import KINDS
 from kurbel.commands.parts.masses import Masses, Weight
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
-from kurbel.conditions.page import SolveRequest
 from kurbel.conditions.solve import read_on
+from kurbel.conditions.solve_page import SolveRequest
 from kurbel.errors import NotationError, ProblemError
 from kurbel.motion.mechanism import Mechanism
 from kurbel.page.subject import Question

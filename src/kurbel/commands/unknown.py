@@ -18,12 +18,12 @@ from kurbel.commands.parts.angles import as_positions, in_degrees
 from kurbel.commands.parts.effort import PRESSING
 from kurbel.commands.solve import SolveOptions
 from kurbel.conditions.loaded import ASKED, MEASURED, NAMES, measured
-from kurbel.conditions.page import SolveRequest, condition_label
 from kurbel.conditions.solve import MEASURES, TORQUE, read_on, target_of
+from kurbel.conditions.solve_page import SolveRequest, condition_label
 from kurbel.conditions.unknown import UNKNOWNS, WORDS, Polynomial, of_ratio
 from kurbel.drive.at import At
 from kurbel.drive.load import figure
-from kurbel.engine.quantities import value
+from kurbel.engine.engine_quantities import value
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.course import Target

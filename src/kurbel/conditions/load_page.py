@@ -9,12 +9,12 @@ from functools import cached_property, lru_cache
 from typing import Any, cast
 
 from kurbel.conditions.loaded import ASKED, Loaded, measured
-from kurbel.conditions.page import WORDS as SOLVED
+from kurbel.conditions.solve_page import WORDS as SOLVED
 from kurbel.drive.at import CRANK_FORCES
 from kurbel.engine.captions import about_engines
+from kurbel.engine.engine_page import LoadAxis
+from kurbel.engine.engine_quantities import engine_registry
 from kurbel.engine.notes import from_dead_centre, notes
-from kurbel.engine.page import LoadAxis
-from kurbel.engine.quantities import engine_registry
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.segments import At
 from kurbel.engine.turn import Turn, turn_ties

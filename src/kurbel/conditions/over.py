@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
 
-from kurbel.conditions.page import DEGREE_DECIMALS
 from kurbel.conditions.solve import Root, at_share
+from kurbel.conditions.solve_page import DEGREE_DECIMALS
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, exact_text
@@ -19,9 +19,9 @@ from kurbel.motion.captions import formula_lines, signed, strokes_of
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES, TURN, method_named, unknown
 from kurbel.motion.mechanism import mechanism
+from kurbel.motion.motion_page import DriveQuestion
+from kurbel.motion.motion_quantities import registry
 from kurbel.motion.notes import force_notes, loaded_notes
-from kurbel.motion.page import DriveQuestion
-from kurbel.motion.quantities import registry
 from kurbel.page.axes import Axis, ColumnAxis, Place, RatioAxis, angle_decimals, angle_number
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, Words, bare, enumerated, filled, for_ratio, words

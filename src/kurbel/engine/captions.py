@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from kurbel.engine.engine import Assembly, Engine
+from kurbel.engine.engine_quantities import ENGINE_METHODS
 from kurbel.engine.loads.words import (
     LoadWords,
     lettered,
     load_text,
     words_of,
 )
-from kurbel.engine.quantities import ENGINE_METHODS
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.texts import CYLINDERS
 from kurbel.exact.numerals import Label

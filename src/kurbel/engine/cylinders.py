@@ -12,10 +12,10 @@ from kurbel.engine.captions import caption
 from kurbel.engine.cylinder import AnyTurn, Member, Where, members_of
 from kurbel.engine.digits import Asked, printed
 from kurbel.engine.engine import Engine
+from kurbel.engine.engine_page import errors_beside
+from kurbel.engine.engine_quantities import ENGINE_METHODS
 from kurbel.engine.loads.words import load_text
 from kurbel.engine.notes import notes
-from kurbel.engine.page import errors_beside
-from kurbel.engine.quantities import ENGINE_METHODS
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.work import kilowatts
 from kurbel.errors import ProblemError

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.at import CRANK_FORCES
 from kurbel.engine.cylinder import Where
-from kurbel.engine.quantities import AT_ANGLE, EXTREMES, engine_registry, value
+from kurbel.engine.engine_quantities import AT_ANGLE, EXTREMES, engine_registry, value
 from kurbel.engine.turn import turn_ties
 from kurbel.errors import CardError
 from kurbel.exact.certify import TieBits, at_bits, rounded

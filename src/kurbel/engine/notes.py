@@ -13,8 +13,8 @@ from kurbel.engine.captions import (
     masses_notes,
     named_ratio,
 )
+from kurbel.engine.engine_quantities import AT_ANGLE, EXTREMES, FORCES
 from kurbel.engine.loads.words import engine_lines
-from kurbel.engine.quantities import AT_ANGLE, EXTREMES, FORCES
 from kurbel.engine.request import BY_STROKE, OF_FORCES, OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest
 from kurbel.engine.texts import ENGINE, SIGNS, SUPPLIED
 from kurbel.exact.numerals import Label, Number, exact_text, number_text

@@ -16,13 +16,13 @@ from kurbel.drive.wheel import Flywheel, Wheel
 from kurbel.engine.cylinder import OUTSTROKE, RETURN_STROKE, WHOLE, AnyTurn, Where
 from kurbel.engine.digits import check_card
 from kurbel.engine.engine import Assembly, Engine, Load, check_count
+from kurbel.engine.engine_quantities import ENGINE_METHODS
 from kurbel.engine.loads.words import LoadWords, words_of, words_of_cylinders
-from kurbel.engine.quantities import ENGINE_METHODS
 from kurbel.engine.turn import turn_of
 from kurbel.errors import ProblemError
 from kurbel.motion.evaluation import PAGE_CELLS
 from kurbel.motion.mechanism import STRAIGHT, Mechanism
-from kurbel.motion.page import worthwhile
+from kurbel.motion.motion_page import worthwhile
 from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, with_symbol, words

@@ -24,7 +24,7 @@ from kurbel.linkage.arc_quantities import arc_registry
 from kurbel.linkage.linkage import LinkageDrive
 from kurbel.linkage.rocker import STROKE, RockerCrank, direct
 from kurbel.motion.evaluation import OUT, STROKES
-from kurbel.motion.quantities import registry
+from kurbel.motion.motion_quantities import registry
 from kurbel.page.quantity import Formula, Quantity, Words, words
 from kurbel.reading.notation import about
 

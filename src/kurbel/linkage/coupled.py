@@ -21,7 +21,7 @@ from kurbel.exact.numerals import Label, Number, finite_decimals
 from kurbel.linkage.linkage import LinkageRequest, force_lines, formula_line, linkage_subject
 from kurbel.linkage.parallel import parallel_registry
 from kurbel.motion.evaluation import value
-from kurbel.motion.quantities import Force, force_entries
+from kurbel.motion.motion_quantities import Force, force_entries
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, filled, words
 from kurbel.page.subject import OVER_AXES

@@ -17,8 +17,8 @@ from kurbel.exact.numerals import Label, Number
 from kurbel.kernel import kinematics
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN
 from kurbel.motion.mechanism import Mechanism, mechanism
+from kurbel.motion.motion_page import DriveQuestion
 from kurbel.motion.notes import size_notes, turns_label
-from kurbel.motion.page import DriveQuestion
 from kurbel.page.axes import ColumnAxis, LetteredRatioAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, filled, words
 from kurbel.page.subject import Subject

@@ -17,16 +17,16 @@ from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel import linkage
 from kurbel.kernel.circle import Circle
-from kurbel.motion import quantities
+from kurbel.motion import motion_quantities
 from kurbel.motion.captions import direction_notes
 from kurbel.motion.drives import Drive
 from kurbel.motion.entries import Formulas
 from kurbel.motion.evaluation import NEEDS, OUT, certified
 from kurbel.motion.mechanism import FORCES as IN_DRAWINGS
 from kurbel.motion.mechanism import Mechanism, mechanism
+from kurbel.motion.motion_page import CURVES, AngleQuestion, check_pairs, long_records
+from kurbel.motion.motion_quantities import Force
 from kurbel.motion.notes import force_notes, moving_notes, size_notes, turns_label
-from kurbel.motion.page import CURVES, AngleQuestion, check_pairs, long_records
-from kurbel.motion.quantities import Force
 from kurbel.page.axes import AngleAxis, ColumnAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
 from kurbel.page.quantity import Column, Formula, Quantity, Words, enumerated, filled, for_ratio, words
@@ -102,7 +102,7 @@ DECIMALS = 4
 
 
 FORCES: Mapping[str, Force] = {
-    **{key: one for key, one in quantities.FORCES.items() if key not in quantities.EFFORT},
+    **{key: one for key, one in motion_quantities.FORCES.items() if key not in motion_quantities.EFFORT},
     "rod_force": Force(
         "Stangenkraft|Rod force", "S",
         "$S$ am Stangenende, auf dem Hingang Druck, auf dem Rückgang Zug"
@@ -138,12 +138,12 @@ def force_entries(printed: Mapping[str, Formula], masses: bool = False) -> Itera
 
     A drive that may have moving `masses` has also the forces that these alone show.
     """
-    newton = quantities.in_newtons if masses else _alone
+    newton = motion_quantities.in_newtons if masses else _alone
     for key in {**printed, **(FORCES if masses else {})}:
         shares = {"exact": printed[key]} if key in printed else {}
-        yield from quantities.force_entries(key, FORCES[key], shares, newton(key, shares), of=FORCE)
+        yield from motion_quantities.force_entries(key, FORCES[key], shares, newton(key, shares), of=FORCE)
     torque = {"exact": force_formula("tangential_force", "$M_d/(F R) = T/F$")}
-    yield from quantities.torque_entries(torque, newton("tangential_force", torque), of=FORCE)
+    yield from motion_quantities.torque_entries(torque, newton("tangential_force", torque), of=FORCE)
 
 
 def _alone(key: str, shares: Formulas) -> Formulas:

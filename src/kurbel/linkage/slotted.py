@@ -35,7 +35,7 @@ from kurbel.linkage.linkage import (
 )
 from kurbel.motion.entries import spanned
 from kurbel.motion.evaluation import OUT, RETURN
-from kurbel.motion.quantities import FORCES, Force, force_entries, torque_entries
+from kurbel.motion.motion_quantities import FORCES, Force, force_entries, torque_entries
 from kurbel.page.quantity import Formula, Quantity, words
 from kurbel.reading.given import as_number
 from kurbel.reading.notation import about

@@ -36,7 +36,7 @@ from kurbel.page.quantity import (
 )
 
 if TYPE_CHECKING:
-    from kurbel.motion.page import AngleQuestion, Request
+    from kurbel.motion.motion_page import AngleQuestion, Request
 
 
 class Formulated(Protocol):
@@ -50,7 +50,7 @@ class Formulated(Protocol):
     def lang(self) -> str: ...
 
 
-# Below the formulas of a method; {ψ} as in motion/quantities.py.
+# Below the formulas of a method; {ψ} as in motion/motion_quantities.py.
 SYMBOLS = {
     "exact": "$sin ψ = {ψ}λ sin {angle}$, $λ = {ratio}$",
     "series": "$λ = {ratio}$",
@@ -58,7 +58,7 @@ SYMBOLS = {
     **dict.fromkeys(REACH, "$λ = {ratio}$"),
     "offset": "$sin ψ = λ (sin {angle} - e/R)$, $λ = {ratio}$",
 }
-# What differs between the strokes in printed formulas, as motion/entries.py and quantities.py say.
+# What differs between the strokes in printed formulas, as motion/entries.py and motion_quantities.py say.
 _SIGNED = ("{±}", "{sign}", "{turned}", "{ψ}", "{guide}", "{slant}")
 # For columns that the layout's own caption does not know.
 PLAIN_CAPTION = "{quantities}{for_ratio}; {method}"

@@ -22,8 +22,8 @@ from kurbel.exact.terms import vanishes
 from kurbel.kernel import kinematics, series
 from kurbel.motion.bulk import columns_in_floats
 from kurbel.motion.evaluation import columns_in_balls
+from kurbel.motion.motion_page import MOTION, Request
 from kurbel.motion.notes import drive_notes
-from kurbel.motion.page import MOTION, Request
 from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio, words

@@ -31,8 +31,8 @@ from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle
 from kurbel.motion.captions import Formulated, formula_lines
 from kurbel.motion.evaluation import LOADED, OUT, certified, is_known, is_transcendental, typed, value
+from kurbel.motion.motion_quantities import registry
 from kurbel.motion.notes import drive_notes
-from kurbel.motion.quantities import registry
 from kurbel.page.quantity import Column, Formula, Quantity, multiplied, words
 from kurbel.reading.notation import ratio_text
 from kurbel.reading.where import SHARE

@@ -16,9 +16,9 @@ from kurbel.motion.captions import notes
 from kurbel.motion.evaluation import ROD_MODELS
 from kurbel.motion.inertia import ROD_FORCES, inertia_registry
 from kurbel.motion.inertia_peak import Peak
+from kurbel.motion.motion_page import MOTION, CrankQuestion, Request
+from kurbel.motion.motion_quantities import registry
 from kurbel.motion.notes import connecting_rod, drive_notes
-from kurbel.motion.page import MOTION, CrankQuestion, Request
-from kurbel.motion.quantities import registry
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
 from kurbel.page.quantity import Column, Formula, Quantity, bare, entry, enumerated_letters, for_ratio, words

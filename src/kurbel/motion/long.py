@@ -23,9 +23,9 @@ from kurbel.exact.numerals import Number
 from kurbel.kernel.circle import Circle
 from kurbel.motion.bulk import integer_angles
 from kurbel.motion.evaluation import MOST_DECIMALS, kernel_of
-from kurbel.motion.page import CHUNK, Chunk, RecordRows
+from kurbel.motion.motion_page import CHUNK, Chunk, RecordRows
+from kurbel.motion.motion_quantities import registry
 from kurbel.motion.point_quantities import DIRECTION
-from kurbel.motion.quantities import registry
 from kurbel.page.axes import Axis, Place
 from kurbel.page.quantity import Column, Quantity
 from kurbel.page.table import Value

@@ -12,14 +12,14 @@ from kurbel.drive.load import CARD, COMPRESSOR, FORCE, GAS, LOADS, MASSES, PUMP,
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
+from kurbel.motion.motion_page import Request
 from kurbel.motion.notes import drive_notes, loaded_notes, offset_notes
-from kurbel.motion.page import Request
 from kurbel.page.quantity import Column, Quantity
 from kurbel.reading.given import found_at
 
 if TYPE_CHECKING:
     from kurbel.motion.drives import Drive, SlideDrive
-    from kurbel.motion.page import AngleQuestion, Request
+    from kurbel.motion.motion_page import AngleQuestion, Request
     from kurbel.motion.point_quantities import Ends
 
 _LENGTHS = ("stroke", "rod", "speed")

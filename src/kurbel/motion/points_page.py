@@ -16,7 +16,8 @@ from kurbel.kernel.circle import Circle, circle
 from kurbel.motion.captions import formula_lines
 from kurbel.motion.evaluation import METHODS, NEEDS, OFFSET, OUT, certified
 from kurbel.motion.mechanism import Mechanism, mechanism
-from kurbel.motion.page import CURVES, AngleQuestion, check_pairs, long_records
+from kurbel.motion.motion_page import CURVES, AngleQuestion, check_pairs, long_records
+from kurbel.motion.motion_quantities import registry
 from kurbel.motion.point_quantities import (
     BESIDE,
     DIRECTION,
@@ -31,7 +32,6 @@ from kurbel.motion.point_quantities import (
     velocity,
 )
 from kurbel.motion.points import RodPoint, decimals_of, with_points
-from kurbel.motion.quantities import registry
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import Layout, LayoutColumn
 from kurbel.page.quantity import Column, Quantity, Words, bare, enumerated, filled, for_ratio, words

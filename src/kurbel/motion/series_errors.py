@@ -32,8 +32,8 @@ from kurbel.kernel import kinematics, series
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.series import terms_of, versine_term
 from kurbel.motion.evaluation import NEEDS
+from kurbel.motion.motion_page import CrankQuestion
 from kurbel.motion.notes import drive_notes
-from kurbel.motion.page import CrankQuestion
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio, words
 from kurbel.page.subject import Subject

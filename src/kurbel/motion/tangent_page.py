@@ -17,9 +17,9 @@ from kurbel.motion.evaluation import (
     TANGENT,
     value,
 )
+from kurbel.motion.motion_page import CrankQuestion
+from kurbel.motion.motion_quantities import registry
 from kurbel.motion.notes import drive_notes, force_notes
-from kurbel.motion.page import CrankQuestion
-from kurbel.motion.quantities import registry
 from kurbel.page.axes import PHI, ColumnAxis, LetteredRatioAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity
 from kurbel.page.subject import Subject

@@ -40,7 +40,7 @@ from kurbel.plot.style import MEDIUM, STRONG, THIN, USUAL, WIDTH, Size, arrowhea
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from kurbel.books.constructions.page import ConstructionRequest
+    from kurbel.books.constructions.construction_page import ConstructionRequest
 
 # In mm: between rows of dimensions, at a mark, and below that a length has no dimension.
 ROW, CORNER, SHORTEST = 6.0, 2.2, 0.15
@@ -342,7 +342,7 @@ def construction_drawing(
 ) -> Drawing:
     """Return the drawing of a construction with its steps, up to the last one. Raises ProblemError for a rod
     that is too long or a page too small to be drawn."""
-    from kurbel.books.constructions.page import caption
+    from kurbel.books.constructions.construction_page import caption
 
     shown = request.construction
     if request.drive.crank.ratio * LONGEST_ROD < 1:

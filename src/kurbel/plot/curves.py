@@ -19,7 +19,7 @@ from kurbel.exact.numerals import Label, Number, degrees_text, figures, number_t
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import LOADED, OUT, RETURN, STROKES, is_known
 from kurbel.motion.mechanism import STRAIGHT, Mechanism, mechanism
-from kurbel.motion.page import AngleQuestion
+from kurbel.motion.motion_page import AngleQuestion
 from kurbel.page.quantity import Quantity, words
 from kurbel.page.subject import subject
 from kurbel.plot.drawings import Picture, Wish, asked_of, check_one, columns_of, smooth

@@ -6,15 +6,15 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
+from kurbel.engine.diagram.diagram_page import TorquesRequest
 from kurbel.engine.diagram.excess import Excess
 from kurbel.engine.diagram.fluctuation import shown
-from kurbel.engine.diagram.page import TorquesRequest
 from kurbel.engine.diagram.torque import Torque
-from kurbel.engine.diagram.wheel.page import WheelRequest
+from kurbel.engine.diagram.wheel.wheel_page import WheelRequest
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.speed.page import speed_registry
 from kurbel.engine.speed.run import AnyRun
 from kurbel.engine.speed.solved import run_of
+from kurbel.engine.speed.speed_page import speed_registry
 from kurbel.exact.kind import Kind, floats
 from kurbel.page.quantity import words
 from kurbel.plot.drawings import Picture, Wish, asked_of, drawing_layout, refuse, smooth

@@ -15,7 +15,7 @@ from kurbel.exact.numerals import Label
 from kurbel.linkage.linkage import Linkage
 from kurbel.linkage.rocker import RockerCrank
 from kurbel.motion import captions
-from kurbel.motion.page import Request
+from kurbel.motion.motion_page import Request
 from kurbel.page.axes import PHI
 from kurbel.page.layouts import Layout, layout
 from kurbel.page.quantity import Column, for_ratio, words

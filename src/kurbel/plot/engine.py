@@ -17,8 +17,8 @@ from kurbel.engine.captions import common, inner, named_load
 from kurbel.engine.cylinder import Where
 from kurbel.engine.diagram.fluctuation import place_text, shown
 from kurbel.engine.digits import Asked, estimated, settled
+from kurbel.engine.engine_quantities import ENGINE_METHODS, engine_registry, value
 from kurbel.engine.pressures import stroke_names
-from kurbel.engine.quantities import ENGINE_METHODS, engine_registry, value
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn, turn_of
 from kurbel.exact.kind import Kind, floats
@@ -57,7 +57,7 @@ from kurbel.reading.notation import ratio_text
 
 if TYPE_CHECKING:
     from kurbel.engine.cylinder import AnyTurn
-    from kurbel.engine.diagram.page import TorquesRequest
+    from kurbel.engine.diagram.diagram_page import TorquesRequest
 
 # Which end of the swing is the greatest, as engines name what is of it.
 ENDS = {"least": False, "greatest": True}

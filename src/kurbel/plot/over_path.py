@@ -28,7 +28,7 @@ from kurbel.kernel.circle import circle
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import OUT, STROKES, method_named
 from kurbel.motion.mechanism import Mechanism, mechanism
-from kurbel.motion.page import AngleQuestion
+from kurbel.motion.motion_page import AngleQuestion
 from kurbel.page.quantity import Column, Quantity, enumerated, filled, for_ratio, words
 from kurbel.plot.curves import infinite, said_drive, said_ratio, spots, unfolded, zeros
 from kurbel.plot.drawings import Picture, Wish, asked_of, columns_of, drawing_layout, refuse, smooth

@@ -13,7 +13,7 @@ import kurbel
 from kurbel.commands.sliders import Written
 from kurbel.exact.numerals import exact_text
 from kurbel.motion.captions import formula_lines
-from kurbel.motion.page import Request
+from kurbel.motion.motion_page import Request
 from kurbel.page.labels import plain
 from kurbel.page.subject import Question
 from kurbel.page.table import Note

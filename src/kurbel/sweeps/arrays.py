@@ -20,7 +20,7 @@ from kurbel.kernel.loops import of_all
 from kurbel.motion.bulk import float_bound
 from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.long import motion
-from kurbel.motion.page import MOTION, Request
+from kurbel.motion.motion_page import MOTION, Request
 from kurbel.page.subject import Question
 from kurbel.sweeps.columns import BOUND, Asked, Cells, Rows
 from kurbel.sweeps.plan import Floats, Places, Plan, Points

@@ -17,7 +17,7 @@ from kurbel.commands.part import Values, flag_of
 from kurbel.commands.sliders import figures, parted, several
 from kurbel.commands.subject import Command
 from kurbel.errors import KurbelError, NotationError, ProblemError
-from kurbel.motion.page import AngleQuestion, is_beyond
+from kurbel.motion.motion_page import AngleQuestion, is_beyond
 from kurbel.page.axes import AngleAxis, shifted
 from kurbel.page.subject import Question
 from kurbel.reading import notation

@@ -18,7 +18,7 @@ from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, Number
 from kurbel.motion.bulk import float_angles, float_bound, greatest_value
 from kurbel.motion.evaluation import MOST_DECIMALS
-from kurbel.motion.page import AngleQuestion, Request
+from kurbel.motion.motion_page import AngleQuestion, Request
 from kurbel.page.axes import AngleAxis, shifted
 from kurbel.page.build import own_records
 from kurbel.page.quantity import Column

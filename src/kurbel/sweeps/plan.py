@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from kurbel.commands.options import is_given
 from kurbel.commands.part import Origin, Values, flag_of
 from kurbel.exact.numerals import exact_text, ratio_text
-from kurbel.motion.page import AngleQuestion
+from kurbel.motion.motion_page import AngleQuestion
 from kurbel.page.subject import Question
 
 if TYPE_CHECKING:

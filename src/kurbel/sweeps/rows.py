@@ -11,7 +11,7 @@ import numpy as np
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import FailedError
 from kurbel.exact.certify import BALLS
-from kurbel.motion.page import Request
+from kurbel.motion.motion_page import Request
 from kurbel.sweeps.arrays import Irregularities, Motion, is_irregularity, is_motion
 from kurbel.sweeps.columns import GIVEN, Asked, Cells, Column, Part, Way, columns_of
 from kurbel.sweeps.coordinates import Coordinates

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 
 from kurbel.books.constructions import formulas as read_formulas
 from kurbel.books.constructions import model
+from kurbel.books.constructions.formula_names import KNOWN, NUMBER, POINT
 from kurbel.books.constructions.formulas import NAME, TRUTH, Formula, Values
 from kurbel.books.constructions.model import (
     Construction,
@@ -32,7 +33,6 @@ from kurbel.books.constructions.model import (
     StepFile,
 )
 from kurbel.books.constructions.placed import TAKEN, Position
-from kurbel.books.constructions.quantities import KNOWN, NUMBER, POINT
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ConstructionError, KurbelError, NotationError
 from kurbel.page.labels import parse

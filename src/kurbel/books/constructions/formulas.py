@@ -18,8 +18,8 @@ from functools import cached_property, partial
 from typing import Any, NamedTuple, TypeAlias
 
 from kurbel.books.constructions import placed as on
+from kurbel.books.constructions.formula_names import FUNCTIONS_OF_DRIVE, KNOWN, NUMBER, POINT, OfDrive
 from kurbel.books.constructions.placed import Placed, Point
-from kurbel.books.constructions.quantities import FUNCTIONS_OF_DRIVE, KNOWN, NUMBER, POINT, OfDrive
 from kurbel.errors import NotationError
 from kurbel.exact.kind import floats
 from kurbel.exact.separation import power

@@ -9,9 +9,9 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Annotated, Any, ClassVar, NamedTuple, TypeAlias
 
+from kurbel.books.constructions.formula_names import POINT
 from kurbel.books.constructions.formulas import Formula, Values
 from kurbel.books.constructions.placed import Placed, Point, Position
-from kurbel.books.constructions.quantities import POINT
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.page.layouts import Head
@@ -368,7 +368,7 @@ def _is_there(formula: Formula, values: Values) -> bool:
 
 
 def _named(name: str, folder: Any, mechanism: str) -> Construction:
-    from kurbel.books.constructions.page import construction
+    from kurbel.books.constructions.construction_page import construction
 
     return construction(name, folder, mechanism)
 

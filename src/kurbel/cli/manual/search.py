@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import click
 
-from kurbel.books.constructions.page import construction, construction_names
+from kurbel.books.constructions.construction_page import construction, construction_names
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
 from kurbel.cli.manual.command import TopicCommand

@@ -18,7 +18,7 @@ from kurbel.reading.notation import Progression
 from kurbel.reading.where import SHARE
 
 if TYPE_CHECKING:
-    from kurbel.motion.page import AngleQuestion
+    from kurbel.motion.motion_page import AngleQuestion
 
 HALF_TURN, FULL_TURN = Fraction(180), Fraction(360)
 STEP = Fraction(10)
@@ -145,7 +145,7 @@ class Angles(Part):
     def over_strokes(self, question: AngleQuestion) -> AngleQuestion:
         """Return the question over both strokes, where these stand side by side at all of its angles; else
         over whole turns. Where no last angle is given, both strokes end at 180°."""
-        from kurbel.motion.page import is_beyond
+        from kurbel.motion.motion_page import is_beyond
 
         if not is_beyond(question.angles):
             return question

@@ -200,7 +200,7 @@ class Engine(Cylinder):
     )  # fmt: skip
     method: Option[Sequence[str] | str | None] = Option(
         "exact (default), series (first order) or weisbach (his equations of § 150).",
-        kind=Choice("method", "kurbel.engine.quantities:ENGINE_METHODS"), many=True, default=(),
+        kind=Choice("method", "kurbel.engine.engine_quantities:ENGINE_METHODS"), many=True, default=(),
         topic="crank",
     )  # fmt: skip
 

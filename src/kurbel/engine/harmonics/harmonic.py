@@ -20,8 +20,8 @@ from kurbel.balancing.harmonics import EXACT_ZERO
 from kurbel.drive.at import known
 from kurbel.engine.cylinder import AnyTurn, Member
 from kurbel.engine.digits import CLEAN, FLOAT_ERROR, Estimate, certified, supported
+from kurbel.engine.engine_quantities import ENGINE_METHODS
 from kurbel.engine.harmonics.fourier import NOTHING_BITS, PARTS, Floats, Spectrum, Wave, star_of
-from kurbel.engine.quantities import ENGINE_METHODS
 from kurbel.exact.certify import NEVER_TIES, at_bits
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.balance import Star

@@ -12,7 +12,7 @@ from kurbel.drive.load import CARD, STEAM
 from kurbel.engine.cylinder import Where
 from kurbel.engine.digits import Asked, Estimate, check_card, estimate
 from kurbel.engine.engine import Engine
-from kurbel.engine.quantities import engine_registry
+from kurbel.engine.engine_quantities import engine_registry
 from kurbel.engine.turn import turn_of
 from kurbel.engine.work import ends, mean_pressure_of
 from kurbel.errors import ProblemError

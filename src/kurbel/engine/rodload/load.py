@@ -19,7 +19,7 @@ from flint import arb
 
 from kurbel.drive.at import CrankForce
 from kurbel.engine.cylinder import AnyTurn
-from kurbel.engine.quantities import engine_registry, row
+from kurbel.engine.engine_quantities import engine_registry, row
 from kurbel.engine.segments import (
     At,
     Part,

@@ -1,7 +1,7 @@
 """The pages of an engine with a given flywheel: its speed over the turn, and how even it is.
 
 The kernel of each quantity takes the run of an engine with its flywheel and where in the turn, as those of
-`engine/quantities.py` take a turn. What needs the "turns" has no value of a flywheel without a speed.
+`engine/engine_quantities.py` take a turn. What needs the "turns" has no value of a flywheel without a speed.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from typing import TypeAlias
 from kurbel.drive.wheel import SQUARE, Wheel
 from kurbel.engine import notes
 from kurbel.engine.digits import Asked, printed
-from kurbel.engine.page import IRREGULARITY, TURNING
-from kurbel.engine.quantities import EXTREMES, engine_registry, row
+from kurbel.engine.engine_page import IRREGULARITY, TURNING
+from kurbel.engine.engine_quantities import EXTREMES, engine_registry, row
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.speed.run import Run
 from kurbel.engine.speed.solved import run_of

@@ -29,7 +29,7 @@ from kurbel.motion.evaluation import (
     typed,
     value,
 )
-from kurbel.motion.quantities import effort_keys, registry
+from kurbel.motion.motion_quantities import effort_keys, registry
 from kurbel.page.axes import (
     AngleAxis,
     ColumnAxis,

@@ -17,9 +17,9 @@ from kurbel.exact.numerals import Label, Number, degrees_text, exact_text, finit
 from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES, method_named, typed, unknown
 from kurbel.motion.mechanism import mechanism
+from kurbel.motion.motion_page import DriveQuestion
+from kurbel.motion.motion_quantities import registry
 from kurbel.motion.notes import loaded_notes
-from kurbel.motion.page import DriveQuestion
-from kurbel.motion.quantities import registry
 from kurbel.page.axes import PHI, Axis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import AND, Column, Quantity, Words, bare, words

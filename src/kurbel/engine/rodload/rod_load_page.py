@@ -11,8 +11,8 @@ from kurbel.drive.at import CRANK_FORCES
 from kurbel.engine.captions import about_engines
 from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.digits import ERROR, FLOAT_ERROR, error_number, supported
+from kurbel.engine.engine_page import LoadAxis, errors_beside
 from kurbel.engine.notes import notes
-from kurbel.engine.page import LoadAxis, errors_beside
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.rodload.load import (
     ENDS,

@@ -22,9 +22,9 @@ from kurbel.books.printed_value import Printed, Units
 from kurbel.drive.crank import Crank
 from kurbel.engine.cylinder import Where
 from kurbel.engine.engine import Engine
+from kurbel.engine.engine_quantities import ENGINE_METHODS, SPANS, applies, engine_registry
+from kurbel.engine.engine_quantities import value as engine_value
 from kurbel.engine.loads.steam import Steam
-from kurbel.engine.quantities import ENGINE_METHODS, SPANS, applies, engine_registry
-from kurbel.engine.quantities import value as engine_value
 from kurbel.engine.turn import turn_of
 from kurbel.errors import NotationError
 from kurbel.exact.certify import NEVER_TIES, TieBits, ball, ball_circle, ball_degrees, rounded, vanishes
@@ -33,7 +33,7 @@ from kurbel.exact.numerals import Label
 from kurbel.exact.separation import Separation, circle_separation, power
 from kurbel.linkage import beam_engine as beam
 from kurbel.motion import evaluation
-from kurbel.motion.quantities import registry as motion_registry
+from kurbel.motion.motion_quantities import registry as motion_registry
 from kurbel.page.quantity import Quantity, words
 from kurbel.reading.arithmetic import OPERATIONS, POWERS, parsed, wrong_power
 from kurbel.reading.given import choose

@@ -15,11 +15,11 @@ from kurbel.balancing.harmonics import MOST_ORDERS, ORDER
 from kurbel.engine.captions import caption
 from kurbel.engine.cylinder import Member, members_of
 from kurbel.engine.digits import ERROR, error_number
+from kurbel.engine.engine_page import LoadAxis, errors_beside
 from kurbel.engine.harmonics.fourier import Spectrum, spectrum_of
 from kurbel.engine.harmonics.harmonic import SPEED, STAR, At, estimate, number_of, registry
 from kurbel.engine.loads.steam import Steam
 from kurbel.engine.notes import from_dead_centre, notes
-from kurbel.engine.page import LoadAxis, errors_beside
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.texts import HARMONICS
 from kurbel.errors import ProblemError

@@ -11,9 +11,9 @@ from kurbel.drive.load import COMPRESSOR, figure
 from kurbel.engine.captions import DRIVEN
 from kurbel.engine.digits import FLOAT_ERROR, supported
 from kurbel.engine.engine import Engine
+from kurbel.engine.engine_page import LoadAxis
 from kurbel.engine.loads.texts import OF_STEAM
 from kurbel.engine.loads.words import LoadWords, best_back, valve_lines, words_of
-from kurbel.engine.page import LoadAxis
 from kurbel.engine.power.duty import (
     AIRY,
     ASKED,
