@@ -77,7 +77,7 @@ DENSE = np.linspace(0, 1, 20_011)
 def test_the_ideal_card_of_200_points_has_the_work_and_force_of_its_closed_form(
     spacing: Callable[[float], Array], expansion: float
 ) -> None:
-    stroke, _ = card_strokes(ideal_card(spacing(expansion), expansion, 0.07), double_acting=True)
+    stroke: Any = card_strokes(ideal_card(spacing(expansion), expansion, 0.07), double_acting=True)[0]
     # Two works and the mean force make an energy: a tenth of 1e-6 leaves δ its 1e-6 at ε = 10, where
     # P is 0.14 Q.
     assert_allclose(stroke.work(DENSE), ideal_work(DENSE, expansion) - 0.07 * DENSE, rtol=0, atol=2e-8)
@@ -88,6 +88,8 @@ def test_the_ideal_card_of_200_points_has_the_work_and_force_of_its_closed_form(
 @pytest.mark.parametrize("expansion", EXPANSIONS)
 def test_half_the_ideal_card_shows_the_error_of_the_whole(expansion: float) -> None:
     card = ideal_card(even(expansion), expansion, 0.1)
+    whole: Any
+    half: Any
     whole, half = (card_strokes(one, double_acting=True)[0].work(DENSE) for one in (card, card.halves()[0]))
     error = np.max(abs(whole - ideal_work(DENSE, expansion) + 0.1 * DENSE))
     assert 2 * error < np.max(abs(whole - half)) < 1e-6
@@ -102,7 +104,7 @@ def steep_card() -> Card:
 
 @pytest.mark.parametrize("share", [0.0, 0.137, 0.5, 0.93, 1.0])
 def test_work_is_the_integral_of_the_force(share: float) -> None:
-    stroke, _ = card_strokes(steep_card(), double_acting=True)
+    stroke: Any = card_strokes(steep_card(), double_acting=True)[0]
     # Gauss-Legendre with two nodes is exact for a cubic.
     edges = np.unique(np.clip([*SHARES, *(1 - np.array(SHARES)), *corners(stroke), share], 0, share))
     middle, half = (edges[1:] + edges[:-1]) / 2, np.diff(edges) / 2
@@ -111,7 +113,7 @@ def test_work_is_the_integral_of_the_force(share: float) -> None:
 
 
 def test_floats_give_the_numbers_of_arrays() -> None:
-    stroke, _ = card_strokes(steep_card(), double_acting=True)
+    stroke: Any = card_strokes(steep_card(), double_acting=True)[0]
     shares = np.array([[0.0, 0.31], [0.77, 1.0]])
     for of in (stroke.force, stroke.work):
         assert of(shares).shape == (2, 2)
@@ -126,7 +128,7 @@ def test_corners_are_mirrored_with_the_exhausting_end() -> None:
     # Compression begins at 0.253 of the stroke from this dead centre.
     rising = 1e5 * (1 + 9 * np.maximum(0, 0.253 - shares) * 1.3)
     card = Card(tuple(shares.tolist()), tuple((8e5 - 4e5 * shares).tolist()), tuple(rising.tolist()))
-    stroke, _ = card_strokes(card, double_acting=True)
+    stroke: Any = card_strokes(card, double_acting=True)[0]
     assert_allclose(corners(stroke), [1 - 0.253], rtol=0, atol=1e-12)
 
 

@@ -311,7 +311,8 @@ def test_the_least_speed_is_where_the_velocity_says_so(motion: Any) -> None:
     velocity = kinematics.piston_velocity_first_order if first else kinematics.piston_velocity
     angle = np.degrees(motion(ratio).place(motion(ratio).least(wanted)).angle)
     assert (angle < 90).all()
-    np.testing.assert_allclose(velocity(circle(angle), -ratio), wanted, rtol=2e-7, atol=0)
+    found: Any = velocity(circle(angle), -ratio)
+    np.testing.assert_allclose(found, wanted, rtol=2e-7, atol=0)
 
 
 @pytest.mark.parametrize("motion", [ExactMotion, FirstOrderMotion])

@@ -92,12 +92,12 @@ def test_torque_takes_the_energy_and_its_slope_is_right(degrees: float, ratio: f
     masses, step = Masses(0.3, 0.7, couple), 1e-3
     at = [circle(degrees + offset * math.degrees(step)) for offset in (-2, -1, 1, 2)]
     weights = np.array([1, -8, 8, -1]) / (12 * step)
-    energy = [kinetic_energy(one, ratio, masses) for one in at]
-    torque = [Loaded(one, ratio, masses).torque() for one in at]
+    energy: Any = [kinetic_energy(one, ratio, masses) for one in at]
+    torque: Any = [Loaded(one, ratio, masses).torque() for one in at]
     here = circle(degrees)
     scale = (1 - abs(ratio)) ** -3
-    assert_allclose(Loaded(here, ratio, masses).torque(), -weights @ energy, rtol=0, atol=1e-8 * scale)
-    assert_allclose(torque_slope(here, ratio, masses), weights @ torque, rtol=0, atol=1e-7 * scale)
+    assert_allclose(float(Loaded(here, ratio, masses).torque()), -weights @ energy, rtol=0, atol=1e-8 * scale)
+    assert_allclose(float(torque_slope(here, ratio, masses)), weights @ torque, rtol=0, atol=1e-7 * scale)
 
 
 def test_every_extreme_of_a_heavy_engine_is_found() -> None:

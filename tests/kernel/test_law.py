@@ -28,7 +28,7 @@ CASES = (
 each_case = pytest.mark.parametrize("case", CASES, ids=lambda case: "-".join(map(str, case)))
 
 
-def stroke(case: tuple[Fraction, ...], of: Any, exponent_of: Any = None) -> Between:
+def stroke(case: tuple[Fraction, ...], of: Any, exponent_of: Any = None) -> Any:
     """The stroke of a compressor: its air expands and is sucked behind the piston, compressed before it."""
     ratio, exponent, clearance = of(case[0]), (exponent_of or of)(case[1]), of(case[2])
     root = ratio ** (1 / exponent)
@@ -74,8 +74,8 @@ def test_a_ball_over_a_corner_holds_both_sides(case: tuple[Fraction, ...]) -> No
         wide = corner.union(corner + ball(Fraction(1, 50))).union(corner - ball(Fraction(1, 200)))
         for near in (corner - ball(Fraction(1, 300)), corner, corner + ball(Fraction(1, 60))):
             if near > 0:
-                for value in (Between.force, Between.work, Between.slope):
-                    assert value(acting, wide).contains(value(acting, near).mid())
+                for value in (acting.force, acting.work, acting.slope):
+                    assert value(wide).contains(value(near).mid())
 
 
 def test_the_whole_stroke_is_one_ball() -> None:

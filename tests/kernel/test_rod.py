@@ -49,7 +49,7 @@ def digits() -> Iterator[None]:
 @pytest.mark.parametrize("offset", [None, 0.9])
 def test_inertia_does_no_work_in_a_whole_turn(offset: float | None) -> None:
     # Of a periodic function the mean of equal steps is the integral, but for harmonics above 720.
-    torque = Loaded(circle(np.arange(720) / 2), 0.31, Masses(0.58, 0.42, -0.09), offset).torque()
+    torque: Any = Loaded(circle(np.arange(720) / 2), 0.31, Masses(0.58, 0.42, -0.09), offset).torque()
     assert np.ptp(torque) > 0.3
     assert abs(torque.mean()) < 1e-14
 
@@ -58,14 +58,14 @@ def test_without_masses_the_piston_force_alone_acts() -> None:
     point, none = circle(np.arange(0.0, 360, 7)), Masses(0.0, 0.0, 0.0)
     for crank in ((0.23,), (-0.23,), (0.23, 0.8)):
         ratio, offset = crank[0], crank[1] if len(crank) > 1 else None
-        state = (point, ratio, none, offset, 3.0)
-        guide = forces.guide_force(point, *crank)
-        assert_allclose(Loaded(*state).guide_force(), 3 * guide, rtol=1e-15, atol=1e-15)
-        assert_allclose(Loaded(*state).pin_force(), 3 * forces.rod_force(point, *crank), rtol=1e-15, atol=0)
-        assert_allclose(
-            Loaded(*state).torque(), 3 * forces.tangential_force(point, *crank), rtol=1e-15, atol=0
-        )
-        assert (Loaded(*state).pin_force_along() == 3).all()
+        loaded: Any = Loaded(point, ratio, none, offset, 3.0)
+        guide: Any = forces.guide_force(point, *crank)
+        rod: Any = forces.rod_force(point, *crank)
+        turning: Any = forces.tangential_force(point, *crank)
+        assert_allclose(loaded.guide_force(), 3 * guide, rtol=1e-15, atol=1e-15)
+        assert_allclose(loaded.pin_force(), 3 * rod, rtol=1e-15, atol=0)
+        assert_allclose(loaded.torque(), 3 * turning, rtol=1e-15, atol=0)
+        assert (loaded.pin_force_along() == 3).all()
 
 
 # Limits and kinds of number.
@@ -77,11 +77,10 @@ FLOATS = rod_masses(*map(float, ROD))
 
 def test_an_infinite_rod_swings_without_turning_the_force_along() -> None:
     point = circle(SAMPLED)
-    assert_allclose(Loaded(point, 0.0, FLOATS).pin_force_along(), -point.cosine, rtol=1e-15, atol=1e-16)
+    loaded: Any = Loaded(point, 0.0, FLOATS)
+    assert_allclose(loaded.pin_force_along(), -point.cosine, rtol=1e-15, atol=1e-16)
     share = 0.63 + float(FLOATS.couple)
-    assert_allclose(
-        Loaded(point, 0.0, FLOATS).pin_force_across(), -share * point.sine, rtol=1e-15, atol=1e-16
-    )
+    assert_allclose(loaded.pin_force_across(), -share * point.sine, rtol=1e-15, atol=1e-16)
     for formula in FORCES.values():
         assert_allclose(formula(point, 1e-9, FLOATS), formula(point, 0.0, FLOATS), rtol=0, atol=1e-8)
 
@@ -125,7 +124,7 @@ def test_magnitude_of_balls_that_hold_zero_is_a_ball_about_zero() -> None:
     third = certify.ball(Fraction(1, 3))
     masses = Masses(third, third, 0)
     balanced = third + third * (1 + third)
-    value = Loaded(certify.ball_circle(Fraction(0)), third, masses, None, balanced).pin_force()
+    value: Any = Loaded(certify.ball_circle(Fraction(0)), third, masses, None, balanced).pin_force()
     assert value.contains(0)
     assert value < 1e-50
 

@@ -68,7 +68,8 @@ def test_an_arc_without_curvature_is_the_slide(ratio: float, offset: float, shif
         (velocity, kinematics.offset_velocity),
         (acceleration, kinematics.offset_acceleration),
     ):
-        assert_allclose(found, formula(turn, ratio, offset), rtol=0, atol=4e-15)
+        slide: Any = formula(turn, ratio, offset)
+        assert_allclose(found, slide, rtol=0, atol=4e-15)
     assert_allclose(rise, 0, rtol=0, atol=2e-15)
 
 

@@ -7,6 +7,7 @@ from fractions import Fraction
 from itertools import islice
 from pathlib import Path
 from random import Random
+from typing import Any
 
 import pytest
 from cli import kurbel, printed
@@ -174,7 +175,8 @@ def test_the_closed_form_is_that_of_the_steps() -> None:
     kind = balls()
     circle, ratio = kind.circle(Fraction(371, 7)), kind.of(Fraction(3, 7))
     for steps in range(6):
-        assert series.closed(circle, ratio, steps).overlaps(series.after(circle, ratio, steps))
+        closed: Any = series.closed(circle, ratio, steps)
+        assert closed.overlaps(series.after(circle, ratio, steps))
 
 
 def test_steps_never_reach_a_value_half_way_that_is_rounded_up() -> None:

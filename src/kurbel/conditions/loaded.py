@@ -92,7 +92,8 @@ class Loaded:
         """Return Q r in N m or Q in N, of a condition with a unit, else 1."""
         if not condition.unit:
             return ball(1)
-        found: arb = self.turn.torque_unit() if condition.quantity == TORQUE else self.turn.force_unit()
+        unit: Any = self.turn.torque_unit() if condition.quantity == TORQUE else self.turn.force_unit()
+        found: arb = unit
         return found
 
     def _places(self, condition: Condition) -> tuple[At, ...]:

@@ -68,7 +68,7 @@ def gain(crank: Crank, numbers: Kind) -> Any:
 def begun(crank: Crank, stroke: int) -> Fraction | None:
     """Return the dead centre where a stroke begins as `Crank.dead_angle` does, exactly; None if it is
     irrational."""
-    sine = kinematics.dead_centre_sine(stroke * crank.ratio, stroke * crank.offset)
+    sine: Any = kinematics.dead_centre_sine(stroke * crank.ratio, stroke * crank.offset)
     return _RATIONAL.get(sine)
 
 
@@ -281,15 +281,15 @@ class At:
     def _way(self) -> Any:
         """Return 1 where the piston moves in the direction of the stroke, -1 where against it, of any kind of
         number: a float in a dead centre goes where it is drawn to, a ball about one holds both."""
-        velocity = forces.tangential_force(self.circle, self.ratio, self.offset)
+        velocity: Any = forces.tangential_force(self.circle, self.ratio, self.offset)
         if hasattr(velocity, "union"):
             if hasattr(velocity, "rad") and not velocity.contains(0):
                 return 1 if velocity > 0 else -1
             return (0 * velocity - 1).union(0 * velocity + 1)
         import numpy as np
 
-        drawn = self.by.piston(self.circle, self.ratio, self.offset)
-        towards: Any = np.where(velocity == 0, drawn, velocity)
+        drawn: Any = self.by.piston(self.circle, self.ratio, self.offset)
+        towards = np.where(velocity == 0, drawn, velocity)
         return np.where(towards < 0, -1.0, 1.0)
 
     def net_torque(self) -> Any:

@@ -13,7 +13,7 @@ from kurbel.drive.at import CrankForce, Weights, framed
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel import kinematics, moving, rod, turning
-from kurbel.kernel.circle import Circle, Number, root
+from kurbel.kernel.circle import Circle, Numeric, root
 from kurbel.kernel.forces import Weight, on_return, tangential_force, torque_slope, work
 from kurbel.kernel.moving import EVEN, OF_FIRST_ORDER, Masses
 from kurbel.kernel.rod import Loaded
@@ -42,25 +42,25 @@ class Moved(ABC):
     """
 
     regular = False
-    length: Number
+    length: Numeric
 
-    def dead_centre(self, stroke: int) -> Number:
+    def dead_centre(self, stroke: int) -> Any:
         """Return where the stroke begins, in half turns of φ, on the return of φ less 180°."""
         return 0
 
     @abstractmethod
-    def path(self, stroke: int, circle: Circle[Any]) -> Number:
+    def path(self, stroke: int, circle: Circle[Numeric]) -> Any:
         """Return the way of the piston."""
 
     @abstractmethod
-    def velocity(self, stroke: int, circle: Circle[Any]) -> Number:
+    def velocity(self, stroke: int, circle: Circle[Numeric]) -> Any:
         """Return the slope of the path."""
 
     @abstractmethod
-    def acceleration(self, stroke: int, circle: Circle[Any]) -> Number:
+    def acceleration(self, stroke: int, circle: Circle[Numeric]) -> Any:
         """Return the slope of the velocity."""
 
-    def lever(self, stroke: int, circle: Circle[Any]) -> Number:
+    def lever(self, stroke: int, circle: Circle[Numeric]) -> Any:
         """Return the tangential force of a unit force on the piston, by virtual work the velocity."""
         return self.velocity(stroke, circle)
 
@@ -68,42 +68,42 @@ class Moved(ABC):
     def loaded(
         self,
         stroke: int,
-        circle: Circle[Any],
-        masses: Masses[Any],
-        net: Number,
-        reciprocating: Number,
-        weight: Weight[Any] | None,
-        friction: Number | None,
+        circle: Circle[Numeric],
+        masses: Masses[Numeric],
+        net: Numeric,
+        reciprocating: Numeric,
+        weight: Weight[Numeric] | None,
+        friction: Numeric | None,
     ) -> Any:
         """Return the drive with its masses under a force on the piston, or what knows the same forces."""
 
     def power(
-        self, stroke: int, circle: Circle[Any], masses: Masses[Any], weight: Weight[Any] | None
-    ) -> Number:
+        self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric], weight: Weight[Numeric] | None
+    ) -> Any:
         """Return what inertia and weight of the masses do over the angle in radians, less what they take:
         the torque that they make."""
-        found: Number = self.loaded(stroke, circle, masses, 0, 0, weight, None).torque()
+        found: Any = self.loaded(stroke, circle, masses, 0, 0, weight, None).torque()
         return found
 
     @abstractmethod
-    def kinetic_energy(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
+    def kinetic_energy(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Any:
         """Return the part of the masses' energy that changes, in units of m R² ω²."""
 
     @abstractmethod
-    def torque_slope(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
+    def torque_slope(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Any:
         """Return the change of the power of the masses' inertia with the angle in radians."""
 
-    def weight_slope(self, stroke: int, circle: Circle[Any], weight: Weight[Any]) -> Number:
+    def weight_slope(self, stroke: int, circle: Circle[Numeric], weight: Weight[Numeric]) -> Any:
         """Return the change of the torque of weights with the angle in radians."""
         own = on_return(weight) if stroke else weight
         return torque_slope(own, circle, self.acceleration(stroke, circle))
 
-    def work_of_weight(self, stroke: int, circle: Circle[Any], weight: Weight[Any]) -> Number:
+    def work_of_weight(self, stroke: int, circle: Circle[Numeric], weight: Weight[Numeric]) -> Any:
         """Return the work that weights have done since a fixed place, over R."""
         own = on_return(weight) if stroke else weight
         return work(own, circle, self.path(stroke, circle), self.length, bool(stroke))
 
-    def bare(self, force: CrankForce, stroke: int, circle: Circle[Any]) -> Number:
+    def bare(self, force: CrankForce, stroke: int, circle: Circle[Numeric]) -> Any:
         """Return a force that a unit force on the piston calls up in the drive without masses."""
         return force.on(self.loaded(stroke, circle, Masses(0, 0), 1, 0, None, None))
 
@@ -111,11 +111,11 @@ class Moved(ABC):
         self,
         force: CrankForce,
         stroke: int,
-        circle: Circle[Any],
+        circle: Circle[Numeric],
         weights: Weights | None,
-        net: Number,
-        friction: Number | None = None,
-    ) -> Number:
+        net: Numeric,
+        friction: Numeric | None = None,
+    ) -> Any:
         """Return a force of the drive under a force on the piston, with the masses or without, and friction
         that counts as it does."""
         if weights is None and friction is not None:
@@ -129,7 +129,7 @@ class Moved(ABC):
         weight = weights.weight
         return force.on(self.loaded(stroke, circle, masses, net, reciprocating, weight, friction))
 
-    def angle_at(self, stroke: int, share: Number) -> Number | None:
+    def angle_at(self, stroke: int, share: Numeric) -> Any:
         """Return the half turns at which the piston has gone a share of the stroke, None if no formula has
         them."""
         return None
@@ -144,9 +144,11 @@ class Slide(Moved):
     from the slope of the work as the exact velocity does from that of first order.
     """
 
-    def __init__(self, motion: turning.Motion, kind: Kind, ratio: Number, *offset: Number) -> None:
+    def __init__(self, motion: turning.Motion, kind: Kind, ratio: Numeric, *offset: Numeric) -> None:
         self.regular = not offset
-        self.numbers = tuple((sign * ratio, *(sign * one for one in offset)) for sign in (1, -1))
+        self.numbers: tuple[tuple[Any, ...], ...] = tuple(
+            (sign * ratio, *(sign * one for one in offset)) for sign in (1, -1)
+        )
         self.length = kinematics.stroke(ratio, *offset) if offset else 2
         self.motion, self.kind = motion, kind
 
@@ -154,21 +156,21 @@ class Slide(Moved):
     def _is_first_order(self) -> bool:
         return self.motion is turning.FIRST_ORDER
 
-    def dead_centre(self, stroke: int) -> Number:
+    def dead_centre(self, stroke: int) -> Any:
         if self.regular:
             return 0
         return self.kind.arc(kinematics.dead_centre_sine(*self.numbers[stroke])) / 180
 
-    def path(self, stroke: int, circle: Circle[Any]) -> Number:
+    def path(self, stroke: int, circle: Circle[Numeric]) -> Any:
         return self.motion.path(circle, *self.numbers[stroke])
 
-    def velocity(self, stroke: int, circle: Circle[Any]) -> Number:
+    def velocity(self, stroke: int, circle: Circle[Numeric]) -> Any:
         return self.motion.velocity(circle, *self.numbers[stroke])
 
-    def acceleration(self, stroke: int, circle: Circle[Any]) -> Number:
+    def acceleration(self, stroke: int, circle: Circle[Numeric]) -> Any:
         return self.motion.acceleration(circle, *self.numbers[stroke])
 
-    def lever(self, stroke: int, circle: Circle[Any]) -> Number:
+    def lever(self, stroke: int, circle: Circle[Numeric]) -> Any:
         if self._is_first_order:
             return tangential_force(circle, *self.numbers[stroke])
         return self.velocity(stroke, circle)
@@ -176,42 +178,42 @@ class Slide(Moved):
     def loaded(
         self,
         stroke: int,
-        circle: Circle[Any],
-        masses: Masses[Any],
-        net: Number,
-        reciprocating: Number,
-        weight: Weight[Any] | None,
-        friction: Number | None,
+        circle: Circle[Numeric],
+        masses: Masses[Numeric],
+        net: Numeric,
+        reciprocating: Numeric,
+        weight: Weight[Numeric] | None,
+        friction: Numeric | None,
     ) -> Loaded:
         ratio, offset = (*self.numbers[stroke], None)[:2]
         by = OF_FIRST_ORDER if self._is_first_order else EVEN
         own = framed(weight, stroke)
         return Loaded(circle, ratio, masses, offset, net, reciprocating, by, weight=own, friction=friction)
 
-    def bare(self, force: CrankForce, stroke: int, circle: Circle[Any]) -> Number:
+    def bare(self, force: CrankForce, stroke: int, circle: Circle[Numeric]) -> Any:
         ratio, offset = (*self.numbers[stroke], None)[:2]
         return force.bare(circle, ratio, offset)
 
     def power(
-        self, stroke: int, circle: Circle[Any], masses: Masses[Any], weight: Weight[Any] | None
-    ) -> Number:
+        self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric], weight: Weight[Numeric] | None
+    ) -> Any:
         if self._is_first_order:
             return moving.power_first_order(circle, self.numbers[stroke][0], masses, framed(weight, stroke))
         return super().power(stroke, circle, masses, weight)
 
-    def kinetic_energy(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
+    def kinetic_energy(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Any:
         ratio, *offset = self.numbers[stroke]
         if self._is_first_order:
             return moving.kinetic_energy_first_order(circle, ratio, masses)
         return rod.kinetic_energy(circle, ratio, masses, *offset)
 
-    def torque_slope(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
+    def torque_slope(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Any:
         ratio, *offset = self.numbers[stroke]
         if self._is_first_order:
             return moving.torque_slope_first_order(circle, ratio, masses)
         return rod.torque_slope(circle, ratio, masses, *offset)
 
-    def angle_at(self, stroke: int, share: Number) -> Number | None:
+    def angle_at(self, stroke: int, share: Numeric) -> Any:
         if not self.motion.versine_at:
             return None
         versine = self.motion.versine_at(2 * share, *self.numbers[stroke])

@@ -239,7 +239,7 @@ class Moving:
         end = self.rocker / self.arm**2 if self.arm else Fraction(0)
         if self.rod is None:
             return Masses(Fraction(0), self.reciprocating, Fraction(0), end)
-        own = joined(self.rod.masses("exact", Fraction), self.rod.mass, self.reciprocating)
+        own = joined(self.rod.masses("exact", Fraction), self.rod.mass or Fraction(0), self.reciprocating)
         return own._replace(rocker=end)
 
     def weights(self, kind: Kind, factor: Any, newton: Any = 1) -> Weights:

@@ -21,7 +21,7 @@ from kurbel.engine.engine import Assembly, Engine
 from kurbel.exact.certify import FLOAT_BITS, at_bits
 from kurbel.exact.kind import Kind
 from kurbel.kernel import turning
-from kurbel.kernel.circle import Circle, Number
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.steam import larger, smaller
 from kurbel.kernel.turning import Stroke
 from kurbel.motion.evaluation import OUT, RETURN
@@ -62,8 +62,8 @@ class Peak(NamedTuple):
     """Where the speed is least or greatest, in half turns, its excess energy there, in Q R, and the stroke
     of the one crank."""
 
-    place: Number
-    energy: Number
+    place: Numeric
+    energy: Numeric
     stroke: int
 
 
@@ -86,18 +86,18 @@ class Cylinder(NamedTuple):
 
     drive: Moved
     strokes: Sequence[Stroke]
-    mean: Number
+    mean: Numeric
     weights: Weights | None
     kind: Kind
     circle: Callable[[Any], Circle[Any]]
-    unit: Number | None = None
-    friction: Number | None = None
+    unit: Numeric | None = None
+    friction: Numeric | None = None
 
-    def share(self, stroke: int, circle: Circle[Any]) -> Number:
+    def share(self, stroke: int, circle: Circle[Any]) -> Any:
         """Return the share of the stroke that the piston has gone."""
         return self.drive.path(stroke % 2, circle) / self.drive.length
 
-    def effort(self, stroke: int, angle: Any) -> Number:
+    def effort(self, stroke: int, angle: Any) -> Any:
         """Return the tangential force of load and masses."""
         circle, way = self.circle(angle), stroke % 2
         force = self.strokes[stroke].force(self.share(stroke, circle)) * self.drive.lever(way, circle)
@@ -106,7 +106,7 @@ class Cylinder(NamedTuple):
             force = force + own.torque()
         return self._whole(force)
 
-    def power(self, stroke: int, angle: Any) -> Number:
+    def power(self, stroke: int, angle: Any) -> Any:
         """Return the work of load and masses over the angle in radians, of which `energy` is the sum; to
         first order it is not quite the effort."""
         circle, way = self.circle(angle), stroke % 2
@@ -115,7 +115,7 @@ class Cylinder(NamedTuple):
             power = power + self.drive.power(way, circle, self.weights.masses, self.weights.weight)
         return self._whole(power)
 
-    def force(self, force: CrankForce, stroke: int, angle: Any) -> Number:
+    def force(self, force: CrankForce, stroke: int, angle: Any) -> Any:
         """Return a force of the drive, in its own Q."""
         circle, way = self.circle(angle), stroke % 2
         net, friction = self.strokes[stroke].force(self.share(stroke, circle)), None
@@ -124,7 +124,7 @@ class Cylinder(NamedTuple):
         found = self.drive.force(force, way, circle, self.weights, net, friction)
         return found * (SIGNS[way] if force.framed else 1)
 
-    def slope(self, stroke: int, angle: Any) -> Number:
+    def slope(self, stroke: int, angle: Any) -> Any:
         """Return the change of the power with the half turns."""
         circle, way, acting = self.circle(angle), stroke % 2, self.strokes[stroke]
         share, velocity = self.share(stroke, circle), self.drive.velocity(way, circle)
@@ -136,7 +136,7 @@ class Cylinder(NamedTuple):
                 total += self.drive.weight_slope(way, circle, self.weights.weight)
         return self._whole(total * self.kind.pi)
 
-    def energy(self, stroke: int, angle: Any) -> Number:
+    def energy(self, stroke: int, angle: Any) -> Any:
         """Return the work of the excess over the mean since the cycle began, but for a constant."""
         circle, length = self.circle(angle), self.drive.length
         work = length * self.strokes[stroke].work(self.share(stroke, circle))
@@ -150,7 +150,7 @@ class Cylinder(NamedTuple):
             turned = self.kind.of(turned)
         return self._whole(before + work - self.mean * turned * self.kind.pi)
 
-    def kinetic_energy(self, stroke: int, angle: Any) -> Number:
+    def kinetic_energy(self, stroke: int, angle: Any) -> Any:
         """Return the energy of the masses, as far as it changes."""
         if self.weights is None:
             return self.kind.of(Fraction(0))
@@ -162,11 +162,11 @@ class Cylinder(NamedTuple):
         return self if self.weights is None else self._replace(weights=self.weights.still)
 
     @property
-    def whole_mean(self) -> Number:
+    def whole_mean(self) -> Numeric:
         """The mean tangential force in the engine's unit."""
         return self._whole(self.mean)
 
-    def _whole(self, value: Number) -> Number:
+    def _whole(self, value: Numeric) -> Any:
         return value if self.unit is None else value * self.unit
 
 
@@ -209,7 +209,7 @@ class AnyTurn(ABC):
         unit = None if part is self.part else self._unit(part, kind)
         return Cylinder(drive, strokes, mean, weights, kind, circle, unit, part.friction(kind))
 
-    def _unit(self, part: Engine, kind: Kind) -> Number:
+    def _unit(self, part: Engine, kind: Kind) -> Any:
         moments = []
         for one in (part, self.part):
             assert one.load is not None
@@ -279,30 +279,30 @@ class AnyTurn(ABC):
                 yield start + stroke + beyond
 
     @property
-    def pi(self) -> Number:
+    def pi(self) -> Any:
         return self.cylinder.kind.pi
 
-    def of(self, value: Fraction) -> Number:
+    def of(self, value: Fraction) -> Any:
         return self.cylinder.kind.of(value)
 
-    def force_unit(self) -> Number:
+    def force_unit(self) -> Numeric:
         """The force Q in newtons."""
         first = self.part
         assert first.load is not None
         assert first.pressure is not None
         return self.of(first.pressure * first.load.bore**2 / 4) * self.pi
 
-    def torque_unit(self) -> Number:
+    def torque_unit(self) -> Numeric:
         """The moment Q R about the shaft in newton metres."""
         assert self.engine.crank.radius is not None
         return self.force_unit() * self.of(self.engine.crank.radius)
 
-    def back(self) -> Number:
+    def back(self) -> Numeric:
         """The back pressure R_b/Q."""
         kind = self.cylinder.kind
         return self.part.ideal.numbers(kind.of, kind.exponent).back
 
-    def mean_force(self) -> Number:
+    def mean_force(self) -> Numeric:
         """P/Q, the mean tangential force of all cranks together; negative where the shaft drives them."""
         parts = zip(self.engine.parts, self.cylinders, strict=True)
         return sum(one.whole_mean * len(part.starts) for part, one in parts)
@@ -314,7 +314,7 @@ class AnyTurn(ABC):
             mean = self.mean_force()
             return int(bool(mean > 0)) - int(bool(mean < 0))
 
-    def indicated_force(self) -> Number:
+    def indicated_force(self) -> Numeric:
         """The same without what friction takes."""
         lost = 0
         for part, one in zip(self.engine.parts, self.cylinders, strict=True):
@@ -323,17 +323,17 @@ class AnyTurn(ABC):
                 lost = lost + (own if one.unit is None else own * one.unit)
         return self.mean_force() + lost
 
-    def tangential_force(self, half_turns: Fraction) -> Number:
+    def tangential_force(self, half_turns: Fraction) -> Numeric:
         """The tangential force T/Q of all cranks."""
         cylinders = self.cylinders
         return sum(cylinders[part].effort(*one) for part, *one in self.positions(half_turns))
 
-    def power(self, half_turns: Fraction) -> Number:
+    def power(self, half_turns: Fraction) -> Any:
         """The work of all cranks over the angle in radians, in Q R."""
         cylinders = self.cylinders
         return sum(cylinders[part].power(*one) for part, *one in self.positions(half_turns))
 
-    def crank_force(self, force: CrankForce, half_turns: Fraction) -> Number:
+    def crank_force(self, force: CrankForce, half_turns: Fraction) -> Numeric:
         """A force of the first crank in Q."""
         _, *first = self.first(half_turns)
         return self.cylinder.force(force, *first)
@@ -346,18 +346,18 @@ class AnyTurn(ABC):
     def begun(self) -> Sequence[Standing]:
         """Return where the cranks stand as the first is in its inner dead centre."""
 
-    def energy_at(self, half_turns: Fraction) -> Number:
+    def energy_at(self, half_turns: Fraction) -> Numeric:
         """The excess work W/(Q R) since the first crank's inner dead centre."""
         cylinders = self.cylinders
         since = sum(cylinders[part].energy(*one) for part, *one in self.positions(half_turns))
         return since - self.energy_begun()
 
-    def energy_begun(self) -> Number:
+    def energy_begun(self) -> Numeric:
         """The energies of all cranks in the first one's inner dead centre, from where they count."""
         cylinders = self.cylinders
         return sum(cylinders[part].energy(*one) for part, *one in self.begun())
 
-    def kinetic_energy_begun(self) -> Number:
+    def kinetic_energy_begun(self) -> Numeric:
         """The energy of the moving masses, as far as it changes, in the first crank's inner dead centre, in
         Q R."""
         cylinders = self.cylinders
@@ -369,7 +369,7 @@ class AnyTurn(ABC):
             self._at_speeds[factor] = type(self)(self.engine.at_speed(factor), self.method)
         return self._at_speeds[factor]
 
-    def irregularity(self) -> Number:
+    def irregularity(self) -> Numeric:
         """Return δ in units of |P| R/(m₁ v₁²)."""
         swing = self.extreme(greatest=True).energy - self.extreme(greatest=False).energy
         return swing / abs(self.mean_force())

@@ -19,7 +19,7 @@ from kurbel.engine.card.card import Diagram
 from kurbel.engine.loads.steam import LEAST_WORK, Steam
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
-from kurbel.kernel.circle import Number
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.turning import Stroke
 from kurbel.reading.notation import about
 
@@ -51,24 +51,24 @@ class Scaled(NamedTuple):
     """A stroke on a share of the area, with a force that does not change; a `share` of None is the whole."""
 
     stroke: Any
-    area: Number | None
-    push: Number
+    area: Numeric | None
+    push: Numeric
 
     @property
-    def corners(self) -> Sequence[Number]:
-        found: Sequence[Number] = self.stroke.corners
+    def corners(self) -> Sequence[Numeric]:
+        found: Sequence[Numeric] = self.stroke.corners
         return found
 
-    def force(self, share: Number) -> Number:
+    def force(self, share: Numeric) -> Numeric:
         return self._scaled(self.stroke.force(share)) + self.push
 
-    def work(self, share: Number) -> Number:
+    def work(self, share: Numeric) -> Numeric:
         return self._scaled(self.stroke.work(share)) + self.push * share
 
-    def slope(self, share: Number) -> Number:
+    def slope(self, share: Numeric) -> Numeric:
         return self._scaled(self.stroke.slope(share))
 
-    def _scaled(self, value: Number) -> Number:
+    def _scaled(self, value: Numeric) -> Numeric:
         return value if self.area is None else self.area * value
 
 
@@ -160,7 +160,7 @@ class Engine:
             for one, (behind, before) in zip(strokes, sides, strict=True)
         )
 
-    def friction(self, kind: Kind) -> Number | None:
+    def friction(self, kind: Kind) -> Numeric | None:
         """Return the friction of piston and crosshead in Q, None where there is none."""
         if not self.crank.rubbed:
             return None

@@ -48,7 +48,8 @@ class _Pinned(NamedTuple):
 
     def force(self, share: Any) -> Any:
         """Return the force at a share of the stroke, of a jet as a jet."""
-        found: Any = self.stroke.force(Continued(share, self.at))
+        pinned: Any = Continued(share, self.at)
+        found = self.stroke.force(pinned)
         return found.ball if isinstance(found, Continued) else found
 
 

@@ -22,6 +22,7 @@ from math import floor
 from typing import Any, NamedTuple, NoReturn, TypeAlias
 
 import flint
+from flint import arb
 
 from kurbel.drive.moved import Moved
 from kurbel.engine.cylinder import SIGNS, AnyTurn, Cylinder, Peak, Standing
@@ -33,12 +34,12 @@ from kurbel.exact.kind import Kind, balls
 from kurbel.exact.search import EQUAL_BITS, ISOLATING_BITS, Function, Zero, greatest, interval, isolate
 from kurbel.exact.terms import UndecidedError, tie_bits
 from kurbel.kernel import steam
-from kurbel.kernel.circle import Circle, Number
+from kurbel.kernel.circle import Circle, Numeric
 
 # So near are the numbers between which a dead centre lies.
 GAP_BITS = 100
 # Half turns: an exact number of them, or a ball.
-Angle: TypeAlias = Fraction | Number
+Angle: TypeAlias = Fraction | arb
 
 
 class Piece(NamedTuple):
@@ -70,7 +71,7 @@ class Turn(AnyTurn):
     def __init__(self, engine: Engine | Assembly, method: str) -> None:
         super().__init__(engine, method)
         self._cylinders: dict[int, tuple[Cylinder, ...]] = {}
-        self._energies: dict[int, Number] = {}
+        self._energies: dict[int, arb] = {}
         self._extremes = cache(self._choose)
 
     @property
@@ -135,7 +136,7 @@ class Turn(AnyTurn):
             Standing(part, stroke, _since(place, begun)) for part, stroke, begun in self.pieces[0].strokes
         ]
 
-    def angle_of(self, part: int, stroke: int, share: Number) -> Number:
+    def angle_of(self, part: int, stroke: int, share: Numeric) -> arb:
         """Return the half turns of φ, on the return less one, at which a piston has gone a share."""
         return angle_at(self.cylinders[part].drive, stroke % 2, share)
 
@@ -148,7 +149,7 @@ class Turn(AnyTurn):
                         corner = stroke + Fraction(float(self.angle_of(part, stroke, share)))
                     yield from (start + corner for start in one.starts)
 
-    def cut_off(self, stroke: int) -> Number:
+    def cut_off(self, stroke: int) -> arb:
         """The crank angle at cut-off, in half turns from the dead centre of the stroke."""
         begin, end = _ends_of(self.cylinder.drive, stroke % 2)
         expansion = self.part.ideal.expansion
@@ -157,7 +158,7 @@ class Turn(AnyTurn):
             return flint.arb(1) * (end - begin)
         return self.angle_of(0, stroke, ball(1 / expansion)) - begin
 
-    def excess(self, piece: Piece, place: Angle) -> Number:
+    def excess(self, piece: Piece, place: Angle) -> arb:
         cylinders = self.cylinders
         total = sum(
             count * cylinders[part].power(stroke, _since(place, begun))
@@ -165,14 +166,14 @@ class Turn(AnyTurn):
         )
         return total - self.mean_force()
 
-    def slope(self, piece: Piece, place: Angle) -> Number:
+    def slope(self, piece: Piece, place: Angle) -> arb:
         cylinders = self.cylinders
         return sum(
             count * cylinders[part].slope(stroke, _since(place, begun))
             for count, part, stroke, begun in piece.unlike
         )
 
-    def energy(self, piece: Piece, place: Angle) -> Number:
+    def energy(self, piece: Piece, place: Angle) -> arb:
         """The excess work W/(Q R) since the first crank's inner dead centre."""
         cylinders = self.cylinders
         since = sum(
@@ -181,10 +182,11 @@ class Turn(AnyTurn):
         )
         return since - self.energy_begun()
 
-    def energy_begun(self) -> Number:
+    def energy_begun(self) -> arb:
         bits = flint.ctx.prec
         if bits not in self._energies:
-            self._energies[bits] = super().energy_begun()
+            begun: Any = super().energy_begun()
+            self._energies[bits] = begun
         return self._energies[bits]
 
     @cached_property
@@ -215,7 +217,7 @@ class Turn(AnyTurn):
             for one in self._extremes(greatest, stroke)
         ]
 
-    def _energy_at(self, extremum: Extremum) -> Number:
+    def _energy_at(self, extremum: Extremum) -> arb:
         return self.energy(extremum.piece, extremum.zero.place())
 
     def _choose(self, most: bool, stroke: int | None) -> list[Extremum]:
@@ -259,23 +261,23 @@ def turn_of(engine: Engine | Assembly, method: str) -> AnyTurn:
     return WeisbachTurn(engine, method)
 
 
-def angle_at(drive: Moved, way: int, share: Number) -> Number:
+def angle_at(drive: Moved, way: int, share: Numeric) -> arb:
     """Return the half turns of φ, on the return less one, at which a piston has gone a share."""
     known = drive.angle_at(way, share)
     if known is not None:
         return known
 
-    def lacking(angle: Number) -> Number:
+    def lacking(angle: arb) -> arb:
         return drive.path(way, circle(angle)) / drive.length - share
 
-    def speed(angle: Number) -> Number:
+    def speed(angle: arb) -> arb:
         return drive.velocity(way, circle(angle)) / drive.length * flint.arb.pi()
 
     (low, _), (_, high) = map(_ends, _ends_of(drive, way))
     return Zero(lacking, speed, low, high).place()
 
 
-def _ends_of(drive: Moved, way: int) -> tuple[Number, Number]:
+def _ends_of(drive: Moved, way: int) -> tuple[arb, arb]:
     """Return the half turns of φ, on the return less one, at which a stroke begins and ends."""
     return drive.dead_centre(way), 1 + drive.dead_centre(1 - way)
 
@@ -284,7 +286,7 @@ def stationary(piece: Piece, function: Function, slope: Function) -> list[Extrem
     return [Extremum(piece, zero) for zero in isolate(function, slope, piece.start, piece.end)]
 
 
-def _ends(number: Number, begun: Fraction = Fraction(0)) -> tuple[Fraction, Fraction]:
+def _ends(number: arb, begun: Fraction = Fraction(0)) -> tuple[Fraction, Fraction]:
     """Return two numbers between which a ball lies, from a beginning on."""
     low, high = (end.fmpq() for end in (number.lower(), number.upper()))
     return begun + Fraction(int(low.p), int(low.q)), begun + Fraction(int(high.p), int(high.q))
@@ -294,7 +296,7 @@ def _since(place: Angle, begun: Fraction) -> Angle:
     return place - begun if isinstance(place, Fraction) else place - ball(begun)
 
 
-def circle(half_turns: Angle) -> Circle[Number]:
+def circle(half_turns: Angle) -> Circle[arb]:
     """Return sine, cosine and versine of half turns, exact ones or a ball."""
     if isinstance(half_turns, Fraction):
         return ball_circle(180 * half_turns)
@@ -326,7 +328,7 @@ class WeisbachTurn(Turn):
         with at_bits(EQUAL_BITS):
             return bool(self.excess(piece, self.cut_off(stroke) + ball(begun)) > 0)
 
-    def _relation(self, piece: Piece, part: int, at: Number) -> Number:
+    def _relation(self, piece: Piece, part: int, at: arb) -> arb:
         """His equation for α₂ as a function with that zero, or its slope over the half turns."""
         (_, stroke, begun) = piece.strokes[0]
         angle = at - ball(begun)
@@ -335,7 +337,7 @@ class WeisbachTurn(Turn):
         work = acting.work(flint.arb(1)) / acting.cut_off
         ratio = ball(SIGNS[stroke] * self.engine.crank.ratio)
         half = (angle / 2).sin_cos_pi()
-        relation = steam.weisbach_maximum(half, circle(angle), ratio, loss, work, flint.arb.pi())
+        relation: Any = steam.weisbach_maximum(half, circle(angle), ratio, loss, work, flint.arb.pi())
         return relation[part] * (flint.arb.pi() if part else 1)
 
 

@@ -15,11 +15,11 @@ from kurbel.engine.cylinder import AnyTurn, Where
 from kurbel.engine.engine import Engine
 from kurbel.exact.kind import Kind
 from kurbel.kernel import turning
-from kurbel.kernel.circle import Number
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.steam import Expansion
 
 
-def work(turn: AnyTurn, where: Any) -> Number:
+def work(turn: AnyTurn, where: Any) -> Numeric:
     """Return the work of all cylinders in a turn, in Q R, positive as done on the cranks."""
     return (
         2 * turn.pi * turn.indicated_force()
@@ -28,43 +28,43 @@ def work(turn: AnyTurn, where: Any) -> Number:
     )
 
 
-def mean_pressure(turn: AnyTurn, where: Any) -> Number:
+def mean_pressure(turn: AnyTurn, where: Any) -> Numeric:
     """Return the mean pressure of an end of a cylinder that works, in units of the pressure that Q is of."""
     return abs(_mean_pressure(turn.engine.parts[0], _own(turn)))
 
 
-def power(turn: AnyTurn, where: Any) -> Number:
+def power(turn: AnyTurn, where: Any) -> Numeric:
     """Return the indicated power of all cylinders in Q R ω, positive."""
     return abs(turn.indicated_force())
 
 
-def kilowatts(turn: AnyTurn) -> Number:
+def kilowatts(turn: AnyTurn) -> Numeric:
     """Return Q R ω in kW."""
     speed = turn.engine.crank.speed
     assert speed is not None
     return turn.torque_unit() * speed.omega(turn) / 1000
 
 
-def kilopascals(turn: AnyTurn) -> Number:
+def kilopascals(turn: AnyTurn) -> Numeric:
     """Return the pressure that Q is of, in kPa."""
     pressure = turn.engine.pressure
     assert pressure is not None
     return turn.of(pressure / 1000)
 
 
-def volumetric_efficiency(turn: AnyTurn, where: Any) -> Number:
+def volumetric_efficiency(turn: AnyTurn, where: Any) -> Numeric:
     """Return the share of the stroke on which a compressor sucks air."""
     load: Any = turn.engine.steam
     return load.volumetric_efficiency(turn.cylinder.kind)
 
 
-def delivered(turn: AnyTurn, where: Any) -> Number:
+def delivered(turn: AnyTurn, where: Any) -> Numeric:
     """Return the volume that a stroke delivers, in the state of suction, as a share of the swept one."""
     load: Any = turn.engine.steam
     return load.delivered(turn.cylinder.kind)
 
 
-def flow(turn: AnyTurn, where: Any) -> Number:
+def flow(turn: AnyTurn, where: Any) -> Numeric:
     """Return what all cylinders deliver in m³/min, in the state of suction."""
     engine, speed = turn.engine.parts[0], turn.engine.crank.speed
     assert engine.load is not None
@@ -77,7 +77,7 @@ def flow(turn: AnyTurn, where: Any) -> Number:
     return delivered(turn, where) * swept * turns
 
 
-def efficiency(turn: AnyTurn, where: Any) -> Number:
+def efficiency(turn: AnyTurn, where: Any) -> Numeric:
     """Return the share of the heat that becomes work in an ideal gas cycle."""
     load: Any = turn.engine.steam
     return load.efficiency(turn.cylinder.kind)
@@ -88,7 +88,7 @@ def ends(engine: Engine) -> Fraction:
     return Fraction(4 if engine.double else 2, getattr(engine.steam, "strokes_of_cycle", 2))
 
 
-def _own(turn: AnyTurn) -> tuple[Kind, Number]:
+def _own(turn: AnyTurn) -> tuple[Kind, Numeric]:
     """The kind of number of a turn, and the length of the stroke in R."""
     return turn.cylinder.kind, turn.cylinder.drive.length
 
@@ -175,22 +175,22 @@ def speed(turn: AnyTurn, where: Where) -> Any:
     return given.omega(turn) if given.turns else given.value
 
 
-def swing(turn: AnyTurn, where: Where) -> Number:
+def swing(turn: AnyTurn, where: Where) -> Numeric:
     return turning.energy_swing(turn.irregularity(), _number(turn, mean_torque(turn, where)))
 
 
-def inertia(turn: AnyTurn, where: Where) -> Number:
+def inertia(turn: AnyTurn, where: Where) -> Numeric:
     irregularity = turn.of(_flywheel(where).irregularity)
     return turning.moment_of_inertia(swing(turn, where), irregularity, _number(turn, speed(turn, where)))
 
 
-def mass(turn: AnyTurn, where: Where) -> Number:
+def mass(turn: AnyTurn, where: Where) -> Numeric:
     radius = _flywheel(where).radius
     assert radius is not None
     return inertia(turn, where) / turn.of(radius * radius)
 
 
-def _number(turn: AnyTurn, value: Any) -> Number:
+def _number(turn: AnyTurn, value: Any) -> Numeric:
     return turn.of(value) if isinstance(value, Fraction) else value
 
 
@@ -199,7 +199,7 @@ def _flywheel(where: Where) -> Flywheel:
     return where.flywheel
 
 
-def true_inertia(turn: AnyTurn, where: Where) -> Number:
+def true_inertia(turn: AnyTurn, where: Where) -> Numeric:
     """J in kg m² with which the speed of the machine with its masses keeps within ω(1 ± δ/2), exactly.
 
     Where the speed is greatest, the energy of the load less that of the masses at that speed is greatest,

@@ -90,7 +90,8 @@ def ball_degrees(sine: arb) -> arb:
 
 def rod_angle(circle: Circle[arb], ratio: arb, offset: arb | None) -> arb:
     """Return the rod angle ψ in degrees. Source: Rötscher, eq. (285)."""
-    return ball_degrees(rod_sine(circle, ratio, 0 if offset is None else offset))
+    sine: Any = rod_sine(circle, ratio, 0 if offset is None else offset)
+    return ball_degrees(sine)
 
 
 TieBits = Callable[[Fraction], float]

@@ -304,8 +304,9 @@ def _circle(degrees: Any) -> Circle[Enclosure]:
     return half_turn_circle(Enclosure.of(degrees / 180) if isinstance(degrees, Fraction) else degrees / 180)
 
 
-def _rod_angle(circle: Circle[Enclosure], ratio: Enclosure, offset: Enclosure | None) -> Enclosure:
-    return arc(rod_sine(circle, ratio, 0 if offset is None else offset))
+def _rod_angle(circle: Circle[Any], ratio: Any, offset: Any) -> Enclosure:
+    sine: Any = rod_sine(circle, ratio, 0 if offset is None else offset)
+    return arc(sine)
 
 
 ENCLOSURES = Kind(Enclosure.of, _circle, arc, PI, _rod_angle, Enclosure.of, enclosed)

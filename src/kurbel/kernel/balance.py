@@ -17,8 +17,9 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
+from typing import Any
 
-from kurbel.kernel.circle import Circle, Number
+from kurbel.kernel.circle import Circle, Numeric
 
 HALF = Fraction(1, 2)
 
@@ -64,8 +65,8 @@ class Star:
         return self * self.mirrored()
 
     def point(
-        self, circle: Callable[[Fraction], Circle[Number]], of: Callable[[Fraction], Number]
-    ) -> tuple[Number, Number]:
+        self, circle: Callable[[Fraction], Circle[Numeric]], of: Callable[[Fraction], Numeric]
+    ) -> tuple[Any, Any]:
         """Return x and y in the kind of number that `circle`, of degrees, and `of` make."""
         x = y = of(Fraction(0))
         for turn, length in self.rays:

@@ -13,10 +13,12 @@ geometry, re-derived here, is a function of q²/r², the square of the half chor
 Source: Weisbach-Herrmann, § 149.
 """
 
-from kurbel.kernel.circle import Number, cosine_of, root
+from typing import Any
+
+from kurbel.kernel.circle import Numeric, cosine_of, root
 
 
-def approximate_lean(arm: Number, ratio: Number) -> Number:
+def approximate_lean(arm: Numeric, ratio: Numeric) -> Any:
     """Return μ = r²/(4a(l + r)) in radians, for a negative ratio ν = r²/(4a(l - r)).
 
     Source: § 149.
@@ -24,12 +26,12 @@ def approximate_lean(arm: Number, ratio: Number) -> Number:
     return abs(ratio) / (4 * arm * (1 + ratio))
 
 
-def approximate_path(half_sine: Number) -> Number:
+def approximate_path(half_sine: Numeric) -> Any:
     """Return 1 - cos μ from sin ½μ, the beam's path while the crank turns by μ. Source: § 149."""
     return 2 * half_sine * half_sine
 
 
-def turning_margin(arm: Number, ratio: Number) -> Number:
+def turning_margin(arm: Numeric, ratio: Numeric) -> Numeric:
     """Return a number above 0 if the crank turns, 0 if beam, pivot and shaft come into line, else below 0.
 
     It is 4a(l - r)(a + l - r)² - r l(a + 2(l - r))² over r l³. Where it is 0, the beam's end, its pivot and
@@ -42,7 +44,7 @@ def turning_margin(arm: Number, ratio: Number) -> Number:
     return 4 * arm * short * reach * reach - span * span
 
 
-def highest_square(arm: Number, ratio: Number) -> Number:
+def highest_square(arm: Numeric, ratio: Numeric) -> Any:
     """Return the q²/r² that puts the beam's lower end in line with its pivot and the shaft, l - r before it.
 
     The lesser of this and l/r bounds the root of `closure` from above, if the crank turns. Re-derived.
@@ -53,7 +55,7 @@ def highest_square(arm: Number, ratio: Number) -> Number:
     return 4 * arm * arm * short * reach / (span * span)
 
 
-def closure(square: Number, arm: Number, ratio: Number) -> Number:
+def closure(square: Numeric, arm: Numeric, ratio: Numeric) -> Any:
     """Return (q² - r²)(l² - q²)/(q² l²) - e²/(4 l²), which is 0 if the beam swings symmetrically.
 
     Both dead centres, (h ± q)² + ¼e² = (l ± r)², give the height h = l r/q of the pivot above the shaft and
@@ -64,24 +66,24 @@ def closure(square: Number, arm: Number, ratio: Number) -> Number:
     return (square - 1) * (1 - ratio * ratio * square) / square - slant * slant
 
 
-def closure_slope(square: Number, arm: Number, ratio: Number) -> Number:
+def closure_slope(square: Numeric, arm: Numeric, ratio: Numeric) -> Any:
     """Return the slope of `closure` over q²/r²."""
     bend = sagitta(square, arm) / (4 * _chord_distance(square, arm))
     return 1 / (square * square) - ratio * ratio * (1 + bend)
 
 
-def sagitta(square: Number, arm: Number) -> Number:
+def sagitta(square: Numeric, arm: Numeric) -> Any:
     """Return e = a - √(a² - q²) of the arc of the beam's end."""
     # The difference keeps half the digits at a = 10^4 r and none at 10^8 r.
     return square / (arm + _chord_distance(square, arm))
 
 
-def lean_sine(square: Number, arm: Number, ratio: Number) -> Number:
+def lean_sine(square: Numeric, arm: Numeric, ratio: Numeric) -> Any:
     """Return sin μ = ½e/(l + r), for a negative ratio sin ν = ½e/(l - r). Re-derived."""
     return abs(ratio) * sagitta(square, arm) / (2 * (1 + ratio))
 
 
-def swing_tangent(square: Number, arm: Number, ratio: Number) -> Number:
+def swing_tangent(square: Numeric, arm: Numeric, ratio: Numeric) -> Any:
     """Return tan ½δ of the beam's turn δ between its dead centre and the position with vertical crank.
 
     The beam's end moves by a δ along its arc. Re-derived.
@@ -99,11 +101,11 @@ def swing_tangent(square: Number, arm: Number, ratio: Number) -> Number:
     return excess / (outer + root(outer * outer - excess * (2 * inner + excess)))
 
 
-def _chord_distance(square: Number, arm: Number) -> Number:
+def _chord_distance(square: Numeric, arm: Numeric) -> Numeric:
     """Return the distance of the chord from the pivot."""
     chord = root(square)
     return root((arm - chord) * (arm + chord))
 
 
-def _versine(sine: Number) -> Number:
+def _versine(sine: Numeric) -> Numeric:
     return sine * sine / (1 + cosine_of(sine))

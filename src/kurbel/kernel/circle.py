@@ -8,10 +8,36 @@ from one to the next.
 from __future__ import annotations
 
 import math
-from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar
+from collections.abc import Sequence
+from typing import Any, Generic, NamedTuple, Protocol, TypeAlias, TypeVar
 
-Number: TypeAlias = Any
-Kind = TypeVar("Kind")
+
+class Numeric(Protocol):
+    """A number of any kind: float, array, ball, terms. The other one is of the same kind, or rational.
+
+    Numbers without an order, as separation bounds and surds, run through formulas that ask for none.
+    """
+
+    def __add__(self, other: Any, /) -> Numeric: ...
+    def __radd__(self, other: Any, /) -> Numeric: ...
+    def __sub__(self, other: Any, /) -> Numeric: ...
+    def __rsub__(self, other: Any, /) -> Numeric: ...
+    def __mul__(self, other: Any, /) -> Numeric: ...
+    def __rmul__(self, other: Any, /) -> Numeric: ...
+    def __truediv__(self, other: Any, /) -> Numeric: ...
+    def __rtruediv__(self, other: Any, /) -> Numeric: ...
+    def __pow__(self, exponent: Any, /) -> Numeric: ...
+    def __neg__(self) -> Numeric: ...
+    def __abs__(self) -> Numeric: ...
+    def __float__(self) -> float: ...
+    def __lt__(self, other: Any, /) -> Any: ...
+    def __le__(self, other: Any, /) -> Any: ...
+    def __gt__(self, other: Any, /) -> Any: ...
+    def __ge__(self, other: Any, /) -> Any: ...
+
+
+Kind = TypeVar("Kind", covariant=True)
+Same = TypeVar("Same", bound=Numeric)
 
 
 class Circle(NamedTuple, Generic[Kind]):
@@ -30,8 +56,12 @@ class Circle(NamedTuple, Generic[Kind]):
 class _Split(NamedTuple):
     """An unrounded number high + low, low being small."""
 
-    high: Number
-    low: Number
+    high: Any
+    low: Any
+
+
+Turns: TypeAlias = Sequence[Sequence[Numeric]]
+"""Whole and sign of sine, cosine and versine, as in QUARTERS."""
 
 
 # π/180 as 8 bits, of which products with a 9-bit angle and their cubes are exact, and the rest.
@@ -83,7 +113,7 @@ QUARTERS = (
 )
 
 
-def circle(degrees: Number) -> Circle[Number]:
+def circle(degrees: Same) -> Circle[Same]:
     """Return sine, cosine and versine of an angle in degrees, a float or a float64 array of any shape.
 
     Sine and cosine are at most 0.57 ulp from the true value, the versine 0.71 ulp (below 1e-140° it loses
@@ -94,17 +124,18 @@ def circle(degrees: Number) -> Circle[Number]:
     sine, sine_tail = _settled(of_sine, across)
     cosine, _ = _settled(of_cosine, along)
     versine, versine_tail = _settled(of_versine, along)
-    return Circle(sine, cosine, versine, sine_tail, versine_tail)
+    found: Circle[Any] = Circle(sine, cosine, versine, sine_tail, versine_tail)
+    return found
 
 
-def _unrounded(degrees: Number) -> tuple[Number, _Split, _Split]:
+def _unrounded(degrees: Any) -> tuple[Turns, _Split, _Split]:
     """Return the row of QUARTERS, the part that the sine takes and the one that cosine and versine take."""
     if isinstance(degrees, (int, float)):
         quarter = round(degrees / 90)
         return _of_one_quarter(quarter, _parts(degrees - 90.0 * quarter))
     if hasattr(degrees, "unrounded"):
         # Numbers of kernel/trace.py choose no branch.
-        found: tuple[Number, _Split, _Split] = degrees.unrounded(_parts)
+        found: tuple[Turns, _Split, _Split] = degrees.unrounded(_parts)
         return found
     import numpy as np
 
@@ -123,13 +154,13 @@ def _unrounded(degrees: Number) -> tuple[Number, _Split, _Split]:
     return [[column.take(index) for column in turn] for turn in turns], across, along
 
 
-def _of_one_quarter(quarter: int, parts: tuple[_Split, _Split]) -> tuple[Number, _Split, _Split]:
+def _of_one_quarter(quarter: int, parts: tuple[_Split, _Split]) -> tuple[Turns, _Split, _Split]:
     sine, versine = parts
     turns = QUARTERS[quarter & 3]
     return (turns, versine, sine) if quarter & 1 else (turns, sine, versine)
 
 
-def _settled(turn: Number, part: _Split) -> tuple[Number, Number]:
+def _settled(turn: Sequence[Numeric], part: _Split) -> tuple[Numeric, Numeric]:
     """Return whole + sign * part rounded, and what rounding took from it."""
     whole, sign = turn
     high = sign * part.high
@@ -143,7 +174,7 @@ def _settled(turn: Number, part: _Split) -> tuple[Number, Number]:
     return settled, total
 
 
-def _parts(degrees: Number) -> tuple[_Split, _Split]:
+def _parts(degrees: Numeric) -> tuple[_Split, _Split]:
     """Return sine and versine of an angle within ±45°, unrounded."""
     high, low = _radians(degrees)
     angle = high + low
@@ -160,7 +191,7 @@ def _parts(degrees: Number) -> tuple[_Split, _Split]:
     return sine, _Split(exact, rest)
 
 
-def _sine(high: Number, low: Number, fifth: Number, square: Number, span: Number) -> _Split:
+def _sine(high: Numeric, low: Numeric, fifth: Numeric, square: Numeric, span: Numeric) -> _Split:
     # b³/6 is a tenth of the sine at 45°; with its few roundings it may not be added to low, or sin 45°
     # differs from cos 45° and the versine next door, 1 - sin b, loses half an ulp.
     cube = high * high
@@ -180,7 +211,7 @@ def _sine(high: Number, low: Number, fifth: Number, square: Number, span: Number
     return _Split(upper, rest)
 
 
-def _radians(degrees: Number) -> _Split:
+def _radians(degrees: Numeric) -> _Split:
     """Return the angle in radians; high has 17 bits, so that its cube is exact."""
     head = _head(degrees, 44)
     low = degrees - head
@@ -190,14 +221,14 @@ def _radians(degrees: Number) -> _Split:
     return _Split(head, low)
 
 
-def _head(number: Number, bits: int) -> Number:
+def _head(number: Numeric, bits: int) -> Numeric:
     """Return the number without its last so many bits, rounded (Veltkamp)."""
     raised = (2.0**bits + 1) * number
     raised -= raised - number
     return raised
 
 
-def _polynomial(coefficients: tuple[float, ...], number: Number) -> Number:
+def _polynomial(coefficients: tuple[float, ...], number: Numeric) -> Numeric:
     total = coefficients[-1] * number
     for coefficient in coefficients[-2:0:-1]:
         total += coefficient
@@ -206,7 +237,7 @@ def _polynomial(coefficients: tuple[float, ...], number: Number) -> Number:
     return total
 
 
-def arcsine(sine: Number, tail: Number = 0.0) -> Number:
+def arcsine(sine: Same, tail: Numeric = 0.0) -> Same:
     """Return the angle in degrees, within ±90, whose sine is sine + tail; a float or a float64 array.
 
     tail is what rounding took from the sine, if known. At most 0.6 ulp from the true value.
@@ -221,10 +252,11 @@ def arcsine(sine: Number, tail: Number = 0.0) -> Number:
     whole, sign = turns[0]
     difference = (((sine - whole) - sign * across.high) - sign * across.low) + tail
     cosines = cosine + _settled(turns[1], along)[0]
-    return near + difference / cosines * TWO_RADIANS + 0.0
+    found: Any = near + difference / cosines * TWO_RADIANS + 0.0
+    return found
 
 
-def rod_angle(circle: Circle[Number], ratio: Number, offset: Number = 0.0) -> Number:
+def rod_angle(circle: Circle[Numeric], ratio: Numeric, offset: Numeric = 0.0) -> Numeric:
     """Return the rod angle ψ = arcsin(λ (sin φ - η)) in degrees, positive while the pin is on that side.
 
     Floats and float64 arrays only. At most 1 ulp from the true value while |sin ψ| <= 0.99; with an
@@ -239,7 +271,7 @@ def rod_angle(circle: Circle[Number], ratio: Number, offset: Number = 0.0) -> Nu
     return arcsine(sine, _product_error(ratio, pin, sine) + ratio * pin_tail)
 
 
-def _product_error(one: Number, other: Number, product: Number) -> Number:
+def _product_error(one: Numeric, other: Numeric, product: Numeric) -> Numeric:
     """Return one * other - product exactly (Dekker)."""
     one_high, other_high = _head(one, 27), _head(other, 27)
     one_low, other_low = one - one_high, other - other_high
@@ -248,14 +280,14 @@ def _product_error(one: Number, other: Number, product: Number) -> Number:
     )
 
 
-def cosine_of(sine: Number) -> Number:
+def cosine_of(sine: Same) -> Same:
     """Return the cosine of an angle within ±90° from its sine."""
-    return root((1 - sine) * (1 + sine))
+    square: Any = (1 - sine) * (1 + sine)
+    return root(square)
 
 
-def root(number: Number) -> Number:
+def root(number: Same) -> Same:
     """Return the square root of a number of any kind, correctly rounded for floats and arrays."""
     # float ** 0.5 is libm's pow, which differs from NumPy's square root in one result of a thousand.
-    if isinstance(number, float):
-        return math.sqrt(number)
-    return number**0.5
+    found: Any = math.sqrt(number) if isinstance(number, float) else number**0.5
+    return found

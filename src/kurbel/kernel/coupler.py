@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from typing import Generic, NamedTuple
 
-from kurbel.kernel.circle import Circle, Kind, Number, cosine_of
+from kurbel.kernel.circle import Circle, Kind, Numeric, cosine_of
 from kurbel.kernel.kinematics import dead_centre_sine, rod_cosine, rod_sine
 from kurbel.kernel.linkage import Arc, Place
 from kurbel.kernel.linkage import acceleration as acceleration_of
@@ -58,7 +58,7 @@ class Point(NamedTuple, Generic[Kind]):
     beside: Kind | None = None
 
 
-def path(rod: Rod[Number], point: Point[Number], reach: Reach[Number] | None) -> Vector[Number]:
+def path(rod: Rod[Numeric], point: Point[Numeric], reach: Reach[Numeric] | None) -> Vector[Numeric]:
     """Return the path of the point, in units of R. The reach is asked for beside the axis alone."""
     on_axis = _between(rod.driven.path, rod.pin.path, point.share)
     if point.beside is None or reach is None:
@@ -67,17 +67,17 @@ def path(rod: Rod[Number], point: Point[Number], reach: Reach[Number] | None) ->
     return Vector(on_axis.along - point.beside * lift, on_axis.across + point.beside * reach.along)
 
 
-def velocity(rod: Rod[Number], point: Point[Number]) -> Vector[Number]:
+def velocity(rod: Rod[Numeric], point: Point[Numeric]) -> Vector[Numeric]:
     """Return the velocity of the point, in units of v."""
     return _moved(rod.driven.velocity, rod.pin.velocity, point)
 
 
-def acceleration(rod: Rod[Number], point: Point[Number]) -> Vector[Number]:
+def acceleration(rod: Rod[Numeric], point: Point[Numeric]) -> Vector[Numeric]:
     """Return the acceleration of the point of a drive that turns evenly, in units of v²/R."""
     return _moved(rod.driven.acceleration, rod.pin.acceleration, point)
 
 
-def _moved(driven: Vector[Number], pin: Vector[Number], point: Point[Number]) -> Vector[Number]:
+def _moved(driven: Vector[Numeric], pin: Vector[Numeric], point: Point[Numeric]) -> Vector[Numeric]:
     on_axis, beside = _between(driven, pin, point.share), point.beside
     if beside is None:
         return on_axis
@@ -87,7 +87,7 @@ def _moved(driven: Vector[Number], pin: Vector[Number], point: Point[Number]) ->
     )
 
 
-def _between(driven: Vector[Number], pin: Vector[Number], share: Number) -> Vector[Number]:
+def _between(driven: Vector[Numeric], pin: Vector[Numeric], share: Numeric) -> Vector[Numeric]:
     # driven + s (pin - driven) would not be the pin itself at s = 1. No zero is to have a sign.
     rest = 1 - share
     return Vector(
@@ -96,15 +96,15 @@ def _between(driven: Vector[Number], pin: Vector[Number], share: Number) -> Vect
     )
 
 
-def crank_pin(circle: Circle[Number], path: Number) -> End[Number]:
+def crank_pin(circle: Circle[Numeric], path: Numeric) -> End[Numeric]:
     """Return the crank pin, by its path along the slide direction from the dead centre."""
     sine, cosine = circle.sine, circle.cosine
     return End(Vector(path, sine), Vector(sine, cosine), Vector(cosine, -sine))
 
 
 def slide_rod(
-    circle: Circle[Number], ratio: Number, offset: Number | None, motion: tuple[Number, Number, Number]
-) -> Rod[Number]:
+    circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None, motion: tuple[Numeric, Numeric, Numeric]
+) -> Rod[Numeric]:
     """Return the rod of a drive with a crosshead, by its path, velocity and acceleration; without an offset,
     None, the dead centre is φ = 0."""
     nothing = circle.sine * 0
@@ -117,7 +117,7 @@ def slide_rod(
     return Rod(End(raised, velocity, acceleration), crank_pin(circle, circle.versine - dead_versine))
 
 
-def slide_reach(circle: Circle[Number], ratio: Number, offset: Number | None) -> Reach[Number]:
+def slide_reach(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None) -> Reach[Numeric]:
     """Return the reach of such a rod, L cos ψ, of a length that is not infinite."""
     if offset is None:
         return Reach(rod_cosine(circle, ratio) / ratio, circle.sine * 0)
@@ -126,14 +126,14 @@ def slide_reach(circle: Circle[Number], ratio: Number, offset: Number | None) ->
     return Reach(lean / ratio, -dead_centre_sine(ratio, offset) / ratio)
 
 
-def first_order_reach(circle: Circle[Number], ratio: Number) -> Reach[Number]:
+def first_order_reach(circle: Circle[Numeric], ratio: Numeric) -> Reach[Numeric]:
     """Return the reach of a straight rod to first order in λ, L - ½ λ R sin² φ."""
     return Reach(1 / ratio - ratio * circle.sine * circle.sine / 2, circle.sine * 0)
 
 
 def rocker_rod(
-    circle: Circle[Number], place: Place[Number], arc: Arc[Number], height: Number, path: Number
-) -> Rod[Number]:
+    circle: Circle[Numeric], place: Place[Numeric], arc: Arc[Numeric], height: Numeric, path: Numeric
+) -> Rod[Numeric]:
     """Return the rod of a drive whose rod moves a rocker.
 
     `height` is the offset η of the rocker's arc, `path` that of its end along the slide direction.
@@ -149,13 +149,13 @@ def rocker_rod(
     return Rod(driven, crank_pin(circle, arc.cosine - circle.cosine))
 
 
-def rocker_reach(circle: Circle[Number], place: Place[Number], arc: Arc[Number]) -> Reach[Number]:
+def rocker_reach(circle: Circle[Numeric], place: Place[Numeric], arc: Arc[Numeric]) -> Reach[Numeric]:
     """Return the reach of such a rod, of a length that is not infinite."""
     along = _turned(Vector(place.slant_cosine, place.slant), _turn(circle, place)).along
     return Reach(along / arc.ratio, -arc.sine / arc.ratio)
 
 
-def _turn(circle: Circle[Number], place: Place[Number]) -> Vector[Number]:
+def _turn(circle: Circle[Numeric], place: Place[Numeric]) -> Vector[Numeric]:
     """Return cosine and sine of the direction of the arc from that of the slide, as the crank turns."""
     return Vector(
         circle.cosine * place.cosine + circle.sine * place.sine,
@@ -163,7 +163,7 @@ def _turn(circle: Circle[Number], place: Place[Number]) -> Vector[Number]:
     )
 
 
-def _turned(vector: Vector[Number], turn: Vector[Number]) -> Vector[Number]:
+def _turned(vector: Vector[Numeric], turn: Vector[Numeric]) -> Vector[Numeric]:
     """Return what is along the arc and towards its pivot as it is along the slide direction and across it."""
     return Vector(
         vector.along * turn.along + vector.across * turn.across,
@@ -171,6 +171,6 @@ def _turned(vector: Vector[Number], turn: Vector[Number]) -> Vector[Number]:
     )
 
 
-def amount(vector: Vector[Number]) -> Number:
+def amount(vector: Vector[Numeric]) -> Numeric:
     """Return the amount of a vector."""
     return magnitude(vector.along, vector.across)

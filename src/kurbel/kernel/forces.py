@@ -32,7 +32,7 @@ from __future__ import annotations
 from typing import Any, Generic, NamedTuple
 
 from kurbel.kernel import kinematics
-from kurbel.kernel.circle import Circle, Kind, Number, cosine_of, root
+from kurbel.kernel.circle import Circle, Kind, Numeric, cosine_of, root
 
 
 class Slant(NamedTuple, Generic[Kind]):
@@ -42,7 +42,7 @@ class Slant(NamedTuple, Generic[Kind]):
     cosine: Kind
 
 
-def rod_slant(circle: Circle[Number], ratio: Number, offset: Number | None = None) -> Slant[Number]:
+def rod_slant(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None) -> Slant[Numeric]:
     """Return the direction of the rod, ψ positive as in `kinematics.rod_sine`."""
     if offset is None:
         return Slant(ratio * circle.sine, kinematics.rod_cosine(circle, ratio))
@@ -50,7 +50,7 @@ def rod_slant(circle: Circle[Number], ratio: Number, offset: Number | None = Non
     return Slant(sine, cosine_of(sine))
 
 
-def rod_force(circle: Circle[Number], ratio: Number, offset: Number | None = None) -> Number:
+def rod_force(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None) -> Numeric:
     """Return the force along the rod, F/cos ψ, a thrust on the outstroke and a pull on the return stroke.
 
     Floats: at most 1.5 ulp from the true value for |λ| <= 1/3, 3 ulp for |λ| <= 0.99; of an offset crank as
@@ -59,7 +59,7 @@ def rod_force(circle: Circle[Number], ratio: Number, offset: Number | None = Non
     return 1 / rod_slant(circle, ratio, offset).cosine
 
 
-def guide_force(circle: Circle[Number], ratio: Number, offset: Number | None = None) -> Number:
+def guide_force(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None) -> Numeric:
     """Return the force of the guide on the crosshead, F tan ψ, positive towards the side of the crank pin.
 
     The crosshead presses the other way. Negative on the return stroke of the straight crank: there the pin
@@ -76,7 +76,7 @@ def guide_force(circle: Circle[Number], ratio: Number, offset: Number | None = N
     return slant.sine + (slant.sine * share + ratio * circle.sine_tail) + 0
 
 
-def tangential_force(circle: Circle[Number], ratio: Number, offset: Number | None = None) -> Number:
+def tangential_force(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None) -> Numeric:
     """Return the force across the crank at its pin, F sin(φ + ψ)/cos ψ, positive as the crank turns.
 
     In units of F R it is the torque on the shaft. It is the piston velocity over v, by the principle of
@@ -87,7 +87,7 @@ def tangential_force(circle: Circle[Number], ratio: Number, offset: Number | Non
     return kinematics.offset_velocity(circle, ratio, offset)
 
 
-def radial_force(circle: Circle[Number], ratio: Number, offset: Number | None = None) -> Number:
+def radial_force(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None) -> Numeric:
     """Return the force along the crank at its pin, F cos(φ + ψ)/cos ψ, positive towards the shaft.
 
     F presses the pin towards the shaft at the dead centre that the stroke leaves, and pulls it away at the
@@ -98,7 +98,7 @@ def radial_force(circle: Circle[Number], ratio: Number, offset: Number | None = 
     return circle.cosine - circle.sine * (slant.sine / slant.cosine)
 
 
-def square_position(ratio: Number) -> Circle[Number]:
+def square_position(ratio: Numeric) -> Circle[Numeric]:
     """Return the crank angle at which the rod touches the crank circle, square to the crank: tan ψ = λ.
 
     Then φ + ψ = 90°, sin φ = cos ψ and cos φ = sin ψ. Straight crank.
@@ -108,7 +108,7 @@ def square_position(ratio: Number) -> Circle[Number]:
     return Circle(sine, ratio * sine, 1 - ratio * sine)
 
 
-def square_rod_force(ratio: Number) -> Number:
+def square_rod_force(ratio: Numeric) -> Numeric:
     """Return F √(λ² + 1), the rod force in the square position, where it is the tangential force too.
 
     In units of F R it is the torque; the guide force is F λ and the radial force 0.
@@ -128,17 +128,17 @@ class Weight(NamedTuple, Generic[Kind]):
     across: Kind
 
 
-def on_return(weight: Weight[Number]) -> Weight[Number]:
+def on_return(weight: Weight[Numeric]) -> Weight[Numeric]:
     """Return the same in the frame of the return stroke."""
     return weight._replace(along=-1 * weight.along, across=-1 * weight.across)
 
 
-def pin_torque(weight: Weight[Number], circle: Circle[Number]) -> Number:
+def pin_torque(weight: Weight[Numeric], circle: Circle[Numeric]) -> Numeric:
     """Return the torque of the weight at the crank pin, over R."""
     return weight.pin * (weight.along * circle.sine - weight.across * circle.cosine)
 
 
-def torque_slope(weight: Weight[Number], circle: Circle[Number], acceleration: Number) -> Number:
+def torque_slope(weight: Weight[Numeric], circle: Circle[Numeric], acceleration: Numeric) -> Numeric:
     """Return the change with the angle in radians of the torque of all weights, from the piston's
     acceleration."""
     at_pin = weight.pin * (weight.along * circle.cosine + weight.across * circle.sine)
@@ -146,8 +146,8 @@ def torque_slope(weight: Weight[Number], circle: Circle[Number], acceleration: N
 
 
 def work(
-    weight: Weight[Number], circle: Circle[Number], path: Number, length: Number, returning: bool
-) -> Number:
+    weight: Weight[Numeric], circle: Circle[Numeric], path: Numeric, length: Numeric, returning: bool
+) -> Numeric:
     """Return the work that weight has done on the masses since any fixed place, over R.
 
     All is in the frame of the stroke, which is the return stroke or not; `length` is that of the stroke.
@@ -167,8 +167,12 @@ class Circles(NamedTuple, Generic[Kind]):
 
 
 def net_torque(
-    circle: Circle[Number], ratio: Number, offset: Number | None, thrust: Number, circles: Circles[Number]
-) -> Number:
+    circle: Circle[Numeric],
+    ratio: Numeric,
+    offset: Numeric | None,
+    thrust: Numeric,
+    circles: Circles[Numeric],
+) -> Numeric:
     """Return the torque on the shaft that a force on the rod's crosshead end along the slide makes, positive
     against X, less what the friction of the pins takes.
 
@@ -184,8 +188,8 @@ def net_torque(
 
 
 def _by_thrust(
-    circle: Circle[Number], ratio: Number, offset: Number | None, lean: Number, lost: Number
-) -> Number:
+    circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None, lean: Numeric, lost: Numeric
+) -> Numeric:
     """Return (sin(φ + ψ + ε) + lost)/cos(ψ + ε), the torque of a unit thrust, from sin ε."""
     slant, upright = rod_slant(circle, ratio, offset), cosine_of(lean)
     sine = slant.sine * upright + slant.cosine * lean

@@ -16,8 +16,11 @@ from __future__ import annotations
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
-from kurbel.kernel.circle import Number, root
+from kurbel.kernel.circle import root
+
+Floats: TypeAlias = NDArray[np.float64]
 
 TWO_OVER_PI = 0.6366197723675814
 
@@ -25,24 +28,24 @@ TWO_OVER_PI = 0.6366197723675814
 class Load(NamedTuple):
     """What acts on the piston of an engine."""
 
-    expansion: Number
+    expansion: Floats
     """ε: the cut-off comes after the share 1/ε of the stroke."""
-    back: Number
-    net: Number
+    back: Floats | float
+    net: Floats
     """Steam less back pressure before the cut-off."""
-    mean: Number
+    mean: Floats
     """P, the mean tangential force."""
-    forgone: Number
+    forgone: Floats
     """Half the work in a stroke that steam admitted to its end would do beyond this."""
-    over: Number
+    over: Floats | float
     """u/(1 - u) at the share u from the end where the steam has expanded to the back pressure; 0 if never."""
-    dead: Number = 0.0
+    dead: Floats | float = 0.0
     """1 - κ₁, the volume that is left at the inner dead centre."""
-    swept: Number = 1.0
+    swept: Floats | float = 1.0
     """κ₁; on the return stroke, which begins at the outer dead centre, -κ₁ with 1 for `dead`."""
-    bend: Number = 1.0
+    bend: Floats | float = 1.0
     """By how much slower than without clearance, by Mariotte's law, the pressure falls where it is b."""
-    exponent: Number = None
+    exponent: Floats | None = None
     """n of p V^n = const, None for 1 everywhere."""
 
     @property
@@ -51,7 +54,12 @@ class Load(NamedTuple):
         return self.exponent is None and isinstance(self.swept, float)
 
 
-def load(expansion: Number, back: Number = None, clearance: Number = None, exponent: Number = None) -> Load:
+def load(
+    expansion: Floats,
+    back: Floats | None = None,
+    clearance: Floats | None = None,
+    exponent: Floats | None = None,
+) -> Load:
     """Return the forces for ε, the back pressure b = R/Q, the clearance κ as a share of the stroke and n.
 
     None for b is the best one, for κ 0, for n 1. Source: Weisbach-Herrmann, § 150, P = (2/π)(1 + ln ε - εb)
@@ -68,7 +76,9 @@ def load(expansion: Number, back: Number = None, clearance: Number = None, expon
     return _expanding(expansion, back, 0.0 if clearance is None else clearance, exponent)
 
 
-def _expanding(expansion: Number, back: Number, clearance: Number, exponent: Number) -> Load:
+def _expanding(
+    expansion: Floats, back: Floats | None, clearance: Floats | float, exponent: Floats | None
+) -> Load:
     # The steam grows to 1 + growth times its volume at cut-off, the pressure falls from 1 + rise to 1.
     growth = (expansion - 1) / (1 + clearance * expansion)
     logarithm = np.log1p(growth)
@@ -88,21 +98,21 @@ def _expanding(expansion: Number, back: Number, clearance: Number, exponent: Num
     return Load(expansion, loss, net, mean, forgone, over, dead, swept, bend, exponent)
 
 
-def _bend(above: Number, over: Number, swept: Number, exponent: Number) -> Number:
+def _bend(above: Floats, over: Floats, swept: Floats | float, exponent: Floats | None) -> Floats:
     cube = ((1 + over) / above) ** 3
     if exponent is None:
         return cube / swept
     return cube * above ** (1 - 1 / exponent) / (exponent * swept)
 
 
-def risen(logarithm: Number, exponent: Number) -> Number:
+def risen(logarithm: Floats, exponent: Floats) -> Floats:
     """Return the work (V^(1-n) - 1)/(n - 1) for -ln V, which is this itself for n = 1."""
     curve = (exponent - 1) * logarithm
     straight = curve == 0
     return logarithm * np.where(straight, 1.0, np.expm1(curve) / np.where(straight, 1.0, curve))
 
 
-def work_left(share: Number, load: Load) -> Number:
+def work_left(share: Floats, load: Load) -> Floats:
     """Return half the work of the expanding steam from a share, from the outer dead centre, to that end."""
     if load.plain:
         return -np.log1p(-share)
@@ -112,12 +122,12 @@ def work_left(share: Number, load: Load) -> Number:
     return logarithm / load.swept
 
 
-def raised(volume: Number, whole: Number, exponent: Number) -> Number:
+def raised(volume: Floats, whole: Floats | float, exponent: Floats | None) -> Floats:
     """Return w (V/w)^n, which is V for Mariotte's law."""
     return volume if exponent is None else whole * (volume / whole) ** exponent
 
 
-def curved(volume: Number, exponent: Number) -> Number:
+def curved(volume: Floats, exponent: Floats | None) -> Floats:
     """Return n V, the volume itself for Mariotte's law."""
     return volume if exponent is None else exponent * volume
 
@@ -130,12 +140,12 @@ UPPER, THIRD, BIAS = 32, 1431655766, 715094163
 class Place(NamedTuple):
     """A place by its crank angle β from the outer dead centre, as coordinates, and the share σ/2."""
 
-    across: Number
-    along: Number
-    share: Number
+    across: Floats
+    along: Floats
+    share: Floats
 
     @property
-    def angle(self) -> Number:
+    def angle(self) -> Floats:
         return np.arctan2(self.across, self.along)
 
 
@@ -145,10 +155,10 @@ class Pull(NamedTuple):
     growth is the slope of ln(force/mean) on ln τ, times margin, which has the sign of the force.
     """
 
-    force: Number
-    mean: Number
-    growth: Number
-    margin: Number
+    force: Floats
+    mean: Floats
+    growth: Floats
+    margin: Floats
 
 
 class ExactMotion:
@@ -160,7 +170,7 @@ class ExactMotion:
 
     steps = 3
 
-    def __init__(self, ratio: Number) -> None:
+    def __init__(self, ratio: Floats) -> None:
         self.ratio = ratio
         self.twice = 2 * ratio
         self.short = 1 - ratio
@@ -168,7 +178,7 @@ class ExactMotion:
         self.height = root(self.short * self.long)
         self.slope = self.height / self.long
 
-    def least(self, velocity: Number) -> Number:
+    def least(self, velocity: Floats) -> Floats:
         """Return T where the return stroke has this velocity while it speeds up, 0 <= c <= 2/π."""
         # It is 4T(1 - λ + (1 + λ)T) = c²(1 + T)²(1 + λ + (1 - λ)T), which has one root below 1. Without the
         # T³ it gives τ to 0.3 %; two of Newton's steps leave 3e-11.
@@ -185,24 +195,24 @@ class ExactMotion:
             tangent = tangent - above / slope
         return tangent
 
-    def balanced(self, load: Load) -> Number:
+    def balanced(self, load: Load) -> Floats:
         """Return T where the steam has expanded to the back pressure; 0 if it never does."""
         return self.at(load.over)
 
-    def at(self, over: Number) -> Number:
+    def at(self, over: Floats | float) -> Floats:
         """Return T at the share u from the outer dead centre, given as u/(1 - u)."""
         # From the law of cosines, T = σ/s (1 + λ)(1 - λ + ½λσ)/((1 - λ)(1 + ½λσ)).
         bend = self.ratio * (over / (1 + over))
         return over * self.long * (self.short + bend) / (self.short * (1 + bend))
 
-    def near(self, load: Load, balanced: Number) -> Number:
+    def near(self, load: Load, balanced: Floats) -> Floats:
         """Return T - balanced at the greatest speed, nearly: τ to 20 % for the best back pressure."""
         half = load.mean / 2
         spare = np.maximum(0, half - np.maximum(0, 1 - load.back))
         large = half + spare * (1 / self.height - 1)
         return _steady(large, load) + _cubic(half * load.back * load.bend * self.long / self.slope, balanced)
 
-    def pull(self, tangent: Number, load: Load) -> Pull:
+    def pull(self, tangent: Floats, load: Load) -> Pull:
         """Return the tangential force (2/s - b) c of the expanding steam on the outstroke, against P."""
         secant = 1 + tangent
         half = 1 / secant
@@ -228,7 +238,7 @@ class ExactMotion:
         mean = load.mean * far * (steam * secant) / 2
         return Pull(force * margin, mean, growth, weight * square)
 
-    def place(self, tangent: Number) -> Place:
+    def place(self, tangent: Floats) -> Place:
         """Return the place at a T."""
         half = 1 / (1 + tangent)
         other = tangent * half
@@ -245,12 +255,12 @@ class FirstOrderMotion:
 
     steps = 4
 
-    def __init__(self, ratio: Number) -> None:
+    def __init__(self, ratio: Floats) -> None:
         self.ratio = ratio
         self.short = 1 - ratio
         self.long = 1 + ratio
 
-    def least(self, velocity: Number) -> Number:
+    def least(self, velocity: Floats) -> Floats:
         """Return T where the return stroke has this velocity while it speeds up, 0 <= c <= 2/π."""
         # It is τ(1 - λ + (1 + λ)T) = ½c(1 + T)². The start lies within a third; five of Newton's steps
         # leave 1e-8.
@@ -263,11 +273,11 @@ class FirstOrderMotion:
             tangent = tangent - above / (self.short + 3 * long - 4 * half * (tangent * secant))
         return tangent * tangent
 
-    def balanced(self, load: Load) -> Number:
+    def balanced(self, load: Load) -> Floats:
         """Return T where the steam has expanded to the back pressure; 0 if it never does."""
         return self.at(load.over)
 
-    def at(self, over: Number) -> Number:
+    def at(self, over: Floats | float) -> Floats:
         """Return T at the share u from the outer dead centre, given as u/(1 - u)."""
         # sin² β/2 from the share u, and cos² β/2 from 1 - u.
         most = 1 / (1 + over)
@@ -275,7 +285,7 @@ class FirstOrderMotion:
         bend = root(self.short * self.short + 4 * self.ratio * rest)
         return rest * (self.long + bend) / ((self.short + bend) * most)
 
-    def near(self, load: Load, balanced: Number) -> Number:
+    def near(self, load: Load, balanced: Floats) -> Floats:
         """Return T - balanced at the greatest speed, nearly."""
         half = load.mean / 2
         small = half * load.back * load.bend
@@ -284,7 +294,7 @@ class FirstOrderMotion:
         small = small / ((self.short + part) * (self.short + 2 * part))
         return _steady(half, load) + _cubic(small, balanced)
 
-    def pull(self, tangent: Number, load: Load) -> Pull:
+    def pull(self, tangent: Floats, load: Load) -> Pull:
         """Return the tangential force (2/s - b) c of the expanding steam on the outstroke, against P."""
         half = 1 / (1 + tangent)
         other = tangent * half
@@ -303,12 +313,12 @@ class FirstOrderMotion:
         growth = rise * weight + fall * curved(share, load.exponent)
         return Pull(force * margin, load.mean * (steam * (1 + tangent)), growth, weight)
 
-    def place(self, tangent: Number) -> Place:
+    def place(self, tangent: Floats) -> Place:
         """Return the place at a T."""
         other = tangent / (1 + tangent)
         return Place(2 * root(tangent), 1 - tangent, other * (self.short + self.ratio * other))
 
-    def admitted(self, tangent: Number) -> Number:
+    def admitted(self, tangent: Floats) -> Floats:
         """Return the share 1 - σ/2 of the outstroke."""
         half = 1 / (1 + tangent)
         return half * (1 + self.ratio * (tangent * half))
@@ -322,25 +332,25 @@ class WeisbachRelation:
 
     steps = 4
 
-    def __init__(self, ratio: Number) -> None:
+    def __init__(self, ratio: Floats) -> None:
         self.ratio = ratio
         self.long = 1 + ratio
 
-    def balanced(self, load: Load) -> Number:
+    def balanced(self, load: Load) -> Floats:
         """Return T where his bracket 1 - λu - bu(1 + λ - 2λu), u = sin²(α₂/2), is zero; 0 if it never is."""
         linear = self.ratio + load.back * self.long
         span = linear * linear - 8 * self.ratio * load.back
         half = 2 / np.maximum(2, linear + root(np.maximum(0, span)))
         return np.where(span < 0, 0.0, 1 / half - 1)
 
-    def near(self, load: Load, balanced: Number) -> Number:
+    def near(self, load: Load, balanced: Floats) -> Floats:
         """Return T - balanced at α₂, nearly."""
         half = 1 / (1 + balanced)
         slope = half * half * (self.ratio + load.back * (self.long - 4 * self.ratio * half))
         mean = load.mean / 2
         return mean * mean + _cubic(mean / np.maximum(slope, 0.1), balanced)
 
-    def pull(self, tangent: Number, load: Load) -> Pull:
+    def pull(self, tangent: Floats, load: Load) -> Pull:
         """Return his bracket times τ against the rest of the equation."""
         half = 1 / (1 + tangent)
         rod = self.ratio * half
@@ -353,7 +363,7 @@ Motion: TypeAlias = ExactMotion | FirstOrderMotion
 Relation: TypeAlias = Motion | WeisbachRelation
 
 
-def _steady(root_of: Number, load: Load) -> Number:
+def _steady(root_of: Floats, load: Load) -> Floats:
     """Return T, nearly, where there is no back pressure, from what is √T for Mariotte's law."""
     square = root_of * root_of
     if load.exponent is None:
@@ -362,14 +372,14 @@ def _steady(root_of: Number, load: Load) -> Number:
     return np.where(square > 1, square ** (1 / np.maximum(1, 2 * load.exponent - 1)), square)
 
 
-def _cubic(small: Number, balanced: Number) -> Number:
+def _cubic(small: Floats, balanced: Floats) -> Floats:
     """Return Z with Z √(balanced + Z) = small, τ to 20 %."""
     third = near_cube_root(small)
     # The last term keeps 0/0 away where there is no back pressure.
     return small / root(balanced + third * third + 1e-300)
 
 
-def near_cube_root(number: Number) -> Number:
+def near_cube_root(number: Floats) -> Floats:
     """Return the cube root of numbers above 0 within 4 %, of 0 next to nothing: a start, in few steps."""
     bits = number.view(np.int64) >> UPPER
     return ((((bits * THIRD) >> UPPER) + BIAS) << UPPER).view(np.float64)

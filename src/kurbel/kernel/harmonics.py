@@ -19,9 +19,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 from math import comb
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from kurbel.kernel.circle import Number, cosine_of
+from kurbel.kernel.circle import Numeric, cosine_of
 
 _NEGLIGIBLE = 2.0**-56
 
@@ -33,7 +33,7 @@ class Term(NamedTuple):
     coefficient: Fraction
 
 
-def path_coefficient(order: int, ratio: Number) -> Number:
+def path_coefficient(order: int, ratio: Numeric) -> Numeric:
     """Return A_k of the piston path from its dead centre, in units of R; A_0 is its mean.
 
     Floats: relative error at most 3e-15 for k <= 6, 1e-13 for k <= 100, if |λ| <= 1 - 10^-6; beyond, the
@@ -71,19 +71,19 @@ def _power_term(half: int, n: int) -> Term:
     return Term(2 * n - 1, (-1) ** half * (2 if half else 1) * share)
 
 
-def _half_slant(ratio: Number) -> Number:
+def _half_slant(ratio: Numeric) -> Numeric:
     """Return t = tan ½ψ of the rod's greatest angle, sin ψ = λ."""
     return ratio / (1 + cosine_of(ratio))
 
 
-def _mean_path(ratio: Number) -> Number:
+def _mean_path(ratio: Numeric) -> Numeric:
     """Return A_0 = 1 + ½ (t - Σ_(j >= 1) b_j² t^(4j - 1))."""
     slant = _half_slant(ratio)
     square = slant * slant
     return 1 + (slant - slant * square * _square_series(square * square)) / 2
 
 
-def _even_path(half: int, ratio: Number) -> Number:
+def _even_path(half: int, ratio: Numeric) -> Numeric:
     slant = _half_slant(ratio)
     square = slant * slant
     leading = slant / 2
@@ -94,7 +94,7 @@ def _even_path(half: int, ratio: Number) -> Number:
     return 0 - leading * _gauss_series(half, square * square)
 
 
-def _gauss_series(half: int, fourth: Number) -> Number:
+def _gauss_series(half: int, fourth: Any) -> Numeric:
     """Return F(-½, m - ½; m + 1; t⁴)."""
     if hasattr(fourth, "hypgeom_2f1"):
         minus_half = fourth.__class__(-1) / 2
@@ -103,14 +103,14 @@ def _gauss_series(half: int, fourth: Number) -> Number:
     return _summed(fourth, lambda j: (j - 0.5) * (j + half - 0.5) / ((j + 1) * (j + half + 1)))
 
 
-def _square_series(fourth: Number) -> Number:
+def _square_series(fourth: Numeric) -> Numeric:
     """Return Σ_(j >= 1) b_j² t^(4j - 4) = (F(-½, -½; 1; t⁴) - 1)/t⁴."""
     if hasattr(fourth, "hypgeom_2f1"):
         return (_gauss_series(0, fourth) - 1) / fourth
     return _summed(fourth, lambda j: ((j + 0.5) / (j + 2)) ** 2) / 4
 
 
-def _summed(number: Number, quotient: Callable[[int], float]) -> Number:
+def _summed(number: Numeric, quotient: Callable[[int], float]) -> Numeric:
     """Return 1 + q_0 z + q_0 q_1 z² + ... of floats or arrays."""
     total = term = 0 * number + 1.0
     step = 0
@@ -121,6 +121,6 @@ def _summed(number: Number, quotient: Callable[[int], float]) -> Number:
     return total
 
 
-def _matters(term: Number) -> bool:
+def _matters(term: Numeric) -> bool:
     large = abs(term) > _NEGLIGIBLE
     return large if isinstance(large, bool) else bool(large.any())

@@ -16,12 +16,13 @@ from math import inf
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
-from kurbel.kernel.circle import Number
 from kurbel.kernel.half_tangent import (
     TWO_OVER_PI,
     ExactMotion,
     FirstOrderMotion,
+    Floats,
     Load,
     Motion,
     Place,
@@ -49,20 +50,20 @@ class Extremes(NamedTuple):
 
     falling: Place
     rising: Place
-    beyond: Number
+    beyond: Floats
     """By how much T is greater than before the cut-off."""
-    restless: Number
+    restless: Floats
     """Not above 0 where the greatest speed has settled."""
 
 
 class Arithmetic(NamedTuple):
     """What computes: NumPy, operation by operation, or the same formulas in one loop over the engines."""
 
-    extremes: Callable[[type[Motion], Number, Load], Extremes]
-    irregularity: Callable[..., Number]
+    extremes: Callable[[type[Motion], Floats, Load], Extremes]
+    irregularity: Callable[..., Floats]
 
 
-def extremes(kind: type[Motion], ratio: Number, load: Load) -> Extremes:
+def extremes(kind: type[Motion], ratio: Floats, load: Load) -> Extremes:
     """Return where the speed is greatest and least, of nearly all engines settled."""
     motion = kind(ratio)
     least = motion.least(load.mean / load.net)
@@ -75,7 +76,7 @@ def extremes(kind: type[Motion], ratio: Number, load: Load) -> Extremes:
     return Extremes(falling, rising, most - least, restless)
 
 
-def _approach(relation: Relation, load: Load) -> tuple[Number, Number, Number]:
+def _approach(relation: Relation, load: Load) -> tuple[Floats, Floats, Floats]:
     """Return T where steam and back pressure balance, and T less that before and after the last step."""
     balanced = relation.balanced(load)
     before = beyond = _begun(relation, load, balanced)
@@ -84,7 +85,7 @@ def _approach(relation: Relation, load: Load) -> tuple[Number, Number, Number]:
     return balanced, before, beyond
 
 
-def _begun(relation: Relation, load: Load, balanced: Number) -> Number:
+def _begun(relation: Relation, load: Load, balanced: Floats) -> Floats:
     near = relation.near(load, balanced)
     if load.plain or isinstance(relation, WeisbachRelation):
         return near
@@ -92,12 +93,12 @@ def _begun(relation: Relation, load: Load, balanced: Number) -> Number:
     return np.minimum(near, np.maximum(relation.at(load.expansion - 1) - balanced, LEAST_SHARE * near))
 
 
-def _bounded(motion: Motion, load: Load, most: Number) -> Number:
+def _bounded(motion: Motion, load: Load, most: Floats) -> Floats:
     """Return T, but none before the cut-off where that could be another root."""
     return most if load.plain else np.minimum(most, motion.at(load.expansion - 1))
 
 
-def greatest(relation: Relation, load: Load) -> Number:
+def greatest(relation: Relation, load: Load) -> Floats:
     """Return the one T at which the force of the expanding steam is its mean, on the way to the end."""
     balanced, before, beyond = _approach(relation, load)
     left = np.flatnonzero(~(abs(beyond - before) <= SETTLED * before))
@@ -109,18 +110,18 @@ def greatest(relation: Relation, load: Load) -> Number:
 
 
 def _few(
-    kind: Callable[[Number], Any], ratio: Number, load: Load, left: Number, shape: tuple[int, ...]
+    kind: Callable[[Floats], Any], ratio: Floats, load: Load, left: NDArray[np.int64], shape: tuple[int, ...]
 ) -> tuple[Any, Load]:
     """Return the relation and the forces of these engines alone."""
 
-    def those(number: Number) -> Number:
+    def those(number: Any) -> Any:
         alike = number is None or isinstance(number, float)
         return number if alike else np.broadcast_to(number, shape)[left]
 
     return kind(those(ratio)), Load(*map(those, load))
 
 
-def _settled(step: Callable[[Number], Number], beyond: Number) -> Number:
+def _settled(step: Callable[[Floats], Floats], beyond: Floats) -> Floats:
     """Return T - balanced at the roots of the few that need more steps: without back pressure, λ near 1."""
     moving = np.ones(beyond.shape, bool)
     for _ in range(MOST_STEPS):
@@ -133,7 +134,7 @@ def _settled(step: Callable[[Number], Number], beyond: Number) -> Number:
     return beyond
 
 
-def _nearer(relation: Relation, load: Load, balanced: Number, beyond: Number) -> Number:
+def _nearer(relation: Relation, load: Load, balanced: Floats, beyond: Floats) -> Floats:
     """Return T - balanced nearer to the root.
 
     Newton's step for ln(force/mean) on ln √(T - balanced), which is nearly straight. The logarithm is
@@ -148,7 +149,7 @@ def _nearer(relation: Relation, load: Load, balanced: Number, beyond: Number) ->
     return beyond * (factor * factor)
 
 
-def _later(motion: Motion, load: Load, tangent: Number) -> Number:
+def _later(motion: Motion, load: Load, tangent: Floats) -> Floats:
     """Return T nearer to where the force rises to its mean, from before it.
 
     Beyond the cut-off the force may fall at first, and beyond the root it falls again: steps are short.
@@ -162,14 +163,14 @@ def _later(motion: Motion, load: Load, tangent: Number) -> Number:
     return tangent * (factor * factor)
 
 
-def _height(relation: Relation, load: Load, tangent: Number, beyond: Number) -> tuple[Number, Number]:
+def _height(relation: Relation, load: Load, tangent: Floats, beyond: Floats) -> tuple[Floats, Floats]:
     """Return the slope of the force on ln √(T - balanced) and how far it is above its mean."""
     pull = relation.pull(tangent, load)
     slope = pull.growth * beyond * (pull.force + pull.mean)
     return slope, tangent * pull.margin * (pull.force - pull.mean)
 
 
-def excess(share: Number, angle: Number, left: Number, load: Load, expanding: Number) -> Number:
+def excess(share: Floats, angle: Floats, left: Floats, load: Load, expanding: Floats) -> Floats:
     """Return the excess work of the outstroke at a place, the steam expanding where that is above 0.
 
     Zero at the dead centres; `left` is the work left to the steam that expands. Source: Weisbach-Herrmann,
@@ -181,26 +182,26 @@ def excess(share: Number, angle: Number, left: Number, load: Load, expanding: Nu
     return load.mean * angle + 2 * np.where(expanding > 0, expanded, full)
 
 
-def deficit(share: Number, angle: Number, load: Load) -> Number:
+def deficit(share: Floats, angle: Floats, load: Load) -> Floats:
     """Return the excess work of the return stroke before the cut-off, with its sign changed."""
     return load.mean * angle - 2 * (load.net * share)
 
 
 def irregularity(
     load: Load,
-    expanding: Number,
-    share: Number,
-    angle: Number,
-    least_share: Number,
-    least_angle: Number,
-    left: Number,
-) -> Number:
+    expanding: Floats,
+    share: Floats,
+    angle: Floats,
+    least_share: Floats,
+    least_angle: Floats,
+    left: Floats,
+) -> Floats:
     """Return δ from the shares and angles of both places and the work that is left at the greatest speed."""
     gained = excess(share, angle, left, load, expanding)
     return (gained + deficit(least_share, least_angle, load)) / load.mean
 
 
-def true_irregularity(kind: type[Motion], ratio: Number, load: Load, by: Arithmetic) -> Number:
+def true_irregularity(kind: type[Motion], ratio: Floats, load: Load, by: Arithmetic) -> Floats:
     """Return δ, in units of P r/(m₁ v₁²), from the true extremes of the excess work of a motion."""
     falling, rising, beyond, restless = by.extremes(kind, ratio, load)
     left = work_left(falling.share, load)
@@ -214,7 +215,7 @@ def true_irregularity(kind: type[Motion], ratio: Number, load: Load, by: Arithme
     return found
 
 
-def _rare(motion: Motion, load: Load) -> Number:
+def _rare(motion: Motion, load: Load) -> Floats:
     """Return δ of engines that want more steps, or have their least speed when the cut-off is over."""
     least = motion.least(load.mean / load.net)
     most = _bounded(motion, load, greatest(motion, load))
@@ -228,7 +229,7 @@ def _rare(motion: Motion, load: Load) -> Number:
     return (gained + lacking) / load.mean
 
 
-def _late_deficit(motion: Motion, load: Load, full: Number) -> Number:
+def _late_deficit(motion: Motion, load: Load, full: Floats) -> Floats:
     """Return the deficit of the return stroke where steam that expands has its mean force again.
 
     Full pressure would have it at T = full already.
@@ -241,7 +242,7 @@ def _late_deficit(motion: Motion, load: Load, full: Number) -> Number:
     return load.mean * place.angle - 2 * done
 
 
-def weisbach(ratio: Number, load: Load, _: Arithmetic) -> Number:
+def weisbach(ratio: Floats, load: Load, _: Arithmetic) -> Floats:
     """Return δ for first-order kinematics at the angles of his equations, in units of P r/(m₁ v₁²)."""
     # No true maxima, hence either stroke's may be the greater one.
     velocity = load.mean / load.net
@@ -252,7 +253,7 @@ def weisbach(ratio: Number, load: Load, _: Arithmetic) -> Number:
     return (np.maximum(*tops) + deficit(place.share, place.angle, load)) / load.mean
 
 
-def _related(motion: FirstOrderMotion, falling: Number, load: Load) -> Number:
+def _related(motion: FirstOrderMotion, falling: Floats, load: Load) -> Floats:
     """Return the excess work at his α₂, or before the cut-off at the falling root of his equation for α₁."""
     beyond = motion.admitted(falling) * load.expansion > 1
     chosen = np.where(beyond, greatest(WeisbachRelation(motion.ratio), load), falling)
@@ -262,7 +263,7 @@ def _related(motion: FirstOrderMotion, falling: Number, load: Load) -> Number:
 
 
 BY_NUMPY = Arithmetic(extremes, irregularity)
-METHODS: Mapping[str, Callable[[Number, Load, Arithmetic], Number]] = {
+METHODS: Mapping[str, Callable[[Floats, Load, Arithmetic], Floats]] = {
     "exact": partial(true_irregularity, ExactMotion),
     "series": partial(true_irregularity, FirstOrderMotion),
     "weisbach": weisbach,
@@ -270,14 +271,14 @@ METHODS: Mapping[str, Callable[[Number, Load, Arithmetic], Number]] = {
 """δ in units of P r/(m₁ v₁²) from λ and the forces, by method and what computes it."""
 
 
-Floats: TypeAlias = tuple[tuple[str, float], ...]
+Constants: TypeAlias = tuple[tuple[str, float], ...]
 
 # What the extremes ask of a load, and what δ does.
 FORCES = ("back", "net", "mean", "over", "dead", "swept", "bend")
 WORK = ("back", "net", "mean", "forgone")
 
 
-def extremes_in_loops(kind: type[Motion], ratio: Number, load: Load) -> Extremes:
+def extremes_in_loops(kind: type[Motion], ratio: Floats, load: Load) -> Extremes:
     """Return what `extremes` returns, to the bit."""
     if load.exponent is not None:
         # Powers are those of NumPy.
@@ -289,7 +290,7 @@ def extremes_in_loops(kind: type[Motion], ratio: Number, load: Load) -> Extremes
     return Extremes(Place(*rows[:3]), Place(*rows[3:6]), *rows[6:])
 
 
-def irregularity_in_loops(load: Load, *given: Number) -> Number:
+def irregularity_in_loops(load: Load, *given: Floats) -> Floats:
     """Return what `irregularity` returns, to the bit."""
     arrays, floats = _sorted(load, WORK)
     return _filled(_irregularity_loop(tuple(arrays), floats), 1, [*given, *arrays.values()])[0]
@@ -298,13 +299,13 @@ def irregularity_in_loops(load: Load, *given: Number) -> Number:
 BY_LOOPS = Arithmetic(extremes_in_loops, irregularity_in_loops)
 
 
-def _sorted(load: Load, names: Sequence[str]) -> tuple[dict[str, Number], Floats]:
+def _sorted(load: Load, names: Sequence[str]) -> tuple[dict[str, Floats], Constants]:
     given = {name: getattr(load, name) for name in names}
     arrays = {name: one for name, one in given.items() if not isinstance(one, float)}
     return arrays, tuple((name, one) for name, one in given.items() if isinstance(one, float))
 
 
-def _filled(run: Callable[..., None], rows: int, given: Sequence[Number]) -> list[Any]:
+def _filled(run: Callable[..., None], rows: int, given: Sequence[Floats]) -> list[Any]:
     size = max(one.size for one in given)
     arrays = [np.require(np.broadcast_to(one, size), np.float64, ("C", "A")) for one in given]
     filled = [np.empty(size) for _ in range(rows)]
@@ -312,14 +313,14 @@ def _filled(run: Callable[..., None], rows: int, given: Sequence[Number]) -> lis
     return filled
 
 
-def _load(arrays: Sequence[str], floats: Floats, numbers: Sequence[Traced]) -> Load:
+def _load(arrays: Sequence[str], floats: Constants, numbers: Sequence[Traced]) -> Load:
     unknown: dict[str, Any] = dict.fromkeys(Load._fields)
     return Load(**unknown | dict(floats) | dict(zip(arrays, numbers, strict=True)))
 
 
 @lru_cache(maxsize=64)
-def _extremes_loop(kind: Any, arrays: tuple[str, ...], floats: Floats) -> Callable[..., None]:
-    def formula(ratio: Traced, *more: Traced) -> list[Traced]:
+def _extremes_loop(kind: Any, arrays: tuple[str, ...], floats: Constants) -> Callable[..., None]:
+    def formula(ratio: Any, *more: Traced) -> list[Any]:
         falling, rising, *rest = extremes(kind, ratio, _load(arrays, floats, more))
         return [*falling, *rising, *rest]
 
@@ -327,8 +328,8 @@ def _extremes_loop(kind: Any, arrays: tuple[str, ...], floats: Floats) -> Callab
 
 
 @lru_cache(maxsize=64)
-def _irregularity_loop(arrays: tuple[str, ...], floats: Floats) -> Callable[..., None]:
-    def formula(*numbers: Traced) -> list[Traced]:
+def _irregularity_loop(arrays: tuple[str, ...], floats: Constants) -> Callable[..., None]:
+    def formula(*numbers: Any) -> list[Any]:
         return [irregularity(_load(arrays, floats, numbers[6:]), *numbers[:6])]
 
     return compiled(written_formula(formula, 6 + len(arrays)))

@@ -12,10 +12,10 @@ sign with the ratio. Ratio 0 is the infinite rod. Valid for |λ| < 1, with an of
 number appears.
 """
 
-from kurbel.kernel.circle import Circle, Number, cosine_of, root
+from kurbel.kernel.circle import Circle, Numeric, cosine_of, root
 
 
-def rod_sine(circle: Circle[Number], ratio: Number, offset: Number = 0) -> Number:
+def rod_sine(circle: Circle[Numeric], ratio: Numeric, offset: Numeric = 0) -> Numeric:
     """Return sin ψ = λ (sin φ - η) of the rod angle ψ, positive while the pin is on the positive side.
 
     offset is η = e/R. Source: Rötscher, eq. (285), with the offset.
@@ -23,7 +23,7 @@ def rod_sine(circle: Circle[Number], ratio: Number, offset: Number = 0) -> Numbe
     return ratio * (circle.sine - offset)
 
 
-def rod_cosine(circle: Circle[Number], ratio: Number) -> Number:
+def rod_cosine(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     """Return w = cos ψ of the straight crank, 0 < w <= 1."""
     # 1 - (λ sin φ)² loses digits as λ nears 1; this sum of two squares does not. A float's ** 2 is
     # libm's pow: one square in a thousand would differ from NumPy's in the last place.
@@ -31,7 +31,7 @@ def rod_cosine(circle: Circle[Number], ratio: Number) -> Number:
     return root((1 - ratio) * (1 + ratio) + across * across)
 
 
-def piston_path(circle: Circle[Number], ratio: Number) -> Number:
+def piston_path(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     """Return the piston path x = 1 - cos φ + (1 - cos ψ)/λ from the dead centre, in units of R.
 
     Floats: at most 1.6 ulp from the true value for |λ| <= 1/3, else 4/(1 - |λ|) ulp.
@@ -48,7 +48,7 @@ def piston_path(circle: Circle[Number], ratio: Number) -> Number:
     return circle.versine + (slant - slant * share + circle.versine_tail)
 
 
-def rod_versine(circle: Circle[Number], ratio: Number) -> Number:
+def rod_versine(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     """Return (1 - cos ψ)/λ, the share of the piston path that the rod's slant adds, in units of R.
 
     Blau's fd and Rötscher's GF. Floats: at most 3 ulp from the true value for |λ| <= 0.99. Source: Rötscher,
@@ -58,7 +58,7 @@ def rod_versine(circle: Circle[Number], ratio: Number) -> Number:
     return ratio * circle.sine * circle.sine / (1 + rod_cosine(circle, ratio))
 
 
-def piston_velocity(circle: Circle[Number], ratio: Number) -> Number:
+def piston_velocity(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     """Return the piston velocity c = sin(φ + ψ)/cos ψ away from the dead centre, in units of v.
 
     Floats: at most 1.8 ulp from the true value for |λ| <= 1/3, else 4/(1 - |λ|) ulp.
@@ -73,7 +73,7 @@ def piston_velocity(circle: Circle[Number], ratio: Number) -> Number:
     return circle.sine + (slant + (slant * share + circle.sine_tail))
 
 
-def piston_acceleration(circle: Circle[Number], ratio: Number) -> Number:
+def piston_acceleration(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     """Return the piston acceleration p = cos φ + λ (cos 2φ + λ² sin⁴ φ)/cos³ ψ, in units of v²/R.
 
     Positive away from the dead centre. Floats: at most 2 ulp of max(|p|, 1) from the true value for
@@ -86,7 +86,7 @@ def piston_acceleration(circle: Circle[Number], ratio: Number) -> Number:
     return circle.cosine + ratio * ((circle.cosine - across) * (circle.cosine + across)) / (w * w * w)
 
 
-def piston_path_first_order(circle: Circle[Number], ratio: Number) -> Number:
+def piston_path_first_order(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     """Return x = 1 - cos φ + ½ λ sin² φ from the dead centre, in units of R.
 
     Floats: at most 1.6 ulp from the true value for |λ| <= 1/3, else 4/(1 - |λ|) ulp.
@@ -96,7 +96,7 @@ def piston_path_first_order(circle: Circle[Number], ratio: Number) -> Number:
     return circle.versine + (slant - slant * circle.versine / 2 + circle.versine_tail)
 
 
-def piston_velocity_first_order(circle: Circle[Number], ratio: Number) -> Number:
+def piston_velocity_first_order(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     """Return c = sin φ + ½ λ sin 2φ, in units of v.
 
     Floats: at most 1.8 ulp from the true value for |λ| <= 1/3, else 4/(1 - |λ|) ulp.
@@ -105,7 +105,7 @@ def piston_velocity_first_order(circle: Circle[Number], ratio: Number) -> Number
     return circle.sine + (circle.sine * (ratio * circle.cosine) + circle.sine_tail)
 
 
-def piston_acceleration_first_order(circle: Circle[Number], ratio: Number) -> Number:
+def piston_acceleration_first_order(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     """Return p = cos φ + λ cos 2φ, in units of v²/R.
 
     Floats: at most 2 ulp of max(|p|, 1) from the true value for |λ| <= 1/3, 3 ulp for |λ| < 1.
@@ -115,7 +115,7 @@ def piston_acceleration_first_order(circle: Circle[Number], ratio: Number) -> Nu
     return circle.cosine + ratio * ((circle.cosine - circle.sine) * (circle.cosine + circle.sine))
 
 
-def dead_centre_sine(ratio: Number, offset: Number) -> Number:
+def dead_centre_sine(ratio: Numeric, offset: Numeric) -> Numeric:
     """Return sin φ_i = λη/(1 + λ) = e/(L + R), the inner dead centre of the offset crank.
 
     For the return stroke (-λ, -η) it is the sine of φ_o - 180°, e/(L - R). The rod then lies in line
@@ -124,7 +124,7 @@ def dead_centre_sine(ratio: Number, offset: Number) -> Number:
     return ratio * offset / (1 + ratio)
 
 
-def offset_path(circle: Circle[Number], ratio: Number, offset: Number) -> Number:
+def offset_path(circle: Circle[Numeric], ratio: Numeric, offset: Numeric) -> Numeric:
     """Return the piston path of the offset crank from its own dead centre, in units of R.
 
     The slide line passes the shaft at e = ηR, on the side of the crank pin during the outstroke. φ counts
@@ -143,7 +143,7 @@ def offset_path(circle: Circle[Number], ratio: Number, offset: Number) -> Number
     return (circle.versine - dead_versine) + slant
 
 
-def offset_velocity(circle: Circle[Number], ratio: Number, offset: Number) -> Number:
+def offset_velocity(circle: Circle[Numeric], ratio: Numeric, offset: Numeric) -> Numeric:
     """Return c = sin φ + cos φ tan ψ of the offset crank, in units of v.
 
     Floats: as close to the true value as `offset_path`. Re-derived: a slope of the path.
@@ -152,7 +152,7 @@ def offset_velocity(circle: Circle[Number], ratio: Number, offset: Number) -> Nu
     return circle.sine + circle.cosine * (sine / cosine_of(sine))
 
 
-def offset_acceleration(circle: Circle[Number], ratio: Number, offset: Number) -> Number:
+def offset_acceleration(circle: Circle[Numeric], ratio: Numeric, offset: Numeric) -> Numeric:
     """Return p = cos φ - sin φ tan ψ + λ cos² φ/cos³ ψ of the offset crank, in units of v²/R.
 
     Floats: as close to the true value as `offset_path`. Re-derived: a slope of the path.
@@ -163,7 +163,7 @@ def offset_acceleration(circle: Circle[Number], ratio: Number, offset: Number) -
     return circle.cosine + (turning - circle.sine * (sine / w))
 
 
-def rod_velocity(circle: Circle[Number], ratio: Number) -> Number:
+def rod_velocity(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     """Return the angular velocity of the rod, the slope of ψ: λ cos φ/cos ψ, in units of ω.
 
     Positive as ψ grows, against the sense of the crank, in the frame of the outstroke on either stroke.
@@ -173,7 +173,7 @@ def rod_velocity(circle: Circle[Number], ratio: Number) -> Number:
     return ratio * circle.cosine / rod_cosine(circle, ratio) + 0
 
 
-def rod_acceleration(circle: Circle[Number], ratio: Number) -> Number:
+def rod_acceleration(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     """Return the angular acceleration of the rod, -λ (1 - λ²) sin φ/cos³ ψ, in units of ω², signed as ψ.
 
     Floats: at most 6 ulp from the true value for |λ| <= 0.99. Re-derived: the slope of the velocity.
@@ -181,17 +181,17 @@ def rod_acceleration(circle: Circle[Number], ratio: Number) -> Number:
     return 0 - ratio * rod_turning(circle, ratio, ratio * circle.sine, rod_cosine(circle, ratio), None)
 
 
-def rod_velocity_first_order(circle: Circle[Number], ratio: Number) -> Number:
+def rod_velocity_first_order(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     """Return λ cos φ, in units of ω: the rod's angular velocity to first order in λ. Re-derived."""
     return ratio * circle.cosine + 0
 
 
-def rod_acceleration_first_order(circle: Circle[Number], ratio: Number) -> Number:
+def rod_acceleration_first_order(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     """Return -λ sin φ, in units of ω²: the rod's angular acceleration to first order in λ. Re-derived."""
     return 0 - ratio * circle.sine
 
 
-def offset_rod_velocity(circle: Circle[Number], ratio: Number, offset: Number) -> Number:
+def offset_rod_velocity(circle: Circle[Numeric], ratio: Numeric, offset: Numeric) -> Numeric:
     """Return λ cos φ/cos ψ of the offset crank, in units of ω, signed as ψ.
 
     Floats: as close to the true value as `offset_path`. Re-derived: a slope of ψ.
@@ -199,7 +199,7 @@ def offset_rod_velocity(circle: Circle[Number], ratio: Number, offset: Number) -
     return ratio * circle.cosine / cosine_of(rod_sine(circle, ratio, offset)) + 0
 
 
-def offset_rod_acceleration(circle: Circle[Number], ratio: Number, offset: Number) -> Number:
+def offset_rod_acceleration(circle: Circle[Numeric], ratio: Numeric, offset: Numeric) -> Numeric:
     """Return -λ (sin φ - λ sin ψ (1 - η sin φ))/cos³ ψ of the offset crank, in units of ω², signed as ψ.
 
     Floats: as close to the true value as `offset_path`. Re-derived: the slope of the velocity.
@@ -209,8 +209,8 @@ def offset_rod_acceleration(circle: Circle[Number], ratio: Number, offset: Numbe
 
 
 def rod_turning(
-    circle: Circle[Number], ratio: Number, slant: Number, cosine: Number, offset: Number | None
-) -> Number:
+    circle: Circle[Numeric], ratio: Numeric, slant: Numeric, cosine: Numeric, offset: Numeric | None
+) -> Numeric:
     """Return -L ψ̈ in units of R ω², from sin ψ and cos ψ: (sin φ - λ sin ψ (1 - η sin φ))/cos³ ψ.
 
     Of the straight crank, offset None, that is (1 - λ²) sin φ/cos³ ψ. It has a value for the infinite rod,
@@ -223,7 +223,7 @@ def rod_turning(
     return above / (cosine * cosine * cosine)
 
 
-def stroke(ratio: Number, offset: Number = 0) -> Number:
+def stroke(ratio: Numeric, offset: Numeric = 0) -> Numeric:
     """Return the piston stroke √((L + R)² - e²) - √((L - R)² - e²) in units of R; 2 for the straight crank.
 
     The sign of the ratio does not matter. Re-derived from the two dead centres.
@@ -235,12 +235,12 @@ def stroke(ratio: Number, offset: Number = 0) -> Number:
     return 4 / (root(outer) + root(inner))
 
 
-def mean_piston_speed(stroke: Number, speed: Number) -> Number:
+def mean_piston_speed(stroke: Numeric, speed: Numeric) -> Numeric:
     """Return c_m = S n/30 in m/s, from the stroke S in m and the speed n in 1/min."""
     return stroke * speed / 30
 
 
-def mean_piston_velocity(stroke: Number, pi: Number = 3.141592653589793) -> Number:
+def mean_piston_velocity(stroke: Numeric, pi: Numeric = 3.141592653589793) -> Numeric:
     """Return c_m = S/π in units of v, from the stroke S in units of R; 2/π for the straight crank.
 
     Balls pass their own π.

@@ -13,53 +13,53 @@ from collections.abc import Callable, Sequence
 from functools import reduce
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
-from kurbel.kernel.circle import Number
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.steam import expansion_work, larger, power, smaller
 
 
 class Piece(Protocol):
     """A pressure between two corners, and its work from one share to another."""
 
-    def pressure(self, share: Number) -> Number: ...
+    def pressure(self, share: Numeric) -> Numeric: ...
 
-    def work(self, start: Number, end: Number) -> Number: ...
+    def work(self, start: Numeric, end: Numeric) -> Numeric: ...
 
-    def slope(self, share: Number) -> Number: ...
+    def slope(self, share: Numeric) -> Numeric: ...
 
 
 class Constant(NamedTuple):
     """A pressure that does not change."""
 
-    level: Number
+    level: Numeric
 
-    def pressure(self, share: Number) -> Number:
+    def pressure(self, share: Numeric) -> Numeric:
         return self.level
 
-    def work(self, start: Number, end: Number) -> Number:
+    def work(self, start: Numeric, end: Numeric) -> Numeric:
         return self.level * (end - start)
 
-    def slope(self, share: Number) -> Number:
+    def slope(self, share: Numeric) -> Numeric:
         return 0 * self.level
 
 
 class Line(NamedTuple):
     """A pressure that changes evenly from one share of the stroke to another."""
 
-    first: Number
-    last: Number
-    start: Number
-    end: Number
+    first: Numeric
+    last: Numeric
+    start: Numeric
+    end: Numeric
 
-    def pressure(self, share: Number) -> Number:
+    def pressure(self, share: Numeric) -> Numeric:
         return self.first + self._rise() * (share - self.start)
 
-    def work(self, start: Number, end: Number) -> Number:
+    def work(self, start: Numeric, end: Numeric) -> Numeric:
         return (self.pressure(start) + self.pressure(end)) / 2 * (end - start)
 
-    def slope(self, share: Number) -> Number:
+    def slope(self, share: Numeric) -> Numeric:
         return self._rise() + 0 * share
 
-    def _rise(self) -> Number:
+    def _rise(self) -> Numeric:
         return (self.last - self.first) / (self.end - self.start)
 
 
@@ -69,25 +69,25 @@ class Polytrope(NamedTuple):
     Volumes are shares of the volume swept in a stroke; `growing` is 1 or -1. n = 1 is Mariotte's law.
     """
 
-    level: Number
-    volume: Number
-    exponent: Number
-    first: Number
+    level: Numeric
+    volume: Numeric
+    exponent: Numeric
+    first: Numeric
     growing: int
 
-    def pressure(self, share: Number) -> Number:
+    def pressure(self, share: Numeric) -> Numeric:
         return self.level * power(self.volume / self._filled(share), self.exponent)
 
-    def work(self, start: Number, end: Number) -> Number:
+    def work(self, start: Numeric, end: Numeric) -> Numeric:
         """Return the work on the piston as it moves on; that of a shrinking volume is the pressure's own."""
         begun = self._filled(start)
         gain = expansion_work(self._filled(end) / begun, self.exponent)
         return self.pressure(start) * begun * self.growing * gain
 
-    def slope(self, share: Number) -> Number:
+    def slope(self, share: Numeric) -> Numeric:
         return -self.exponent * self.growing * self.pressure(share) / self._filled(share)
 
-    def _filled(self, share: Number) -> Number:
+    def _filled(self, share: Numeric) -> Numeric:
         return self.first + self.growing * share
 
 
@@ -99,26 +99,26 @@ class Law(NamedTuple):
     """
 
     pieces: tuple[Piece, ...]
-    corners: tuple[Number, ...] = ()
+    corners: tuple[Numeric, ...] = ()
 
-    def pressure(self, share: Number) -> Number:
+    def pressure(self, share: Numeric) -> Numeric:
         """Return the pressure at a share of the stroke."""
         return self._at(share, lambda index, at: self.pieces[index].pressure(at))
 
-    def work(self, share: Number) -> Number:
+    def work(self, share: Numeric) -> Numeric:
         """Return ∫ of the pressure over the share from the dead centre on."""
         return self._at(share, self._work)
 
-    def slope(self, share: Number) -> Number:
+    def slope(self, share: Numeric) -> Numeric:
         """Return the change of the pressure with the share."""
         return self._at(share, lambda index, at: self.pieces[index].slope(at))
 
-    def whole(self) -> Number:
+    def whole(self) -> Numeric:
         """Return the work of the whole stroke, on numbers that need not compare."""
         ends = zip(self.pieces, (0, *self.corners), (*self.corners, 1), strict=True)
         return sum(piece.work(start, end) for piece, start, end in ends)
 
-    def around(self, share: Number) -> tuple[int, ...]:
+    def around(self, share: Numeric) -> tuple[int, ...]:
         """Return the pieces on which a float or a ball lies: at a corner those on both sides."""
         last = len(self.corners)
         return tuple(
@@ -128,7 +128,7 @@ class Law(NamedTuple):
             and not (index < last and share > self.corners[index])
         )
 
-    def _at(self, share: Number, value: Callable[[int, Number], Number]) -> Number:
+    def _at(self, share: Numeric, value: Callable[[int, Numeric], Numeric]) -> Numeric:
         if not self.corners:
             return value(0, share) + 0 * share if hasattr(share, "shape") else value(0, share)
         if hasattr(share, "shape"):
@@ -138,19 +138,19 @@ class Law(NamedTuple):
             return share.piecewise(self.corners, every)
         return _either([value(index, self._within(index, share)) for index in self.around(share)])
 
-    def _of_array(self, share: Number, value: Callable[[int, Number], Number]) -> Number:
+    def _of_array(self, share: Any, value: Callable[[int, Any], Any]) -> Numeric:
         import numpy as np
 
         every = [value(index, self._within(index, share)) + 0 * share for index in range(len(self.pieces))]
         return np.select([share <= corner for corner in self.corners], every[:-1], every[-1])
 
-    def _within(self, index: int, share: Number) -> Number:
+    def _within(self, index: int, share: Numeric) -> Numeric:
         """Return the share as far as it lies on a piece: beyond it the volume may be nothing."""
         if index:
             share = larger(share, self.corners[index - 1])
         return smaller(share, self.corners[index]) if index < len(self.corners) else share
 
-    def _work(self, index: int, share: Number) -> Number:
+    def _work(self, index: int, share: Numeric) -> Numeric:
         starts = (0 * share, *self.corners)
         before = (self.pieces[one].work(starts[one], starts[one + 1]) for one in range(index))
         return sum(before, self.pieces[index].work(starts[index], share))
@@ -171,15 +171,15 @@ class Cubics:
         self._rows = (*powers, begun)
         self._pieces = [*zip(*(row.tolist() for row in self._rows), strict=True)]
 
-    def pressure(self, share: Number) -> Number:
+    def pressure(self, share: Numeric) -> Numeric:
         """Return the pressure at a share of the stroke."""
         return self._at(share, _pressure)
 
-    def work(self, share: Number) -> Number:
+    def work(self, share: Numeric) -> Numeric:
         """Return ∫ of the pressure over the share from the first knot on, exact for the cubics."""
         return self._at(share, _work)
 
-    def slope(self, share: Number) -> Number:
+    def slope(self, share: Numeric) -> Numeric:
         """Return the change of the pressure with the share; of a ball over a knot that on both sides."""
         return self._at(share, _slope)
 
@@ -196,7 +196,7 @@ class Cubics:
         first, last = (bisect_right(self._places, end, 1, len(self._places) - 1) - 1 for end in (low, high))
         return _either([self._piece(index, share, value) for index in range(first, last + 1)])
 
-    def _piece(self, index: int, share: Number, value: Callable[[Sequence[Any], Any], Any]) -> Number:
+    def _piece(self, index: int, share: Numeric, value: Callable[[Sequence[Any], Any], Any]) -> Numeric:
         """Return the value on a piece, at the share as far as it lies on that."""
         begin, end = self._places[index : index + 2]
         return value(self._pieces[index], smaller(larger(share, begin), end) - begin)
@@ -229,29 +229,29 @@ class Between(NamedTuple):
     behind: Side
     before: Side
 
-    def force(self, share: Number) -> Number:
+    def force(self, share: Numeric) -> Numeric:
         """Return the net pressure in the direction of the stroke."""
         return self.behind.pressure(share) - self.before.pressure(share)
 
-    def work(self, share: Number) -> Number:
+    def work(self, share: Numeric) -> Numeric:
         """Return the work done on the piston from the dead centre to a share of the stroke."""
         return self.behind.work(share) - self.before.work(share)
 
-    def slope(self, share: Number) -> Number:
+    def slope(self, share: Numeric) -> Numeric:
         """Return the change of the force with the share."""
         return self.behind.slope(share) - self.before.slope(share)
 
     @property
-    def corners(self) -> tuple[Number, ...]:
+    def corners(self) -> tuple[Numeric, ...]:
         """The shares within the stroke at which the force has a corner or jumps, in no order."""
         return (*self.behind.corners, *self.before.corners)
 
 
-def steady(level: Number) -> Law:
+def steady(level: Numeric) -> Law:
     """Return a pressure that is the same over the whole stroke."""
     return Law((Constant(level),))
 
 
-def _either(values: Sequence[Number]) -> Number:
+def _either(values: Sequence[Any]) -> Numeric:
     """Return what holds all values; of floats, which meet at the corner, the first."""
     return reduce(lambda one, other: one.union(other), values) if hasattr(values[0], "union") else values[0]

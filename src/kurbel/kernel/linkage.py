@@ -36,7 +36,7 @@ from __future__ import annotations
 
 from typing import Generic, NamedTuple
 
-from kurbel.kernel.circle import Circle, Kind, Number, cosine_of, root
+from kurbel.kernel.circle import Circle, Kind, Numeric, cosine_of, root
 
 
 class Arc(NamedTuple, Generic[Kind]):
@@ -74,7 +74,7 @@ class Place(NamedTuple, Generic[Kind]):
     velocity: Kind
 
 
-def arc(ratio: Number, curvature: Number, offset: Number, shift: Number) -> Arc[Number]:
+def arc(ratio: Numeric, curvature: Numeric, offset: Numeric, shift: Numeric) -> Arc[Numeric]:
     """Return the arc crank at its dead centre, from λ, β, η and σ.
 
     The rod's end is there at the distance L + R from the shaft, for negative numbers L - R.
@@ -91,7 +91,7 @@ def arc(ratio: Number, curvature: Number, offset: Number, shift: Number) -> Arc[
     return Arc(ratio, curvature, slant, slant_cosine, half, sine, cosine)
 
 
-def from_dead_centre(circle: Circle[Number], arc: Arc[Number]) -> Circle[Number]:
+def from_dead_centre(circle: Circle[Numeric], arc: Arc[Numeric]) -> Circle[Numeric]:
     """Return the circle of χ = φ - φ_i from that of φ."""
     sine = circle.sine * arc.cosine - circle.cosine * arc.sine
     cosine = circle.cosine * arc.cosine + circle.sine * arc.sine
@@ -100,7 +100,7 @@ def from_dead_centre(circle: Circle[Number], arc: Arc[Number]) -> Circle[Number]
     return Circle(sine, cosine, (along * along + across * across) / 2)
 
 
-def place(circle: Circle[Number], arc: Arc[Number]) -> Place[Number]:
+def place(circle: Circle[Numeric], arc: Arc[Numeric]) -> Place[Numeric]:
     """Return where the drive stands at the crank angle χ from the dead centre."""
     ratio, curvature = arc.ratio, arc.curvature
     reach = 1 + ratio * circle.versine
@@ -131,7 +131,7 @@ def place(circle: Circle[Number], arc: Arc[Number]) -> Place[Number]:
     )
 
 
-def path_half_sine(place: Place[Number], arc: Arc[Number]) -> Number:
+def path_half_sine(place: Place[Numeric], arc: Arc[Numeric]) -> Numeric:
     """Return sin ½ϑ of the angle by which the rocker has turned; the path along the arc is ϑ/β.
 
     ϑ has the sign of β: the rocker turns against the crank's sense for β > 0.
@@ -139,18 +139,18 @@ def path_half_sine(place: Place[Number], arc: Arc[Number]) -> Number:
     return _sine_of(arc.curvature * place.half / 2)
 
 
-def chord(place: Place[Number], arc: Arc[Number]) -> Number:
+def chord(place: Place[Numeric], arc: Arc[Numeric]) -> Numeric:
     """Return the straight distance of the rod's end from its dead position, in units of R."""
     return root(place.along * place.along + place.across * place.across)
 
 
-def slide_path(place: Place[Number], arc: Arc[Number]) -> Number:
+def slide_path(place: Place[Numeric], arc: Arc[Numeric]) -> Numeric:
     """Return the path of the rod's end as seen along the slide direction, in units of R."""
     sine, cosine = _turn(arc.curvature * arc.half / 2)
     return place.along * cosine + place.across * sine
 
 
-def rise(place: Place[Number], arc: Arc[Number]) -> Number:
+def rise(place: Place[Numeric], arc: Arc[Numeric]) -> Numeric:
     """Return how far the rod's end has moved square to the slide direction, in units of R.
 
     Positive towards the side on which the crank pin is during the outstroke; on the return stroke, towards
@@ -160,7 +160,7 @@ def rise(place: Place[Number], arc: Arc[Number]) -> Number:
     return place.across * cosine - place.along * sine
 
 
-def rocker_half_sine(arc: Arc[Number]) -> Number:
+def rocker_half_sine(arc: Arc[Numeric]) -> Numeric:
     """Return sin ½θ of the rocker's angle at the dead centre, θ = 0 standing square to the slide direction.
 
     θ is positive in the sense in which the crank turns; elsewhere it is less by ϑ, on both strokes.
@@ -168,14 +168,14 @@ def rocker_half_sine(arc: Arc[Number]) -> Number:
     return _sine_of(arc.curvature * arc.half / 2)
 
 
-def swing_half_sine(inner: Arc[Number], outer: Arc[Number]) -> Number:
+def swing_half_sine(inner: Arc[Numeric], outer: Arc[Numeric]) -> Numeric:
     """Return the sine of half the swing; the stroke along the arc is the swing over β, whose sign it has."""
     curvature = inner.curvature
     half = (inner.half + outer.half) / (1 - curvature * curvature * inner.half * outer.half / 4)
     return _sine_of(curvature * half / 2)
 
 
-def lead_half_sine(inner: Arc[Number], outer: Arc[Number]) -> Number:
+def lead_half_sine(inner: Arc[Numeric], outer: Arc[Numeric]) -> Numeric:
     """Return sin ½Δ of the angle by which the outstroke takes more than half a turn, within ±180°.
 
     The strokes take times in the ratio (180° + Δ) : (180° - Δ).
@@ -184,12 +184,12 @@ def lead_half_sine(inner: Arc[Number], outer: Arc[Number]) -> Number:
     return half_sine(sine, outer.cosine * inner.cosine + outer.sine * inner.sine)
 
 
-def half_sine(sine: Number, cosine: Number) -> Number:
+def half_sine(sine: Numeric, cosine: Numeric) -> Numeric:
     """Return the sine of half the angle within ±180° that has this sine and cosine."""
     return sine / root(2 * (1 + cosine))
 
 
-def velocity(place: Place[Number], arc: Arc[Number]) -> Number:
+def velocity(place: Place[Numeric], arc: Arc[Numeric]) -> Numeric:
     """Return the velocity c of the rod's end along the arc, in units of v; that of ϑ is βc, in ω.
 
     It is sin ζ/cos ψ with the angle ζ between crank and rod.
@@ -197,7 +197,7 @@ def velocity(place: Place[Number], arc: Arc[Number]) -> Number:
     return place.velocity
 
 
-def acceleration(place: Place[Number], arc: Arc[Number]) -> Number:
+def acceleration(place: Place[Numeric], arc: Arc[Numeric]) -> Numeric:
     """Return the acceleration p of the rod's end along the arc, in units of v²/R; that of ϑ is βp, in ω².
 
     Towards the pivot it is βc². With the crank angle from the tangent for φ, it is that of the offset crank
@@ -208,7 +208,7 @@ def acceleration(place: Place[Number], arc: Arc[Number]) -> Number:
     return place.cosine + (arc.ratio * turned * turned / w - bent * (place.slant / w))
 
 
-def rod_velocity(place: Place[Number], arc: Arc[Number]) -> Number:
+def rod_velocity(place: Place[Numeric], arc: Arc[Numeric]) -> Numeric:
     """Return the angular velocity of the rod, λ cos φ/cos ψ with φ from the tangent, in units of ω.
 
     Of ψ - θ, the rod's angle from the slide direction, which is positive as ψ of the straight crank.
@@ -216,13 +216,13 @@ def rod_velocity(place: Place[Number], arc: Arc[Number]) -> Number:
     return arc.ratio * place.cosine / place.slant_cosine
 
 
-def rod_acceleration(place: Place[Number], arc: Arc[Number]) -> Number:
+def rod_acceleration(place: Place[Numeric], arc: Arc[Numeric]) -> Numeric:
     """Return the angular acceleration of the rod, in units of ω²."""
     across = place.velocity * (1 + arc.curvature * place.velocity)
     return arc.ratio * (acceleration(place, arc) * place.slant - place.slant_cosine * across)
 
 
-def rod_force(place: Place[Number]) -> Number:
+def rod_force(place: Place[Numeric]) -> Numeric:
     """Return the force along the rod, F/cos ψ, a thrust on the outstroke and a pull on the return stroke.
 
     F is the unit: it acts on the rod's end along the arc, in the direction of the stroke. Neither masses nor
@@ -231,7 +231,7 @@ def rod_force(place: Place[Number]) -> Number:
     return 1 / place.slant_cosine
 
 
-def rocker_force(place: Place[Number]) -> Number:
+def rocker_force(place: Place[Numeric]) -> Numeric:
     """Return the force along the rocker, F tan ψ, of the rocker on the rod's end.
 
     Positive towards the side on which the crank pin is during the stroke: towards the pivot, a pull of the
@@ -241,7 +241,7 @@ def rocker_force(place: Place[Number]) -> Number:
     return place.slant / place.slant_cosine + 0
 
 
-def tangential_force(place: Place[Number]) -> Number:
+def tangential_force(place: Place[Numeric]) -> Numeric:
     """Return the force across the crank at its pin in units of F, positive as the crank turns.
 
     In units of F R it is the torque. It is the velocity over v, by the principle of virtual displacements.
@@ -249,7 +249,7 @@ def tangential_force(place: Place[Number]) -> Number:
     return place.velocity
 
 
-def radial_force(place: Place[Number]) -> Number:
+def radial_force(place: Place[Numeric]) -> Numeric:
     """Return the force along the crank at its pin in units of F, positive towards the shaft.
 
     It is cos(ζ + ψ)/cos ψ with the crank angle ζ from the arc's tangent. Floats: as close as the velocity.
@@ -257,7 +257,7 @@ def radial_force(place: Place[Number]) -> Number:
     return place.cosine - place.sine * (place.slant / place.slant_cosine)
 
 
-def steepest_slant(ratio: Number, curvature: Number, offset: Number, shift: Number) -> Number:
+def steepest_slant(ratio: Numeric, curvature: Numeric, offset: Numeric, shift: Numeric) -> Numeric:
     """Return the largest |sin ψ| of the turn, which is cos μ of the least transmission angle μ.
 
     The crank turns while it is below 1. Crank and ground link are then in line.
@@ -269,11 +269,11 @@ def steepest_slant(ratio: Number, curvature: Number, offset: Number, shift: Numb
     return abs(mean) + root(along * along + up * up)
 
 
-def _sine_of(tangent: Number) -> Number:
+def _sine_of(tangent: Numeric) -> Numeric:
     return tangent / root(1 + tangent * tangent)
 
 
-def _turn(tangent: Number) -> tuple[Number, Number]:
+def _turn(tangent: Numeric) -> tuple[Numeric, Numeric]:
     """Return sine and cosine of an angle from the tangent of its half."""
     scale = 1 + tangent * tangent
     return 2 * tangent / scale, (1 - tangent) * (1 + tangent) / scale
@@ -294,7 +294,7 @@ class Coupler(NamedTuple, Generic[Kind]):
     rise_acceleration: Kind
 
 
-def coupler(circle: Circle[Number]) -> Coupler[Number]:
+def coupler(circle: Circle[Numeric]) -> Coupler[Numeric]:
     """Return the motion of the rod of a parallel crank.
 
     The piston's motion with an infinite rod, and that square to it; for the return stroke likewise. Exact but
@@ -304,7 +304,7 @@ def coupler(circle: Circle[Number]) -> Coupler[Number]:
     return Coupler(circle.versine, circle.sine, circle.sine, circle.cosine, circle.cosine, -circle.sine)
 
 
-def coupler_place(circle: Circle[Number]) -> Place[Number]:
+def coupler_place(circle: Circle[Numeric]) -> Place[Numeric]:
     """Return where the rod of a parallel crank stands, whose way is along the line of shafts.
 
     The forces that one force F along this line calls up at a crank are those of any place: F sin φ across it

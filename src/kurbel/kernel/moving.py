@@ -18,10 +18,10 @@ through the rod is exact, so that the forces of a place compose. So the torque o
 slope of the energy to first order, of c = sin φ + ½ λ sin 2φ and u = cos φ.
 """
 
-from typing import Generic, NamedTuple
+from typing import Any, Generic, NamedTuple
 
 from kurbel.kernel import kinematics
-from kurbel.kernel.circle import Circle, Kind, Number
+from kurbel.kernel.circle import Circle, Kind, Numeric
 from kurbel.kernel.forces import Slant, Weight, pin_torque, tangential_force
 
 
@@ -37,12 +37,12 @@ class Masses(NamedTuple, Generic[Kind]):
     rocker: Kind | int = 0
 
 
-def rod_masses(centre: Number, gyration_square: Number) -> Masses[Number]:
+def rod_masses(centre: Numeric, gyration_square: Numeric) -> Masses[Any]:
     """Return the masses of a rod of mass 1 from a/L and k²/L²."""
     return Masses(1 - centre, centre, gyration_square - centre * (1 - centre))
 
 
-def two_masses(crosshead: Number) -> Masses[Number]:
+def two_masses(crosshead: Numeric) -> Masses[Any]:
     """Return the two masses that replace a rod of mass 1, this share of it at the crosshead.
 
     By the centre of mass the share is a/L, by the railway rule 4/10. Source: Ensslin, 593.
@@ -50,7 +50,7 @@ def two_masses(crosshead: Number) -> Masses[Number]:
     return Masses(1 - crosshead, crosshead)
 
 
-def joined(masses: Masses[Number], rod: Number, reciprocating: Number) -> Masses[Number]:
+def joined(masses: Masses[Numeric], rod: Numeric, reciprocating: Numeric) -> Masses[Any]:
     """Return the masses of a rod of mass `rod`, one that reciprocates with the crosshead added.
 
     The forces are then in the unit of mass times R ω², and so must the piston force be.
@@ -59,7 +59,7 @@ def joined(masses: Masses[Number], rod: Number, reciprocating: Number) -> Masses
     return Masses(pin, crosshead + reciprocating, couple)
 
 
-def with_crank(masses: Masses[Number], rotating: Number) -> Masses[Number]:
+def with_crank(masses: Masses[Numeric], rotating: Numeric) -> Masses[Numeric]:
     """Return masses of which the forces at the pin are those of the main bearing on the shaft.
 
     `rotating` is the crank's own mass times the distance of its centre from the shaft, over R; negative for
@@ -84,12 +84,12 @@ class Link(NamedTuple, Generic[Kind]):
     curvature: Kind | int = 0
 
 
-def kinetic_energy(velocity: Number, turning: Number, driven: Number, couple: Number) -> Number:
+def kinetic_energy(velocity: Numeric, turning: Numeric, driven: Numeric, couple: Numeric) -> Numeric:
     """Return the part of the energy that changes, from c, u, m_B and the rod's couple m q."""
     return (driven * velocity * velocity + couple * turning * turning) / 2
 
 
-def torque_slope(link: Link[Number], driven: Number, couple: Number) -> Number:
+def torque_slope(link: Link[Numeric], driven: Numeric, couple: Numeric) -> Numeric:
     """Return the change of the masses' torque with the crank angle in radians, from m_B and the couple m q.
 
     Where the driven end's way is curved, it turns by βc: the crank's angle from it grows by 1 + βc and ψ by
@@ -118,7 +118,7 @@ class Accelerations(NamedTuple, Generic[Kind]):
     gain: Kind | None = None
     first_order: bool = False
 
-    def piston(self, circle: Circle[Number], ratio: Number, offset: Number | None) -> Number:
+    def piston(self, circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None) -> Numeric:
         """Return p, that of the piston against X."""
         if self.first_order:
             found = kinematics.piston_acceleration_first_order(circle, ratio)
@@ -128,15 +128,15 @@ class Accelerations(NamedTuple, Generic[Kind]):
             found = kinematics.offset_acceleration(circle, ratio, offset)
         return found if self.gain is None else found + self.gain * self.velocity(circle, ratio, offset)
 
-    def velocity(self, circle: Circle[Number], ratio: Number, offset: Number | None) -> Number:
+    def velocity(self, circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None) -> Numeric:
         """Return c of the piston in units of v."""
         if self.first_order:
             return kinematics.piston_velocity_first_order(circle, ratio)
         return tangential_force(circle, ratio, offset)
 
     def turning(
-        self, circle: Circle[Number], ratio: Number, slant: Slant[Number], offset: Number | None
-    ) -> Number:
+        self, circle: Circle[Numeric], ratio: Numeric, slant: Slant[Numeric], offset: Numeric | None
+    ) -> Numeric:
         """Return -L ψ̈, that of the crank-pin end about the other, square to the rod."""
         if self.first_order:
             found, turn = circle.sine, circle.cosine
@@ -145,33 +145,33 @@ class Accelerations(NamedTuple, Generic[Kind]):
             turn = circle.cosine / slant.cosine
         return found if self.gain is None else found - self.gain * turn
 
-    def stretching(self, circle: Circle[Number], ratio: Number, slant: Slant[Number]) -> Number:
+    def stretching(self, circle: Circle[Numeric], ratio: Numeric, slant: Slant[Numeric]) -> Numeric:
         """Return L ψ̇², along the rod."""
         pull = circle.cosine if self.first_order else circle.cosine / slant.cosine
         return ratio * (pull * pull)
 
-    def pin_along(self, circle: Circle[Number]) -> Number:
+    def pin_along(self, circle: Circle[Numeric]) -> Numeric:
         """Return that of the crank pin along the slide, against X: cos φ + κ sin φ."""
         return circle.cosine if self.gain is None else circle.cosine + self.gain * circle.sine
 
-    def pin_across(self, circle: Circle[Number]) -> Number:
+    def pin_across(self, circle: Circle[Numeric]) -> Numeric:
         """Return that of the crank pin across the slide, against Y: sin φ - κ cos φ."""
         return circle.sine if self.gain is None else circle.sine - self.gain * circle.cosine
 
 
-EVEN: Accelerations[Number] = Accelerations()
-OF_FIRST_ORDER: Accelerations[Number] = Accelerations(first_order=True)
+EVEN: Accelerations[Numeric] = Accelerations()
+OF_FIRST_ORDER: Accelerations[Numeric] = Accelerations(first_order=True)
 
 
-def kinetic_energy_first_order(circle: Circle[Number], ratio: Number, masses: Masses[Number]) -> Number:
+def kinetic_energy_first_order(circle: Circle[Numeric], ratio: Numeric, masses: Masses[Numeric]) -> Numeric:
     """Return the part of the masses' energy that changes, in units of m R² ω²."""
     velocity = kinematics.piston_velocity_first_order(circle, ratio)
     return kinetic_energy(velocity, circle.cosine, masses.crosshead, masses.couple)
 
 
 def power_first_order(
-    circle: Circle[Number], ratio: Number, masses: Masses[Number], weight: Weight[Number] | None
-) -> Number:
+    circle: Circle[Numeric], ratio: Numeric, masses: Masses[Numeric], weight: Weight[Numeric] | None
+) -> Numeric:
     """Return what inertia and weight of the masses do over the angle in radians, less what they take."""
     velocity = kinematics.piston_velocity_first_order(circle, ratio)
     push = 0 - masses.crosshead * kinematics.piston_acceleration_first_order(circle, ratio)
@@ -181,7 +181,7 @@ def power_first_order(
     return (push + weight.crosshead * weight.along) * velocity + turning + pin_torque(weight, circle)
 
 
-def torque_slope_first_order(circle: Circle[Number], ratio: Number, masses: Masses[Number]) -> Number:
+def torque_slope_first_order(circle: Circle[Numeric], ratio: Numeric, masses: Masses[Numeric]) -> Numeric:
     """Return the change of the power of the masses' inertia with the angle in radians."""
     sine, cosine = circle.sine, circle.cosine
     velocity = kinematics.piston_velocity_first_order(circle, ratio)

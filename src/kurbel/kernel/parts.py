@@ -43,7 +43,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Generic, NamedTuple
 
-from kurbel.kernel.circle import Circle, Kind, Number
+from kurbel.kernel.circle import Circle, Kind, Numeric
 from kurbel.kernel.forces import Slant, rod_slant, tangential_force
 from kurbel.kernel.kinematics import offset_acceleration, piston_acceleration, rod_turning
 from kurbel.kernel.linkage import Arc, Place
@@ -63,8 +63,7 @@ class Vector(NamedTuple, Generic[Kind]):
 
     def size(self) -> Kind:
         """Return its amount."""
-        size: Kind = magnitude(self.along, self.across)
-        return size
+        return magnitude(self.along, self.across)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -76,29 +75,29 @@ class Parted:
     free to move, with X; None is X itself. The guide holds B square to it, with Y.
     """
 
-    pin: Vector[Number]
-    common: Vector[Number]
-    turning: Number
-    stretching: Number
-    slant: Slant[Number]
-    crank: Vector[Number]
-    masses: Masses[Number]
-    way: Vector[Number] | None = None
+    pin: Vector[Numeric]
+    common: Vector[Numeric]
+    turning: Numeric
+    stretching: Numeric
+    slant: Slant[Numeric]
+    crank: Vector[Numeric]
+    masses: Masses[Numeric]
+    way: Vector[Numeric] | None = None
 
-    def replaced(self) -> Vector[Number]:
+    def replaced(self) -> Vector[Numeric]:
         """Return p₃ = p₁ - p₂."""
         return _sum(self._square(self.turning), self._lengthwise(self.stretching))
 
-    def replaced_size(self) -> Number:
+    def replaced_size(self) -> Numeric:
         """Return the amount of p₃, from its two parts square to each other."""
         return magnitude(self.turning, self.stretching)
 
-    def at_point(self, share: Number) -> Vector[Number]:
+    def at_point(self, share: Numeric) -> Vector[Numeric]:
         """Return the acceleration of the point at the distance x from B, from x/L."""
         replaced = self.replaced()
         return _sum(self.common, Vector(share * replaced.along, share * replaced.across))
 
-    def part_at(self, part: str, share: Number) -> Vector[Number]:
+    def part_at(self, part: str, share: Numeric) -> Vector[Numeric]:
         """Return one part of the acceleration of the point at the distance x from B, from x/L."""
         if part == COMMON:
             return self.common
@@ -106,25 +105,25 @@ class Parted:
             return self._square(share * self.turning)
         return self._lengthwise(share * self.stretching)
 
-    def mass_in_pin(self, part: str) -> Number:
+    def mass_in_pin(self, part: str) -> Numeric:
         """Return the mass in A that has the forces of a part: M a/L, under p₄ M (k² + a²)/L²."""
         return self.masses.pin + self.masses.couple if part == TURNING else self.masses.pin
 
-    def mass_in_crosshead(self, part: str) -> Number:
+    def mass_in_crosshead(self, part: str) -> Numeric:
         """Return what times the part's acceleration, p₂, p₄ or p₅, is the force in B: M b/L, under p₄
         M (a b - k²)/L² and under p₅ nothing."""
         if part == COMMON:
             return self.masses.crosshead
         return 0 - self.masses.couple if part == TURNING else 0 * self.masses.couple
 
-    def in_pin(self, part: str = "") -> Vector[Number]:
+    def in_pin(self, part: str = "") -> Vector[Numeric]:
         """Return the force on the rod in A for a part, without one their sum: that of M a/L p₁ and of the
         couple M (k² - a b) ψ̈."""
         if part:
             return _pull(self.mass_in_pin(part), self.part_at(part, 1))
         return _sum(_pull(self.masses.pin, self.pin), _pull(self.masses.couple, self._square(self.turning)))
 
-    def in_crosshead(self, part: str = "") -> Vector[Number]:
+    def in_crosshead(self, part: str = "") -> Vector[Numeric]:
         """Return the force on the rod in B for a part, without one their sum: that of M b/L p₂ less that of
         the couple."""
         if part:
@@ -132,7 +131,7 @@ class Parted:
         couple = _pull(0 - self.masses.couple, self._square(self.turning))
         return _sum(_pull(self.masses.crosshead, self.common), couple)
 
-    def guide(self, part: str = "") -> Number:
+    def guide(self, part: str = "") -> Numeric:
         """Return the force of the guide on the rod for a part, where nothing holds B in its way.
 
         What `in_crosshead` has in the way of B goes through the rod to A.
@@ -142,17 +141,17 @@ class Parted:
             return held.across + 0
         return held.across * self.way.along - held.along * self.way.across + 0
 
-    def at_pin(self, part: str = "") -> Vector[Number]:
+    def at_pin(self, part: str = "") -> Vector[Numeric]:
         """Return the force of the crank pin on the rod for a part, where nothing holds B in its way."""
         own, carried = self.in_pin(part), self._carried(part)
         return Vector(own.along - carried.along + 0, own.across - carried.across + 0)
 
-    def torque(self, part: str = "") -> Number:
+    def torque(self, part: str = "") -> Numeric:
         """Return the torque on the shaft for a part, positive as the crank turns, in M R² ω²."""
         force = self.at_pin(part)
         return force.along * self.crank.across - force.across * self.crank.along + 0
 
-    def _carried(self, part: str) -> Vector[Number]:
+    def _carried(self, part: str) -> Vector[Numeric]:
         """The force along the rod in B by which it needs none in its way."""
         held, (sine, cosine) = self.in_crosshead(part), self.slant
         if self.way is None:
@@ -161,21 +160,21 @@ class Parted:
         share = 0 - against / (cosine * self.way.along - sine * self.way.across)
         return Vector(share * cosine, 0 - share * sine)
 
-    def _square(self, amount: Number) -> Vector[Number]:
+    def _square(self, amount: Numeric) -> Vector[Numeric]:
         """An acceleration square to the rod."""
         return Vector(amount * self.slant.sine, amount * self.slant.cosine)
 
-    def _lengthwise(self, amount: Number) -> Vector[Number]:
+    def _lengthwise(self, amount: Numeric) -> Vector[Numeric]:
         """An acceleration along the rod."""
         return Vector(0 - amount * self.slant.cosine, amount * self.slant.sine)
 
 
 def parted(
-    circle: Circle[Number],
-    ratio: Number,
-    masses: Masses[Number],
-    offset: Number | None = None,
-    by: Accelerations[Number] = EVEN,
+    circle: Circle[Numeric],
+    ratio: Numeric,
+    masses: Masses[Numeric],
+    offset: Numeric | None = None,
+    by: Accelerations[Numeric] = EVEN,
 ) -> Parted:
     """Return the rod of the straight or offset crank, its acceleration in parts."""
     common, turning, stretching = parts_of(circle, ratio, offset, by)
@@ -191,7 +190,7 @@ def parted(
 
 
 def parted_rocker(
-    circle: Circle[Number], place: Place[Number], arc: Arc[Number], masses: Masses[Number]
+    circle: Circle[Numeric], place: Place[Numeric], arc: Arc[Numeric], masses: Masses[Numeric]
 ) -> Parted:
     """Return the rod that moves a rocker, of which B is the end; the rocker is the guide.
 
@@ -217,18 +216,18 @@ def parted_rocker(
     )
 
 
-def _pull(mass: Number, acceleration: Vector[Number]) -> Vector[Number]:
+def _pull(mass: Numeric, acceleration: Vector[Numeric]) -> Vector[Numeric]:
     """The force with X and Y that a mass asks for; no zero is to have a sign."""
     return Vector(0 - mass * acceleration.along, 0 - mass * acceleration.across)
 
 
-def _sum(one: Vector[Number], other: Vector[Number]) -> Vector[Number]:
+def _sum(one: Vector[Numeric], other: Vector[Numeric]) -> Vector[Numeric]:
     return Vector(one.along + other.along, one.across + other.across)
 
 
 def moving_force(
-    circle: Circle[Number], ratio: Number, masses: Masses[Number], offset: Number | None = None
-) -> Number:
+    circle: Circle[Numeric], ratio: Numeric, masses: Masses[Numeric], offset: Numeric | None = None
+) -> Numeric:
     """Return H = m_B p - q cos φ (cos ψ - λ cos φ)/cos³ ψ, q being the couple m (k² - a b)/L².
 
     Exact. Of the offset crank the last part is q ψ̈ cos φ/(cos ψ c) in L, which has poles at the dead

@@ -30,10 +30,10 @@ transcribed, and his article goes on where the transcription ends; re-derived.
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Generic, NamedTuple, Self
+from typing import Any, Generic, NamedTuple, Self
 
 from kurbel.kernel import kinematics, moving
-from kurbel.kernel.circle import Circle, Kind, Number, root
+from kurbel.kernel.circle import Circle, Kind, Numeric, root
 from kurbel.kernel.forces import Slant, Weight, pin_torque, rod_slant, tangential_force
 from kurbel.kernel.moving import EVEN, Accelerations, Link, Masses
 
@@ -52,11 +52,11 @@ class Parts(NamedTuple, Generic[Kind]):
 
 
 def parts(
-    circle: Circle[Number],
-    ratio: Number,
-    offset: Number | None = None,
-    by: Accelerations[Number] = EVEN,
-) -> Parts[Number]:
+    circle: Circle[Numeric],
+    ratio: Numeric,
+    offset: Numeric | None = None,
+    by: Accelerations[Numeric] = EVEN,
+) -> Parts[Numeric]:
     """Return Ensslin's parts of the acceleration, by sin ψ = λ (sin φ - η) and its slopes."""
     slant = rod_slant(circle, ratio, offset)
     common, turning = by.piston(circle, ratio, offset), by.turning(circle, ratio, slant, offset)
@@ -73,17 +73,17 @@ class Loaded:
     `friction` of piston and crosshead counts as F does.
     """
 
-    circle: Circle[Number]
-    ratio: Number
-    masses: Masses[Number]
-    offset: Number | None = None
-    piston_force: Number = 0
-    reciprocating: Number = 0
-    by: Accelerations[Number] = EVEN
-    weight: Weight[Number] | None = None
-    friction: Number | None = None
+    circle: Circle[Numeric]
+    ratio: Numeric
+    masses: Masses[Numeric]
+    offset: Numeric | None = None
+    piston_force: Numeric = 0
+    reciprocating: Numeric = 0
+    by: Accelerations[Numeric] = EVEN
+    weight: Weight[Numeric] | None = None
+    friction: Numeric | None = None
 
-    def bearing(self, masses: Masses[Number]) -> Self:
+    def bearing(self, masses: Masses[Numeric]) -> Self:
         """Return the same drive at the same place with other masses, whose motion is not computed anew."""
         other = object.__new__(type(self))
         moving = ("slant", "acceleration", "swing")
@@ -91,44 +91,44 @@ class Loaded:
         return other
 
     @cached_property
-    def slant(self) -> Slant[Number]:
+    def slant(self) -> Slant[Numeric]:
         return rod_slant(self.circle, self.ratio, self.offset)
 
     @cached_property
-    def acceleration(self) -> Number:
+    def acceleration(self) -> Numeric:
         """The piston's, p."""
         return self.by.piston(self.circle, self.ratio, self.offset)
 
     @cached_property
-    def swing(self) -> Number:
+    def swing(self) -> Numeric:
         """-L ψ̈."""
         return self.by.turning(self.circle, self.ratio, self.slant, self.offset)
 
     @cached_property
-    def turning(self) -> Number:
+    def turning(self) -> Numeric:
         """The inertia couple over L and its sign, square to the rod."""
         return self.masses.couple * self.swing
 
     @cached_property
-    def push(self) -> Number:
+    def push(self) -> Numeric:
         """F - m_B p, with friction and weight along the slide."""
         push = self.effort - self.masses.crosshead * self.acceleration
         weight = self.weight
         return push if weight is None else push + weight.crosshead * weight.along
 
     @property
-    def effort(self) -> Number:
+    def effort(self) -> Numeric:
         """F with friction."""
         return self.piston_force if self.friction is None else self.piston_force + self.friction
 
-    def couple(self) -> Number:
+    def couple(self) -> Numeric:
         """Return the inertia couple -M (k² - a b) ψ̈ over L, by which the two masses are wrong.
 
         It is the force with Y at A, and against Y at B, square to the rod, that makes the couple.
         """
         return self.turning + 0
 
-    def guide_force(self) -> Number:
+    def guide_force(self) -> Numeric:
         """Return the force of the guide on the crosshead, positive with Y: (F - m_B p) tan ψ, the couple's
         and the weight at B across the slide.
 
@@ -138,12 +138,12 @@ class Loaded:
         return self.side if weight is None else self.side + weight.crosshead * weight.across
 
     @cached_property
-    def side(self) -> Number:
+    def side(self) -> Numeric:
         """The guide force but for the weight across."""
         slant = self.slant
         return (self.push * slant.sine + self.turning) / slant.cosine + 0
 
-    def pin_force_along(self) -> Number:
+    def pin_force_along(self) -> Numeric:
         """Return the force of the crank pin on the rod along the slide, F - m_B p - m_A cos φ, with X.
 
         The couple is not in it. The rod presses on the pin the other way.
@@ -153,42 +153,42 @@ class Loaded:
         along = self.effort - (masses.crosshead * self.acceleration + pin)
         return along if weight is None else along + (weight.crosshead + weight.pin) * weight.along
 
-    def pin_force_across(self) -> Number:
+    def pin_force_across(self) -> Numeric:
         """Return the force of the crank pin on the rod across the slide, positive with Y: -m_A sin φ - N."""
         across, weight = 0 - (self.masses.pin * self.by.pin_across(self.circle) + self.side), self.weight
         return across if weight is None else across + weight.pin * weight.across
 
-    def pin_force(self) -> Number:
+    def pin_force(self) -> Numeric:
         """Return the magnitude of the force between crank pin and rod."""
         return magnitude(self.pin_force_along(), self.pin_force_across())
 
-    def thrust(self) -> Number:
+    def thrust(self) -> Numeric:
         """Return the force of the crosshead on the rod along the slide, positive against X: F - m p, with
         friction and weight."""
         thrust = self.effort - self.reciprocating * self.acceleration
         return thrust if self.weight is None else thrust + self.weight_force()
 
-    def inertia_force(self) -> Number:
+    def inertia_force(self) -> Numeric:
         """Return the inertia force of the reciprocating mass, positive against X: -m p."""
         return 0 - self.reciprocating * self.acceleration
 
-    def weight_force(self) -> Number:
+    def weight_force(self) -> Numeric:
         """Return the weight of the reciprocating mass along the slide, positive against X."""
         weight = self.weight
         return 0 if weight is None else weight.reciprocating * weight.along + 0
 
-    def friction_force(self) -> Number:
+    def friction_force(self) -> Numeric:
         """Return the friction of piston and crosshead, positive against X."""
         return 0 if self.friction is None else self.friction
 
-    def crosshead_side(self) -> Number:
+    def crosshead_side(self) -> Numeric:
         """Return the force of the crosshead on the rod across the slide, positive with Y."""
         weight = self.weight
         if weight is None:
             return self.guide_force()
         return self.side + (weight.crosshead - weight.reciprocating) * weight.across
 
-    def rod_force(self) -> Number:
+    def rod_force(self) -> Numeric:
         """Return the force along the rod at its crosshead end, positive where it presses the rod.
 
         Of a rod without mass it is the same all along the rod, F/cos ψ. Re-derived, from the equilibrium of
@@ -197,7 +197,7 @@ class Loaded:
         slant = self.slant
         return self.thrust() * slant.cosine + self.crosshead_side() * slant.sine
 
-    def pin_rod_force(self) -> Number:
+    def pin_rod_force(self) -> Numeric:
         """Return the force along the rod at its crank-pin end, positive where it presses the rod.
 
         The rod's own inertia makes it another one than `rod_force`. Re-derived, from `pin_force_along` and
@@ -206,18 +206,18 @@ class Loaded:
         slant = self.slant
         return self.pin_force_along() * slant.cosine - self.pin_force_across() * slant.sine
 
-    def crosshead_pin_force(self) -> Number:
+    def crosshead_pin_force(self) -> Numeric:
         """Return the magnitude of the force between crosshead pin and rod."""
         return magnitude(self.thrust(), self.crosshead_side())
 
-    def radial_force(self) -> Number:
+    def radial_force(self) -> Numeric:
         """Return the force of the rod on the crank pin along the crank, positive towards the shaft.
 
         The force across the crank is `torque`, in units of R. Re-derived: the pin force turned by φ.
         """
         return self.pin_force_along() * self.circle.cosine + self.pin_force_across() * self.circle.sine
 
-    def torque(self) -> Number:
+    def torque(self) -> Numeric:
         """Return the torque on the shaft, positive as the crank turns: (F - m_B p) c, and the couple's.
 
         Times ω it is the work of F less the gain of kinetic energy in unit time. It has what speeds up the
@@ -232,8 +232,8 @@ class Loaded:
 
 
 def kinetic_energy(
-    circle: Circle[Number], ratio: Number, masses: Masses[Number], offset: Number | None = None
-) -> Number:
+    circle: Circle[Numeric], ratio: Numeric, masses: Masses[Numeric], offset: Numeric | None = None
+) -> Numeric:
     """Return ½ m_B c² + ½ m q (cos φ/cos ψ)², the part of the masses' energy that changes.
 
     In units of m R² ω²; q is the couple. The mass at the crank pin turns evenly. Re-derived.
@@ -244,8 +244,8 @@ def kinetic_energy(
 
 
 def torque_slope(
-    circle: Circle[Number], ratio: Number, masses: Masses[Number], offset: Number | None = None
-) -> Number:
+    circle: Circle[Numeric], ratio: Numeric, masses: Masses[Numeric], offset: Numeric | None = None
+) -> Numeric:
     """Return the change of `Loaded.torque` without F with the angle in radians. Re-derived."""
     sine, cosine = circle.sine, circle.cosine
     if offset is not None:
@@ -256,9 +256,9 @@ def torque_slope(
     velocity = kinematics.piston_velocity(circle, ratio)
     acceleration = kinematics.piston_acceleration(circle, ratio)
     # tan ψ and its slopes.
-    slant, steeper = ratio * sine / w, ratio * cosine / (w * w * w)
+    lean, steeper = ratio * sine / w, ratio * cosine / (w * w * w)
     bend = ratio * sine * (3 * (ratio * cosine / w) ** 2 - 1) / (w * w * w)
-    jerk = cosine * (bend - slant) - sine * (1 + 2 * steeper)
+    jerk = cosine * (bend - lean) - sine * (1 + 2 * steeper)
     # cos φ/cos ψ and its slopes.
     turning = cosine / w
     slower = -sine * (1 - ratio) * (1 + ratio) / (w * w * w)
@@ -267,7 +267,7 @@ def torque_slope(
     return -(masses.crosshead * driven + masses.couple * (slower * slower + turning * curved))
 
 
-def magnitude(along: Number, across: Number) -> Number:
+def magnitude(along: Any, across: Any) -> Any:
     """Return the length of a force from two components square to each other."""
     square = along * along + across * across
     if hasattr(square, "abs_upper") and square.contains(0):

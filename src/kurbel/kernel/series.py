@@ -25,7 +25,7 @@ from collections.abc import Callable, Sequence
 from math import comb
 
 from kurbel.kernel import kinematics
-from kurbel.kernel.circle import Circle, Number
+from kurbel.kernel.circle import Circle, Numeric
 
 
 def terms_of(order: int) -> int:
@@ -49,25 +49,25 @@ def _reduced(above: int, below: int) -> tuple[int, int]:
     return above, below
 
 
-def rod_versine(circle: Circle[Number], ratio: Number, order: int) -> Number:
+def rod_versine(circle: Circle[Numeric], ratio: Numeric, order: int) -> Numeric:
     """Return Blau's fd = ½ λ sin² φ + ⅛ λ³ sin⁴ φ + …, in units of R, up to λ to this power."""
     slant = ratio * circle.sine * circle.sine
     return slant / 2 + _further_path(circle, ratio, order)
 
 
-def piston_path(circle: Circle[Number], ratio: Number, order: int) -> Number:
+def piston_path(circle: Circle[Numeric], ratio: Numeric, order: int) -> Numeric:
     """Return x from the dead centre up to λ to this power, in units of R."""
     return kinematics.piston_path_first_order(circle, ratio) + _further_path(circle, ratio, order)
 
 
-def piston_velocity(circle: Circle[Number], ratio: Number, order: int) -> Number:
+def piston_velocity(circle: Circle[Numeric], ratio: Numeric, order: int) -> Numeric:
     """Return the slope of x, c = sin φ + λ sin φ cos φ (1 + ½ λ² sin² φ + ⅜ λ⁴ sin⁴ φ + …), in units of v."""
     further = _sum(_square(circle, ratio), order, slope_term)
     first = kinematics.piston_velocity_first_order(circle, ratio)
     return first + ratio * circle.sine * circle.cosine * further
 
 
-def piston_acceleration(circle: Circle[Number], ratio: Number, order: int) -> Number:
+def piston_acceleration(circle: Circle[Numeric], ratio: Numeric, order: int) -> Numeric:
     """Return the slope of c, p = cos φ + λ cos 2φ + ½ λ³ sin² φ (3 cos² φ - sin² φ) + …, in v²/R."""
     square = _square(circle, ratio)
     along = _sum(square, order, lambda term: _times(2 * term - 1, slope_term(term)))
@@ -76,13 +76,13 @@ def piston_acceleration(circle: Circle[Number], ratio: Number, order: int) -> Nu
     return kinematics.piston_acceleration_first_order(circle, ratio) + ratio * further
 
 
-def rod_velocity(circle: Circle[Number], ratio: Number, order: int) -> Number:
+def rod_velocity(circle: Circle[Numeric], ratio: Numeric, order: int) -> Numeric:
     """Return λ cos φ (1 + ½ λ² sin² φ + …) up to λ to this power: the rod's angular velocity, in ω."""
     further = _sum(_square(circle, ratio), order, slope_term)
     return kinematics.rod_velocity_first_order(circle, ratio) + ratio * circle.cosine * further
 
 
-def rod_acceleration(circle: Circle[Number], ratio: Number, order: int) -> Number:
+def rod_acceleration(circle: Circle[Numeric], ratio: Numeric, order: int) -> Numeric:
     """Return its slope, -λ sin φ (1 + λ² (½ sin² φ - cos² φ) + …), in units of ω²."""
     square = _square(circle, ratio)
     along = _sum(square, order, lambda term: _times(2 * term - 2, slope_term(term)), least=0)
@@ -92,12 +92,12 @@ def rod_acceleration(circle: Circle[Number], ratio: Number, order: int) -> Numbe
     return kinematics.rod_acceleration_first_order(circle, ratio) + ratio * circle.sine * further
 
 
-def _square(circle: Circle[Number], ratio: Number) -> Number:
+def _square(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     sine = ratio * circle.sine
     return sine * sine
 
 
-def _further_path(circle: Circle[Number], ratio: Number, order: int) -> Number:
+def _further_path(circle: Circle[Numeric], ratio: Numeric, order: int) -> Numeric:
     further = _sum(_square(circle, ratio), order, versine_term)
     return ratio * circle.sine * circle.sine * further
 
@@ -106,7 +106,9 @@ def _times(factor: int, coefficient: tuple[int, int]) -> tuple[int, int]:
     return factor * coefficient[0], coefficient[1]
 
 
-def _sum(square: Number, order: int, coefficient: Callable[[int], tuple[int, int]], least: int = 1) -> Number:
+def _sum(
+    square: Numeric, order: int, coefficient: Callable[[int], tuple[int, int]], least: int = 1
+) -> Numeric:
     """Return the terms beyond the first, a_2 z + a_3 z² + …, for `least` 0 over z; whole numbers over one
     power of two, so that no coefficient of floats is rounded."""
     found = [coefficient(term) for term in range(2, terms_of(order) + 1)]
@@ -116,30 +118,30 @@ def _sum(square: Number, order: int, coefficient: Callable[[int], tuple[int, int
     return _horner(square, [above * (common // below) for above, below in found], least) / common
 
 
-def _horner(square: Number, factors: Sequence[int], least: int) -> Number:
+def _horner(square: Numeric, factors: Sequence[int], least: int) -> Numeric:
     *others, last = factors
-    value: Number = last
+    value: Numeric = last
     for one in reversed(others):
         value = value * square + one
     return value * square if least else value
 
 
-def after(circle: Circle[Number], ratio: Number, steps: int) -> Number:
+def after(circle: Circle[Numeric], ratio: Numeric, steps: int) -> Numeric:
     """Return GF after so many steps from GF = 0; the first is CF²/2 L, the books' first order of fd."""
     across = ratio * circle.sine * circle.sine
-    found: Number = 0
+    found: Numeric = 0
     for _ in range(steps):
         found = across / (2 - ratio * found)
     return found
 
 
-def shrinking(circle: Circle[Number], ratio: Number) -> Number:
+def shrinking(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     """Return q = tan² ½ψ."""
     half = ratio * circle.sine / (1 + kinematics.rod_cosine(circle, ratio))
     return half * half
 
 
-def closed(circle: Circle[Number], ratio: Number, steps: int) -> Number:
+def closed(circle: Circle[Numeric], ratio: Numeric, steps: int) -> Numeric:
     """Return the same as `after`, in one formula for any number of steps."""
     share = shrinking(circle, ratio) ** steps
     return kinematics.rod_versine(circle, ratio) * (1 - share) / (1 - share * shrinking(circle, ratio))

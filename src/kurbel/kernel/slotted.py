@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from typing import Generic, NamedTuple
 
-from kurbel.kernel.circle import Circle, Kind, Number, cosine_of, root
+from kurbel.kernel.circle import Circle, Kind, Numeric, cosine_of, root
 
 
 class Lever(NamedTuple, Generic[Kind]):
@@ -51,7 +51,7 @@ class Links(NamedTuple, Generic[Kind]):
     stroke: int
 
 
-def lever(circle: Circle[Number], links: Links[Number]) -> Lever[Number]:
+def lever(circle: Circle[Numeric], links: Links[Numeric]) -> Lever[Numeric]:
     """Return where the drive stands at a crank angle."""
     pivot, arm, height, ratio, stroke = links
     square = 1 + pivot * pivot + 2 * pivot * circle.sine
@@ -72,12 +72,12 @@ def lever(circle: Circle[Number], links: Links[Number]) -> Lever[Number]:
     )
 
 
-def velocity(at: Lever[Number], links: Links[Number]) -> Number:
+def velocity(at: Lever[Numeric], links: Links[Numeric]) -> Numeric:
     """Return the velocity of the ram in units of v, positive in the direction of the stroke."""
     return links.stroke * at.turning * at.pull
 
 
-def acceleration(at: Lever[Number], links: Links[Number]) -> Number:
+def acceleration(at: Lever[Numeric], links: Links[Numeric]) -> Numeric:
     """Return the acceleration of the ram in units of v²/R."""
     bent, across = at.slant / at.slant_cosine, links.arm * at.sine
     drawn = links.arm * (at.sine + at.cosine * bent)
@@ -85,22 +85,22 @@ def acceleration(at: Lever[Number], links: Links[Number]) -> Number:
     return links.stroke * at.gain * at.pull - at.turning * at.turning * drawn
 
 
-def coriolis(at: Lever[Number]) -> Number:
+def coriolis(at: Lever[Numeric]) -> Numeric:
     """Return the acceleration of Coriolis at the block, square to the lever as it turns, in units of v²/R."""
     return 2 * at.turning * at.slide
 
 
-def block_force(at: Lever[Number]) -> Number:
+def block_force(at: Lever[Numeric]) -> Numeric:
     """Return the force between lever and block, of a force 1 on the ram in the direction of the stroke."""
     return at.pull / at.reach
 
 
-def radial_force(at: Lever[Number], circle: Circle[Number], links: Links[Number]) -> Number:
+def radial_force(at: Lever[Numeric], circle: Circle[Numeric], links: Links[Numeric]) -> Numeric:
     """Return the force along the crank at its pin, positive towards the shaft."""
     return links.stroke * block_force(at) * links.pivot * circle.cosine / at.reach
 
 
-def dead_lever(links: Links[Number], swings: bool) -> tuple[Number, Number]:
+def dead_lever(links: Links[Numeric], swings: bool) -> tuple[Numeric, Numeric]:
     """Return sine and cosine of the lever's angle where the stroke begins.
 
     A lever that swings is there square to the crank. One that is carried round is in line with the rod.
@@ -112,7 +112,7 @@ def dead_lever(links: Links[Number], swings: bool) -> tuple[Number, Number]:
     return -cosine_of(cosine), cosine
 
 
-def dead_crank_sine(links: Links[Number], swings: bool) -> Number:
+def dead_crank_sine(links: Links[Numeric], swings: bool) -> Numeric:
     """Return the sine of the crank angle there, which lies within ±90°."""
     if swings:
         return -1 / links.pivot
@@ -122,7 +122,7 @@ def dead_crank_sine(links: Links[Number], swings: bool) -> Number:
     return links.stroke * (reach * cosine - along)
 
 
-def path(at: Lever[Number], links: Links[Number], swings: bool) -> Number:
+def path(at: Lever[Numeric], links: Links[Numeric], swings: bool) -> Numeric:
     """Return the way of the ram from the dead centre where the stroke begins, in units of R."""
     sine, cosine = dead_lever(links, swings)
     # As a difference of L cos σ it would lose the digits of λ.

@@ -8,9 +8,9 @@ the stroke begins, 0 to 1. Numbers are floats, arrays or balls.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from kurbel.kernel.circle import Circle, Number, root
+from kurbel.kernel.circle import Circle, Numeric, root
 
 
 class Expansion(NamedTuple):
@@ -20,25 +20,25 @@ class Expansion(NamedTuple):
     acts on the other face throughout the stroke.
     """
 
-    cut_off: Number
-    back: Number
-    exponent: Number
-    clearance: Number
+    cut_off: Numeric
+    back: Numeric
+    exponent: Numeric
+    clearance: Numeric
 
-    def pressure(self, share: Number) -> Number:
+    def pressure(self, share: Numeric) -> Numeric:
         """Return the pressure on the piston at a share of the stroke, back pressure not taken off."""
         return power(1 / self.growth(share), self.exponent)
 
     @property
-    def corners(self) -> tuple[Number, ...]:
+    def corners(self) -> tuple[Numeric, ...]:
         """The shares of the stroke at which the force has a corner."""
         return (self.cut_off,) if self.cut_off < 1 else ()
 
-    def force(self, share: Number) -> Number:
+    def force(self, share: Numeric) -> Numeric:
         """Return the net pressure, less the back pressure."""
         return self.pressure(share) - self.back
 
-    def work(self, share: Number) -> Number:
+    def work(self, share: Numeric) -> Numeric:
         """Return the work done on the piston from the dead centre to a share of the stroke.
 
         Source: Weisbach-Herrmann, § 150 (A₁ + A₂ - A₃); the exponent and the clearance are ours.
@@ -46,32 +46,32 @@ class Expansion(NamedTuple):
         gain = expansion_work(self.growth(share), self.exponent)
         return self.full_pressure_work(share) + (self.cut_off + self.clearance) * gain
 
-    def whole(self) -> Number:
+    def whole(self) -> Numeric:
         """Return the work of the whole stroke, on numbers that need not compare."""
         room = self.cut_off + self.clearance
         gain = expansion_work((1 + self.clearance) / room, self.exponent)
         return self.cut_off + room * gain - self.back
 
-    def full_pressure_work(self, share: Number) -> Number:
+    def full_pressure_work(self, share: Numeric) -> Numeric:
         """Return the work without that of the expansion."""
         return smaller(share, self.cut_off) - self.back * share
 
-    def slope(self, share: Number) -> Number:
+    def slope(self, share: Any) -> Numeric:
         """Return the change of the force with the share, a ball; over the cut-off it holds both sides."""
         if share < self.cut_off:
             return share * 0
-        beyond = self.expansion_slope(share)
+        beyond: Any = self.expansion_slope(share)
         return beyond if share > self.cut_off else beyond.union(share * 0)
 
-    def expansion_slope(self, share: Number) -> Number:
+    def expansion_slope(self, share: Numeric) -> Numeric:
         """Return the change of the pressure with the share beyond cut-off, at cut-off from the right."""
         return -self.exponent * self.pressure(share) / self._expanded(share)
 
-    def growth(self, share: Number) -> Number:
+    def growth(self, share: Numeric) -> Numeric:
         """Return how many times its volume at cut-off the steam fills; before cut-off 1."""
         return self._expanded(share) / (self.cut_off + self.clearance)
 
-    def _expanded(self, share: Number) -> Number:
+    def _expanded(self, share: Numeric) -> Numeric:
         # Before cut-off the volume at cut-off stands in: one formula for both periods, also for a ball that
         # reaches over both.
         return larger(share, self.cut_off) + self.clearance
@@ -81,20 +81,20 @@ class IdleStroke(NamedTuple):
     """A stroke on which no net pressure acts."""
 
     @property
-    def corners(self) -> tuple[Number, ...]:
+    def corners(self) -> tuple[Numeric, ...]:
         return ()
 
-    def force(self, share: Number) -> Number:
+    def force(self, share: Numeric) -> Numeric:
         return share * 0
 
-    def work(self, share: Number) -> Number:
+    def work(self, share: Numeric) -> Numeric:
         return share * 0
 
-    def slope(self, share: Number) -> Number:
+    def slope(self, share: Numeric) -> Numeric:
         return share * 0
 
 
-def best_back(cut_off: Number, exponent: Number, clearance: Number) -> Number:
+def best_back(cut_off: Numeric, exponent: Numeric, clearance: Numeric) -> Numeric:
     """Return the pressure of the steam at the end of the stroke, the best back pressure.
 
     1/ε for n = 1, κ = 0. Source: Weisbach-Herrmann, § 150 (Q = εR); the exponent and the clearance are ours.
@@ -102,19 +102,19 @@ def best_back(cut_off: Number, exponent: Number, clearance: Number) -> Number:
     return power((cut_off + clearance) / (1 + clearance), exponent)
 
 
-def power(base: Number, exponent: Number) -> Number:
+def power(base: Numeric, exponent: Numeric) -> Numeric:
     """Return a power, of which the first needs no root."""
     return base if exponent == 1 else base**exponent
 
 
-def expansion_work(volumes: Number, exponent: Number) -> Number:
+def expansion_work(volumes: Numeric, exponent: Numeric) -> Numeric:
     """Return ∫ V^-n dV from 1 to so many volumes."""
     if exponent == 1:
         return logarithm(volumes)
     return (1 - volumes ** (1 - exponent)) / (exponent - 1)
 
 
-def crank_versine(path: Number, ratio: Number) -> Number:
+def crank_versine(path: Numeric, ratio: Numeric) -> Numeric:
     """Return 1 - cos φ at which the piston has covered the path from its dead centre, in units of R.
 
     A negative ratio is the return stroke. Re-derived from the triangle of crank, rod and slide, of which
@@ -123,7 +123,7 @@ def crank_versine(path: Number, ratio: Number) -> Number:
     return path * (2 - ratio * path) / (2 * (1 + ratio * (1 - path)))
 
 
-def crank_versine_first_order(path: Number, ratio: Number) -> Number:
+def crank_versine_first_order(path: Numeric, ratio: Numeric) -> Numeric:
     """Return 1 - cos φ at which 1 - cos φ + ½ λ sin² φ is the path, in units of R.
 
     Source: Weisbach-Herrmann, § 150 (cos α_ε), solved for the cosine.
@@ -133,8 +133,13 @@ def crank_versine_first_order(path: Number, ratio: Number) -> Number:
 
 
 def weisbach_maximum(
-    half: tuple[Number, Number], circle: Circle[Number], ratio: Number, loss: Number, gain: Number, pi: Number
-) -> tuple[Number, Number]:
+    half: tuple[Numeric, Numeric],
+    circle: Circle[Numeric],
+    ratio: Numeric,
+    loss: Numeric,
+    gain: Numeric,
+    pi: Numeric,
+) -> tuple[Numeric, Numeric]:
     """Return the relation cot(α/2) = gain/(π [...]) for the greatest speed as a function with that zero.
 
     And its slope over α. `half` is (sin α/2, cos α/2), `gain` is 1 + ln ε - ε b, `loss` is ε b. The
@@ -151,7 +156,7 @@ def weisbach_maximum(
     return value, slope
 
 
-def logarithm(number: Number) -> Number:
+def logarithm(number: Any) -> Numeric:
     """Return the natural logarithm of a float, a float64 array or a ball."""
     if isinstance(number, (int, float)):
         return math.log(number)
@@ -162,7 +167,7 @@ def logarithm(number: Number) -> Number:
     return np.log(number)
 
 
-def larger(one: Number, other: Number) -> Number:
+def larger(one: Any, other: Any) -> Any:
     """Return the larger of two numbers of a kind; of balls that overlap, one that holds either."""
     if isinstance(one, (int, float)) and isinstance(other, (int, float)):
         return max(one, other)
@@ -174,6 +179,6 @@ def larger(one: Number, other: Number) -> Number:
     return np.maximum(one, other)
 
 
-def smaller(one: Number, other: Number) -> Number:
+def smaller(one: Any, other: Any) -> Any:
     """Return the smaller of two numbers of a kind; of balls that overlap, one that holds either."""
     return -larger(-one, -other)

@@ -10,10 +10,10 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple, Protocol
 
 from kurbel.kernel import kinematics, steam
-from kurbel.kernel.circle import Number, root
+from kurbel.kernel.circle import Numeric, root
 
 # Of the circle, λ and, of an offset crank, e/R.
-Formula = Callable[..., Number]
+Formula = Callable[..., Numeric]
 
 
 class Stroke(Protocol):
@@ -23,13 +23,13 @@ class Stroke(Protocol):
     """
 
     @property
-    def corners(self) -> Sequence[Number]: ...
+    def corners(self) -> Sequence[Numeric]: ...
 
-    def force(self, share: Number) -> Number: ...
+    def force(self, share: Numeric) -> Numeric: ...
 
-    def work(self, share: Number) -> Number: ...
+    def work(self, share: Numeric) -> Numeric: ...
 
-    def slope(self, share: Number) -> Number: ...
+    def slope(self, share: Numeric) -> Numeric: ...
 
 
 class Motion(NamedTuple):
@@ -39,7 +39,7 @@ class Motion(NamedTuple):
     path: Formula
     velocity: Formula
     acceleration: Formula
-    versine_at: Callable[[Number, Number], Number] | None = None
+    versine_at: Callable[[Numeric, Numeric], Numeric] | None = None
 
 
 EXACT = Motion(
@@ -57,7 +57,7 @@ FIRST_ORDER = Motion(
 OFFSET = Motion(kinematics.offset_path, kinematics.offset_velocity, kinematics.offset_acceleration)
 
 
-def mean_force(strokes: Sequence[Stroke], pi: Number, length: Number) -> Number:
+def mean_force(strokes: Sequence[Stroke], pi: Numeric, length: Numeric) -> Numeric:
     """Return the constant tangential force that does the work of all strokes of a cycle, two or four.
 
     `length` is that of the stroke in R. Source: Weisbach-Herrmann, § 150 (P π r for one stroke).
@@ -68,12 +68,12 @@ def mean_force(strokes: Sequence[Stroke], pi: Number, length: Number) -> Number:
     return work * length / (len(strokes) * pi)
 
 
-def energy_swing(irregularity: Number, mean_torque: Number) -> Number:
+def energy_swing(irregularity: Numeric, mean_torque: Numeric) -> Numeric:
     """Return ΔW = k P R in joules from k, the δ in units of P r/(m₁ v₁²), and P R in N m."""
     return irregularity * mean_torque
 
 
-def moment_of_inertia(swing: Number, irregularity: Number, speed: Number) -> Number:
+def moment_of_inertia(swing: Numeric, irregularity: Numeric, speed: Numeric) -> Numeric:
     """Return J = ΔW/(δ ω²) in kg m² that keeps (v_max - v_min)/v at δ; ΔW in J, ω in 1/s.
 
     First order in δ: the exact energy swing of a flywheel between ω(1 ± δ/2) is the same.
@@ -82,7 +82,7 @@ def moment_of_inertia(swing: Number, irregularity: Number, speed: Number) -> Num
     return swing / (irregularity * speed * speed)
 
 
-def root_speed(excess: Number, number: Number) -> Number:
+def root_speed(excess: Numeric, number: Numeric) -> Numeric:
     """Return v/v₁ = √(1 + 2 w/M), from ½ m₁ (v² - v₁²) = W; no number where the flywheel comes to rest.
 
     v₁ is the speed at the inner dead centre of the first crank. The excess w = W/(P r) is the work of the
@@ -93,17 +93,17 @@ def root_speed(excess: Number, number: Number) -> Number:
     return root(1 + 2 * excess / number)
 
 
-def first_order_speed(excess: Number, number: Number) -> Number:
+def first_order_speed(excess: Numeric, number: Numeric) -> Numeric:
     """Return v/v₁ = 1 + w/M, the root law to first order. Source: Weisbach-Herrmann, § 150."""
     return 1 + excess / number
 
 
-def irregularity_of_mean(greatest: Number, least: Number) -> Number:
+def irregularity_of_mean(greatest: Numeric, least: Numeric) -> Numeric:
     """Return δ = (v_max - v_min)/v_m from the extreme speeds, v_m = ½ (v_max + v_min)."""
     return 2 * (greatest - least) / (greatest + least)
 
 
-def number_of_mean(at_mean: Number, greatest: Number, least: Number) -> Number:
+def number_of_mean(at_mean: Numeric, greatest: Numeric, least: Numeric) -> Numeric:
     """Return M of a flywheel that turns at a mean speed v_m = ½ (v_max + v_min), by the root law.
 
     `at_mean` is m₁ v_m²/(P r), above half the energy swing; `greatest` and `least` are the extremes of the
@@ -114,7 +114,7 @@ def number_of_mean(at_mean: Number, greatest: Number, least: Number) -> Number:
     return at_mean * fastest * fastest - 2 * greatest
 
 
-def first_number_of_mean(at_mean: Number, greatest: Number, least: Number) -> Number:
+def first_number_of_mean(at_mean: Numeric, greatest: Numeric, least: Numeric) -> Numeric:
     """Return the same where the speed is that of first order. Re-derived."""
     start = (1 + root(1 - 2 * (greatest + least) / at_mean)) / 2
     return at_mean * start * start

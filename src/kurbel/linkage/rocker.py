@@ -22,7 +22,7 @@ from kurbel.drive.moved import Moved
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel import linkage, rocker
-from kurbel.kernel.circle import Circle, Number
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.coupler import Reach, Rod, rocker_reach, rocker_rod
 from kurbel.kernel.forces import Weight
 from kurbel.kernel.linkage import Arc, Place
@@ -147,18 +147,18 @@ class MovedRocker(Moved):
         self._dead_angles = [drive.dead_angle(stroke, kind) / 180 for stroke in (OUT, RETURN)]
         self._last: tuple[int, Any, Place[Any]] | None = None
 
-    def dead_centre(self, stroke: int) -> Number:
+    def dead_centre(self, stroke: int) -> Numeric:
         return self._dead_angles[stroke]
 
-    def path(self, stroke: int, circle: Circle[Any]) -> Number:
+    def path(self, stroke: int, circle: Circle[Any]) -> Numeric:
         arc = self.arcs[stroke]
         turned = 2 * self.kind.arc(linkage.path_half_sine(self._place(stroke, circle), arc))
         return turned * self.kind.pi / 180 / arc.curvature
 
-    def velocity(self, stroke: int, circle: Circle[Any]) -> Number:
+    def velocity(self, stroke: int, circle: Circle[Any]) -> Numeric:
         return self._place(stroke, circle).velocity
 
-    def acceleration(self, stroke: int, circle: Circle[Any]) -> Number:
+    def acceleration(self, stroke: int, circle: Circle[Any]) -> Numeric:
         return linkage.acceleration(self._place(stroke, circle), self.arcs[stroke])
 
     def loaded(
@@ -166,10 +166,10 @@ class MovedRocker(Moved):
         stroke: int,
         circle: Circle[Any],
         masses: Masses[Any],
-        net: Number,
-        reciprocating: Number,
+        net: Numeric,
+        reciprocating: Numeric,
         weight: Weight[Any] | None,
-        friction: Number | None,
+        friction: Numeric | None,
     ) -> LoadedRocker:
         # Refused where they are given: what a rocker weighs is not known.
         assert weight is None
@@ -177,10 +177,10 @@ class MovedRocker(Moved):
         place = self._place(stroke, circle)
         return self.drive.under(circle, place, self.arcs[stroke], masses, net, reciprocating)
 
-    def kinetic_energy(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
+    def kinetic_energy(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Numeric:
         return rocker.kinetic_energy(self._place(stroke, circle), masses)
 
-    def torque_slope(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Number:
+    def torque_slope(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Numeric:
         return rocker.torque_slope(self._place(stroke, circle), self.arcs[stroke], masses)
 
     def _place(self, stroke: int, circle: Circle[Any]) -> Place[Any]:

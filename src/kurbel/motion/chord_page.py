@@ -75,6 +75,8 @@ def _guess(crank: Crank, angle: Fraction, lowest: Fraction) -> int:
         with at_bits(precision):
             kind = balls()
             circle, ratio = _at(crank, angle, kind)
+            whole: Any
+            share: Any
             whole, share = kinematics.rod_versine(circle, ratio), series.shrinking(circle, ratio)
             left = (whole - kind.of(lowest)) / (whole / share - kind.of(lowest))
             if left.rel_accuracy_bits() > _SURE_BITS:

@@ -104,7 +104,7 @@ class CardTurn(FloatTurn):
 
         Where the tangential force passes its mean at a small angle, little of it moves the place far.
         """
-        place = self.peaks(greatest, stroke)[0].place
+        place = float(self.peaks(greatest, stroke)[0].place)
         slope = (self.excess(place + BESIDE) - self.excess(place - BESIDE)) / (2 * BESIDE)
         halves = (half.peaks(greatest, stroke)[0].place for half in self.coarser)
         apart = max(abs(place - half) for half in halves)

@@ -35,7 +35,6 @@ from kurbel.exact.kind import balls, floats
 from kurbel.exact.search import interval
 from kurbel.exact.taylor import Continued, continued, half_turn_circle
 from kurbel.kernel.balance import Star
-from kurbel.kernel.circle import Number
 
 if TYPE_CHECKING:
     from kurbel.engine.card.turn import CardTurn
@@ -141,8 +140,8 @@ def _gauss(count: int, bits: int) -> tuple[tuple[arb, arb], ...]:
 class Wave(NamedTuple):
     """a_k and b_k of a harmonic, in balls or floats."""
 
-    cosine: Number
-    sine: Number
+    cosine: Any
+    sine: Any
 
     def turned(self, star: Star) -> Wave:
         """Return the sum of such waves, the rays of a star behind this one."""

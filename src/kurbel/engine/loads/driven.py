@@ -19,7 +19,7 @@ from kurbel.engine.loads.steam import (
 )
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
-from kurbel.kernel.circle import Number
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.law import Between, Constant, Law, Polytrope, steady
 from kurbel.kernel.steam import expansion_work, logarithm, power
 from kurbel.reading.given import choose
@@ -39,16 +39,16 @@ AIR = Fraction(7, 5)
 class _Ends(NamedTuple):
     """The pressures in the cylinder in units of the suction pressure, on a kind of number."""
 
-    suction: Number
-    delivery: Number
-    exponent: Number
-    clearance: Number
+    suction: Numeric
+    delivery: Numeric
+    exponent: Numeric
+    clearance: Numeric
     # The volume at suction pressure of what has one volume at delivery pressure.
-    growth: Number
+    growth: Numeric
     # Whether there is a clearance, in which something of the delivery is left.
     kept: bool
 
-    def sucked(self) -> Number:
+    def sucked(self) -> Numeric:
         """Return the share of the stroke on which air is sucked."""
         return 1 + self.clearance * (1 - self.growth)
 
@@ -122,16 +122,16 @@ class Compressor:
         other = steady(kind.of(self.other_side))
         return Between(ends.leaving(), other), Between(other, ends.coming())
 
-    def volumetric_efficiency(self, kind: Kind, **found: Any) -> Number:
+    def volumetric_efficiency(self, kind: Kind, **found: Any) -> Numeric:
         """Return the share of the stroke on which air is sucked: 1 + κ - κ Π'^(1/n), Π' in the cylinder."""
         return self._ends(kind, **found).sucked()
 
-    def delivered(self, kind: Kind, **found: Any) -> Number:
+    def delivered(self, kind: Kind, **found: Any) -> Numeric:
         """Return the volume that a stroke delivers, as a share of the swept one, at p₁ and the temperature
         of the air that is sucked, with `found` numbers in the place of ratio or clearance."""
         return self.volumetric_efficiency(kind, **found) * kind.of(1 - self.suction_loss)
 
-    def mean(self, kind: Kind, **found: Any) -> Number:
+    def mean(self, kind: Kind, **found: Any) -> Numeric:
         """Return the mean pressure that a stroke takes: η_v n/(n - 1) (Π'^((n - 1)/n) - 1), in the cylinder's
         suction pressure, of all stages on the piston of the first; with `found` numbers in the place of ratio
         or clearance."""
@@ -144,23 +144,23 @@ class Compressor:
             * expansion_work(1 / ends.growth, ends.exponent)
         )
 
-    def isothermal(self, kind: Kind, **found: Any) -> Number:
+    def isothermal(self, kind: Kind, **found: Any) -> Numeric:
         """Return the work at the temperature of suction on what a stroke delivers, over p₁ and the volume
         that it sweeps: v ln Π."""
         ratio = found.get("ratio", kind.of(self.ratio))
         return self.delivered(kind, **found) * logarithm(ratio)
 
-    def adiabatic(self, kind: Kind, **found: Any) -> Number:
+    def adiabatic(self, kind: Kind, **found: Any) -> Numeric:
         """Return the same without heat, in one stage: v γ/(γ - 1) (Π^((γ - 1)/γ) - 1) with γ = 1.4 of air."""
         ratio, part = found.get("ratio", kind.of(self.ratio)), 1 - 1 / AIR
         return self.delivered(kind, **found) * (ratio ** kind.exponent(part) - 1) / kind.of(part)
 
-    def stage_ratio(self, kind: Kind, **found: Any) -> Number:
+    def stage_ratio(self, kind: Kind, **found: Any) -> Numeric:
         """Return by how many times a stage raises the pressure."""
         ratio = found.get("ratio", kind.of(self.ratio))
         return power(ratio, 1 if self.stages == 1 else kind.exponent(Fraction(1, self.stages)))
 
-    def heated(self, kind: Kind, **found: Any) -> Number:
+    def heated(self, kind: Kind, **found: Any) -> Numeric:
         """Return the temperature at the end of the compression of a stage, in that of suction."""
         inside = kind.of((1 + self.delivery_loss) / (1 - self.suction_loss))
         return power(self.stage_ratio(kind, **found) * inside, kind.exponent(1 - 1 / self.exponent))
@@ -240,7 +240,7 @@ class Pump:
                 f" pressure less it; at most {LARGEST_HEAD} times is allowed"
             )
 
-    def delivered(self, kind: Kind) -> Number:
+    def delivered(self, kind: Kind) -> Numeric:
         """Return the volume that a stroke of the piston delivers, as a share of the swept one: all of it."""
         return kind.of(Fraction(1))
 

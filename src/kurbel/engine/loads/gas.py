@@ -11,7 +11,7 @@ from kurbel.drive.load import GAS
 from kurbel.engine.loads.steam import LEAST_WORK, check_exponent
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
-from kurbel.kernel.circle import Number
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.law import Between, Constant, Law, Polytrope, steady
 from kurbel.kernel.steam import power
 from kurbel.reading.given import choose
@@ -28,11 +28,11 @@ OPTIONS = {"peak": "--peak-pressure", "cut_off": "--cut-off", "heat": "--heat"}
 class _Points(NamedTuple):
     """The corners of a cycle on a kind of number: pressures in p₁, volumes as shares of the swept one."""
 
-    compressed: Number
-    peak: Number
-    clearance: Number
+    compressed: Numeric
+    peak: Numeric
+    clearance: Numeric
     # How many times its volume the gas fills when the heat has been supplied.
-    cut_off: Number
+    cut_off: Numeric
     compression: Any
     expansion: Any
 
@@ -100,7 +100,7 @@ class GasCycle:
         exhaust = Between(atmosphere, steady(kind.of(self.exhaust)))
         return expansion, exhaust, Between(atmosphere, atmosphere), compression
 
-    def efficiency(self, kind: Kind) -> Number:
+    def efficiency(self, kind: Kind) -> Numeric:
         """Return the share of the heat that becomes work, the change of the charge not counted.
 
         1 - (ξ ρ^n - 1)/(ε^(n - 1) (ξ - 1 + n ξ (ρ - 1))), ξ the rise of the pressure at one volume. It has a

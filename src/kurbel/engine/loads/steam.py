@@ -171,7 +171,10 @@ class Steam:
         numbers = self.numbers(float)
         if (
             left
-            and (most := numbers.back * float((1 - self.cushion + self.clearance) / left) ** numbers.exponent)
+            and (
+                most := numbers.back
+                * float((1 - self.cushion + self.clearance) / left) ** float(numbers.exponent)
+            )
             > 1
         ):
             raise ProblemError(

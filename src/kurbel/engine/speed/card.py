@@ -16,7 +16,7 @@ from kurbel.drive.wheel import Wheel
 from kurbel.engine.card.turn import CardTurn
 from kurbel.engine.cylinder import Cylinder
 from kurbel.engine.speed.run import SAMPLES, AnyRun, Run, Sampled, top
-from kurbel.kernel.circle import Number
+from kurbel.kernel.circle import Numeric
 
 Floats: TypeAlias = NDArray[np.float64]
 # Cells of the turn, over each of which three points of Gauss give the time.
@@ -55,7 +55,7 @@ class CardRun(Run):
         # The speed at the angle and at the dead centre.
         return 2 * of_speed * value
 
-    def turned(self, half_turns: Fraction) -> Number:
+    def turned(self, half_turns: Fraction) -> Numeric:
         """Return the time in half turns at v₁."""
         nodes, times = self._course
         before, rest = divmod(float(half_turns) - nodes[0], self.turn.cycle)
@@ -117,16 +117,16 @@ class HeavyCardRun(CardRun):
         return self._sampled.start(self, self._degrees)
 
     @property
-    def number(self) -> Number:
+    def number(self) -> Numeric:
         if self.wheel.number is not None:
             return float(self.wheel.number)
         return float(self.at_mean) * self.start
 
     @property
-    def first_omega(self) -> Number:
+    def first_omega(self) -> Numeric:
         return self.mean_omega * self.start**0.5
 
-    def speed(self, half_turns: Fraction) -> Number:
+    def speed(self, half_turns: Fraction) -> Numeric:
         return float(self.speeds(np.array([float(half_turns)]))[0])
 
     def speeds(self, places: Floats) -> Floats:
@@ -136,12 +136,12 @@ class HeavyCardRun(CardRun):
         found: Floats = np.sqrt((level + works) / (own + energies) / self.start)
         return found
 
-    def extreme_speed(self, greatest: bool) -> Number:
+    def extreme_speed(self, greatest: bool) -> Numeric:
         squares = self._sampled.squares(self.start)
         found = top(squares) if greatest else -top([-one for one in squares])
         return (found / self.start) ** 0.5
 
-    def extreme_place(self, greatest: bool) -> Number:
+    def extreme_place(self, greatest: bool) -> Numeric:
         squares = self._sampled.squares(self.start)
         index = squares.index(max(squares) if greatest else min(squares))
         return self._degrees / 180 + 2 * index / SAMPLES

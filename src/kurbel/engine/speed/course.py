@@ -23,7 +23,6 @@ from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.place import fraction
 from kurbel.exact.search import interval
 from kurbel.exact.taylor import Continued, Formula, Taylor, bounded, continued, expanded, half_turn_circle
-from kurbel.kernel.circle import Number
 
 # Bits to which a corner is known, or so many beyond the precision in force if that is more: up to there all
 # precisions have the same sections.
@@ -70,7 +69,7 @@ class Section(NamedTuple):
 class Course:
     """A function over a cycle of so many half turns, section by section, and by how much it grows in one."""
 
-    def __init__(self, sections: Iterable[Section], cycle: int, gain: Number = 0) -> None:
+    def __init__(self, sections: Iterable[Section], cycle: int, gain: arb | int = 0) -> None:
         self.sections, self.cycle, self.gain = tuple(sections), cycle, gain
         self.lows = [one.low for one in self.sections]
 
@@ -94,14 +93,14 @@ class Course:
     def _index(self, place: Fraction) -> int:
         return bisect_right(self.lows, place) - 1
 
-    def __mul__(self, other: Course | Number) -> Course:
+    def __mul__(self, other: Course | arb) -> Course:
         """Return the product with a number, or with a course of sections as short or longer."""
         return self._with(other, Taylor.__mul__)
 
-    def __add__(self, other: Course | Number) -> Course:
+    def __add__(self, other: Course | arb) -> Course:
         return self._with(other, Taylor.__add__)
 
-    def _with(self, other: Course | Number, combined: Callable[[Taylor, Any], Taylor]) -> Course:
+    def _with(self, other: Course | arb, combined: Callable[[Taylor, Any], Taylor]) -> Course:
         if not isinstance(other, Course):
             return self.mapped(lambda one: combined(one, other))
         return self.mapped(lambda one: combined(one, other.around(one.middle).function.about(one.middle)))

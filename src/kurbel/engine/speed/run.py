@@ -12,7 +12,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import ceil, floor, log10
-from typing import NamedTuple, NoReturn, TypeVar
+from typing import Any, NamedTuple, NoReturn, TypeVar
 
 import flint
 
@@ -23,7 +23,7 @@ from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, kept
 from kurbel.kernel import turning
-from kurbel.kernel.circle import Number
+from kurbel.kernel.circle import Numeric
 from kurbel.reading.notation import plain
 
 # Steps of a search for where the crank comes to rest, a degree each, and how often one is halved.
@@ -56,11 +56,11 @@ class AnyRun(ABC):
 
     @property
     @abstractmethod
-    def number(self) -> Number:
+    def number(self) -> Numeric:
         """M = m₁ v₁²/(P r)."""
 
     @abstractmethod
-    def speed(self, half_turns: Fraction) -> Number:
+    def speed(self, half_turns: Fraction) -> Numeric:
         """Return v/v₁ at an angle."""
 
     @abstractmethod
@@ -68,27 +68,27 @@ class AnyRun(ABC):
         """Return v₁/v over a cycle."""
 
     @abstractmethod
-    def extreme_place(self, greatest: bool) -> Number:
+    def extreme_place(self, greatest: bool) -> Numeric:
         """Return where the speed is greatest or least."""
 
     @abstractmethod
-    def extreme_speed(self, greatest: bool) -> Number:
+    def extreme_speed(self, greatest: bool) -> Numeric:
         """Return v_max/v₁ or v_min/v₁."""
 
     @property
-    def mean_omega(self) -> Number:
+    def mean_omega(self) -> Numeric:
         """The mean speed ½ (ω_max + ω_min) in 1/s."""
         given = self.wheel.speed
         assert given is not None
         return given.omega(self.turn)
 
     @property
-    def first_omega(self) -> Number:
+    def first_omega(self) -> Numeric:
         """ω₁ in 1/s."""
         return 2 * self.mean_omega / (self.extreme_speed(greatest=True) + self.extreme_speed(greatest=False))
 
     @property
-    def mean_torque(self) -> Number:
+    def mean_torque(self) -> Numeric:
         """P r in N m."""
         power = self.wheel.power
         if power is None:
@@ -96,38 +96,38 @@ class AnyRun(ABC):
         return self.turn.of(power) / self.mean_omega
 
     @property
-    def at_mean(self) -> Number:
+    def at_mean(self) -> Numeric:
         """J ω_m²/(P r), the number of the flywheel at the mean speed."""
         assert self.wheel.inertia is not None
         mean = self.mean_omega
         return self.turn.of(self.wheel.inertia) * mean * mean / self.mean_torque
 
-    def irregularity(self) -> Number:
+    def irregularity(self) -> Numeric:
         """Return (v_max - v_min)/v_m."""
         return turning.irregularity_of_mean(
             self.extreme_speed(greatest=True), self.extreme_speed(greatest=False)
         )
 
-    def first_irregularity(self) -> Number:
+    def first_irregularity(self) -> Numeric:
         """Return (v_max - v_min)/v₁, as Weisbach defines it."""
         return self.extreme_speed(greatest=True) - self.extreme_speed(greatest=False)
 
-    def turned(self, half_turns: Fraction) -> Number:
+    def turned(self, half_turns: Fraction) -> Numeric:
         """Return the time at an angle, in half turns at v₁, ∫ v₁/v dφ since the dead centre."""
         return self.times().at(half_turns)
 
-    def time(self, half_turns: Fraction) -> Number:
+    def time(self, half_turns: Fraction) -> Numeric:
         """Return the seconds since the inner dead centre."""
         return self.turned(half_turns) * self.turn.pi / self.first_omega
 
-    def acceleration(self, half_turns: Fraction) -> Number:
+    def acceleration(self, half_turns: Fraction) -> Numeric:
         """Return the angular acceleration dω/dt in 1/s²."""
         raise ProblemError(
             "the angular acceleration of the shaft is computed under ideal steam and the like, without moving"
             " masses and against a constant torque; leave angular_acceleration out"
         )
 
-    def refuse(self, degrees: float, bound: Number) -> NoReturn:
+    def refuse(self, degrees: float, bound: Numeric) -> NoReturn:
         """Raise ProblemError for a flywheel that would come to rest at an angle, with its bound."""
         raise ProblemError(
             f"{self.wheel.named} is too light to pass the turn: at φ = {plain(Fraction(f'{degrees:.1f}'))}°"
@@ -140,24 +140,24 @@ class Run(AnyRun):
 
     def __init__(self, turn: AnyTurn, wheel: Wheel) -> None:
         super().__init__(turn, wheel)
-        self._numbers: dict[int, Number] = {}
+        self._numbers: dict[int, Numeric] = {}
         with at_bits(CHECKED_BITS):
             self._check()
 
     @property
-    def law(self) -> Callable[[Number, Number], Number]:
+    def law(self) -> Callable[[Any, Any], Any]:
         """How the speed follows from the excess."""
         return turning.first_order_speed if self.method == "weisbach" else turning.root_speed
 
-    def excess(self, energy: Number) -> Number:
+    def excess(self, energy: Numeric) -> Numeric:
         """Return w = W/(P r) of an excess work in Q r."""
         return energy / abs(self.turn.mean_force())
 
-    def extreme_excess(self, greatest: bool) -> Number:
+    def extreme_excess(self, greatest: bool) -> Numeric:
         return self.excess(self.turn.extreme(greatest).energy)
 
     @property
-    def number(self) -> Number:
+    def number(self) -> Numeric:
         if self.wheel.number is not None:
             return self.turn.of(self.wheel.number)
         bits = flint.ctx.prec
@@ -168,14 +168,14 @@ class Run(AnyRun):
             self._numbers[bits] = found(self.at_mean, *extremes)
         return self._numbers[bits]
 
-    def speed_of(self, energy: Number) -> Number:
+    def speed_of(self, energy: Numeric) -> Any:
         """Return v/v₁ where the excess work is such."""
         return self.law(self.excess(energy), self.number)
 
-    def speed(self, half_turns: Fraction) -> Number:
+    def speed(self, half_turns: Fraction) -> Numeric:
         return self.speed_of(self.turn.energy_at(half_turns))
 
-    def acceleration(self, half_turns: Fraction) -> Number:
+    def acceleration(self, half_turns: Fraction) -> Numeric:
         """Return (T - P) r/J, for ω dω/dφ = ω₁² w'/M; of first order as much more as the speed is."""
         mean = self.turn.mean_force()
         found = (self.turn.power(half_turns) - mean) / (abs(mean) * self.number)
@@ -185,14 +185,14 @@ class Run(AnyRun):
     def slowness(self) -> Course:
         assert isinstance(self.turn, Turn)
         first = self.method == "weisbach"
-        share = (1 if first else 2) / (self.number * abs(self.turn.mean_force()))
+        share: Any = (1 if first else 2) / (self.number * abs(self.turn.mean_force()))
         relative: Course = energies(self.turn, {})[0] * share + 1
         return relative.power(Fraction(-1) if first else Fraction(-1, 2))
 
-    def extreme_place(self, greatest: bool) -> Number:
+    def extreme_place(self, greatest: bool) -> Numeric:
         return self.turn.peaks(greatest)[0].place
 
-    def extreme_speed(self, greatest: bool) -> Number:
+    def extreme_speed(self, greatest: bool) -> Numeric:
         return self.law(self.extreme_excess(greatest), self.number)
 
     def _check(self) -> None:
@@ -204,7 +204,7 @@ class Run(AnyRun):
         if not self.number > bound:
             self.refuse(self._rest(), bound)
 
-    def _check_mean(self, least: Number, greatest: Number) -> None:
+    def _check_mean(self, least: Numeric, greatest: Numeric) -> None:
         at_mean = self.at_mean
         bound = half = (greatest - least) / 2
         if self.method == "weisbach":
@@ -229,7 +229,7 @@ class Run(AnyRun):
         return float(halved(max(high - 1, Fraction(0)), high, lambda one: left(one) > 0, NARROWINGS))
 
 
-def above(bound: Number) -> str:
+def above(bound: Numeric) -> str:
     """Return a number to three figures, rounded up."""
     value = float(bound)
     decimals = 2 - floor(log10(value))

@@ -23,7 +23,7 @@ from fractions import Fraction
 from functools import lru_cache, partial, reduce
 from itertools import pairwise
 from math import exp, pi
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from flint import arb
 
@@ -47,7 +47,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, ball, kept
 from kurbel.exact.search import ISOLATING_BITS, Function, Zero, crossing, interval, isolate
 from kurbel.exact.taylor import Taylor, exponential
-from kurbel.kernel.circle import Number, root
+from kurbel.kernel.circle import root
 from kurbel.kernel.steam import larger, smaller
 
 # How far around its first value the number is looked for, as a share of it, and so many times sixteen times
@@ -84,21 +84,21 @@ class SolvedRun(AnyRun):
         """Return the number nearly. Raises ProblemError for a flywheel that comes to rest."""
 
     @abstractmethod
-    def squares(self, number: Number) -> Course:
+    def squares(self, number: arb) -> Course:
         """Return the squares of the speed that a number makes."""
 
-    def beyond(self, squares: Course) -> Number:
+    def beyond(self, squares: Course) -> Any:
         """What is zero at the true number and rises with it: the mean speed above 1."""
         return sum(root(self._extreme(squares, greatest)) for greatest in (True, False)) / 2 - 1
 
     @property
-    def number(self) -> Number:
+    def number(self) -> Any:
         if self.wheel.number is not None:
             return self.turn.of(self.wheel.number)
         share = self.first_omega / self.mean_omega
         return self.at_mean * share * share
 
-    def speed(self, half_turns: Fraction) -> Number:
+    def speed(self, half_turns: Fraction) -> arb:
         squares = self._squares()
         return root(squares.at(half_turns) / _first(squares))
 
@@ -107,10 +107,10 @@ class SolvedRun(AnyRun):
         relative: Course = squares * (1 / _first(squares))
         return relative.power(Fraction(-1, 2))
 
-    def extreme_place(self, greatest: bool) -> Number:
+    def extreme_place(self, greatest: bool) -> arb:
         return self._extremes(self._squares(), greatest)[0][0]
 
-    def extreme_speed(self, greatest: bool) -> Number:
+    def extreme_speed(self, greatest: bool) -> arb:
         squares = self._squares()
         return root(self._extreme(squares, greatest) / _first(squares))
 
@@ -131,7 +131,7 @@ class SolvedRun(AnyRun):
             width *= 16
         raise ProblemError("the speed at the dead centre is not settled; give slightly other numbers")
 
-    def _extremes(self, squares: Course, greatest: bool) -> list[tuple[Number, Number]]:
+    def _extremes(self, squares: Course, greatest: bool) -> list[tuple[arb, arb]]:
         """Return the places where the speed may be greatest or least, and its squares there."""
         sign, found = 1 if greatest else -1, []
         for one in self._found:
@@ -142,11 +142,11 @@ class SolvedRun(AnyRun):
                     found.append((at, section.function.at(at)))
         return [one for one in found if not any(sign * one[1] < sign * other for _, other in found)]
 
-    def _extreme(self, squares: Course, greatest: bool) -> Number:
+    def _extreme(self, squares: Course, greatest: bool) -> Any:
         return reduce(larger if greatest else smaller, (one for _, one in self._extremes(squares, greatest)))
 
 
-def _first(squares: Course) -> Number:
+def _first(squares: Course) -> arb:
     """The square at the dead centre, where the first section begins."""
     return squares.sections[0].function.at(squares.sections[0].start)
 
@@ -176,14 +176,14 @@ class HeavyRun(SolvedRun):
             first = float(self.turn.kinetic_energy_begun())
         return Fraction(Sampled(works, moved, half, first, self.wheel.number is not None).start(self, 0.0))
 
-    def squares(self, number: Number) -> Course:
+    def squares(self, number: arb) -> Course:
         half, energy = self.level(number)
         works, moved = self.energies()
         inertia: Course = moved + half
         found: Course = inertia.power(Fraction(-1)) * (works + energy)
         return found
 
-    def level(self, number: Number) -> tuple[Number, Number]:
+    def level(self, number: arb) -> tuple[Any, Any]:
         """Return ½ I and E of a number."""
         before, mean = self.turn.kinetic_energy_begun(), abs(self.turn.mean_force())
         if self.wheel.number is None:
@@ -232,20 +232,20 @@ class SquareRun(SolvedRun):
 
     def excess(self) -> Course:
         """Return w over the cycle."""
-        found: Course = self.energies()[0] * (1 / self.turn.mean_force())
-        return found
+        mean: Any = self.turn.mean_force()
+        return self.energies()[0] * (1 / mean)
 
-    def squares(self, number: Number) -> Course:
-        unit = self.at_mean if self.wheel.number is None else self.turn.of(self.wheel.number)
+    def squares(self, number: arb) -> Course:
+        unit: Any = self.at_mean if self.wheel.number is None else self.turn.of(self.wheel.number)
         excess = self.excess()
         found: Course = (excess + self._lagging(excess, arb.pi() / number) + number) * (2 / unit)
         return found
 
-    def beyond(self, squares: Course) -> Number:
+    def beyond(self, squares: Course) -> Any:
         """The same or, of a flywheel known by its number, the square at the dead centre above 1."""
         return super().beyond(squares) if self.wheel.number is None else _first(squares) - 1
 
-    def _lagging(self, excess: Course, rate: Number) -> Course:
+    def _lagging(self, excess: Course, rate: arb) -> Course:
         """Return y, of which a π is the rate: on each section it is (c - a π ∫ w e^(aθ)) e^(-aθ)."""
         growing = excess.mapped(lambda one: exponential(one, rate))
         parts = (excess * growing).mapped(Taylor.sum) * -rate
@@ -260,7 +260,7 @@ class SquareRun(SolvedRun):
         return Course(found, self.turn.cycle)
 
 
-def _ended(part: Section, decay: Section, begun: Number, rate: Number) -> tuple[Number, Number]:
+def _ended(part: Section, decay: Section, begun: arb, rate: arb) -> tuple[arb, arb]:
     """Return c of a section at whose start y is such, and y at its end."""
     away = part.start - ball(part.function.middle)
     constant = begun * (rate * away).exp() - part.function.at(part.start)
