@@ -53,6 +53,17 @@ def test_forces_are_those_of_the_bodies_under_pressure_and_friction(seed: int) -
             assert value.confirms(row[key]) == verify.CONFIRMED, (seed, row["phi"], key)
 
 
+def test_a_torque_less_that_of_a_power_accelerates_the_shaft() -> None:
+    # Khurmi and Gupta, example 15.12, of first order: (3929 N m - 20 kW/ω)/J.
+    asked = dict(stroke="400mm", rod="600mm", bore="250mm", piston_rod="50mm", head_pressure="550kPa")
+    asked |= dict(crank_pressure="70kPa", reciprocating="60kg", speed="120/min", inertia="21.6kgm2")
+    (row,) = rows_of(
+        **asked, power="20kW", angle=45, method="series", columns="torque_nm,angular_acceleration"
+    )
+    assert row["torque_nm"] == pytest.approx(3929.03, abs=0.05)
+    assert row["angular_acceleration"] == pytest.approx((3929.026 - 20000 / (4 * pi)) / 21.6, abs=0.006)
+
+
 def test_the_return_stroke_has_the_pressures_against_it_and_friction_too() -> None:
     columns = "piston_force_return_n,friction_force_return_n,crosshead_load_return_n"
     (row,) = rows_of(ratio="1:4", **PRESSED, friction=70, angle=50, columns=columns, digits=4)

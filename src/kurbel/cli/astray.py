@@ -48,6 +48,13 @@ ELSEWHERE = {
         (("collate", "--machine"), ("example", "--machine")),
         "it computes with the numbers of a book or of your transcription, and not with those of a machine",
     ),
+    (
+        "forces",
+        "--flywheel",
+    ): "kurbel turning --flywheel 50 --speed 120/min --columns phi,angular_acceleration"
+    " has how an engine's shaft is accelerated, and forces under a --force that of a shaft by its --inertia",
+    ("flywheel", "--angle"): "speed, torque and energy at an angle are those of kurbel turning --angle 30"
+    " --flywheel 50 --speed 120/min --columns omega,torque_nm,energy",
     ("", "--pdf-engine"): "Typst sets the PDF; for that of a TeX, let it compile handbook.tex",
 }
 # What pages draw themselves, by the flag that once drew it.

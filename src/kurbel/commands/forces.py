@@ -7,7 +7,7 @@ from kurbel.commands.options import Choice, LayoutName, Option, measure, word
 from kurbel.commands.part import CommandOptions, flag_of
 from kurbel.commands.parts.angles import ENDS, FORCES_OVER_PATH, FULL_TURN, OVER_PATH
 from kurbel.commands.parts.drive import OF_MASSES, Turning
-from kurbel.commands.parts.effort import PINNED, PRESSING, Effort, PinFriction
+from kurbel.commands.parts.effort import PINNED, PRESSING, Effort, PinFriction, TurningShaft
 from kurbel.commands.parts.engine import Engine, FromOne
 from kurbel.commands.parts.loads import FURTHER, KINDS
 from kurbel.commands.parts.masses import Masses
@@ -25,7 +25,7 @@ OF_DRIVES = ("motion", "effort", "mass forces")
 OF_ENGINES = ("crank forces", "machine", ROD_LOAD)
 
 
-class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, CommandOptions):
+class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, TurningShaft, Turning, CommandOptions):
     """Print the forces of the crank drive: rod, guide, tangential and radial force, torque.
 
     Per unit piston force, under a force of so many newtons and with moving masses, or over the turn of a
@@ -169,9 +169,16 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
                 return f"{flag} is for {Masses.title}; add {Masses.add}"
             if name in ("bore", "cranks"):
                 return f"{flag} is for the steam of an engine; add --eps or --card"
+            if name == "power" and not self.says("inertia"):
+                return "--power is what is taken off the shaft, beside its --inertia; add that"
             if name == "friction":
                 return "--friction lessens a force; add --force, --head-pressure or masses"
             return ""
+        if name in ("inertia", "power"):
+            return (
+                f"{flag} does not go with {self.case()}; the acceleration of its shaft has kurbel turning"
+                " --flywheel 50 --speed 120/min --columns phi,angular_acceleration"
+            )
         if name == "force":
             return f"--force does not go with {self.case()}; leave it out"
         if name == "acceleration":
@@ -188,7 +195,8 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, Turning, Com
     def _described(self) -> tuple[Mechanism, Described]:
         # A speed alone makes no force, and a method is that of masses.
         moving = ("speed", "acceleration", "method")
-        beside, leaving = (("speed",), ()) if self.is_heavy() else ((), moving)
+        taken = self.is_pushed() and self.says("inertia") and self.says("power")
+        beside, leaving = (("speed",), ()) if self.is_heavy() or taken else ((), moving)
         return self.described(self._layout_of_drive(), ("stroke", "force", *beside), leaving)
 
     def _layout_of_drive(self) -> str | None:

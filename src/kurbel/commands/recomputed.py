@@ -64,6 +64,13 @@ def _moved(second: Second, drive: verify.Drive, key: str, method: str, at: Degre
         heavy = second.bodies(drive, second.push(), row)
         if heavy.knows(key):
             return heavy.value(key, at)
+        if key.startswith("angular_acceleration"):
+            side = key.removeprefix("angular_acceleration")
+            torque = heavy.value(f"{'net_' if asked.pin_friction else ''}torque{side}_nm", at)
+            power, inertia = asked.power or 0, asked.inertia or 1
+            return Value(
+                lambda: (torque.recipe() - (exactly(power) / drive.omega if power else 0)) / exactly(inertia)
+            )
     if "point" not in row:
         return drive.value(key, at, method)
     if method != "exact" or drive.parallel:

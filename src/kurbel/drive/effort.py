@@ -107,14 +107,31 @@ class Pins:
 
 
 @dataclass(frozen=True, slots=True)
+class Shaft:
+    """What the torque accelerates: the moment of inertia in kg m² of what turns with the shaft, and the power
+    in watts that is taken off it."""
+
+    inertia: Fraction
+    power: Fraction = Fraction(0)
+
+    def __post_init__(self) -> None:
+        if not 0 < self.inertia <= HIGHEST:
+            raise ProblemError(
+                f"the moment of inertia is {about(self.inertia)} kg m²; it must be above 0 and at most 10^12"
+                " kg m²"
+            )
+
+
+@dataclass(frozen=True, slots=True)
 class Effort:
     """Pressures on the piston, and the friction of piston and crosshead in newtons, against their motion; the
-    areas on which the load of an engine acts, if rods lessen them; the friction of the pins."""
+    areas on which the load of an engine acts, if rods lessen them; the friction of the pins; the shaft."""
 
     pressures: Pressures | None = None
     friction: Fraction = Fraction(0)
     areas: Areas | None = None
     pins: Pins | None = None
+    shaft: Shaft | None = None
 
     def __post_init__(self) -> None:
         if not 0 <= self.friction <= LARGEST_FRICTION:

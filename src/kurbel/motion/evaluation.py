@@ -35,6 +35,7 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "weight": ("--slope", "--reciprocating", "--stroke", "--speed"),
     "friction": ("--friction",),
     "pins": ("--pin-friction", "--crank-pin", "--stroke"),
+    "shaft": ("--inertia", "--stroke"),
     "rod": ("--centre", "--gyration"),
     "inertia": ("--rod-mass", "--stroke", "--speed"),
     "couple": ("--rod-mass", "--stroke", "--speed", "a finite rod"),
@@ -111,6 +112,7 @@ def is_known(quantity: Quantity, crank: Crank) -> bool:
         "weight": crank.weighed,
         "friction": crank.rubbed,
         "pins": crank.pinned,
+        "shaft": crank.radius is not None and crank.effort is not None and crank.effort.shaft is not None,
         "rod": crank.rod is not None,
         "inertia": crank.rod is not None and crank.rod.mass is not None and crank.speed is not None,
     }

@@ -121,7 +121,10 @@ FORCES: Mapping[str, Force] = {
 }  # fmt: skip
 
 
-EFFORT = ("piston_force", "inertia_force", "weight_force", "friction_force", "crosshead_load", "net_torque")
+EFFORT = (
+    "piston_force", "inertia_force", "weight_force", "friction_force", "crosshead_load", "net_torque",
+    "angular_acceleration",
+)  # fmt: skip
 _UNIT = "_nm?$"
 
 
@@ -135,6 +138,10 @@ def _force_entries() -> Iterator[Quantity]:
     yield spanned(
         "net_torque_nm", "Drehmoment nach der Zapfenreibung|Torque less the friction of the pins", "$M_R$",
         "$M_R$ in N m", "N m", 1, {LOADED: Formula(At.net_torque)}, scale=Crank.newton_metres, needs="pins",
+    )  # fmt: skip
+    yield spanned(
+        "angular_acceleration", "Winkelbeschleunigung der Welle|Angular acceleration of the shaft", "$α$",
+        "$α$ in rad/s²", "rad/s²", 2, {LOADED: Formula(At.shaft_acceleration)}, needs="shaft",
     )  # fmt: skip
 
 

@@ -214,6 +214,10 @@ ACTING = {
         "|$M_R$ less what the pins take, with circles of friction $d/2 sin ρ$, $tan ρ = {friction}$:"
         " crosshead pin $d = {crosshead}$, crank pin $d = {crank}$, shaft $d = {shaft}$"
     ),
+    "shaft": words(
+        "$α = {torque}/J$ der Welle: $J = {inertia}${power}"
+        "|$α = {torque}/J$ of the shaft: $J = {inertia}${power}"
+    ),
     "friction": words("Reibung ${force}$ gegen die Bewegung|Friction ${force}$ against the motion"),
     "reciprocating": words("von Kolben und Kreuzkopf|piston and crosshead"),
     "rod": words("der Schubstange|rod"),
@@ -275,6 +279,13 @@ def effort_notes(effort: Effort, lang: str) -> Iterator[Label]:
         yield ACTING["pins"][lang].format(
             friction=figure(effort.pins.friction),
             **{name: amount(getattr(effort.pins, name), "mm") for name in ("crosshead", "crank", "shaft")},
+        )
+    if effort.shaft is not None:
+        power, torque = effort.shaft.power, "M_R" if effort.pins else "M_d"
+        yield ACTING["shaft"][lang].format(
+            torque=f"({torque} - P/ω)" if power else torque,
+            inertia=amount(effort.shaft.inertia, "kg m²"),
+            power=f", $P = {amount(power, 'W')}$" if power else "",
         )
     if effort.friction:
         yield ACTING["friction"][lang].format(force=amount(effort.friction, "N"))

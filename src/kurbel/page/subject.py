@@ -283,12 +283,12 @@ class Question(Worded, Given):
         nothing if none does."""
         command = self.subject.command.partition(" ")[0]
         lines = [
-            line
+            ((line.partition(" ")[0] != command, one.axis_keys != self.subject.axis_keys), line)
             for one in map(subject, SUBJECTS)
             for quantity, line in one.entries()
             if line != command and quantity.key == otherwise(str(name), [quantity.key])
         ]
-        return min(lines, key=lambda line: line.partition(" ")[0] != command, default="")
+        return min(lines, key=lambda found: found[0], default=((), ""))[1]
 
     def _is_missing(self, key: str) -> bool:
         (column,) = self.chosen([key])

@@ -33,9 +33,9 @@ class Bodies:
     `centre` of the rod's mass from B and its radius of gyration, or the square of that, are in lengths of the
     rod, `rotating` is the crank's own mass reduced to its pin, `inertia` the moment of inertia of the rocker
     about its pivot. The slide rises by `slope` degrees in the crank's sense; without a slope nothing has
-    weight. `force`, which may be a function of the place, acts on B in the direction of the stroke,
-    `friction` against it; the crank itself accelerates by `acceleration`. `pins` are the diameters of
-    crosshead pin, crank pin and shaft, which have the coefficient `pin_friction`.
+    weight. `force` acts on B in the direction of the stroke, or is a function of the place, towards the
+    shaft; `friction` acts against the motion; the crank itself accelerates by `acceleration`. `pins` are the
+    diameters of crosshead pin, crank pin and shaft, which have the coefficient `pin_friction`.
     """
 
     drive: Drive
@@ -127,7 +127,7 @@ class At:
     @property
     def piston_force(self) -> Jet | Number:
         force = self.bodies.force
-        return force(self.place) if callable(force) else number(force)
+        return force(self.place) * self.stroke if callable(force) else number(force)
 
     @property
     def friction_force(self) -> Number:

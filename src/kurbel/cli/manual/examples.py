@@ -183,6 +183,7 @@ OWN: Mapping[str, Mapping[str, str]] = {
         "question": "--ratio 1:5 --at tangent",
         "piston": "--force 10kN --stroke 600mm",
         "friction": "--force 10kN --friction 500N",
+        "wheel": "--force 10kN --stroke 600mm --inertia '20 kg m²'",
     },
     "inertia": {"masses": "--centre 0.6 --gyration 0.3"},
     "solve": {

@@ -11,11 +11,11 @@ from kurbel.commands.options import Option, amount, measure
 from kurbel.commands.part import Part, flag_of
 from kurbel.commands.parts.masses import Masses, Rotating
 from kurbel.drive import load
-from kurbel.drive.effort import Areas, Pins, Pressures
+from kurbel.drive.effort import Areas, Pins, Pressures, Shaft
 from kurbel.drive.effort import Effort as Efforts
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism
-from kurbel.reading.given import as_force, as_length, as_pressure, as_share
+from kurbel.reading.given import as_force, as_inertia, as_length, as_power, as_pressure, as_share
 
 RODS = ("piston_rod", "tail_rod")
 PRESSING = ("head_pressure", "crank_pressure", "pressure_difference")
@@ -124,6 +124,31 @@ class PinFriction(Part):
         )
 
 
+class TurningShaft(Part):
+    """What turns with the shaft, and what is taken off it."""
+
+    title, add = "the acceleration of the shaft by a force's torque", "--force, --head-pressure or masses"
+    topic = "wheel"
+
+    inertia = measure(
+        as_inertia,
+        "Moment of inertia of flywheel and shaft, for the angular acceleration of the shaft: '21.6 kg m²'.",
+        "J", unit="kg m²", what="moment of inertia",
+    )  # fmt: skip
+    power = measure(
+        as_power, "With --inertia: power that is taken off the shaft at --speed: 20kW.", "POWER", unit="W"
+    )
+
+    def turned(self) -> Shaft | None:
+        """Return what the torque accelerates, None without --inertia."""
+        inertia = self.inertia
+        if inertia is None:
+            return None
+        if self.says("power") and not self.says("speed"):
+            raise ProblemError("--power becomes a torque by the speed; add --speed, for example 120/min")
+        return Shaft(inertia, self.power or Fraction(0))
+
+
 class Effort(Piston, Friction, Pressing, Masses, Rotating):
     """All that acts on piston and crosshead where no engine does: a force, pressures, friction, masses."""
 
@@ -138,7 +163,7 @@ class Effort(Piston, Friction, Pressing, Masses, Rotating):
 
     def has_parts(self) -> bool:
         """Whether more than a force and masses makes the effort on the piston."""
-        beside = self.says(*PRESSING, "friction", *PINNED) and self.is_pushed()
+        beside = self.says(*PRESSING, "friction", *PINNED, "inertia") and self.is_pushed()
         return beside or (self.is_heavy() and self.stands())
 
     def check_pins(self) -> None:
@@ -162,14 +187,17 @@ class Effort(Piston, Friction, Pressing, Masses, Rotating):
                 if crank.radius is None:
                     raise ProblemError("--pin-friction needs the size of the crank; add --stroke")
                 effort.pins.check(crank.radius, crank.ratio)
+        if effort.shaft is not None and any(chosen.crank(drive).radius is None for drive in drives):
+            raise ProblemError("--inertia needs the size of the crank, by which forces turn it; add --stroke")
         return with_effort(chosen, drives, effort)
 
     def effort(self) -> Efforts | None:
         """Return the pressures, the friction and the pins that are given, None without any."""
         pressures, pins, friction = self.pressures(), self.as_part(PinFriction).pins(), self.friction
-        if pressures is None and pins is None and friction is None:
+        shaft = self.as_part(TurningShaft).turned()
+        if pressures is None and pins is None and friction is None and shaft is None:
             return None
-        return Efforts(pressures, friction or Fraction(0), pins=pins)
+        return Efforts(pressures, friction or Fraction(0), pins=pins, shaft=shaft)
 
     def pressures(self) -> Pressures | None:
         """Return the pressures on both sides. Raises ProblemError without the area on which they act."""
@@ -210,8 +238,9 @@ class Effort(Piston, Friction, Pressing, Masses, Rotating):
 def with_effort(chosen: Mechanism, drives: Sequence[Any], effort: Efforts) -> list[Any]:
     """Return the drives with an effort. Raises ProblemError for drives of which it is not computed."""
     if not chosen.crosshead:
+        beside = "--inertia on its shaft" if effort.shaft else "friction or pressures on its piston"
         raise ProblemError(
-            f"{chosen.title} with friction or pressures on its piston is not computed; leave out what gives"
-            " these, or add --mechanism straight"
+            f"{chosen.title} with {beside} is not computed; leave out what gives these, or add --mechanism"
+            " straight"
         )
     return [drive.of(replace(chosen.crank(drive), effort=effort)) for drive in drives]

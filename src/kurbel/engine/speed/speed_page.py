@@ -147,7 +147,11 @@ def _number(request: EngineRequest, column: Column, place: Place, times: int) ->
 
 
 def _listed(command: str, registry: Callable[[], Mapping[str, Quantity]]) -> Callable[[], Listed]:
-    return lambda: [(command, one) for key, one in registry().items() if key in of_runs()]
+    return lambda: [
+        (command + " --speed" * (one.needs == "turns"), one)
+        for key, one in registry().items()
+        if key in of_runs()
+    ]
 
 
 SPEED = TURNING._replace(
