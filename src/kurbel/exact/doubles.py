@@ -38,7 +38,7 @@ class Double:
         self.high, self.low, self.error = high, low, error
 
     @staticmethod
-    def of(number: Any) -> Double:
+    def of(number: Double | Fraction | float) -> Double:
         """Return what encloses an exact number: a float, an integer or a fraction."""
         if isinstance(number, Double):
             return number
@@ -51,7 +51,7 @@ class Double:
     def __neg__(self) -> Double:
         return Double(-self.high, -self.low, self.error)
 
-    def __add__(self, other: Any) -> Double:
+    def __add__(self, other: Double | Fraction | float) -> Double:
         one = Double.of(other)
         total, rest = _sum(self.high, one.high)
         rounded = ADDED * (abs(self.high) + abs(one.high))
@@ -59,13 +59,13 @@ class Double:
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any) -> Double:
+    def __sub__(self, other: Double | Fraction | float) -> Double:
         return self + -Double.of(other)
 
-    def __rsub__(self, other: Any) -> Double:
+    def __rsub__(self, other: Double | Fraction | float) -> Double:
         return Double.of(other) + -self
 
-    def __mul__(self, other: Any) -> Double:
+    def __mul__(self, other: Double | Fraction | float) -> Double:
         one = Double.of(other)
         product, rest = _product(self.high, one.high)
         low = rest + (self.high * one.low + self.low * one.high)
@@ -74,7 +74,7 @@ class Double:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Double:
+    def __truediv__(self, other: Double | Fraction | float) -> Double:
         one = Double.of(other)
         near = self.high / one.high
         rest = self - one * exact(near)
@@ -85,7 +85,7 @@ class Double:
         least = np.maximum(abs(one.high) - off, 0)
         return _normal(*_sum(near, step), left / least + 2 * UNIT * abs(step))
 
-    def __rtruediv__(self, other: Any) -> Double:
+    def __rtruediv__(self, other: Double | Fraction | float) -> Double:
         return Double.of(other) / self
 
     def __pow__(self, power: Any) -> Double:

@@ -49,7 +49,7 @@ class Enclosure:
         self.value, self.error = value, error
 
     @staticmethod
-    def of(number: Any) -> Enclosure:
+    def of(number: Enclosure | Fraction | float) -> Enclosure:
         """Return what encloses an exact number: a float, an integer or a fraction."""
         if isinstance(number, Enclosure):
             return number
@@ -57,7 +57,7 @@ class Enclosure:
         exact = isinstance(number, float) or Fraction(value) == number
         return Enclosure(np.float64(value), np.float64(0 if exact else abs(value) * UNIT + SUBNORMAL))
 
-    def __add__(self, other: Any) -> Enclosure:
+    def __add__(self, other: Enclosure | Fraction | float) -> Enclosure:
         if _is_exact(other):
             return self if other == 0 else _rounded(self.value + other, self.error)
         added = Enclosure.of(other)
@@ -68,14 +68,14 @@ class Enclosure:
     def __neg__(self) -> Enclosure:
         return Enclosure(-self.value, self.error)
 
-    def __sub__(self, other: Any) -> Enclosure:
+    def __sub__(self, other: Enclosure | Fraction | float) -> Enclosure:
         less = Enclosure.of(other).__neg__()
         return self + less
 
-    def __rsub__(self, other: Any) -> Enclosure:
+    def __rsub__(self, other: Enclosure | Fraction | float) -> Enclosure:
         return Enclosure.of(other) - self
 
-    def __mul__(self, other: Any) -> Enclosure:
+    def __mul__(self, other: Enclosure | Fraction | float) -> Enclosure:
         if _is_exact(other):
             return self if other == 1 else _rounded(self.value * other, self.error * abs(other))
         by = Enclosure.of(other)
@@ -85,7 +85,7 @@ class Enclosure:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Enclosure:
+    def __truediv__(self, other: Enclosure | Fraction | float) -> Enclosure:
         if _is_exact(other) and other:
             return _rounded(self.value / other, self.error / abs(other))
         below = Enclosure.of(other)
@@ -94,7 +94,7 @@ class Enclosure:
         spread = (self.error + abs(quotient) * below.error) / np.where(least > 0, least, np.nan)
         return _rounded(quotient, spread)
 
-    def __rtruediv__(self, other: Any) -> Enclosure:
+    def __rtruediv__(self, other: Enclosure | Fraction | float) -> Enclosure:
         return Enclosure.of(other) / self
 
     def __pow__(self, exponent: Any) -> Enclosure:
@@ -120,12 +120,12 @@ class Enclosure:
     def __abs__(self) -> Enclosure:
         return Enclosure(abs(self.value), self.error)
 
-    def max(self, other: Any) -> Enclosure:
+    def max(self, other: Enclosure | Fraction | float) -> Enclosure:
         """Return the larger of two numbers; at a corner, where floats cannot tell which, it is as near."""
         than = Enclosure.of(other)
         return Enclosure(np.maximum(self.value, than.value), np.maximum(self.error, than.error))
 
-    def union(self, other: Any) -> Enclosure:
+    def union(self, other: Enclosure | Fraction | float) -> Enclosure:
         """Return what holds either number."""
         with_it = Enclosure.of(other)
         apart = abs(self.value - with_it.value)
@@ -148,12 +148,12 @@ class Enclosure:
         """Whether it is one number, and for certain this one."""
         return _is_exact(other) and np.ndim(self.value) == 0 and self.error == 0 and self.value == other
 
-    def __lt__(self, other: Any) -> bool:
+    def __lt__(self, other: Enclosure | Fraction | float) -> bool:
         """Whether it is less for certain, all of it."""
         than = Enclosure.of(other)
         return bool((self.value + self.error < than.value - than.error).all())
 
-    def __gt__(self, other: Any) -> bool:
+    def __gt__(self, other: Enclosure | Fraction | float) -> bool:
         return Enclosure.of(other) < self
 
     __hash__ = None  # type: ignore[assignment]
@@ -172,7 +172,7 @@ def _rounded(value: Floats, spread: Floats) -> Enclosure:
     return Enclosure(value, error)
 
 
-def _is_exact(number: Any) -> bool:
+def _is_exact(number: object) -> bool:
     return isinstance(number, float) or (isinstance(number, int) and abs(number) < WHOLE)
 
 

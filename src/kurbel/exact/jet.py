@@ -9,7 +9,7 @@ from typing import Any
 from flint import arb
 
 from kurbel.exact.certify import half_turn_circle, pi
-from kurbel.kernel.circle import Circle
+from kurbel.kernel.circle import Circle, Numeric
 
 
 # Not frozen, which would be half the time of a sum.
@@ -21,7 +21,7 @@ class Jet:
     slope: Any
     bend: Any
 
-    def __add__(self, other: Any) -> Jet:
+    def __add__(self, other: Jet | Numeric) -> Jet:
         if not isinstance(other, Jet):
             return Jet(self.value + other, self.slope, self.bend)
         return Jet(self.value + other.value, self.slope + other.slope, self.bend + other.bend)
@@ -31,13 +31,13 @@ class Jet:
     def __neg__(self) -> Jet:
         return Jet(-self.value, -self.slope, -self.bend)
 
-    def __sub__(self, other: Any) -> Jet:
+    def __sub__(self, other: Jet | Numeric) -> Jet:
         return self.__add__(-other)
 
-    def __rsub__(self, other: Any) -> Jet:
+    def __rsub__(self, other: Jet | Numeric) -> Jet:
         return (-self).__add__(other)
 
-    def __mul__(self, other: Any) -> Jet:
+    def __mul__(self, other: Jet | Numeric) -> Jet:
         if not isinstance(other, Jet):
             return Jet(self.value * other, self.slope * other, self.bend * other)
         return Jet(
@@ -48,14 +48,14 @@ class Jet:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Jet:
+    def __truediv__(self, other: Jet | Numeric) -> Jet:
         if not isinstance(other, Jet):
             return Jet(self.value / other, self.slope / other, self.bend / other)
         value = self.value / other.value
         slope = (self.slope - value * other.slope) / other.value
         return Jet(value, slope, (self.bend - 2 * (slope * other.slope) - value * other.bend) / other.value)
 
-    def __rtruediv__(self, other: Any) -> Jet:
+    def __rtruediv__(self, other: Jet | Numeric) -> Jet:
         return Jet(other, 0, 0) / self
 
     def __pow__(self, exponent: Any) -> Jet:

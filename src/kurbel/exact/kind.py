@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel import circle as on_floats
+from kurbel.kernel.circle import Circle, Numeric
 
 if TYPE_CHECKING:
     from flint import arb
@@ -81,10 +82,10 @@ def settled(value: Callable[[Kind], Any], decimals: int, rounding: str = "half-a
 def floats() -> Kind:
     """Return floats, or arrays of them."""
 
-    def angle(point: Any, ratio: Any, offset: Any) -> Any:
+    def angle(point: Circle[Numeric], ratio: Numeric, offset: Numeric | None) -> Numeric:
         return on_floats.rod_angle(point, ratio, offset or 0.0)
 
-    def circle(degrees: Any) -> Any:
+    def circle(degrees: Any) -> Circle[Any]:
         return on_floats.circle(float(degrees) if isinstance(degrees, Fraction) else degrees)
 
     return Kind(float, circle, on_floats.arcsine, math.pi, angle, float, _rounded)

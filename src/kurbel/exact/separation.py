@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from math import lcm, log2, prod
-from typing import Any
+from typing import Any, TypeAlias
 
 from kurbel.errors import NotationError
 from kurbel.exact.numerals import MOST_FIGURES
@@ -140,6 +140,8 @@ MOST_BITS = log2(10) * MOST_FIGURES
 # Of the logarithms of two such numbers.
 _DOUBT = 1e-9
 
+Operation: TypeAlias = Callable[[Any, Any], Any]
+
 
 class TooLargeError(NotationError):
     """An exact number that is not computed, for its size."""
@@ -151,7 +153,7 @@ class TooLargeError(NotationError):
         )
 
 
-def _bounded(operation: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
+def _bounded(operation: Operation) -> Operation:
     def apply(first: Any, second: Any) -> Any:
         if isinstance(first, Fraction) and isinstance(second, Fraction):
             size = operation(Separation.rational(first), Separation.rational(second))

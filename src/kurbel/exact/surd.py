@@ -10,7 +10,6 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import isqrt
-from typing import Any
 
 import flint
 from flint import arb, fmpz_poly
@@ -89,7 +88,7 @@ class Surd:
         self.field = field
         self.plain, self.rooted, self.below = plain // common, rooted // common, below // common
 
-    def __add__(self, other: Any) -> Surd:
+    def __add__(self, other: Surd | Fraction | int) -> Surd:
         one = self._like(other)
         return Surd(
             self.field,
@@ -103,13 +102,13 @@ class Surd:
     def __neg__(self) -> Surd:
         return Surd(self.field, -self.plain, -self.rooted, self.below)
 
-    def __sub__(self, other: Any) -> Surd:
+    def __sub__(self, other: Surd | Fraction | int) -> Surd:
         return self + -self._like(other)
 
-    def __rsub__(self, other: Any) -> Surd:
+    def __rsub__(self, other: Surd | Fraction | int) -> Surd:
         return self._like(other) + -self
 
-    def __mul__(self, other: Any) -> Surd:
+    def __mul__(self, other: Surd | Fraction | int) -> Surd:
         one = self._like(other)
         return Surd(
             self.field,
@@ -120,12 +119,12 @@ class Surd:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Surd:
+    def __truediv__(self, other: Surd | Fraction | int) -> Surd:
         one = self._like(other)
         inverse = Surd(self.field, one.plain * one.below, -one.rooted * one.below, one._product())
         return self * inverse
 
-    def __rtruediv__(self, other: Any) -> Surd:
+    def __rtruediv__(self, other: Surd | Fraction | int) -> Surd:
         return self._like(other) / self
 
     def __pow__(self, exponent: float) -> Surd:
@@ -164,7 +163,7 @@ class Surd:
     def _product(self) -> fmpz_poly:
         return self.plain * self.plain - self.rooted * self.rooted * self.field.radicand
 
-    def _like(self, other: Any) -> Surd:
+    def _like(self, other: Surd | Fraction | int) -> Surd:
         return other if isinstance(other, Surd) else self.field.of(other)
 
 

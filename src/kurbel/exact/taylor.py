@@ -43,7 +43,7 @@ class Continued:
         self.at = at
 
     @classmethod
-    def of(cls, number: Any) -> Continued:
+    def of(cls, number: Continued | arb | Fraction | float) -> Continued:
         """Return a number of another kind as a constant."""
         if isinstance(number, Continued):
             return number
@@ -55,26 +55,26 @@ class Continued:
     def __neg__(self) -> Continued:
         return Continued(-self.ball, -self.at)
 
-    def __add__(self, other: Any) -> Continued:
+    def __add__(self, other: Continued | arb | Fraction | float) -> Continued:
         other = Continued.of(other)
         return Continued(self.ball + other.ball, self.at + other.at)
 
-    def __sub__(self, other: Any) -> Continued:
+    def __sub__(self, other: Continued | arb | Fraction | float) -> Continued:
         other = Continued.of(other)
         return Continued(self.ball - other.ball, self.at - other.at)
 
-    def __mul__(self, other: Any) -> Continued:
+    def __mul__(self, other: Continued | arb | Fraction | float) -> Continued:
         other = Continued.of(other)
         return Continued(self.ball * other.ball, self.at * other.at)
 
-    def __truediv__(self, other: Any) -> Continued:
+    def __truediv__(self, other: Continued | arb | Fraction | float) -> Continued:
         other = Continued.of(other)
         return Continued(self.ball / other.ball, self.at / other.at)
 
-    def __rsub__(self, other: Any) -> Continued:
+    def __rsub__(self, other: Continued | arb | Fraction | float) -> Continued:
         return Continued.of(other) - self
 
-    def __rtruediv__(self, other: Any) -> Continued:
+    def __rtruediv__(self, other: Continued | arb | Fraction | float) -> Continued:
         return Continued.of(other) / self
 
     def __abs__(self) -> Continued:
@@ -100,19 +100,19 @@ class Continued:
     def log(self) -> Continued:
         return Continued(self.ball.log(**self._cuts), math.log(self.at))
 
-    def __eq__(self, other: object) -> bool:
+    def __eq__(self, other: Any) -> bool:
         return bool(self.ball == Continued.of(other).ball)
 
-    def __lt__(self, other: Any) -> bool:
+    def __lt__(self, other: Continued | arb | Fraction | float) -> bool:
         return self._above(other) < 0
 
-    def __gt__(self, other: Any) -> bool:
+    def __gt__(self, other: Continued | arb | Fraction | float) -> bool:
         return self._above(other) > 0
 
-    def max(self, other: Any) -> Continued:
+    def max(self, other: Continued | arb | Fraction | float) -> Continued:
         return self if self._above(other) >= 0 else Continued.of(other)
 
-    def union(self, other: Any) -> Continued:
+    def union(self, other: Continued | arb | Fraction | float) -> Continued:
         """Two shapes, of which a ball over a corner has both, do not meet here."""
         raise ProblemError("a corner lies where none was looked for; give slightly other numbers")
 
@@ -120,7 +120,7 @@ class Continued:
         """The radius, by which formulas know a ball."""
         return self.ball.rad()
 
-    def _above(self, other: Any) -> float:
+    def _above(self, other: Continued | arb | Fraction | float) -> float:
         other = Continued.of(other)
         if self == other:
             return 0.0
@@ -142,7 +142,7 @@ def continued() -> Kind:
     )
 
 
-def _degrees(sine: Any) -> Continued:
+def _degrees(sine: Continued | arb | Fraction | float) -> Continued:
     """Return the angle within -90°..90° that has this sine; on the cuts beyond -1 and 1 it is no number."""
     place = Continued.of(sine)
     angle = place.ball.asin()
@@ -152,7 +152,7 @@ def _degrees(sine: Any) -> Continued:
     return Continued(angle * 180 / arb.pi(), math.degrees(math.asin(place.at)))
 
 
-def half_turn_circle(half_turns: Any) -> Circle[Continued]:
+def half_turn_circle(half_turns: Continued | arb | Fraction | float) -> Circle[Continued]:
     """Return sine, cosine and versine of half turns, exact ones or continued."""
     place = Continued.of(half_turns)
     sine, cosine = place.ball.sin_cos_pi()
@@ -220,7 +220,7 @@ class Taylor:
         bound = self.bound * ball(self.radius)
         return replace(self, terms=self.terms.integral(), length=self.length + 1, bound=bound)
 
-    def __add__(self, other: Any) -> Taylor:
+    def __add__(self, other: Taylor | arb) -> Taylor:
         """Return the sum with a function about the same place, or with a number."""
         if not isinstance(other, Taylor):
             return replace(self, terms=self.terms + other, bound=(self.bound + abs(other)).upper())
@@ -228,7 +228,7 @@ class Taylor:
         terms = (self.terms + other.terms).truncate(count)
         return Taylor(self.middle, radius, terms, count, (self.bound + other.bound).upper())
 
-    def __mul__(self, other: Any) -> Taylor:
+    def __mul__(self, other: Taylor | arb) -> Taylor:
         if not isinstance(other, Taylor):
             return replace(self, terms=self.terms * other, bound=(self.bound * abs(other)).upper())
         count, radius = min(self.length, other.length), min(self.radius, other.radius)

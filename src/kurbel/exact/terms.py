@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cached_property, lru_cache, reduce
 from math import lcm, log2
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, NoReturn, TypeAlias
 
 import flint
 from flint import arb
@@ -141,13 +141,13 @@ class Terms:
             raise UndecidedError
         return cls({ONE: Algebraic.of(Fraction(value))})
 
-    def __add__(self, other: Any) -> Terms:
+    def __add__(self, other: Terms | Fraction | float) -> Terms:
         parts = dict(self.parts)
         for unit, one in Terms.of(other).parts.items():
             parts[unit] = parts[unit] + one if unit in parts else one
         return Terms(parts)
 
-    def __mul__(self, other: Any) -> Terms:
+    def __mul__(self, other: Terms | Fraction | float) -> Terms:
         total: Terms | None = None
         for unit, one in Terms.of(other).parts.items():
             found = Terms({_product(own, unit): number * one for own, number in self.parts.items()})
@@ -159,16 +159,16 @@ class Terms:
     def __neg__(self) -> Terms:
         return Terms({unit: -one for unit, one in self.parts.items()})
 
-    def __sub__(self, other: Any) -> Terms:
+    def __sub__(self, other: Terms | Fraction | float) -> Terms:
         return self + -Terms.of(other)
 
-    def __rsub__(self, other: Any) -> Terms:
+    def __rsub__(self, other: Terms | Fraction | float) -> Terms:
         return -self + Terms.of(other)
 
-    def __truediv__(self, other: Any) -> Terms:
+    def __truediv__(self, other: Terms | Fraction | float) -> Terms:
         return self * Terms.of(other) ** -1
 
-    def __rtruediv__(self, other: Any) -> Terms:
+    def __rtruediv__(self, other: Terms | Fraction | float) -> Terms:
         return Terms.of(other) * self**-1
 
     def __pow__(self, exponent: float | Fraction) -> Terms:
@@ -193,20 +193,20 @@ class Terms:
             primes = {number: 1}
         return Terms({Unit(log=one): Algebraic.of(Fraction(times)) for one, times in primes.items()})
 
-    def max(self, other: Any) -> Terms:
+    def max(self, other: Terms | Fraction | float) -> Terms:
         other = Terms.of(other)
         return other if (self - other).sign < 0 else self
 
-    def union(self, other: Any) -> Terms:
+    def union(self, other: Terms | Fraction | float) -> Terms:
         """Return what either of two numbers may be, which is known if they are one."""
         if (self - other).left:
             raise UndecidedError
         return self
 
-    def __lt__(self, other: Any) -> bool:
+    def __lt__(self, other: Terms | Fraction | float) -> bool:
         return (self - Terms.of(other)).sign < 0
 
-    def __gt__(self, other: Any) -> bool:
+    def __gt__(self, other: Terms | Fraction | float) -> bool:
         return (self - Terms.of(other)).sign > 0
 
     @property
@@ -343,7 +343,7 @@ def _exactly(ball: arb, bound: Separation) -> Algebraic:
     return Algebraic(ball, bound) if doubled is None else Algebraic.of(Fraction(int(doubled), 2))
 
 
-def _undecided(*_: Any) -> Any:
+def _undecided(*_: object) -> NoReturn:
     raise UndecidedError
 
 

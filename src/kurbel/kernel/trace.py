@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, NoReturn
 
 from kurbel.errors import KurbelError
 
@@ -45,7 +45,7 @@ class Tape:
             self._written[expression] = name
         return Traced(self, self._written[expression])
 
-    def name(self, number: Any) -> str:
+    def name(self, number: Traced | float) -> str:
         """Return what stands in a line for a number of any kind: whole numbers themselves."""
         if isinstance(number, Traced):
             return number.name
@@ -71,38 +71,38 @@ class Traced:
         self.tape = tape
         self.name = name
 
-    def _of(self, left: Any, sign: str, right: Any) -> Traced:
+    def _of(self, left: Traced | float, sign: str, right: Traced | float) -> Traced:
         name = self.tape.name
         return self.tape.number(f"{name(left)} {sign} {name(right)}")
 
-    def __add__(self, other: Any) -> Traced:
+    def __add__(self, other: Traced | float) -> Traced:
         return self._of(self, "+", other)
 
-    def __radd__(self, other: Any) -> Traced:
+    def __radd__(self, other: Traced | float) -> Traced:
         return self._of(other, "+", self)
 
-    def __sub__(self, other: Any) -> Traced:
+    def __sub__(self, other: Traced | float) -> Traced:
         return self._of(self, "-", other)
 
-    def __rsub__(self, other: Any) -> Traced:
+    def __rsub__(self, other: Traced | float) -> Traced:
         return self._of(other, "-", self)
 
-    def __mul__(self, other: Any) -> Traced:
+    def __mul__(self, other: Traced | float) -> Traced:
         return self._of(self, "*", other)
 
-    def __rmul__(self, other: Any) -> Traced:
+    def __rmul__(self, other: Traced | float) -> Traced:
         return self._of(other, "*", self)
 
-    def __truediv__(self, other: Any) -> Traced:
+    def __truediv__(self, other: Traced | float) -> Traced:
         return self._of(self, "/", other)
 
-    def __rtruediv__(self, other: Any) -> Traced:
+    def __rtruediv__(self, other: Traced | float) -> Traced:
         return self._of(other, "/", self)
 
     def __neg__(self) -> Traced:
         return self.tape.number(f"-{self.name}")
 
-    def __pow__(self, power: Any) -> Traced:
+    def __pow__(self, power: Traced | float) -> Traced:
         # What NumPy makes of these powers, to the bit.
         if power == 2:
             return self * self
@@ -110,24 +110,26 @@ class Traced:
             return self.tape.number(f"sqrt({self.name})")
         raise UntraceableError(f"the power {power} is not traced")
 
-    def unrounded(self, parts: Callable[[Traced], Any]) -> Any:
+    def unrounded(self, parts: Callable[[Traced], tuple[Any, Any]]) -> tuple[Any, Any, Any]:
         """Return what `circle` does of an angle in degrees, without asking in which quarter it lies."""
         return unrounded(self, parts)
 
-    def __gt__(self, other: Any) -> Condition:
+    def __gt__(self, other: Traced | float) -> Condition:
         return Condition(self.tape, f"{self.name} > {self.tape.name(other)}")
 
-    def view(self, _: Any) -> Bits:
+    def view(self, _: object) -> Bits:
         """Return the bits, as an array of floats does for NumPy's int64."""
         return Bits(self.tape, self.tape.number(f"float64({self.name}).view(int64)").name)
 
-    def __array_ufunc__(self, ufunc: Any, method: str, *numbers: Any, **options: Any) -> Any:
+    def __array_ufunc__(
+        self, ufunc: Callable[..., object], method: str, *numbers: Any, **options: object
+    ) -> Any:
         done = _UFUNCS.get(ufunc.__name__)
         if method != "__call__" or options or done is None:
             raise UntraceableError(f"{ufunc.__name__} is not traced")
         return done(*(number.item() if hasattr(number, "item") else number for number in numbers))
 
-    def _refuse(self, *_: Any, **__: Any) -> Any:
+    def _refuse(self, *_: object, **__: object) -> NoReturn:
         raise UntraceableError("a traced number is not known yet")
 
     __array__ = __array_function__ = __bool__ = __float__ = __int__ = __index__ = __abs__ = _refuse
@@ -142,7 +144,9 @@ class Condition:
         self.tape = tape
         self.text = text
 
-    def __array_function__(self, function: Any, _: Any, numbers: Any, options: Any) -> Traced:
+    def __array_function__(
+        self, function: Callable[..., object], _: object, numbers: Sequence[Any], options: object
+    ) -> Traced:
         if function.__name__ != "where" or options or numbers[0] is not self:
             raise UntraceableError(f"{function.__name__} is not traced")
         one, other = (self.tape.name(number) for number in numbers[1:])
@@ -175,15 +179,17 @@ class Bits:
     def __add__(self, number: int) -> Bits:
         return self._of("+", number)
 
-    def view(self, _: Any) -> Traced:
+    def view(self, _: object) -> Traced:
         return self.tape.number(f"int64({self.name}).view(float64)")
 
 
-def _chosen(one: Any, sign: str, other: Any) -> Traced:
+def _chosen(one: Traced | float, sign: str, other: Traced | float) -> Traced:
     """Return one of two numbers, NaN if either is, as NumPy does."""
-    tape: Tape = one.tape if isinstance(one, Traced) else other.tape
-    one, other = tape.name(one), tape.name(other)
-    return tape.number(f"({one} if {one} {sign} {other} or {one} != {one} else {other})")
+    traced = one if isinstance(one, Traced) else other
+    assert isinstance(traced, Traced)
+    tape = traced.tape
+    first, second = tape.name(one), tape.name(other)
+    return tape.number(f"({first} if {first} {sign} {second} or {first} != {first} else {second})")
 
 
 # What a float of NumPy's own does with a traced number.
@@ -216,7 +222,7 @@ class Sign:
         return other.tape.number(f"int64({bits}).view(float64)")
 
 
-def unrounded(degrees: Traced, parts: Callable[[Traced], Any]) -> Any:
+def unrounded(degrees: Traced, parts: Callable[[Traced], tuple[Any, Any]]) -> tuple[Any, Any, Any]:
     """Return the turns of sine, cosine and versine, the part that the sine takes and that of the others.
 
     `parts` gives sine and versine within ±45°, unrounded. The bits are those of `kernel.circle`.
@@ -243,6 +249,6 @@ def _sign(bits: Traced, change: str) -> Sign:
     return Sign(bits.tape.number(f"(({bits.name}{change}) & 2) << 62"))
 
 
-def _either(condition: Traced, one: Any, other: Any) -> Traced:
+def _either(condition: Traced, one: Traced | float, other: Traced | float) -> Traced:
     tape = condition.tape
     return tape.number(f"({tape.name(one)} if {condition.name} else {tape.name(other)})")
