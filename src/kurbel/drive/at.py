@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls
 from kurbel.kernel import forces, kinematics
-from kurbel.kernel.circle import Circle
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.forces import Weight, on_return
 from kurbel.kernel.forces import net_torque as pin_torque
 from kurbel.kernel.moving import Accelerations, Masses, with_crank
@@ -47,20 +47,20 @@ def framed(weight: Weight[Any] | None, stroke: int) -> Weight[Any] | None:
 _RATIONAL = {Fraction(0): Fraction(0), Fraction(1, 2): Fraction(30), Fraction(-1, 2): Fraction(-30)}
 
 
-def angular_velocity(crank: Crank, numbers: Kind) -> Any:
+def angular_velocity(crank: Crank, numbers: Kind) -> Numeric:
     """Return ω in rad/s."""
     speed = known(crank.speed)
     omega = numbers.of(2 * speed.value if speed.turns else speed.value)
     return omega * numbers.pi if speed.turns else omega
 
 
-def angular_square(crank: Crank, numbers: Kind) -> Any:
+def angular_square(crank: Crank, numbers: Kind) -> Numeric:
     """Return ω² in 1/s²."""
     omega = angular_velocity(crank, numbers)
     return omega * omega
 
 
-def gain(crank: Crank, numbers: Kind) -> Any:
+def gain(crank: Crank, numbers: Kind) -> Numeric:
     """Return α/ω²: so much of a velocity adds to an acceleration, in units of the even crank's."""
     return numbers.of(crank.acceleration) / angular_square(crank, numbers)
 
@@ -72,14 +72,14 @@ def begun(crank: Crank, stroke: int) -> Fraction | None:
     return _RATIONAL.get(sine)
 
 
-def turned(crank: Crank, stroke: int, degrees: Any, numbers: Kind) -> Any:
+def turned(crank: Crank, stroke: int, degrees: Numeric, numbers: Kind) -> Numeric:
     """Return by how much of a turn the crank, at φ of the stroke in degrees, is beyond where that begins."""
     exact = begun(crank, stroke)
     first = crank.dead_angle(stroke, numbers) if exact is None else numbers.of(exact)
     return (degrees - first) / 360
 
 
-def turn_time(crank: Crank, numbers: Kind) -> Any:
+def turn_time(crank: Crank, numbers: Kind) -> Numeric:
     """Return the time of an even turn in seconds."""
     speed = known(crank.speed)
     time = numbers.of((1 if speed.turns else 2) / speed.value)
@@ -104,8 +104,8 @@ class Weights(NamedTuple):
 
     masses: Masses[Any]
     reciprocating: Any
-    rotating: Any
-    weight: Weight[Any] | None = None
+    rotating: Numeric
+    weight: Weight[Numeric] | None = None
 
     @property
     def still(self) -> Weights | None:
@@ -146,11 +146,11 @@ class CrankForce(NamedTuple):
         return self.on(Loaded(circle, ratio, weights.masses, offset, net, weights.reciprocating))
 
 
-def _unit(circle: Any, ratio: Any, offset: Any) -> Any:
+def _unit(circle: Any, ratio: Numeric, offset: Numeric) -> Numeric:
     return 1
 
 
-def _none(circle: Any, ratio: Any, offset: Any) -> Any:
+def _none(circle: Any, ratio: Numeric, offset: Numeric) -> Numeric:
     return 0
 
 
@@ -260,12 +260,12 @@ class At:
         path = kinematics.offset_path(self.circle, self.ratio, self.offset)
         return path / kinematics.stroke(self.ratio, self.offset)
 
-    def acting(self, force: Any) -> Any:
+    def acting(self, force: Numeric) -> Numeric:
         """Return what the first piston force calls up, as the force at this place does."""
         factor = self.crank.force.relative(self) if self.crank.force else None
         return force if factor is None else force * factor
 
-    def pressed(self) -> Any:
+    def pressed(self) -> Numeric:
         """Return the force of the pressures in newtons, in the direction of the stroke, 0 without them."""
         effort = self.crank.effort
         # On the return stroke the cover lies the other way.
@@ -324,21 +324,21 @@ def way_at(crank: Crank, stroke: int, angle: Fraction) -> int:
     from kurbel.exact.certify import at_bits
     from kurbel.exact.terms import vanishes
 
-    def velocity(kind: Kind) -> Any:
+    def velocity(kind: Kind) -> Numeric:
         return kinematics.offset_velocity(kind.circle(angle), *_numbers(crank, stroke, kind))
 
-    def acceleration(kind: Kind) -> Any:
+    def acceleration(kind: Kind) -> Numeric:
         return kinematics.offset_acceleration(kind.circle(angle), *_numbers(crank, stroke, kind))
 
     rests = vanishes(velocity)
     bits = FIRST_BITS
     while True:
         with at_bits(bits):
-            found = (acceleration if rests else velocity)(balls())
+            found: Any = (acceleration if rests else velocity)(balls())
         if not found.contains(0):
             return 1 if found > 0 else -1
         bits *= 2
 
 
-def _numbers(crank: Crank, stroke: int, kind: Kind) -> tuple[Any, Any]:
+def _numbers(crank: Crank, stroke: int, kind: Kind) -> tuple[Numeric, Numeric]:
     return kind.of(stroke * crank.ratio), kind.of(stroke * crank.offset)

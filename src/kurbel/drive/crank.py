@@ -16,6 +16,7 @@ from kurbel.drive.rod import Moving, Rod
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel import kinematics
+from kurbel.kernel.circle import Numeric
 from kurbel.reading import units
 from kurbel.reading.given import as_fraction, as_length, as_number, as_ratios, as_share, as_speed
 from kurbel.reading.notation import Progression, about, ratio_text
@@ -112,7 +113,7 @@ class Crank:
             return numbers.of(radius * speed.value)
         return numbers.of(2 * radius * speed.value) * numbers.pi
 
-    def mean_velocity(self, numbers: Kind) -> Any:
+    def mean_velocity(self, numbers: Kind) -> Numeric:
         """Return c_m of the piston in m/s. Of turns it is S n/30, without the π of the crank-pin velocity.
 
         Source: Blau, eq. (23), (24); S is the drive's own stroke.
@@ -123,7 +124,7 @@ class Crank:
             return kinematics.mean_piston_speed(stroke, numbers.of(60 * speed.value))
         return self.pin_velocity(numbers) * kinematics.mean_piston_velocity(self.stroke(numbers), numbers.pi)
 
-    def pin_to_mean(self, numbers: Kind) -> Any:
+    def pin_to_mean(self, numbers: Kind) -> Numeric:
         """Return v : c_m = π R : S. Source: Blau, eq. (24), for any stroke."""
         return numbers.pi / self.stroke(numbers)
 
@@ -135,11 +136,11 @@ class Crank:
     def millimetres(self, numbers: Kind) -> Any:
         return numbers.of(1000 * known(self.radius))
 
-    def newtons(self, numbers: Kind) -> Any:
+    def newtons(self, numbers: Kind) -> Numeric:
         """What makes newtons of a unit force; forces of moving masses are in newtons as they are."""
         return numbers.of(Fraction(1) if self.loaded else known(self.force).first)
 
-    def newton_metres(self, numbers: Kind) -> Any:
+    def newton_metres(self, numbers: Kind) -> Numeric:
         return self.newtons(numbers) * numbers.of(known(self.radius))
 
     def __post_init__(self) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
-from kurbel.kernel.circle import root
+from kurbel.kernel.circle import Numeric, root
 from kurbel.kernel.forces import Circles
 from kurbel.reading.notation import about
 
@@ -98,7 +98,7 @@ class Pins:
                 " long; give smaller diameters"
             )
 
-    def circles(self, kind: Kind, radius: Fraction) -> Circles[Any]:
+    def circles(self, kind: Kind, radius: Fraction) -> Circles[Numeric]:
         """Return the radii of the circles of friction in crank radii, on a kind of number."""
         # r sin ρ of μ = tan ρ.
         share = kind.of(self.friction / (2 * radius)) / root(kind.of(1 + self.friction**2))

@@ -57,7 +57,7 @@ class Moved(ABC):
         """Return the slope of the path."""
 
     @abstractmethod
-    def acceleration(self, stroke: int, circle: Circle[Numeric]) -> Any:
+    def acceleration(self, stroke: int, circle: Circle[Numeric]) -> Numeric:
         """Return the slope of the velocity."""
 
     def lever(self, stroke: int, circle: Circle[Numeric]) -> Any:
@@ -86,19 +86,19 @@ class Moved(ABC):
         return found
 
     @abstractmethod
-    def kinetic_energy(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Any:
+    def kinetic_energy(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Numeric:
         """Return the part of the masses' energy that changes, in units of m R² ω²."""
 
     @abstractmethod
-    def torque_slope(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Any:
+    def torque_slope(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Numeric:
         """Return the change of the power of the masses' inertia with the angle in radians."""
 
-    def weight_slope(self, stroke: int, circle: Circle[Numeric], weight: Weight[Numeric]) -> Any:
+    def weight_slope(self, stroke: int, circle: Circle[Numeric], weight: Weight[Numeric]) -> Numeric:
         """Return the change of the torque of weights with the angle in radians."""
         own = on_return(weight) if stroke else weight
         return torque_slope(own, circle, self.acceleration(stroke, circle))
 
-    def work_of_weight(self, stroke: int, circle: Circle[Numeric], weight: Weight[Numeric]) -> Any:
+    def work_of_weight(self, stroke: int, circle: Circle[Numeric], weight: Weight[Numeric]) -> Numeric:
         """Return the work that weights have done since a fixed place, over R."""
         own = on_return(weight) if stroke else weight
         return work(own, circle, self.path(stroke, circle), self.length, bool(stroke))
@@ -167,7 +167,7 @@ class Slide(Moved):
     def velocity(self, stroke: int, circle: Circle[Numeric]) -> Any:
         return self.motion.velocity(circle, *self.numbers[stroke])
 
-    def acceleration(self, stroke: int, circle: Circle[Numeric]) -> Any:
+    def acceleration(self, stroke: int, circle: Circle[Numeric]) -> Numeric:
         return self.motion.acceleration(circle, *self.numbers[stroke])
 
     def lever(self, stroke: int, circle: Circle[Numeric]) -> Any:
@@ -196,18 +196,18 @@ class Slide(Moved):
 
     def power(
         self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric], weight: Weight[Numeric] | None
-    ) -> Any:
+    ) -> Numeric:
         if self._is_first_order:
             return moving.power_first_order(circle, self.numbers[stroke][0], masses, framed(weight, stroke))
         return super().power(stroke, circle, masses, weight)
 
-    def kinetic_energy(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Any:
+    def kinetic_energy(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Numeric:
         ratio, *offset = self.numbers[stroke]
         if self._is_first_order:
             return moving.kinetic_energy_first_order(circle, ratio, masses)
         return rod.kinetic_energy(circle, ratio, masses, *offset)
 
-    def torque_slope(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Any:
+    def torque_slope(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Numeric:
         ratio, *offset = self.numbers[stroke]
         if self._is_first_order:
             return moving.torque_slope_first_order(circle, ratio, masses)

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from kurbel.drive.at import Weights
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.forces import Weight
 from kurbel.kernel.moving import Masses, joined, rod_masses, two_masses
 from kurbel.reading.notation import about
@@ -54,7 +55,9 @@ class Slope:
         """Whether the crank pin passes above the shaft on the outstroke."""
         return abs(self.angle) < VERTICAL
 
-    def weight(self, kind: Kind, pin: Fraction, crosshead: Fraction, reciprocating: Fraction) -> Weight[Any]:
+    def weight(
+        self, kind: Kind, pin: Fraction, crosshead: Fraction, reciprocating: Fraction
+    ) -> Weight[Numeric]:
         """Return what masses in kg weigh in newtons, on a kind of number."""
         circle = kind.circle(self.angle)
         at_pin, at_end, own = (kind.of(self.gravity * mass) for mass in (pin, crosshead, reciprocating))

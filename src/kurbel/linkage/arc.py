@@ -19,7 +19,7 @@ from kurbel.exact.certify import pi as ball_pi
 from kurbel.exact.course import Course
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.place import SQUARE, Centre, Place
-from kurbel.kernel.circle import Circle
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.linkage.arc_quantities import arc_registry
 from kurbel.linkage.linkage import LinkageDrive
 from kurbel.linkage.rocker import STROKE, RockerCrank, direct
@@ -78,7 +78,7 @@ class ArcCrank(RockerCrank):
                 " leave the distance out, or give the rod a length"
             )
 
-    def figures(self, stroke: int, kind: Kind) -> tuple[Any, Any, Any, Any]:
+    def figures(self, stroke: int, kind: Kind) -> tuple[Numeric, Numeric, Numeric, Numeric]:
         one, other, third, fourth = map(kind.of, self.numbers(stroke))
         return one, other, third, fourth
 
@@ -91,7 +91,9 @@ class ArcCrank(RockerCrank):
             stroke * self.shift,
         )
 
-    def at(self, stroke: int, circle: Circle[Any], numbers: Kind, method: str, of: str | None = None) -> At:
+    def at(
+        self, stroke: int, circle: Circle[Numeric], numbers: Kind, method: str, of: str | None = None
+    ) -> At:
         if of is None or not numbers.bounded:
             # Without super(), which classes with slots lose.
             return RockerCrank.at(self, stroke, circle, numbers, method)
@@ -243,7 +245,7 @@ class ArcDrive(LinkageDrive):
 
         return begin, lambda: begin() + 1 + stroke * self.arc.lead(balls()) / 180
 
-    def _gauge(self, quantity: Quantity) -> Any:
+    def _gauge(self, quantity: Quantity) -> Numeric:
         """Return by how much the path, its share or the rocker's angle grows in half a turn at v = 1."""
         if quantity.key == "path":
             return ball_pi()

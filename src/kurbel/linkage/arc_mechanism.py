@@ -14,6 +14,7 @@ from kurbel.drive.load import CARD, COMPRESSOR, FORCE, GAS, MASSES, PUMP, STEAM
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, exact_text
+from kurbel.kernel.circle import Numeric
 from kurbel.linkage.arc import ArcCrank, ArcDrive, arc_columns
 from kurbel.linkage.arc_quantities import LEFT, arc_registry
 from kurbel.linkage.linkage import (
@@ -191,7 +192,7 @@ class Speech:
         """Return the line with what a drive does between its dead centres."""
         angle, share = 3, 4
 
-        def outer(kind: Kind) -> Any:
+        def outer(kind: Kind) -> Numeric:
             return drive.dead_angle(RETURN, kind) + 180
 
         return self.words["dead_centres"][lang].format(
@@ -265,7 +266,7 @@ def _lengths(drive: ArcCrank) -> Mapping[str, Label | None]:
     return {letter: None if one is None else exact_text(one) for letter, one in lengths.items()}
 
 
-def printed(value: Callable[[Kind], Any], decimals: int) -> str:
+def printed(value: Callable[[Kind], Numeric], decimals: int) -> str:
     """The digits of an angle in degrees to 3 decimals, or of the stroke or the time ratio to 4.
 
     No value of an arc crank lies on a rounding boundary. Sine and cosine of the angles have at most degree 4

@@ -11,6 +11,7 @@ from kurbel.drive.at import At, angular_square, angular_velocity, known
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.kernel import linkage
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.parts import Parted, parted_rocker
 from kurbel.kernel.rocker import LoadedRocker
 from kurbel.linkage.linkage import DECIMALS, LinkageRequest, force_entries, force_formula, linkage_subject
@@ -36,7 +37,7 @@ OF_TURN = words(
 _ZETA, _TAU = "$ζ = φ - θ$", "$τ = ψ + θ$"
 
 
-def _turned(at: At) -> Any:
+def _turned(at: At) -> Numeric:
     return 2 * at.numbers.arc(linkage.path_half_sine(at.place, at.arc))
 
 
@@ -44,19 +45,19 @@ def _path(at: At) -> Any:
     return _turned(at) * at.numbers.pi / 180 / at.arc.curvature
 
 
-def _rocker(at: At) -> Any:
+def _rocker(at: At) -> Numeric:
     return 2 * at.numbers.arc(linkage.rocker_half_sine(at.arc)) - _turned(at)
 
 
-def _slant(at: At) -> Any:
+def _slant(at: At) -> Numeric:
     return at.numbers.arc(at.place.slant)
 
 
-def _of(kernel: Callable[..., Any], *said: Any) -> Formula:
+def _of(kernel: Callable[..., Numeric], *said: Any) -> Formula:
     return Formula(lambda at: kernel(at.place, at.arc), *said)
 
 
-def _by_rocker(kernel: Callable[..., Any]) -> Formula:
+def _by_rocker(kernel: Callable[..., Numeric]) -> Formula:
     return Formula(lambda at: kernel(at.place, at.arc) / at.numbers.of(at.drive.rocker))
 
 
@@ -186,7 +187,7 @@ def headed_entry(
 
 
 def sized_entry(
-    key: str, name: str, letter: str, unit: str, formula: Formula, scale: Callable[..., Any],
+    key: str, name: str, letter: str, unit: str, formula: Formula, scale: Callable[..., Numeric],
     needs: str = "speed", **rest: Any,
 ) -> Quantity:  # fmt: skip
     """An entry in a unit that the crank's length or its speed makes."""
@@ -230,7 +231,7 @@ def _parted(at: At) -> Parted:
     return parted_rocker(at.circle, at.place, at.arc, masses)
 
 
-def _kernel(force: RodForce, model: str) -> Callable[[At], Any]:
+def _kernel(force: RodForce, model: str) -> Callable[[At], Numeric]:
     def kernel(at: At) -> Any:
         masses = known(at.drive.crank.rod).masses(model, at.numbers.of)
         return force.formula(LoadedRocker(at.circle, at.place, at.arc, masses))

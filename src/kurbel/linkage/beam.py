@@ -27,6 +27,7 @@ from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, exact_text
 from kurbel.exact.place import Place
 from kurbel.kernel import beam
+from kurbel.kernel.circle import Numeric
 from kurbel.linkage.arc import ArcDrive, with_share
 from kurbel.linkage.arc_mechanism import NAMES as ARC_NAMES
 from kurbel.linkage.arc_mechanism import WORDS as ARC_WORDS
@@ -158,12 +159,12 @@ class BeamCrank(RockerCrank):
     def curvature(self) -> Fraction:
         return 1 / self.arm
 
-    def figures(self, stroke: int, kind: Kind) -> tuple[Any, Any, Any, Any]:
+    def figures(self, stroke: int, kind: Kind) -> tuple[Numeric, Numeric, Numeric, Numeric]:
         sign = kind.of(Fraction(stroke))
         offset, shift = (sign * kind.enclosed(one) for one in (self._offset, self._shift))
         return sign * kind.of(self.crank.ratio), sign * kind.of(self.curvature), offset, shift
 
-    def height(self, kind: Kind) -> Any:
+    def height(self, kind: Kind) -> Numeric:
         """Return how far the pivot lies above the shaft, of a rod that is not infinite."""
         return kind.of(1 / self.crank.ratio) + kind.enclosed(self._shift)
 

@@ -18,6 +18,7 @@ from kurbel.drive.load import FORCE
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals
+from kurbel.kernel.circle import Numeric
 from kurbel.linkage.linkage import LinkageRequest, force_lines, formula_line, linkage_subject
 from kurbel.linkage.parallel import parallel_registry
 from kurbel.motion.evaluation import value
@@ -126,7 +127,7 @@ def coupled_registry() -> Mapping[str, Quantity]:
     return {**own, **rods}
 
 
-def _whole(at: At) -> Any:
+def _whole(at: At) -> Numeric:
     return at.numbers.of(Fraction(1))
 
 
@@ -160,7 +161,7 @@ def _number(question: CoupledRequest, column: Column, place: Place, times: int) 
     if share is None:
         return None
 
-    def at(kind: Kind) -> Any:
+    def at(kind: Kind) -> Numeric:
         found = value(quantity, "exact", drive, kind.circle(angle), kind)
         return found * kind.of(known(share) * times)
 

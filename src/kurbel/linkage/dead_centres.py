@@ -15,6 +15,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel import kinematics
+from kurbel.kernel.circle import Numeric
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import DriveQuestion
@@ -83,11 +84,11 @@ class Ends(NamedTuple):
     drive: Any
     kind: Kind
 
-    def inner(self) -> Any:
+    def inner(self) -> Numeric:
         """Return φ_i in degrees, from the slide direction as the crank turns."""
         return self.drive.dead_angle(OUT, self.kind)
 
-    def outer(self) -> Any:
+    def outer(self) -> Numeric:
         """Return φ_o in degrees."""
         return self.drive.dead_angle(RETURN, self.kind) + 180
 
@@ -97,20 +98,20 @@ class Ends(NamedTuple):
         drive = self.drive
         return self.outer() - self.inner() - 180 if isinstance(drive, Crank) else drive.lead(self.kind)
 
-    def time_ratio(self) -> Any:
+    def time_ratio(self) -> Numeric:
         """Return the time of the outstroke over that of the return, the crank turning uniformly."""
         lead = self.lead()
         return (180 + lead) / (180 - lead)
 
-    def outstroke_time(self) -> Any:
+    def outstroke_time(self) -> Numeric:
         """Return the time of the outstroke in seconds, the crank turning uniformly."""
         return self._time(1)
 
-    def return_time(self) -> Any:
+    def return_time(self) -> Numeric:
         """Return that of the return stroke."""
         return self._time(-1)
 
-    def _time(self, sign: int) -> Any:
+    def _time(self, sign: int) -> Numeric:
         crank = self.drive.crank
         even = isinstance(self.drive, Crank) and not crank.offset
         lead = self.kind.of(Fraction(0)) if even else self.lead()
@@ -121,37 +122,37 @@ class Ends(NamedTuple):
         drive = self.drive
         return drive.stroke(self.kind) if isinstance(drive, Crank) else drive.way(self.kind)
 
-    def stroke_mm(self) -> Any:
+    def stroke_mm(self) -> Numeric:
         """Return the same in millimetres."""
         return self.stroke() * self.drive.crank.millimetres(self.kind)
 
-    def swing(self) -> Any:
+    def swing(self) -> Numeric:
         """Return the angle in degrees through which the rocker of an arc crank swings."""
         return self.drive.swing(self.kind)
 
-    def transmission(self) -> Any:
+    def transmission(self) -> Numeric:
         """Return the least angle in degrees between the rod and what guides its end."""
         if not isinstance(self.drive, Crank):
             return self.drive.least_transmission(self.kind)
         crank = self.drive
         return 90 - self.kind.arc(self.kind.of(crank.ratio * (1 + abs(crank.offset))))
 
-    def pin_velocity(self) -> Any:
+    def pin_velocity(self) -> Numeric:
         """Return v in m/s."""
         return self.drive.crank.pin_velocity(self.kind)
 
-    def mean_velocity(self) -> Any:
+    def mean_velocity(self) -> Numeric:
         """Return c_m = S n/30 in m/s, the way being this drive's own."""
         if isinstance(self.drive, Crank):
             return self.drive.mean_velocity(self.kind)
         return self.pin_velocity() * kinematics.mean_piston_velocity(self.stroke(), self.kind.pi)
 
-    def pin_to_mean(self) -> Any:
+    def pin_to_mean(self) -> Numeric:
         """Return v : c_m."""
         return self.kind.pi / self.stroke()
 
 
-Row = tuple[str, str, Label, str, int, Callable[[Ends], Any], str]
+Row = tuple[str, str, Label, str, int, Callable[[Ends], Numeric], str]
 _ROWS: tuple[Row, ...] = (
     ("phi_i", "innere Totlage|Inner dead centre", "φ_i", "°", ANGLES, Ends.inner, ""),
     ("phi_o", "äußere Totlage|Outer dead centre", "φ_o", "°", ANGLES, Ends.outer, ""),

@@ -16,7 +16,7 @@ from kurbel.drive.mechanisms import LINKAGES, MECHANISMS
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel import linkage
-from kurbel.kernel.circle import Circle
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion import motion_quantities
 from kurbel.motion.captions import direction_notes
 from kurbel.motion.drives import Drive
@@ -88,7 +88,9 @@ class Linkage(ABC):
     def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> linkage.Place[Any]:
         """Return where the driven end is: its way, its velocity, the slants of rod and crank against it."""
 
-    def at(self, stroke: int, circle: Circle[Any], numbers: Kind, method: str, of: str | None = None) -> At:
+    def at(
+        self, stroke: int, circle: Circle[Numeric], numbers: Kind, method: str, of: str | None = None
+    ) -> At:
         """Return what kernel calls take. What quantities are `of`, where that is known, may choose formulas
         with few roots for them."""
         return At(circle, self, numbers, stroke, place=self.place(stroke, circle, numbers))
@@ -119,7 +121,7 @@ FORCES: Mapping[str, Force] = {
         "$G$ Betrag am Zapfen von Stange und Schwinge|$G$ magnitude at the pin of rod and rocker",
     ),
 }  # fmt: skip
-_KERNELS: Mapping[str, Callable[[linkage.Place[Any]], Any]] = {
+_KERNELS: Mapping[str, Callable[[linkage.Place[Numeric]], Numeric]] = {
     "rod_force": linkage.rod_force,
     "guide_force": linkage.rocker_force,
     "tangential_force": linkage.tangential_force,

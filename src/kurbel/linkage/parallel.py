@@ -12,7 +12,7 @@ from kurbel.drive.at import At
 from kurbel.drive.crank import RODLESS, Crank, Described
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
-from kurbel.kernel.circle import Circle
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.coupler import Rod, crank_pin
 from kurbel.kernel.linkage import Place, coupler, coupler_place
 from kurbel.linkage.linkage import (
@@ -111,7 +111,7 @@ def _rod_entries() -> Iterator[Quantity]:
         yield spanned(key, name, f"${letter}$", head, unit, DECIMALS, {"exact": none})
 
 
-def _field(name: str) -> Callable[[At], Any]:
+def _field(name: str) -> Callable[[At], Numeric]:
     return lambda at: getattr(coupler(at.circle), name)
 
 
@@ -166,7 +166,7 @@ class Parallel(LinkageMechanism):
 
 def rod_ends(
     drive: ParallelCrank, method: str, circle: Any, kind: Kind, beside: bool
-) -> tuple[Rod[Any], None]:
+) -> tuple[Rod[Numeric], None]:
     """Return the ends of the rod, which move alike, as all its points."""
     end = crank_pin(circle, circle.versine)
     return Rod(end, end), None

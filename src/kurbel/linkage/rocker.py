@@ -52,7 +52,7 @@ class RockerCrank(Linkage):
     rocker: Fraction
 
     @abstractmethod
-    def figures(self, stroke: int, kind: Kind) -> tuple[Any, Any, Any, Any]:
+    def figures(self, stroke: int, kind: Kind) -> tuple[Numeric, Numeric, Numeric, Numeric]:
         """Return λ, β, η and σ with the sign of the stroke, on a kind of number."""
 
     @property
@@ -60,20 +60,20 @@ class RockerCrank(Linkage):
     def curvature(self) -> Fraction:
         """β = R/B, negative with the pivot on the left of the end's way from the inner dead centre."""
 
-    def dead_centre(self, stroke: int, kind: Kind) -> Arc[Any]:
+    def dead_centre(self, stroke: int, kind: Kind) -> Arc[Numeric]:
         """Return it where the stroke begins, at the inner dead centre (OUT) or the outer (RETURN)."""
         return linkage.arc(*self.figures(stroke, kind))
 
-    def dead_angle(self, stroke: int, kind: Kind) -> Any:
+    def dead_angle(self, stroke: int, kind: Kind) -> Numeric:
         """Return φ_i, or for RETURN φ_o - 180°, in degrees within ±180°."""
         arc = self.dead_centre(stroke, kind)
         return 2 * kind.arc(linkage.half_sine(arc.sine, arc.cosine))
 
-    def swing(self, kind: Kind) -> Any:
+    def swing(self, kind: Kind) -> Numeric:
         """Return the rocker's swing in degrees; its way along the arc is `way`."""
         return abs(2 * kind.arc(linkage.swing_half_sine(*self._dead_centres(kind))))
 
-    def way(self, kind: Kind) -> Any:
+    def way(self, kind: Kind) -> Numeric:
         """Return the way of the rod's end along its arc between the dead centres, in units of R."""
         return self.swing(kind) * kind.pi / 180 * kind.of(self.rocker)
 
@@ -81,16 +81,16 @@ class RockerCrank(Linkage):
         """Return Δ in degrees, by which the crank turns more than 180° during the outstroke."""
         return 2 * kind.arc(linkage.lead_half_sine(*self._dead_centres(kind)))
 
-    def time_ratio(self, kind: Kind) -> Any:
+    def time_ratio(self, kind: Kind) -> Numeric:
         """Return the time of the outstroke over that of the return stroke."""
         more = self.lead(kind)
         return (180 + more) / (180 - more)
 
-    def least_transmission(self, kind: Kind) -> Any:
+    def least_transmission(self, kind: Kind) -> Numeric:
         """Return the least angle between the lines of rod and rocker during a turn, in degrees."""
         return 90 - kind.arc(linkage.steepest_slant(*self.figures(OUT, kind)))
 
-    def _dead_centres(self, kind: Kind) -> tuple[Arc[Any], Arc[Any]]:
+    def _dead_centres(self, kind: Kind) -> tuple[Arc[Numeric], Arc[Numeric]]:
         return self.dead_centre(OUT, kind), self.dead_centre(RETURN, kind)
 
     def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
@@ -98,7 +98,9 @@ class RockerCrank(Linkage):
         arc = self.dead_centre(stroke, kind)
         return linkage.place(linkage.from_dead_centre(circle, arc), arc)
 
-    def at(self, stroke: int, circle: Circle[Any], numbers: Kind, method: str, of: str | None = None) -> At:
+    def at(
+        self, stroke: int, circle: Circle[Numeric], numbers: Kind, method: str, of: str | None = None
+    ) -> At:
         """Return the same, with the dead centre.
 
         path, chord, turn, slide_path, rise, velocity and acceleration count from the dead centre where the
@@ -127,7 +129,13 @@ class RockerCrank(Linkage):
         return changed
 
     def under(
-        self, circle: Circle[Any], place: Place[Any], arc: Arc[Any], masses: Masses[Any], net: Any, own: Any
+        self,
+        circle: Circle[Numeric],
+        place: Place[Numeric],
+        arc: Arc[Numeric],
+        masses: Masses[Numeric],
+        net: Numeric,
+        own: Numeric,
     ) -> LoadedRocker:
         """Return the drive with its masses, of which `own` is the reciprocating one, under a piston force."""
         if not self.at_end:
@@ -145,30 +153,30 @@ class MovedRocker(Moved):
         self.arcs = [drive.dead_centre(stroke, kind) for stroke in (OUT, RETURN)]
         self.length = drive.way(kind)
         self._dead_angles = [drive.dead_angle(stroke, kind) / 180 for stroke in (OUT, RETURN)]
-        self._last: tuple[int, Any, Place[Any]] | None = None
+        self._last: tuple[int, Circle[Any], Place[Numeric]] | None = None
 
     def dead_centre(self, stroke: int) -> Numeric:
         return self._dead_angles[stroke]
 
-    def path(self, stroke: int, circle: Circle[Any]) -> Numeric:
+    def path(self, stroke: int, circle: Circle[Numeric]) -> Numeric:
         arc = self.arcs[stroke]
         turned = 2 * self.kind.arc(linkage.path_half_sine(self._place(stroke, circle), arc))
         return turned * self.kind.pi / 180 / arc.curvature
 
-    def velocity(self, stroke: int, circle: Circle[Any]) -> Numeric:
+    def velocity(self, stroke: int, circle: Circle[Numeric]) -> Numeric:
         return self._place(stroke, circle).velocity
 
-    def acceleration(self, stroke: int, circle: Circle[Any]) -> Numeric:
+    def acceleration(self, stroke: int, circle: Circle[Numeric]) -> Numeric:
         return linkage.acceleration(self._place(stroke, circle), self.arcs[stroke])
 
     def loaded(
         self,
         stroke: int,
-        circle: Circle[Any],
-        masses: Masses[Any],
+        circle: Circle[Numeric],
+        masses: Masses[Numeric],
         net: Numeric,
         reciprocating: Numeric,
-        weight: Weight[Any] | None,
+        weight: Weight[Numeric] | None,
         friction: Numeric | None,
     ) -> LoadedRocker:
         # Refused where they are given: what a rocker weighs is not known.
@@ -177,10 +185,10 @@ class MovedRocker(Moved):
         place = self._place(stroke, circle)
         return self.drive.under(circle, place, self.arcs[stroke], masses, net, reciprocating)
 
-    def kinetic_energy(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Numeric:
+    def kinetic_energy(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Numeric:
         return rocker.kinetic_energy(self._place(stroke, circle), masses)
 
-    def torque_slope(self, stroke: int, circle: Circle[Any], masses: Masses[Any]) -> Numeric:
+    def torque_slope(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Numeric:
         return rocker.torque_slope(self._place(stroke, circle), self.arcs[stroke], masses)
 
     def _place(self, stroke: int, circle: Circle[Any]) -> Place[Any]:
@@ -193,7 +201,7 @@ class MovedRocker(Moved):
 
 def rod(
     drive: RockerCrank, method: str, circle: Any, kind: Kind, beside: bool
-) -> tuple[Rod[Any], Reach[Any] | None]:
+) -> tuple[Rod[Numeric], Reach[Numeric] | None]:
     """Return the ends of the rod at a crank angle, and its reach if points beside its axis are asked for."""
     at = drive.at(OUT, circle, kind, "exact", STROKE)
     place, arc = at.place, at.arc
@@ -206,7 +214,9 @@ def rod(
 Numbers: TypeAlias = tuple[Fraction, Fraction, Fraction, Fraction]
 
 
-def direct(numbers: Numbers, circle: Circle[Any], of_stroke: bool, kind: Kind) -> tuple[Place[Any], Arc[Any]]:
+def direct(
+    numbers: Numbers, circle: Circle[Numeric], of_stroke: bool, kind: Kind
+) -> tuple[Place[Numeric], Arc[Numeric]]:
     """Return where the drive stands, its way from the dead centre only if that is wanted."""
     sine, cosine, slant, slant_cosine = _turn(numbers, circle, kind.of)
     ratio, curvature = map(kind.of, numbers[:2])
@@ -224,7 +234,9 @@ def direct(numbers: Numbers, circle: Circle[Any], of_stroke: bool, kind: Kind) -
     return place, Arc(ratio, curvature, nothing, nothing, nothing, *dead_crank)
 
 
-def _turn(numbers: Numbers, circle: Circle[Any], of: Callable[[Fraction], Any]) -> tuple[Any, Any, Any, Any]:
+def _turn(
+    numbers: Numbers, circle: Circle[Numeric], of: Callable[[Fraction], Numeric]
+) -> tuple[Numeric, Numeric, Numeric, Numeric]:
     """Return sin θ and cos θ of the rocker, sin ψ and cos ψ of the rod against the arc."""
     ratio, curvature, offset, shift = numbers
     level, up = _pivot(numbers)
@@ -242,7 +254,9 @@ def _turn(numbers: Numbers, circle: Circle[Any], of: Callable[[Fraction], Any]) 
     return sine, cosine, slant, slant_cosine
 
 
-def _dead_turn(numbers: Numbers, of: Callable[[Fraction], Any]) -> tuple[tuple[Any, Any], tuple[Any, Any]]:
+def _dead_turn(
+    numbers: Numbers, of: Callable[[Fraction], Numeric]
+) -> tuple[tuple[Numeric, Numeric], tuple[Numeric, Numeric]]:
     """Return sine and cosine of θ at the dead centre, and those of the crank angle there."""
     ratio, curvature, offset, shift = numbers
     level, up = _pivot(numbers)
@@ -268,7 +282,9 @@ def _pivot(numbers: Numbers) -> tuple[Fraction, Fraction]:
     return curvature * (1 + ratio * shift), ratio * (1 + curvature * offset)
 
 
-def _rocker_turn(along: Any, across: Any, level: Any, up: Any, square: Any) -> tuple[Any, Any]:
+def _rocker_turn(
+    along: Numeric, across: Numeric, level: Numeric, up: Numeric, square: Numeric
+) -> tuple[Numeric, Numeric]:
     """Return sin θ and cos θ from the rod's end in the frame of pin and pivot, all times λβ.
 
     `level` and `up` lead from the pin to the pivot, `square` is the square of this distance.

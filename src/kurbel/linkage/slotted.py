@@ -17,7 +17,7 @@ from kurbel.exact.kind import Kind, balls, settled
 from kurbel.exact.numerals import Label, Number, exact_text, number_text
 from kurbel.exact.place import Place
 from kurbel.kernel import slotted as kernel
-from kurbel.kernel.circle import Circle, root
+from kurbel.kernel.circle import Circle, Numeric, root
 from kurbel.kernel.linkage import half_sine
 from kurbel.kernel.slotted import Lever, Links
 from kurbel.linkage.arc_quantities import headed_entry, sized_entry
@@ -126,12 +126,14 @@ class SlottedLever(Linkage):
     def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Any:
         return kernel.lever(circle, self.links(stroke, kind))
 
-    def at(self, stroke: int, circle: Circle[Any], numbers: Kind, method: str, of: str | None = None) -> At:
+    def at(
+        self, stroke: int, circle: Circle[Numeric], numbers: Kind, method: str, of: str | None = None
+    ) -> At:
         """Return the place of the lever, with its lengths for the kernel."""
         links = self.links(stroke, numbers)
         return At(circle, self, numbers, stroke, place=kernel.lever(circle, links), arc=links)
 
-    def dead_angle(self, stroke: int, kind: Kind) -> Any:
+    def dead_angle(self, stroke: int, kind: Kind) -> Numeric:
         """Return φ_i, or for RETURN φ_o - 180°, in degrees within ±90°."""
         return kind.arc(kernel.dead_crank_sine(self.links(stroke, kind), self.swings))
 
@@ -139,12 +141,12 @@ class SlottedLever(Linkage):
         """Return Δ in degrees, by which the crank turns more than 180° during the outstroke."""
         return self.dead_angle(RETURN, kind) - self.dead_angle(OUT, kind)
 
-    def time_ratio(self, kind: Kind) -> Any:
+    def time_ratio(self, kind: Kind) -> Numeric:
         """Return the time of the outstroke over that of the return stroke."""
         more = self.lead(kind)
         return (180 + more) / (180 - more)
 
-    def way(self, kind: Kind) -> Any:
+    def way(self, kind: Kind) -> Numeric:
         """Return the stroke of the ram in units of R."""
         if self.swings:
             return kind.of(2 * self.arm / self.pivot)
@@ -153,11 +155,11 @@ class SlottedLever(Linkage):
         ends = (root((1 + sign * links.arm * links.ratio) ** 2 - tilt * tilt) for sign in (1, -1))
         return 4 * links.arm / sum(ends)
 
-    def swing(self, kind: Kind) -> Any:
+    def swing(self, kind: Kind) -> Numeric:
         """Return the lever's swing in degrees, a whole turn if it is carried round."""
         return 2 * kind.arc(kind.of(1 / self.pivot)) if self.swings else kind.of(Fraction(360))
 
-    def least_transmission(self, kind: Kind) -> Any:
+    def least_transmission(self, kind: Kind) -> Numeric:
         """Return the least angle between the rod and the square to the slide, in degrees."""
         at_dead_centre = root(kind.of(1 - 1 / self.pivot**2)) if self.swings else kind.of(Fraction(-1))
         links = self.links(OUT, kind)
@@ -202,7 +204,7 @@ _THETA = "$tan θ = -(cos φ)/(D + sin φ)$"
 _TURNING, _GAIN = "$ω_B/ω = (1 + D sin φ)/q$", "$ε_B/ω^2 = (D (D^2 - 1) cos φ)/q^2$"
 
 
-def _lever_angle(at: At) -> Any:
+def _lever_angle(at: At) -> Numeric:
     place: Lever[Any] = at.place
     if at.drive.swings:
         return at.stroke * at.numbers.arc(place.sine)
@@ -214,7 +216,7 @@ def _lever_angle(at: At) -> Any:
     return (at.numbers.of(turned) if isinstance(turned, Fraction) else turned) - between
 
 
-def _of(kernel_function: Callable[..., Any], *printed: Any) -> Formula:
+def _of(kernel_function: Callable[..., Numeric], *printed: Any) -> Formula:
     return Formula(lambda at: kernel_function(at.place, at.arc), *printed)
 
 
@@ -391,11 +393,11 @@ def _notes(question: LinkageRequest) -> Iterator[Label]:
         )
 
 
-def _outer(drive: SlottedLever, kind: Kind) -> Any:
+def _outer(drive: SlottedLever, kind: Kind) -> Numeric:
     return drive.dead_angle(RETURN, kind) + 180
 
 
-def _digits(value: Callable[[Kind], Any], decimals: int) -> str:
+def _digits(value: Callable[[Kind], Numeric], decimals: int) -> str:
     return number_text(Number(settled(value, decimals), decimals))
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from kurbel.drive.at import gain, known
 from kurbel.drive.crank import Crank, largest
 from kurbel.exact.kind import floats
-from kurbel.kernel.circle import Circle
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion.evaluation import LOADED, MOST_DECIMALS, columns_in_balls, fits_page, value
 from kurbel.page.quantity import Column
 from kurbel.reading.notation import Progression
@@ -158,7 +158,7 @@ class Sharp:
         return self.settled(column, np.zeros(len(rows), np.int64), rows)
 
     @cached_property
-    def _all(self) -> Circle[Any]:
+    def _all(self) -> Circle[Numeric]:
         return self._circle(slice(None))
 
     def _circle(self, rows: Any) -> Circle[Any]:
@@ -168,7 +168,7 @@ class Sharp:
         numerators, denominator = integer_angles(self.angles)
         return circle(numerators[rows], denominator)
 
-    def _digits(self, column: Column, point: Circle[Any], rows: np.ndarray) -> np.ndarray:
+    def _digits(self, column: Column, point: Circle[Numeric], rows: np.ndarray) -> np.ndarray:
         from kurbel.exact.doubles import numbers, settled
 
         found = value(column.quantity, column.method, self.crank, point, numbers())
@@ -179,7 +179,7 @@ class Sharp:
         return digits
 
 
-def on_floats(column: Column, crank: Crank) -> Callable[[Any], Any] | OfDegrees:
+def on_floats(column: Column, crank: Crank) -> Callable[[Circle[Any]], Any] | OfDegrees:
     """Return the column as a function of the circle of floats or arrays, a time as one of the angle."""
     if column.quantity.needs == "time":
         from kurbel.exact.bulk import OfDegrees

@@ -20,6 +20,7 @@ from kurbel.exact.kind import Kind, balls, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.exact.terms import vanishes
 from kurbel.kernel import kinematics, series
+from kurbel.kernel.circle import Numeric
 from kurbel.motion.bulk import columns_in_floats
 from kurbel.motion.evaluation import columns_in_balls
 from kurbel.motion.motion_page import MOTION, Request
@@ -131,20 +132,20 @@ def quantities() -> Mapping[str, Quantity]:
     return {one.key: one for one in found}
 
 
-def _length(key: str, name: str, symbol: Label, kernel: Callable[[At], Any]) -> Quantity:
+def _length(key: str, name: str, symbol: Label, kernel: Callable[[At], Numeric]) -> Quantity:
     head = f"{symbol[:-1]}/R$"
     return entry(key, name, symbol, "$R$", DECIMALS, {"exact": Formula(kernel)}, head)
 
 
-def _after(steps: int) -> Callable[[At], Any]:
+def _after(steps: int) -> Callable[[At], Numeric]:
     return lambda at: series.after(at.circle, at.ratio, steps)
 
 
-def _exactly(at: At) -> Any:
+def _exactly(at: At) -> Numeric:
     return kinematics.rod_versine(at.circle, at.ratio)
 
 
-def _nothing(at: At) -> Any:
+def _nothing(at: At) -> Numeric:
     # Sweeps then take the digits of the page.
     raise ProblemError(f"column {COUNT} counts steps to decimals, which floats have not")
 

@@ -28,7 +28,7 @@ from kurbel.exact.search import between
 from kurbel.exact.surd import Field, SecondRootError, Surd
 from kurbel.exact.terms import vanishes
 from kurbel.kernel import kinematics
-from kurbel.kernel.circle import Circle
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion.captions import Formulated, formula_lines
 from kurbel.motion.evaluation import LOADED, OUT, certified, is_known, is_transcendental, typed, value
 from kurbel.motion.motion_quantities import registry
@@ -339,7 +339,7 @@ class SlideDrive(Drive):
         ends = (Fraction(0), Fraction(1) if quantity.key == "x_stroke" else None)
 
         def is_exactly(half_turns: Fraction, wanted: Fraction) -> bool:
-            def apart(kind: Kind) -> Any:
+            def apart(kind: Kind) -> Numeric:
                 return self.value(quantity, kind.circle(180 * half_turns), kind) - kind.of(wanted)
 
             return vanishes(apart)

@@ -12,11 +12,12 @@ from kurbel.drive.at import At, angular_square, angular_velocity, turn_time, tur
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.kernel import kinematics, series
+from kurbel.kernel.circle import Numeric
 from kurbel.motion.evaluation import OFFSET, OUT, REACH, RETURN, STROKES, TANGENT, TURN
 from kurbel.page.quantity import Formula, Quantity, entry, words
 
 Formulas = Mapping[str, Formula]
-Kernel = Callable[..., Any]
+Kernel = Callable[..., Numeric]
 # What has no other value on the return stroke, and no column of its own there.
 ON_EITHER_STROKE = "fd"
 # What keys say of their unit at their end.
@@ -54,7 +55,7 @@ def _by_orders(first: Formulas, kernel: str, line: Label) -> Formulas:
 
 
 def _by_order(kernel: str, order: int) -> Kernel:
-    def call(at: At) -> Any:
+    def call(at: At) -> Numeric:
         # What is asked by other methods needs none of it.
         found = getattr(series, kernel)(at.circle, at.ratio, order)
         # Of a negative ratio fd would be negative, too.
@@ -124,7 +125,7 @@ ROD_VERSINE = _by_orders(
 )
 
 
-def _rod_angle(at: At) -> Any:
+def _rod_angle(at: At) -> Numeric:
     return at.numbers.rod_angle(at.circle, at.ratio, at.offset)
 
 

@@ -16,6 +16,7 @@ from kurbel.drive.at import At, begun, known, way_at
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
+from kurbel.kernel.circle import Numeric
 from kurbel.page.quantity import Column, Quantity, Words, words
 
 # Below this many cells balls are done before NumPy is imported.
@@ -167,7 +168,7 @@ def value(
     return _value_at(quantity, method, at)
 
 
-def _value_at(quantity: Quantity, method: str, at: At) -> Any:
+def _value_at(quantity: Quantity, method: str, at: At) -> Numeric:
     found = kernel_of(quantity, method, at.drive)(at)
     return found * quantity.scale(at.crank, at.numbers) if quantity.scale else found
 
@@ -217,7 +218,7 @@ def typed(method: str | None) -> str:
     return "series" if method in REACH else method or "exact"
 
 
-def kernel_of(quantity: Quantity, method: str, drive: Any) -> Callable[[At], Any]:
+def kernel_of(quantity: Quantity, method: str, drive: Any) -> Callable[[At], Numeric]:
     """Return the kernel's formula by a method; raise ProblemError if there is none."""
     formulas, crank = quantity.formulas, drive.crank
     if drive is not crank:

@@ -12,6 +12,7 @@ from kurbel.drive.at import At, known
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.moving import Masses
 from kurbel.kernel.rod import Loaded
 from kurbel.motion.entries import OF_ROD
@@ -21,7 +22,7 @@ from kurbel.motion.rod_forces import held, mollier_entries, part_entries
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
 # Of a loaded drive; others than the slide's know the same forces by these names.
-RodFormula = Callable[[Any], Any]
+RodFormula = Callable[[Any], Numeric]
 Coefficients = Callable[[Masses[Fraction], bool], Sequence[Fraction | int]]
 
 
@@ -48,7 +49,7 @@ class RodForce(NamedTuple):
     def unit(self) -> Label:
         return "M R^2 ω^2" if self.is_torque else "M R L ω^2" if self.is_couple else "M R ω^2"
 
-    def scale(self, crank: Crank, numbers: Kind) -> Any:
+    def scale(self, crank: Crank, numbers: Kind) -> Numeric:
         """M R ω² in newtons, or M R² ω² or M R L ω² in newton metres."""
         arm = known(crank.radius) if self.is_torque else Fraction(1)
         if self.is_couple:
@@ -163,7 +164,7 @@ def _entries(force: RodForce, model: str, kernel: Callable[[Any], Any]) -> Itera
 
 
 def _entry(
-    key: str, letter: str, name: Words, unit: Label, model: str, kernel: Callable[[At], Any]
+    key: str, letter: str, name: Words, unit: Label, model: str, kernel: Callable[[At], Numeric]
 ) -> Quantity:
     return Quantity(
         key=key,

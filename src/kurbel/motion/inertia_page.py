@@ -11,6 +11,7 @@ from typing import Any
 from kurbel.drive.at import known
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, nearest, number_text
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.moving import Masses
 from kurbel.motion.captions import notes
 from kurbel.motion.evaluation import ROD_MODELS
@@ -55,11 +56,11 @@ def _itself(peak: Peak, whole: Peak, numbers: Kind) -> Any:
     return peak.on(numbers)
 
 
-def _in_newtons(peak: Peak, whole: Peak, numbers: Kind) -> Any:
+def _in_newtons(peak: Peak, whole: Peak, numbers: Kind) -> Numeric:
     return peak.on(numbers) * peak.force.scale(peak.crank, numbers)
 
 
-def _in_percent(peak: Peak, whole: Peak, numbers: Kind) -> Any:
+def _in_percent(peak: Peak, whole: Peak, numbers: Kind) -> Numeric:
     return 100 * peak.on(numbers) / whole.on(numbers)
 
 
@@ -81,7 +82,7 @@ def error_columns() -> Mapping[str, Quantity]:
 
 
 def _entry(
-    key: str, name: str, heading: str, unit: str, decimals: int, of: str, kernel: Callable[..., Any]
+    key: str, name: str, heading: str, unit: str, decimals: int, of: str, kernel: Callable[..., Numeric]
 ) -> Quantity:
     needs, formulas = "inertia" if kernel is _in_newtons else "rod", {EXACT: Formula(kernel)}
     return entry(key, name, "", unit, decimals, formulas, heading, minutes=unit == "°", needs=needs, of=of)

@@ -211,7 +211,7 @@ class Peak:
 
 
 @lru_cache(maxsize=16)
-def _places(crank: Crank) -> dict[Any, Loaded]:
+def _places(crank: Crank) -> dict[tuple[object, ...], Loaded]:
     """Return what is known of the crank's motion, for all forces of its rod."""
     return {}
 

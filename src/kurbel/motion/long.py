@@ -20,7 +20,7 @@ from kurbel.exact.enclosure import ENCLOSURES, UNIT, Enclosure, half_turn_circle
 from kurbel.exact.enclosure import column as enclosed_column
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Number
-from kurbel.kernel.circle import Circle
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion.bulk import integer_angles
 from kurbel.motion.evaluation import MOST_DECIMALS, kernel_of
 from kurbel.motion.motion_page import CHUNK, Chunk, RecordRows
@@ -57,7 +57,7 @@ def motion(
     return [row.reshape(shape) for row in evaluate(columns, *inputs, fast=fast)]
 
 
-def _of_ratio(quantity: Quantity, method: str) -> Callable[[Any, Any], Any]:
+def _of_ratio(quantity: Quantity, method: str) -> Callable[[Numeric, Numeric], Numeric]:
     kernel, numbers, stroke = kernel_of(quantity, method, NO_RATIO), floats(), quantity.stroke
     scale = quantity.scale(NO_RATIO, numbers) if quantity.scale else None
 
@@ -96,7 +96,7 @@ class Places:
     def __init__(self, angles: Progression) -> None:
         numerators, denominator = integer_angles(angles)
         self.numerators, self.denominator = numerators, 180 * denominator
-        self.kept: dict[Any, Any] = {}
+        self.kept: dict[tuple[object, ...], Any] = {}
 
     def __len__(self) -> int:
         return len(self.numerators)

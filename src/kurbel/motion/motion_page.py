@@ -12,7 +12,7 @@ from kurbel.drive.crank import Crank, check_angles, ends
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.exact.numerals import Label, Number
-from kurbel.kernel.circle import Circle, circle
+from kurbel.kernel.circle import Circle, Numeric, circle
 from kurbel.motion import captions
 from kurbel.motion.bulk import columns_in_floats, has_arrays, is_long, on_floats
 from kurbel.motion.evaluation import (
@@ -82,7 +82,7 @@ class CrankQuestion(DriveQuestion):
     """What is asked for of straight or offset cranks."""
 
     @property
-    def moving(self) -> tuple[str, Any]:
+    def moving(self) -> tuple[str, Drive]:
         return "straight", self.drives[0]
 
 
@@ -111,7 +111,7 @@ class AngleQuestion(DriveQuestion):
         """Return a column on any kind of number, NotImplemented where it has no such formulas."""
         return value(column.quantity, "exact", self.drives[place.get("ratio", 0)], point, kind)
 
-    def curves(self, degrees: Any) -> list[list[Any]]:
+    def curves(self, degrees: Numeric) -> list[list[Any]]:
         """Return the values of every column for every drive at an array of angles, in arrays of floats."""
         point, kind = circle(degrees), floats()
         return [

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from kurbel.drive.at import CRANK_FORCES, At, CrankForce
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
+from kurbel.kernel.circle import Numeric
 from kurbel.motion.entries import Formulas, motion_entries, on_strokes, spanned, speed_entries
 from kurbel.motion.evaluation import LOADED, OFFSET, TANGENT
 from kurbel.page.quantity import Formula, Quantity, words
@@ -176,7 +177,7 @@ def _crank_force(key: str) -> CrankForce:
 
 
 def _unloaded(key: str, printed: Label, oblique: Label, closed: Label) -> Formulas:
-    def call(at: At) -> Any:
+    def call(at: At) -> Numeric:
         return _crank_force(key).bare(at.circle, at.ratio, at.offset)
 
     formulas = {"exact": printed, "infinite": "", OFFSET: oblique, TANGENT: closed}
@@ -186,7 +187,7 @@ def _unloaded(key: str, printed: Label, oblique: Label, closed: Label) -> Formul
 def in_newtons(key: str, shares: Formulas) -> Formulas:
     """Return the formulas of the force that acts at the place, with masses too, which no line holds."""
 
-    def call(at: At) -> Any:
+    def call(at: At) -> Numeric:
         force = _crank_force(key)
         return force.on(at.on_shaft if force.on_shaft else at.loaded)
 

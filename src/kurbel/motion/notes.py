@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from math import isqrt
-from typing import Any
 
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
@@ -15,7 +14,7 @@ from kurbel.drive.load import figure
 from kurbel.drive.rod import STANDARD_GRAVITY, Moving, Rod, Slope
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
-from kurbel.kernel.circle import root
+from kurbel.kernel.circle import Numeric, root
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.page.quantity import Words, words
 from kurbel.reading.amounts import amount, unit_of_page
@@ -131,7 +130,7 @@ def _speed(crank: Crank, lang: str) -> str:
     )
 
 
-def _times(value: Callable[[Kind], Any], factor: Fraction) -> Callable[[Kind], Any]:
+def _times(value: Callable[[Kind], Numeric], factor: Fraction) -> Callable[[Kind], Numeric]:
     return value if factor == 1 else lambda numbers: value(numbers) * numbers.of(factor)
 
 
@@ -142,7 +141,7 @@ def turns_label(speed: Speed) -> Label:
 
 
 def _offset(crank: Crank, lang: str) -> Label:
-    def outer(numbers: Kind) -> Any:
+    def outer(numbers: Kind) -> Numeric:
         return crank.dead_angle(RETURN, numbers) + 180
 
     return WORDS["offset"][lang].format(
@@ -154,7 +153,7 @@ def _offset(crank: Crank, lang: str) -> Label:
     )
 
 
-def digits_text(value: Callable[[Kind], Any], decimals: int) -> str:
+def digits_text(value: Callable[[Kind], Numeric], decimals: int) -> str:
     """Return the digits of a value."""
     return number_text(Number(settled(value, decimals), decimals))
 

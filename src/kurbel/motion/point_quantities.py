@@ -16,6 +16,7 @@ from kurbel.exact.numerals import Label, nearest
 from kurbel.exact.terms import vanishes
 from kurbel.kernel import coupler as kernel
 from kurbel.kernel import kinematics
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.coupler import Point, Reach, Rod, Vector, amount, first_order_reach, slide_reach, slide_rod
 from kurbel.motion.evaluation import OFFSET
 from kurbel.motion.points import RodPoint
@@ -36,7 +37,7 @@ class At(NamedTuple):
     gain: Any = None
 
 
-Vectorial = Callable[[At], Vector[Any]]
+Vectorial = Callable[[At], Vector[Numeric]]
 
 
 def path(at: At) -> Vector[Any]:
@@ -47,7 +48,7 @@ def velocity(at: At) -> Vector[Any]:
     return kernel.velocity(at.rod, at.point)
 
 
-def acceleration(at: At) -> Vector[Any]:
+def acceleration(at: At) -> Vector[Numeric]:
     even = kernel.acceleration(at.rod, at.point)
     if at.gain is None:
         return even
@@ -72,7 +73,7 @@ class _Kind(NamedTuple):
     share: str
     measured: str
     decimals: int
-    scale: Callable[..., Any]
+    scale: Callable[..., Numeric]
     of: Vectorial
     along: tuple[str, str, str, str]
     across: tuple[str, str, str, str]
@@ -138,7 +139,7 @@ def _components(one: _Kind) -> list[Quantity]:
     return found
 
 
-def _part(vector: Vectorial, part: str) -> Callable[[At], Any]:
+def _part(vector: Vectorial, part: str) -> Callable[[At], Numeric]:
     return lambda at: getattr(vector(at), part)
 
 
@@ -150,7 +151,7 @@ def _amounts(one: _Kind) -> list[Quantity]:
     def whole(at: At) -> Any:
         return kernel.amount(one.of(at))
 
-    def direction(at: At) -> Any:
+    def direction(at: At) -> Numeric:
         return of_floats(one.of(at))
 
     printed = f"{letter} = sqrt({along}^2 + {across}^2)"
@@ -164,7 +165,7 @@ def _amounts(one: _Kind) -> list[Quantity]:
     return [*found, angle]
 
 
-def _formulas(call: Callable[[At], Any], printed: tuple[str, str, str, str]) -> Mapping[str, Formula]:
+def _formulas(call: Callable[[At], Numeric], printed: tuple[str, str, str, str]) -> Mapping[str, Formula]:
     """Return the formulas of the straight and of the offset crank, with and without their further term."""
     straight, further, offset, more = printed
     return {
@@ -272,7 +273,7 @@ class Ends(Protocol):
 
     def __call__(
         self, drive: Any, method: str, circle: Any, kind: Kind, beside: bool
-    ) -> tuple[Rod[Any], Reach[Any] | None]: ...
+    ) -> tuple[Rod[Numeric], Reach[Numeric] | None]: ...
 
 
 @dataclass(frozen=True)

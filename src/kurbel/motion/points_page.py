@@ -12,7 +12,7 @@ from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.exact.numerals import Label, Number
-from kurbel.kernel.circle import Circle, circle
+from kurbel.kernel.circle import Circle, Numeric, circle
 from kurbel.motion.captions import formula_lines
 from kurbel.motion.evaluation import METHODS, NEEDS, OFFSET, OUT, certified
 from kurbel.motion.mechanism import Mechanism, mechanism
@@ -310,7 +310,7 @@ class PointsRequest(AngleQuestion):
             return super().value(column, place, point, kind)
         return self.moved(place).value(column.quantity, point, kind)
 
-    def curves(self, degrees: Any) -> list[list[Any]]:
+    def curves(self, degrees: Numeric) -> list[list[Any]]:
         point, kind = circle(degrees), floats()
         return [
             [
@@ -347,7 +347,7 @@ class PointAxis(ListAxis):
         return point.label
 
 
-def _curve(quantity: Quantity, moved: Moved, at: Any, kind: Kind) -> Any:
+def _curve(quantity: Quantity, moved: Moved, at: Any, kind: Kind) -> Numeric:
     """Return a column over the crank angle, as floats; a direction has gaps where the point rests."""
     values = moved.value(quantity, at, kind)
     if quantity.of != DIRECTION:

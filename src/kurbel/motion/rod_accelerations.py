@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
 from kurbel.kernel import rod
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.moving import Masses
 from kurbel.kernel.parts import Parted, Vector, parted
 from kurbel.motion.evaluation import OFFSET
@@ -70,7 +71,7 @@ OF_A, REPLACING = (
 AMOUNT, ALONG, ACROSS = words("Betrag|magnitude"), words("längs|along"), words("quer|across")
 
 
-def _components(of: Callable[[Parted], Vector[Any]]) -> tuple[Component, Component]:
+def _components(of: Callable[[Parted], Vector[Numeric]]) -> tuple[Component, Component]:
     return (
         Component("_along", "^x", ALONG, lambda rod: of(rod).along),
         Component("_across", "^y", ACROSS, lambda rod: of(rod).across),
@@ -122,7 +123,7 @@ def rocker_entries(parted_of: Callable[[Any], Parted]) -> Iterator[Quantity]:
         yield from (share, in_seconds(share))
 
 
-def _of_rod(key: str, parted_of: Callable[[Any], Parted]) -> Callable[[Any], Any]:
+def _of_rod(key: str, parted_of: Callable[[At], Parted]) -> Callable[[At], Numeric]:
     return lambda at: getattr(parted_of(at), key)
 
 
@@ -138,7 +139,7 @@ def _part(part: Part) -> Quantity:
 
 
 def _component(
-    key: str, letter: str, name: Words, printed: str, one: Component, parted_of: Callable[[Any], Parted]
+    key: str, letter: str, name: Words, printed: str, one: Component, parted_of: Callable[[At], Parted]
 ) -> Quantity:
     def kernel(at: Any) -> Any:
         return one.kernel(parted_of(at)) + 0

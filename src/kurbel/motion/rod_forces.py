@@ -11,6 +11,7 @@ from kurbel.drive.at import At, known
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.parts import Parted, moving_force, parted
 from kurbel.kernel.rod import Parts
 from kurbel.motion.evaluation import OFFSET
@@ -31,7 +32,7 @@ NAMES: Mapping[str, Words] = {
 _IN = "Kraft in {0}|Force in {0}"
 
 # Of the rod at a place, in parts.
-Kernel = Callable[[Any], Any]
+Kernel = Callable[[Parted], Any]
 
 
 class Share(NamedTuple):
@@ -118,13 +119,13 @@ def _of_part(formula: Callable[[Parted, str], Any], part: str) -> Kernel:
     return lambda rod: formula(rod, part)
 
 
-def part_entries(parted_of: Callable[[Any], Parted], slide: bool = True) -> Iterator[Quantity]:
+def part_entries(parted_of: Callable[[At], Parted], slide: bool = True) -> Iterator[Quantity]:
     """Yield every force of a part in units of the rod's mass and in newtons, of the rod at a place."""
     for share in (*_ends(slide), *_drive()):
         yield from _in_both_units(_entry(share, _of_rod(share.kernel, parted_of), EXACT), "rod", "inertia")
 
 
-def _of_rod(kernel: Kernel, parted_of: Callable[[Any], Parted]) -> Callable[[Any], Any]:
+def _of_rod(kernel: Kernel, parted_of: Callable[[At], Parted]) -> Callable[[At], Numeric]:
     return lambda at: kernel(parted_of(at))
 
 
@@ -143,8 +144,8 @@ def mollier_entries(models: Mapping[str, Words]) -> Iterator[Quantity]:
         yield from _in_both_units(_entry(share, _moving(model), model), *THRUST)
 
 
-def _moving(model: str) -> Callable[[At], Any]:
-    def moving(at: At) -> Any:
+def _moving(model: str) -> Callable[[At], Numeric]:
+    def moving(at: At) -> Numeric:
         rod = known(at.crank.rod)
         masses = rod.masses(model, at.numbers.of)
         if model == EXACT and rod.couple:
@@ -155,7 +156,7 @@ def _moving(model: str) -> Callable[[At], Any]:
     return moving
 
 
-def _without_warning(force: Callable[[], Any], at: At) -> Any:
+def _without_warning(force: Callable[[], Numeric], at: At) -> Numeric:
     """Return the force; in arrays what is boundless is infinite, as `kurbel.compute` says of it."""
     if at.offset is None or not hasattr(at.circle.sine, "dtype"):
         return force()
@@ -195,7 +196,7 @@ def _rests(crank: Crank, angle: Fraction) -> bool:
     return sine is not None and sine == crank.offset * ratio / (ratio - 1 if beyond else ratio + 1)
 
 
-def _entry(share: Share, kernel: Callable[[At], Any], model: str) -> Quantity:
+def _entry(share: Share, kernel: Callable[[At], Numeric], model: str) -> Quantity:
     # Parts of first order do not add up to p₁.
     formulas = dict.fromkeys(("exact", "infinite", OFFSET), Formula(kernel))
     return entry_of_rod(share.key, share.letter, share.name, share.part, formulas, share.unit, model)
@@ -215,11 +216,11 @@ def _in_both_units(share: Quantity, needs: str, newtons: str) -> Iterator[Quanti
     )
 
 
-def _newtons(crank: Crank, numbers: Kind) -> Any:
+def _newtons(crank: Crank, numbers: Kind) -> Numeric:
     """M R ω²."""
     return numbers.of(known(known(crank.rod).mass)) * crank.pin_acceleration(numbers)
 
 
-def _newton_metres(crank: Crank, numbers: Kind) -> Any:
+def _newton_metres(crank: Crank, numbers: Kind) -> Numeric:
     """M R² ω²."""
     return numbers.of(known(crank.radius)) * _newtons(crank, numbers)

@@ -29,7 +29,7 @@ from kurbel.exact.kind import Kind, balls, floats, settled
 from kurbel.exact.numerals import Label, Number, figures, nearest
 from kurbel.exact.search import Zero
 from kurbel.kernel import kinematics, series
-from kurbel.kernel.circle import Circle
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.series import terms_of, versine_term
 from kurbel.motion.evaluation import NEEDS
 from kurbel.motion.motion_page import CrankQuestion
@@ -41,7 +41,7 @@ from kurbel.page.table import Field
 
 QUARTER = Fraction(90)
 # The exact formula and that of an order, by their quantities.
-FORMULAS: Mapping[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
+FORMULAS: Mapping[str, tuple[Callable[..., Numeric], Callable[..., Numeric]]] = {
     "x": (kinematics.piston_path, series.piston_path),
     "c": (kinematics.piston_velocity, series.piston_velocity),
     "p": (kinematics.piston_acceleration, series.piston_acceleration),
@@ -120,7 +120,7 @@ class Erring(NamedTuple):
     unit: str
     ending: str
     needs: str
-    scale: Callable[[Crank, Any], Any]
+    scale: Callable[[Crank, Kind], Numeric]
 
 
 ERRING = (
@@ -163,11 +163,11 @@ def _named(one: Erring, said: tuple[str, str]) -> str:
     return "|".join(text.format(name) for text, name in zip(said, one.name.split("|"), strict=True))
 
 
-def _of(letter: str) -> Callable[..., Any]:
+def _of(letter: str) -> Callable[..., Numeric]:
     return lambda greatest, kind: greatest.value(letter, kind)
 
 
-def _where(letter: str) -> Callable[..., Any]:
+def _where(letter: str) -> Callable[..., Numeric]:
     """Return where an error is greatest: at 90° exactly, or a ball in degrees."""
     return lambda greatest: 180 * greatest.zero.place() if letter == "c" else QUARTER
 
