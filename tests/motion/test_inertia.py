@@ -12,7 +12,7 @@ from typing import Any
 import flint
 import numpy as np
 import pytest
-from cli import printed, records, refusal
+from cli import printed, records
 from drives import ARCS, BEAMS, Drive, slide
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -51,8 +51,8 @@ def newton(drive: verify.Drive, a: str, k: str, mass: str = "1") -> dict[str, ve
 
 def reaction(heavy: verify.Bodies, force: str, degrees: Fraction | str) -> verify.Value:
     """Return the force of the guide on B, that of the crank pin on A, or the torque that the rod gives."""
-    key = {"guide": "guide_force_n", "pin": "crank_pin_force_n", "torque": "torque_nm"}.get(force)
-    if key:
+    names = {"guide": "guide_force_n", "pin": "crank_pin_force_n", "torque": "torque_nm"}
+    if key := {**names, "resultant": "rod_inertia_n", "arm": "rod_arm_n"}.get(force):
         return heavy.value(key, degrees)
     if force == "pin_x":
         return heavy.value("bearing_along_n", degrees)
@@ -101,23 +101,14 @@ def _across(turning: Any, stretching: Any, psi: Any) -> Any:
 @pytest.mark.parametrize(("speed", "omega", "turns"), [("120/min", "2", True), ("12.5rad/s", "12.5", False)])
 def test_newtons_are_those_of_mass_radius_and_speed(speed: str, omega: str, turns: bool) -> None:
     size = ("--stroke=600mm", "--rod=1500mm", "--rod-mass=0.1t", f"--speed={speed}", "--angle=68")
-    keys = {f"inertia_{force}_{'nm' if force == 'torque' else 'n'}": force for force in FORCES}
+    keys = {f"inertia_{one}_{'nm' if one == 'torque' else 'n'}": one for one in (*FORCES, "resultant")}
+    keys["inertia_arm"] = "arm"
     drive = slide("1:5", radius="0.3", speed=omega, turns=turns).true
     heavy = newton(drive, "0.6", "0.48", "100")["exact"]
     asked = ("--centre=60%", "--gyration=0.48", "--digits=6", f"--columns={','.join(keys)}")
     (row,) = records("inertia", *size, *asked)
     for key, force in keys.items():
         assert reaction(heavy, force, "68").confirms(row[key]) == verify.CONFIRMED, key
-
-
-def test_centre_counts_from_the_crosshead_so_that_six_tenths_is_the_railway_rule() -> None:
-    table = kurbel.inertia(centre=0.6, gyration=0.48, angle="25;140")
-    for row in table.records.rows:
-        _, _, guide, two, railway, pin, pin_two, pin_railway = row
-        assert (two, pin_two) == (railway, pin_railway)
-        assert guide != two
-        assert pin != pin_two
-    assert any("$a = 0.6 L$ vom Kreuzkopfzapfen" in note.text for note in table.notes)
 
 
 @pytest.mark.parametrize("ratio", ["1:5", "1:4;1:3"])
@@ -392,6 +383,3 @@ def test_a_rod_file_in_lengths_takes_the_length_of_the_rod(tmp_path: Path) -> No
     assert "M = 100 kg" in out
     assert "a = 0.6 L from the crosshead pin" in out
     assert "N in N" in out
-    assert "the rod's length is not known" in refusal("inertia", f"--rod-file={path}", code=1)
-    said = refusal("inertia", f"--rod-file={path}", *lengths, "--rod-mass=5kg")
-    assert said == "the rod's file has its mass in kg; leave the mass out"

@@ -1,4 +1,4 @@
-"""The masses that stand in for a rod have its mass, centre and moment of inertia; k is that of its swing."""
+"""The masses that stand in for a rod have its mass, centre and moment of inertia; k is that of its swings."""
 
 from __future__ import annotations
 
@@ -32,12 +32,22 @@ def test_masses_move_like_the_rod(centre: float, gyration: float) -> None:
     assert found["crank"]["crank_place"] == 1
 
 
-@pytest.mark.parametrize(("pin", "distance"), [("crosshead", 0.4), ("crank", 0.2)])
-def test_the_radius_of_gyration_is_that_of_the_swing(pin: str, distance: float) -> None:
-    # A rod of 0.6 m and 5 kg with k = 0.17 m, by the compound pendulum.
-    time = 2 * pi * sqrt((0.17**2 + distance**2) / (9.81 * distance))
-    swing = (f"--pendulum={time:.17f}s", f"--pendulum-from={pin}", "--gravity=9.81")
-    rod = ("--rod=600mm", "--centre=400mm", "--rod-mass=5kg")
-    given = models(*rod, "--gyration=170mm")
-    for model, row in models(*rod, *swing).items():
+def swing(distance: float) -> str:
+    """The time of a rod with k = 0.17 m, by the compound pendulum."""
+    return f"{2 * pi * sqrt((0.17**2 + distance**2) / (9.81 * distance)):.17f}s"
+
+
+@pytest.mark.parametrize(
+    "how",
+    [
+        f"--centre=400mm --pendulum={swing(0.4)} --pendulum-from=crosshead --gravity=9.81",
+        f"--centre=400mm --pendulum={swing(0.2)} --pendulum-from=crank --gravity=9.81",
+        f"--pendulum={swing(0.45)};{swing(0.28)} --pendulum-from=-50mm;680mm --gravity=9.81",
+        f"--centre=400mm --rod-inertia={5 * (0.17**2 + 0.15**2):.6f}kgm2 --rod-inertia-about=250mm",
+    ],
+)
+def test_the_radius_of_gyration_is_that_of_swings_or_of_a_moment_of_inertia(how: str) -> None:
+    rod = ("--rod=600mm", "--rod-mass=5kg")
+    given = models(*rod, "--centre=400mm", "--gyration=170mm")
+    for model, row in models(*rod, *how.split()).items():
         assert row == pytest.approx(given[model], abs=1e-9)

@@ -6,7 +6,7 @@ from collections.abc import Collection
 from dataclasses import replace
 from fractions import Fraction
 
-from kurbel.commands.options import Option
+from kurbel.commands.options import Option, measure
 from kurbel.commands.part import CommandOptions
 from kurbel.commands.parts.angles import Angles
 from kurbel.commands.parts.drive import OF_MASSES, AnyDrive, Turning
@@ -21,7 +21,7 @@ from kurbel.motion.motion_page import Request
 from kurbel.motion.rod_masses import RodMassesRequest
 from kurbel.page.layouts import Layout
 from kurbel.page.subject import Question
-from kurbel.reading.given import as_length, as_ratios
+from kurbel.reading.given import as_angular_acceleration, as_length, as_ratios
 
 MASSES, ERRORS = ("rod masses", "pin masses"), "inertia errors"
 INERTIA, ROCKER_INERTIA = ("inertia", ERRORS, *MASSES), "rocker inertia"
@@ -59,6 +59,11 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
     speed = Turning.speed.but(help="Speed, for columns in N and N m: 120/min, 12.5rad/s.")
     method = OF_MASSES.but()
     layout = layout_option(*INERTIA, ROCKER_INERTIA)
+    rod_acceleration = measure(
+        as_angular_acceleration,
+        "With --layout rod-masses: angular acceleration of the rod, for the correction couple: 23000rad/s².",
+        "ALPHA", unit="rad/s²", topic="masses",
+    )  # fmt: skip
     gravity = Weight.gravity.but(help="Acceleration of gravity, for --pendulum: 9.81; default 9.80665m/s².")
 
     def question(self) -> Question:
@@ -109,6 +114,8 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
         name = option.name
         if name == "gravity":
             return "--gravity is for the time of a swing; add --pendulum, or leave it out"
+        if name == "rod_acceleration":
+            return "--rod-acceleration is for the masses of a rod by itself; add --layout rod-masses"
         if self.layout_subject not in MASSES:
             return ""
         why = f"layout {self.layout} is of the rod by itself"
@@ -125,7 +132,10 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
         self.check_whole(page)
         length = self._length()
         return RodMassesRequest(
-            rod=self.moving_rod(length), length=length, **self.on_page(page, "model,crosshead_mass")
+            rod=self.moving_rod(length),
+            length=length,
+            acceleration=self.rod_acceleration,
+            **self.on_page(page, "model,crosshead_mass"),
         )
 
     def _length(self) -> Fraction | None:

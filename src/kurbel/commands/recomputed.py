@@ -317,15 +317,18 @@ def of_inertia(second: Second, key: str, method: str, row: Row) -> Value:
     if method != "exact":
         raise ProblemError("forces of a rod by a series are not computed a second time")
     drive = second.drive(row)
+    if key == "inertia_arm_mm":
+        return of_inertia(second, "inertia_arm", method, row) * (1000 * drive.radius / drive.ratio)
     name, unit = key.removeprefix("inertia_"), next((one for one in ("_nm", "_n") if key.endswith(one)), "")
     name = name.removesuffix(unit)
     model = next((one for one in ("two_mass", "railway") if name.endswith(one)), "")
     force = _OF_ROD.get(name.removesuffix(f"_{model}").removesuffix(RETURN))
     if force is None or (not unit and "acceleration" in second.options):
         return drive.value(key, second.degrees(row), method)
+    long = drive.radius / drive.ratio if drive.ratio else None
     if not unit:
         drive = replace(drive, radius=Fraction(1), speed=Fraction(1), turns=False)
-    heavy = second.rod(drive, model, unit != "")
+    heavy = second.rod(drive, model, unit != "", long)
     return heavy.value(f"{force}_n", second.degrees(row), stroke="return" if RETURN in key else None)
 
 
@@ -346,6 +349,7 @@ def of_harmonics(second: Second, key: str, method: str, row: Row) -> Value:
 
 _OF_ROD = {
     "guide": "guide_force", "pin": "crank_pin_force", "pin_x": "pin_x", "pin_y": "pin_y", "torque": "torque",
+    "resultant": "rod_inertia", "arm": "rod_arm",
 }  # fmt: skip
 
 

@@ -154,12 +154,12 @@ class Requested:
             self._kept[key] = verify.bodies(drive, force=force, **known)
         return self._kept[key]
 
-    def rod(self, drive: verify.Drive, model: str, weighed: bool) -> verify.Bodies:
-        """The rod alone, of a mass of 1 or its own; of two masses k² = a b, and by the railways' rule 6/10
-        of it are at the crank pin."""
+    def rod(self, drive: verify.Drive, model: str, weighed: bool, long: Fraction | None) -> verify.Bodies:
+        """The rod alone, so long in m, of a mass of 1 or its own; of two masses k² = a b, and by the
+        railways' rule 6/10 of it are at the crank pin."""
         key = (drive, model, weighed)
         if key not in self._kept:
-            asked, long = self.asked, drive.radius / drive.ratio if drive.ratio else None
+            asked = self.asked
             centre = _of_rod(asked.raw("centre"), long) or Fraction(0)
             known: dict[str, Any] = {"gyration": _of_rod(asked.raw("gyration"), long)}
             if model:

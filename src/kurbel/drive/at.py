@@ -292,17 +292,14 @@ class At:
         towards = np.where(velocity == 0, drawn, velocity)
         return np.where(towards < 0, -1.0, 1.0)
 
-    def shaft_acceleration(self) -> Any:
-        """Return (M - P/ω)/J of what turns with the shaft, in 1/s²; M less the friction of pins that have
-        some."""
-        crank = self.crank
-        shaft, pinned = known(known(crank.effort).shaft), known(crank.effort).pins is not None
-        torque = (self.net_torque() if pinned else self.loaded.torque()) * self.numbers.of(
-            known(crank.radius)
-        )
-        if shaft.power:
-            torque = torque - self.numbers.of(shaft.power) / known(crank.speed).omega(self.numbers)
-        return torque / self.numbers.of(shaft.inertia)
+    def shaft_torque(self) -> Any:
+        """Return what accelerates the shaft, M - P/ω over R, in newtons; M less the friction of pins that
+        have some."""
+        crank, effort = self.crank, known(self.crank.effort)
+        torque = self.loaded.torque() if effort.pins is None else self.net_torque()
+        if not (power := known(effort.shaft).power):
+            return torque
+        return torque - self.numbers.of(power / known(crank.radius)) / known(crank.speed).omega(self.numbers)
 
     def net_torque(self) -> Any:
         """Return the torque on the shaft less what the friction of the pins takes, over R, in newtons."""

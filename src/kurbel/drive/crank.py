@@ -143,6 +143,10 @@ class Crank:
     def newton_metres(self, numbers: Kind) -> Numeric:
         return self.newtons(numbers) * numbers.of(known(self.radius))
 
+    def shaft_gain(self, numbers: Kind) -> Any:
+        """What makes the angular acceleration of the shaft in 1/s² of a force at R in newtons, R/J."""
+        return numbers.of(known(self.radius) / known(known(self.effort).shaft).inertia)
+
     def __post_init__(self) -> None:
         _check_ratio(self.ratio)
         if abs(self.offset) > LONGEST_ROD:

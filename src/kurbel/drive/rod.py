@@ -67,17 +67,18 @@ class Slope:
 # Sections end within half a rod's length of its pins.
 REACH = Fraction(1, 2)
 LARGEST_MASS = 10**9
-# The ends about which it may swing.
-PINS = CROSSHEAD, CRANK = "crosshead", "crank"
+# The ends about which it may swing, in L from the crosshead pin.
+PINS = {"crosshead": Fraction(0), "crank": Fraction(1)}
 # The share of the rod that railway engineers count as reciprocating.
 RAILWAY_CROSSHEAD = Fraction(4, 10)
 
 
 class Swing(NamedTuple):
-    """How the radius of gyration was found: the time in s of a full swing about a pin, and g in m/s²."""
+    """How the radius of gyration was found: the time in s of a full swing about a point, in L from the
+    crosshead pin, and g in m/s²."""
 
     time: Fraction
-    pin: str
+    place: Fraction
     gravity: Fraction
 
 
@@ -87,14 +88,14 @@ class Rod:
 
     k² and not k is kept, for of fractions it is a fraction. The centre lies on the line between the pins,
     0 <= a <= L. k² above a (L - a) is for rods that reach beyond their pins or far to the side; valid up to
-    that of two masses half a length beyond the pins. Of a `swing` k² is transcendental; the fraction is near
-    it to more places than are ever printed.
+    that of two masses half a length beyond the pins. Of `swings` k², and of two of them a, are
+    transcendental; the fractions are near them to more places than are ever printed.
     """
 
     centre: Fraction
     gyration_square: Fraction
     mass: Fraction | None = None
-    swing: Swing | None = None
+    swings: tuple[Swing, ...] = ()
 
     def __post_init__(self) -> None:
         if not 0 <= self.centre <= 1:

@@ -28,9 +28,6 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.drive.rod import (
-    CROSSHEAD,
-    GREATEST_GRAVITY,
-    STANDARD_GRAVITY,
     Rod,
     Section,
     Swing,
@@ -176,45 +173,78 @@ def given_rod(
     return replace(rod, mass=mass)
 
 
-def given_swing(time: Fraction | None, pin: str | None, gravity: Fraction | None) -> Swing:
-    """Return the swing that is described. Raises ProblemError where the time or the pin is missing."""
-    if time is None:
+def weighed_rod(
+    inertia: Fraction, about_place: Fraction | None, centre: Fraction | None, length: Fraction | None,
+    mass: Fraction | None,
+) -> Rod:  # fmt: skip
+    """Return the rod with a moment of inertia in kg m² about a point, in L from the crosshead pin, or about
+    its centre of mass. k² = J/M - d², d the distance of the point from the centre of mass."""
+    if centre is None or length is None or mass is None:
         raise ProblemError(
-            "--pendulum-from is for --pendulum, the time of a full swing; add it, such as 1.8s"
+            "--rod-inertia needs the rod's mass, its length and its centre of mass; add --rod-mass, --rod and"
+            " --centre"
         )
-    if pin is None:
+    check_centre(centre)
+    distance = Fraction(0) if about_place is None else centre - about_place
+    square = inertia / mass / length**2 - distance**2
+    if square <= 0:
+        least = about(mass * (distance * length) ** 2)
         raise ProblemError(
-            "--pendulum needs the pin about which the rod swung; add --pendulum-from crosshead"
+            f"a moment of inertia of {about(inertia)} kg m² is too small: with all its mass in its centre the"
+            f" rod would have {least} kg m² about that point"
         )
-    if gravity is not None and not 0 < gravity <= GREATEST_GRAVITY:
-        raise ProblemError(f"gravity is {about(gravity)} m/s²; it must be above 0 and at most 1000")
-    return Swing(time, pin, STANDARD_GRAVITY if gravity is None else gravity)
+    return Rod(1 - centre, square, mass)
 
 
 def swung_rod(
-    swing: Swing, centre: Fraction | None, length: Fraction | None, mass: Fraction | None = None
+    swings: Sequence[Swing], centre: Fraction | None, length: Fraction | None, mass: Fraction | None = None
 ) -> Rod:
-    """Return the rod with its centre of mass a/L from the crosshead pin, of so many metres between its pins.
+    """Return the rod with its centre of mass a/L from the crosshead pin, of so many metres between its pins;
+    of two swings, about points on both sides of it, the centre of mass follows.
 
-    k² = g d T²/(4 π²) - d², d the distance of the centre of mass from the pin about which it swings, T the
-    time of a small swing to and fro. Valid for d > 0 and where k² is above 0.
+    k² = g d T²/(4 π²) - d², d the distance of the centre of mass from the point about which it swings, T the
+    time of a small swing to and fro. Valid for d > 0 and where k² is above 0. Of two, l = g T²/(4 π²) and D
+    apart, d₁ (l₁ - d₁) = d₂ (l₂ - d₂) gives d₁ = D (l₂ - D)/(l₁ + l₂ - 2 D). Re-derived.
     """
-    if centre is None:
-        raise ProblemError("--pendulum needs the centre of mass, about which k is taken; add --centre")
     if length is None:
         raise ProblemError("--pendulum needs the length of the rod; add --stroke and one --ratio, or --rod")
+    first, *others = sorted(swings, key=lambda one: one.place)
+    if others:
+        if centre is not None:
+            raise ProblemError("the times of two swings give the centre of mass; leave --centre out")
+        centre = _between(first, others[0], length)
+    elif centre is None:
+        raise ProblemError("--pendulum needs the centre of mass, about which k is taken; add --centre")
     check_centre(centre)
-    distance = (centre if swing.pin == CROSSHEAD else 1 - centre) * length
+    distance = abs(centre - first.place) * length
     if distance <= 0:
-        raise ProblemError(f"the rod does not swing about the {swing.pin} pin, where its centre of mass is")
-    square = swing.gravity * distance * swing.time**2 / 4 * _per_pi_square() - distance**2
+        raise ProblemError("the rod does not swing about the point where its centre of mass is")
+    square = distance * _pendulum(first) - distance**2
     if square <= 0:
-        shortest = 2 * (float(distance / swing.gravity) * float(1 / _per_pi_square())) ** 0.5
+        shortest = 2 * (float(distance / first.gravity) * float(1 / _per_pi_square())) ** 0.5
         raise ProblemError(
-            f"a swing of {about(swing.time)} s is too short: with all its mass {about(distance)} m from the"
-            f" pin the rod would take {shortest:.4g} s; the time is that of a full swing, to and fro"
+            f"a swing of {about(first.time)} s is too short: with all its mass {about(distance)} m from the"
+            f" point the rod would take {shortest:.4g} s; the time is that of a full swing, to and fro"
         )
-    return Rod(1 - centre, square / length**2, mass, swing)
+    return Rod(1 - centre, square / length**2, mass, tuple(swings))
+
+
+def _pendulum(swing: Swing) -> Fraction:
+    """Return the length in metres of a mass on a thread that swings as fast."""
+    return swing.gravity * swing.time**2 / 4 * _per_pi_square()
+
+
+def _between(first: Swing, second: Swing, length: Fraction) -> Fraction:
+    """Return the centre of mass, in L from the crosshead pin, between the points of two swings."""
+    apart = (second.place - first.place) * length
+    one, other = _pendulum(first) - apart, _pendulum(second) - apart
+    distance = apart * other / (one + other) if one + other else Fraction(0)
+    if not 0 < distance < apart:
+        raise ProblemError(
+            "no centre of mass between the two points has these times of its swings; the points lie on both"
+            " sides of it, and the times are those of full swings, to and fro"
+        )
+    return first.place + distance / length
 
 
 def _per_pi_square() -> Fraction:

@@ -90,6 +90,9 @@ def greatest_value(column: Column, crank: Crank) -> float:
 
         if has_poles(column.quantity, crank):
             return inf
+    if column.quantity.needs.startswith("arm"):
+        # Over a force that nearly vanishes.
+        return inf
     steepest = float(crank.ratio) * (1 + abs(float(crank.offset)))
     growth = (1 - min(steepest, 1 - 1e-12) ** 2) ** -3.5
     quantity = column.quantity
@@ -219,6 +222,8 @@ def greatest_load(crank: Crank) -> Fraction:
     force = abs(crank.force.first) * crank.force.growth if crank.force else Fraction(0)
     if crank.effort is not None:
         force += crank.effort.greatest
+        if crank.effort.shaft and speed is not None:
+            force += crank.effort.shaft.power / known(crank.radius) / speed.value
     if moving is None or speed is None:
         return force
     pin, crosshead, couple, _ = moving.joined

@@ -39,6 +39,8 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "shaft": ("--inertia", "--stroke"),
     "rod": ("--centre", "--gyration"),
     "inertia": ("--rod-mass", "--stroke", "--speed"),
+    "arm": ("--centre above 0", "--gyration"),
+    "arm length": ("--centre above 0", "--gyration", "the length of the rod"),
     "couple": ("--rod-mass", "--stroke", "--speed", "a finite rod"),
     "thrust": ("--centre", "--gyration", "a crank that turns evenly"),
     "thrust inertia": ("--rod-mass", "--stroke", "--speed", "a crank that turns evenly"),
@@ -117,6 +119,9 @@ def is_known(quantity: Quantity, crank: Crank) -> bool:
         "rod": crank.rod is not None,
         "inertia": crank.rod is not None and crank.rod.mass is not None and crank.speed is not None,
     }
+    # Where the centre of mass is that of the crosshead, it rests at moments in which the rod turns.
+    known["arm"] = crank.rod is not None and crank.rod.centre < 1
+    known["arm length"] = known["arm"] and crank.rod_length is not None
     known["couple"] = known["inertia"] and crank.rod_length is not None
     for thrust, force in (("thrust", "rod"), ("thrust inertia", "inertia")):
         known[thrust] = known[force] and not crank.acceleration

@@ -14,7 +14,7 @@ from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.moving import Masses
-from kurbel.kernel.rod import Loaded
+from kurbel.kernel.rod import Loaded, magnitude
 from kurbel.motion.entries import OF_ROD
 from kurbel.motion.evaluation import OFFSET, ROD_MODELS
 from kurbel.motion.rod_accelerations import acceleration_entries
@@ -124,12 +124,44 @@ ROD_COUPLES: Mapping[str, RodForce] = {
 }  # fmt: skip
 
 
+def _resultant(loaded: Loaded) -> Any:
+    """Return the magnitude of M a_S, that of all forces of the pins and the guide on the rod."""
+    return magnitude(loaded.pin_force_along(), loaded.pin_force_across() + loaded.guide_force())
+
+
+def _arm(loaded: Loaded) -> Any:
+    """Return how far the line of the inertia force passes by the centre of mass, in L."""
+    return abs(_couple(loaded)) / _resultant(loaded)
+
+
+def _resultant_entries() -> Iterator[Quantity]:
+    """Yield the inertia force of the rod in one, and the arm of its line."""
+    name = words("Massenkraft der Stange|Inertia force of the rod")
+    force = RodForce("resultant", "F_S", name, _resultant, _resultant, _BOTH, _BOTH)
+    yield from _entries(force, "exact", _of_slide(force, "exact"))
+    name = words("Hebelarm der Massenkraft|Arm of the inertia force")
+    arm = _entry("inertia_arm", "h", name, "L", "exact", _of_slide(force._replace(formula=_arm), "exact"))
+    arm = arm._replace(needs="arm", direction=words(
+        "$h$ vom Schwerpunkt der Stange zur Linie ihrer Massenkraft"
+        "|$h$ from the rod's centre of mass to the line of its inertia force"
+    ))  # fmt: skip
+    yield arm
+    yield arm._replace(
+        key="inertia_arm_mm", unit=words("mm"), decimals=2, scale=_rod_millimetres, needs="arm length",
+        spanners=(name, words("$h$ in mm")),
+    )  # fmt: skip
+
+
+def _rod_millimetres(crank: Crank, numbers: Kind) -> Any:
+    return numbers.of(1000 * known(crank.rod_length))
+
+
 @cache
 def inertia_registry() -> Mapping[str, Quantity]:
     """Return every force by every model: inertia_guide, inertia_guide_two_mass, inertia_guide_railway_n; the
     parts of the acceleration, of which they come, and the forces of these."""
     parts = (*acceleration_entries(), *part_entries(held), *mollier_entries(ROD_MODELS))
-    return {one.key: one for one in (*rod_entries(_of_slide), *parts)}
+    return {one.key: one for one in (*rod_entries(_of_slide), *_resultant_entries(), *parts)}
 
 
 def _of_slide(force: RodForce, model: str) -> Callable[[At], Any]:

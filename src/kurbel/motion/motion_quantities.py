@@ -142,7 +142,8 @@ def _force_entries() -> Iterator[Quantity]:
     )  # fmt: skip
     yield spanned(
         "angular_acceleration", "Winkelbeschleunigung der Welle|Angular acceleration of the shaft", "$α$",
-        "$α$ in rad/s²", "rad/s²", 2, {LOADED: Formula(At.shaft_acceleration)}, needs="shaft",
+        "$α$ in rad/s²", "rad/s²", 2, {LOADED: Formula(At.shaft_torque)}, scale=Crank.shaft_gain,
+        needs="shaft",
     )  # fmt: skip
 
 

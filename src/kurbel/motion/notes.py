@@ -13,7 +13,7 @@ from kurbel.drive.effort import Areas, Effort
 from kurbel.drive.load import figure
 from kurbel.drive.rod import STANDARD_GRAVITY, Moving, Rod, Slope
 from kurbel.exact.kind import Kind, settled
-from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
+from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text
 from kurbel.kernel.circle import Numeric, root
 from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.page.quantity import Words, words
@@ -46,11 +46,16 @@ WORDS: Mapping[str, Words] = {
         "$k^2 - a b = {couple} {length}^2${mass}"
     ),
     "swing": words(
-        '; $k$ aus der Dauer ${time} "s"$ einer Schwingung hin und her um {pin}'
-        '|; $k$ from the time ${time} "s"$ of a swing to and fro about {pin}'
+        '; {found} aus der Dauer ${time} "s"$ einer Schwingung hin und her um {point}'
+        '|; {found} from the time ${time} "s"$ of a swing to and fro about {point}'
     ),
-    "swing_crosshead": words("den Kreuzkopfzapfen|the crosshead pin"),
-    "swing_crank": words("den Kurbelzapfen|the crank pin"),
+    "swing_too": words(' und ${time} "s"$ um {point}| and ${time} "s"$ about {point}'),
+    "swing_0": words("den Kreuzkopfzapfen|the crosshead pin"),
+    "swing_1": words("den Kurbelzapfen|the crank pin"),
+    "swing_at": words(
+        "den Punkt ${place} {length}$ vom Kreuzkopfzapfen|the point ${place} {length}$ from the crosshead pin"
+    ),
+    "swing_both": words("$a$ und $k$|$a$ and $k$"),
 }
 
 
@@ -163,21 +168,31 @@ def connecting_rod(rod: Rod, lang: str, length: str = "L", named: Mapping[str, W
     square = rod.gyration_square
     said = named["connecting_rod"][lang].format(
         length=length,
-        centre=figure(1 - rod.centre),
+        centre=_share(1 - rod.centre) if rod.swings else figure(1 - rod.centre),
         gyration=_root(square) or digits_text(lambda numbers: root(numbers.of(square)), 4),
         couple=figure(rod.couple),
         mass=f", $M = {amount(rod.mass, 'kg')}$" if rod.mass is not None else "",
     )
-    return said + _swing(rod, lang)
+    return said + _swing(rod, lang, length)
 
 
-def _swing(rod: Rod, lang: str) -> Label:
-    """Return from which swing the radius of gyration is, nothing where it was given."""
-    if rod.swing is None:
+def _swing(rod: Rod, lang: str, length: str) -> Label:
+    """Return from which swings the radius of gyration is, nothing where it was given."""
+    if not rod.swings:
         return ""
-    time, pin, gravity = rod.swing
-    said = WORDS["swing"][lang].format(time=figure(time), pin=WORDS[f"swing_{pin}"][lang])
+    said, found = "", WORDS["swing_both"][lang] if rod.swings[1:] else "$k$"
+    for time, place, _ in rod.swings:
+        point = WORDS.get(f"swing_{place}", WORDS["swing_at"])[lang]
+        said += WORDS["swing_too" if said else "swing"][lang].format(
+            found=found, time=figure(time), point=point.format(place=_share(place), length=length)
+        )
+    gravity = rod.swings[0].gravity
     return f"{said}, $g = {amount(gravity, 'm/s²')}$" + usual_gravity(gravity)
+
+
+def _share(value: Fraction) -> str:
+    """A share of the rod that was measured, to four places where it has no end."""
+    return number_text(nearest(value, 4)) if finite_decimals(value) is None else figure(value)
 
 
 def _root(square: Fraction) -> str:

@@ -9,7 +9,7 @@ from functools import cache
 from typing import NamedTuple
 
 from kurbel.drive.rod import Rod
-from kurbel.exact.numerals import Label, Number, given, number_text
+from kurbel.exact.numerals import Label, Number, figure, given, number_text
 from kurbel.exact.real import Product
 from kurbel.motion.notes import connecting_rod
 from kurbel.page.axes import ColumnAxis, ListAxis, Place
@@ -18,11 +18,12 @@ from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount, unit_of_page
 
-KILOGRAMS, LENGTHS, BOTH = "mass", "length", "mass and length"
+KILOGRAMS, LENGTHS, BOTH, TURNED = "mass", "length", "mass and length", "mass, length and acceleration"
 UNKNOWN = {
     KILOGRAMS: "the mass of the rod, --rod-mass",
     LENGTHS: "the length of the rod, --rod",
     BOTH: "the rod's mass and length, --rod-mass and --rod",
+    TURNED: "the rod's mass, length and angular acceleration, --rod-mass, --rod and --rod-acceleration",
 }
 MODEL = words("Ersatz der Stange|In place of the rod")
 
@@ -94,6 +95,10 @@ def _middle(rod: Rod, points: tuple[Point, ...]) -> Fraction | None:
 def registry() -> Mapping[str, Quantity]:
     """Return every quantity by its key, in shares of the rod's mass and length and in kg and mm."""
     entries = [one for said in _ENTRIES for one in _pair(*said)]
+    name = words("Ausgleichsmoment|Correction couple")
+    formulas = {"exact": Formula(lambda rod, points: lacking(rod)(points))}
+    couple = Quantity("correction_nm", name, "$ΔJ α$", words("N m"), None, formulas, words("$ΔJ α$ in N m"))
+    entries.append(couple._replace(spanners=(name,), needs=TURNED))
     return {one.key: one for one in entries}
 
 
@@ -136,6 +141,7 @@ class RodMassesRequest(Question):
 
     rod: Rod
     length: Fraction | None = None
+    acceleration: Fraction | None = None
 
     no_column = "there is no column beside the axes; add one, such as crosshead_mass"
 
@@ -144,6 +150,7 @@ class RodMassesRequest(Question):
             KILOGRAMS: self.rod.mass is None,
             LENGTHS: self.length is None,
             BOTH: self.rod.mass is None or self.length is None,
+            TURNED: None in (self.rod.mass, self.length, self.acceleration),
         }
         if not lacks.get(quantity.needs):
             return ""
@@ -152,8 +159,9 @@ class RodMassesRequest(Question):
     def unit(self, quantity: Quantity) -> Fraction:
         """Return what a share of the rod is in the unit of a quantity."""
         mass, length = self.rod.mass or Fraction(1), self.length or Fraction(1)
-        units = {"": Fraction(1), KILOGRAMS: mass, LENGTHS: 1000 * length, BOTH: mass * length**2}
-        return units[quantity.needs]
+        inertia, turned = mass * length**2, self.acceleration or Fraction(0)
+        units = {"": Fraction(1), KILOGRAMS: mass, LENGTHS: 1000 * length, BOTH: inertia}
+        return {**units, TURNED: inertia * turned}[quantity.needs]
 
 
 def _number(question: RodMassesRequest, column: Column, place: Place, times: int) -> Number | None:
@@ -176,6 +184,8 @@ def _notes(question: RodMassesRequest) -> Iterator[Label]:
     yield connecting_rod(question.rod, lang)
     if question.length is not None:
         yield ", ".join(_sizes(question, question.length))
+    if question.acceleration is not None:
+        yield f'$α = {figure(question.acceleration)} "rad"/"s"^2$'
 
 
 def _sizes(question: RodMassesRequest, length: Fraction) -> Iterator[Label]:

@@ -287,6 +287,8 @@ as_signed_force = _measured("signed_force")
 as_power = _measured("power")
 as_torque = _measured("signed_torque")
 as_duration = _measured("duration")
+# Metres, against the direction that counts below 0.
+as_displacement = _measured("displacement")
 # Radians a second squared.
 as_angular_acceleration = _measured("angular_acceleration")
 as_velocity = _measured("velocity")

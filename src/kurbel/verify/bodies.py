@@ -141,14 +141,23 @@ class At:
         return number(-forward * self.bodies.friction)
 
     @cached_property
+    def rod_inertia(self) -> Arrow:
+        """What moves the centre of mass of the rod."""
+        return self.accelerated(self.centre_jet).times(number(self.bodies.rod_mass))
+
+    @cached_property
+    def rod_couple(self) -> Jet:
+        """What turns the rod about it."""
+        long, turned = self.radius / self.drive.ratio, self.spun(self.pin_jet.minus(self.end_jet))
+        return turned * (long * long * (self.bodies.spread * self.bodies.rod_mass))
+
+    @cached_property
     def forces(self) -> tuple[Arrow, Arrow, Arrow]:
         """The forces on the rod at A and at B, and that of the guide or the rocker on B."""
         bodies, one, none = self.bodies, number(1), number(0)
         to_pin, to_end = self.pin.minus(self.centre), self.end.minus(self.centre)
-        rod = self.accelerated(self.centre_jet).minus(self.weight).times(number(bodies.rod_mass))
-        long = self.radius / self.drive.ratio
-        turned = self.spun(self.pin_jet.minus(self.end_jet))
-        couple = turned * (long * long * (bodies.spread * bodies.rod_mass))
+        rod = self.rod_inertia.minus(self.weight.times(number(bodies.rod_mass)))
+        couple = self.rod_couple
         pushed = self.way.times(self.piston_force + self.friction_force)
         end = self.accelerated(self.end_jet).minus(self.weight).times(number(bodies.reciprocating))
         end = end.minus(pushed)
@@ -253,6 +262,9 @@ _FORCES: dict[str, Callable[[At], Any]] = {
     "bearing_along": lambda at: -at.on_bearing.x * at.stroke,
     "bearing_across": lambda at: at.on_bearing.y * at.stroke,
     "bearing_force": lambda at: at.on_bearing.size(),
+    # Of the rod alone: its inertia force, and how far that passes by its centre, in its lengths.
+    "rod_inertia": lambda at: at.rod_inertia.size(),
+    "rod_arm": lambda at: abs(at.rod_couple.value) / (at.rod_inertia.size() * at.radius) * at.drive.ratio,
     # Of the rod, of what goes with B and of the rocker.
     "kinetic_energy": lambda at: energies(at.bodies, at.pin_jet)[0],
     "net_torque": lambda at: at.net_torque,

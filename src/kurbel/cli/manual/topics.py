@@ -43,7 +43,7 @@ TOPICS = (
     Topic(
         "masses",
         "Masses and weight",
-        "reciprocating rod_mass centre gyration rod_file pendulum pendulum_from",
+        "reciprocating rod_mass centre gyration rod_file pendulum pendulum_from rod_inertia",
         "stroke speed",
     ),
     Topic("counterweights", "What balances", also="revolving"),

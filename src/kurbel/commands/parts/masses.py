@@ -7,25 +7,73 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any, ClassVar
 
-from kurbel.commands.options import Choice, Option, alone, amount, file, measure, word
+from kurbel.commands.options import Option, alone, amount, file, measure
 from kurbel.commands.part import Part, Rivals, flag_of
 from kurbel.commands.parts.drive import Speed
 from kurbel.drive.at import acceleration_of
-from kurbel.drive.rod import STANDARD_GRAVITY, VERTICAL, Moving, Rod, Slope
-from kurbel.errors import ProblemError
+from kurbel.drive.rod import (
+    GREATEST_GRAVITY,
+    PINS,
+    STANDARD_GRAVITY,
+    VERTICAL,
+    Moving,
+    Rod,
+    Slope,
+    Swing,
+)
+from kurbel.errors import NotationError, ProblemError
 from kurbel.motion.mechanism import Mechanism, of_other_mechanisms
 from kurbel.reading.given import (
     as_angle,
+    as_displacement,
     as_duration,
     as_gravity,
     as_inertia,
     as_mass,
+    as_number,
+    as_share,
     as_share_or_length,
     as_signed_mass,
+    meant,
 )
+from kurbel.reading.notation import about
 
 _UNKNOWN = "that of the rod is not known; add --stroke and one --ratio, or give a share of the rod's length"
-OF_ROD = ("rod_mass", "centre", "gyration", "pendulum", "pendulum_from", "rod_file")
+# By which of these the rod's k is known, each with what says about which point.
+SWUNG, WEIGHED = ("pendulum", "pendulum_from"), ("rod_inertia", "rod_inertia_about")
+OF_ROD = ("rod_mass", "centre", "gyration", *SWUNG, *WEIGHED, "rod_file")
+
+
+def _each(value: object) -> Sequence[object]:
+    """Return the entries of a list, which may be text."""
+    if isinstance(value, str):
+        return [part.strip() for part in value.split(";")]
+    return [*value] if isinstance(value, list | tuple) else [value]
+
+
+def _swings(value: object, what: str) -> tuple[Fraction, ...]:
+    """Return the times of swings: 1.8s, 90s/50. Raises KurbelError."""
+    found = []
+    for one in _each(value):
+        time, slash, count = one.rpartition("/") if isinstance(one, str) else (one, "", "")
+        swings = as_number(count, "number of swings") if slash else Fraction(1)
+        if swings <= 0:
+            raise ProblemError(f"the number of swings is {about(swings)}; it must be above 0")
+        found.append(as_duration(time if slash else one, what) / swings)
+    return tuple(found)
+
+
+def _place(value: object, length: Fraction | None, what: str) -> Fraction:
+    """Return a point of the rod, in its lengths from the crosshead pin. Raises KurbelError."""
+    from kurbel.reading.units import is_measure
+
+    if isinstance(value, str) and not any(map(str.isdigit, value)):
+        return PINS[meant(value, PINS, what)]
+    if not isinstance(value, str) or not is_measure(value):
+        return as_share(value, what)
+    if length is None:
+        raise NotationError(f'{what} "{value[:40]}" is a length, but {_UNKNOWN}')
+    return as_displacement(value, what) / length
 
 
 class MovingRod(Part):
@@ -35,10 +83,11 @@ class MovingRod(Part):
     topic = "masses"
     section = "masses"
     rivals: ClassVar[Rivals] = (
-        *((name, "rod_file") for name in ("rod_mass", "centre", "gyration", "pendulum", "pendulum_from")),
-        *(("rod_file", name) for name in ("centre", "gyration", "pendulum")),
-        *(("gyration", name) for name in ("pendulum", "pendulum_from")),
-        *((name, "gyration") for name in ("pendulum", "pendulum_from")),
+        *((name, "rod_file") for name in ("rod_mass", "centre", "gyration", *SWUNG, *WEIGHED)),
+        *(("rod_file", name) for name in ("centre", "gyration", "pendulum", "rod_inertia")),
+        *(("gyration", name) for name in (*SWUNG, *WEIGHED)),
+        *((name, "gyration") for name in (*SWUNG, *WEIGHED)),
+        *(pair for one in SWUNG for other in WEIGHED for pair in ((one, other), (other, one))),
     )
 
     rod_mass = measure(as_mass, "Mass of the connecting rod: 150kg.", "MASS", unit="kg", machine="masses.rod")
@@ -52,14 +101,28 @@ class MovingRod(Part):
         unit="rod lengths",
     )  # fmt: skip
     pendulum = measure(
-        as_duration,
-        "In place of --gyration the time of a full swing, to and fro, about the pin that --pendulum-from"
-        " names: 1.8s.",
-        "TIME", unit="s", what="time of a swing",
+        _swings,
+        "In place of --gyration the time of a full swing, to and fro, about the point that --pendulum-from"
+        " names: 1.8s, or of 50 swings 90s/50; '1.83s;1.68s' of swings about two points, which give the"
+        " centre of mass, too.",
+        "TIME", unit="s", what="time of a swing", whole=True,
     )  # fmt: skip
-    pendulum_from = word(
-        "The pin about which the rod swung: crosshead or crank.", kind=Choice("pin", "kurbel.drive.rod:PINS")
-    )
+    pendulum_from = amount(
+        "The point about which the rod swung: crosshead or crank, the pins, or its place from the crosshead"
+        " pin towards the crank, in rod lengths or as a length: -40mm; of two swings '-40mm;crank'.",
+        "POINT", unit="rod lengths", whole=True,
+    )  # fmt: skip
+    rod_inertia = measure(
+        as_inertia,
+        "In place of --gyration the moment of inertia of the rod: '0.35 kg m²', with --rod-mass and its"
+        " length.",
+        "J", unit="kg m²", what="moment of inertia",
+    )  # fmt: skip
+    rod_inertia_about = amount(
+        "The point about which that is: crosshead, crank, or its place as in --pendulum-from; default the"
+        " centre of mass.",
+        "POINT", unit="rod lengths",
+    )  # fmt: skip
     rod_file = file(
         "The rod's masses from a CSV file in place of these: from, to, mass or position, mass, counted from"
         " the crank pin.",
@@ -68,17 +131,47 @@ class MovingRod(Part):
 
     def moving_rod(self, length: Fraction | None) -> Rod:
         """Return the connecting rod between pins so far apart, in metres, if that is known."""
-        from kurbel.drive.rod_file import given_rod, given_swing, swung_rod
+        from kurbel.drive.rod_file import given_rod, swung_rod, weighed_rod
 
         centre = self._part_of(length, self.centre, "centre of mass")
-        if not self.says("pendulum", "pendulum_from"):
+        ways = {"--pendulum": SWUNG, "--rod-inertia": WEIGHED}
+        way = next((flag for flag, names in ways.items() if self.says(*names)), "")
+        if not way:
             gyration = self._part_of(length, self.gyration, "radius of gyration")
             return given_rod(centre, gyration, self.rod_file, self.rod_mass, length)
-        for name in ("gyration", "rod_file"):
+        for name in ("gyration", "rod_file", *(WEIGHED if way == "--pendulum" else ())):
             if self.says(name):
-                raise ProblemError(f"{flag_of(name)} and --pendulum say the same; leave one out")
-        swing = given_swing(self.pendulum, self.pendulum_from, self.as_part(Weight).gravity)
-        return swung_rod(swing, centre, length, self.rod_mass)
+                raise ProblemError(f"{flag_of(name)} and {way} say the same; leave one out")
+        if way == "--pendulum":
+            return swung_rod(self._swings(length), centre, length, self.rod_mass)
+        inertia, from_ = self.rod_inertia, self.rod_inertia_about
+        if inertia is None:
+            raise ProblemError("--rod-inertia-about is for --rod-inertia; add it, such as '0.35 kg m²'")
+        place = None if from_ is None else _place(from_, length, "point")
+        return weighed_rod(inertia, place, centre, length, self.rod_mass)
+
+    def _swings(self, length: Fraction | None) -> list[Swing]:
+        """Return the swings that are described. Raises ProblemError where a time or a point is missing."""
+        times, given = self.pendulum, self.pendulum_from
+        if times is None:
+            raise ProblemError(
+                "--pendulum-from is for --pendulum, the time of a full swing; add it, such as 1.8s"
+            )
+        if given is None:
+            raise ProblemError(
+                "--pendulum needs the point about which the rod swung; add --pendulum-from crosshead"
+            )
+        gravity = self.as_part(Weight).gravity
+        if gravity is not None and not 0 < gravity <= GREATEST_GRAVITY:
+            raise ProblemError(f"gravity is {about(gravity)} m/s²; it must be above 0 and at most 1000")
+        places = [_place(one, length, "point of a swing") for one in _each(given)]
+        if len(times) > 2 or len(places) != len(times):
+            raise ProblemError(
+                f"--pendulum has {len(times)} times, and --pendulum-from {len(places)} points; give a time"
+                " and a point, or two of each"
+            )
+        own = STANDARD_GRAVITY if gravity is None else gravity
+        return [Swing(time, place, own) for time, place in zip(times, places, strict=True)]
 
     def _part_of(self, length: Fraction | None, value: object, what: str) -> Fraction | None:
         return None if value is None else as_share_or_length(value, what, length, _UNKNOWN)
