@@ -25,6 +25,12 @@ def swept(bore: mpf, stroke: mpf) -> mpf:
     return pi / 4 * bore**2 * stroke
 
 
+def sizes(volume: mpf, shape: mpf) -> dict[str, mpf]:
+    """The cylinder of a swept volume whose stroke is so many bores."""
+    bore = (volume / (pi / 4 * shape)) ** (mpf(1) / 3)
+    return {"bore": bore * 1000, "stroke": shape * bore * 1000}
+
+
 @solution
 def mean_pressure_of_steam(pressure: mpf, back: mpf, expansion: mpf) -> Rows:
     return [{"mean_pressure": mean_pressure(pressure, back, expansion) / BAR}]
@@ -35,14 +41,9 @@ def clearance_and_factor(
     pressure: mpf, back: mpf, expansion: mpf, clearance: mpf, factor: mpf, bore: mpf, stroke: mpf, speed: mpf
 ) -> Rows:
     ideal = mean_pressure(pressure, back, expansion, clearance)
-    power = 2 * factor * ideal * swept(bore, stroke) * turns(speed)
-    return [
-        {
-            "theoretical_pressure": ideal / BAR,
-            "mean_pressure": factor * ideal / BAR,
-            "indicated_power": power / 1000,
-        }
-    ]
+    power = 2 * factor * ideal * swept(bore, stroke) * turns(speed) / 1000
+    mean = {"theoretical_pressure": ideal / BAR, "mean_pressure": factor * ideal / BAR}
+    return [{**mean, "indicated_power": power}]
 
 
 @solution
@@ -50,35 +51,20 @@ def cylinder_for_a_power(
     pressure: mpf, back: mpf, expansion: mpf, factor: mpf, power: mpf, shape: mpf, speed: mpf
 ) -> Rows:
     real = factor * mean_pressure(pressure, back, expansion)
-    # power = 2 · real · π/4 · shape · bore³ · turns
-    bore = (power / (2 * real * pi / 4 * shape * turns(speed))) ** (mpf(1) / 3)
-    return [{"bore": bore * 1000, "stroke": shape * bore * 1000, "mean_pressure": real / BAR}]
+    return [{**sizes(power / (2 * real * turns(speed)), shape), "mean_pressure": real / BAR}]
 
 
 @solution
 def sizes_by_piston_speed(
-    pressure: mpf,
-    back: mpf,
-    expansion: mpf,
-    factor: mpf,
-    efficiency: mpf,
-    power: mpf,
-    velocity: mpf,
+    pressure: mpf, back: mpf, expansion: mpf, factor: mpf, efficiency: mpf, power: mpf, velocity: mpf,
     shape: mpf,
-) -> Rows:
+) -> Rows:  # fmt: skip
     real = factor * mean_pressure(pressure, back, expansion)
     inside = power / efficiency
     bore = (inside / (real * velocity * pi / 4)) ** mpf("0.5")
     speed = velocity / (2 * shape * bore)
-    return [
-        {
-            "bore": bore * 1000,
-            "stroke": shape * bore * 1000,
-            "speed": speed * 60,
-            "indicated_power": inside / 1000,
-            "mean_torque": power / (2 * pi * speed),
-        }
-    ]
+    sized = {"bore": bore * 1000, "stroke": shape * bore * 1000, "speed": speed * 60}
+    return [{**sized, "indicated_power": inside / 1000, "mean_torque": power / (2 * pi * speed)}]
 
 
 @solution
@@ -97,12 +83,8 @@ def otto_cycle(
     # A charge of the whole volume at suction pressure has p V = m R T₁; so much times `heat` is supplied.
     whole = swept(bore, stroke) * compression / (compression - 1)
     work = heat * suction * whole * (1 - compression ** mpf("-0.4"))
-    return [
-        {
-            "mean_pressure": work / swept(bore, stroke) / BAR,
-            "indicated_power": cylinders * work * turns(speed) / 2 / 1000,
-        }
-    ]
+    power = cylinders * work * turns(speed) / 2 / 1000
+    return [{"mean_pressure": work / swept(bore, stroke) / BAR, "indicated_power": power}]
 
 
 @solution
@@ -116,13 +98,9 @@ def air_compressor(
     driven += ratio * suction * (delivered - clearance)
     returned = quad(lambda v: ratio * suction * (clearance / v) ** exponent, [clearance, expanded])
     returned += suction * (whole - expanded)
-    work = (driven - returned) * swept(bore, stroke)
-    return [
-        {
-            "indicated_power": work * turns(speed) / 1000,
-            "delivery": (whole - expanded) * swept(bore, stroke) * turns(speed) * 60,
-        }
-    ]
+    rate = swept(bore, stroke) * turns(speed)
+    delivery = (whole - expanded) * rate * 60
+    return [{"indicated_power": (driven - returned) * rate / 1000, "delivery": delivery}]
 
 
 @solution
@@ -130,13 +108,8 @@ def power_from_the_mean_pressure(
     pressure: mpf, strokes: mpf, bore: mpf, stroke: mpf, speed: mpf, efficiency: mpf
 ) -> Rows:
     power = pressure * swept(bore, stroke) * strokes * turns(speed)
-    return [
-        {
-            "indicated_power": power / 1000,
-            "brake_power": efficiency * power / 1000,
-            "mean_torque": efficiency * power / speed,
-        }
-    ]
+    shaft = {"brake_power": efficiency * power / 1000, "mean_torque": efficiency * power / speed}
+    return [{"indicated_power": power / 1000, **shaft}]
 
 
 def bisected(function: Callable[[mpf], mpf], low: mpf, high: mpf) -> mpf:
@@ -183,17 +156,8 @@ def compressor_for_a_delivery(
 ) -> Rows:  # fmt: skip
     sucked = 1 + clearance - clearance * ratio ** (1 / exponent)
     volume = delivery / turns(speed) / sucked
-    bore = (volume / (pi / 4 * shape)) ** (mpf(1) / 3)
-    work = suction * volume * compressor_work(ratio, exponent, clearance)
-    power = work * turns(speed) / 1000
-    return [
-        {
-            "bore": bore * 1000,
-            "stroke": shape * bore * 1000,
-            "indicated_power": power,
-            "brake_power": power / efficiency,
-        }
-    ]
+    power = suction * volume * compressor_work(ratio, exponent, clearance) * turns(speed) / 1000
+    return [{**sizes(volume, shape), "indicated_power": power, "brake_power": power / efficiency}]
 
 
 @solution
@@ -215,12 +179,8 @@ def diagram_factor_of_cards(
     expansion: mpf, pressure: mpf, back: mpf, cards: Sequence[mpf], bore: mpf, stroke: mpf, speed: mpf
 ) -> Rows:
     mean = sum(cards) / 2
-    return [
-        {
-            "diagram_factor": mean / mean_pressure(pressure, back, expansion),
-            "indicated_power": 2 * mean * swept(bore, stroke) * turns(speed) / 1000,
-        }
-    ]
+    power = 2 * mean * swept(bore, stroke) * turns(speed) / 1000
+    return [{"diagram_factor": mean / mean_pressure(pressure, back, expansion), "indicated_power": power}]
 
 
 @solution
@@ -256,16 +216,10 @@ def drive_of_a_compressor(
     ratio: mpf, suction: mpf, exponent: mpf, delivery: mpf, shape: mpf, speed: mpf, efficiency: mpf
 ) -> Rows:
     work, least = raised(suction, ratio * suction, exponent), raised(suction, ratio * suction, mpf(1))
-    bore = (delivery / turns(speed) / (pi / 4 * shape)) ** (mpf(1) / 3)
-    return [
-        {
-            "bore": bore * 1000,
-            "stroke": shape * bore * 1000,
-            "isothermal_efficiency": least / work,
-            "adiabatic_efficiency": raised(suction, ratio * suction, mpf("1.4")) / work,
-            "brake_power": work * delivery / efficiency / 1000,
-        }
-    ]
+    adiabatic = raised(suction, ratio * suction, mpf("1.4"))
+    power = {"brake_power": work * delivery / efficiency / 1000}
+    against = {"isothermal_efficiency": least / work, "adiabatic_efficiency": adiabatic / work}
+    return [{**sizes(delivery / turns(speed), shape), **against, **power}]
 
 
 @solution
@@ -277,16 +231,10 @@ def free_air(
     sucked = swept(bore, stroke) + room - room * ratio ** (1 / exponent)
     # In units of R: the mass of a stroke, and its volume as free air.
     mass = suction * sucked / warm
-    volume = mass * cold / free
+    volume, whole = mass * cold / free, swept(bore, stroke)
     hot = suction * ratio * (1 / ratio) ** (1 / exponent) / (suction / warm)
-    return [
-        {
-            "volumetric_efficiency": sucked / swept(bore, stroke),
-            "free_efficiency": volume / swept(bore, stroke),
-            "free_delivery": 2 * volume * turns(speed) * 60,
-            "end_temperature": hot,
-        }
-    ]
+    shares = {"volumetric_efficiency": sucked / whole, "free_efficiency": volume / whole}
+    return [{**shares, "free_delivery": 2 * volume * turns(speed) * 60, "end_temperature": hot}]
 
 
 @solution
@@ -303,15 +251,71 @@ def two_stages(
     high = ratio * suction
     work = raised(suction, least * suction, exponent) + raised(least * suction, high, exponent) / least
     sucked = 1 + clearance - clearance * least ** (1 / exponent)
-    volume = delivery / turns(speed) / sucked
-    bore = (volume / (pi / 4 * shape)) ** (mpf(1) / 3)
+    sized = sizes(delivery / turns(speed) / sucked, shape)
     return [
         {
-            "bore": bore * 1000,
-            "second_bore": bore * 1000 / least ** mpf("0.5"),
+            "bore": sized["bore"],
+            "second_bore": sized["bore"] / least ** mpf("0.5"),
             "intermediate_pressure": least * suction / BAR,
             "indicated_power": work * delivery / 1000,
             "isothermal_efficiency": raised(suction, high, mpf(1)) / work,
             "end_temperature": warm * least**part,
         }
     ]
+
+
+@solution
+def diagram_factor_of_an_area(
+    expansion: mpf, pressure: mpf, back: mpf, area: mpf, length: mpf, scale: mpf
+) -> Rows:
+    mean = area / length * scale / mpf("0.01")
+    return [{"mean_pressure": mean / BAR, "diagram_factor": mean / mean_pressure(pressure, back, expansion)}]
+
+
+@solution
+def compressed_to_a_pressure(pressure: mpf, back: mpf, expansion: mpf, clearance: mpf, end: mpf) -> Rows:
+    closed = end * clearance / back - clearance
+    resisting = back * (1 - closed)
+    resisting += quad(lambda left: end * clearance / (left + clearance), [0, closed])
+    return [{"mean_pressure": (mean_pressure(pressure, mpf(0), expansion, clearance) - resisting) / BAR}]
+
+
+@solution
+def both_ends_in_four_strokes(
+    cover: mpf, crank: mpf, bore: mpf, rod: mpf, stroke: mpf, speed: mpf, load: mpf, spring: mpf, arm: mpf
+) -> Rows:
+    work = cover * swept(bore, stroke) + crank * (swept(bore, stroke) - swept(rod, stroke))
+    inside, shaft = work * turns(speed) / 2, (load - spring) * arm * speed
+    return [{"indicated_power": inside / 1000, "brake_power": shaft / 1000, "efficiency": shaft / inside}]
+
+
+@solution
+def fuel_of_an_engine(
+    pressure: mpf, strokes: mpf, cylinders: mpf, power: mpf, efficiency: mpf, shape: mpf, speed: mpf,
+    thermal: mpf, heat: mpf,
+) -> Rows:  # fmt: skip
+    volume = power / efficiency / (pressure * strokes * cylinders * turns(speed))
+    return [{**sizes(volume, shape), "consumption": power * 3600 / thermal / heat}]
+
+
+@solution
+def heat_of_the_steam(
+    expansion: mpf, pressure: mpf, back: mpf, factor: mpf, efficiency: mpf, power: mpf, shape: mpf,
+    speed: mpf, thermal: mpf, heat: mpf,
+) -> Rows:  # fmt: skip
+    real = factor * mean_pressure(pressure, back, expansion)
+    [found] = fuel_of_an_engine(real, mpf(1), mpf(1), power, efficiency, shape, speed, thermal, heat)
+    taken = mpf(3600 * 1000) / (thermal * heat)
+    return [{**found, "consumption_per_brake_kwh": taken, "consumption_per_kwh": taken * efficiency}]
+
+
+@solution
+def speed_for_a_mass_of_air(
+    ratio: mpf, suction: mpf, warm: mpf, exponent: mpf, clearance: mpf, bore: mpf, stroke: mpf, mass: mpf,
+    efficiency: mpf,
+) -> Rows:  # fmt: skip
+    sucked = 1 + clearance - clearance * ratio ** (1 / exponent)
+    volume = mass * 287 * warm / suction
+    power = raised(suction, ratio * suction, exponent) * volume / efficiency / 1000
+    rate = volume / (sucked * swept(bore, stroke)) * 60
+    return [{"volumetric_efficiency": sucked, "speed": rate, "brake_power": power}]

@@ -46,6 +46,10 @@ UNITS = {
     "kgm2": mpf(1),
     "kg/m3": mpf(1),
     "m3/min": mpf(1) / 60,
+    "kg/min": mpf(1) / 60,
+    "kJ/kg": mpf(1000),
+    "cm": mpf("0.01"),
+    "cm²": mpf("0.0001"),
 }
 
 

@@ -33,9 +33,13 @@ from kurbel.page.layouts import Layout, layout
 from kurbel.page.subject import Question
 from kurbel.reading.given import (
     as_angles,
-    as_flow,
+    as_brake_torque,
+    as_consumption,
+    as_delivery,
     as_free_air,
+    as_heating_value,
     as_length,
+    as_mean_pressure,
     as_number,
     as_power,
     as_pressure,
@@ -53,7 +57,17 @@ NEEDED = (
     " --card, --pressure-ratio, --pump or --compression"
 )
 # What makes a power of the mean pressure.
-SIZES = ("power", "brake_power", "bore", "stroke", "speed", "stroke_bore", "piston_speed", "delivery")
+SIZES = (
+    "power",
+    "brake_power",
+    "brake_torque",
+    "bore",
+    "stroke",
+    "speed",
+    "stroke_bore",
+    "piston_speed",
+    "delivery",
+)
 # What gives a delivery.
 GIVING = ("pressure_ratio", "pump")
 # The layouts over the stroke and over the crank angle, and what they are about.
@@ -87,7 +101,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         "mean_pressure working_strokes pressure back exponent clearance single_acting card ratio bore"
         " piston_rod tail_rod stroke speed power brake_power stroke_bore piston_speed cylinders"
         " diagram_factor efficiency specific_volume delivery unknown stages"
-        " suction_temperature free_air"
+        " suction_temperature free_air brake_torque consumption heating_value thermal_efficiency"
     )
     in_short = (
         "power mean_pressure eps pressure card bore stroke speed machine cylinders efficiency brake_power"
@@ -96,7 +110,8 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     mean_pressure = measure(
         lambda value, what: _ends(value, what),
         "The mean effective pressure itself, with --working-strokes: 5bar; '3.5bar;3.2bar' of the ends at the"
-        " cover and at the crank.",
+        " cover and at the crank; of a card its area by its length times the scale of its spring,"
+        " '1200mm²/75mm x 0.15bar/mm'.",
         "PRESSURE",
         unit="Pa",
     )
@@ -116,7 +131,32 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         alone(as_power), "Indicated power, to find the sizes or the speed: 75kW, 100PS.", "POWER", unit="W"
     )
     brake_power = measure(
-        alone(as_power), "In its place the power at the shaft, with --efficiency.", "POWER", unit="W"
+        alone(as_power),
+        "The power at the shaft: with --efficiency in the place of --power, with both powers the mechanical"
+        " efficiency follows.",
+        "POWER",
+        unit="W",
+    )
+    brake_torque = measure(
+        as_brake_torque,
+        "Torque at the shaft, which with the speed tells that: 300Nm, or a brake's load, less that of its"
+        " spring, on its arm, '1370N - 145N x 0.61m'.",
+        "TORQUE",
+        unit="N m",
+    )
+    consumption = measure(
+        as_consumption,
+        "Fuel or steam consumed: '4 kg/h', or '0.25 kg/kWh' at the shaft, indicated where nothing of the"
+        " shaft is given.",
+        "FLOW",
+        unit="kg/s",
+    )
+    heating_value = measure(
+        as_heating_value, "Heating value of the fuel, or heat of the steam: 43MJ/kg, 2400kJ/kg.", "HEAT",
+        unit="J/kg",
+    )  # fmt: skip
+    thermal_efficiency = measure(
+        as_share, "Thermal efficiency, at the shaft or indicated as --consumption: 28%.", "SHARE"
     )
     stroke_bore = measure(
         as_share, "Stroke over bore, where sizes are to be found: 1.5.", "RATIO", what="stroke over bore"
@@ -126,7 +166,9 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     )
     cylinders = measure(as_number, "Number of cylinders alike; default 1.", "NUMBER", topic="cylinders")
     delivery = measure(
-        as_flow, "Delivery of a compressor or a pump, in the state of suction, to find sizes: '2 m3/min'.",
+        as_delivery,
+        "Delivery of a compressor or a pump, in the state of suction, to find sizes: '2 m3/min'; with"
+        " --suction-temperature also as a mass of air, '4 kg/min'.",
         "FLOW", unit="m³/s", topic="compressor",
     )  # fmt: skip
     stages: Option[int] = Option(
@@ -220,7 +262,9 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         cylinders = self._count() if self.says(*SIZES) else 1
         duty = partial(
             Duty, bore=self.bore, stroke=self.stroke, speed=self.speed, power=self.power,
-            brake_power=self.brake_power, stroke_bore=self.stroke_bore, piston_speed=self.piston_speed,
+            brake_power=self.brake_power, brake_torque=self.brake_torque, consumption=self.consumption,
+            heating_value=self.heating_value, thermal_efficiency=self.thermal_efficiency,
+            stroke_bore=self.stroke_bore, piston_speed=self.piston_speed,
             cylinders=cylinders, piston_rod=self.piston_rod, tail_rod=self.tail_rod,
             unknown=self.unknown or "", delivery=self.delivery if self.says(*GIVING) else None,
             **self._air(),
@@ -370,7 +414,7 @@ def _ends(given: object, what: str) -> tuple[Fraction, ...]:
 
 
 def _above_zero(pressure: object, what: str) -> Fraction:
-    found = as_pressure(pressure, what)
+    found = as_mean_pressure(pressure, what)
     if found <= 0:
         raise ProblemError(f"the {what} is {str(pressure)[:40]}; it must be above 0")
     return found

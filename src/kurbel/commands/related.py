@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from kurbel.commands.recomputed import nearest, of_harmonics
 from kurbel.errors import ProblemError
+from kurbel.reading.units import MassFlow
 from kurbel.verify import Number, Value, drive, harmonics
 from kurbel.verify.diagram import Diagram, swing
 from kurbel.verify.loads import disc
@@ -271,14 +272,23 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
                 ("brake_power", duty.brake_power), ("pressure", duty.pressure),
                 ("stroke_bore", duty.stroke_bore), ("piston_speed", duty.piston_speed),
                 ("specific_volume", duty.specific_volume), ("open", duty.open_area),
-                ("strokes", source.strokes * duty.cylinders),
+                ("strokes", source.strokes * duty.cylinders), ("mean_torque", duty.brake_torque),
+                ("heating_value", duty.heating_value),
+                ("brake_thermal" if duty.shafted else "indicated_thermal", duty.thermal_efficiency),
             )
             if value is not None
         }  # fmt: skip
         if not duty.factor_asked:
             known["diagram_factor"] = number(duty.diagram_factor)
-        if duty.delivery is not None:
+        if isinstance(duty.delivery, MassFlow):
+            known["air_mass"] = number(duty.delivery.mass)
+        elif duty.delivery is not None:
             known["delivery"] = number(duty.delivery)
+        if duty.consumption is not None:
+            per = "_per_brake" if duty.shafted else "_per"
+            known[f"consumption{per * duty.consumption.of_work}"] = number(duty.consumption.mass)
+        if duty.suction_temperature is not None and duty.pressure is not None:
+            known["density"] = number(duty.pressure / duty.suction_temperature / 287)
         if duty.speed is not None:
             known["speed"] = _omega(duty.speed) / (2 * pi())
         if duty.efficiency is not None:
@@ -301,9 +311,11 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
             if asked.says("eps"):
                 steam = strokes[0].sides[1][1].value(number(0))
                 room, power = asked.clearance or Fraction(0), asked.exponent or Fraction(1)
-                left = (1 - (asked.cushion or Fraction(1)) + room) * steam.power(1 / power)
+                left = (1 - (asked.cushioned() or Fraction(1)) + room) * steam.power(1 / power)
                 known["taken"] = 1 / nearest(row["epsilon"], asked.eps or ()) + room - left
-        return completed(known, ENGINE)
+        found = completed(known, ENGINE)
+        shaft = found.get("at_shaft", number(1))
+        return {**found, "efficiency": 1 / shaft if source.driven else shaft}
 
     stem = re.sub("_(mps|nm|mm)$", "", key)
     return Value(lambda: second.once(row, found)[stem])

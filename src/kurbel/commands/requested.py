@@ -284,8 +284,8 @@ class Requested:
         back = raw("back")
         if back is not None:
             back = as_share_or_pressure(back, "back pressure", raw("pressure"))
-        own = of((*STEAM, "bore", "piston_rod", "tail_rod"))
-        return of_given(verify.steam, of_row("epsilon", asked.eps), back=back, **own)
+        own = {**of((*STEAM, "bore", "piston_rod", "tail_rod")), "cushion": asked.cushioned(), "back": back}
+        return of_given(verify.steam, of_row("epsilon", asked.eps), **own)
 
 
 def _of_rod(value: object, rod: Fraction | None) -> Fraction | None:

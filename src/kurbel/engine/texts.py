@@ -312,6 +312,12 @@ POWER_TEXTS = {
         "$N_e = η N_i$, mechanischer Wirkungsgrad $η = {efficiency}$"
         "|$N_e = η N_i$, mechanical efficiency $η = {efficiency}$"
     ),
+    "efficiency_found": words(
+        "mechanischer Wirkungsgrad $η$ aus beiden Leistungen|mechanical efficiency $η$ from both powers"
+    ),
+    "burnt": words("$η_i = N_i/(B H)$|$η_i = N_i/(B H)$"),
+    "burnt_at_shaft": words("$η_e = N_e/(B H)$, $η_i = N_i/(B H)$|$η_e = N_e/(B H)$, $η_i = N_i/(B H)$"),
+    "air": words('Luft: $R = 287 "J/(kg K)"$|air: $R = 287 "J/(kg K)"$'),
     "supplied": words(
         "Die Welle treibt den Kolben; Drücke und Leistungen positiv, als zugeführt"
         "|The shaft drives the piston; pressures and powers positive, as supplied"

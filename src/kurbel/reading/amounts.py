@@ -119,9 +119,14 @@ def _units() -> Iterable[Unit]:
     yield Unit("m³/kg", "specific volume", Fraction(1), "m3kg")
     yield Unit("ft³/lb", "specific volume", FOOT**3 / POUND, "ft3lb")
     yield Unit("kg/h", "mass flow", Fraction(1, 3600), "kgh")
+    yield Unit("kg/min", "mass flow", Fraction(1, 60), "kgmin")
     yield Unit("lb/h", "mass flow", POUND / 3600, "lbh")
     yield Unit("kg/kWh", "mass per work", 1 / (3600 * thousand), "kwh")
     yield Unit("lb/(hp h)", "mass per work", POUND / (3600 * 550 * pound_foot), "hph")
+    yield Unit("kJ/kg", "work per mass", thousand, "kjkg")
+    yield Unit("ft lbf/lb", "work per mass", pound_foot / POUND, "ftlbflb")
+    yield Unit("l", "volume", 1 / thousand, "l")
+    yield Unit("in³", "volume", INCH**3, "in3")
 
 
 UNITS: Mapping[str, Unit] = {one.symbol: one for one in _units()}

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from kurbel.reading.units import Speed
+    from kurbel.reading.units import MassFlow, Speed
 
 # A float is read by its shortest decimal, so that 0.2 is 1/5; text as on the command line.
 Exact: TypeAlias = str | int | float | Fraction | Decimal
@@ -282,6 +282,7 @@ as_mass = _measured("mass")
 as_signed_mass = _measured("signed_mass")
 as_inertia = _measured("moment_of_inertia")
 as_pressure = _measured("pressure")
+as_mean_pressure = _measured("mean_pressure")
 as_force = _measured("force")
 as_signed_force = _measured("signed_force")
 as_power = _measured("power")
@@ -294,7 +295,8 @@ as_angular_acceleration = _measured("angular_acceleration")
 as_velocity = _measured("velocity")
 as_specific_volume = _measured("specific_volume")
 as_density = _measured("density")
-as_flow = _measured("flow")
+as_heating_value = _measured("heating_value")
+as_brake_torque = _measured("brake_torque")
 as_temperature = _measured("temperature")
 as_free_air = _measured("free_air")
 as_energy = _measured("energy")
@@ -337,6 +339,20 @@ def as_speed(value: object) -> Speed:
     from kurbel.reading import units
 
     return units.speed(value) if isinstance(value, str) else units.Speed(as_fraction(value))
+
+
+def as_consumption(value: object, what: str) -> MassFlow:
+    """Return a mass in a second or for a joule; a bare number is in kg/s."""
+    from kurbel.reading import units
+
+    return units.consumption(value, what) if isinstance(value, str) else units.MassFlow(as_fraction(value))
+
+
+def as_delivery(value: object, what: str) -> Fraction | MassFlow:
+    """Return a volume in a second, or its mass; a bare number is in m³/s."""
+    from kurbel.reading import units
+
+    return units.delivery(value, what) if isinstance(value, str) else as_fraction(value)
 
 
 def as_share_or_length(value: object, what: str, whole: Fraction | None, unknown: str) -> Fraction:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import exact_text
@@ -75,6 +75,12 @@ KNOWN: Mapping[str, Mapping[str, Fraction]] = {
         "lb/in/in/in": POUND / INCH**3, "lb/ft/ft/ft": POUND / FOOT**3,
     },
     "[force]/[length]": _scaled({"J/mm/mm": 10**6, "J/cm/cm": 10**4, "J/m/m": 1}),
+    "[mass]/[time]": {**_scaled({"kg/s": 1, "kg/min": "1/60", "kg/h": "1/3600"}), "lb/h": POUND / 3600},
+    "[mass]/[energy]": {
+        **_scaled({"kg/kWh": "1/3600000", "g/kWh": "1/3600000000", "kg/kW/h": "1/3600000"}),
+        **_scaled({"g/kW/h": "1/3600000000"}), "kg/hp/h": 1 / (3600 * 550 * _FOOT_POUND),
+    },
+    "[energy]/[mass]": _scaled({"J/kg": 1, "kJ/kg": 1000, "MJ/kg": 10**6}),
     "[length]**2": {
         **_scaled({"m*m": 1, "cm*cm": "1/10000", "mm*mm": "1/1000000"}), "in*in": INCH**2,
     },
@@ -192,6 +198,55 @@ def specific_volume(text: str, what: str) -> Fraction:
     unit = _parts(text)[2]
     dense = unit and not _has_dimension(unit, volume.dimension) and _has_dimension(unit, density.dimension)
     return 1 / density(text, what) if dense else volume(text, what)
+
+
+# "0.25 kg/kWh"; "43 MJ/kg"
+mass_of_work = Measure("a mass for a work such as 0.25 kg/kWh", "[mass]/[energy]", "kg/J", _LARGEST)
+heating_value = Measure("a heat such as 43 MJ/kg", "[energy]/[mass]", "J/kg", 10**12)
+
+
+# The area of a card by its length, times the scale of its spring.
+_CARD = re.compile(r"(.+?)/\s*([^/]+?)\s*[x×*·]\s*(.+)/\s*([a-zµμ]+)\s*")
+
+
+def mean_pressure(text: str, what: str) -> Fraction:
+    """Return a pressure in Pa, also of a card: "1200mm² / 75mm x 0.15bar/mm"."""
+    card = _CARD.fullmatch(text)
+    if card is None:
+        return pressure(text, what)
+    height = area(card[1].strip(), "area of the card") / length(card[2], "length of the card")
+    return height * pressure(card[3].strip(), "scale of the spring") / length(f"1{card[4]}", what)
+
+
+class MassFlow(NamedTuple):
+    """A mass in a second, in kg, or for a joule of work, in the place of a volume."""
+
+    mass: Fraction
+    of_work: bool = False
+
+
+def consumption(text: str, what: str) -> MassFlow:
+    """Return what is taken in a second, of "4 kg/h", or for a joule of work, of "0.25 kg/kWh"."""
+    unit = _parts(text)[2]
+    if unit and _has_dimension(unit, mass_of_work.dimension):
+        return MassFlow(mass_of_work(text, what), of_work=True)
+    example = "a consumption such as 4 kg/h or 0.25 kg/kWh"
+    return MassFlow(Measure(example, "[mass]/[time]", "kg/s", _LARGEST)(text, what))
+
+
+def delivery(text: str, what: str) -> Fraction | MassFlow:
+    """Return a flow in m³/s, or of "4 kg/min" its mass."""
+    unit = _parts(text)[2]
+    return consumption(text, what) if unit and _has_dimension(unit, "[mass]/[time]") else flow(text, what)
+
+
+def brake_torque(text: str, what: str) -> Fraction:
+    """Return a torque in N m, also of a load on an arm, less that of a spring: "1370N - 145N x 0.61m"."""
+    load, times, arm = text.replace("×", "x").partition(" x ")
+    if not times:
+        return replace(signed_torque, most=10**12)(text, what)
+    loads = [replace(force, most=0)(one, what) for one in load.replace("−", "-").split(" - ")]
+    return _checked((loads[0] - sum(loads[1:])) * length(arm, what), text, what, "N m", 10**12)
 
 
 def temperature(text: str, what: str) -> Fraction:

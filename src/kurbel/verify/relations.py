@@ -21,7 +21,10 @@ ENGINE = """
     brake_power = indicated_power at_shaft; brake_pressure = mean_pressure at_shaft;
     brake_power = 2 pi speed mean_torque; steam = taken strokes swept speed specific_volume^-1;
     steam = steam_per indicated_power; steam = steam_per_brake brake_power;
-    delivery = delivered strokes swept speed"""
+    indicated_power = consumption heating_value indicated_thermal;
+    brake_power = consumption heating_value brake_thermal; consumption = consumption_per indicated_power;
+    consumption = consumption_per_brake brake_power; air_mass = delivery density;
+    indicated_power = air_mass work_per_mass; delivery = delivered strokes swept speed"""
 # Cycles a second of so many turns; a thin rim of mean diameter D, or a solid disc.
 FLYWHEEL = """
     swing = inertia omega^2 delta; inertia = mass radius^2; stored = 1/2 inertia omega^2;
@@ -34,7 +37,8 @@ FLYWHEEL = """
     rim_inertia = 1/4 rim_mass rim_diameter^2; rim_inertia = inertia rim_share"""
 DISC = """
     inertia = 1/8 mass disc_diameter^2; mass = 1/4 pi density disc_diameter^2 disc_thickness;
-    disc_thickness = disc_share disc_diameter"""
+    disc_thickness = disc_share disc_diameter;
+    disc_stress = 1/4 disc_bulge density omega^2 disc_diameter^2"""
 
 
 class Law(NamedTuple):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from decimal import Decimal, localcontext
 from fractions import Fraction
 from os import PathLike
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
@@ -40,6 +41,16 @@ NEEDED = (
 
 def _share(help: str, load: str) -> Option[Fraction | None]:
     return measure(as_share, help, "SHARE", machine=load, topic=load)
+
+
+class Reached(NamedTuple):
+    """The pressure at the end of cushioning, as it was written, in the place of a share of the stroke."""
+
+    pressure: str
+
+
+def _cushion(given: object, what: str) -> Fraction | Reached:
+    return Reached(str(given)) if _is_measure(given) else as_share(given, what)
 
 
 def _in_units_of_suction(help: str) -> Option[object]:
@@ -80,10 +91,14 @@ class Loads(Piston):
         "Share of the stroke at which the exhaust opens: 90%; from there pressure falls evenly to --back.",
         "steam",
     )  # fmt: skip
-    cushion = _share(
-        "Share of the return stroke at which the exhaust closes: 80%; what is left in the clearance is"
-        " compressed.", "steam",
-    )  # fmt: skip
+    cushion = measure(
+        lambda value, what: _cushion(value, what),
+        "Share of the return stroke at which the exhaust closes: 80%, or the pressure to which what is left"
+        " in the clearance is compressed: 6bar.",
+        "SHARE",
+        machine="steam",
+        topic="steam",
+    )
     lead = _share("Share of the stroke before its dead centre at which steam enters: 1%.", "steam")
     card: Option[Sequence[Path] | Path] = Option(
         "Indicator card: CSV with position, p_forward [bar], p_return [bar], or angle, p [bar].",
@@ -234,8 +249,34 @@ class Loads(Piston):
                 raise ProblemError(NEEDED)
             expansions = as_expansions(page.expansions)
         exponent = Fraction(1) if exponent is None else exponent
-        valves = {name: getattr(self, name) for name in ("release", "cushion", "lead") if self.says(name)}
+        valves = {name: getattr(self, name) for name in ("release", "lead") if self.says(name)}
+        if (cushion := self.cushioned()) is not None:
+            valves["cushion"] = cushion
         return [Steam(one, share, exponent, clearance or Fraction(0), **valves) for one in expansions]
+
+    def cushioned(self) -> Fraction | None:
+        """Return the share of the return stroke at which the exhaust closes, also by the pressure reached.
+
+        From p_b on p Vⁿ is constant, up to the clearance κ and the lead l: 1 - c + κ = (κ + l) (p/p_b)^(1/n),
+        to 40 decimals. Raises KurbelError.
+        """
+        found = self.cushion
+        if not isinstance(found, Reached):
+            return found
+        if (back := self.back) is None:
+            raise ProblemError(f"--cushion {found.pressure} is reached from the back pressure; add --back")
+        steam, room = self.raw("pressure"), self.clearance or Fraction(0)
+        end = as_share_or_pressure(found.pressure, "pressure of cushioning", steam)
+        low = as_share_or_pressure(back, "back pressure", steam if self._back_is_pressure() else None)
+        if not 0 < low < end:
+            raise ProblemError(
+                f"--cushion {found.pressure} must be above the back pressure, and that above 0"
+            )
+        with localcontext(prec=80):
+            times, power = end / low, 1 / (self.exponent or Fraction(1))
+            ratio = Decimal(times.numerator) / times.denominator
+            grown = Fraction(round(ratio ** (Decimal(power.numerator) / power.denominator), 40))
+        return 1 + room - (room + (self.lead or 0)) * (times if power == 1 else grown)
 
     def _back_is_pressure(self) -> bool:
         """Whether the back pressure is given as a pressure, which counts in that of the steam."""

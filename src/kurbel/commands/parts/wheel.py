@@ -38,7 +38,7 @@ from kurbel.reading.given import (
 PLAIN = (
     "swing", "energy_fluctuation", "work", "turns", "power", "inertia", "mass", "radius", "rim_diameter",
     "rim_speed", "rim_breadth", "rim_thickness", "density", "hoop_stress", "rim_share", "disc_diameter",
-    "disc_thickness", "run_up_torque", "run_up_time", "run_up_turns",
+    "disc_thickness", "poisson", "run_up_torque", "run_up_time", "run_up_turns",
 )  # fmt: skip
 FIGURES = {"rim_breadth": "breadth", "rim_thickness": "thickness"}
 # What they are where they are written as shares of a diameter.
@@ -169,6 +169,11 @@ class Rim(Part):
         topic="disc",
     )
 
+    poisson = measure(
+        as_share, "Solid disc: Poisson's ratio, for the greatest stress in it: 0.3.", "RATIO",
+        what="Poisson's ratio", topic="disc",
+    )  # fmt: skip
+
 
 class Wheel(Swing, Press, Body, Rim, Speed):
     """A flywheel by all that sizes it; what is given of it are figures of its relations, in SI units."""
@@ -229,6 +234,11 @@ class Wheel(Swing, Press, Body, Rim, Speed):
             assert isinstance(number, Fraction)
             if name == "rim_share" and number > 1:
                 raise ProblemError(f"the {what} is {about(number)}; it must be at most 1, the whole flywheel")
+            if name == "poisson":
+                if not 0 <= number <= Fraction(1, 2):
+                    raise ProblemError(f"{what} is {about(number)}; it must be 0 to 0.5")
+                yield "disc_bulge", Product.of((3 + number) / 8)
+                return
             # What a motor gives is more than what the press takes.
             figure = "motor" if name == "power" and self.says("efficiency") else FIGURES.get(name, name)
             yield figure, _above_zero(number, what, option.unit)

@@ -122,6 +122,10 @@ OF_WHEELS: Mapping[str, Words] = {
     "rim alone": words(
         "Arme und Nabe sind nicht gerechnet (--rim-share)|arms and hub are not counted (--rim-share)"
     ),
+    "disc_stress": words(
+        "$σ = (3 + ν)/8 ρ (ω D/2)^2$ in der Mitte der Scheibe, ohne Bohrung, $ν = {poisson}$"
+        "|$σ = (3 + ν)/8 ρ (ω D/2)^2$ in the middle of the disc, without a hole, $ν = {poisson}$"
+    ),
     "disc": words("Scheibe: $J = m D^2/8$, $m = ρ π D^2 t/4$|disc: $J = m D^2/8$, $m = ρ π D^2 t/4$"),
     "places": words("Geschwindigkeit am größten bei {high}, am kleinsten bei {low}"
                       "|speed greatest at {high}, least at {low}"),

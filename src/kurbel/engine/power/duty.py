@@ -10,19 +10,21 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from kurbel.engine.power.source import Acting, GivenPressure
 from kurbel.errors import ProblemError
 from kurbel.exact.real import Product, Term, number, variable
 from kurbel.page.quantity import Formula, Quantity, entry, with_symbol
 from kurbel.reading.notation import about
-from kurbel.reading.units import Speed
+from kurbel.reading.units import MassFlow, Speed
 
-POWER, BORE, STROKE, SPEED, PRESSURE, FACTOR = VARIABLES = (
-    *("power", "bore", "stroke", "speed", "pressure"),
-    "diagram_factor",
+POWER, BORE, STROKE, SPEED, PRESSURE, FACTOR, EFFICIENCY, CONSUMED, HEAT, THERMAL = VARIABLES = (
+    *("power", "bore", "stroke", "speed", "pressure", "diagram_factor"),
+    *("efficiency", "consumption", "heating_value", "thermal_efficiency"),
 )
+# What the power is made of.
+MADE = VARIABLES[:6]
 # Their units on pages, in watts, metres, turns a second and pascals.
 UNITS = {
     POWER: Fraction(1000),
@@ -36,6 +38,9 @@ MOST_CYLINDERS = 24
 STEAMED, GIVES, EFFICIENT, FACTORED, UNITLESS = "steam", "delivery", "efficiency", "factor", "share"
 ASKED = "asked"
 AIRY, FREE, STAGED, WARM = "compressor", "free", "stages", "warm"
+BRAKED, FUELLED, WEIGHED = "braked", "fuel", "suction"
+# Of air, in J/(kg K), as most textbooks have it.
+GAS_CONSTANT = 287
 HALF = Fraction(1, 2)
 # What a load has of its own, open as long as a number of it is sought, and its pressure then.
 MEAN, DELIVERED, OPEN_PRESSURE = "mean", "delivered", "open pressure"
@@ -46,14 +51,16 @@ class Duty:
     """What is given beside that which acts on the piston; None is not.
 
     `power` is the indicated one in watts; `brake_power` that at the shaft, which with the mechanical
-    efficiency η is η times the indicated one, of a driven machine the indicated one by η. `diagram_factor`
-    multiplies the mean pressure. `unknown` is what is asked for: the diagram factor, another of the
-    variables, or a number of the load. `pressure` is what mean pressures count in, and `pressure_option`
-    gives it. `specific_volume` in m³/kg is that of the steam at admission. The rods by their diameters in
-    metres lessen the area of one end each, of a double-acting piston whose bore is given. Mean pressures that
-    are given are `ends`: of all, or of the ends at the cover and at the crank. `delivery` is that of all
-    cylinders in m³/s, in the state of suction, or if that is given, of free air, by its pressure in Pa and
-    its temperature in K.
+    efficiency η is η times the indicated one, of a driven machine the indicated one by η; `brake_torque` in
+    N m has it by the speed. `diagram_factor` multiplies the mean pressure. `unknown` is what is asked for:
+    the diagram factor, another of the variables, or a number of the load. `pressure` is what mean pressures
+    count in, and `pressure_option` gives it. `specific_volume` in m³/kg is that of the steam at admission.
+    The rods by their diameters in metres lessen the area of one end each, of a double-acting piston whose
+    bore is given. Mean pressures that are given are `ends`: of all, or of the ends at the cover and at the
+    crank. `delivery` is that of all cylinders in m³/s, in the state of suction, or if that is given, of free
+    air, by its pressure in Pa and its temperature in K, or its mass. `consumption` of fuel or steam is in
+    kg/s, or per joule at the shaft, where anything of that is given, else per joule indicated; of its
+    `heating_value` in J/kg `thermal_efficiency` is the share that becomes that work.
     """
 
     power: Fraction | None = None
@@ -67,10 +74,14 @@ class Duty:
     piston_speed: Fraction | None = None
     diagram_factor: Fraction = Fraction(1)
     unknown: str = ""
-    delivery: Fraction | None = None
+    delivery: Fraction | MassFlow | None = None
     suction_temperature: Fraction | None = None
     free_air: tuple[Fraction, Fraction] | None = None
     efficiency: Fraction | None = None
+    brake_torque: Fraction | None = None
+    consumption: MassFlow | None = None
+    heating_value: Fraction | None = None
+    thermal_efficiency: Fraction | None = None
     specific_volume: Fraction | None = None
     cylinders: int = 1
     piston_rod: Fraction | None = None
@@ -82,23 +93,15 @@ class Duty:
             raise ProblemError(
                 f"the engine has {self.cylinders} cylinders; 1 to {MOST_CYLINDERS} are allowed"
             )
-        for what, share in (("diagram factor", self.diagram_factor), ("efficiency", self.efficiency)):
+        shares = ("diagram_factor", "efficiency", "thermal_efficiency")
+        for what, share in ((name.replace("_", " "), getattr(self, name)) for name in shares):
             if share is not None and not 0 < share <= 1:
                 raise ProblemError(f"the {what} is {about(share)}; it must be above 0 and at most 1")
         for what, value in (("stroke over bore", self.stroke_bore), ("piston speed", self.piston_speed)):
             if value is not None and not 0 < value <= 1000:
                 raise ProblemError(f"the {what} is {about(value)}; it must be above 0 and at most 1000")
         self._check_rods()
-        if self.brake_power is not None:
-            if self.power is not None:
-                raise ProblemError(
-                    "--power is the indicated power and --brake-power that at the shaft; leave one out"
-                )
-            if self.efficiency is None:
-                raise ProblemError(
-                    "--brake-power is that at the shaft, of which the indicated power follows by the"
-                    " mechanical efficiency; add --efficiency, or give the indicated power as --power"
-                )
+        self._check_states()
 
     def _check_rods(self) -> None:
         for what, rod in (("piston rod", self.piston_rod), ("tail rod", self.tail_rod)):
@@ -111,6 +114,18 @@ class Duty:
                     f"the {what} is {about(1000 * rod)} mm; it must be above 0 and below the bore,"
                     f" {about(1000 * self.bore)} mm"
                 )
+
+    def _check_states(self) -> None:
+        if self.burnt in ([HEAT], [THERMAL]):
+            other = "--thermal-efficiency" if self.heating_value else "--heating-value"
+            raise ProblemError(
+                f"{option_of(self, self.burnt[0])} goes with what is consumed; add --consumption, or {other}"
+            )
+        if isinstance(self.delivery, MassFlow) and (
+            self.pressure is None or self.suction_temperature is None
+        ):
+            missing = "--suction-pressure" if self.pressure is None else "--suction-temperature"
+            raise ProblemError(f"the volume of a mass of air follows by its state; add {missing}")
 
     @property
     def factor_asked(self) -> bool:
@@ -131,15 +146,34 @@ class Duty:
         return 1 - rods / 2 / self.bore**2 if self.bore is not None else Fraction(1)
 
     @property
+    def braked(self) -> bool:
+        """Whether anything of the power at the shaft is given, so that the efficiency tells the other one."""
+        return self.brake_power is not None or self.brake_torque is not None
+
+    @property
+    def shafted(self) -> bool:
+        """Whether the power at the shaft is another one than the indicated."""
+        return self.braked or self.efficiency is not None
+
+    @property
+    def burnt(self) -> list[str]:
+        """What is given of the fuel, or of the heat of the steam."""
+        return [name for name in (CONSUMED, HEAT, THERMAL) if getattr(self, name) is not None]
+
+    @property
     def sized(self) -> bool:
         """Whether anything of the power, the sizes or the speed is given."""
         sizes = ("bore", "stroke", "speed", "stroke_bore", "piston_speed")
-        names = ("power", "brake_power", *sizes, "delivery")
+        names = ("power", "brake_power", "brake_torque", *sizes, "delivery")
         return any(getattr(self, name) is not None for name in names)
 
     def given(self, source: Acting | GivenPressure) -> dict[str, Term]:
         """Return what is given, by the names of variables."""
-        found = {name: getattr(self, name) for name in (POWER, BORE, STROKE, PRESSURE)}
+        found = {
+            name: getattr(self, name) for name in (POWER, BORE, STROKE, PRESSURE, EFFICIENCY, HEAT, THERMAL)
+        }
+        if self.consumption is not None and not self.consumption.of_work:
+            found[CONSUMED] = self.consumption.mass
         own = self._of_ends() if isinstance(source, GivenPressure) else source.pressure
         found[PRESSURE] = own or found[PRESSURE]
         known = {name: number(value) for name, value in found.items() if value is not None}
@@ -147,8 +181,10 @@ class Duty:
             known[PRESSURE] = number(source.sought.over) / Term(Product.about(source.sought.number))
         if not self.factor_asked:
             known[FACTOR] = number(self.diagram_factor)
-        if self.brake_power is not None:
-            known[POWER] = number(self.brake_power) / self.to_brake(source.driven)
+        if self._brake_tells:
+            known[POWER] = number(self.brake_power or 1) / self.to_brake(source.driven).put(
+                EFFICIENCY, known[EFFICIENCY]
+            )
         if self.speed is not None:
             turns = number(self.speed.value)
             known[SPEED] = turns if self.speed.turns else turns / number(2, pi=1)
@@ -161,10 +197,23 @@ class Duty:
         pressure, temperature = self.free_air
         return number(self.pressure * temperature / (pressure * self.suction_temperature))
 
+    def mass_of_air(self) -> Term:
+        """Return the mass in kg of a cubic metre in the state of suction."""
+        assert self.pressure is not None and self.suction_temperature is not None
+        return number(self.pressure / (GAS_CONSTANT * self.suction_temperature))
+
+    @property
+    def _brake_tells(self) -> bool:
+        """Whether the power at the shaft tells the indicated one at once."""
+        return self.brake_power is not None and self.efficiency is not None and self.power is None
+
     def to_brake(self, driven: bool) -> Term:
         """Return what times the indicated power is that at the shaft."""
-        assert self.efficiency is not None
-        return number(1 / self.efficiency if driven else self.efficiency)
+        return variable(EFFICIENCY) ** Fraction(-1 if driven else 1)
+
+    def worked(self, driven: bool) -> Term:
+        """Return what times the indicated power is that which consumption counts in."""
+        return self.to_brake(driven) if self.shafted else number(1)
 
     def relations(self, source: Acting | GivenPressure, opened: bool = False) -> dict[str, tuple[Term, str]]:
         """Return terms that are 1, by the option that errors name, each with the variable it tells first.
@@ -185,10 +234,26 @@ class Duty:
         made = mean * variable(FACTOR) * variable(PRESSURE)
         if self.ends and isinstance(source, Acting):
             found["--mean-pressure"] = made / number(self._of_ends() or 1), FACTOR
-        if self.delivery is not None and isinstance(source, Acting):
-            moved = variable(DELIVERED) if opened else Term(source.delivered)
-            found["--delivery"] = moved * swept * self.freed() / number(self.delivery), BORE
+        if (delivery := self.delivery) is not None and isinstance(source, Acting):
+            moved = (variable(DELIVERED) if opened else Term(source.delivered)) * swept
+            if isinstance(delivery, MassFlow):
+                found["--delivery"] = moved * self.mass_of_air() / number(delivery.mass), BORE
+            else:
+                found["--delivery"] = moved * self.freed() / number(delivery), BORE
         found["--power"] = made * swept / variable(POWER), POWER
+        brake, work = (
+            variable(POWER) * self.to_brake(source.driven),
+            variable(POWER) * self.worked(source.driven),
+        )
+        if self.brake_power is not None and not self._brake_tells:
+            found["--brake-power"] = brake / number(self.brake_power), POWER
+        if self.brake_torque is not None:
+            found["--brake-torque"] = brake / speed / number(2 * self.brake_torque, pi=1), SPEED
+        if self.consumption is not None and self.consumption.of_work:
+            found["--consumption"] = work * number(self.consumption.mass) / variable(CONSUMED), CONSUMED
+        if len(self.burnt) > 1:
+            burnt = variable(CONSUMED) * variable(HEAT) * variable(THERMAL)
+            found["--thermal-efficiency"] = work / burnt, THERMAL
         return found
 
 
@@ -228,7 +293,7 @@ def _eliminated(
             continue
         value = relation.solved_for(free[0])
         found = {name: one.put(free[0], value) for name, one in found.items()} | {free[0]: value}
-    return {name: found.get(name, variable(name)) for name in VARIABLES}, left
+    return {name: found.get(name, variable(name)) for name in dict.fromkeys((*MADE, *found))}, left
 
 
 def lacking(duty: Duty, *terms: Term) -> list[str]:
@@ -247,15 +312,21 @@ def _check(option: str, relation: Term, duty: Duty, known: Mapping[str, Term]) -
     if relation.known.equals(Product.of(1)):
         return
     off = float(relation.known)
-    if option in (
-        size := {"--delivery": (duty.delivery, Fraction(1, 60), "m³/min")}
-        | {"--mean-pressure": (duty._of_ends(), UNITS[PRESSURE], "bar")}
-    ):
+    by_mass = isinstance(duty.delivery, MassFlow)
+    size: Mapping[str, tuple[Any, Fraction, str]] = {
+        "--delivery": (duty.delivery, Fraction(1, 60), " kg/min" if by_mass else " m³/min"),
+        "--mean-pressure": (duty._of_ends(), UNITS[PRESSURE], " bar"),
+        "--brake-power": (duty.brake_power, UNITS[POWER], " kW"),
+        "--brake-torque": (duty.brake_torque, Fraction(1), " N m"),
+        "--thermal-efficiency": (duty.thermal_efficiency, Fraction(1), ""),
+    }
+    if option in size:
         given, one, unit = size[option]
-        value, what = float((given or 0) / one), option.strip("-").replace("-", " ")
+        amount = given.mass if isinstance(given, MassFlow) else given
+        value, what = float((amount or 0) / one), option.strip("-").replace("-", " ")
         raise ProblemError(
-            f"what is given makes a {what} of {value * off:.5g} {unit}, and {option} asks for {value:.5g}"
-            f" {unit}; leave one of them out, or ask for another by --unknown"
+            f"what is given makes a {what} of {value * off:.5g}{unit}, and {option} asks for {value:.5g}"
+            f"{unit}; leave one of them out, or ask for another by --unknown"
         )
     if option == "--power":
         shown = "--power" if duty.brake_power is None else "--brake-power"
@@ -309,7 +380,16 @@ class Found(NamedTuple):
 
     def brake(self) -> Term:
         """Return what times the indicated power is that at the shaft."""
-        return self.duty.to_brake(self.source.driven)
+        found = self.duty.to_brake(self.source.driven)
+        return found.put(EFFICIENCY, self.of(EFFICIENCY))
+
+    def worked(self) -> Term:
+        """Return the power in W that consumption counts in."""
+        return self.of(POWER) * self.of_work()
+
+    def of_work(self) -> Term:
+        """Return what times the indicated power is that which consumption counts in."""
+        return self.brake() if self.duty.shafted else number(1)
 
     def steam(self) -> Term:
         """Return the steam of a second in kg."""
@@ -329,6 +409,10 @@ class Found(NamedTuple):
         """Return what a compressor knows by a name."""
         return Term(self.acting.of_load(name))
 
+    def work_per_mass(self) -> Term:
+        """Return the work in J for a kilogram that is delivered."""
+        return self.of(POWER) / (self.delivery() * self.duty.mass_of_air())
+
     def ideal(self, name: str) -> Term:
         """Return the power in W that takes so much of a stroke, in p₁ and the swept volume."""
         return self.of_load(name) * self.of(PRESSURE) * self.swept() * self.rate()
@@ -341,7 +425,7 @@ class Found(NamedTuple):
 
     def of(self, name: str) -> Term:
         """Return a variable in its SI unit, the speed in turns a second."""
-        return self.variables[name]
+        return self.variables.get(name, variable(name))
 
 
 @cache
@@ -391,14 +475,38 @@ def _entries() -> Iterator[Quantity]:
     yield _entry("mean_torque", "mittleres Drehmoment an der Welle|Mean torque at the shaft", "$M_e$", "N m",
                  1, lambda found: found.of(POWER) * found.brake() / found.of(SPEED) / number(2, pi=1),
                  EFFICIENT)  # fmt: skip
+    yield _entry("efficiency", "mechanischer Wirkungsgrad|Mechanical efficiency", "$η$", "", 1,
+                 partial(_variable, EFFICIENCY), BRAKED)  # fmt: skip
+    kwh = Fraction(1, 3600 * 1000)
+    yield _entry("consumption", "Verbrauch|Consumption", "$B$", "kg/h", Fraction(1, 3600),
+                 partial(_variable, CONSUMED), FUELLED)  # fmt: skip
+    yield _entry("consumption_per_kwh", "Verbrauch je kWh, indiziert|Consumption per kWh, indicated",
+                 "$B/N_i$", "kg/kWh", kwh, lambda found: found.of(CONSUMED) / found.of(POWER),
+                 FUELLED)  # fmt: skip
+    yield _entry("consumption_per_brake_kwh",
+                 "Verbrauch je kWh an der Welle|Consumption per kWh at the shaft", "$B/N_e$", "kg/kWh", kwh,
+                 lambda found: found.of(CONSUMED) / found.of(POWER) / found.brake(),
+                 f"{FUELLED} {EFFICIENT}")  # fmt: skip
+    yield _entry("heating_value", "Heizwert|Heating value", "$H$", "kJ/kg", 1000, partial(_variable, HEAT),
+                 FUELLED)  # fmt: skip
+    yield _entry("indicated_thermal", "thermischer Wirkungsgrad, indiziert|Indicated thermal efficiency",
+                 "$η_i$", "", 1, lambda found: found.of(THERMAL) / found.of_work(), FUELLED)  # fmt: skip
+    yield _entry("brake_thermal", "thermischer Wirkungsgrad an der Welle|Brake thermal efficiency", "$η_e$",
+                 "", 1, lambda found: found.of(THERMAL) * found.brake() / found.of_work(),
+                 f"{FUELLED} {EFFICIENT}")  # fmt: skip
     yield _entry("steam", "Dampfverbrauch|Steam taken", "$D$", "kg/h", Fraction(1, 3600), Found.steam,
                  STEAMED)  # fmt: skip
-    kwh = Fraction(1, 3600 * 1000)
     yield _entry("steam_per_kwh", "Dampf je kWh, indiziert|Steam per kWh, indicated", "$D/N_i$", "kg/kWh",
                  kwh, Found.steam_of_work, STEAMED)  # fmt: skip
     yield _entry("steam_per_brake_kwh", "Dampf je kWh an der Welle|Steam per kWh at the shaft", "$D/N_e$",
                  "kg/kWh", kwh, lambda found: found.steam_of_work() / found.brake(),
                  f"{STEAMED} {EFFICIENT}")  # fmt: skip
+    yield _entry("swept_volume", "Hubraum eines Zylinders|Swept volume of a cylinder", "$V_h$", "l",
+                 Fraction(1, 1000), Found.swept)  # fmt: skip
+    yield _entry("air_mass", "geförderte Masse|Mass delivered", '$"ṁ"$', "kg/min", Fraction(1, 60),
+                 lambda found: found.delivery() * found.duty.mass_of_air(), f"{WARM} {WEIGHED}")  # fmt: skip
+    yield _entry("work_per_mass", "Arbeit je kg|Work per kg", "$w$", "kJ/kg", 1000, Found.work_per_mass,
+                 f"{WARM} {WEIGHED}")  # fmt: skip
     yield _entry("delivery", "Fördermenge|Delivery", "$V$", "m³/min", Fraction(1, 60),
                  Found.delivery, GIVES)  # fmt: skip
     yield _entry("free_delivery", "Fördermenge, freie Luft|Delivery of free air", "$V_f$", "m³/min",

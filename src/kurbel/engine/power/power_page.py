@@ -17,17 +17,22 @@ from kurbel.engine.loads.words import LoadWords, best_back, valve_lines, words_o
 from kurbel.engine.power.duty import (
     AIRY,
     ASKED,
+    BRAKED,
+    EFFICIENCY,
     EFFICIENT,
     FACTOR,
     FACTORED,
     FREE,
+    FUELLED,
     GIVES,
     POWER,
     PRESSURE,
     STAGED,
     STEAMED,
+    THERMAL,
     UNITLESS,
     WARM,
+    WEIGHED,
     Duty,
     Found,
     lacking,
@@ -45,6 +50,7 @@ from kurbel.page.axes import ColumnAxis, Place
 from kurbel.page.quantity import Column, Quantity, words
 from kurbel.page.subject import Question, Subject
 from kurbel.reading.amounts import amount
+from kurbel.reading.units import MassFlow
 
 GIVEN_WORDS = LoadWords(
     key="load",
@@ -59,6 +65,7 @@ GIVEN_WORDS = LoadWords(
     lines=lambda request, lang: iter(()),
     tag=lambda source: "given",
 )
+_EFFICIENCIES = {EFFICIENCY: "mechanical", THERMAL: "thermal"}
 # What the relation of the power is made of.
 POWERED = ("indicated_power", "brake_power", "bore", "stroke", "speed", "mean_torque")
 
@@ -74,17 +81,22 @@ class PowerRequest(Question):
     no_column = "there is no column beside the axes; add one, such as mean_pressure"
 
     def check(self) -> None:
-        if len(self.duty.ends) > 1 and any(one.strokes != 2 for one in self.sources):
+        ends = self.duty.ends
+        strokes = [one.strokes for one in self.sources]
+        given = all(isinstance(one, GivenPressure) for one in self.sources)
+        if len(ends) > 1 and not all(one == 2 or (one == 1 and given) for one in strokes):
             raise ProblemError(
-                "two mean pressures are those of both ends of a double-acting piston; add --working-strokes 2"
+                "two mean pressures are those of both ends of a double-acting piston; add --working-strokes"
+                " 2, or 1 where it works in four strokes"
             )
-        if self.duty.open_area != 1 and any(one.strokes != 2 for one in self.sources):
+        if self.duty.open_area != 1 and len(ends) < 2 and any(one != 2 for one in strokes):
             raise ProblemError(
                 "--piston-rod and --tail-rod lessen the area of an end of a double-acting piston; leave them"
                 " out"
             )
         if self.duty.factor_asked:
             self._check_factor()
+        self._check_shares()
         found = self.found(0).variables
         touched = [one for name, one in found.items() if name != PRESSURE and set(one.powers) != {name}]
         asked = [found[POWER]] if found[POWER].powers else touched
@@ -92,11 +104,33 @@ class PowerRequest(Question):
         if unknown := found.get(self.duty.unknown):
             asked, free = [unknown], lacking(self.duty, unknown)
         sought = self.sources[0].sought is not None
+        if free == ["--efficiency"] and self.duty.brake_power is not None:
+            raise ProblemError(
+                "--brake-power is that at the shaft, of which the indicated power follows by the mechanical"
+                " efficiency; add --efficiency, or give the indicated power as --power"
+            )
         if free and self.duty.sized and not sought and not self.columns:
             raise ProblemError(
                 f"this does not tell the power, or the sizes for it; add {' and '.join(free)}"
                 f"{_instead(free, self.duty)}"
             )
+
+    def _check_shares(self) -> None:
+        """Raise ProblemError for an efficiency that follows and is above 1, or fuel of a driven machine."""
+        if self.duty.burnt and self.driven:
+            raise ProblemError(
+                f"{option_of(self.duty, self.duty.burnt[0])} is of an engine, and here the shaft drives the"
+                " piston; leave it out"
+            )
+        for index in range(len(self.sources)):
+            found = self.found(index).variables
+            for name in (EFFICIENCY, THERMAL):
+                share = found.get(name)
+                if share and not share.powers and share.known.exceeds(Product.of(1)):
+                    raise ProblemError(
+                        f"what is given makes a {_EFFICIENCIES[name]} efficiency of {float(share.known):.5g};"
+                        " it is at most 1"
+                    )
 
     def _check_factor(self) -> None:
         """Raise ProblemError where the diagram factor does not follow, or would be above 1."""
@@ -171,7 +205,10 @@ class PowerRequest(Question):
             STAGED: ("--stages 2", acting is None or not airy or acting.load.stages == 1),
             WARM: ("a compressor with --suction-temperature", not airy or duty.suction_temperature is None),
             FREE: ("a compressor with --free-air", not airy or duty.free_air is None),
-            EFFICIENT: ("the mechanical efficiency, --efficiency", duty.efficiency is None),
+            EFFICIENT: ("the mechanical efficiency, --efficiency", not duty.shafted),
+            BRAKED: ("--brake-power or --brake-torque", not duty.braked or duty.efficiency is not None),
+            FUELLED: ("--consumption, or --heating-value with --thermal-efficiency", not duty.burnt),
+            WEIGHED: ("--suction-pressure", duty.pressure is None),
             FACTORED: ("--diagram-factor", duty.diagram_factor == 1 and not duty.factor_asked),
             ASKED: ("--unknown diagram_factor", not duty.factor_asked),
             **{name: (f"--unknown {name}", duty.unknown != name) for name in UNKNOWNS},
@@ -251,6 +288,12 @@ def notes(request: PowerRequest) -> Iterator[Label]:
     if duty.efficiency is not None:
         said = "efficiency_supplied" if request.driven else "efficiency"
         yield POWER_TEXTS[said][lang].format(efficiency=figure(duty.efficiency))
+    elif "efficiency" in shown:
+        yield POWER_TEXTS["efficiency_found"][lang]
+    if "consumption" in shown and len(duty.burnt) > 1:
+        yield POWER_TEXTS["burnt_at_shaft" if duty.shafted else "burnt"][lang]
+    if not shown.isdisjoint(("air_mass", "work_per_mass")) or isinstance(duty.delivery, MassFlow):
+        yield POWER_TEXTS["air"][lang]
     if not isinstance(source, Acting):
         return
     if duty.specific_volume is not None and not shown.isdisjoint(("steam", "steam_per_kwh")):
@@ -286,7 +329,9 @@ def _given(duty: Duty, source: Acting | GivenPressure) -> Iterator[Label]:
         yield f"$p = {amount(duty.pressure, 'bar')}$"
     if duty.stroke_bore is not None:
         yield f"$S/d = {figure(duty.stroke_bore)}$"
-    if duty.delivery is not None:
+    if isinstance(duty.delivery, MassFlow):
+        yield f'$"ṁ" = {amount(duty.delivery.mass, "kg/min")}$'
+    elif duty.delivery is not None:
         yield f"$V = {amount(duty.delivery, 'm³/min')}$"
     if duty.speed is not None and not duty.speed.turns:
         yield f'$ω = {figure(duty.speed.value)} "rad/s"$'

@@ -53,6 +53,7 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "rim": ("--rim-diameter", "--density"),
     "section": ("--rim-diameter", "--density", "--rim-section"),
     "disc": ("--disc-diameter", "--density"),
+    "disc stress": ("--poisson", "--density", "--speed"),
     "diagram": ("--torque",),
     "run up": ("--run-up-torque", "--run-up-time", "--inertia", "--speed"),
 }
@@ -113,6 +114,8 @@ _ROWS: tuple[Row, ...] = (
      "disc"),
     ("disc_thickness", "Dicke der Scheibe|Thickness of the disc", "$t$", "mm",
      Shown("disc_thickness", _MM), "disc"),
+    ("disc_stress", "größte Spannung der Scheibe|Greatest stress of the disc", "$σ$", "MPa",
+     Shown("disc_stress", _MPA), "disc stress"),
 )  # fmt: skip
 
 
@@ -186,11 +189,12 @@ LAWS: Sequence[Term] = (
 )
 
 
-# J = ½ m (D/2)², m = ρ π/4 D² t.
+# J = ½ m (D/2)², m = ρ π/4 D² t; in the middle of a disc without a hole σ = (3 + ν)/8 ρ (ω D/2)² (Stodola).
 OF_DISC: Sequence[Term] = (
     _law(Product.of(Fraction(1, 8)), inertia=1, mass=-1, disc_diameter=-2),
     _law(Product.of(Fraction(1, 4), 1), mass=1, density=-1, disc_diameter=-2, disc_thickness=-1),
     _law(_ONE, disc_thickness=1, disc_share=-1, disc_diameter=-1),
+    _law(Product.of(Fraction(1, 4)), disc_stress=1, disc_bulge=-1, density=-1, omega=-2, disc_diameter=-2),
 )
 
 

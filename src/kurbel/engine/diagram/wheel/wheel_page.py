@@ -11,7 +11,7 @@ from kurbel.engine.diagram.fluctuation import Extreme, Fluctuation, place_text
 from kurbel.engine.diagram.texts import FLUCTUATION, OF_WHEELS, SOURCES, TORQUE
 from kurbel.engine.diagram.wheel.relations import NEEDS, SHOWN, registry
 from kurbel.engine.diagram.wheel.sizing import LIMIT, ONE_TURN, RIM_ALONE, Sizing
-from kurbel.exact.numerals import Label, Number, finite_decimals, number_text
+from kurbel.exact.numerals import Label, Number, figure, finite_decimals, number_text
 from kurbel.exact.real import Product
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_number, irregularity_label
 from kurbel.page.layouts import LayoutColumn
@@ -89,6 +89,9 @@ def _rim(question: WheelRequest) -> Iterator[Label]:
         yield ", ".join(formulas)
     if "disc_diameter" in wheel.figures:
         yield OF_WHEELS["disc"][lang]
+    if "disc_stress" in wheel.figures:
+        poisson = wheel.figures["disc_bulge"].value.base * 8 - 3
+        yield OF_WHEELS["disc_stress"][lang].format(poisson=figure(poisson))
     if "density" in wheel.figures:
         times, unit = unit_of_page("kg/m³")
         density = wheel.figures["density"].value * Product.of(times)
