@@ -46,6 +46,13 @@ def angle_of(condition: Callable[[mpf], mpf], low: float, high: float) -> mpf:
     return degrees(findroot(condition, bounds, solver="anderson", tol=mpf(10) ** -24))
 
 
+def turning(crank: mpf, rod: mpf, speed: mpf, angle: mpf) -> dict[str, mpf]:
+    """Velocity and acceleration of the rod there."""
+    lean, phi = lambda phi: asin(crank * sin(phi) / rod), radians(angle)
+    once, twice = diff(lean, phi) * speed, diff(lean, phi, 2) * speed**2
+    return {"rod_velocity_radps": once, "rod_acceleration_radps2": twice}
+
+
 @solution
 def piston_at_an_angle(stroke: mpf, rod: mpf, speed: mpf, angle: mpf) -> Rows:
     return [place(angle, stroke / 2, rod, speed)]
@@ -79,17 +86,7 @@ def greatest_velocity(crank: mpf, rod: mpf, speed: mpf) -> Rows:
 
 @solution
 def rod_turns(crank: mpf, rod: mpf, speed: mpf, angle: mpf) -> Rows:
-    def lean(phi: mpf) -> mpf:
-        return asin(crank * sin(phi) / rod)
-
-    phi = radians(angle)
-    return [
-        {
-            "psi": degrees(lean(phi)),
-            "rod_velocity_radps": diff(lean, phi) * speed,
-            "rod_acceleration_radps2": diff(lean, phi, 2) * speed**2,
-        }
-    ]
+    return [{"psi": degrees(asin(crank * sin(radians(angle)) / rod)), **turning(crank, rod, speed, angle)}]
 
 
 @solution
@@ -107,14 +104,8 @@ def offset_stroke(crank: mpf, rod: mpf, offset: mpf) -> Rows:
     inner, outer = asin(offset / (rod + crank)), pi + asin(offset / (rod - crank))
     out = outer - inner
     stroke = sqrt((rod + crank) ** 2 - offset**2) - sqrt((rod - crank) ** 2 - offset**2)
-    return [
-        {
-            "phi_i": degrees(inner),
-            "phi_o": degrees(outer),
-            "time_ratio": out / (2 * pi - out),
-            "stroke_mm": stroke * 1000,
-        }
-    ]
+    ends = {"phi_i": degrees(inner), "phi_o": degrees(outer)}
+    return [{**ends, "time_ratio": out / (2 * pi - out), "stroke_mm": stroke * 1000}]
 
 
 @solution
@@ -137,19 +128,7 @@ def shares_of_the_stroke(ratio: mpf, share: mpf) -> Rows:
 
 @solution
 def engine_piston(stroke: mpf, rod: mpf, speed: mpf) -> Rows:
-    crank = stroke / 2
-    pull = crank * speed**2
-    slant = sqrt(rod**2 - crank**2)
-    return [
-        {"phi": 0, "x_mm": 0, "c_mps": 0, "p_mps2": pull * (1 + crank / rod)},
-        {
-            "phi": 90,
-            "x_mm": (crank + rod - slant) * 1000,
-            "c_mps": crank * speed,
-            "p_mps2": -pull * crank / slant,
-        },
-        {"phi": 180, "x_mm": stroke * 1000, "c_mps": 0, "p_mps2": -pull * (1 - crank / rod)},
-    ]
+    return [{"phi": angle, **place(mpf(angle), stroke / 2, rod, speed)} for angle in (0, 90, 180)]
 
 
 @solution
@@ -210,29 +189,17 @@ def shaper_ram(crank: mpf, frame: mpf, lever: mpf, rod: mpf, line: mpf, speed: m
         return sqrt(rod**2 - (line + frame - end.imag) ** 2) - end.real
 
     turned, slide = (diff(one, 0) for one in (lambda t: arg(block(t)), lambda t: abs(block(t))))
-    return [
-        {
-            "velocity_mps": diff(ram, 0),
-            "acceleration_mps2": diff(ram, 0, 2),
-            "lever_acceleration_radps2": diff(lambda t: arg(block(t)), 0, 2),
-            "block_velocity_mps": slide,
-            "coriolis_mps2": 2 * turned * slide,
-        }
-    ]
+    of_ram = {"velocity_mps": diff(ram, 0), "acceleration_mps2": diff(ram, 0, 2)}
+    of_block = {"block_velocity_mps": slide, "coriolis_mps2": 2 * turned * slide}
+    return [{**of_ram, **of_block, "lever_acceleration_radps2": diff(lambda t: arg(block(t)), 0, 2)}]
 
 
 @solution
 def scotch_yoke(stroke: mpf, speed: mpf, angle: mpf) -> Rows:
     pin = stroke / 2 * expj(radians(angle))
     moved = 1j * speed * pin
-    return [
-        {
-            "path_mm": (stroke / 2 - pin.real) * 1000,
-            "velocity_mps": -moved.real,
-            "slot_velocity_mps": moved.imag,
-            "acceleration_mps2": speed**2 * pin.real,
-        }
-    ]
+    along = {"path_mm": (stroke / 2 - pin.real) * 1000, "velocity_mps": -moved.real}
+    return [{**along, "slot_velocity_mps": moved.imag, "acceleration_mps2": speed**2 * pin.real}]
 
 
 @solution
@@ -244,18 +211,11 @@ def middle_of_the_rod(crank: mpf, rod: mpf, speed: mpf, angle: mpf) -> Rows:
     def end(phi: mpf) -> mpf:
         return path(phi, crank, rod) - crank - rod
 
-    phi, lean = radians(angle), lambda phi: asin(crank / rod * sin(phi))
+    phi = radians(angle)
     half = [lambda phi: pin(phi).real / 2 + end(phi) / 2, lambda phi: pin(phi).imag / 2]
     velocity, acceleration = (sqrt(sum(diff(part, phi, n) ** 2 for part in half)) for n in (1, 2))
-    return [
-        {
-            "velocity_mps": velocity * speed,
-            "acceleration_mps2": acceleration * speed**2,
-            "rod_velocity_radps": diff(lean, phi) * speed,
-            "rod_acceleration_radps2": diff(lean, phi, 2) * speed**2,
-            "c_mps": diff(end, phi) * speed,
-        }
-    ]
+    of_point = {"velocity_mps": velocity * speed, "acceleration_mps2": acceleration * speed**2}
+    return [{**of_point, **turning(crank, rod, speed, angle), "c_mps": diff(end, phi) * speed}]
 
 
 def angle_after(gone: mpf, crank: mpf, rod: mpf) -> mpf:
@@ -269,26 +229,16 @@ def after_a_share_of_the_stroke(stroke: mpf, rod: mpf, speed: mpf, share: mpf) -
     crank = stroke / 2
     out, back = (angle_after(gone, crank, rod) for gone in (share * stroke, (1 - share) * stroke))
     first, second = (place(phi, crank, rod, speed) for phi in (out, back))
-    return [
-        {
-            "phi": out,
-            "phi_return": 180 - back,
-            "c_mps": first["c_mps"],
-            "c_return_mps": second["c_mps"],
-            "p_mps2": first["p_mps2"],
-        }
-    ]
+    of_out = {"phi": out, "c_mps": first["c_mps"], "p_mps2": first["p_mps2"]}
+    return [{**of_out, "phi_return": 180 - back, "c_return_mps": second["c_mps"]}]
 
 
 @solution
 def after_a_length_of_path(stroke: mpf, rod: mpf, speed: mpf, path: mpf) -> Rows:
     crank = stroke / 2
     angles = angle_after(path, crank, rod), 360 - angle_after(stroke - path, crank, rod)
-    found = []
-    for phi in angles:
-        there = place(phi, crank, rod, speed)
-        found.append({"phi": phi, "c_mps": there["c_mps"], "p_mps2": there["p_mps2"]})
-    return found
+    found = ((phi, place(phi, crank, rod, speed)) for phi in angles)
+    return [{"phi": phi, "c_mps": one["c_mps"], "p_mps2": one["p_mps2"]} for phi, one in found]
 
 
 @solution
