@@ -420,8 +420,8 @@ def of_diagram(second: Second, key: str, method: str, row: Row) -> Value:
     return Value(values[key.removesuffix("_nm")])
 
 
-_TURNS = ("greatest_speed", "least_speed")
-_STEM = {"greatest_speed": "omega_max", "least_speed": "omega_min", "strokes": "cycles"}
+_TURNS = ("greatest_speed", "least_speed", "speed_drop")
+_STEM = {"speed_drop": "drop", "greatest_speed": "omega_max", "least_speed": "omega_min", "strokes": "cycles"}
 
 # Where a command is that is not called as its module.
 MODULES = {"locomotive": "rotor", "turning": "engine"}

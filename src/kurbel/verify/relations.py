@@ -30,7 +30,7 @@ FLYWHEEL = """
     swing = inertia omega^2 delta; inertia = mass radius^2; stored = 1/2 inertia omega^2;
     swing = energy_fluctuation work; swing = swing_share mean_torque; power = work cycles;
     power = motor_power efficiency; power = mean_torque omega; omega = 2 pi cycles turns; omega = 2 pi speed;
-    omega_max = omega above; omega_min = omega below; 1 = delta steadiness;
+    omega_max = omega above; omega_min = omega below; drop = omega delta; 1 = delta steadiness;
     rim_speed = 1/2 omega rim_diameter; hoop_stress = density rim_speed^2; section = breadth thickness;
     rim_mass = pi rim_diameter density section; breadth = proportion thickness;
     breadth = breadth_share rim_diameter; thickness = thickness_share rim_diameter;

@@ -216,7 +216,7 @@ def test_every_figure_follows_from_the_others_as_it_was(data: st.DataObject) -> 
 def test_the_mass_of_a_rim_follows_from_its_speed(words: str, speed: int, share: F) -> None:
     # Holes of 38 mm in 32 mm, 7 J for a mm², of which the motor gives 32/200 while one is punched.
     swing = 7 * mp.pi * 38 * 32 * mpf("0.84")
-    page = "--hole 38mmx32mm --shear-energy 7J/mm2 --strokes 6/min --share 32/200"
+    page = "--hole 38mmx32mm --shear-energy 7J/mm2 --strokes 6/min --punch-stroke 100mm"
     found, delta = figures(f"{page} {words}"), mpf(share.numerator) / share.denominator
     agree(found, swing=swing, rim_speed=mpf(speed), delta=delta, rim_mass=swing / (speed**2 * delta))
     assert "speed" not in found

@@ -58,6 +58,12 @@ class Press(Part):
         "SIZES",
         whole=True,
     )
+    punch_stroke = measure(
+        as_length,
+        "Press: stroke of the punch, up and down in a cycle; with --hole it works while it goes through the"
+        " plate, of which the share follows: 100mm.",
+        "LENGTH", unit="m", what="stroke of the punch",
+    )  # fmt: skip
     shear_energy = measure(
         as_energy_an_area, "Press: energy of a sheared area, for --hole: 7J/mm².", "ENERGY", unit="J/m²"
     )
@@ -91,7 +97,8 @@ class Press(Part):
         """Return the share of a cycle in which the press works, None of what is no press."""
         share, duration = self._working(), self._stroke()
         if share is not None:
-            return Share(Product.of(share) if share else None, Product.of(1 - share), "--share")
+            option = flag_of("punch_stroke" if self.says("punch_stroke") else "share")
+            return Share(Product.of(share) if share else None, Product.of(1 - share), option)
         if duration is None:
             return None
         if (cycles := completed(figures).get("cycles")) is None:
@@ -109,6 +116,8 @@ class Press(Part):
     def unread(self, option: Option[object]) -> str:
         if option.name in ("shear_energy", "shear_strength"):
             return f"{flag_of(option.name)} is for the work of a --hole; add that, or give --work"
+        if option.name == "punch_stroke":
+            return "--punch-stroke is for the time that a --hole takes; add that, or give --share"
         if option.name == "efficiency":
             return (
                 "--efficiency is that between a motor and its press; add --power, or --work and --strokes, or"
@@ -117,7 +126,17 @@ class Press(Part):
         return ""
 
     def _working(self) -> Fraction | None:
-        share = self.share
+        share, hole = self.share, self.hole
+        if hole is not None and (stroke := self.punch_stroke) is not None:
+            # It goes down and up again evenly, and works through the plate.
+            if share is not None:
+                raise ProblemError("--share and --punch-stroke say the same; leave one out")
+            if hole[1] > stroke:
+                raise ProblemError(
+                    f"the plate is {about(1000 * hole[1])} mm thick and the stroke of the punch"
+                    f" {about(1000 * stroke)} mm; it must go through the plate"
+                )
+            share = hole[1] / (2 * stroke)
         if share is not None and not 0 <= share < 1:
             raise ProblemError(
                 f"the share of the cycle in which the press works is {about(share)}; it must be 0 or more,"

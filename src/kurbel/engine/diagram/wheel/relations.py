@@ -81,6 +81,8 @@ _ROWS: tuple[Row, ...] = (
      Shown("omega_max", _MINUTE), "wheel"),
     ("least_speed", "kleinste Drehzahl|Least speed", '$n_"min"$', _PER_MINUTE,
      Shown("omega_min", _MINUTE), "wheel"),
+    ("speed_drop", "Drehzahlabfall|Drop of speed", '$n_"max" - n_"min"$', _PER_MINUTE,
+     Shown("drop", _MINUTE), "wheel"),
     ("omega_max", "größte Winkelgeschwindigkeit|Greatest angular velocity", '$ω_"max"$', "rad/s",
      Shown("omega_max"), "wheel"),
     ("omega_min", "kleinste Winkelgeschwindigkeit|Least angular velocity", '$ω_"min"$', "rad/s",
@@ -160,6 +162,7 @@ def _rules(law: Term) -> Iterator[Rule]:
 
 LAWS: Sequence[Term] = (
     _law(_ONE, swing=1, inertia=-1, omega=-2, delta=-1),
+    _law(_ONE, drop=1, omega=-1, delta=-1),
     _law(_ONE, inertia=1, mass=-1, radius=-2),
     _law(_ONE, swing=1, energy_fluctuation=-1, work=-1),
     _law(_ONE, power=1, work=-1, cycles=-1),
