@@ -68,8 +68,8 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
     unnamed = "eps"
     sequence = (
         f"{ENGINE_ORDER} torque torque_file triangles load_torque load_torque_file turns areas area_scale"
-        " swing energy_fluctuation work strokes share duration hole punch_stroke shear_energy shear_strength efficiency"
-        " greatest_speed least_speed inertia run_up_torque run_up_time run_up_turns"
+        " swing energy_fluctuation work strokes share duration hole punch_stroke shear_energy shear_strength"
+        " efficiency greatest_speed least_speed inertia run_up_torque run_up_time run_up_turns"
         " mass rim_diameter rim_speed rim_section rim_breadth"
         " rim_thickness density hoop_stress rim_share disc_diameter disc_thickness"
         f" {LOAD_ORDER} power speed delta radius columns unknown"
