@@ -67,6 +67,8 @@ DRAWN = {
     "--infinite": "table --ratio 1:5 --infinite -o motion.svg",
     "--over": "table --ratio 1:5 --angle 's=0..100%:10%' -o ellipse.svg",
 }
+# Commands that list what there is.
+LISTS = ("kurbel quantities", "kurbel layouts")
 # Whose values have words with spaces between them.
 SENTENCES = ("where", "only", "torque", "load_torque", "caption", "note", "source")
 # Commands that there were once.
@@ -96,6 +98,8 @@ def one_line(error: click.ClickException, words: Sequence[str]) -> str:
         ):
             name = error.ctx.command_path if error.ctx else "kurbel"
             message = f"{name} needs no such word as {notation.quoted(found[1])}; leave it out"
+            if name in LISTS:
+                message = message.replace("leave it out", f"write kurbel help --search {_as_typed(found[1])}")
         case _:
             message = " ".join(error.format_message().split()).rstrip(".").replace(". ", "; ")
     context = getattr(error, "ctx", None)
@@ -110,11 +114,12 @@ def _no_option(error: click.NoSuchOption, words: Sequence[str]) -> str:
     if isinstance(command, click.Group):
         if moved := _before_command(words, name):
             return f"{begun} before a command; write {moved}"
-        if not _has("table", name):
-            owners = _owners(name)
-            return f"{begun} before a command{owners}" if owners else begun
         typed = " ".join(filter(None, (name, _as_typed(_value_of(name, words)))))
-        return f"{begun} before a command; write kurbel table {typed}"
+        having = ["table"] if _has("table", name) else [one for one in COMMANDS if _has(one, name)]
+        if len(having) == 1:
+            return f"{begun} before a command; write kurbel {having[0]} {typed}"
+        owners = _owners(name)
+        return f"{begun} before a command{owners}" if owners else begun
     value = _value_of(name, words)
     if ours := line(name, value, options):
         return f"{begun}; write {ours}"
@@ -128,10 +133,12 @@ def _no_option(error: click.NoSuchOption, words: Sequence[str]) -> str:
         return (
             f"{begun} in a sweep, which has columns of numbers and neither pages nor drawings; leave it out"
         )
+    begins = [one for one in options if one.startswith(name[1:])] if len(name) == 2 else []
     hint = did_you_mean(name, [f"--{one}" for one in options])
+    if not hint and len(begins) == 1:
+        hint = f" (did you mean --{begins[0]}?)"
     path = getattr(error.ctx, "command_path", "")
-    topics = [topic.name for topic, _ in topics_of(command)] if isinstance(command, TopicCommand) else []
-    if not hint and name.removeprefix("--") in topics:
+    if not hint and name.removeprefix("--") in _topics(command):
         return f"{begun}, which is a topic; write {path} --help {name[2:]}"
     return begun + (elsewhere(path, name) or hint or _owners(name, value))
 
@@ -140,6 +147,10 @@ def _flags(command: click.Command | None) -> Mapping[str, click.Option]:
     """Return the options of a command by their names without dashes."""
     options = (one for one in (command.params if command else ()) if isinstance(one, click.Option))
     return {flag.lstrip("-"): one for one in options for flag in one.opts if flag.startswith("--")}
+
+
+def _topics(command: click.Command | None) -> Sequence[str]:
+    return [topic.name for topic, _ in topics_of(command)] if isinstance(command, TopicCommand) else []
 
 
 def _has(command: str, flag: str) -> bool:
@@ -230,6 +241,10 @@ def stray(text: str, command: click.Command, words: Sequence[str]) -> str:
         joined = _joined(option, values)
         if joined:
             return f"{shown} stands behind no option; write {flag} {_as_typed(joined)}"
+    if not name and text in _topics(command):
+        return f"{shown} stands behind no option; its options are kurbel {command.name} --help {text}"
+    if not name and text == "help":
+        return f"{shown} stands behind no option; write kurbel {command.name} -h"
     if not name:
         return f"{shown} stands behind no option, and kurbel {command.name} needs no such word"
     return f"{shown} stands behind no option; write {long_flag(options[name])} {_as_typed(text)}"

@@ -32,7 +32,7 @@ def _offered(context: click.Context, parameter: click.Parameter, begun: str) -> 
 @click.option(
     "--search",
     metavar="WORDS",
-    help="Search commands, options, quantities, layouts, pages and problems of textbooks.",
+    help="Search commands, options, quantities, layouts, pages and problems of textbooks: 'rolling mill'.",
 )
 def help(words: tuple[str, ...], search: str | None) -> None:
     """Say what there is for what one has or wants, or search for a word.

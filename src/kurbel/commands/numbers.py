@@ -62,6 +62,7 @@ def certified(
     return Decimal(number).scaleb(-decimals, context=Context(prec=max(50, len(str(number)))))
 
 
+@checks_keywords
 def compute(
     angles: ArrayLike,
     ratio: Exact | ArrayLike | None = None,

@@ -60,6 +60,10 @@ def typeset(
     """
     if not isinstance(page, Page):
         raise ProblemError(f"a {type(page).__name__} cannot be set; make a page, such as kurbel.table()")
+    if format in DRAWINGS:
+        raise ChoiceError(
+            f'{format} is a drawing; write page.plot().image("{format}"), or page.save with a file'
+        )
     return render(
         page,
         format,
@@ -111,6 +115,7 @@ class Table(Page):
     def __repr__(self) -> str:
         return f"<kurbel.Table {self.key}: {labels.plain(self.caption)}>"
 
+    @checks_keywords
     def save(
         self,
         path: str | os.PathLike[str],

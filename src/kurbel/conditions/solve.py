@@ -9,16 +9,19 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from kurbel.drive.at import turn_time, turned
 from kurbel.drive.crank import Crank
-from kurbel.errors import NoRootError, ProblemError
+from kurbel.drive.mechanisms import MECHANISMS
+from kurbel.errors import ChoiceError, NoRootError, ProblemError
 from kurbel.exact.certify import NEVER_TIES, ball, ball_circle, pi, rounded
 from kurbel.exact.course import Course, Target, closed_forms, form_text
 from kurbel.exact.kind import balls
 from kurbel.exact.numerals import MOST_DIGITS, Number, exact_text, nearest, number_text
 from kurbel.exact.place import Place
-from kurbel.motion.drives import Drive
+from kurbel.motion.drives import Drive, condition_names
 from kurbel.motion.evaluation import NEEDS, OUT, RETURN
+from kurbel.motion.mechanism import mechanism
 from kurbel.reading import units
 from kurbel.reading.amounts import UNITS
+from kurbel.reading.names import otherwise
 from kurbel.reading.where import (
     DEAD_CENTRE,
     LEANING,
@@ -99,7 +102,13 @@ class Root:
 def read_on(drive: Drive, text: str) -> Condition:
     """Return a condition on a drive; one in kN or N m is about the column in N or N m."""
     whose = f"{OF_SLIDES}, forces and torque" if drive.pushed else OF_SLIDES
-    found = read_condition(text, drive.names, (*MEASURED, *drive.in_newtons), whose)
+    try:
+        found = read_condition(text, drive.names, (*MEASURED, *drive.in_newtons), whose)
+    except ChoiceError as error:
+        name = text.partition("=")[0].strip()
+        if "did you mean" not in str(error) and (other := _of_other(name)):
+            raise ChoiceError(f'there is no quantity "{name}" of this drive; {other} has it') from None
+        raise
     if not found.unit and found.quantity in drive.in_newtons and getattr(drive.crank, "loaded", False):
         # Beside masses no force is a share of another.
         if found.kind == VALUE and found.value:
@@ -114,6 +123,14 @@ def read_on(drive: Drive, text: str) -> Condition:
     reader = units.signed_torque if found.quantity == TORQUE else units.signed_force
     value = reader(f"{exact_text(found.value)} {found.unit}", found.quantity)
     return Condition(column, VALUE, value)
+
+
+def _of_other(name: str) -> str:
+    """Return the options of a drive whose conditions have a quantity of this name, nothing if none has."""
+    for key, one in MECHANISMS.items():
+        if otherwise(name, [*condition_names(mechanism(key).conditions().values())]):
+            return f"--mechanism {key}{one.options}"
+    return ""
 
 
 def solve(drive: Drive, condition: Condition) -> tuple[Root, ...]:

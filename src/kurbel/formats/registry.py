@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 import kurbel.formats
 from kurbel.errors import ChoiceError, FormatError
 from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
-from kurbel.reading.names import otherwise
+from kurbel.reading.given import meant
 
 if TYPE_CHECKING:
     from kurbel.documents.inject import Kind
@@ -265,11 +265,7 @@ def format_names() -> tuple[str, ...]:
 
 def by_name(name: str) -> Format:
     """Return the format of that name, by any word for it; raise ChoiceError if there is none."""
-    if isinstance(name, str) and name not in FORMATS:
-        name = otherwise(name, [*FORMATS]) or name
-    if name not in FORMATS:
-        raise ChoiceError(f"format is {name!r}; it must be one of {', '.join(FORMATS)}")
-    return FORMATS[name]
+    return FORMATS[meant(name, FORMATS, "format")]
 
 
 def compiled_format() -> CompiledFormat:

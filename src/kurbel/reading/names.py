@@ -237,7 +237,7 @@ def checks_keywords(function: Callable[Words, Answer]) -> Callable[Words, Answer
             with spelling_keywords(lambda: dict.fromkeys(signature.parameters, ())):
                 return function(*args, **kwargs)
         except TypeError:
-            bound(function.__name__, signature, args, kwargs)
+            bound(function.__qualname__, signature, args, kwargs)
             raise
 
     return called
@@ -309,9 +309,12 @@ def unknown(
 def _sentence(
     name: str, signature: inspect.Signature, args: Sequence[Any], kwargs: Mapping[str, object]
 ) -> str:
-    parameters = signature.parameters
+    parameters = dict(signature.parameters)
+    if parameters.pop("self", None):
+        args = args[1:]
+    free = any(one.kind is one.VAR_KEYWORD for one in parameters.values())
     wrong = next((one for one in kwargs if one not in parameters), None)
-    if wrong is not None:
+    if wrong is not None and not free:
         # A number has no unit of ours behind it.
         text = value if isinstance(value := kwargs[wrong], str) else ""
         return str(unknown(name, wrong, parameters, value=text))

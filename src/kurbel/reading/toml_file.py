@@ -122,9 +122,19 @@ def _parsed(path: str | os.PathLike[str], kind: TomlKind, text: str) -> dict[str
         raise kind.error(f"{path} is nested too deeply; {kind.shape}") from None
     except ValueError as error:
         # A malformed file is a ValueError that says the line.
+        line = int(found[1]) if (found := re.search(r"at line (\d+)", str(error))) else 0
+        if line and (bare := re.fullmatch(_BARE, text.split("\n")[line - 1])):
+            name, value = bare.groups()
+            written = value.lower() if value in ("True", "False") else f'"{value}"'
+            said = "" if written[0] != '"' else ", without quotes"
+            raise kind.error(
+                f"{path}, line {line}: {name} is {value}{said}; write {name} = {written}"
+            ) from None
         raise kind.error(f"cannot read the {kind.name} {path}: {error}") from None
 
 
+# A value that is a text and stands without its quotes, such as 1:5 or 600mm, perhaps before a comment.
+_BARE = r"\s*([\w-]{1,40})\s*=\s*([^\s\"'\[{#][^\"'\\#]{0,60}?)\s*(?:#.*)?"
 # The parser takes minutes over them.
 _LONG_KEY = r"(?:[A-Za-z0-9_\"'-]{1,50}[ \t]{0,9}\.[ \t]{0,9}){200}"
 

@@ -18,10 +18,10 @@ import kurbel
 from kurbel.commands.options import Option, is_given
 from kurbel.commands.part import Origin, Values
 from kurbel.commands.subject import MACHINE, Command, of_machine
-from kurbel.errors import ChoiceError, KeywordError, NotationError, ProblemError
+from kurbel.errors import ChoiceError, NotationError, ProblemError
 from kurbel.reading.environment import need
 from kurbel.reading.given import meant
-from kurbel.reading.names import spelling_keywords
+from kurbel.reading.names import spelling_keywords, unknown
 from kurbel.sweeps.about import cf_of, cf_of_file
 from kurbel.sweeps.asked import planned
 from kurbel.sweeps.columns import Column, Part
@@ -134,11 +134,13 @@ def _values_of(command: Command, machine: object, options: Mapping[str, object])
     """Return the options by their names on the command line, several values of one as a list, and behind them
     what a machine's file says."""
     known = {**command.options, **command.parameters}
-    try:
-        given = {known[meant(name, known, "option")]: value for name, value in options.items()}
-    except ChoiceError as error:
-        raise KeywordError(str(error)) from None
-    typed = {one.name: _listed(one, value) for one, value in given.items()}
+    typed = {}
+    for name, value in options.items():
+        try:
+            one = known[meant(name, known, "option")]
+        except ChoiceError:
+            raise unknown("sweep", name, known, f"it has those of kurbel.{command.name}") from None
+        typed[one.name] = _listed(one, value)
     typed = {name: value for name, value in typed.items() if is_given(value)}
     found = {} if machine is None else of_machine(command, machine)
     origins = dict.fromkeys(found, Origin.MACHINE) | dict.fromkeys(typed, Origin.TYPED)

@@ -138,7 +138,7 @@ def search(text: str) -> tuple[str, Mapping[str, Sequence[Found]]]:
     near = ""
     if all(rank is None for rank in ranks):
         known = {word for one in entries for word in (*_words(one.name), one.name)} | SYNONYMS.keys()
-        near = did_you_mean(asked, sorted(known))
+        near = did_you_mean(asked, dict.fromkeys((*COMMANDS, *sorted(known - _SMALL))))
         told, ranks = "Nothing has all of these words; some have:", _partly(asked, entries)
     ranked = sorted((rank, place) for place, rank in enumerate(ranks) if rank is not None)
     if near or not ranked:
