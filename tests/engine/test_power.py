@@ -9,6 +9,7 @@ from pickle import dumps, loads
 
 import pytest
 from cli import kurbel, printed, refusal
+from mpmath import mpf, nstr, workdps
 from scipy.integrate import quad
 
 from kurbel import power as typed_power
@@ -242,6 +243,17 @@ def test_the_work_of_a_turn_with_cushioned_steam_is_that_of_its_card() -> None:
     mean = record(*steam, "--exponent=1.2")["relative_pressure"]
     # Two strokes of 2 R in units of Q R; kinks leave the sum of the midpoints to a thousandth.
     assert sum(float(row["tangential_force"]) for row in rows) * pi / 180 == pytest.approx(4 * mean, rel=1e-3)
+
+
+def test_cushioning_to_a_pressure_has_fifty_right_digits() -> None:
+    options = ("--pressure=8bar", "--back=1bar", "--cushion=3bar", "--clearance=5%", "--exponent=1.13")
+    (row,) = printed("power", "--eps=4", *options, "--digits=50", "-f", "csv").records()
+    with workdps(80):
+        room, n = mpf(5) / 100, mpf(113) / 100
+        filled, left = room + mpf(1) / 4, room * mpf(3) ** (1 / n)
+        drive = mpf(1) / 4 + filled / (n - 1) * (1 - (filled / (1 + room)) ** (n - 1))
+        resist = (1 + room - left + left / (n - 1) * ((left / room) ** (n - 1) - 1)) / 8
+        assert row["relative_pressure"] == nstr(drive - resist, 50)
 
 
 def test_a_page_that_asks_for_a_cut_off_is_the_same_elsewhere() -> None:

@@ -258,7 +258,7 @@ class Loads(Piston):
         """Return the share of the return stroke at which the exhaust closes, also by the pressure reached.
 
         From p_b on p Vⁿ is constant, up to the clearance κ and the lead l: 1 - c + κ = (κ + l) (p/p_b)^(1/n),
-        to 40 decimals. Raises KurbelError.
+        to 150 decimals, so that 50 are printed right. Raises KurbelError.
         """
         found = self.cushion
         if not isinstance(found, Reached):
@@ -272,10 +272,10 @@ class Loads(Piston):
             raise ProblemError(
                 f"--cushion {found.pressure} must be above the back pressure, and that above 0"
             )
-        with localcontext(prec=80):
+        with localcontext(prec=200):
             times, power = end / low, 1 / (self.exponent or Fraction(1))
             ratio = Decimal(times.numerator) / times.denominator
-            grown = Fraction(round(ratio ** (Decimal(power.numerator) / power.denominator), 40))
+            grown = Fraction(round(ratio ** (Decimal(power.numerator) / power.denominator), 150))
         return 1 + room - (room + (self.lead or 0)) * (times if power == 1 else grown)
 
     def _back_is_pressure(self) -> bool:
