@@ -187,6 +187,23 @@ def test_a_machine_says_what_it_knows(tmp_path: Path) -> None:
     assert printed("power", f"--machine={path}").out == typed
 
 
+@pytest.mark.parametrize("way", ["work", "load", "250mm"])
+def test_the_cylinders_of_a_compound_engine_part_the_diagram_at_the_receiver(way: str) -> None:
+    words = ("--eps=12", "--pressure=15bar", "--back=0.25bar", "--bore=400mm")
+    found = record(*words, "--stroke=600mm", "--speed=2/s", f"--compound={way}")
+    volume, level = found["low_cut_off"], found["receiver_pressure"]
+    assert level * volume == pytest.approx(15 / 12)
+    assert (found["high_bore"] / 400) ** 2 == pytest.approx(volume)
+    # bar times m³ of the low-pressure cylinder, above and below the receiver.
+    high = 15 / 12 + quad(lambda share: 15 / 12 / share, 1 / 12, volume)[0] - level * volume
+    low = level * volume + quad(lambda share: 15 / 12 / share, volume, 1)[0] - 0.25
+    assert found["high_power"] / found["low_power"] == pytest.approx(high / low)
+    assert high + low == pytest.approx(found["mean_pressure"])
+    loads = (15 - level) * volume, level - 0.25
+    parts = {"work": high / low, "load": loads[0] / loads[1], "250mm": found["high_bore"] / 250}
+    assert parts[way] == pytest.approx(1)
+
+
 def test_a_back_pressure_is_its_share_of_the_steam_pressure() -> None:
     for words in (("delta",), ("forces", "--step=90"), ("solve", "--where=torque=max")):
         share = printed(*words, "--eps=3", "--back=0.15", "-f", "csv").out

@@ -21,6 +21,7 @@ from kurbel.commands.subject import function
 from kurbel.drive.crank import Crank
 from kurbel.drive.load import CARD, MASSES, PUMP
 from kurbel.engine.engine import Engine, Load
+from kurbel.engine.power.compound import as_compound
 from kurbel.engine.power.duty import Duty, equation
 from kurbel.engine.power.power_page import PowerRequest
 from kurbel.engine.power.source import Acting, GivenPressure
@@ -183,6 +184,13 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         as_free_air, "State of free air, in which --delivery then counts: '1.013bar 15°C'.", "STATE",
         topic="compressor", whole=True,
     )  # fmt: skip
+    compound = measure(
+        as_compound,
+        "Compound engine of the hypothetical diagram, of which --bore is the low-pressure cylinder and --eps"
+        " the whole expansion; the high-pressure one by equal work, by equal load on both pistons, by its"
+        " bore, 250mm, by the pressure of the receiver, 2.4bar, or by its own expansion, 2.5.",
+        "HOW", topic="steam",
+    )  # fmt: skip
     unknown = word(
         "What is asked for of a power, a mean pressure or a delivery: eps, pressure, back, clearance,"
         " pressure_ratio or diagram_factor; bore, stroke, speed and power follow without it.",
@@ -230,6 +238,8 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             )
         if name in ("stages", "suction_temperature", "free_air"):
             return f"{flag} is of a compressor; add --pressure-ratio"
+        if name == "compound":
+            return f"{flag} is of the steam of an ideal card in two cylinders; add --eps"
         if name == "delivery":
             return f"{flag} is that of a compressor or a pump; add --pressure-ratio or --pump"
         if name == "working_strokes":
@@ -271,6 +281,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             efficiency=self.efficiency, diagram_factor=Fraction(1) if factor is None else factor,
             specific_volume=self._volume() if self.says("eps") or self.unknown == "eps" else None,
             ends=self.mean_pressure or (),
+            compound=self.compound if self.says("eps") or self.unknown == "eps" else None,
         )  # fmt: skip
         if self.says("mean_pressure") and not self.says("unknown"):
             return duty()

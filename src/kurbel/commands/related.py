@@ -313,12 +313,33 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
                 room, power = asked.clearance or Fraction(0), asked.exponent or Fraction(1)
                 left = (1 - (asked.cushioned() or Fraction(1)) + room) * steam.power(1 / power)
                 known["taken"] = 1 / nearest(row["epsilon"], asked.eps or ()) + room - left
+        if duty.compound is not None:
+            epsilon, back = nearest(row["epsilon"], asked.eps or ()), source.load.back
+            known |= _of_compound(duty, number(epsilon), number(1 if back is None else epsilon * back))
         found = completed(known, ENGINE)
         shaft = found.get("at_shaft", number(1))
         return {**found, "efficiency": 1 / shaft if source.driven else shaft}
 
     stem = re.sub("_(mps|nm|mm)$", "", key)
     return Value(lambda: second.once(row, found)[stem])
+
+
+def _of_compound(duty: Any, epsilon: Number, lost: Number) -> dict[str, Number]:
+    """How far the steam expands in the high-pressure cylinder, and its share in the work."""
+    way, value = duty.compound
+    if way == "work":
+        # Of ln R = ½ (1 + ln ε - b ε).
+        expansion = ((1 + epsilon.log() - lost) / 2).exp()
+    elif way == "load":
+        left = 1 - lost
+        expansion = (left + (left * left + 4 * epsilon).root()) / 2
+    elif way == "bore":
+        expansion = epsilon * (number(value) / duty.bore).power(Fraction(2))
+    else:
+        expansion = number(value) if way == "expansion" else duty.pressure / number(value)
+    high = number(Fraction(1, 2)) if way == "work" else expansion.log() / (1 + epsilon.log() - lost)
+    found = {"high_expansion": expansion, "low_cut_off": expansion / epsilon}
+    return {**found, "high_share": high, "low_share": 1 - high}
 
 
 def of_flywheel(second: Second, key: str, method: str, row: Row) -> Value:

@@ -300,6 +300,14 @@ POWER_TEXTS = {
         "|behind each further stage the pressure is $Π^(1/{stages})$ times as high, and its piston's area as"
         " much smaller"
     ),
+    "compound": words(
+        "Verbundmaschine gleicher Hübe ohne Druckabfall zwischen den Zylindern: $p_i$ und $d$ des"
+        " Niederdruckzylinders, in dem das ganze Diagramm steht, $p_a = p/ε_h$, Arbeiten wie $ln ε_h$ zu"
+        " $1 + ln(ε/ε_h) - ε p_b/p$"
+        "|Compound engine of equal strokes without a fall of pressure between its cylinders: $p_i$ and $d$ of"
+        " the low-pressure one, in which the whole diagram stands, $p_a = p/ε_h$, works as $ln ε_h$ to"
+        " $1 + ln(ε/ε_h) - ε p_b/p$"
+    ),
     "ideal_air": words(
         '$N_"is" = p_1 V ln Π$, $N_"ad" = γ/(γ - 1) p_1 V (Π^((γ - 1)/γ) - 1)$ in einer Stufe, $γ = 1.4$'
         '|$N_"is" = p_1 V ln Π$, $N_"ad" = γ/(γ - 1) p_1 V (Π^((γ - 1)/γ) - 1)$ in one stage, $γ = 1.4$'

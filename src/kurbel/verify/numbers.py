@@ -142,6 +142,9 @@ class Number:
             raise ValueError("the root of a negative number")
         return Number(enclose.root(self.span))
 
+    def exp(self) -> Number:
+        return Number(enclose.exponential(self.span))
+
     def log(self) -> Number:
         return Number(exact={}) if self.rational == 1 else Number(enclose.logarithm(self.span))
 

@@ -21,6 +21,9 @@ ENGINE = """
     brake_power = indicated_power at_shaft; brake_pressure = mean_pressure at_shaft;
     brake_power = 2 pi speed mean_torque; steam = taken strokes swept speed specific_volume^-1;
     steam = steam_per indicated_power; steam = steam_per_brake brake_power;
+    receiver_pressure = pressure high_expansion^-1; high_bore = bore low_cut_off^1/2;
+    high_power = indicated_power high_share; low_power = indicated_power low_share;
+    high_mean_pressure = mean_pressure high_share low_cut_off^-1; low_mean_pressure = mean_pressure low_share;
     indicated_power = consumption heating_value indicated_thermal;
     brake_power = consumption heating_value brake_thermal; consumption = consumption_per indicated_power;
     consumption = consumption_per_brake brake_power; air_mass = delivery density;

@@ -12,6 +12,7 @@ from fractions import Fraction
 from functools import cache, partial
 from typing import Any, NamedTuple
 
+from kurbel.engine.power.compound import Compound, whole, work_of
 from kurbel.engine.power.source import Acting, GivenPressure
 from kurbel.errors import ProblemError
 from kurbel.exact.real import Product, Term, number, variable
@@ -38,7 +39,7 @@ MOST_CYLINDERS = 24
 STEAMED, GIVES, EFFICIENT, FACTORED, UNITLESS = "steam", "delivery", "efficiency", "factor", "share"
 ASKED = "asked"
 AIRY, FREE, STAGED, WARM = "compressor", "free", "stages", "warm"
-BRAKED, FUELLED, WEIGHED = "braked", "fuel", "suction"
+BRAKED, FUELLED, WEIGHED, COMPOUND = "braked", "fuel", "suction", "compound"
 # Of air, in J/(kg K), as most textbooks have it.
 GAS_CONSTANT = 287
 HALF = Fraction(1, 2)
@@ -60,7 +61,8 @@ class Duty:
     crank. `delivery` is that of all cylinders in m³/s, in the state of suction, or if that is given, of free
     air, by its pressure in Pa and its temperature in K, or its mass. `consumption` of fuel or steam is in
     kg/s, or per joule at the shaft, where anything of that is given, else per joule indicated; of its
-    `heating_value` in J/kg `thermal_efficiency` is the share that becomes that work.
+    `heating_value` in J/kg `thermal_efficiency` is the share that becomes that work. Of a `compound` engine
+    the bore is that of the low-pressure cylinder.
     """
 
     power: Fraction | None = None
@@ -87,6 +89,7 @@ class Duty:
     piston_rod: Fraction | None = None
     tail_rod: Fraction | None = None
     ends: tuple[Fraction, ...] = ()
+    compound: Compound | None = None
 
     def __post_init__(self) -> None:
         if not 1 <= self.cylinders <= MOST_CYLINDERS:
@@ -417,6 +420,28 @@ class Found(NamedTuple):
         """Return the power in W that takes so much of a stroke, in p₁ and the swept volume."""
         return self.of_load(name) * self.of(PRESSURE) * self.swept() * self.rate()
 
+    def expanded(self) -> Term:
+        """Return how many times the steam expands in the high-pressure cylinder."""
+        assert self.duty.compound is not None
+        return self.duty.compound.expansion(self.acting, self.of(PRESSURE), self.of(BORE))
+
+    def filled(self) -> Term:
+        """Return the high-pressure cylinder as a share of the low-pressure one."""
+        return self.expanded() / Term(whole(self.acting))
+
+    def shared(self, high: bool) -> Term:
+        """Return the share of the high-pressure cylinder in the work, or of the other."""
+        return work_of(self.duty.compound, self.acting, self.expanded(), high)
+
+    def pressed(self, high: bool) -> Term:
+        """Return the mean pressure in Pa of such a cylinder."""
+        own = self.pressure() * self.shared(high)
+        return own / self.filled() if high else own
+
+    def worked_in(self, high: bool) -> Term:
+        """Return the power in W of such a cylinder."""
+        return self.of(POWER) * self.shared(high)
+
     def sought(self) -> Term:
         """Return the number of the load that was asked for."""
         sought = self.acting.sought
@@ -530,6 +555,31 @@ def _entries() -> Iterator[Quantity]:
     yield _entry("end_temperature", "Temperatur der Verdichtung|Temperature of compression", "$T_2$", "K", 1,
                  lambda found: number(found.duty.suction_temperature or 1) * found.of_load("heated"),
                  WARM)  # fmt: skip
+    yield from _compound_entries()
+
+
+def _compound_entries() -> Iterator[Quantity]:
+    """Yield what is of the two cylinders of a compound engine."""
+    yield _entry("high_expansion", "Expansion im Hochdruckzylinder|Expansion in the high-pressure cylinder",
+                 "$ε_h$", "", 1, Found.expanded, COMPOUND)  # fmt: skip
+    yield _entry("low_cut_off", "Füllung des Niederdruckzylinders|Cut-off of the low-pressure cylinder",
+                 "$V_h/V_n$", "", 1, Found.filled, COMPOUND)  # fmt: skip
+    yield _entry("receiver_pressure", "Druck im Aufnehmer|Receiver pressure", "$p_a$", "bar", UNITS[PRESSURE],
+                 lambda found: found.of(PRESSURE) / found.expanded(), COMPOUND)  # fmt: skip
+    yield _entry("high_bore", "Bohrung des Hochdruckzylinders|High-pressure bore", "$d_h$", "mm", UNITS[BORE],
+                 lambda found: found.of(BORE) * found.filled() ** HALF, COMPOUND)  # fmt: skip
+    for key, name, letter, high in (
+        ("high", "des Hochdruckzylinders|of the high-pressure cylinder", "h", True),
+        ("low", "des Niederdruckzylinders|of the low-pressure cylinder", "n", False),
+    ):
+        german, english = name.split("|")
+        yield _entry(f"{key}_share", f"Arbeitsanteil {german}|Share {english} in the work", f"$A_{letter}$",
+                     "", 1, partial(Found.shared, high=high), COMPOUND)  # fmt: skip
+        yield _entry(f"{key}_mean_pressure", f"mittlerer Druck {german}|Mean pressure {english}",
+                     f'$p_"i{letter}"$', "bar", UNITS[PRESSURE], partial(Found.pressed, high=high),
+                     COMPOUND)  # fmt: skip
+        yield _entry(f"{key}_power", f"Leistung {german}|Power {english}", f"$N_{letter}$", "kW",
+                     UNITS[POWER], partial(Found.worked_in, high=high), COMPOUND)  # fmt: skip
 
 
 def _variable(name: str, found: Found) -> Term:

@@ -14,10 +14,12 @@ from kurbel.engine.engine import Engine
 from kurbel.engine.engine_page import LoadAxis
 from kurbel.engine.loads.texts import OF_STEAM
 from kurbel.engine.loads.words import LoadWords, best_back, valve_lines, words_of
+from kurbel.engine.power.compound import Compound, whole
 from kurbel.engine.power.duty import (
     AIRY,
     ASKED,
     BRAKED,
+    COMPOUND,
     EFFICIENCY,
     EFFICIENT,
     FACTOR,
@@ -96,6 +98,8 @@ class PowerRequest(Question):
             )
         if self.duty.factor_asked:
             self._check_factor()
+        if self.duty.compound is not None:
+            self._check_compound(self.duty.compound)
         self._check_shares()
         found = self.found(0).variables
         touched = [one for name, one in found.items() if name != PRESSURE and set(one.powers) != {name}]
@@ -131,6 +135,20 @@ class PowerRequest(Question):
                         f"what is given makes a {_EFFICIENCIES[name]} efficiency of {float(share.known):.5g};"
                         " it is at most 1"
                     )
+
+    def _check_compound(self, compound: Compound) -> None:
+        """Raise ProblemError where the high-pressure cylinder would not be the smaller one."""
+        for index, source in enumerate(self.sources):
+            assert isinstance(source, Acting)
+            compound.check(source.load)
+            own, all_ = self.found(index).expanded(), whole(source)
+            if own.powers or (own.known.exceeds(Product.of(1)) and all_.exceeds(own.known)):
+                continue
+            raise ProblemError(
+                f"the steam would expand {float(own.known):.5g} times in the high-pressure cylinder, and"
+                f" {float(all_):.5g} times in all; it must be above 1 and below that, for the low-pressure"
+                " cylinder is the larger one"
+            )
 
     def _check_factor(self) -> None:
         """Raise ProblemError where the diagram factor does not follow, or would be above 1."""
@@ -209,6 +227,7 @@ class PowerRequest(Question):
             BRAKED: ("--brake-power or --brake-torque", not duty.braked or duty.efficiency is not None),
             FUELLED: ("--consumption, or --heating-value with --thermal-efficiency", not duty.burnt),
             WEIGHED: ("--suction-pressure", duty.pressure is None),
+            COMPOUND: ("--compound", duty.compound is None),
             FACTORED: ("--diagram-factor", duty.diagram_factor == 1 and not duty.factor_asked),
             ASKED: ("--unknown diagram_factor", not duty.factor_asked),
             **{name: (f"--unknown {name}", duty.unknown != name) for name in UNKNOWNS},
@@ -283,6 +302,8 @@ def notes(request: PowerRequest) -> Iterator[Label]:
     if source.sought is not None:
         about = UNKNOWNS[duty.unknown]
         yield POWER_TEXTS["sought"][lang].format(symbol=about.symbol, bounds=about.bounds[lang])
+    if duty.compound is not None:
+        yield POWER_TEXTS["compound"][lang]
     if duty.diagram_factor != 1:
         yield POWER_TEXTS["factor"][lang].format(factor=figure(duty.diagram_factor))
     if duty.efficiency is not None:

@@ -133,7 +133,7 @@ class Acting:
         if self.carded:
             return kind.of(Fraction(float(self._estimate.value)))
         if self.sought is not None or getattr(self.load, "stages", 1) > 1:
-            return self.load.mean(kind, **self._found(kind))
+            return self.load.mean(kind, **self.found(kind))
         mean = mean_pressure_of(self.engine, kind)
         return -mean if self.driven else mean
 
@@ -163,9 +163,9 @@ class Acting:
 
     def of_load(self, name: str) -> Product:
         """Return what the load knows by a name, a number above 0."""
-        return Product.about(lambda kind: getattr(self.load, name)(kind, **self._found(kind)))
+        return Product.about(lambda kind: getattr(self.load, name)(kind, **self.found(kind)))
 
-    def _found(self, kind: Kind) -> dict[str, Any]:
+    def found(self, kind: Kind) -> dict[str, Any]:
         """Return the number that was sought by its name, on a kind of number."""
         return {} if self.sought is None else self.sought.on(kind)
 
