@@ -170,10 +170,11 @@ def test_a_group_that_goes_on_is_named_at_the_head_of_the_page(
     assert tops == {True, False}
 
 
-def test_notes_stand_below_rows_of_their_table(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("ratio", "lengths"), [("1:5", range(26, 36)), ("1:4;1:5", range(11, 18))])
+def test_notes_stand_below_rows_of_their_table(ratio: str, lengths: range, tmp_path: Path) -> None:
     pages = [
-        kurbel.table(angle=f"0..{rows}:1", columns="x,c", lang="en", label=f"rows{rows}", layout="kinematics")
-        for rows in range(26, 36)
+        kurbel.table(ratio, angle=f"0..{last}:1", columns="x,c", lang="en", label=f"to-{last}")
+        for last in lengths
     ]
     for page in pages:
         (tmp_path / f"{page.anchor}.tex").write_text(render(page, "latex", longtable=True), encoding="utf-8")
