@@ -17,7 +17,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import kurbel
-from kurbel.formats.html.live import packed, unpacked
+from kurbel.formats.html.live import packed
 
 DATA = re.compile(r'<script type="application/json" class="live-data">(.*?)</script>', re.DOTALL)
 SHOWN = re.compile(r'<div class="live-page">\n(.*?)</div>\n<script', re.DOTALL)
@@ -35,6 +35,16 @@ def static(*words: str) -> str:
     """Return the table of a page that is not interactive, as it stands there."""
     page = printed(*words, "-f", "html", "--standalone").out
     return re.sub(r"\A<!--.*?-->\n", "", MAIN.findall(page)[0], flags=re.DOTALL)
+
+
+def unpacked(data: dict[str, Any]) -> list[str]:
+    """Return the tables of which these are the data."""
+    own = [text.split(data["by"]) for text in data["texts"]]
+    shapes = [data["shapes"][kind] for kind in data["kinds"]]
+    return [
+        "".join(gaps[piece] if isinstance(piece, int) else piece for piece in shape)
+        for shape, gaps in zip(shapes, own, strict=True)
+    ]
 
 
 # A command with all that it needs, and its options with their steps.

@@ -52,6 +52,15 @@ def made(folder: Path, template: str) -> str:
     return render(everything(), "markdown", templates=str(folder))
 
 
+def test_a_row_of_ones_own_stands_in_the_pieces_for_telephones_too(folder: Path) -> None:
+    row = '{% block row %}<tr class="mine"><td>{{ row[0].text }}</td></tr>{% endblock %}'
+    (folder / "base/html.jinja").write_text('{% extends "kurbel/base/html.jinja" %}' + row, encoding="utf-8")
+    page = kurbel.forces("1:5", force="10kN", angle="0..90:30")
+    made = [render(page, "html", templates=str(folder), standalone=alone) for alone in (False, True)]
+    # The whole table, and two pieces of it where the page is ours.
+    assert [one.count('"mine"') for one in made] == [4, 12]
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_our_own_templates_print_the_same_in_the_sandbox(name: str, folder: Path) -> None:
     for standalone in (False, True):

@@ -19,12 +19,20 @@ from kurbel.cli.astray import one_line
 from kurbel.cli.options import MACHINE, Document, FileName, Given, Type, defaults_by_machine
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
-from kurbel.formats.registry import DRAWINGS, DRAWN, FORMATS, BytesFormat, DocumentFormat, WorkbookFormat
+from kurbel.formats.registry import (
+    DRAWINGS,
+    DRAWN,
+    FORMATS,
+    BytesFormat,
+    DocumentFormat,
+    PageFormat,
+    WorkbookFormat,
+)
 from kurbel.formats.render import as_one_page, render
 from kurbel.formats.workbook import page_sheet
 from kurbel.handbook.binder import kept
 from kurbel.handbook.matter import terse
-from kurbel.handbook.pages import PAGE, SHEET
+from kurbel.handbook.pages import INSIDE, PAGE, SHEET
 from kurbel.handbook.pool import About, Made, Task, Verified
 from kurbel.page.labels import plain, unprompted
 from kurbel.page.table import Note, Table
@@ -231,12 +239,15 @@ def _steps(task: Task, table: Table) -> Steps | None:
 
 
 def _waiting(task: Task, table: Table, decimal: str | None) -> dict[str, bytes]:
-    """Return what the workbooks of the handbook, and its document of Word, are made of."""
+    """Return what the documents of the handbook are made of that do not take its tables as they lie there."""
     files = {}
     for form in (FORMATS[name] for name in task.formats):
         if isinstance(form, DocumentFormat):
             content = form.writer.kept(table, decimal, task.templates).encode()
             files[PAGE.format(task.part.name)] = content
+        elif isinstance(form, PageFormat) and form.own_pages:
+            page = render(table, form.name, decimal=decimal, templates=task.templates, place="handbook")
+            files[INSIDE.format(task.part.name)] = page.encode()
         elif isinstance(form, WorkbookFormat) and not any(name.endswith(".json") for name in files):
             sheet = page_sheet(table, form.decimal_mark(table.lang, decimal), "")
             files[SHEET.format(task.part.name)] = kept(sheet)

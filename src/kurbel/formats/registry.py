@@ -189,12 +189,14 @@ class DocumentFormat(BytesFormat):
 class PageFormat(Format):
     """A format of pages.
 
-    One of whole documents has a `folder` if a document is many files. An author's own documents can be
-    `marked` with places for tables, and have drawings there if the format `draws`.
+    One of whole documents has a `folder` if a document is many files, and `own_pages` if its tables are not
+    those of an author's document. Such documents can be `marked` with places for tables, and have drawings
+    there if the format `draws`.
     """
 
     kind = "page"
     folder: str = ""
+    own_pages: bool = False
     marked: bool = False
     draws: bool = False
 

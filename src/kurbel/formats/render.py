@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
     from jinja2 import Environment
 
+    from kurbel.formats.writer import Place
+
 # Folders of a user's, the first outdoes the others.
 Folders: TypeAlias = tuple[str, ...]
 _LEFT_OVER = r"\..*\.[0-9a-f]{12}\.part"
@@ -48,6 +50,7 @@ def render(
     width: int | None = None,
     templates: str | None = None,
     colours: bool = False,
+    place: Place = "",
 ) -> str:
     """Return the table as text in the named format.
 
@@ -57,7 +60,7 @@ def render(
     leaves its numbers to that package, and `plain` is what an author would type, in LaTeX. With `excel` CSV
     is as Excel opens it: with a byte order mark, the decimal mark of the language, and no ratio that would be
     a time. JSON has only points. Plain text is fitted into `width` characters; with `colours` it has verdicts
-    in the colours of terminals.
+    in the colours of terminals. HTML is for a `place` other than a document of the author's.
 
     `templates` is a folder whose templates outdo ours of the same names; by default it is the one that the
     table's layout lies in, if that is the user's. They run in a sandbox; one that cannot be used is a
@@ -74,18 +77,22 @@ def render(
     from kurbel.formats.writer import Wishes
 
     mark, writer = form.decimal_mark(table.lang, decimal), form.writer
+    place = "document" if standalone else place
+    stepped = table.steps is not None and "interactive" in form.takes
+    if stepped:
+        place = place or "step"
     ready = page(table, writer, mark)
-    wishes = Wishes(longtable, siunitx, plain, standalone, width, colours)
+    wishes = Wishes(longtable, siunitx, plain, width, colours, place)
     values = {"page": ready, **writer.values(table, ready, mark, wishes)}
 
     def filled(name: str, more: dict[str, str]) -> str:
         return filled_by(form, template_of(table, name, folders), values | more, folders)
 
     fragment = filled(form.name, {})
-    if table.steps is not None and "interactive" in form.takes:
-        set_page = partial(render, format=format, decimal=decimal, templates=templates)
+    if stepped:
+        set_page = partial(render, format=format, decimal=decimal, templates=templates, place=place)
         with as_one_page(folders):
-            around = writer.stepped(table, fragment, set_page, mark)
+            around = writer.stepped(table, fragment, set_page, mark, place)
             fragment = filled(f"{form.name}.steps", around)
     if standalone and "standalone" in form.takes:
         title = writer.escape(labels.plain(table.caption, mark))
@@ -97,7 +104,8 @@ def in_notebook(table: Table) -> str:
     """Return the table as HTML with the look of a page of its own, to stand among the cells of a notebook."""
     form = by_name("html")
     assert isinstance(form, PageFormat)
-    return filled_by(form, "base/html.notebook.jinja", {"fragment": render(table, form.name)}, ())
+    fragment = render(table, form.name, place="document")
+    return filled_by(form, "base/html.notebook.jinja", {"fragment": fragment}, ())
 
 
 def as_one_page(folders: Folders | str | None) -> AbstractContextManager[None]:

@@ -11,13 +11,13 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
-from itertools import chain, pairwise, zip_longest
+from itertools import chain, groupby, pairwise, zip_longest
 from operator import add
 from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
 from kurbel.exact.numerals import Number
 from kurbel.page.labels import plain
-from kurbel.page.table import DITTO, Cell, Column, Group, HeadCell, Panel
+from kurbel.page.table import DITTO, UNIT, Cell, Column, Group, HeadCell, Panel, Row
 
 if TYPE_CHECKING:
     from kurbel.formats.page import PagePanel
@@ -131,6 +131,53 @@ def overhangs(
             for side, place in ((left, first), (right, last)):
                 side[place] = Room(side[place].em + em / 2, side[place].gaps - taken / 2)
     return left, right
+
+
+def partings(panels: Sequence[Panel]) -> Iterator[tuple[Panel, ...]]:
+    """Yield the panels in more and more pieces below each other, parted beside spanners, then anywhere.
+
+    Units stand in all pieces, in one of their own only where no column has room beside them.
+    """
+    for blocks_of, repeated in ((_outermost, 1), (_under_spanners, 1), (_single, 1), (_single, 0)):
+        most = max(len(blocks_of(panel.columns)) for panel in panels)
+        for pieces in range(2, most + 1):
+            yield tuple(part for panel in panels for part in _parted(panel, blocks_of, pieces, repeated))
+
+
+def _outermost(columns: Sequence[Column]) -> list[int]:
+    """Return how many columns stand under each outermost spanner, and between two of these."""
+    return [len(list(run)) for _, run in groupby(columns, lambda column: column.spanners[:1])]
+
+
+def _under_spanners(columns: Sequence[Column]) -> list[int]:
+    """Return how many columns stand under each outermost spanner."""
+    runs = groupby(range(len(columns)), lambda place: columns[place].spanners[:1] or (place,))
+    return [len(list(run)) for _, run in runs]
+
+
+def _single(columns: Sequence[Column]) -> list[int]:
+    return [1] * len(columns)
+
+
+def _parted(
+    panel: Panel, blocks_of: Callable[[Sequence[Column]], list[int]], pieces: int, repeated: int
+) -> Iterator[Panel]:
+    """Yield the panel in so many pieces with about as many blocks each, units in all if they are repeated."""
+    units = repeated if panel.columns[-1].key == UNIT else 0
+    shown = len(panel.columns) - units
+    blocks = blocks_of(panel.columns[:shown])
+    pieces = min(pieces, len(blocks))
+    # The first pieces take what is left over, as a book fills its first block.
+    ends = [sum(blocks[: -(-len(blocks) * piece // pieces)]) for piece in range(pieces + 1)]
+    for start, end in pairwise(ends):
+        groups = tuple(
+            Group(
+                tuple(Row(row.stub, row.cells[start:end] + row.cells[shown:]) for row in group.rows),
+                group.label,
+            )
+            for group in panel.groups
+        )
+        yield Panel(panel.stub, panel.columns[start:end] + panel.columns[shown:], groups)
 
 
 # In em. Columns under the same spanners, or of a stub, stand close; of those that share an outer spanner

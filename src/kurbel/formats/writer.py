@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
 
 from kurbel.exact.numerals import Label
 from kurbel.page.formula import Formula
@@ -79,17 +79,21 @@ class DocumentWriter(ABC):
         """Return a handbook, of the pages that waited and of drawings."""
 
 
+Place = Literal["", "document", "step", "handbook"]
+
+
 class Wishes(NamedTuple):
     """How a page is to be written beside its decimal mark: whether it may break over pages, has numbers as
-    they are typed, for siunitx, is `plain` as an author writes it, and stands `alone` in its document; on a
-    terminal no wider than `width` characters, and in `colours`."""
+    they are typed, for siunitx, and is `plain` as an author writes it; on a terminal no wider than `width`
+    characters, and in `colours`. `place` says where it stands: in a document of its author's, in one of ours,
+    in an author's as one step of many, or in a handbook, below its number."""
 
     longtable: bool = False
     siunitx: bool = False
     plain: bool = False
-    alone: bool = False
     width: int | None = None
     colours: bool = False
+    place: Place = ""
 
 
 class PageWriter:
@@ -140,7 +144,9 @@ class PageWriter:
         """Return what its templates read beside the page, or in its place."""
         return {}
 
-    def stepped(self, table: Table, fragment: str, page: Callable[[Table], str], mark: str) -> dict[str, Any]:
+    def stepped(
+        self, table: Table, fragment: str, page: Callable[[Table], str], mark: str, place: Place
+    ) -> dict[str, Any]:
         """Return what the template of an interactive page reads, of the page that is shown first and of what
         sets the others, in a format that has such pages."""
         return {"fragment": fragment}

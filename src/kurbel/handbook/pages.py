@@ -12,7 +12,7 @@ from kurbel.documents import prose
 from kurbel.documents.document import PLACE, Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats.apart import deadline
-from kurbel.formats.registry import FORMATS, DocumentFormat, WorkbookFormat
+from kurbel.formats.registry import FORMATS, DocumentFormat, PageFormat, WorkbookFormat
 from kurbel.formats.render import as_one_page
 from kurbel.handbook.folder import LARGEST, SHEETS
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
@@ -23,8 +23,8 @@ from kurbel.reading.given import HANDBOOK, File
 from kurbel.reading.names import did_you_mean
 
 WORDS = {"de": "Fehlt", "en": "Missing"}
-# Where the sheet of a table waits for its workbook, and its page for a document of Word.
-SHEET, PAGE = f"{SHEETS}/{{}}.json", f"{SHEETS}/{{}}.html"
+# Where the sheet of a table waits for its workbook, and its page for a document of Word or one in its format.
+SHEET, PAGE, INSIDE = (f"{SHEETS}/{{}}.{suffix}" for suffix in ("json", "html", "htm"))
 
 
 class Failure(NamedTuple):
@@ -140,6 +140,8 @@ def fragment_paths(document: Document, name: str) -> dict[str, str]:
     form = FORMATS[name]
     waiting = {"workbook": SHEET, "document": PAGE}
     table = waiting.get(form.kind, f"tables/{{}}{form.suffixes[0]}")
+    if isinstance(form, PageFormat) and form.own_pages:
+        table = INSIDE
     ways = {"table": table, "figure": f"figures/{{}}.{form.figures}"}
     return {item.name: ways[item.kind].format(item.name) for item in document.items(*ways)}
 

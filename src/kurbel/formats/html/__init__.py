@@ -11,6 +11,7 @@ FORMAT = PageFormat(
     takes=("standalone", "interactive"),
     figures="svg",
     usual=True,
+    own_pages=True,
     marked=True,
     draws=True,
 )

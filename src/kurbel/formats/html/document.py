@@ -3,7 +3,6 @@ but that of interactive tables; and its free text."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
@@ -12,7 +11,7 @@ from kurbel.documents.document import Chapter, Item
 from kurbel.documents.inject import MARKUP_COMMENT, Kind
 from kurbel.formats.documents import DocumentMaker, ProsePrinter, Reference
 from kurbel.formats.html.svg import inline
-from kurbel.formats.html.writer import RUNS, beside, escape, live_of, of_each_step, panelled
+from kurbel.formats.html.writer import RUNS, beside, escape, live_of
 
 KIND = Kind(
     name="HTML",
@@ -93,7 +92,6 @@ WORDS: Mapping[str, Mapping[str, str]] = {
     },
     "en": {"skip": "Skip to the main text", "link": "Link to the chapter", "back": "Back to the contents"},
 }
-_REMARK = re.compile(r"\A\s*<!--.*?-->\s*", re.DOTALL)
 
 
 class Part(NamedTuple):
@@ -161,8 +159,7 @@ class Maker(DocumentMaker):
     def part(self, item: Item) -> Part:
         target, number, fragment = self.label(item), self.number(item), self.fragments[item.name]
         if item.kind == "table":
-            bare = _REMARK.sub("", fragment)
-            content = of_each_step(bare, lambda page: panelled(_numbered(page, target)))
+            content = fragment
         else:
             title = f"{number}: {self.plain(item.caption, item.lang)}"
             content = self.drawing(fragment, target, title, item.lang)
@@ -183,8 +180,3 @@ def css_string(text: str) -> str:
     return "".join(
         one if one.isascii() and one.isalnum() else f"\\{ord(one):06x}" for one in text if one != "\0"
     )
-
-
-def _numbered(fragment: str, target: str) -> str:
-    """Return a table whose regions are called by its number too, for captions may be alike."""
-    return fragment.replace(f'labelledby="{target}-caption', f'labelledby="{target}-number {target}-caption')

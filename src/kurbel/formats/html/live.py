@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from kurbel.exact.numerals import Label, Number, number_text
 from kurbel.formats.html import FORMAT
 from kurbel.formats.html.svg import inline
-from kurbel.formats.html.writer import RUNS, panelled
+from kurbel.formats.html.writer import RUNS
 from kurbel.formats.registry import PageFormat, by_name
 from kurbel.formats.render import render, render_document
 from kurbel.formats.writer import PageWriter
@@ -66,17 +66,6 @@ def _shaped(pages: Sequence[Sequence[str]]) -> tuple[list[str | int], list[list[
         else:
             shape.append(pieces[0])
     return shape, [list(own) for own in zip(*gaps, strict=True)] or [[] for _ in pages]
-
-
-def unpacked(data: Mapping[str, Any]) -> list[str]:
-    """Return the pages of which these are the data."""
-    pages = []
-    for kind, text in zip(data["kinds"], data["texts"], strict=True):
-        own = text.split(data["by"])
-        pages.append(
-            "".join(own[piece] if isinstance(piece, int) else piece for piece in data["shapes"][kind])
-        )
-    return pages
 
 
 def separator_of(texts: Iterable[str]) -> str:
@@ -133,9 +122,6 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "curve": "Curve",
     },
 }
-_REMARK = re.compile(r"\A\s*<!--.*?-->\n", re.DOTALL)
-_PAGE = re.compile(r'(<div class="live-page">\n)(.*?)(</div>\n<script type="application/json" '
-                   r'class="live-data">)(.*?)(</script>)', re.DOTALL)  # fmt: skip
 
 
 class Live(NamedTuple):
@@ -162,10 +148,8 @@ def block(
     assert steps is not None
     setter = Setter(writer, mark)
     data = setter.data(steps, page)
-    remark = _REMARK.match(fragment)
     return dict(
-        remark=remark[0] if remark else "",
-        fragment=_REMARK.sub("", fragment),
+        fragment=fragment,
         key=f"live-{table.anchor}",
         lang=table.lang,
         words=WORDS[table.lang],
@@ -175,18 +159,6 @@ def block(
         drawn=any(move is not None for move in data["moves"]),
         data=as_json(data),
     )
-
-
-def finished(page: str, change: Callable[[str], str]) -> str:
-    """Return a text with such blocks of which every table, shown or not, was changed."""
-
-    def changed(match: re.Match[str]) -> str:
-        before, fragment, between, text, after = match.groups()
-        data = json.loads(text)
-        data["pages"] = packed([change(one) for one in unpacked(data["pages"])])
-        return f"{before}{change(fragment)}{between}{as_json(data)}{after}"
-
-    return _PAGE.sub(changed, page)
 
 
 def as_json(data: Mapping[str, Any]) -> str:
@@ -224,7 +196,7 @@ class Setter:
         """Return what the script reads; the steps are made one after the other."""
         made = (
             (
-                _REMARK.sub("", page(one.table)),
+                page(one.table),
                 self.plain(one.table.caption),
                 one.tracks,
                 one.units,
@@ -360,7 +332,7 @@ def lesson(
         "heading": writer.label(table.caption, mark),
         "drawing": inline(svg, "drawing", title, own_page=True, step=step),
         "steps": [writer.label(one, mark) for one in steps],
-        "table": panelled(render(replace(table, caption=words["lengths"]), "html", decimal=decimal)),
+        "table": render(replace(table, caption=words["lengths"]), "html", decimal=decimal, place="document"),
         "style": style,
         "script": script,
         "allowed": f"sha256-{b64encode(sha256(script.encode()).digest()).decode()}",

@@ -1,23 +1,36 @@
 """Labels in HTML, and what its tables need: where heads break, how wide letters are, the ids of heads, and
-the widths from which the style sheet reckons gaps and sizes; and which pages have sliders."""
+the widths from which the style sheet reckons gaps and sizes; which panels stand there in pieces, too, for
+telephones, and which pages have sliders."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 from zlib import crc32
 
 from kurbel.formats.formula import has_bar, mathml
-from kurbel.formats.spacing import Room, added, bodies, headings, overhangs, shared, spans, widest
+from kurbel.formats.page import Setter
+from kurbel.formats.spacing import (
+    Room,
+    added,
+    bodies,
+    headings,
+    overhangs,
+    partings,
+    shared,
+    spans,
+    widest,
+)
 from kurbel.formats.writer import PageWriter
 from kurbel.page.formula import Formula
 from kurbel.page.table import HeadCell
 
 if TYPE_CHECKING:
-    from kurbel.formats.page import PageCell, PageGroup, PagePanel
-    from kurbel.page.table import Table
+    from kurbel.formats.page import Page, PageCell, PageGroup, PagePanel
+    from kurbel.formats.writer import Place, Wishes
+    from kurbel.page.table import Panel, Table
 
 WORDS: Mapping[str, str] = {
     "de": """
@@ -49,18 +62,13 @@ WIDTHS = {character: width for characters, width in _CHARACTERS for character in
 OTHERS = 0.62
 
 
+REMARK = (
+    "<!-- No style of its own: figures want text-align: right and tabular-nums; .words are left, .spanner"
+    " centred, a space is before .pause. -->\n"
+)
 LIVE, FILM = 'class="live-data"', 'class="film-data"'
 # What the file of a drawing that moves says of its run.
 RUNS = 'data-film="'
-
-
-def of_each_step(page: str, change: Callable[[str], str]) -> str:
-    """Return a page that was changed, of an interactive one the table of every step."""
-    if LIVE not in page:
-        return change(page)
-    from kurbel.formats.html.live import finished
-
-    return finished(page, change)
 
 
 def live_of(fragments: Iterable[str]) -> Any:
@@ -102,14 +110,22 @@ class Writer(PageWriter):
             "heads": Heads,
             "hyphenated": hyphenated,
             "measures": measures,
-            "panelled": panelled,
+            # In copies of what 0.2.0 had around a page.
+            "panelled": str,
             "live": live_in,
         }
 
-    def stepped(self, table: Table, fragment: str, page: Callable[[Table], str], mark: str) -> dict[str, Any]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, Any]:
+        setter = Setter(table, self, mark)
+        return {"views": [*views(setter, ready, wishes.place)], "remark": "" if wishes.place else REMARK}
+
+    def stepped(
+        self, table: Table, fragment: str, page: Callable[[Table], str], mark: str, place: Place
+    ) -> dict[str, Any]:
         from kurbel.formats.html.live import block
 
-        return block(table, fragment, page, self, mark)
+        around = block(table, fragment, page, self, mark)
+        return around | {"remark": REMARK if place == "step" else ""}
 
     def drawing(self, svg: str, name: str, title: str) -> str:
         from kurbel.formats.html.svg import inline
@@ -170,13 +186,14 @@ class Row(NamedTuple):
 
 
 class Heads:
-    """The ids of the heads of a page's panel with this number: weg-h1, weg-g1, weg-r1 and so on."""
+    """The ids of the heads of a page's panel with this number: weg-h1, weg-g1, weg-r1 and so on; those of a
+    `piece` of it end otherwise."""
 
-    def __init__(self, panel: PagePanel, key: str, number: int) -> None:
+    def __init__(self, panel: PagePanel, key: str, number: int, piece: str = "") -> None:
         self.panel = panel
         # Each cell has several ids: the long name of a table would make most of the page.
         self.key = key if len(key) <= _LONGEST else f"t{crc32(key.encode()):08x}"
-        self.end = f"-{number}" if number > 1 else ""
+        self.end = f"-{number}{piece}" if number > 1 else piece
         labels = [group.label for group in panel.groups if group.label]
         # Below one row of heads scopes say it all, and ids would make the page thrice as long.
         self.needed = len(panel.head) > 1 or bool(labels)
@@ -237,15 +254,6 @@ _LEAST_UNIT = 0.3
 _MARK = 1.0
 
 
-def panelled(page: str) -> str:
-    """Return a page with panels for telephones after each table that needs them."""
-    if "scroll broad" not in page:
-        return page
-    from kurbel.formats.html.narrow import with_panels
-
-    return of_each_step(page, with_panels)
-
-
 class Widths(NamedTuple):
     """`wide` is that of the columns side by side without their gaps, `leasts` those of each where heads break
     and long texts wrap. `shifts` move the figures of each column to the middle below its heading. `left` and
@@ -256,8 +264,15 @@ class Widths(NamedTuple):
     gaps: tuple[float, ...]
     shifts: tuple[float, ...]
     mores: tuple[float, ...]
-    left: Sequence[Room] = ()
-    right: Sequence[Room] = ()
+    left: Sequence[Room]
+    right: Sequence[Room]
+
+    def of(self, columns: Sequence[int]) -> Widths:
+        """Return those of some of the columns, of which no whole heads are known."""
+        every = (self.leasts, self.gaps, self.shifts, self.mores)
+        leasts, gaps, shifts, mores = (tuple(one[place] for place in columns) for one in every)
+        beside = [Room(0.0)] * len(leasts)
+        return Widths(added(leasts), leasts, gaps, shifts, mores, beside, beside)
 
     @property
     def slim(self) -> bool:
@@ -343,3 +358,59 @@ def _plain(text: str) -> str:
     """Return the letters of a text; those of a fraction stand above each other."""
     flat = _FRACTION.sub(lambda both: _TAG.sub("", both[1])[::2], text.replace("<br>", "\n"))
     return _TAG.sub("", flat)
+
+
+class View(NamedTuple):
+    """A panel of a page as it stands there, or a piece of one, which the style sheet shows on telephones.
+
+    `name` is the id of its caption, `called` are the ids of all that calls it.
+    """
+
+    panel: PagePanel
+    heads: Heads
+    sizes: Widths
+    look: Literal["", "slim", "broad", "narrow"]
+    name: str
+    called: str
+    caption: str
+
+
+def views(setter: Setter, ready: Page, place: Place) -> Iterator[View]:
+    """Yield the panels of a page, in a document of ours those too wide for a telephone with their pieces."""
+    first, number_above = f"tab-{ready.anchor}-caption", f"tab-{ready.anchor}-number "
+    for number, (model, panel) in enumerate(zip(setter.table.panels, ready.panels, strict=True), 1):
+        name = first if number == 1 else f"{first}-{number}"
+        called = name if number == 1 else f"{first} {name}"
+        sizes = measures(panel, ready.lang)
+        whole = View(
+            panel,
+            Heads(panel, ready.anchor, number),
+            sizes,
+            "broad" if sizes.broad else "slim" if sizes.slim else "",
+            name,
+            number_above + called if place == "handbook" else called,
+            ready.caption if number == 1 else f"({ready.words['continued']})",
+        )
+        yield whole
+        if sizes.broad and place in ("document", "handbook"):
+            yield from _pieces(setter, ready, model, number, whole)
+
+
+def _pieces(setter: Setter, ready: Page, model: Panel, number: int, whole: View) -> Iterator[View]:
+    """Yield the pieces of a panel, as few as fit a telephone; none where not even single columns do."""
+    every = model.stub + model.columns
+    for parts in partings([model]):
+        of_parts = [[every.index(column) for column in part.stub + part.columns] for part in parts]
+        widths = [whole.sizes.of(columns) for columns in of_parts]
+        if not any(one.broad for one in widths):
+            break
+    else:
+        return
+    counted = len(ready.panels) > 1 or len(parts) > 2
+    for place, (part, sizes) in enumerate(zip(parts, widths, strict=True)):
+        panel = setter.panel(part)
+        name = f"{whole.name}-s{place + 1}"
+        heads = Heads(panel, ready.anchor, number, f"-s{place + 1}")
+        goes_on = f"({ready.words['continued']}{f' {place}' if counted else ''})"
+        called = f"{whole.called} {name}" if place else whole.called
+        yield View(panel, heads, sizes, "narrow", name, called, goes_on if place else whole.caption)

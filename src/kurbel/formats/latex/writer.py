@@ -57,7 +57,7 @@ class Writer(PageWriter):
             "page": ready,
             "tex": tex,
             "plain": wishes.plain,
-            "longtable": wishes.longtable or tex.endless or (wishes.alone and tex.tall),
+            "longtable": wishes.longtable or tex.endless or (tex.tall and wishes.place == "document"),
             "marker": "",
         }
         if not wishes.siunitx:
