@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import shlex
+import shutil
 from pathlib import Path
 
 import pytest
@@ -105,10 +106,17 @@ def test_spanners_are_said_once_for_the_columns_below_them(tmp_path: Path) -> No
 
 
 @pytest.mark.parametrize("name", layout_names()[::3])
-def test_the_list_has_a_command_that_prints_the_layout(name: str) -> None:
+def test_the_list_has_a_command_that_prints_the_layout_by_another_name_too(name: str, tmp_path: Path) -> None:
     (line,) = (line for line in printed("layouts").out.splitlines() if line.split()[0] == name)
-    command = shlex.split(line[line.index("  kurbel ") :])
-    assert printed(*command[1:], "-f", "json").out
+    command = [*shlex.split(line[line.index("  kurbel ") :])[1:], "--label=a", f"--layouts={tmp_path}"]
+    shutil.copytree(Path(template_folder()) / name, tmp_path / "mine")
+    usual, place = printed(*command).out, command.index("--layout") + 1
+    assert usual == printed(*command[:place], "mine", *command[place + 1 :]).out
+
+
+def test_a_layout_of_ones_own_says_what_its_page_is_about(tmp_path: Path) -> None:
+    shutil.copytree(Path(template_folder()) / "torques", tmp_path / "mine")
+    assert "no torque was given" in refusal("turning", "--layout=mine", f"--layouts={tmp_path}")
 
 
 def test_the_command_of_a_layout_of_ones_own_names_its_folder(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ from typing import ClassVar
 from kurbel.commands.options import Option, flag
 from kurbel.commands.part import CommandOptions, flag_of
 from kurbel.commands.parts.angles import FULL_TURN, STEP, Angles, in_degrees
-from kurbel.commands.parts.diagram import DIAGRAMS, Diagram
+from kurbel.commands.parts.diagram import DIAGRAMS, DRIVES, LOADS, Diagram
 from kurbel.commands.parts.drive import Speed
 from kurbel.commands.parts.effort import RODS
 from kurbel.commands.parts.engine import Engine
@@ -187,7 +187,7 @@ class DeltaOptions(EngineWithWheel):
     of_wheel = "delta_mean"
 
     detail = flag("All that leads to δ: angles and speeds of both strokes.")
-    columns = columns_option("weisbach-150", "epsilon,delta,mean_force")
+    columns = columns_option("weisbach-150", "epsilon,delta,mean_force", chosen={"detail": DETAIL})
     layout = layout_option(*DELTA)
 
     def question(self) -> Question:
@@ -256,11 +256,15 @@ class TurningOptions(EngineWithWheel, Diagram):
         " 's=10%', 'x=120mm', torque=max."
     )
     step = Angles.step.but(help="Step of the angles through the whole turn; default 10.")
-    columns = columns_option("turning", "phi,tangential,energy")
+    columns = columns_option(
+        "turning",
+        "phi,tangential,energy",
+        chosen={"areas": AREAS, **dict.fromkeys((*DRIVES, *LOADS), TORQUES), "flywheel": "speed"},
+    )
     layout = layout_option(*TURNING, TORQUES, AREAS)
 
     def question(self) -> Question:
-        if self.is_diagram() or self.layout in (TORQUES, AREAS):
+        if self.is_diagram() or self.layout_subject in (TORQUES, AREAS):
             return self._diagram()
         if not self.is_engine():
             # What acts on the piston would be missing first.
@@ -294,7 +298,7 @@ class TurningOptions(EngineWithWheel, Diagram):
 
         if self.is_diagram():
             self.refuse(*KINDS, "cylinder")
-        subject = AREAS if self.says("areas") or self.layout == AREAS else TORQUES
+        subject = AREAS if self.says("areas") or self.layout_subject == AREAS else TORQUES
         page, mean, inertia = self.page(subject, subject), self.speed, self.inertia
         if subject == AREAS:
             return AreasRequest(

@@ -67,7 +67,9 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, TurningShaft
     # A force that is typed outdoes the load of a machine.
     rivals = tuple((key, "force") for key in ("eps", "card", *FURTHER))
 
-    columns = columns_over_angle("forces", "phi,rod_force,guide_force,torque")
+    columns = columns_over_angle(
+        "forces", "phi,rod_force,guide_force,torque", **dict.fromkeys(KINDS, "engine-forces")
+    )
     axles = measure(
         as_places,
         "Parallel crank: so many coupled axles alike, 3, or the weights on them, by which they share the"

@@ -115,7 +115,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
     in_short = "ratio stroke rod speed machine mechanism offset method angle step columns digits"
     rivals: ClassVar[Rivals] = (("mechanism", "layout"), ("layout", "mechanism"))
 
-    columns = columns_over_angle("kinematics", "phi,x,c,p")
+    columns = columns_over_angle("kinematics", "phi,x,c,p", point="rod-points")
     layout = layout_option(*MOTIONS, OVER_PATH, POINTS, *APPROXIMATE)
     point: Option[Sequence[Exact]] = Option(
         "Points of the rod by their share from the crosshead pin to the crank pin: 0.5, beyond the ends -0.2;"

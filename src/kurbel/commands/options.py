@@ -13,6 +13,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from copy import copy
 from dataclasses import dataclass, field
 from os import PathLike
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Generic, Self, TypeAlias, TypeVar, cast, overload
 
 from kurbel.errors import NotationError
@@ -159,13 +160,15 @@ class Count(Kind):
 
 
 class Columns(Kind):
-    """Names of columns, parted by commas; which there are depends on the layout, by default this one, or that
-    of a page that is the same for every mechanism."""
+    """Names of columns, parted by commas; which there are depends on the layout, by default this one, that of
+    the first option of `chosen` that was typed, or that of a page that is the same for every mechanism."""
 
     name, python = "names", "str"
 
-    def __init__(self, layout: str, of_mechanisms: str = "") -> None:
-        self.layout, self.of_mechanisms = layout, of_mechanisms
+    def __init__(
+        self, layout: str, of_mechanisms: str = "", chosen: Mapping[str, str] = MappingProxyType({})
+    ) -> None:
+        self.layout, self.of_mechanisms, self.chosen = layout, of_mechanisms, chosen
 
     def offered(self, begun: str, typed: Mapping[str, object]) -> Iterable[str]:
         from kurbel.page.layouts import layout
@@ -179,17 +182,13 @@ class Columns(Kind):
 
     def _default(self, typed: Mapping[str, object]) -> str:
         """The layout that the other options choose."""
-        if typed.get("point"):
-            return "rod-points"
+        if found := next((page for name, page in self.chosen.items() if typed.get(name)), ""):
+            return found
         if mechanism := typed.get("mechanism"):
             from kurbel.motion.mechanism import mechanism as mechanism_of
 
             return self.of_mechanisms or mechanism_of(str(mechanism)).layout
-        from kurbel.commands.parts.loads import KINDS
-
-        if self.layout == "forces" and any(map(typed.get, KINDS)):
-            return "engine-forces"
-        return "delta-detail" if typed.get("detail") else self.layout
+        return self.layout
 
 
 class LayoutName(Kind):

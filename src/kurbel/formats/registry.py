@@ -267,7 +267,8 @@ def format_names() -> tuple[str, ...]:
 
 def by_name(name: str) -> Format:
     """Return the format of that name, by any word for it; raise ChoiceError if there is none."""
-    return FORMATS[meant(name, FORMATS, "format")]
+    # To ask for all names would load all formats.
+    return FORMATS[name if name in FORMATS else meant(name, FORMATS, "format")]
 
 
 def compiled_format() -> CompiledFormat:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
+from types import MappingProxyType
 from typing import TYPE_CHECKING, TypedDict
 
 from kurbel.commands.options import PROSE, Choice, Columns, Count, LayoutName, Option, file, word
@@ -23,12 +24,15 @@ MEASURED = ("areas", "area_scale", "card", "cylinder", "hole", "rod_file", "torq
 LISTED = "; `kurbel quantities` lists them. What tells rows apart is always among them."
 
 
-def columns_option(usual: str, example: str, more: str = LISTED) -> Option[Sequence[str]]:
-    """Return --columns of a command, whose columns are by default those of a layout."""
+def columns_option(
+    usual: str, example: str, more: str = LISTED, chosen: Mapping[str, str] = MappingProxyType({})
+) -> Option[Sequence[str]]:
+    """Return --columns of a command, whose columns are by default those of a layout, or of another that is
+    `chosen` by an option."""
     return Option(
         f"Columns and their order: {example}{more}",
         "NAMES",
-        Columns(usual),
+        Columns(usual, chosen=chosen),
         many=True,
         default=(),
         whole=True,
@@ -36,9 +40,9 @@ def columns_option(usual: str, example: str, more: str = LISTED) -> Option[Seque
     )
 
 
-def columns_over_angle(usual: str, example: str) -> Option[Sequence[str]]:
+def columns_over_angle(usual: str, example: str, **chosen: str) -> Option[Sequence[str]]:
     """Return the same of a command over the crank angle."""
-    return columns_option(usual, example, f"{LISTED} Pages keep φ at the left.")
+    return columns_option(usual, example, f"{LISTED} Pages keep φ at the left.", chosen)
 
 
 def layout_option(*subjects: str) -> Option[str | None]:
