@@ -25,13 +25,9 @@ def static_balance(masses: Sequence[mpf], radii: Sequence[mpf], angles: Sequence
 
 @solution
 def balance_in_two_planes(
-    masses: Sequence[mpf],
-    radii: Sequence[mpf],
-    angles: Sequence[mpf],
-    planes: Sequence[mpf],
-    balance: Sequence[mpf],
-    at: mpf,
-) -> Rows:
+    masses: Sequence[mpf], radii: Sequence[mpf], angles: Sequence[mpf], planes: Sequence[mpf], balance:
+    Sequence[mpf], at: mpf,
+) -> Rows:  # fmt: skip
     vectors = [turned(m * r / 1000, a) for m, r, a in zip(masses, radii, angles, strict=True)]
     couple = sum(vector * plane for vector, plane in zip(vectors, planes, strict=True))
     first, second = balance
@@ -85,12 +81,8 @@ def resultants(banks: Sequence[mpf], order: int) -> list[mpf]:
 def v_twin(half: mpf, mass: mpf, stroke: mpf, ratio: mpf, speed: mpf) -> Rows:
     unit = mass * stroke / 2 * speed**2
     first, second = (resultants((-half, half), order) for order in (1, 2))
-    return [
-        {"greatest_n": max(first) * unit, "least_n": min(first) * unit},
-        {"greatest_n": max(second) * unit * ratio},
-        {"greatest_n": 0},
-        {"greatest_n": 0},
-    ]
+    once = {"greatest_n": max(first) * unit, "least_n": min(first) * unit}
+    return [once, {"greatest_n": max(second) * unit * ratio}, {"greatest_n": 0}, {"greatest_n": 0}]
 
 
 @solution
@@ -134,17 +126,10 @@ def inside_cylinders(
     pull = (1 - share) * mass * crank * speed**2
     # The cylinders pull with cos φ and cos(φ + 90°), each at its own side of the middle.
     both = [(cos(pi * step / 180), -sin(pi * step / 180)) for step in range(360)]
-    return [
-        {
-            "mass_left_kg": abs(left) * crank / at,
-            "angle_left": polar(left)[1],
-            "mass_right_kg": abs(right) * crank / at,
-            "angle_right": polar(right)[1],
-            "blow_left_n": lifting * crank * speed**2,
-            "pull_n": max(abs(one + other) for one, other in both) * pull,
-            "sway_nm": max(abs(one - other) for one, other in both) * pull * spacing / 2,
-        }
-    ]
+    most, sway = (max(abs(one + sign * other) for one, other in both) * pull for sign in (1, -1))
+    masses = {"mass_left_kg": abs(left) * crank / at, "mass_right_kg": abs(right) * crank / at}
+    forces = {"blow_left_n": lifting * crank * speed**2, "pull_n": most, "sway_nm": sway * spacing / 2}
+    return [{**masses, "angle_left": polar(left)[1], "angle_right": polar(right)[1], **forces}]
 
 
 @solution
@@ -154,10 +139,17 @@ def wheels_lift(
     lifting = abs(wheels_of(spacing, gauge, share * mass)[0]) * crank
     speed = (load / lifting) ** mpf("0.5")
     weight = abs(wheels_of(spacing, gauge, turning + share * mass)[0]) * crank / at
-    return [
-        {
-            "mass_left_kg": weight,
-            "lift_speed": speed * 30 / pi,
-            "lift_velocity_kmh": speed * wheel / 2 * mpf("3.6"),
-        }
-    ]
+    found = {"mass_left_kg": weight}
+    return [{**found, "lift_speed": speed * 30 / pi, "lift_velocity_kmh": speed * wheel / 2 * mpf("3.6")}]
+
+
+@solution
+def share_by_the_hammer_blow(
+    crank: mpf, spacing: mpf, gauge: mpf, mass: mpf, share: mpf, wheel: mpf, velocity: mpf, blow: mpf
+) -> Rows:
+    speed = velocity / (wheel / 2)
+    one = abs(wheels_of(spacing, gauge, mass)[0]) * crank * speed**2
+    # At 45° both cranks pull together, or apart.
+    pull = (1 - share) * mass * crank * speed**2 * mpf(2) ** mpf("0.5")
+    sway = pull * spacing / 2
+    return [{"share_most": blow / one, "blow_left_n": share * one, "pull_n": pull, "sway_nm": sway}]

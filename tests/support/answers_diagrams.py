@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Sequence
 from itertools import accumulate, pairwise
 
-from answers_flywheels import range_of, wheel
+from answers_flywheels import range_of, rim_by_hoop_stress, wheel
 from mpmath import cos, findroot, mpf, pi, quad, radians, sin
 from problem_answers import Rows, solution
 
@@ -133,3 +133,12 @@ def acceleration_of_the_shaft(torque: str, load: str, inertia: mpf, speed: mpf, 
     excess = formula(torque)(radians(angle)) - formula(load)(radians(angle))
     assert speed > 0
     return [{"excess_torque": excess, "angular_acceleration": excess / inertia}]
+
+
+@solution
+def rim_of_a_gas_engine(
+    tips: str, unit: mpf, speed: mpf, delta: mpf, stress: mpf, density: mpf, section: mpf
+) -> Rows:
+    [found] = four_strokes(tips, unit, speed, delta)
+    [rim] = rim_by_hoop_stress(found["swing"], speed, delta, stress, density, mpf(1), section)
+    return [{**rim, "inertia": found["inertia"]}]

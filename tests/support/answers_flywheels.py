@@ -50,14 +50,8 @@ def rim_by_hoop_stress(
     radius = velocity / speed
     mass = share * inertia / radius**2
     thickness = sqrt(mass / (2 * pi * radius * density * section))
-    return [
-        {
-            "rim_diameter": 2 * radius,
-            "rim_mass": mass,
-            "thickness": thickness * 1000,
-            "breadth": section * thickness * 1000,
-        }
-    ]
+    found = {"rim_diameter": 2 * radius}
+    return [{**found, "rim_mass": mass, "thickness": thickness * 1000, "breadth": section * thickness * 1000}]
 
 
 @solution
@@ -66,13 +60,8 @@ def rim_of_given_diameter(
 ) -> Rows:
     inertia = wheel(share * power * 2 * pi / speed, speed, delta)["inertia"]
     mass = rim * inertia / (diameter / 2) ** 2
-    return [
-        {
-            "rim_mass": mass,
-            "section": mass / (density * pi * diameter) * 10**4,
-            "hoop_stress": density * (speed * diameter / 2) ** 2 / 10**6,
-        }
-    ]
+    found = {"rim_mass": mass, "section": mass / (density * pi * diameter) * 10**4}
+    return [{**found, "hoop_stress": density * (speed * diameter / 2) ** 2 / 10**6}]
 
 
 @solution
@@ -97,17 +86,9 @@ def given_rim(swing: mpf, speed: mpf, diameter: mpf, breadth: mpf, thickness: mp
 
 @solution
 def holes_in_a_plate(
-    hole: str,
-    strength: mpf,
-    strokes: mpf,
-    share: mpf,
-    efficiency: mpf,
-    speed: mpf,
-    diameter: mpf,
-    delta: mpf,
-    rim: mpf,
-    density: mpf,
-) -> Rows:
+    hole: str, strength: mpf, strokes: mpf, share: mpf, efficiency: mpf, speed: mpf, diameter: mpf, delta:
+    mpf, rim: mpf, density: mpf,
+) -> Rows:  # fmt: skip
     wide, thick = (mpf(one) / 1000 for one in hole.replace("mm", "").split(" x "))
     work = strength * pi * wide * thick * thick / 2
     inertia = wheel(work * (1 - share), speed, delta)["inertia"]
@@ -130,39 +111,42 @@ def rim_by_shares(
     # Of a rim with a mean diameter of 1 m: its mass at half of that.
     unit = density * breadth * thickness * pi / 4
     diameter = (share * wheel(swing, speed, delta)["inertia"] / unit) ** mpf("0.2")
-    return [
-        {
-            "rim_diameter": diameter,
-            "breadth": breadth * diameter * 1000,
-            "thickness": thickness * diameter * 1000,
-            "rim_mass": 4 * unit * diameter**3,
-        }
-    ]
+    found = {"rim_diameter": diameter, "breadth": breadth * diameter * 1000}
+    return [{**found, "thickness": thickness * diameter * 1000, "rim_mass": 4 * unit * diameter**3}]
 
 
 @solution
 def disc_by_its_shape(swing: mpf, speed: mpf, delta: mpf, density: mpf, thickness: mpf) -> Rows:
     mass = density * thickness * pi / 4
     diameter = (wheel(swing, speed, delta)["inertia"] / (mass / 8)) ** mpf("0.2")
-    return [
-        {
-            "disc_diameter": diameter,
-            "disc_thickness": thickness * diameter * 1000,
-            "mass": mass * diameter**3,
-        }
-    ]
+    found = {"disc_diameter": diameter}
+    return [{**found, "disc_thickness": thickness * diameter * 1000, "mass": mass * diameter**3}]
 
 
 @solution
 def flywheel_runs_up(mass: mpf, radius: mpf, speed: mpf, moment: mpf) -> Rows:
     gain = moment / (mass * radius**2)
     time = speed / gain
-    return [
-        {
-            "run_up_time": time,
-            "run_up_turns": quad(lambda t: gain * t, [0, time]) / (2 * pi),
-            "run_up_acceleration": gain,
-            "run_up_energy": quad(lambda t: moment * gain * t, [0, time]),
-            "slip_energy": quad(lambda t: moment * (speed - gain * t), [0, time]),
-        }
-    ]
+    found = {"run_up_time": time, "run_up_turns": quad(lambda t: gain * t, [0, time]) / (2 * pi)}
+    found |= {"run_up_acceleration": gain, "run_up_energy": quad(lambda t: moment * gain * t, [0, time])}
+    return [{**found, "slip_energy": quad(lambda t: moment * (speed - gain * t), [0, time])}]
+
+
+@solution
+def stress_of_a_disc(
+    low: mpf, high: mpf, speed: mpf, delta: mpf, thickness: mpf, density: mpf, poisson: mpf
+) -> Rows:
+    # A quarter of the turn rising, half of it on top; the mean leaves a quarter of the height above it.
+    swing = (high - low) / 4 * (pi + pi / 4 / 2)
+    inertia = wheel(swing, speed, delta)["inertia"]
+    radius = (2 * inertia / (pi * density * thickness)) ** mpf("0.25")
+    # From the edge, free of stress: dσ/dr = -(3 + ν)/4 ρ ω² r, of the radial stress.
+    stress = quad(lambda r: (3 + poisson) / 4 * density * speed**2 * r, [0, radius])
+    return [{"inertia": inertia, "disc_diameter": 2 * radius, "disc_stress": stress / 10**6}]
+
+
+@solution
+def strips_of_a_press(work: mpf, strokes: mpf, speed: mpf, slow: mpf, radius: mpf) -> Rows:
+    inertia = 2 * work / (speed**2 - slow**2)
+    torque = inertia * (speed - slow) * strokes / (2 * pi)
+    return [{"mass": inertia / radius**2, "mean_torque": torque}]

@@ -42,14 +42,8 @@ def forces(crank: mpf, rod: mpf, angle: mpf, speed: mpf | int = 1, **bodies: mpf
 @solution
 def rod_touches_the_crank_circle(crank: mpf, rod: mpf, force: mpf) -> Rows:
     long = sqrt(rod**2 + crank**2)
-    return [
-        {
-            "phi": degrees(atan2(rod, crank)),
-            "rod_force_n": force * long / rod,
-            "guide_force_n": force * crank / rod,
-            "torque_nm": force * long / rod * crank,
-        }
-    ]
+    found = {"phi": degrees(atan2(rod, crank)), "rod_force_n": force * long / rod}
+    return [{**found, "guide_force_n": force * crank / rod, "torque_nm": force * long / rod * crank}]
 
 
 @solution
@@ -86,16 +80,9 @@ def vertical_engine(stroke: mpf, rod: mpf, speed: mpf, mass: mpf, force: mpf, an
 
 @solution
 def heavy_rod(
-    crank: mpf,
-    rod: mpf,
-    speed: mpf,
-    mass: mpf,
-    heavy: mpf,
-    centre: mpf,
-    gyration: mpf,
-    force: mpf,
+    crank: mpf, rod: mpf, speed: mpf, mass: mpf, heavy: mpf, centre: mpf, gyration: mpf, force: mpf,
     angle: mpf,
-) -> Rows:
+) -> Rows:  # fmt: skip
     weights = {"reciprocating": mass, "rod_mass": heavy, "centre": centre, "gyration": gyration}
     there = forces(crank, rod, angle, speed, force=force, **weights)
     return [there("guide_force_n", "crank_pin_force_n", "torque_nm")]
@@ -103,16 +90,9 @@ def heavy_rod(
 
 @solution
 def heavy_rod_and_weight(
-    crank: mpf,
-    rod: mpf,
-    speed: mpf,
-    mass: mpf,
-    heavy: mpf,
-    centre: mpf,
-    gyration: mpf,
-    slope: mpf,
+    crank: mpf, rod: mpf, speed: mpf, mass: mpf, heavy: mpf, centre: mpf, gyration: mpf, slope: mpf,
     angle: mpf,
-) -> Rows:
+) -> Rows:  # fmt: skip
     weights = {"reciprocating": mass, "rod_mass": heavy, "centre": centre, "gyration": gyration}
     there = forces(crank, rod, angle, speed, slope=slope, gravity=G, **weights)
     return [there("guide_force_n", "torque_nm")]
@@ -120,17 +100,9 @@ def heavy_rod_and_weight(
 
 @solution
 def pressure_on_both_sides(
-    stroke: mpf,
-    rod: mpf,
-    bore: mpf,
-    thick: mpf,
-    cover: mpf,
-    under: mpf,
-    mass: mpf,
-    speed: mpf,
-    friction: mpf,
-    angle: mpf,
-) -> Rows:
+    stroke: mpf, rod: mpf, bore: mpf, thick: mpf, cover: mpf, under: mpf, mass: mpf, speed: mpf, friction:
+    mpf, angle: mpf,
+) -> Rows:  # fmt: skip
     steam = pi / 4 * (cover * bore**2 - under * (bore**2 - thick**2))
     # It is against the motion, which turns back at half a turn.
     force = steam - friction * sign(sin(radians(angle)))

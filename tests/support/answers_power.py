@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from mpmath import diff, findroot, log, mpf, pi, quad
+from mpmath import diff, findroot, log, mpf, pi, quad, sqrt
 from problem_answers import Rows, solution
 
 BAR = mpf(10) ** 5
@@ -319,3 +319,81 @@ def speed_for_a_mass_of_air(
     power = raised(suction, ratio * suction, exponent) * volume / efficiency / 1000
     rate = volume / (sucked * swept(bore, stroke)) * 60
     return [{"volumetric_efficiency": sucked, "speed": rate, "brake_power": power}]
+
+
+@solution
+def warm_between_the_stages(
+    ratio: mpf, suction: mpf, warm: mpf, between: mpf, exponent: mpf, delivery: mpf
+) -> Rows:
+    stage = raised(suction, suction * sqrt(ratio), exponent)
+    whole = stage * (1 + between / warm)
+    shares = {"perfect_against_one": 2 * stage / raised(suction, suction * ratio, exponent)}
+    return [{"indicated_power": whole * delivery / 1000, **shares, "against_perfect": whole / (2 * stage)}]
+
+
+@solution
+def given_intermediate_pressure(
+    ratio: mpf, suction: mpf, warm: mpf, between: mpf, middle: mpf, exponent: mpf, bore: mpf, stroke: mpf,
+    speed: mpf,
+) -> Rows:  # fmt: skip
+    cooled = suction / middle * between / warm
+    work = raised(suction, middle, exponent) + raised(middle, ratio * suction, exponent) * cooled
+    hot = between * (ratio * suction / middle) ** (1 - 1 / exponent)
+    power = work * swept(bore, stroke) * turns(speed) / 1000
+    return [{"indicated_power": power, "second_bore": bore * sqrt(cooled) * 1000, "end_temperature": hot}]
+
+
+@solution
+def compressor_for_free_air(
+    ratio: mpf, suction: mpf, warm: mpf, free: mpf, cold: mpf, delivery: mpf, clearance: mpf, exponent: mpf,
+    cylinders: mpf, shape: mpf, speed: mpf,
+) -> Rows:  # fmt: skip
+    share = (1 + clearance - clearance * ratio ** (1 / exponent)) * suction / warm * cold / free
+    efficiency = raised(mpf(1), ratio, mpf(1)) / raised(mpf(1), ratio, exponent)
+    sized = sizes(delivery / share / (2 * cylinders * turns(speed)), shape)
+    return [{**sized, "free_efficiency": share, "isothermal_efficiency": efficiency}]
+
+
+@solution
+def three_stages(
+    ratio: mpf, suction: mpf, warm: mpf, exponent: mpf, clearance: mpf, bore: mpf, stroke: mpf, speed: mpf
+) -> Rows:
+    step = ratio ** (mpf(1) / 3)
+    work = 3 * raised(mpf(1), step, exponent) * 287 * warm / 1000
+    of_stage = {"intermediate_pressure": step * suction / BAR, "swept_volume": swept(bore, stroke) * 1000}
+    hot = {"end_temperature": warm * step ** (1 - 1 / exponent), "work_per_mass": work}
+    return [{**of_stage, **hot, "volumetric_efficiency": 1 + clearance - clearance * step ** (1 / exponent)}]
+
+
+@solution
+def compressor_by_piston_speed(
+    ratio: mpf, suction: mpf, warm: mpf, free: mpf, cold: mpf, delivery: mpf, clearance: mpf, exponent: mpf,
+    velocity: mpf, speed: mpf, efficiency: mpf,
+) -> Rows:  # fmt: skip
+    sucked = delivery * free / cold * warm / suction
+    stroke = velocity / 2 / turns(speed)
+    volume = sucked / (1 + clearance - clearance * ratio ** (1 / exponent)) / 2 / turns(speed)
+    power = raised(suction, ratio * suction, exponent) * sucked / efficiency / 1000
+    bore = sqrt(volume / (pi / 4 * stroke)) * 1000
+    return [{"stroke": stroke * 1000, "bore": bore, "brake_power": power}]
+
+
+@solution
+def engine_by_its_peak_pressure(
+    compression: mpf, exponent: mpf, expansion: mpf, suction: mpf, peak: mpf, power: mpf, efficiency: mpf,
+    shape: mpf, speed: mpf,
+) -> Rows:  # fmt: skip
+    least = 1 / (compression - 1)
+    ends = [least, 1 + least]
+    mean = quad(lambda v: peak * (least / v) ** expansion - suction * (ends[1] / v) ** exponent, ends)
+    sized = sizes(power / efficiency / (mean * turns(speed) / 2), shape)
+    return [{**sized, "mean_pressure": mean / BAR}]
+
+
+@solution
+def pressure_with_a_diagram_factor(
+    expansion: mpf, back: mpf, factor: mpf, bore: mpf, stroke: mpf, speed: mpf, power: mpf
+) -> Rows:
+    cylinder = mpf(0), bore, stroke, speed, power / factor
+    [found] = steam_pressure_for_a_power(expansion, back, *cylinder)
+    return [{**found, "mean_pressure": found["mean_pressure"] * factor}]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -103,6 +103,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         " piston_rod tail_rod stroke speed power brake_power stroke_bore piston_speed cylinders"
         " diagram_factor efficiency specific_volume delivery unknown stages"
         " suction_temperature free_air brake_torque consumption heating_value thermal_efficiency"
+        " intercooling intermediate_pressure"
     )
     in_short = (
         "power mean_pressure eps pressure card bore stroke speed machine cylinders efficiency brake_power"
@@ -176,6 +177,15 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         "Stages of a compressor, with perfect intercooling and the best intermediate pressure: 2.", "N",
         Count("stages", 1, 6), default=1, topic="compressor",
     )  # fmt: skip
+    intercooling = measure(
+        as_temperature,
+        "Temperature to which the air is cooled between the stages: 35°C; default: that of suction.",
+        "TEMPERATURE", unit="K", topic="compressor",
+    )  # fmt: skip
+    intermediate_pressure = measure(
+        as_pressure, "Pressure between two stages, in the place of the best: 4bar.", "PRESSURE", unit="Pa",
+        topic="compressor",
+    )  # fmt: skip
     suction_temperature = measure(
         as_temperature, "Temperature of suction of a compressor: 30°C, 303K.", "TEMPERATURE", unit="K",
         topic="compressor",
@@ -236,7 +246,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             return (
                 f"{flag} is for the power, and nothing tells it; add --bore, --stroke and --speed, or --power"
             )
-        if name in ("stages", "suction_temperature", "free_air"):
+        if name in ("stages", "intercooling", "intermediate_pressure", "suction_temperature", "free_air"):
             return f"{flag} is of a compressor; add --pressure-ratio"
         if name == "compound":
             return f"{flag} is of the steam of an ideal card in two cylinders; add --eps"
@@ -304,8 +314,27 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             raise ProblemError(f"free air is compared with the state of suction; add {missing}")
         return {"free_air": free, "suction_temperature": warm}
 
-    def staged(self) -> int:
-        return self.stages
+    def staged(self) -> Mapping[str, object]:
+        cooled, between, suction = self.intercooling, self.intermediate_pressure, self.suction_pressure
+        if (cooled is not None or between is not None) and (
+            self.stages == 1 or (between is not None and self.stages > 2)
+        ):
+            option = "--intercooling" if between is None else "--intermediate-pressure"
+            raise ProblemError(f"{option} is between {'two ' if between else ''}stages; add --stages 2")
+        warm = self.suction_temperature
+        if cooled is not None and warm is None:
+            raise ProblemError(
+                "--intercooling is compared with the temperature of suction; add --suction-temperature"
+            )
+        if between is not None and suction is None:
+            raise ProblemError(
+                "--intermediate-pressure is compared with the suction pressure; add --suction-pressure"
+            )
+        return {
+            "stages": self.stages,
+            "cooled": None if cooled is None else cooled / (warm or 1),
+            "between": None if between is None else between / _above_zero(suction, "suction pressure"),
+        }
 
     def _count(self) -> int:
         """Return how many cylinders there are, one for each crank where these are given."""

@@ -295,6 +295,13 @@ POWER_TEXTS = {
         "|{stages} stages with perfect intercooling at the best intermediate pressure $p_z$, their mean"
         " pressures together on the piston of the first; all with its stroke and its clearance"
     ),
+    "given_stages": words(
+        "{stages} Stufen, dazwischen auf {cooled} gekühlt, ihre mittleren Drücke zusammen auf den Kolben der"
+        " ersten bezogen; alle mit ihrem Hub und ihrem schädlichen Raum"
+        "|{stages} stages, cooled to {cooled} between them, their mean pressures together on the piston of"
+        " the first; all with its stroke and its clearance"
+    ),
+    "as_sucked": words("die Ansaugtemperatur|the temperature of suction"),
     "further_stages": words(
         "hinter jeder weiteren Stufe der Druck $Π^(1/{stages})$ mal so hoch, ihr Kolben um so viel kleiner"
         "|behind each further stage the pressure is $Π^(1/{stages})$ times as high, and its piston's area as"

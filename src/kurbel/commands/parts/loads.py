@@ -315,14 +315,14 @@ class Loads(Piston):
         return [
             of_given(
                 Compressor, ratio, exponent=self.exponent, clearance=self.clearance, other_side=other,
-                suction_loss=self.suction_loss, delivery_loss=self.delivery_loss, stages=self.staged(),
+                suction_loss=self.suction_loss, delivery_loss=self.delivery_loss, **self.staged(),
             )
             for ratio in self.pressure_ratio or ()
         ]  # fmt: skip
 
-    def staged(self) -> int:
-        """Return in how many stages a compressor works."""
-        return 1
+    def staged(self) -> Mapping[str, object]:
+        """Return the stages of a compressor, and what is between them."""
+        return {}
 
     def _pump(self) -> Acting:
         from kurbel.engine.loads.driven import DIFFERENTIAL, DOUBLE, SINGLE, Pump

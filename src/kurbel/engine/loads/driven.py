@@ -6,7 +6,7 @@ what acts on the faces of its piston.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import floor
 from typing import Any, ClassVar, NamedTuple
@@ -73,10 +73,11 @@ class Compressor:
 
     The losses of the valves are shares of the pressures outside: in the cylinder it is p₁ (1 - ζ_s) at
     suction, p₂ (1 + ζ_d) at delivery. Q is p₁ times the piston's area. A single-acting piston has
-    `other_side` p₁ on its other face, by default p₁ itself. Of several `stages`, between which the air is
-    cooled down to its first temperature, the intermediate pressures are the best, with which all take the
-    same work: each raises the pressure by the root of Π; the strokes are those of the first stage. Valid for
-    Π > 1, n > 0, as long as something is delivered. Derived by us from p V^n = const; the volumetric
+    `other_side` p₁ on its other face, by default p₁ itself. Of several `stages` the intermediate pressures
+    are those with which each raises the pressure by the root of Π, or of two is `between` in p₁; between them
+    the air is `cooled` to so many times its first temperature. The strokes are those of the first stage.
+    With 1, perfect intercooling, these pressures are the best. Valid for Π > 1, n > 0, as long as something
+    is delivered. Derived by us from p V^n = const; the volumetric
     efficiency is the textbook's.
     """
 
@@ -90,6 +91,8 @@ class Compressor:
     delivery_loss: Fraction = Fraction(0)
     other_side: Fraction = Fraction(1)
     stages: int = 1
+    cooled: Fraction = Fraction(1)
+    between: Fraction | None = None
 
     def __post_init__(self) -> None:
         if self.ratio <= 1:
@@ -101,6 +104,11 @@ class Compressor:
             raise ProblemError(f"pressure ratio Π is {about(self.ratio)}; at most {LARGEST_RATIO} is allowed")
         check_exponent(self.exponent, "exponent n")
         check_clearance(self.clearance)
+        if self.between is not None and not 1 < self.between < self.ratio:
+            raise ProblemError(
+                f"the intermediate pressure is {about(self.between)} times the suction pressure; it must be"
+                f" above 1 and below Π = {plain(self.ratio)}"
+            )
         if not 0 <= self.suction_loss < 1:
             raise ProblemError(
                 f"suction loss is {about(self.suction_loss)}; it must be 0 or more and below 1,"
@@ -136,13 +144,53 @@ class Compressor:
         suction pressure, of all stages on the piston of the first; with `found` numbers in the place of ratio
         or clearance."""
         ends = self._ends(kind, **found)
-        return (
-            -self.stages
-            * ends.suction
-            * ends.sucked()
-            * ends.exponent
-            * expansion_work(1 / ends.growth, ends.exponent)
-        )
+        return -ends.suction * ends.sucked() * ends.exponent * self._of_stages(kind, **found)
+
+    def _of_stages(self, kind: Kind, **found: Any) -> Numeric:
+        """Return the work of all stages on what has the volume 1 at the first, without its exponent."""
+        ends = self._ends(kind, **found)
+        first = expansion_work(1 / ends.growth, ends.exponent)
+        if self.stages == 1:
+            return first
+        later = expansion_work(1 / self._later(kind, **found), ends.exponent)
+        return first + kind.of((self.stages - 1) * self.cooled) * later
+
+    def _later(self, kind: Kind, **found: Any) -> Numeric:
+        """Return how much larger the volume is at which a later stage sucks than that which it delivers."""
+        ends = self._ends(kind, **found)
+        if self.between is None:
+            return ends.growth
+        whole = found.get("ratio", kind.of(self.ratio)) * kind.of(self._inside)
+        return power(whole / kind.of(self.between), self._exponent(kind, 1 / self.exponent))
+
+    def against_one_stage(self, kind: Kind, **found: Any) -> Numeric:
+        """Return the work of all stages in that of one, on the same air."""
+        whole = found.get("ratio", kind.of(self.ratio)) * kind.of(self._inside)
+        exponent = self._exponent(kind, self.exponent)
+        grown = power(whole, self._exponent(kind, 1 / self.exponent))
+        return self._of_stages(kind, **found) / expansion_work(1 / grown, exponent)
+
+    def against_perfect(self, kind: Kind, **found: Any) -> Numeric:
+        """Return the same in that with perfect intercooling at the best pressures."""
+        return self._of_stages(kind, **found) / self._best()._of_stages(kind, **found)
+
+    def perfect_against_one(self, kind: Kind, **found: Any) -> Numeric:
+        """Return the work with perfect intercooling at the best pressures in that of one stage."""
+        return self._best().against_one_stage(kind, **found)
+
+    def _best(self) -> Compressor:
+        return replace(self, cooled=Fraction(1), between=None)
+
+    def later_area(self, kind: Kind, **found: Any) -> Numeric:
+        """Return the area of the second stage's piston in that of the first, by what each sucks."""
+        ends, later = self._ends(kind, **found), self._later(kind, **found)
+        sucks = 1 if self.between is None else ends.sucked() / (1 + ends.clearance * (1 - later))
+        return kind.of(self.cooled) * sucks / self.stage_ratio(kind, **found)
+
+    @property
+    def _inside(self) -> Fraction:
+        """How many times the pressures in the cylinder are farther apart than outside."""
+        return (1 + self.delivery_loss) / (1 - self.suction_loss)
 
     def isothermal(self, kind: Kind, **found: Any) -> Numeric:
         """Return the work at the temperature of suction on what a stroke delivers, over p₁ and the volume
@@ -156,14 +204,19 @@ class Compressor:
         return self.delivered(kind, **found) * (ratio ** kind.exponent(part) - 1) / kind.of(part)
 
     def stage_ratio(self, kind: Kind, **found: Any) -> Numeric:
-        """Return by how many times a stage raises the pressure."""
+        """Return by how many times the first stage raises the pressure."""
+        if self.between is not None:
+            return kind.of(self.between)
         ratio = found.get("ratio", kind.of(self.ratio))
         return power(ratio, 1 if self.stages == 1 else kind.exponent(Fraction(1, self.stages)))
 
     def heated(self, kind: Kind, **found: Any) -> Numeric:
-        """Return the temperature at the end of the compression of a stage, in that of suction."""
-        inside = kind.of((1 + self.delivery_loss) / (1 - self.suction_loss))
-        return power(self.stage_ratio(kind, **found) * inside, kind.exponent(1 - 1 / self.exponent))
+        """Return the temperature at the end of the compression, of the last stage, in that of suction."""
+        raised, exponent = self.stage_ratio(kind, **found), kind.exponent(1 - 1 / self.exponent)
+        if self.between is not None:
+            raised = found.get("ratio", kind.of(self.ratio)) / raised
+        hot = power(raised * kind.of(self._inside), exponent)
+        return hot if self.cooled == 1 else kind.of(self.cooled) * hot
 
     def _ends(self, kind: Kind, ratio: Any = None, clearance: Any = None) -> _Ends:
         inside = 1 - self.suction_loss, self.ratio * (1 + self.delivery_loss)

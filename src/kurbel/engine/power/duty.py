@@ -39,7 +39,7 @@ MOST_CYLINDERS = 24
 STEAMED, GIVES, EFFICIENT, FACTORED, UNITLESS = "steam", "delivery", "efficiency", "factor", "share"
 ASKED = "asked"
 AIRY, FREE, STAGED, WARM = "compressor", "free", "stages", "warm"
-BRAKED, FUELLED, WEIGHED, COMPOUND = "braked", "fuel", "suction", "compound"
+BRAKED, FUELLED, WEIGHED, COMPOUND, COOLED = "braked", "fuel", "suction", "compound", "cooled"
 # Of air, in J/(kg K), as most textbooks have it.
 GAS_CONSTANT = 287
 HALF = Fraction(1, 2)
@@ -550,8 +550,16 @@ def _entries() -> Iterator[Quantity]:
                  UNITS[PRESSURE], lambda found: found.of(PRESSURE) * found.of_load("stage_ratio"),
                  STAGED)  # fmt: skip
     yield _entry("second_bore", "Bohrung der zweiten Stufe|Bore of the second stage", "$d_2$", "mm",
-                 UNITS[BORE], lambda found: found.of(BORE) / found.of_load("stage_ratio") ** HALF,
+                 UNITS[BORE], lambda found: found.of(BORE) * found.of_load("later_area") ** HALF,
                  STAGED)  # fmt: skip
+    for key, name, symbol, needs in (
+        ("against_one_stage", "Arbeit gegen eine Stufe|Work against one stage", "$N_i/N_1$", STAGED),
+        ("against_perfect", "Arbeit gegen vollkommene Zwischenkühlung|Work against perfect intercooling",
+         '$N_i/N_"vk"$', f"{STAGED} {COOLED}"),
+        ("perfect_against_one", "vollkommene Zwischenkühlung gegen eine Stufe"
+         "|Perfect intercooling against one stage", '$N_"vk"/N_1$', STAGED),
+    ):  # fmt: skip
+        yield _entry(key, name, symbol, "", 1, partial(_of_load, key), needs)
     yield _entry("end_temperature", "Temperatur der Verdichtung|Temperature of compression", "$T_2$", "K", 1,
                  lambda found: number(found.duty.suction_temperature or 1) * found.of_load("heated"),
                  WARM)  # fmt: skip
@@ -584,6 +592,10 @@ def _compound_entries() -> Iterator[Quantity]:
 
 def _variable(name: str, found: Found) -> Term:
     return found.of(name)
+
+
+def _of_load(name: str, found: Found) -> Term:
+    return found.of_load(name)
 
 
 def _entry(

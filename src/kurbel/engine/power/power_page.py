@@ -20,6 +20,7 @@ from kurbel.engine.power.duty import (
     ASKED,
     BRAKED,
     COMPOUND,
+    COOLED,
     EFFICIENCY,
     EFFICIENT,
     FACTOR,
@@ -221,6 +222,10 @@ class PowerRequest(Question):
             GIVES: ("a compressor or a pump", acting is None or not hasattr(acting.load, "delivered")),
             AIRY: ("a compressor, --pressure-ratio", not airy),
             STAGED: ("--stages 2", acting is None or not airy or acting.load.stages == 1),
+            COOLED: (
+                "--intercooling or --intermediate-pressure",
+                acting is None or not airy or (acting.load.cooled == 1 and acting.load.between is None),
+            ),
             WARM: ("a compressor with --suction-temperature", not airy or duty.suction_temperature is None),
             FREE: ("a compressor with --free-air", not airy or duty.free_air is None),
             EFFICIENT: ("the mechanical efficiency, --efficiency", not duty.shafted),
@@ -338,8 +343,12 @@ def _air_lines(source: Acting, duty: Duty, shown: set[str], lang: str) -> Iterat
             pressure=amount(pressure, "bar"), temperature=figure(temperature)
         )
     if (stages := source.load.stages) > 1:
-        said = ["stages", *(["further_stages"] if stages > 2 else [])]
-        yield "; ".join(POWER_TEXTS[key][lang].format(stages=stages) for key in said)
+        load = source.load
+        best = "stages" if load.cooled == 1 and load.between is None else "given_stages"
+        said = [best, *(["further_stages"] if stages > 2 else [])]
+        kelvin = load.cooled * (duty.suction_temperature or 1)
+        cooled = POWER_TEXTS["as_sucked"][lang] if load.cooled == 1 else f'${figure(kelvin)} "K"$'
+        yield "; ".join(POWER_TEXTS[key][lang].format(stages=stages, cooled=cooled) for key in said)
     if not shown.isdisjoint(("isothermal_power", "isothermal_efficiency", "adiabatic_efficiency")):
         yield POWER_TEXTS["ideal_air"][lang]
 
