@@ -158,10 +158,7 @@ def four_bar(crank: mpf, coupler: mpf, rocker: mpf, frame: mpf, speed: mpf, angl
 @solution
 def time_of_half_a_stroke(crank: mpf, rod: mpf, speed: mpf) -> Rows:
     phi = acos(crank / rod / 2)
-    return [
-        {"phi": degrees(phi), "time": phi / speed},
-        {"phi": 180 - degrees(phi), "time": (pi - phi) / speed},
-    ]
+    return [{"phi": degrees(one), "time": one / speed} for one in (phi, pi - phi)]
 
 
 @solution

@@ -394,6 +394,5 @@ def engine_by_its_peak_pressure(
 def pressure_with_a_diagram_factor(
     expansion: mpf, back: mpf, factor: mpf, bore: mpf, stroke: mpf, speed: mpf, power: mpf
 ) -> Rows:
-    cylinder = mpf(0), bore, stroke, speed, power / factor
-    [found] = steam_pressure_for_a_power(expansion, back, *cylinder)
+    [found] = steam_pressure_for_a_power(expansion, back, mpf(0), bore, stroke, speed, power / factor)
     return [{**found, "mean_pressure": found["mean_pressure"] * factor}]
