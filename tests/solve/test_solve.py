@@ -104,15 +104,16 @@ def test_roots_are_those_of_a_scan(
 
 
 @settings(deadline=None, max_examples=30)
-@given(RATIOS, SHARES, st.sampled_from(QUANTITIES[2:]), st.sampled_from(["max", "min"]))
+@given(RATIOS, SHARES, st.sampled_from(QUANTITIES[2:]), st.sampled_from(["max", "min", "|max|"]))
 def test_nothing_on_a_stroke_is_beyond_its_greatest_and_least_value(
     ratio: Fraction, aside: Fraction, quantity: str, extreme: str
 ) -> None:
     offset = (1 / ratio - 1) * aside
-    drive, sign = slide(ratio, offset), 1 if extreme == "max" else -1
-    rows = found(f"--ratio={ratio}", f"--offset={offset}", f"--where={quantity}={extreme}", digits=12)
+    drive, sign = slide(ratio, offset), -1 if extreme == "min" else 1
+    where = f"|{quantity}|=max" if extreme == "|max|" else f"{quantity}={extreme}"
+    rows = found(f"--ratio={ratio}", f"--offset={offset}", f"--where={where}", digits=12)
     # The greatest lean of the rod is that to either side.
-    lean = abs if (quantity, extreme) == ("psi", "max") else float
+    lean = abs if extreme == "|max|" or (quantity, extreme) == ("psi", "max") else float
     for stroke in STROKES:
         roots, scanned = angles(rows, stroke), course(drive, quantity, stroke)
         scan = scanned(np.linspace(*ends(drive)[stroke], 4001))

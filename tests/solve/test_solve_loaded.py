@@ -149,6 +149,10 @@ def test_the_torque_of_two_cranks_is_greatest_where_a_fine_grid_has_it() -> None
     words = ("solve", "--eps=4", "--cranks=0;100", "--where=torque=max", "--columns=phi,tangential", *CSV)
     found = printed(*words, "--digits=6").records()
     greatest = _force({"eps": "4", "cranks": "0;100"}).max()
+    assert (
+        printed(*words[:3], "--where=|torque|=max", *words[4:], "--digits=6").records()[0]["phi"]
+        == found[0]["phi"]
+    )
     # The torque is greatest in a corner, which the grid may miss by its step times the slope there.
     assert_allclose([float(one["tangential"]) for one in found], [greatest], rtol=0, atol=2e-4)
 

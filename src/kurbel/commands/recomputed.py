@@ -19,7 +19,7 @@ from kurbel.errors import ProblemError
 from kurbel.reading import units
 from kurbel.reading.given import as_places
 from kurbel.reading.notation import number
-from kurbel.reading.where import DEAD_CENTRE, MAX, MIN, SHARE, Condition, read_condition
+from kurbel.reading.where import DEAD_CENTRE, EXTREMES, SHARE, Condition, read_condition
 from kurbel.verify import Number, Value, harmonics
 from kurbel.verify.drives import Course, Degrees
 from kurbel.verify.loads import disc
@@ -178,7 +178,7 @@ def of_condition(second: Second, key: str, method: str, row: Row) -> Value:
     phi = row.get("phi", row.get("phi_turn"))
     if phi is None:
         raise ProblemError("the row does not say its crank angle; add phi to the columns")
-    about = where.partition("=")[0].strip()
+    about = where.partition("=")[0].strip().strip("|")
     condition = read_condition(where, {about: about}, (about,))
     back = row.get("stroke") == "return"
     near = number(phi) - (180 if back and "phi" not in row else 0)
@@ -187,9 +187,9 @@ def of_condition(second: Second, key: str, method: str, row: Row) -> Value:
     drive = second.pushed(row)
     name, target = _target(drive, condition, method, back)
     course = Course(drive, name, method, back=back)
-    if condition.kind not in (MAX, MIN) and key == course.key:
+    if condition.kind not in EXTREMES and key == course.key:
         return Value(target)
-    extreme = condition.kind in (MAX, MIN)
+    extreme = condition.kind in EXTREMES
 
     def slope(at: Place) -> Number:
         return course.value(at, 1)
@@ -241,7 +241,7 @@ def _on_engine(
         raise ProblemError(f"conditions on {condition.quantity} of engines are not computed a second time")
 
     def missed(at: Place) -> Number:
-        if condition.kind in (MAX, MIN):
+        if condition.kind in EXTREMES:
             return turn.known.slope(at)
         mean = turn.known.mean if condition.quantity == "tangential_excess" else 0
         return turn.known.force(at, True) - mean - condition.value

@@ -26,7 +26,7 @@ from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, filled, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note
-from kurbel.reading.where import MAX, MIN, VALUE, Condition
+from kurbel.reading.where import EXTREMES, VALUE, Condition
 
 DEGREE_DECIMALS = 4
 KEPT = 64
@@ -171,7 +171,7 @@ def _condition_label(question: LoadedRequest, condition: Condition) -> Label:
     """Return the condition in letters: T = 0.5 Q; M_d greatest."""
     shown = question.entry(_column_of(condition))
     symbol = shown.symbol.strip("$")
-    if condition.kind in (MAX, MIN):
+    if condition.kind in EXTREMES:
         return SOLVED[condition.kind][question.lang].format(symbol=symbol)
     unit = f'"{condition.unit}"' if condition.unit else shown.unit[question.lang].strip("$")
     value = exact_text(condition.value)
@@ -225,7 +225,7 @@ def _notes(question: LoadedRequest) -> Iterator[Label | Note]:
     yield WORDS["angles" if regular else "angles_off"][lang]
     if question.assembly is not None:
         yield WORDS["cylinder"][lang].format(number=(*question.numbers, 1)[0])
-    if any(condition.kind in (MAX, MIN) for condition in question.conditions):
+    if any(condition.kind in EXTREMES for condition in question.conditions):
         yield WORDS["extremes"][lang]
     yield from notes(question)
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cache, cached_property, partial
+from operator import pos
 from typing import Any, NamedTuple
 
 from flint import arb
@@ -34,7 +35,7 @@ from kurbel.exact.numerals import exact_text, nearest, number_text
 from kurbel.exact.place import fraction
 from kurbel.exact.search import EQUAL_BITS
 from kurbel.reading import units
-from kurbel.reading.where import MAX, MIN, Condition
+from kurbel.reading.where import EXTREMES, MIN, MOST, Condition
 
 TORQUE = "torque"
 # Decimals in which sentences say what a force covers.
@@ -99,8 +100,9 @@ class Loaded:
     def _places(self, condition: Condition) -> tuple[At, ...]:
         """Return where the condition holds over the cycle, in order; raise NoRootError if nowhere."""
         quantity = self.quantity(ASKED[condition.quantity].column)
-        if condition.kind in (MAX, MIN):
-            found = extremes(self.segments, quantity, 1 if condition.kind == MAX else -1)
+        if condition.kind in EXTREMES:
+            sign, measure = -1 if condition.kind == MIN else 1, abs if condition.kind == MOST else pos
+            found = extremes(self.segments, quantity, sign, measure)
         else:
             found = [
                 At(segment, place)

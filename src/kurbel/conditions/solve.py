@@ -24,10 +24,12 @@ from kurbel.reading.amounts import UNITS
 from kurbel.reading.names import otherwise
 from kurbel.reading.where import (
     DEAD_CENTRE,
+    EXTREMES,
     LEANING,
     MAX,
     MEASURED,
     MIN,
+    MOST,
     OF_SLIDES,
     SHARE,
     VALUE,
@@ -165,9 +167,10 @@ def _course(root: Root) -> Course:
 
 def _on_stroke(drive: Drive, condition: Condition, stroke: int) -> Iterator[Root]:
     course = drive.course(condition.quantity, stroke)
-    if condition.kind in (MAX, MIN):
-        greatest = condition.kind == MAX
-        measure = {"measure": abs} if greatest and condition.quantity in LEANING else {}
+    if condition.kind in EXTREMES:
+        greatest = condition.kind != MIN
+        leans = condition.kind == MAX and condition.quantity in LEANING
+        measure = {"measure": abs} if leans or condition.kind == MOST else {}
         places = course.greatest(1 if greatest else -1, **measure)
     else:
         places = course.roots(target_of(drive, condition, stroke))

@@ -27,15 +27,15 @@ from kurbel.page.subject import Subject, subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
 from kurbel.reading.notation import ratio_text
-from kurbel.reading.where import ANGLES, DEAD_CENTRE, LEANING, MAX, MIN, SHARE, Condition
+from kurbel.reading.where import ANGLES, DEAD_CENTRE, EXTREMES, LEANING, MAX, MIN, MOST, SHARE, Condition
 
 # Of m/s².
 _SQUARE = r'(?:²|\^2|\*\*2)"$'
 WORDS: Mapping[str, Words] = {
     "for": words(" für | for "),
     MAX: words("${symbol}$ am größten|${symbol}$ greatest"),
-    "leaning": words("${symbol}$ dem Betrag nach am größten|${symbol}$ greatest in magnitude"),
     MIN: words("${symbol}$ am kleinsten|${symbol}$ least"),
+    MOST: words("${symbol}$ dem Betrag nach am größten|${symbol}$ greatest in magnitude"),
     DEAD_CENTRE: words(
         "${symbol} = {value}$ des Wertes im Totpunkt|${symbol} = {value}$ of the value at the dead centre"
     ),
@@ -75,7 +75,7 @@ def condition_label(condition: Condition, drive: Drive, lang: str) -> Label:
     symbol = shown.symbol.strip("$")
     if condition.kind in WORDS:
         leans = condition.kind == MAX and condition.quantity in LEANING
-        said = WORDS["leaning" if leans else condition.kind][lang]
+        said = WORDS[MOST if leans else condition.kind][lang]
         return said.format(symbol=symbol, value=exact_text(condition.value))
     if condition.quantity == SHARE:
         whole = finite_decimals(condition.value) is not None
@@ -101,7 +101,7 @@ def notes(request: SolveRequest) -> Iterator[Label]:
     strokes = {one.stroke if straight else "" for one in request.drives}
     said = f"$S = {strokes.pop()}$" if len(strokes) == 1 and all(strokes) else WORDS["length"][lang]
     yield WORDS["straight" if straight else "oblique"][lang].format(stroke=said)
-    if any(condition.kind in (MAX, MIN) for condition in request.conditions):
+    if any(condition.kind in EXTREMES for condition in request.conditions):
         yield WORDS["extremes"][lang]
     yield from request.drives[0].formula_lines(request, list(_digits(request)))
     yield from _forms(request)
@@ -142,7 +142,7 @@ def _said(roots: Sequence[Root], lang: str) -> Iterator[Label]:
     if not drive.is_straight:
         return
     course = drive.course(condition.quantity, stroke)
-    extreme = condition.kind in (MAX, MIN)
+    extreme = condition.kind in EXTREMES
     formula = course.formula_slope if extreme else course.formula
     if formula is None:
         return

@@ -14,6 +14,7 @@ from fractions import Fraction
 from functools import cached_property, lru_cache, partial
 from itertools import pairwise
 from math import floor
+from operator import pos
 from typing import Any, NamedTuple
 
 import flint
@@ -157,8 +158,13 @@ def is_level(segment: Segment, quantity: Quantity) -> bool:
         return all(bool(abs(arb(rate)) < least) for rate in rates)
 
 
-def extremes(segments: Sequence[Segment], quantity: Quantity, sign: int = 1) -> list[At]:
-    """Return where the quantity is greatest or, with sign -1, least, in order.
+def extremes(
+    segments: Sequence[Segment],
+    quantity: Quantity,
+    sign: int = 1,
+    measure: Callable[[arb], arb] = pos,
+) -> list[At]:
+    """Return where the quantity, or a measure of it, is greatest or, with sign -1, least, in order.
 
     Several only if they cannot be told apart, as on both strokes of the infinite rod.
     """
@@ -167,7 +173,7 @@ def extremes(segments: Sequence[Segment], quantity: Quantity, sign: int = 1) -> 
         for segment in segments
         for place in (segment.start, *stationary(segment, quantity), segment.end)
     ]
-    return greatest(places, lambda one: one.value(quantity), sign)
+    return greatest(places, lambda one: measure(one.value(quantity)), sign)
 
 
 def extreme_value(found: Sequence[At], quantity: Quantity, sign: int = 1) -> arb:

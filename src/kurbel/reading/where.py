@@ -17,6 +17,9 @@ from kurbel.reading.units import BEFORE_UNIT
 GRAMMAR = 'write it as p=0, s=25%, x=1.1, "x = 200 mm", c=max, p=min or "p = 1/6 of dead centre"'
 # What a condition can ask beside a number.
 VALUE, MAX, MIN, DEAD_CENTRE = "value", "max", "min", "dead centre"
+# Of the magnitude, |p| = max.
+MOST = "greatest magnitude"
+EXTREMES = (MAX, MIN, MOST)
 SHARE = "s"
 # Quantities that are angles, and those of which a share of the value at the dead centre makes sense.
 ANGLES = ("psi", "rocker")
@@ -29,6 +32,8 @@ OF_SLIDES = "x, c and p of the straight or offset crank"
 SMALLEST, LARGEST = Fraction(1, 10**30), Fraction(10**30)
 
 _CONDITION = r"\s*([^\s=<>]+)\s*=\s*([^=]*?)\s*"
+# max|p|, as books write it.
+_MOST = r"\s*max\s*\|([^\s=<>|]+)\|\s*"
 _OF_DEAD_CENTRE = r"(.*?)\s*\bof\s+(?:the\s+)?dead\s+cent(?:re|er)"
 _MEASURE = rf"{BEFORE_UNIT}\s*((?![eE][+-]?\d|of\b)[A-Za-zµ].*)"
 
@@ -47,12 +52,13 @@ class Condition:
     unit: str = ""
 
     def __str__(self) -> str:
-        return f"{self.quantity} = {self.right_side()}"
+        name = f"|{self.quantity}|" if self.kind == MOST else self.quantity
+        return f"{name} = {self.right_side()}"
 
     def right_side(self, mark: str = ".") -> str:
         """Return what stands behind the equals sign."""
-        if self.kind in (MAX, MIN):
-            return self.kind
+        if self.kind in EXTREMES:
+            return MIN if self.kind == MIN else MAX
         if self.kind == DEAD_CENTRE:
             return f"{exact_text(self.value, mark)} of dead centre"
         if self.unit:
@@ -72,12 +78,18 @@ def read_condition(
     Those `measured` may have a unit; `whose` they are, sentences say.
     """
     shown = f'condition "{text[:LONGEST_NUMBER]}"'
+    text = re.sub(rf"^{_MOST}$", r"|\1| = max", text)
     match = re.fullmatch(_CONDITION, text) if len(text) <= 3 * LONGEST_NUMBER else None
     if match is None or not match.group(2):
         raise NotationError(f"{shown} cannot be read; {GRAMMAR}")
-    name, right = match.groups()
+    bare, right = match.groups()
+    name = bare.strip("|")
     _refuse_column(name, right, names)
     quantity = names[meant(name, names, "quantity")]
+    if name != bare:
+        if right != MAX or bare != f"|{name}|":
+            raise NotationError(f'{shown} is of a magnitude, which may be greatest; write "|{name}| = max"')
+        return Condition(quantity, MOST)
     if right in (MAX, MIN):
         return Condition(quantity, right)
     if share := re.fullmatch(_OF_DEAD_CENTRE, right):

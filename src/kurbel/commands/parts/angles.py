@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeGuard
 
 from kurbel.commands.options import Option, alone, amount, measure
 from kurbel.commands.part import Part, Rivals, Values
@@ -34,14 +34,18 @@ SHARES = "s=0..1:0.1"
 def as_positions(given: object) -> Sequence[Fraction | str]:
     """Read crank angles, and conditions that hold at some, as texts; shares of the stroke each for itself."""
     texts = [given] if isinstance(given, str) or not isinstance(given, Iterable) else [*given]
-    if not any(isinstance(text, str) and "=" in text for text in texts):
+    if not any(map(_is_condition, texts)):
         return as_angles(given)
     found: list[Fraction | str] = []
     for text in texts:
         parts = text.split(";") if isinstance(text, str) else [text]
         for part in parts:
-            found += _conditions(part.strip()) if isinstance(part, str) and "=" in part else as_angles(part)
+            found += _conditions(part.strip()) if _is_condition(part) else as_angles(part)
     return tuple(dict.fromkeys(found))
+
+
+def _is_condition(text: object) -> TypeGuard[str]:
+    return isinstance(text, str) and ("=" in text or "|" in text)
 
 
 def _conditions(text: str) -> list[str]:
