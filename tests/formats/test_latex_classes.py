@@ -35,15 +35,8 @@ DOCUMENTS = (
     pytest.param("beamer", "pdflatex", "", marks=pytest.mark.slow),
     pytest.param("beamer", "lualatex", CAPTION, marks=pytest.mark.slow),
 )
-LENGTHS = [
-    r"\abovecaptionskip",
-    r"\belowcaptionskip",
-    r"\tabcolsep",
-    r"\cmidrulekern",
-    r"\leftskip",
-    r"\linewidth",
-    r"\hsize",
-]
+SKIPS = r"\the\abovecaptionskip \the\belowcaptionskip \the\leftskip"
+LENGTHS = SKIPS + r" \the\tabcolsep \the\cmidrulekern \the\linewidth \the\hsize"
 
 
 @cache
@@ -71,7 +64,6 @@ def document(name: str, more: str) -> str:
         body = "".join(f"\\begin{{frame}}\n{one}\n\\end{{frame}}\n" for one in inputs)
     else:
         body = "Text\n\\clearpage\n" + "\\clearpage\n".join(f"{one}\n" for one in inputs)
-    lengths = " ".join(rf"\the{length}" for length in LENGTHS)
     # What nobody asks for other fonts has, where some signs exist as bitmaps only.
     fonts = "" if name == "article" else r"\usepackage[T1]{fontenc}\usepackage{lmodern}"
     hyperref = "" if name == "beamer" else r"\usepackage{hyperref}"
@@ -85,8 +77,8 @@ def document(name: str, more: str) -> str:
 {hyperref}
 \pagestyle{{empty}}
 \begin{{document}}
-\typeout{{before {lengths}}}
-{body}\typeout{{behind {lengths}}}
+\typeout{{before {LENGTHS}}}
+{body}\typeout{{behind {LENGTHS}}}
 \end{{document}}
 """
 

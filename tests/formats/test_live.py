@@ -7,6 +7,7 @@ import math
 import re
 from base64 import b64encode
 from hashlib import sha256
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -33,8 +34,8 @@ def delivered(*words: str) -> tuple[str, dict[str, Any]]:
 
 def static(*words: str) -> str:
     """Return the table of a page that is not interactive, as it stands there."""
-    page = printed(*words, "-f", "html", "--standalone").out
-    return re.sub(r"\A<!--.*?-->\n", "", MAIN.findall(page)[0], flags=re.DOTALL)
+    (main,) = MAIN.findall(printed(*words, "-f", "html", "--standalone").out)
+    return str(main)
 
 
 def unpacked(data: dict[str, Any]) -> list[str]:
@@ -60,10 +61,7 @@ PAGES = [
 
 def steps(options: dict[str, list[str]]) -> list[list[str]]:
     """Return the words for each step in the order of a page, the last option first to change."""
-    chosen: list[list[str]] = [[]]
-    for name, values in options.items():
-        chosen = [[*words, f"--{name}={value}"] for words in chosen for value in values]
-    return chosen
+    return [*map(list, product(*([f"--{name}={one}" for one in own] for name, own in options.items())))]
 
 
 @pytest.mark.parametrize(("words", "options"), PAGES)
