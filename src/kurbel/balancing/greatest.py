@@ -27,6 +27,7 @@ from kurbel.exact import search
 from kurbel.exact.certify import at_bits, ball, ball_circle
 from kurbel.exact.search import SHARP_BITS, Summit, Zero, isolate
 from kurbel.kernel.balance import Star
+from kurbel.kernel.circle import Numeric
 
 # The value, its slope and half its second slope.
 TERMS = 3
@@ -37,7 +38,7 @@ class Wave(NamedTuple):
 
     order: int
     residual: Residual
-    factor: Callable[[], Any]
+    factor: Callable[[], Numeric]
 
 
 class Slide(NamedTuple):
@@ -93,7 +94,7 @@ def _parts(curve: Curve, bits: int) -> tuple[tuple[Parts, ...], list[arb]]:
     return tuple(map(_on_balls, waves)), _tail(curve, last, width)
 
 
-def _harmonic(order: int, ratio: Fraction) -> Callable[[], Any]:
+def _harmonic(order: int, ratio: Fraction) -> Callable[[], Numeric]:
     return lambda: HARMONICS["p"].value(order, ball(ratio))
 
 

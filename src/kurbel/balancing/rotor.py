@@ -23,6 +23,7 @@ from kurbel.exact.certify import at_bits
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.real import Real
 from kurbel.kernel.balance import Star
+from kurbel.kernel.circle import Numeric
 from kurbel.reading.notation import about
 
 MOST_MASSES = 100
@@ -308,7 +309,9 @@ def _closes(gap: Vector, one: Fraction, other: Fraction) -> bool:
         bits *= 2
 
 
-def _corner(gap: Vector, one: Fraction, other: Fraction, sign: int) -> Callable[[Kind], tuple[Any, Any]]:
+def _corner(
+    gap: Vector, one: Fraction, other: Fraction, sign: int
+) -> Callable[[Kind], tuple[Numeric, Numeric]]:
     def point(kind: Kind) -> tuple[Any, Any]:
         x, y = gap.point(kind)
         square = x * x + y * y

@@ -34,6 +34,7 @@ from kurbel.exact.jet import Jet
 from kurbel.exact.numerals import exact_text, nearest, number_text
 from kurbel.exact.place import fraction
 from kurbel.exact.search import EQUAL_BITS
+from kurbel.kernel.circle import Numeric
 from kurbel.reading import units
 from kurbel.reading.where import EXTREMES, MIN, MOST, Condition
 
@@ -166,7 +167,7 @@ def _crank_force(force: CrankForce, segment: Segment, half_turns: arb) -> Jet:
     return jet_of(crank.cylinder.force(force, crank.stroke, crank.angle))
 
 
-def _total(of: Callable[[Cylinder, int, Any], Any], segment: Segment, half_turns: arb) -> Jet:
+def _total(of: Callable[[Cylinder, int, Numeric], Numeric], segment: Segment, half_turns: arb) -> Jet:
     """What all cranks have together."""
     found = [of(crank.cylinder, crank.stroke, crank.angle) for crank in segment.cranks(half_turns)]
     return sum(map(jet_of, found), Jet(0, 0, 0))

@@ -29,7 +29,7 @@ from kurbel.exact.enclosure import ENCLOSURES, Enclosure, Floats, enclosed, half
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import Number
 from kurbel.exact.search import ISOLATING_BITS
-from kurbel.kernel.circle import Circle, circle
+from kurbel.kernel.circle import Circle, Numeric, circle
 from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.long import Angle, LongColumns, Places, quotient
 from kurbel.page.axes import Place
@@ -95,14 +95,14 @@ class ArrayTurn(FloatTurn):
     def of(self, value: Any) -> Any:
         return value if isinstance(value, np.ndarray) else super().of(value)
 
-    def tangential_force(self, half_turns: Any) -> Any:
+    def tangential_force(self, half_turns: Numeric) -> Numeric:
         return self.total(Cylinder.effort, half_turns, 0.0)
 
     def energy_at(self, half_turns: Any) -> Any:
         return self.energies(half_turns)
 
-    def crank_force(self, force: CrankForce, half_turns: Any) -> Any:
-        def of_first(cylinder: Cylinder, stroke: int, angle: Any) -> Any:
+    def crank_force(self, force: CrankForce, half_turns: Numeric) -> Numeric:
+        def of_first(cylinder: Cylinder, stroke: int, angle: Numeric) -> Numeric:
             return cylinder.force(force, stroke, angle)
 
         return _on_strokes(self.cylinder, self.part.starts[0], of_first, half_turns)
@@ -131,7 +131,7 @@ def at_angles(request: EngineRequest, quantity: Quantity, method: str, degrees: 
 
 
 def _on_strokes(
-    cylinder: Cylinder, start: Fraction, value: Callable[[Cylinder, int, Any], Any], places: Floats
+    cylinder: Cylinder, start: Fraction, value: Callable[[Cylinder, int, Numeric], Numeric], places: Floats
 ) -> Floats:
     """Return what a crank has that follows the first by so many half turns, at each of the places."""
     begins = [stroke + cylinder.drive.dead_centre(stroke % 2) for stroke in range(len(cylinder.strokes))]
@@ -175,7 +175,7 @@ class EnclosedTurn(AnyTurn):
     def of(self, value: Any) -> Any:
         return value.half_turns if isinstance(value, Places) else super().of(value)
 
-    def tangential_force(self, half_turns: Any) -> Any:
+    def tangential_force(self, half_turns: Any) -> Numeric:
         return self._total(Cylinder.effort, half_turns)
 
     def energy_at(self, half_turns: Any) -> Any:
@@ -186,7 +186,7 @@ class EnclosedTurn(AnyTurn):
         return enclosed(self.turn.energy_begun)
 
     def crank_force(self, force: CrankForce, half_turns: Any) -> Any:
-        def of_first(cylinder: Cylinder, stroke: int, angle: Any) -> Any:
+        def of_first(cylinder: Cylinder, stroke: int, angle: Numeric) -> Numeric:
             return cylinder.force(force, stroke, angle)
 
         part, start = next(self._cranks())

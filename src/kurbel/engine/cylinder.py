@@ -166,7 +166,7 @@ class Cylinder(NamedTuple):
         """The mean tangential force in the engine's unit."""
         return self._whole(self.mean)
 
-    def _whole(self, value: Numeric) -> Any:
+    def _whole(self, value: Numeric) -> Numeric:
         return value if self.unit is None else value * self.unit
 
 
@@ -203,13 +203,13 @@ class AnyTurn(ABC):
         """Return what the cylinders of each part have in common, on a kind of number."""
         return tuple(self._cylinder_on(part, kind, circle) for part in self.engine.parts)
 
-    def _cylinder_on(self, part: Engine, kind: Kind, circle: Callable[[Any], Circle[Any]]) -> Cylinder:
+    def _cylinder_on(self, part: Engine, kind: Kind, circle: Callable[[Any], Circle[Numeric]]) -> Cylinder:
         strokes, drive = part.strokes(kind), part.drive.moved(kind, self.method)
         mean, weights = turning.mean_force(strokes, kind.pi, drive.length), part.weights(kind)
         unit = None if part is self.part else self._unit(part, kind)
         return Cylinder(drive, strokes, mean, weights, kind, circle, unit, part.friction(kind))
 
-    def _unit(self, part: Engine, kind: Kind) -> Any:
+    def _unit(self, part: Engine, kind: Kind) -> Numeric:
         moments = []
         for one in (part, self.part):
             assert one.load is not None

@@ -20,6 +20,7 @@ from kurbel.engine.request import EngineRequest
 from kurbel.engine.work import kilowatts
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, given
+from kurbel.kernel.circle import Numeric
 from kurbel.page.axes import Axis, ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, entry, words
 from kurbel.page.subject import Subject
@@ -38,7 +39,7 @@ def _engine(turn: AnyTurn, row: Member) -> Engine | None:
     return None if row.part is None else turn.engine.parts[row.part]
 
 
-def _mean(turn: AnyTurn, row: Member) -> Any:
+def _mean(turn: AnyTurn, row: Member) -> Numeric:
     return turn.mean_force() if row.part is None else turn.cylinders[row.part].whole_mean
 
 

@@ -17,6 +17,7 @@ from kurbel.drive.at import CRANK_FORCES
 from kurbel.engine import work
 from kurbel.engine.cylinder import OUTSTROKE, RETURN_STROKE, WHOLE, AnyTurn, Where
 from kurbel.exact.numerals import Label
+from kurbel.kernel.circle import Numeric
 from kurbel.motion.evaluation import Method
 from kurbel.page.quantity import Formula, Quantity, Words, entry, words
 
@@ -89,7 +90,7 @@ def engine_registry() -> Mapping[str, Quantity]:
 
 def row(
     key: str, name: str, symbol: Label, unit: Label, of: str, decimals: int | None,
-    kernel: Callable[..., Any], **rest: Any,
+    kernel: Callable[..., Numeric], **rest: Any,
 ) -> Quantity:  # fmt: skip
     formulas = dict.fromkeys(ENGINE_METHODS, Formula(kernel))
     return entry(key, name, symbol, unit, decimals, formulas, spanners=(words(name),), of=of, **rest)
@@ -184,7 +185,7 @@ def _flywheel_entries() -> Iterator[Quantity]:
 _SWING = "Arbeitsüberschuss|Energy swing"
 
 
-_FLYWHEEL: tuple[tuple[str, str, str, str, int | None, Callable[..., Any], str], ...] = (
+_FLYWHEEL: tuple[tuple[str, str, str, str, int | None, Callable[..., Numeric], str], ...] = (
     ("power", "Leistung|Power", "$N$", "W", None, work.power_of, ""),
     ("speed", "Drehzahl|Speed", "$n$", '$"min"^(-1)$', None, work.turns_a_minute, ""),
     ("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", None, work.speed, ""),

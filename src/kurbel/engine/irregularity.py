@@ -19,7 +19,7 @@ from kurbel.reading.given import as_ratio_array, choose
 from kurbel.reading.names import checks_keywords
 
 Floats: TypeAlias = NDArray[np.float64]
-Reader: TypeAlias = Callable[[slice], Any]
+Reader: TypeAlias = Callable[[slice], Floats]
 
 ALWAYS = ("eps", "ratio")
 # An engine takes NumPy as long as so many cells of a table of the motion.

@@ -30,6 +30,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import half_turn_circle
 from kurbel.exact.kind import Kind, balls, floats, settled
 from kurbel.exact.numerals import Label, Number, nearest
+from kurbel.kernel.circle import Numeric
 from kurbel.motion.notes import digits_text, moving_notes
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decimals
 from kurbel.page.layouts import LayoutColumn
@@ -125,7 +126,7 @@ class Pressed:
         moved = self.drive.moved(kind, "exact")
         return moved.path(where.stroke % 2, self._circle(moved, where, kind)) / moved.length
 
-    def gas(self, where: Where, kind: Kind) -> Any:
+    def gas(self, where: Where, kind: Kind) -> Numeric:
         """Return the pressure on the piston's face less that on the other, in bar."""
         engine = known(self.engine)
         acting = engine.steam.strokes(kind, engine.double)[where.stroke]
@@ -185,7 +186,7 @@ def registry() -> Mapping[str, Quantity]:
     return {one.key: one._replace(spanners=(one.name,)) for one in entries}
 
 
-def _of(kernel: Callable[..., Any]) -> Mapping[str, Formula]:
+def _of(kernel: Callable[..., Numeric]) -> Mapping[str, Formula]:
     return {"exact": Formula(kernel)}
 
 

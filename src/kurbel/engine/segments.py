@@ -27,6 +27,7 @@ from kurbel.exact.jet import Jet, ball_jets, slopes
 from kurbel.exact.place import PRECISIONS, Place, fraction, unsettled
 from kurbel.exact.search import EQUAL_BITS, ISOLATING_BITS, Function, between, greatest
 from kurbel.exact.taylor import Continued
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.turning import Stroke
 
 PRECISIONS_KEPT = 32
@@ -205,7 +206,7 @@ def _sign_between(segment: Segment, quantity: Quantity, start: Place, end: Place
     raise unsettled("which sign a force has")
 
 
-def jet_of(value: Any) -> Jet:
+def jet_of(value: Numeric) -> Jet:
     """Return a value with its slopes; what has none is constant."""
     return value if isinstance(value, Jet) else Jet(value, 0, 0)
 

@@ -369,7 +369,7 @@ class ExactTurn(Turn):
         raise UndecidedError
 
 
-def turn_ties(value: Callable[..., Any], turns: Sequence[Any]) -> Callable[[Fraction], float]:
+def turn_ties(value: Callable[..., Numeric], turns: Sequence[Any]) -> Callable[[Fraction], float]:
     """Return how near a value of turns can come to a rounding boundary, as `certify.rounded` asks: of turns
     in balls, of which alone more than a ball is known."""
 

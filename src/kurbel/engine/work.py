@@ -93,14 +93,14 @@ def _own(turn: AnyTurn) -> tuple[Kind, Numeric]:
     return turn.cylinder.kind, turn.cylinder.drive.length
 
 
-def _work(engine: Engine, own: tuple[Kind, Any]) -> Any:
+def _work(engine: Engine, own: tuple[Kind, Numeric]) -> Numeric:
     kind, length = own
     strokes = engine.steam.strokes(kind, engine.double)
     cycle = sum(one.work(kind.of(Fraction(1))) for one in strokes)
     return cycle * length * kind.of(Fraction(2 * len(engine.starts), len(strokes)))
 
 
-def _on_areas(engine: Engine, own: tuple[Kind, Any]) -> Any:
+def _on_areas(engine: Engine, own: tuple[Kind, Numeric]) -> Numeric:
     """The same on the piston's areas: in each end the load does as much as on the bore's, less the rod's."""
     effort, whole = engine.crank.effort, _work(engine, own)
     if effort is None or effort.areas is None:
@@ -108,18 +108,18 @@ def _on_areas(engine: Engine, own: tuple[Kind, Any]) -> Any:
     return whole * own[0].of((effort.areas.head + effort.areas.crank) / 2)
 
 
-def _mean_pressure(engine: Engine, own: tuple[Kind, Any]) -> Any:
+def _mean_pressure(engine: Engine, own: tuple[Kind, Numeric]) -> Numeric:
     kind, _ = own
     return _work(engine, (kind, 1)) / kind.of(ends(engine) * len(engine.starts))
 
 
-def mean_pressure_of(engine: Engine, kind: Kind) -> Any:
+def mean_pressure_of(engine: Engine, kind: Kind) -> Numeric:
     """Return the mean pressure in each end of a cylinder that works, on a kind of number; negative where the
     shaft drives the piston."""
     return _mean_pressure(engine, (kind, 1))
 
 
-def stage_work(key: str, turn: AnyTurn, where: Any) -> Any:
+def stage_work(key: str, turn: AnyTurn, where: Any) -> Numeric:
     """Return the work of a stage in Q R, a fraction where it is rational; A₁ + A₂ - A₃ is that of a stroke.
 
     A₁ = 2/ε, A₂ = 2 ln ε/ε, A₃ = 2 b of a straight crank by Mariotte's law. Source: Weisbach-Herrmann,
@@ -137,11 +137,11 @@ def _itself(value: Fraction) -> Fraction:
     return value
 
 
-def _expansion_work(steam: Expansion, whole: Any) -> Any:
+def _expansion_work(steam: Expansion, whole: Numeric) -> Numeric:
     return steam.work(whole) - steam.full_pressure_work(whole)
 
 
-_STAGES: dict[str, Callable[[Expansion, Any], Any]] = {
+_STAGES: dict[str, Callable[[Expansion, Numeric], Any]] = {
     "full_pressure_work": lambda steam, whole: steam.cut_off * whole,
     "expansion_work": _expansion_work,
     "back_work": lambda steam, whole: steam.back * whole,
@@ -157,13 +157,13 @@ def mean_torque(turn: AnyTurn, where: Where) -> Any:
     return turn.of(turns / 2) / turn.pi if wheel.speed.turns else turns
 
 
-def power_of(turn: AnyTurn, where: Where) -> Any:
+def power_of(turn: AnyTurn, where: Where) -> Numeric:
     """The power in W, as it is given or of the steam."""
     given = _flywheel(where).power
     return mean_torque(turn, where) * _number(turn, speed(turn, where)) if given is None else given
 
 
-def turns_a_minute(turn: AnyTurn, where: Where) -> Any:
+def turns_a_minute(turn: AnyTurn, where: Where) -> Numeric:
     """n in 1/min."""
     given = _flywheel(where).speed
     return 60 * given.value if given.turns else turn.of(30 * given.value) / turn.pi
@@ -190,7 +190,7 @@ def mass(turn: AnyTurn, where: Where) -> Numeric:
     return inertia(turn, where) / turn.of(radius * radius)
 
 
-def _number(turn: AnyTurn, value: Any) -> Numeric:
+def _number(turn: AnyTurn, value: Numeric) -> Numeric:
     return turn.of(value) if isinstance(value, Fraction) else value
 
 

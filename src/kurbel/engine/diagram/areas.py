@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 from kurbel.engine.diagram.fluctuation import Extreme
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
+from kurbel.kernel.circle import Numeric
 from kurbel.page.axes import angle_decimals
 from kurbel.reading import notation, units
 from kurbel.reading.given import Given
@@ -86,7 +87,7 @@ class Areas(Given):
     def swing(self, kind: Kind) -> Any:
         return self.energy(max(self.levels) - min(self.levels), kind)
 
-    def extreme_energy(self, kind: Kind, *, greatest: bool) -> Any:
+    def extreme_energy(self, kind: Kind, *, greatest: bool) -> Numeric:
         """Return the greatest or the least energy in J, that at a being 0."""
         return self.energy(max(self.levels) if greatest else min(self.levels), kind)
 

@@ -24,6 +24,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats, settled
 from kurbel.exact.numerals import Label, Number, figures
 from kurbel.exact.real import Product
+from kurbel.kernel.circle import Numeric
 from kurbel.motion.notes import turns_label
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, entry, words
@@ -51,7 +52,7 @@ def areas_registry() -> Mapping[str, Quantity]:
 
 
 def _entry(
-    key: str, name: str, symbol: Label, unit: Label, kernel: Callable[..., Any], **rest: Any
+    key: str, name: str, symbol: Label, unit: Label, kernel: Callable[..., Numeric], **rest: Any
 ) -> Quantity:
     return entry(key, name, symbol, unit, None, {"exact": Formula(kernel)}, spanners=(words(name),), **rest)
 
@@ -81,7 +82,7 @@ def _of_energy() -> Iterator[Quantity]:
     def energy(asked: TorquesRequest | AreasRequest, where: Fraction, kind: Kind) -> Any:
         return asked.swinging.energy(where, kind)
 
-    def omega(asked: TorquesRequest | AreasRequest, where: Fraction, kind: Kind) -> Any:
+    def omega(asked: TorquesRequest | AreasRequest, where: Fraction, kind: Kind) -> Numeric:
         return known(asked.steady).at(energy(asked, where, kind), kind)
 
     yield _entry("excess_energy", "Überschussarbeit|Excess energy", "$W$", "J", energy)
@@ -92,7 +93,7 @@ def _of_energy() -> Iterator[Quantity]:
     )  # fmt: skip
 
 
-def _excess(asked: TorquesRequest, where: Fraction, kind: Kind) -> Any:
+def _excess(asked: TorquesRequest, where: Fraction, kind: Kind) -> Numeric:
     return asked.excess.torque(asked.excess.excess, where, kind)
 
 

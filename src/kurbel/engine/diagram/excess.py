@@ -24,6 +24,7 @@ from kurbel.exact.kind import Kind, balls, floats
 from kurbel.exact.numerals import Label, number_text
 from kurbel.exact.real import Product
 from kurbel.exact.search import greatest as greatest_of
+from kurbel.kernel.circle import Numeric
 from kurbel.reading.given import Given
 from kurbel.reading.notation import about
 
@@ -110,7 +111,7 @@ class Excess(Given):
     def swing(self, kind: Kind) -> Any:
         return self.extreme_energy(kind, greatest=True) - self.extreme_energy(kind, greatest=False)
 
-    def extreme_energy(self, kind: Kind, *, greatest: bool) -> Any:
+    def extreme_energy(self, kind: Kind, *, greatest: bool) -> Numeric:
         """Return the greatest or the least excess energy in J."""
         return self._energy(self._extremes[greatest][0], kind)
 
@@ -155,7 +156,7 @@ class Excess(Given):
         return Fraction(self.excess.area(place, self.excess.line_at(place)))
 
 
-def _below(excess: Torque, number: int, degrees: Any, kind: Kind) -> Any:
+def _below(excess: Torque, number: int, degrees: Any, kind: Kind) -> Numeric:
     """Return what is below the lines up to a ball of degrees."""
     line = excess.lines[number]
     behind = degrees - kind.of(line.start)

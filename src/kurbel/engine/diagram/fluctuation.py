@@ -19,6 +19,7 @@ from kurbel.engine.diagram.texts import WORDS
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats, settled
 from kurbel.exact.numerals import Label, Number, figures, finite_decimals, nearest, number_text
+from kurbel.kernel.circle import Numeric
 from kurbel.reading.amounts import moved, unit_of_page
 from kurbel.reading.notation import about
 from kurbel.reading.units import Speed
@@ -64,7 +65,7 @@ class Fluctuation(Protocol):
         """Return where the speed is greatest, or least: several places only where it is so at all of them."""
 
 
-def work_of(mean: Any, turns: Fraction, kind: Kind) -> Any:
+def work_of(mean: Numeric, turns: Fraction, kind: Kind) -> Numeric:
     """Return the work in J of a mean torque in N m over so many turns."""
     return mean * kind.of(2 * turns) * kind.pi
 
@@ -72,7 +73,7 @@ def work_of(mean: Any, turns: Fraction, kind: Kind) -> Any:
 class Swinging(Fluctuation, Protocol):
     """A fluctuation whose excess energies count from a point of their own."""
 
-    def extreme_energy(self, kind: Kind, *, greatest: bool) -> Any:
+    def extreme_energy(self, kind: Kind, *, greatest: bool) -> Numeric:
         """Return the greatest or the least excess energy in J."""
 
 
@@ -104,11 +105,11 @@ class Steady:
         """Return ω_max in 1/s."""
         return self.mean(kind) + self._half(kind)
 
-    def least(self, kind: Kind) -> Any:
+    def least(self, kind: Kind) -> Numeric:
         """Return ω_min in 1/s."""
         return self.mean(kind) - self._half(kind)
 
-    def _half(self, kind: Kind) -> Any:
+    def _half(self, kind: Kind) -> Numeric:
         return self.swinging.swing(kind) / (kind.of(2 * self.inertia) * self.mean(kind))
 
     def at(self, energy: Any, kind: Kind) -> Any:

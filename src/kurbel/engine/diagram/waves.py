@@ -18,6 +18,7 @@ import flint
 from kurbel.exact.certify import MOST_BITS, ball, vanishes
 from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.separation import plus, times
+from kurbel.kernel.circle import Numeric
 from kurbel.reading.given import Given
 
 # Of a wave its order k and its phase α, at least 0° and below 180°, of a constant at most 90°.
@@ -135,7 +136,7 @@ class Waves(Given):
             total += amplitude * (order * half_turns + phase).cos_pi()
         return total
 
-    def _balls(self, precision: int) -> list[tuple[Any, Any, Any]]:
+    def _balls(self, precision: int) -> list[tuple[Numeric, Numeric, Numeric]]:
         """Return the waves as balls, phases in half turns; made once for each precision."""
         if precision not in self._enclosed:
             self._enclosed[precision] = [
@@ -144,7 +145,7 @@ class Waves(Given):
         return self._enclosed[precision]
 
     @cached_property
-    def _enclosed(self) -> dict[int, list[tuple[Any, Any, Any]]]:
+    def _enclosed(self) -> dict[int, list[tuple[Numeric, Numeric, Numeric]]]:
         return {}
 
     def vanishes(self, degrees: Fraction, level: Fraction = Fraction(0)) -> bool:
@@ -173,5 +174,5 @@ def _normal(amplitude: Fraction, order: Fraction, phase: Fraction) -> tuple[Wave
     return (order, phase), amplitude
 
 
-def _cosine(degrees: Fraction, kind: Kind) -> Any:
+def _cosine(degrees: Fraction, kind: Kind) -> Numeric:
     return kind.circle(float(degrees) if kind.of is float else degrees).cosine

@@ -7,7 +7,7 @@ number, whose separation bound settles ties of what is computed there.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm, log2
@@ -23,6 +23,7 @@ from kurbel.exact.place import fraction
 from kurbel.exact.search import ISOLATING_BITS, LEAST_WIDTH, interval, isolate
 from kurbel.exact.separation import Separation
 from kurbel.exact.terms import algebraic
+from kurbel.kernel.circle import Numeric
 
 # A zero at a rational angle is sought with denominators up to these, the simplest first.
 DENOMINATORS = (1, 12, 3600)
@@ -193,11 +194,11 @@ def _on_line(
             yield zero if exact is None else Zero(exact)
 
 
-def _counted(torque: Any, waves: int) -> Any:
+def _counted(torque: Callable[[Any], Numeric], waves: int) -> Callable[[Any], Any]:
     """Return the function of so many waves, which refuses to be asked without end."""
     calls = iter(range(min(MOST_CALLS, MOST_COSINES // max(waves, 1))))
 
-    def asked(units: Any) -> Any:
+    def asked(units: Any) -> Numeric:
         if next(calls, None) is None:
             raise ProblemError(
                 "the torque has too many places at which it is just its load; give a formula with smaller"

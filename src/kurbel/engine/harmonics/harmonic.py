@@ -25,6 +25,7 @@ from kurbel.engine.harmonics.fourier import NOTHING_BITS, PARTS, Floats, Spectru
 from kurbel.exact.certify import NEVER_TIES, at_bits
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.balance import Star
+from kurbel.kernel.circle import Numeric
 from kurbel.page.quantity import Column, Formula, Quantity, entry, words
 from kurbel.reading.units import Speed
 
@@ -76,7 +77,7 @@ class At(NamedTuple):
             return tuple(one.contains(0) for one in wave or ())
 
 
-def amplitude(at: At) -> Any:
+def amplitude(at: At) -> Numeric:
     """Return c_k."""
     wave = _whole(at)
     square = wave.cosine * wave.cosine + wave.sine * wave.sine
@@ -102,13 +103,13 @@ def star(at: At) -> Star:
     return star_of(at.turn, 0, at.order) if at.member.part is None else Star.ray(Fraction(0))
 
 
-def frequency(at: At) -> Any:
+def frequency(at: At) -> Numeric:
     """Return k n in turns a second."""
     speed = known(at.speed)
     return at.order * speed.value if speed.turns else at.turn.of(at.order * speed.value / 2) / at.turn.pi
 
 
-def angular(at: At) -> Any:
+def angular(at: At) -> Numeric:
     """Return k ω in radians a second."""
     speed = known(at.speed)
     return at.turn.of(2 * at.order * speed.value) * at.turn.pi if speed.turns else at.order * speed.value
@@ -164,7 +165,7 @@ def value(quantity: Quantity, at: At) -> Any:
 
 
 def _entry(
-    key: str, name: str, symbol: Label, unit: Label, decimals: int | None, kernel: Callable[[At], Any],
+    key: str, name: str, symbol: Label, unit: Label, decimals: int | None, kernel: Callable[[At], object],
     **rest: Any,
 ) -> Quantity:  # fmt: skip
     formulas = dict.fromkeys(ENGINE_METHODS, Formula(kernel))

@@ -233,7 +233,7 @@ class Compressor:
         room = room if clearance is None else clearance
         return _Ends(kind.of(inside[0]), delivery, exponent, room, growth, kept)
 
-    def _exponent(self, kind: Kind, exponent: Fraction) -> Any:
+    def _exponent(self, kind: Kind, exponent: Fraction) -> Numeric:
         return 1 if exponent == 1 else kind.exponent(exponent)
 
     def _check_delivery(self) -> None:

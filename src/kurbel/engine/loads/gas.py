@@ -33,7 +33,7 @@ class _Points(NamedTuple):
     clearance: Numeric
     # How many times its volume the gas fills when the heat has been supplied.
     cut_off: Numeric
-    compression: Any
+    compression: Numeric
     expansion: Any
 
 
@@ -190,5 +190,5 @@ _EXAMPLES = {
 }
 
 
-def _exponent(kind: Kind, exponent: Fraction) -> Any:
+def _exponent(kind: Kind, exponent: Fraction) -> Numeric:
     return 1 if exponent == 1 else kind.exponent(exponent)

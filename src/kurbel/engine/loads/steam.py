@@ -11,6 +11,7 @@ from typing import Any, ClassVar
 from kurbel.drive.load import STEAM
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.law import Between, Constant, Law, Line, Piece, Polytrope, steady
 from kurbel.kernel.steam import Expansion, IdleStroke, best_back, power
 from kurbel.kernel.turning import Stroke
@@ -199,7 +200,7 @@ class Steam:
         )
 
 
-def _law(ends: list[tuple[Any, Piece]]) -> Law:
+def _law(ends: list[tuple[Numeric, Piece]]) -> Law:
     """Return the pieces with the shares at which they end; one that fills the stroke has no corner."""
     return Law(tuple(piece for _, piece in ends), tuple(end for end, _ in ends[:-1]))
 

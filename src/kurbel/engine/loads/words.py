@@ -127,7 +127,7 @@ def _steam_lines(request: Loaded, lang: str) -> Iterator[Label]:
     yield from valve_lines(steam, lang)
 
 
-def valve_lines(steam: Any, lang: str) -> Iterator[Label]:
+def valve_lines(steam: object, lang: str) -> Iterator[Label]:
     """Yield what there is to be said of the points at which valves open and close, beside the cut-off."""
     for name, usual in (("release", 1), ("cushion", 1), ("lead", 0)):
         if (share := getattr(steam, name)) != usual:
@@ -244,7 +244,7 @@ def _gas_lines(request: Loaded, lang: str) -> Iterator[Label]:
         yield OTHERS[said][lang].format(exhaust=figure(load.exhaust))
 
 
-def _of_suction(_: Any, load: Load) -> Label:
+def _of_suction(_: object, load: Load) -> Label:
     return f"$Q = π/4 d^2 p_1$, $d = {millimetres(load.bore)}$, $p_1 = {kilopascals(load)}$"
 
 

@@ -21,6 +21,7 @@ from kurbel.exact.jet import Jet
 from kurbel.exact.kind import balls
 from kurbel.exact.real import Term
 from kurbel.exact.search import Zero, isolate
+from kurbel.kernel.circle import Numeric
 from kurbel.page.quantity import Words, words
 
 # Beyond the bounds, so that a number at one of them is found.
@@ -105,7 +106,7 @@ class Search:
             raise NoRootError(self._nowhere(asked, low, high))
         return found
 
-    def _sides(self, number: Any) -> list[Any]:
+    def _sides(self, number: Numeric) -> list[Any]:
         """Return what the load makes, and what it has to make."""
         kind, name = balls(), UNKNOWNS[self.option].name
         found = [self.known.on(kind), kind.of(Fraction(1))]

@@ -35,6 +35,7 @@ from kurbel.engine.turn import Turn
 from kurbel.exact.certify import at_bits
 from kurbel.exact.jet import Jet
 from kurbel.exact.numerals import Label
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.steam import larger, smaller
 from kurbel.page.quantity import Quantity, Words, words
 
@@ -81,7 +82,7 @@ class AnyRodLoad(ABC):
         """Return over how many half turns of the cycle the load is a thrust or a pull."""
         return sum((span.length for span in self.spans if span.sign == sign), self.spans[0].length * 0)
 
-    def unbroken(self, sign: int) -> Any:
+    def unbroken(self, sign: int) -> Numeric:
         """Return the same of the longest part of the cycle without another sign in it."""
         runs = [
             Span(key, sum(span.length for span in run))
@@ -92,11 +93,11 @@ class AnyRodLoad(ABC):
             runs[0] = Span(runs[0].sign, runs[0].length + runs.pop().length)
         return reduce(larger, (run.length for run in runs if run.sign == sign), runs[0].length * 0)
 
-    def reversal(self, unbroken: bool = False) -> Any:
+    def reversal(self, unbroken: bool = False) -> Numeric:
         """Return over how many half turns the load has the sign that it has for less of the cycle."""
         return smaller(*map(self.unbroken if unbroken else self.angle, SIGNS))
 
-    def reversed_share(self) -> Any:
+    def reversed_share(self) -> Numeric:
         """Return the lesser of greatest thrust and greatest pull as a share of the other."""
         thrust, pull = map(self.greatest, SIGNS)
         if thrust is None or pull is None:
