@@ -48,7 +48,7 @@ class BookQuestion(Question):
     keys: ClassVar[tuple[str, ...]]
     words: ClassVar[Mapping[str, Words]]
     table: Any
-    collated: Sequence[Any]
+    collated: Sequence[object]
     only: str = ALL
 
     def __len__(self) -> int:

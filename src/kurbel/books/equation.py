@@ -99,7 +99,7 @@ def points(letters: frozenset[str]) -> Iterator[Mapping[str, Fraction]]:
         yield {name: Fraction(chosen.randint(1, EIGHTHS), 8) for name in sorted(letters)}
 
 
-def at_points(letters: frozenset[str], value_at: Callable[[Mapping[str, Fraction]], Any]) -> Iterator[Any]:
+def at_points(letters: frozenset[str], value_at: Callable[[Mapping[str, Fraction]], object]) -> Iterator[Any]:
     """Yield what is found at the first points where there is something, at high precision."""
     found = 0
     with at_bits(BITS):

@@ -85,7 +85,7 @@ class BookWords(Words):
 class BookNotes(dict[str, Sequence[str]]):
     """Lines of text in each language, if there are any."""
 
-    SCHEMA: ClassVar[Mapping[str, Any]] = Notes.SCHEMA
+    SCHEMA: ClassVar[Mapping[str, object]] = Notes.SCHEMA
 
     @classmethod
     def read(cls, given: Any, _: str) -> BookNotes:

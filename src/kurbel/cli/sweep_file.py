@@ -37,7 +37,7 @@ class Command(Choice, what="command that can be swept", allowed=TABLES):
     """A command by its name."""
 
 
-class Given(tuple[Any, ...]):
+class Given(tuple[object, ...]):
     """One value or several: texts as they would be typed, numbers, or true and false."""
 
     SCHEMA: ClassVar[Mapping[str, object]] = {

@@ -74,9 +74,9 @@ class Requested:
                 part.settle(values)
         self.asked = Asked(values)
         self._kept: dict[Any, verify.Bodies] = {}
-        self._turns: dict[Any, verify.Turn] = {}
-        self._found: dict[Any, Any] = {}
-        self._spots: dict[Any, Spot] = {}
+        self._turns: dict[object, verify.Turn] = {}
+        self._found: dict[object, object] = {}
+        self._spots: dict[object, Spot] = {}
 
     def unit(self) -> tuple[Fraction, Fraction | None]:
         """The bore, and the pressure that makes Q of its area, where both are known."""

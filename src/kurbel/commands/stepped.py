@@ -8,7 +8,7 @@ from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.commands.options import is_given
 from kurbel.commands.part import Values
@@ -121,7 +121,7 @@ class _Asking:
 
     def pages(self, first: Table, run: Run | None) -> Iterator[Step]:
         """Yield the page of every step, called as the first. Raises KurbelError, which names the step."""
-        scenes: dict[Any, Scene | None] = {}
+        scenes: dict[object, Scene | None] = {}
         for chosen, said in steps(self.choices):
             try:
                 yield self.page(chosen, first, run, scenes)
@@ -129,7 +129,7 @@ class _Asking:
                 raise type(error)(f"{error}; this is of the step {said}") from None
 
     def page(
-        self, chosen: Mapping[str, object], first: Table, run: Run | None, scenes: dict[Any, Scene | None]
+        self, chosen: Mapping[str, object], first: Table, run: Run | None, scenes: dict[object, Scene | None]
     ) -> Step:
         question = self.question(chosen)
         table = self.command.built(question, self.values.instead(chosen))
@@ -146,7 +146,7 @@ class _Asking:
         return self.question({**chosen, **{name: one for name, one in whole.items() if name in known}})
 
 
-def _scene(question: Question, scenes: dict[Any, Scene | None]) -> Scene | None:
+def _scene(question: Question, scenes: dict[object, Scene | None]) -> Scene | None:
     """Return what moves, once for drives that move alike."""
     if question.moving is None:
         return None

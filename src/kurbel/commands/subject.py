@@ -180,10 +180,10 @@ class Function(Protocol):
     __name__: str
 
     def __call__(self, *args: Any, **options: Any) -> Any: ...
-    def question(self, *args: Any, **options: Any) -> Any:
+    def question(self, *args: object, **options: Any) -> Any:
         """Return what is asked for, checked, without making the table."""
 
-    def interactive(self, *args: Any, **options: Any) -> Table:
+    def interactive(self, *args: object, **options: Any) -> Table:
         """Return the table of an interactive page, to be saved as HTML, with a slider for several values."""
 
 
@@ -191,17 +191,17 @@ def function(asks: type[CommandOptions], name: str, drawn: bool = False) -> Func
     """Return the function of a command that is made of parts."""
     command = Command(asks, name)
 
-    def question(*args: Any, **options: Any) -> Any:
+    def question(*args: object, **options: Any) -> Any:
         with spelling_keywords(command.keywords):
             return command.ask(_values(command, args, options))
 
-    def make(*args: Any, **options: Any) -> Table:
+    def make(*args: object, **options: Any) -> Table:
         with spelling_keywords(command.keywords):
             values = _values(command, args, options)
             asked = command.ask(values)
             return _table(command.built(asked, values), asked)
 
-    def interactive(*args: Any, **options: Any) -> Table:
+    def interactive(*args: object, **options: Any) -> Table:
         from kurbel.commands.stepped import NOTHING, stepped
 
         with spelling_keywords(command.keywords):

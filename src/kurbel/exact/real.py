@@ -125,7 +125,7 @@ _SHORT = 10**6
 
 
 # A positive number on any kind.
-Enclosed: TypeAlias = Callable[[Kind], Any]
+Enclosed: TypeAlias = Callable[[Kind], object]
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -66,7 +66,7 @@ class ProsePrinter(ABC):
         self.refer = refer
         self.level = level
 
-    def but(self, **changed: Any) -> Self:
+    def but(self, **changed: object) -> Self:
         """Return a printer like this one but for some of what it knows, for what stands within."""
         other = copy(self)
         vars(other).update(changed)

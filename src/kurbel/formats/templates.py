@@ -226,7 +226,7 @@ def _fixed(value: object) -> object:
 
 
 class Sandbox(ImmutableSandboxedEnvironment):
-    def __init__(self, *args: Any, **options: Any) -> None:
+    def __init__(self, *args: object, **options: Any) -> None:
         super().__init__(*args, finalize=_fixed, **options)
         # They are different every time, and a page is the same for the same values.
         del self.globals["lipsum"], self.filters["random"]

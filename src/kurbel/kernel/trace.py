@@ -193,7 +193,7 @@ def _chosen(one: Traced | float, sign: str, other: Traced | float) -> Traced:
 
 
 # What a float of NumPy's own does with a traced number.
-_UFUNCS: dict[str, Callable[..., Any]] = {
+_UFUNCS: dict[str, Callable[..., object]] = {
     "add": lambda one, other: one + other,
     "subtract": lambda one, other: one - other,
     "multiply": lambda one, other: one * other,

@@ -183,7 +183,7 @@ class Places:
 
     def __init__(self, drive: Any, angle: Fraction) -> None:
         self.drive, self.angle = drive, angle
-        self._made: dict[tuple[Any, ...], At] = {}
+        self._made: dict[tuple[object, ...], At] = {}
         self._ways: dict[int, int] = {}
 
     def at(self, quantity: Quantity, method: str, numbers: Kind) -> At:

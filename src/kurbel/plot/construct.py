@@ -51,7 +51,7 @@ NEAREST = 0.01
 # The arrowhead of a vector: its length in mm and how slim it is.
 HEAD = (2.6, 0.17)
 HIDDEN = (0, (6, 3))
-LOOKS: Mapping[str, Mapping[str, Any]] = {
+LOOKS: Mapping[str, Mapping[str, object]] = {
     model.LINK: {"linewidth": STRONG, "zorder": STRONG_LEVEL},
     model.GIVEN: {"linewidth": MEDIUM},
     model.AID: {"linewidth": THIN},

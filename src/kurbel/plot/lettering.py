@@ -103,7 +103,7 @@ class Letters(NamedTuple):
     """A text with the size of its ink, and the way from where it is set to the middle of that."""
 
     text: str
-    look: dict[str, Any]
+    look: dict[str, object]
     size: Size
     middle: Points
 

@@ -148,7 +148,7 @@ def _traces(asked: Question, across: _Across, keys: Sequence[str]) -> Iterator[T
     others = {name: axis.size for name, axis in axes.items() if name != across.name}
     columns = [(place, one) for place, one in enumerate(asked.page_columns) if not keys or one.key in keys]
     found = [axis for axis in axes.values() if isinstance(axis, Axis) and axis.found and axis.field().symbol]
-    quantities: list[tuple[Quantity, Any]] = [
+    quantities: list[tuple[Quantity, object]] = [
         *((_of_axis(axis), axis) for axis in found),
         *((one.quantity, (place, one)) for place, one in columns),
     ]

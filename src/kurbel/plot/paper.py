@@ -161,11 +161,11 @@ def _renderer() -> Any:
             self.stream = stream
             self.measuring = agg.RendererAgg(1, 1, figure.dpi)
 
-        def get_text_width_height_descent(self, s: str, prop: Any, ismath: Any) -> Any:
+        def get_text_width_height_descent(self, s: str, prop: object, ismath: object) -> Any:
             return self.measuring.get_text_width_height_descent(s, prop, ismath)
 
         def draw_text(
-            self, gc: Any, x: float, y: float, s: str, prop: Any, angle: float, ismath: Any = False,
+            self, gc: Any, x: float, y: float, s: str, prop: Any, angle: float, ismath: object = False,
             mtext: Any = None,
         ) -> None:  # fmt: skip
             place = ["left", "base"]

@@ -270,7 +270,7 @@ class Sketch(NamedTuple):
         widths = 2 * math.pi / self.mm * MM / THIN
         stretch = widths / (max(1, round(widths / sum(LONG_DASH_DOT) / 4)) * 4 * sum(LONG_DASH_DOT))
         pattern = tuple(part * stretch for part in LONG_DASH_DOT)
-        look: dict[str, Any] = {"linestyle": (pattern[0] / 2, pattern), "dash_capstyle": "butt"}
+        look: dict[str, object] = {"linestyle": (pattern[0] / 2, pattern), "dash_capstyle": "butt"}
         self.line(*points, zorder=2, **look)
 
     def write(self) -> None:

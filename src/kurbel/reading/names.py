@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import wraps
-from typing import Any, ParamSpec, TypeVar
+from typing import ParamSpec, TypeVar
 
 from kurbel.errors import KeywordError, KurbelError
 
@@ -276,7 +276,7 @@ def as_keywords(sentence: str, names: Mapping[str, Collection[str]]) -> str:
 
 
 def bound(
-    name: str, signature: inspect.Signature, args: Sequence[Any], kwargs: Mapping[str, object]
+    name: str, signature: inspect.Signature, args: Sequence[object], kwargs: Mapping[str, object]
 ) -> inspect.BoundArguments:
     """Return the values by the names of a function's parameters. Raises KeywordError."""
     try:
@@ -307,7 +307,7 @@ def unknown(
 
 
 def _sentence(
-    name: str, signature: inspect.Signature, args: Sequence[Any], kwargs: Mapping[str, object]
+    name: str, signature: inspect.Signature, args: Sequence[object], kwargs: Mapping[str, object]
 ) -> str:
     parameters = dict(signature.parameters)
     if parameters.pop("self", None):

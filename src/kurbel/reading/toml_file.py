@@ -35,7 +35,7 @@ class Fault(KurbelError):
     """What a value must be; the sentence has its name and the value before that."""
 
 
-def about(text: str, example: Any = None, schema: dict[str, Any] | None = None) -> Meta:
+def about(text: str, example: Any = None, schema: dict[str, object] | None = None) -> Meta:
     """Return what is said of a field, to editors too, an example of it, and its JSON Schema where its type
     does not say it."""
     from msgspec import Meta

@@ -69,8 +69,8 @@ class Cluster:
         except BaseException:
             self._client.close(timeout=PATIENCE)
             raise
-        self._done: SimpleQueue[tuple[int, Future[Any]]] = SimpleQueue()
-        self._given: dict[int, Future[Any]] = {}
+        self._done: SimpleQueue[tuple[int, Future[object]]] = SimpleQueue()
+        self._given: dict[int, Future[object]] = {}
         self._seen, self._most = monotonic(), self._looked(1)
 
     @property

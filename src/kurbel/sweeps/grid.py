@@ -33,7 +33,7 @@ REASON, REASONS = "reason", "reason_text"
 MOST_FLAGS = 100
 Place = tuple[slice, ...]
 # From one place on an axis to another: what stands there.
-Values = Callable[[int, int], Any]
+Values = Callable[[int, int], object]
 
 
 class Array(NamedTuple):

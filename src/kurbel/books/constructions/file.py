@@ -75,7 +75,7 @@ SHAPES: Mapping[str, Shape] = {
     "measure": Shape(model.Measure, 1, "level", of="length"),
 }
 # Words that say more of an element: the field, and its value.
-FLAGS: Mapping[str, tuple[str, Any]] = {
+FLAGS: Mapping[str, tuple[str, object]] = {
     **{look: ("look", look) for look in LOOKS},
     "bare": ("written", False),
     "turning": ("sense", 1),

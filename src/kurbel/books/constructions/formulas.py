@@ -58,7 +58,7 @@ FUNCTIONS: Mapping[str, Function] = {
     "abs": Function((NUMBER,), NUMBER, abs),
 }
 # In floats alone: what is found by them stands in near(...) or is compared.
-OF_FLOATS: Mapping[str, Callable[..., Any]] = {"max": max, "min": min}
+OF_FLOATS: Mapping[str, Callable[..., object]] = {"max": max, "min": min}
 NEAR = "near"
 COMPARED: Mapping[type, Callable[[Any, Any], bool]] = {
     ast.Lt: operator.lt,
@@ -89,7 +89,7 @@ class Values:
 
     def __init__(self, at: Placed, formulas: Mapping[str, Formula], **numbers: Any) -> None:
         self.at, self._formulas, self._numbers = at, formulas, numbers
-        self._found: dict[str, Any] = dict(numbers)
+        self._found: dict[str, object] = dict(numbers)
 
     def __getitem__(self, name: str) -> Any:
         if name not in self._found:
@@ -172,7 +172,7 @@ class _Reader:
             raise self.wrong(f"has a {found.gives} where a number must stand")
         return found
 
-    def combined(self, gives: str, apply: Callable[..., Any], *parts: Formula) -> Formula:
+    def combined(self, gives: str, apply: Callable[..., object], *parts: Formula) -> Formula:
         """Return what comes of the values of other formulas."""
         values = [part.value for part in parts]
         return Formula(

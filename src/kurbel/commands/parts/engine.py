@@ -347,7 +347,7 @@ def _title(number: int, own: Mapping[str, object]) -> str:
     return f"{where}: cylinder {number}" if where else f"cylinder {number}"
 
 
-def lags_of(cylinders: Sequence[Mapping[str, object]], loads: Sequence[Any]) -> list[Fraction]:
+def lags_of(cylinders: Sequence[Mapping[str, object]], loads: Sequence[object]) -> list[Fraction]:
     """Return the angles by which cylinders follow the first, from dead centre to dead centre.
 
     That of a crank and that by which its cylinder's axis leans add up; where all have a place in the firing
@@ -367,8 +367,8 @@ def lags_of(cylinders: Sequence[Mapping[str, object]], loads: Sequence[Any]) -> 
 
 def _fired(
     places: Sequence[tuple[Fraction, Fraction]],
-    ordered: Sequence[Any],
-    loads: Sequence[Any],
+    ordered: Sequence[object],
+    loads: Sequence[object],
     titles: Sequence[str],
 ) -> list[Fraction]:
     from kurbel.balancing.arrangement import Cylinder

@@ -26,7 +26,7 @@ PAPER = 9
 BROADEST, TALLEST = 255, 409
 LINES = {"thin": 1, "heavy": 2}
 SUBSCRIPT = 2
-PARTS: dict[str, dict[str, Any]] = {
+PARTS: dict[str, dict[str, object]] = {
     "caption": {"bold": True, "font_size": 12.5, "text_wrap": True, "valign": "top"},
     "head": {"text_wrap": True, "valign": "bottom"},
     "group": {"bold": True, "valign": "bottom"},
