@@ -90,7 +90,7 @@ class BookQuestion(Question):
         return Records(tuple(map(Field, keys, names)), rows)
 
 
-def kernels(words_of: Mapping[str, Words], **shown: Callable[..., Any]) -> Mapping[str, Quantity]:
+def kernels(words_of: Mapping[str, Words], **shown: Callable[..., object]) -> Mapping[str, Quantity]:
     """Return what stands beside a place, each by what it is made of."""
     return {
         key: Quantity(key, words_of[key], "", words(""), None, {"": Formula(kernel)}, words_of[key])

@@ -155,7 +155,7 @@ class BookTable(Generic[File]):
         self.key, self.title, self.notes = f"{book.key}-{name}", given.title, given.notes
         self.file = book.folder / f"{name}.csv"
 
-    def read(self, row: Callable[[dict[str, str], int], Any]) -> Iterator[Any]:
+    def read(self, row: Callable[[dict[str, str], int], object]) -> Iterator[Any]:
         """Yield what is made of each line, of its texts by their columns and its number."""
 
         def made(texts: list[str], head: Head, line: int) -> Any:

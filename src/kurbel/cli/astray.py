@@ -201,7 +201,7 @@ def _example(context: click.Context | None, flag: str) -> str:
     return f", as in {flag} {found[1].rstrip('.,')}" if found else ""
 
 
-def twice(flag: str, values: Iterable[Any], command: str | None) -> str:
+def twice(flag: str, values: Iterable[object], command: str | None) -> str:
     """Return the sentence that refuses an option which takes one value and was given several."""
     listed = " and as ".join(str(value)[:_LONGEST] for value in values)
     hint = SIDE_BY_SIDE.get(command or "") if flag == "--method" else None

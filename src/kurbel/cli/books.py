@@ -24,6 +24,7 @@ from kurbel.cli.tables import CollateCommand, Printing, TableCommand
 from kurbel.commands import books as pages
 from kurbel.commands import motion
 from kurbel.errors import ProblemError
+from kurbel.page.subject import Question
 from kurbel.reading.given import File
 
 # Of what a source says about itself, and the heads of the lists.
@@ -83,7 +84,7 @@ class ExampleCommand(TableCommand):
             raise ProblemError(f'"{words[:60]}" prints a list; a document needs a table')
         return super().made(given)
 
-    def print(self, question: Any, printing: Printing, given: Given) -> None:
+    def print(self, question: Question, printing: Printing, given: Given) -> None:
         printing.print(self.made_by.built(question, given))
 
 

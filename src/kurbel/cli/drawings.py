@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
 from kurbel.cli.options import Given, click_option
 from kurbel.commands.parts.drawing import Pictured
 from kurbel.formats.registry import DRAWINGS, DRAWN, FORMATS
+from kurbel.page.subject import Question
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
@@ -103,7 +104,7 @@ def _check_page(given: Given, name: str) -> None:
         )
 
 
-def drawn(question: Any, given: Given) -> Drawing:
+def drawn(question: Question, given: Given) -> Drawing:
     """Return what is asked for as a drawing. Raises KurbelError."""
     from kurbel.commands.shown import drawing_of
 

@@ -272,7 +272,7 @@ def _bar_of(options: Options) -> Callable[[Iterable[Any], int], Iterable[Any]]:
     return (lambda steps, _: steps) if options.quiet else _bar
 
 
-def _bar(steps: Iterable[Any], count: int) -> Iterator[Any]:
+def _bar(steps: Iterable[object], count: int) -> Iterator[Any]:
     """Pass the steps on and show on a terminal how many of them are done."""
     if count and sys.stderr.isatty():
         with click.progressbar(steps, count, f"{count} parts", file=sys.stderr) as bar:

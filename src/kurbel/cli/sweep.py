@@ -57,8 +57,8 @@ def own_options(command: Command) -> list[click.Parameter]:
 def _swept(option: kinds.Option[object]) -> click.Parameter:
     if option.kind is kinds.FLAG or option.last or option.first or isinstance(option.kind, kinds.LayoutName):
         return click_option(option)
-    kind: Any = FileName() if option.kind is kinds.FILE else Type(_Listed(option.kind))
-    more: dict[str, Any] = {"is_flag": False, "flag_value": option.bare} if option.bare else {}
+    kind: object = FileName() if option.kind is kinds.FILE else Type(_Listed(option.kind))
+    more: dict[str, object] = {"is_flag": False, "flag_value": option.bare} if option.bare else {}
     return SweptOption(
         [option.name, option.flag, *filter(None, [option.short])],
         type=kind,
@@ -155,7 +155,7 @@ def _bar(sweep: Sweep, target: str) -> Iterator[Callable[[int], None]]:
         yield lambda rows: None
         return
 
-    def rate(_: Any) -> str:
+    def rate(_: object) -> str:
         each = bar.time_per_iteration
         return _rate(1 / each) if each else ""
 

@@ -31,6 +31,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import ROUNDINGS
 from kurbel.formats.registry import DEFAULT, FORMATS, BytesFormat, Format, RecordsFormat, for_suffix
 from kurbel.formats.render import render, whole_file
+from kurbel.page.subject import Question
 from kurbel.page.table import Table
 from kurbel.reading.names import enumerated
 
@@ -86,7 +87,7 @@ class TableCommand(MakingCommand):
         """Return what is asked for. Raises KurbelError."""
         return self.made_by.ask(given)
 
-    def exit_code(self, given: Given, question: Any) -> int:
+    def exit_code(self, given: Given, question: Question) -> int:
         """Return what the command ends with, once it has printed."""
         return 0
 
@@ -124,7 +125,7 @@ class TableCommand(MakingCommand):
         self.print(question, printing, given)
         return self.exit_code(given, question)
 
-    def print(self, question: Any, printing: Printing, given: Given) -> None:
+    def print(self, question: Question, printing: Printing, given: Given) -> None:
         """Write the table to the file, whole or not at all."""
         if isinstance(printing.format, RecordsFormat):
             from kurbel.commands.streams import record_chunks

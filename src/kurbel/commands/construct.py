@@ -23,6 +23,7 @@ from kurbel.commands.parts.masses import MovingRod
 from kurbel.commands.parts.sheet import Layouts, Plain, Sheet, columns_option, layout_option
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import function
+from kurbel.drive.moved import Drive
 from kurbel.drive.rod import Rod
 from kurbel.engine.loads.steam import Steam
 from kurbel.errors import ChoiceError, ProblemError
@@ -156,7 +157,7 @@ class Constructed(AnyDrive, CommandOptions):
             return f"--{name} gives the ratio with --{other}; add that, or leave --{name} out"
         return ""
 
-    def _angle(self, shown: Construction, drive: Any) -> Fraction | None:
+    def _angle(self, shown: Construction, drive: Drive) -> Fraction | None:
         """Return the crank angle, none for the position of the book."""
         given = self.angle
         if given is None and shown.position and not drive.crank.offset:
@@ -167,7 +168,7 @@ class Constructed(AnyDrive, CommandOptions):
             return Fraction(0)
         return as_angle(shown.given.angle if given is None else given, "angle") % 360
 
-    def _beside(self, shown: Construction, drive: Any) -> Beside:
+    def _beside(self, shown: Construction, drive: Drive) -> Beside:
         """Return what is given beside the drive, of what the construction takes."""
         takes = {name: self.raw(name) if name in shown.given.takes else None for name in TAKEN}
         point = ALONE.point if takes.get("point") is None else _point(takes["point"], drive)
@@ -254,7 +255,7 @@ class DrawnConstruction(Constructed, Sized):
         return Drawing.of(drawn, lang, mark, page)
 
 
-def _point(given: object, drive: Any) -> Fraction:
+def _point(given: object, drive: Drive) -> Fraction:
     points = points_of(given, [drive.crank])
     if len(points) != 1:
         raise ProblemError(f"a construction is of one point of the rod; {len(points)} are given")
@@ -267,7 +268,7 @@ def _point(given: object, drive: Any) -> Fraction:
     return point.share
 
 
-def _rod(centre: object, gyration: object, drive: Any) -> Rod | None:
+def _rod(centre: object, gyration: object, drive: Drive) -> Rod | None:
     if centre is None and gyration is None:
         return None
     crank = drive.crank

@@ -27,7 +27,7 @@ ACTING = ("force", "eps", *PRESSING)
 class Held:
     """A place at which a condition holds, by its number among all of what was asked for."""
 
-    asked: Any
+    asked: object
     number: int
 
     def __call__(self) -> Place:
@@ -40,7 +40,7 @@ def angles_of(text: str, values: Values, ratios: Sequence[str], cycle: Fraction)
     A drive that no option gives is one of these `ratios`. Raises KurbelError.
     """
     of_motion = text.partition("=")[0].strip() in OF_MOTION
-    own: dict[str, Any] = {"where": (text,), **dict.fromkeys(APART)}
+    own: dict[str, object] = {"where": (text,), **dict.fromkeys(APART)}
     method = values.values.get("method")
     if isinstance(method, Sequence) and not isinstance(method, str):
         own["method"] = method[0] if method else None
@@ -75,7 +75,7 @@ def places_of(asked: Any) -> list[tuple[Place, Fraction]]:
     return [(one.place, Fraction(0)) for one in roots]
 
 
-def _turned(asked: Any, number: int, place: Place, turned: Fraction) -> Fraction:
+def _turned(asked: object, number: int, place: Place, turned: Fraction) -> Fraction:
     degrees = place.degrees
     found = Found(Held(asked, number), HALF_TURN) if degrees is None else degrees
     return found + turned

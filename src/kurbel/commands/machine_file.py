@@ -123,7 +123,7 @@ def machine_model() -> type[Any]:
     """Return the model of the file."""
     from kurbel.commands.parts.engine import PLACE, Cylinder
 
-    fields: list[tuple[str, Any, Any]] = [
+    fields: list[tuple[str, object, object]] = [
         (name, _section(name.title(), keys) | None, None) for name, keys in machine_keys().items()
     ]
     cylinder = GenericAlias(tuple, (_section("Cylinder", Cylinder.entries(), PLACE), ...))
@@ -136,7 +136,7 @@ def _section(
 ) -> Any:
     """Return a section by its keys and the options behind them; of a cylinder also what sets its place."""
     keys = {option.name: key for key, option in options.items()}
-    fields: list[tuple[str, Any, Any]] = [
+    fields: list[tuple[str, object, object]] = [
         (place, _described(One, text), None) for place, text in (places or {}).items()
     ]
     for option in options.values():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from kurbel.commands.options import Columns, Option, flag, measure
 from kurbel.commands.part import CommandOptions, Rivals
@@ -14,6 +14,7 @@ from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, columns_
 from kurbel.commands.subject import function
 from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import MOTIONS
+from kurbel.drive.moved import Drive
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism
 from kurbel.page.layouts import Layout
@@ -55,7 +56,7 @@ class OverPath(Angles, AnyDrive, Layouts, Sheet):
         described: Described,
         page: Layout,
         method: str | None,
-        drives: Sequence[Any] = (),
+        drives: Sequence[Drive] = (),
     ) -> Question:
         """Return what is asked for of drives that were described, or of these, at shares of the stroke."""
         from kurbel.conditions.over import PathRequest
@@ -203,7 +204,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
 table = function(MotionOptions, "table")
 
 
-def some(drives: Sequence[Any]) -> Sequence[Any]:
+def some(drives: Sequence[Drive]) -> Sequence[Drive]:
     """Return the drives; raise ProblemError where a list of crank ratios was empty."""
     if not drives:
         raise ProblemError("no crank ratio was given; give one, such as 1:5")

@@ -269,13 +269,13 @@ class Option(Generic[Made]):
     name: str = field(default="", init=False)
     home: type[Part] | None = field(default=None, init=False)
 
-    def but(self, **changes: Any) -> Self:
+    def but(self, **changes: object) -> Self:
         """Return the same option with another help, another default: as it is in one command."""
         found = copy(self)
         vars(found).update(changes)
         return found
 
-    def read_as(self, read: Callable[[object, str], Value], **changes: Any) -> Option[Value | None]:
+    def read_as(self, read: Callable[[object, str], Value], **changes: object) -> Option[Value | None]:
         """Return the same, read in another way, None where it is not given."""
         return cast("Option[Value | None]", self.but(read=read, **changes))
 
@@ -329,10 +329,10 @@ def alone(read: Callable[[object], Value]) -> Callable[[object, str], Value]:
 
 @overload
 def word(
-    help: str, metavar: str | None = ..., kind: Kind = ..., *, default: str, **more: Any
+    help: str, metavar: str | None = ..., kind: Kind = ..., *, default: str, **more: object
 ) -> Option[str]: ...
 @overload
-def word(help: str, metavar: str | None = ..., kind: Kind = ..., **more: Any) -> Option[str | None]: ...
+def word(help: str, metavar: str | None = ..., kind: Kind = ..., **more: object) -> Option[str | None]: ...
 def word(help: str, metavar: str | None = None, kind: Kind = TEXT, **more: Any) -> Option[object]:
     """Return an option that is a name or a text, as it stands."""
     return Option(help, metavar, kind, **more)

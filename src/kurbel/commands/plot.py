@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kurbel.commands.motion import some
 from kurbel.commands.options import Option, alone, measure
@@ -16,6 +16,7 @@ from kurbel.commands.parts.drive import AnyDrive
 from kurbel.commands.parts.sheet import Plain, Sheet
 from kurbel.commands.shown import Drawing, carrying, drawing_of, mark_of, paged, spoken, staged
 from kurbel.commands.subject import function
+from kurbel.drive.moved import Drive
 from kurbel.errors import ProblemError
 from kurbel.motion.evaluation import is_known
 from kurbel.motion.mechanism import Mechanism
@@ -92,7 +93,7 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
             self.refuse("stroke", *(("rod",) if "ratio" in chosen.takes else ()))
         return self._mechanism(chosen, drives[0], angles)
 
-    def _mechanism(self, chosen: Mechanism, drive: Any, angles: Sequence[Fraction]) -> Drawing:
+    def _mechanism(self, chosen: Mechanism, drive: Drive, angles: Sequence[Fraction]) -> Drawing:
         """Return the mechanism to scale at crank angles, the first one strong."""
         from kurbel.plot.animated import mechanism_film
         from kurbel.plot.rod_paths import coupled
@@ -131,7 +132,7 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
 plot_mechanism = function(PlotOptions, "plot_mechanism", drawn=True)
 
 
-def _motion(chosen: Mechanism, drives: Sequence[Any], lang: str) -> AngleQuestion:
+def _motion(chosen: Mechanism, drives: Sequence[Drive], lang: str) -> AngleQuestion:
     """Return what is read beside a mechanism: the motion of the driven end."""
     from kurbel.plot.curves import motion_keys
     from kurbel.plot.drawings import drawing_layout
@@ -142,7 +143,7 @@ def _motion(chosen: Mechanism, drives: Sequence[Any], lang: str) -> AngleQuestio
     )  # fmt: skip
 
 
-def _of_points(chosen: Mechanism, drive: Any, points: tuple[RodPoint, ...], lang: str) -> AngleQuestion:
+def _of_points(chosen: Mechanism, drive: Drive, points: tuple[RodPoint, ...], lang: str) -> AngleQuestion:
     """Return what is read beside points of the rod: how they move."""
     from kurbel.plot.drawings import drawing_layout
 

@@ -73,7 +73,7 @@ class Requested:
             if "settle" in vars(part):
                 part.settle(values)
         self.asked = Asked(values)
-        self._kept: dict[Any, verify.Bodies] = {}
+        self._kept: dict[object, verify.Bodies] = {}
         self._turns: dict[object, verify.Turn] = {}
         self._found: dict[object, object] = {}
         self._spots: dict[object, Spot] = {}

@@ -120,7 +120,7 @@ class Second(Requested):
             self._spots[key] = find()
         return self._spots[key]
 
-    def once(self, row: Row, find: Callable[[], Any]) -> Any:
+    def once(self, row: Row, find: Callable[[], object]) -> Any:
         """What is found of a row, once for all its columns with the working bits."""
         place = tuple(row.get(name) for name in (*LOADED, "ratio", "target")), enclose.Working.bits
         if place not in self._found:

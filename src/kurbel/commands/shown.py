@@ -14,6 +14,7 @@ from kurbel.commands import frames
 from kurbel.commands.part import Origin, Values
 from kurbel.commands.parts.drawing import Pictured
 from kurbel.drive.crank import Crank
+from kurbel.drive.moved import Drive
 from kurbel.errors import ChoiceError, ProblemError
 from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS, Label
 from kurbel.formats.registry import DEFAULT, DRAWINGS, BytesFormat, for_suffix
@@ -22,6 +23,7 @@ from kurbel.page import labels
 from kurbel.page.build import shown_at
 from kurbel.page.quantity import letter
 from kurbel.page.steps import MOST_COLUMNS
+from kurbel.page.subject import Question
 from kurbel.page.table import Table as Page
 from kurbel.reading.given import choose, found_at
 from kurbel.reading.names import checks_keywords, spelling_keywords, unknown
@@ -86,7 +88,7 @@ class Table(Page):
     its columns over their axis.
     """
 
-    asked: Any = None
+    asked: Question | None = None
     typeset = typeset
     to_numpy = frames.to_numpy
     to_pandas = frames.to_pandas
@@ -96,7 +98,7 @@ class Table(Page):
     __getitem__ = frames.column
 
     @classmethod
-    def of(cls, page: Page, asked: Any = None) -> Table:
+    def of(cls, page: Page, asked: Question | None = None) -> Table:
         return cls(**{field.name: getattr(page, field.name) for field in fields(page)}, asked=asked)
 
     def plot(self, *, decimal: str | None = None, **options: Any) -> Drawing:
@@ -266,7 +268,7 @@ class Spoken(NamedTuple):
     values: tuple[Value, ...]
 
 
-def drawing_of(question: Any, options: Pictured, decimal: str | None = None) -> Drawing:
+def drawing_of(question: Question, options: Pictured, decimal: str | None = None) -> Drawing:
     """Return what is asked for as a drawing: the columns of its page over their axis. Raises KurbelError."""
     from kurbel.plot.drawings import drawn, picture
 
@@ -278,7 +280,7 @@ def drawing_of(question: Any, options: Pictured, decimal: str | None = None) -> 
     return Drawing.of(made, question.lang, mark, page)
 
 
-def plotted(question: Any, options: Mapping[str, object], decimal: str | None) -> Drawing:
+def plotted(question: Question, options: Mapping[str, object], decimal: str | None) -> Drawing:
     """Return the same by options in the words of Python. Raises KurbelError."""
     known = Pictured.options()
     for name in options:
@@ -305,7 +307,7 @@ def shot_of(seconds: float, question: Any) -> Shot:
     return Shot(seconds, partial(carrying, question, staged(moving[0], moving[1])))
 
 
-def staged(name: str, drive: Any) -> Staged:
+def staged(name: str, drive: Drive) -> Staged:
     """Return what a mechanism of this name looks like at crank angles."""
     from kurbel.motion.mechanism import mechanism
 

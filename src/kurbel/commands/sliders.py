@@ -155,7 +155,7 @@ class Written(Sequence[str]):
     def __len__(self) -> int:
         return self.numbers.size
 
-    def __getitem__(self, index: Any) -> Any:
+    def __getitem__(self, index: object) -> Any:
         if isinstance(index, slice):
             return Written(self.numbers[index], self.unit)
         return f"{figures(self.numbers[index])}{self.unit}"

@@ -4,7 +4,6 @@ which one holds."""
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
-from typing import Any
 
 from kurbel.commands.motion import some
 from kurbel.commands.options import Choice, Option, amount, word
@@ -18,6 +17,7 @@ from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_o
 from kurbel.commands.subject import function
 from kurbel.conditions.solve import read_on
 from kurbel.conditions.solve_page import SolveRequest
+from kurbel.drive.moved import Drive
 from kurbel.errors import NotationError, ProblemError
 from kurbel.motion.mechanism import Mechanism
 from kurbel.page.subject import Question
@@ -194,7 +194,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
 
         return self.as_part(ForcesOptions).refusal(option)
 
-    def _moving(self, chosen: Mechanism, drives: Sequence[Any]) -> Sequence[Any]:
+    def _moving(self, chosen: Mechanism, drives: Sequence[Drive]) -> Sequence[Drive]:
         """Return the drives with their masses, where conditions on their forces are solved."""
         if not self.is_heavy():
             return drives

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Protocol, cast
 from kurbel.commands.options import FILE, TEXT, Choice, Option, alone_of, is_given
 from kurbel.commands.part import CommandOptions, Origin, Values
 from kurbel.errors import MachineError, ProblemError
+from kurbel.page.subject import Question
 from kurbel.page.table import Request, own_words
 from kurbel.reading.given import File, found_at
 from kurbel.reading.names import bound, spelling_keywords
@@ -139,13 +140,13 @@ class Command:
         self.settle(values)
         return self.question(values)
 
-    def built(self, question: Any, values: Values) -> Page:
+    def built(self, question: Question, values: Values) -> Page:
         """Return the table that was asked for, which these values of the options name."""
         page = cast("Page", found_at(self.builder)(question))
         named = variant(page.key, self.parameters, values.values)
         return replace(page, variant=named, request=self.request(question, values))
 
-    def request(self, question: Any, values: Values) -> Request:
+    def request(self, question: Question, values: Values) -> Request:
         """Return what counted of the values of a question, as they were written."""
         written = values.written
         counted = {
@@ -179,7 +180,7 @@ class Function(Protocol):
     command: Command
     __name__: str
 
-    def __call__(self, *args: Any, **options: Any) -> Any: ...
+    def __call__(self, *args: object, **options: Any) -> Any: ...
     def question(self, *args: object, **options: Any) -> Any:
         """Return what is asked for, checked, without making the table."""
 
@@ -222,7 +223,7 @@ def function(asks: type[CommandOptions], name: str, drawn: bool = False) -> Func
     return cast("Function", found)
 
 
-def _values(command: Command, args: tuple[Any, ...], options: Mapping[str, object]) -> Values:
+def _values(command: Command, args: tuple[object, ...], options: Mapping[str, object]) -> Values:
     """Return what is given by hand, and what a machine's file says."""
     by_hand = bound(command.name, command.signature, args, options).arguments
     machine = by_hand.pop(MACHINE, None)
@@ -237,7 +238,7 @@ def _values(command: Command, args: tuple[Any, ...], options: Mapping[str, objec
     return Values({**command.defaults, **found, **given}, origins)
 
 
-def _table(page: Page, asked: Any = None) -> Table:
+def _table(page: Page, asked: Question | None = None) -> Table:
     from kurbel.commands.shown import Table
 
     return Table.of(page, asked)

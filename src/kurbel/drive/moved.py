@@ -9,7 +9,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, Any, Protocol
 
-from kurbel.drive.at import CrankForce, Weights, framed
+from kurbel.drive.at import At, CrankForce, Weights, framed
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel import kinematics, moving, rod, turning
@@ -31,6 +31,10 @@ class Drive(Protocol):
     def crank(self) -> Crank: ...
 
     def of(self, crank: Crank) -> Drive: ...
+
+    def at(
+        self, stroke: int, circle: Circle[Any], numbers: Kind, method: str, of: str | None = None
+    ) -> At: ...
 
     def moved(self, kind: Kind, method: str) -> Moved: ...
 

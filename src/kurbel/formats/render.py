@@ -85,7 +85,7 @@ def render(
     wishes = Wishes(longtable, siunitx, plain, width, colours, place)
     values = {"page": ready, **writer.values(table, ready, mark, wishes)}
 
-    def filled(name: str, more: dict[str, str]) -> str:
+    def filled(name: str, more: dict[str, object]) -> str:
         return filled_by(form, template_of(table, name, folders), values | more, folders)
 
     fragment = filled(form.name, {})

@@ -8,7 +8,6 @@ import shutil
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from tempfile import TemporaryDirectory
 from traceback import walk_tb
-from typing import Any
 
 from jinja2 import BaseLoader, Environment, TemplateNotFound, TemplateSyntaxError
 from jinja2.loaders import split_template_path
@@ -226,7 +225,7 @@ def _fixed(value: object) -> object:
 
 
 class Sandbox(ImmutableSandboxedEnvironment):
-    def __init__(self, *args: object, **options: Any) -> None:
+    def __init__(self, *args: object, **options: object) -> None:
         super().__init__(*args, finalize=_fixed, **options)
         # They are different every time, and a page is the same for the same values.
         del self.globals["lipsum"], self.filters["random"]

@@ -30,7 +30,7 @@ class RecordsWriter(ABC):
     def rows(self, table: Table, decimal: str, folders: Sequence[str] = ()) -> Iterator[str]:
         """Yield the records in pieces; `decimal` is "comma" or "point", `folders` a user's with templates."""
 
-    def filters(self) -> Mapping[str, Callable[..., Any]]:
+    def filters(self) -> Mapping[str, Callable[..., object]]:
         """Return the filters of its template, if it has one."""
         return {}
 
@@ -136,17 +136,17 @@ class PageWriter:
             set_label(label, self.escape, lambda formula: self.formula(formula, mark, display), noted)
         )
 
-    def filters(self) -> Mapping[str, Callable[..., Any]]:
+    def filters(self) -> Mapping[str, Callable[..., object]]:
         """Return the filters of its templates."""
         return {}
 
-    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, Any]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, object]:
         """Return what its templates read beside the page, or in its place."""
         return {}
 
     def stepped(
         self, table: Table, fragment: str, page: Callable[[Table], str], mark: str, place: Place
-    ) -> dict[str, Any]:
+    ) -> dict[str, object]:
         """Return what the template of an interactive page reads, of the page that is shown first and of what
         sets the others, in a format that has such pages."""
         return {"fragment": fragment}

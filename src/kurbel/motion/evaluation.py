@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.at import At, begun, known, way_at
 from kurbel.drive.crank import Crank
+from kurbel.drive.moved import Drive
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.kernel.circle import Numeric
@@ -157,7 +158,7 @@ def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
 def value(
     quantity: Quantity,
     method: str,
-    drive: Any,
+    drive: Drive,
     circle: Any,
     numbers: Kind,
     degrees: Any = None,
@@ -223,7 +224,7 @@ def typed(method: str | None) -> str:
     return "series" if method in REACH else method or "exact"
 
 
-def kernel_of(quantity: Quantity, method: str, drive: Any) -> Callable[[At], Numeric]:
+def kernel_of(quantity: Quantity, method: str, drive: Drive) -> Callable[[At], Numeric]:
     """Return the kernel's formula by a method; raise ProblemError if there is none."""
     formulas, crank = quantity.formulas, drive.crank
     if drive is not crank:
@@ -248,7 +249,7 @@ def kernel_of(quantity: Quantity, method: str, drive: Any) -> Callable[[At], Num
 def certified(
     quantity: Quantity,
     method: str,
-    drive: Any,
+    drive: Drive,
     angle: Fraction,
     decimals: int,
     rounding: str = "half-away",
@@ -273,7 +274,7 @@ def certified_at(quantity: Quantity, method: str, places: Places, decimals: int,
 
 
 def columns_in_balls(
-    columns: Sequence[Column], drive: Any, angles: Sequence[Fraction], rounding: str
+    columns: Sequence[Column], drive: Drive, angles: Sequence[Fraction], rounding: str
 ) -> list[list[int]]:
     """Return for each column its values times 10**decimals, rounded correctly, one for each angle.
 

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
+from kurbel.drive.moved import Drive
 from kurbel.exact.bulk import Integers, evaluate
 from kurbel.exact.enclosure import ENCLOSURES, UNIT, Enclosure, half_turn_circle, is_worth, settled
 from kurbel.exact.enclosure import column as enclosed_column
@@ -235,7 +236,7 @@ class AngleColumns(LongColumns):
         return self.question.value(one, place, places.angle.circle, ENCLOSURES)
 
 
-def _is_steep(drive: Any) -> bool:
+def _is_steep(drive: Drive) -> bool:
     if hasattr(drive, "least_transmission"):
         return bool(drive.least_transmission(floats()) < LEAST_TRANSMISSION)
     crank: Crank = drive.crank

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, Protocol
 
 from kurbel.drive.at import gain
 from kurbel.drive.crank import Crank
+from kurbel.drive.moved import Drive
 from kurbel.exact.certify import GUARD_BITS, NEVER_TIES, at_bits, ball_degrees, rounded
 from kurbel.exact.kind import Kind, balls, settled
 from kurbel.exact.numerals import Label, nearest
@@ -272,7 +273,7 @@ class Ends(Protocol):
     """What gives the rod of a drive, by a method, at a crank angle, with its reach if that is asked for."""
 
     def __call__(
-        self, drive: Any, method: str, circle: Any, kind: Kind, beside: bool
+        self, drive: Drive, method: str, circle: Any, kind: Kind, beside: bool
     ) -> tuple[Rod[Numeric], Reach[Numeric] | None]: ...
 
 
@@ -281,7 +282,7 @@ class Moved:
     """A point on the rod of a drive: how its ends are found, by a method."""
 
     ends: Ends
-    drive: Any
+    drive: Drive
     method: str
     point: RodPoint
 

@@ -11,7 +11,7 @@ from fractions import Fraction
 from functools import partial
 from itertools import groupby
 from math import cos, nan, pi
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -100,7 +100,7 @@ def _picture(asked: AngleQuestion, wish: Wish) -> Picture:
 
 
 def names_over(
-    chosen: Mechanism, drives: Sequence[Any], columns: Sequence[Column], named: bool
+    chosen: Mechanism, drives: Sequence[Drive], columns: Sequence[Column], named: bool
 ) -> tuple[str, ...]:
     """Return the path, in mm where lengths are known, and what is drawn over it: the columns but for angles
     and, unless it was named, the path."""

@@ -120,7 +120,7 @@ def _across(asked: Question) -> _Across:
     return _Across(name, known[name], Across(label, _whole_ticks if name in APART else plain_ticks))
 
 
-def _loads(asked: Any) -> Iterator[str]:
+def _loads(asked: Question) -> Iterator[str]:
     """Yield the kind of the loads, if the page has an axis of these."""
     loads = getattr(asked, "steams", getattr(asked, "loads", ())) if "expansion" in asked.axes else ()
     yield from (one.name for one in loads[:1])

@@ -53,7 +53,7 @@ class Cluster:
     def __init__(
         self,
         scheduler: str,
-        make: Callable[[int], Any],
+        make: Callable[[int], object],
         name: str,
         files: Mapping[str, str],
         libraries: tuple[str, ...] = LIBRARIES,

@@ -189,7 +189,7 @@ def _values(column: Column, rows: Sequence[Record], reasons: dict[int, str] | No
     )
 
 
-def _decimal(column: Column, number: Any, place: int, reasons: dict[int, str] | None) -> int | None:
+def _decimal(column: Column, number: object, place: int, reasons: dict[int, str] | None) -> int | None:
     if not isinstance(number, Number) or column.decimals is None:
         return None
     scaled: int = number.scaled * 10 ** (column.decimals - number.decimals)

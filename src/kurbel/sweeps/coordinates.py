@@ -204,8 +204,8 @@ class _Values:
 
     # A range, or an array of floats; None of texts.
     numbers: Any
-    factor: Any
-    texts: Sequence[Any]
+    factor: object
+    texts: Sequence[object]
 
     @classmethod
     def of(cls, plan: Plan, axis: Axis, unit: str) -> _Values:

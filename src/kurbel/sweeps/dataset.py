@@ -116,7 +116,7 @@ def sweep(
     return dataset_of(Sweep(plan))
 
 
-def _command(command: Callable[..., Any] | str) -> Any:
+def _command(command: Callable[..., object] | str) -> Any:
     """Return the function that makes a table."""
     functions = [getattr(kurbel, name) for name in kurbel.__all__ if name not in _BOOKS]
     known = {one.command.name: one for one in functions if hasattr(one, "question")}

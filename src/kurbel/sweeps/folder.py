@@ -55,7 +55,7 @@ def grounded(plan: Plan) -> Plan:
     return _with_files(plan, absolute)
 
 
-def _with_files(plan: Plan, file: Callable[[Any], Any]) -> Plan:
+def _with_files(plan: Plan, file: Callable[[object], object]) -> Plan:
     """Return the plan with what `file` makes of each file that its options name."""
     kinds = {name: one.kind for name, one in plan.asking.options.items()}
 

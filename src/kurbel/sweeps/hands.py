@@ -233,7 +233,7 @@ class Processes(Generic[Made]):
             pool.shutdown(cancel_futures=True)
 
 
-def _pool(make: Callable[[int], Any]) -> ProcessPoolExecutor:
+def _pool(make: Callable[[int], object]) -> ProcessPoolExecutor:
     from concurrent.futures import ProcessPoolExecutor
     from multiprocessing import get_context
 
@@ -267,10 +267,10 @@ def _without_script() -> Iterator[None]:
         sys.modules["__main__"] = script
 
 
-_make: list[Callable[[int], Any]] = []
+_make: list[Callable[[int], object]] = []
 
 
-def _start(make: Callable[[int], Any]) -> None:
+def _start(make: Callable[[int], object]) -> None:
     """Make a process ready: it ends with the one that started it, and by no other's Ctrl-C."""
     from multiprocessing import parent_process
 

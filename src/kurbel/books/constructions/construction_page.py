@@ -198,7 +198,7 @@ def _error(request: ConstructionRequest, length: Length, kind: Kind) -> Any:
 
 
 def _told(
-    key: str, name: str, heading: str, kernel: Callable[..., Any], decimals: int | None = None
+    key: str, name: str, heading: str, kernel: Callable[..., object], decimals: int | None = None
 ) -> Quantity:
     """Return what is said of a length: a label, or a number on a kind of number."""
     return entry(key, name, "", "", decimals, {"exact": Formula(kernel)}, heading)

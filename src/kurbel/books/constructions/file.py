@@ -83,7 +83,7 @@ FLAGS: Mapping[str, tuple[str, object]] = {
 }
 
 
-def read_construction(path: Folder, name: str, folder: Any, mechanism: str) -> Construction:
+def read_construction(path: Folder, name: str, folder: object, mechanism: str) -> Construction:
     """Return the construction of a file as it is of a mechanism, by default the first for which it holds.
 
     Raises ConstructionError with file and line for one that cannot be drawn.
@@ -209,7 +209,7 @@ class _Maker:
         self.formulas: dict[str, Formula] = {}
         self.known: dict[str, Formula] = {}
 
-    def made(self, name: str, folder: Any) -> Construction:
+    def made(self, name: str, folder: object) -> Construction:
         given = self.given
         self.check_names()
         self.read_points()
@@ -396,7 +396,7 @@ def element(text: str, names: Mapping[str, Sequence[str]]) -> Element:
         raise NotationError(f'"{text[:60]}" has {len(own)} names; {kind} takes {shape.names}')
     for name in own:
         choose(name, names[shape.of], shape.of)
-    more: dict[str, Any] = {}
+    more: dict[str, object] = {}
     for part in rest:
         if part.startswith("$"):
             more["text" if shape.made is model.Text else "symbol"] = part

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from kurbel.books.constructions.placed import Placed, Point
 from kurbel.exact.kind import floats
 from kurbel.kernel import beam, forces, kinematics, linkage
-from kurbel.kernel.circle import root
+from kurbel.kernel.circle import Numeric, root
 from kurbel.kernel.parts import COMMON, STRETCHING, TURNING
 from kurbel.kernel.steam import logarithm
 from kurbel.kernel.turning import mean_force
@@ -42,7 +42,9 @@ class OfDrive(NamedTuple):
     of: tuple[str, ...]
 
 
-def _by_offset(straight: Callable[..., Any], offset: Callable[..., Any], way: int = 1) -> Callable[..., Any]:
+def _by_offset(
+    straight: Callable[..., Numeric], offset: Callable[..., Numeric], way: int = 1
+) -> Callable[..., Numeric]:
     """Return a kernel formula of the crank, on the return stroke (-1) from its own dead centre."""
 
     def found(at: Placed) -> Any:
@@ -53,7 +55,7 @@ def _by_offset(straight: Callable[..., Any], offset: Callable[..., Any], way: in
     return found
 
 
-def _of_rocker(kernel: Callable[..., Any], stroke: int = OUT) -> Callable[[Placed], Any]:
+def _of_rocker(kernel: Callable[..., Numeric], stroke: int = OUT) -> Callable[[Placed], Any]:
     def found(at: Placed) -> Any:
         stands = at.linked if stroke == OUT else at.drive.at(stroke, at.circle, at.kind, "exact")
         return kernel(stands.place, stands.arc)
@@ -90,7 +92,7 @@ def _normal(at: Placed) -> Any:
     return at.rod * turn * turn
 
 
-def _force(kernel: Callable[..., Any]) -> Callable[[Placed], Any]:
+def _force(kernel: Callable[..., Numeric]) -> Callable[[Placed], Any]:
     """Return what computes a force by the kernel, in units of the piston force."""
     return lambda at: kernel(at.circle, at.ratio, at.offset if at.drive.offset else None)
 

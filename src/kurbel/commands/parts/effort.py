@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
 
 from kurbel.commands.options import Option, amount, measure
 from kurbel.commands.part import Part, flag_of
@@ -13,6 +12,7 @@ from kurbel.commands.parts.masses import Masses, Rotating
 from kurbel.drive import load
 from kurbel.drive.effort import Areas, Pins, Pressures, Shaft
 from kurbel.drive.effort import Effort as Efforts
+from kurbel.drive.moved import Drive
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism
 from kurbel.reading.given import as_force, as_inertia, as_length, as_power, as_pressure, as_share
@@ -175,7 +175,7 @@ class Effort(Piston, Friction, Pressing, Masses, Rotating):
                     " without mass; leave one out"
                 )
 
-    def pushed(self, chosen: Mechanism, drives: Sequence[Any]) -> list[Any]:
+    def pushed(self, chosen: Mechanism, drives: Sequence[Drive]) -> list[Drive]:
         """Return drives with what acts on piston and crosshead beside a given force."""
         # What lessens a force is not read where there is none.
         effort = self.effort() if self.is_pushed() else None
@@ -235,7 +235,7 @@ class Effort(Piston, Friction, Pressing, Masses, Rotating):
         return ""
 
 
-def with_effort(chosen: Mechanism, drives: Sequence[Any], effort: Efforts) -> list[Any]:
+def with_effort(chosen: Mechanism, drives: Sequence[Drive], effort: Efforts) -> list[Drive]:
     """Return the drives with an effort. Raises ProblemError for drives of which it is not computed."""
     if not chosen.crosshead:
         beside = "--inertia on its shaft" if effort.shaft else "friction or pressures on its piston"

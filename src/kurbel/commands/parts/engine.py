@@ -7,7 +7,7 @@ from copy import copy
 from dataclasses import replace
 from fractions import Fraction
 from os import PathLike
-from typing import TYPE_CHECKING, Any, TypedDict
+from typing import TYPE_CHECKING, TypedDict
 
 from kurbel.commands.options import FILE, FLAG, Choice, Kind, Option, alone, measure
 from kurbel.commands.part import Part, flag_of
@@ -16,6 +16,7 @@ from kurbel.commands.parts.effort import RODS, Friction, with_effort
 from kurbel.commands.parts.loads import KINDS, Loads, on_page
 from kurbel.commands.parts.masses import OF_ROD, Masses, Rotating, Weight
 from kurbel.drive.effort import Effort
+from kurbel.drive.moved import Drive
 from kurbel.errors import KurbelError, NotationError, ProblemError
 from kurbel.motion.mechanism import Mechanism, of_other_mechanisms, uncomputed
 from kurbel.page.layouts import Layout
@@ -42,7 +43,7 @@ class Engines(TypedDict, total=False):
     """Engines that are asked for, by the fields of `kurbel.engine.request:EngineRequest`."""
 
     steams: Sequence[Acting]
-    drives: Sequence[Any]
+    drives: Sequence[Drive]
     mechanism: Mechanism
     double: bool
     load: Load | None
@@ -160,7 +161,7 @@ class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
         """Whether the speed says something without masses."""
         return self.says("speed")
 
-    def rubbed(self, chosen: Mechanism, drives: Sequence[Any]) -> list[Any]:
+    def rubbed(self, chosen: Mechanism, drives: Sequence[Drive]) -> list[Drive]:
         """Return the drives of an engine with the rods of its piston and its friction."""
         rods = [name for name in RODS if self.says(name)]
         if not (rods or self.says("friction")):

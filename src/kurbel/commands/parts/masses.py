@@ -11,6 +11,7 @@ from kurbel.commands.options import Option, alone, amount, file, measure
 from kurbel.commands.part import Part, Rivals, flag_of
 from kurbel.commands.parts.drive import Speed
 from kurbel.drive.at import acceleration_of
+from kurbel.drive.moved import Drive
 from kurbel.drive.rod import (
     GREATEST_GRAVITY,
     PINS,
@@ -276,7 +277,7 @@ class Masses(MovingRod, Weight):
         return next(name for name in Masses.masses() if self.says(name))
 
     def weighed(
-        self, chosen: Mechanism, drives: Sequence[Any], *beside: str, even: bool = False
+        self, chosen: Mechanism, drives: Sequence[Drive], *beside: str, even: bool = False
     ) -> list[Any]:
         """Return the drives with their masses, and the speed that makes forces of these.
 

@@ -13,7 +13,7 @@ from itertools import pairwise
 from typing import Any, ClassVar, TypeAlias
 
 from kurbel.drive.load import CARD
-from kurbel.drive.moved import Drive
+from kurbel.drive.moved import Drive, Moved
 from kurbel.errors import CardError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import circle
@@ -250,7 +250,7 @@ class AngleCard:
         courses = tuple(self._courses(drive.moved(floats(), "exact")))
         return CycleCard(courses, self.name, self.resolution, self, drive)
 
-    def _courses(self, drive: Any) -> Iterator[Course]:
+    def _courses(self, drive: Moved) -> Iterator[Course]:
         import numpy as np
 
         from kurbel.engine.card.force import curve

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from itertools import chain, islice
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from kurbel.errors import LayoutError
 from kurbel.exact.numerals import DECIMALS, Number, number_text
@@ -50,7 +50,7 @@ class Writer(RecordsWriter):
         else:
             yield from pieces(FORMAT, template, values)
 
-    def filters(self) -> Mapping[str, Callable[..., Any]]:
+    def filters(self) -> Mapping[str, Callable[..., object]]:
         return {"field": field_text, "quoted": quoted}
 
     def bulk(self, table: Table, names: Sequence[str], chunks: Chunks, decimal: str) -> Iterator[bytes]:

@@ -74,7 +74,7 @@ def separator_of(texts: Iterable[str]) -> str:
     return next(one for one in (*_SEPARATORS, *map(chr, range(0xE000, 0xF8FF))) if one not in letters)
 
 
-def scenes_of(scenes: Sequence[Scene | None]) -> dict[str, Any]:
+def scenes_of(scenes: Sequence[Scene | None]) -> dict[str, object]:
     """Return the joints that scenes have in common, each scene once, and which one each step has."""
     known = list(dict.fromkeys(scene for scene in scenes if scene is not None))
     joints: dict[Joint, int] = {}
@@ -86,7 +86,7 @@ def scenes_of(scenes: Sequence[Scene | None]) -> dict[str, Any]:
     }
 
 
-def _scene(scene: Scene, joints: dict[Joint, int]) -> dict[str, Any]:
+def _scene(scene: Scene, joints: dict[Joint, int]) -> dict[str, object]:
     def named(joint: Joint) -> int:
         return joints.setdefault(joint, len(joints))
 
@@ -142,7 +142,7 @@ def live(kinds: tuple[str, ...]) -> Live:
 
 def block(
     table: Table, fragment: str, page: Callable[[Table], str], writer: PageWriter, mark: str
-) -> dict[str, Any]:
+) -> dict[str, object]:
     """Return what the template of the block reads; `page` sets the table of a step."""
     steps = table.steps
     assert steps is not None
@@ -179,13 +179,13 @@ class Setter:
     def plain(self, label: Label) -> str:
         return plain(label, self.mark)
 
-    def slider(self, one: Slider) -> dict[str, Any]:
+    def slider(self, one: Slider) -> dict[str, object]:
         return {
             "key": one.key, "label": self.label(one.label), "last": len(one.steps) - 1, "start": one.start,
             "text": self.writer.escape(self.plain(one.steps[one.start])),
         }  # fmt: skip
 
-    def cursor(self, one: Cursor) -> dict[str, Any]:
+    def cursor(self, one: Cursor) -> dict[str, object]:
         text = self.plain(one.places[one.start].label) + one.unit
         return {
             "key": one.key, "label": self.label(one.label), "last": len(one.places) - 1, "start": one.start,

@@ -105,7 +105,7 @@ class Writer(PageWriter):
         """Return a label that was set, with every formula on one line with the signs that touch it."""
         return beside(label)
 
-    def filters(self) -> Mapping[str, Callable[..., Any]]:
+    def filters(self) -> Mapping[str, Callable[..., object]]:
         return {
             "heads": Heads,
             "hyphenated": hyphenated,
@@ -115,13 +115,13 @@ class Writer(PageWriter):
             "live": live_in,
         }
 
-    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, Any]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, object]:
         setter = Setter(table, self, mark)
         return {"views": [*views(setter, ready, wishes.place)], "remark": "" if wishes.place else REMARK}
 
     def stepped(
         self, table: Table, fragment: str, page: Callable[[Table], str], mark: str, place: Place
-    ) -> dict[str, Any]:
+    ) -> dict[str, object]:
         from kurbel.formats.html.live import block
 
         around = block(table, fragment, page, self, mark)

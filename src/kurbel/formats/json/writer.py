@@ -59,7 +59,7 @@ _CLOSING = "\n]\n}\n"
 def _opening(table: Table) -> str:
     """Return all that stands before the first row."""
     caption, notes = table.told or (table.caption, table.notes)
-    head: dict[str, Any] = {
+    head: dict[str, object] = {
         "table": table.key,
         "lang": table.lang,
         "caption": plain(caption),
@@ -92,10 +92,10 @@ def _json_value(value: Value) -> str:
 _plain = lru_cache(plain)
 
 
-def _json(value: Any) -> str:
+def _json(value: object) -> str:
     return json.dumps(value, ensure_ascii=False, default=_written)
 
 
-def _written(value: Any) -> Any:
+def _written(value: object) -> Any:
     """Return what JSON knows not: an array as a list, a fraction, a decimal, the name of a file as text."""
     return value.tolist() if hasattr(value, "tolist") else str(value)

@@ -11,7 +11,7 @@ import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import groupby
-from typing import Any, NamedTuple, Self
+from typing import NamedTuple, Self
 
 from kurbel.formats.formula import TEX_OBEYED, TexMath, has_bar
 from kurbel.formats.page import Page, PageCell, PagePanel, page
@@ -44,10 +44,10 @@ class Writer(PageWriter):
             return f"$\\displaystyle {content}\\rule[-1.05em]{{0pt}}{{2.7em}}$"
         return f"${content}$"
 
-    def filters(self) -> Mapping[str, Callable[..., Any]]:
+    def filters(self) -> Mapping[str, Callable[..., object]]:
         return {"spanner_lines": spanner_lines}
 
-    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, Any]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, object]:
         writer = PlainWriter() if wishes.plain else self
         if wishes.plain:
             ready = page(table, writer, mark)
@@ -402,7 +402,7 @@ class RawPlainWriter(PlainWriter):
     minus = "-"
 
 
-def left_to_siunitx(table: Table, mark: str, tex: TexLayout, writer: Writer) -> dict[str, Any]:
+def left_to_siunitx(table: Table, mark: str, tex: TexLayout, writer: Writer) -> dict[str, object]:
     """Return the page with raw numbers, and the layout with S columns for those of numbers alone."""
     ready = page(table, RawPlainWriter() if isinstance(writer, PlainWriter) else RawWriter(), mark)
     columns = [_column(tex.columns[place], cells, mark) for place, cells in enumerate(_by_column(ready))]

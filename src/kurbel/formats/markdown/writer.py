@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from itertools import chain
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.formats.page import PageCell, PagePanel
 from kurbel.formats.writer import PageWriter
@@ -33,7 +33,7 @@ class Writer(PageWriter):
         # Dollar signs are left alone, since many readers of Markdown print them.
         return escape(formula_plain(formula, mark))
 
-    def filters(self) -> Mapping[str, Callable[..., Any]]:
+    def filters(self) -> Mapping[str, Callable[..., object]]:
         return {"parts": parts, "pipe_table": pipe_table}
 
 

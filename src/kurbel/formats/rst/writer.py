@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import accumulate
-from typing import Any, NamedTuple
+from typing import NamedTuple
 from unicodedata import combining, east_asian_width
 
 from kurbel.formats.formula import TEX_OBEYED, TexMath, has_bar
@@ -41,10 +41,10 @@ class Writer(PageWriter):
     def finish(self, label: str) -> str:
         return finish(label)
 
-    def filters(self) -> Mapping[str, Callable[..., Any]]:
+    def filters(self) -> Mapping[str, Callable[..., object]]:
         return {"finish": finish, "grid_table": grid_table, "left_columns": left_columns}
 
-    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, Any]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, object]:
         # The value of an option is no prose.
         return {"name": table.key}
 

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import accumulate
 from textwrap import fill
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.formats.page import Page, PageCell, PagePanel, page
 from kurbel.formats.spacing import shared, spans, widest
@@ -36,7 +36,7 @@ PER_EM = 1.5
 class Writer(PageWriter):
     linked = False
 
-    def filters(self) -> Mapping[str, Callable[..., Any]]:
+    def filters(self) -> Mapping[str, Callable[..., object]]:
         return {
             "balanced": balanced,
             "middle": middle,
@@ -45,7 +45,7 @@ class Writer(PageWriter):
             "wrapped": wrapped,
         }
 
-    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, Any]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, object]:
         width = wishes.width
         if width is not None and grid_of(ready, width).total > width:
             from kurbel.formats.text.reflow import narrowed

@@ -12,7 +12,7 @@ import unicodedata
 from collections.abc import Iterator, Mapping, Sequence, Set
 from functools import partial
 from itertools import chain
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.documents.document import WORDS
 from kurbel.exact.numerals import Label
@@ -287,7 +287,7 @@ class Writer(PageWriter):
             content = f"display({content})#box(height: 2.9em, baseline: 1.12em)"
         return f"#math.equation(alt: {alternative}, ${content}$);"
 
-    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, Any]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, object]:
         return {"typst": typst_layout(table, mark, ready)}
 
 

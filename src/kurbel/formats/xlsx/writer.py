@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from datetime import UTC, datetime
 from io import BytesIO
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kurbel.exact.numerals import Number, number_text
 from kurbel.formats.sheet import Look, Sheet, SheetCell, Workbook, bare, quoted, runs
@@ -116,8 +116,8 @@ class _Written:
         return self.formats[key]
 
 
-def _properties(look: Look, is_text: bool) -> dict[str, Any]:
-    own: dict[str, Any] = {"align": look.align, **PARTS[look.part]}
+def _properties(look: Look, is_text: bool) -> dict[str, object]:
+    own: dict[str, object] = {"align": look.align, **PARTS[look.part]}
     own |= {side: LINES[rule] for side, rule in (("top", look.above), ("bottom", look.below)) if rule}
     own |= {"indent": 1} if look.indented else {}
     own |= {"text_wrap": True, "valign": "top"} if look.wraps else {}
