@@ -91,16 +91,9 @@ def otto_cycle(
 def air_compressor(
     ratio: mpf, suction: mpf, exponent: mpf, clearance: mpf, bore: mpf, stroke: mpf, speed: mpf
 ) -> Rows:
-    whole = 1 + clearance
-    delivered = whole / ratio ** (1 / exponent)
-    expanded = clearance * ratio ** (1 / exponent)
-    driven = quad(lambda v: suction * (whole / v) ** exponent, [delivered, whole])
-    driven += ratio * suction * (delivered - clearance)
-    returned = quad(lambda v: ratio * suction * (clearance / v) ** exponent, [clearance, expanded])
-    returned += suction * (whole - expanded)
-    rate = swept(bore, stroke) * turns(speed)
-    delivery = (whole - expanded) * rate * 60
-    return [{"indicated_power": (driven - returned) * rate / 1000, "delivery": delivery}]
+    rate = (1 + clearance - clearance * ratio ** (1 / exponent)) * swept(bore, stroke) * turns(speed)
+    power = raised(suction, ratio * suction, exponent) * rate / 1000
+    return [{"indicated_power": power, "delivery": rate * 60}]
 
 
 @solution
@@ -360,9 +353,14 @@ def three_stages(
 ) -> Rows:
     step = ratio ** (mpf(1) / 3)
     work = 3 * raised(mpf(1), step, exponent) * 287 * warm / 1000
-    of_stage = {"intermediate_pressure": step * suction / BAR, "swept_volume": swept(bore, stroke) * 1000}
-    hot = {"end_temperature": warm * step ** (1 - 1 / exponent), "work_per_mass": work}
-    return [{**of_stage, **hot, "volumetric_efficiency": 1 + clearance - clearance * step ** (1 / exponent)}]
+    hot, share = warm * step ** (1 - 1 / exponent), 1 + clearance - clearance * step ** (1 / exponent)
+    volume = swept(bore, stroke) * 1000
+    of_stage = {"intermediate_pressure": step * suction / BAR, "swept_volume": volume, "work_per_mass": work}
+    rate = share * volume * turns(speed) * suction / (287 * warm) / 1000
+    cooler = rate * mpf("3.5") * 287 * (hot - warm) / 1000
+    heats = {"cooler_heat": cooler, "compression_heat": rate * work / 3 - cooler}
+    out = {"delivered_volume": share * volume * hot / warm / ratio, "end_temperature": hot}
+    return [{**of_stage, **heats, **out, "volumetric_efficiency": share}]
 
 
 @solution
@@ -396,3 +394,23 @@ def pressure_with_a_diagram_factor(
 ) -> Rows:
     [found] = steam_pressure_for_a_power(expansion, back, mpf(0), bore, stroke, speed, power / factor)
     return [{**found, "mean_pressure": found["mean_pressure"] * factor}]
+
+
+@solution
+def diesel_by_its_cut_off(compression: mpf, exponent: mpf, share: mpf, suction: mpf) -> Rows:
+    least = 1 / (compression - 1)
+    high, fed = suction * compression**exponent, least + share
+    work = high * share + quad(lambda v: high * (fed / v) ** exponent, [fed, 1 + least])
+    work -= quad(lambda v: suction * ((1 + least) / v) ** exponent, [least, 1 + least])
+    return [{"mean_pressure": work / BAR}]
+
+
+@solution
+def bore_with_a_piston_rod(
+    expansion: mpf, clearance: mpf, pressure: mpf, back: mpf, factor: mpf, efficiency: mpf, power: mpf,
+    velocity: mpf, speed: mpf, rod: mpf,
+) -> Rows:  # fmt: skip
+    real = factor * mean_pressure(pressure, back, expansion, clearance)
+    # Of the mean area of both ends.
+    area = power / efficiency / (real * velocity) + pi / 8 * rod**2
+    return [{"bore": sqrt(area * 4 / pi) * 1000, "stroke": velocity / 2 / turns(speed) * 1000}]

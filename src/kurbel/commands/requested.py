@@ -280,7 +280,9 @@ class Requested:
                 for name in ("peak", "exhaust")
                 if (given := raw(f"{name}_pressure")) is not None
             }
-            return of_given(verify.gas, of_row("compression", asked.compression), **peaks, **of(GAS))
+            compression = of_row("compression", asked.compression)
+            own = {**of(GAS), "cut_off": asked.cut_off_of(compression)}
+            return of_given(verify.gas, compression, **peaks, **own)
         back = raw("back")
         if back is not None:
             back = as_share_or_pressure(back, "back pressure", raw("pressure"))

@@ -319,6 +319,12 @@ POWER_TEXTS = {
         '$N_"is" = p_1 V ln Π$, $N_"ad" = γ/(γ - 1) p_1 V (Π^((γ - 1)/γ) - 1)$ in einer Stufe, $γ = 1.4$'
         '|$N_"is" = p_1 V ln Π$, $N_"ad" = γ/(γ - 1) p_1 V (Π^((γ - 1)/γ) - 1)$ in one stage, $γ = 1.4$'
     ),
+    "heats": words(
+        "Wärmen mit $c_p = 3.5 R$: abgegeben wird von der Arbeit, was die Luft nicht wärmer macht; der Kühler"
+        " nimmt das übrige"
+        "|heats with $c_p = 3.5 R$: what of the work does not make the air warmer is given off; the cooler"
+        " takes the rest"
+    ),
     "sought": words(
         "{symbol}: alle Werte {bounds}, mit denen das Gegebene gilt"
         "|{symbol}: all values {bounds} with which what is given holds"

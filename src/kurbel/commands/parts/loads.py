@@ -53,6 +53,17 @@ def _cushion(given: object, what: str) -> Fraction | Reached:
     return Reached(str(given)) if _is_measure(given) else as_share(given, what)
 
 
+class OfStroke(NamedTuple):
+    """A share of the stroke, in the place of a volume in least volumes."""
+
+    share: Fraction
+
+
+def _cut_off(given: object, what: str) -> Fraction | OfStroke:
+    shared = isinstance(given, str) and given.strip().endswith("%")
+    return OfStroke(as_share(given, what)) if shared else as_number(given, what)
+
+
 def _in_units_of_suction(help: str) -> Option[object]:
     return Option(help, "RATIO", machine="gas", topic="gas")
 
@@ -172,8 +183,9 @@ class Loads(Piston):
         " 34.5bar."
     )
     cut_off = measure(
-        as_number,
-        "Diesel and dual cycle: volume when the heat is supplied, in least volumes: 2.", "RATIO",
+        lambda value, what: _cut_off(value, what),
+        "Diesel and dual cycle: volume when the heat is supplied, in least volumes: 2, or a share of the"
+        " stroke, 10%.", "RATIO",
         machine="gas", topic="gas",
     )  # fmt: skip
     heat = measure(
@@ -360,12 +372,17 @@ class Loads(Piston):
         peak, exhaust = self._in_suctions("peak_pressure"), self._in_suctions("exhaust_pressure")
         return [
             of_given(
-                GasCycle, ratio, self.cycle or OTTO, exponent=self.exponent, cut_off=self.cut_off,
+                GasCycle, ratio, self.cycle or OTTO, exponent=self.exponent, cut_off=self.cut_off_of(ratio),
                 expansion_exponent=self.expansion_exponent, heat=self.heat, peak=peak, exhaust=exhaust,
                 two_stroke=self.two_stroke,
             )
             for ratio in self.compression or ()
         ]  # fmt: skip
+
+    def cut_off_of(self, compression: Fraction) -> Fraction | None:
+        """Return the volume when the heat is supplied in the least one, also of a share of the stroke."""
+        given = self.cut_off
+        return 1 + given.share * (compression - 1) if isinstance(given, OfStroke) else given
 
     def _in_suctions(self, name: str) -> Fraction | None:
         """Return a pressure in suction pressures, which is given so or as a measure."""

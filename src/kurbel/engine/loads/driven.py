@@ -218,6 +218,29 @@ class Compressor:
         hot = power(raised * kind.of(self._inside), exponent)
         return hot if self.cooled == 1 else kind.of(self.cooled) * hot
 
+    def delivered_hot(self, kind: Kind, **found: Any) -> Numeric:
+        """Return the volume of what a stroke delivers behind the compression, in the swept one."""
+        ratio = found.get("ratio", kind.of(self.ratio))
+        return self.delivered(kind, **found) * self.heated(kind, **found) / ratio
+
+    def compression_heat(self, kind: Kind, **found: Any) -> Numeric:
+        """Return the heat that the first stage gives off as it compresses, over p₁ and the swept volume.
+
+        The work less c_p (T₂ - T₁), c_p = γ/(γ - 1) R: v (n/(n - 1) - γ/(γ - 1)) (T₂/T₁ - 1). Above 0 for
+        1 < n < γ.
+        """
+        share = 1 / (1 - 1 / self.exponent) - 1 / (1 - 1 / AIR)
+        return self.delivered(kind, **found) * kind.of(share) * (self._first_heat(kind, **found) - 1)
+
+    def cooler_heat(self, kind: Kind, **found: Any) -> Numeric:
+        """Return the heat that the cooler behind the first stage takes, likewise."""
+        left = self._first_heat(kind, **found) - kind.of(self.cooled)
+        return self.delivered(kind, **found) * kind.of(1 / (1 - 1 / AIR)) * left
+
+    def _first_heat(self, kind: Kind, **found: Any) -> Numeric:
+        raised = self.stage_ratio(kind, **found) * kind.of(self._inside)
+        return power(raised, kind.exponent(1 - 1 / self.exponent))
+
     def _ends(self, kind: Kind, ratio: Any = None, clearance: Any = None) -> _Ends:
         inside = 1 - self.suction_loss, self.ratio * (1 + self.delivery_loss)
         if self.stages > 1:

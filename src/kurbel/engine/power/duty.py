@@ -39,7 +39,8 @@ MOST_CYLINDERS = 24
 STEAMED, GIVES, EFFICIENT, FACTORED, UNITLESS = "steam", "delivery", "efficiency", "factor", "share"
 ASKED = "asked"
 AIRY, FREE, STAGED, WARM = "compressor", "free", "stages", "warm"
-BRAKED, FUELLED, WEIGHED, COMPOUND, COOLED = "braked", "fuel", "suction", "compound", "cooled"
+BRAKED, FUELLED, WEIGHED, COMPOUND = "braked", "fuel", "suction", "compound"
+COOLED, COLD = "cooled", "cold"
 # Of air, in J/(kg K), as most textbooks have it.
 GAS_CONSTANT = 287
 HALF = Fraction(1, 2)
@@ -110,9 +111,12 @@ class Duty:
         for what, rod in (("piston rod", self.piston_rod), ("tail rod", self.tail_rod)):
             if rod is None:
                 continue
-            if self.bore is None:
-                raise ProblemError(f"the {what} lessens the area of a piston whose size is known; add --bore")
-            if not 0 < rod < self.bore:
+            if self.bore is None and self.stroke_bore is not None:
+                raise ProblemError(
+                    f"the {what} lessens the area of a piston whose size is known; add --bore, or --stroke in"
+                    " the place of --stroke-bore"
+                )
+            if self.bore is not None and not 0 < rod < self.bore:
                 raise ProblemError(
                     f"the {what} is {about(1000 * rod)} mm; it must be above 0 and below the bore,"
                     f" {about(1000 * self.bore)} mm"
@@ -162,6 +166,13 @@ class Duty:
     def burnt(self) -> list[str]:
         """What is given of the fuel, or of the heat of the steam."""
         return [name for name in (CONSUMED, HEAT, THERMAL) if getattr(self, name) is not None]
+
+    def whole_bore(self, bore: Term) -> Term:
+        """Return the bore of a piston whose mean area is that of another bore without rods."""
+        rods = sum((rod**2 for rod in (self.piston_rod, self.tail_rod) if rod is not None), Fraction(0))
+        if self.bore is not None or not rods or bore.powers:
+            return bore
+        return Term((bore.known ** Fraction(2)).plus(Product.of(rods / 2)) ** HALF)
 
     @property
     def sized(self) -> bool:
@@ -552,6 +563,14 @@ def _entries() -> Iterator[Quantity]:
     yield _entry("second_bore", "Bohrung der zweiten Stufe|Bore of the second stage", "$d_2$", "mm",
                  UNITS[BORE], lambda found: found.of(BORE) * found.of_load("later_area") ** HALF,
                  STAGED)  # fmt: skip
+    yield _entry("delivered_volume", "Volumen hinter der Verdichtung, eines Hubes"
+                 "|Volume of a stroke behind compression", "$V_2$", "l", Fraction(1, 1000),
+                 lambda found: found.swept() * found.of_load("delivered_hot"), AIRY)  # fmt: skip
+    yield _entry("compression_heat", "Wärme der Verdichtung, einer Stufe|Heat of compression, of a stage",
+                 "$Q_v$", "kW", UNITS[POWER], lambda found: found.ideal("compression_heat"),
+                 COLD)  # fmt: skip
+    yield _entry("cooler_heat", "Wärme eines Zwischenkühlers|Heat of an intercooler", "$Q_z$", "kW",
+                 UNITS[POWER], lambda found: found.ideal("cooler_heat"), f"{STAGED} {COLD}")  # fmt: skip
     for key, name, symbol, needs in (
         ("against_one_stage", "Arbeit gegen eine Stufe|Work against one stage", "$N_i/N_1$", STAGED),
         ("against_perfect", "Arbeit gegen vollkommene Zwischenkühlung|Work against perfect intercooling",
@@ -591,7 +610,7 @@ def _compound_entries() -> Iterator[Quantity]:
 
 
 def _variable(name: str, found: Found) -> Term:
-    return found.of(name)
+    return found.duty.whole_bore(found.of(name)) if name == BORE else found.of(name)
 
 
 def _of_load(name: str, found: Found) -> Term:

@@ -12,6 +12,7 @@ from kurbel.engine.captions import DRIVEN
 from kurbel.engine.digits import FLOAT_ERROR, supported
 from kurbel.engine.engine import Engine
 from kurbel.engine.engine_page import LoadAxis
+from kurbel.engine.loads.driven import AIR
 from kurbel.engine.loads.texts import OF_STEAM
 from kurbel.engine.loads.words import LoadWords, best_back, valve_lines, words_of
 from kurbel.engine.power.compound import Compound, whole
@@ -19,6 +20,7 @@ from kurbel.engine.power.duty import (
     AIRY,
     ASKED,
     BRAKED,
+    COLD,
     COMPOUND,
     COOLED,
     EFFICIENCY,
@@ -92,7 +94,8 @@ class PowerRequest(Question):
                 "two mean pressures are those of both ends of a double-acting piston; add --working-strokes"
                 " 2, or 1 where it works in four strokes"
             )
-        if self.duty.open_area != 1 and len(ends) < 2 and any(one != 2 for one in strokes):
+        rods = self.duty.piston_rod is not None or self.duty.tail_rod is not None
+        if rods and len(ends) < 2 and any(one != 2 for one in strokes):
             raise ProblemError(
                 "--piston-rod and --tail-rod lessen the area of an end of a double-acting piston; leave them"
                 " out"
@@ -222,6 +225,10 @@ class PowerRequest(Question):
             GIVES: ("a compressor or a pump", acting is None or not hasattr(acting.load, "delivered")),
             AIRY: ("a compressor, --pressure-ratio", not airy),
             STAGED: ("--stages 2", acting is None or not airy or acting.load.stages == 1),
+            COLD: (
+                "a compressor with --exponent above 1 and below 1.4",
+                acting is None or not airy or not 1 < acting.load.exponent < AIR,
+            ),
             COOLED: (
                 "--intercooling or --intermediate-pressure",
                 acting is None or not airy or (acting.load.cooled == 1 and acting.load.between is None),
@@ -349,6 +356,8 @@ def _air_lines(source: Acting, duty: Duty, shown: set[str], lang: str) -> Iterat
         kelvin = load.cooled * (duty.suction_temperature or 1)
         cooled = POWER_TEXTS["as_sucked"][lang] if load.cooled == 1 else f'${figure(kelvin)} "K"$'
         yield "; ".join(POWER_TEXTS[key][lang].format(stages=stages, cooled=cooled) for key in said)
+    if not shown.isdisjoint(("compression_heat", "cooler_heat")):
+        yield POWER_TEXTS["heats"][lang]
     if not shown.isdisjoint(("isothermal_power", "isothermal_efficiency", "adiabatic_efficiency")):
         yield POWER_TEXTS["ideal_air"][lang]
 
