@@ -383,3 +383,14 @@ def test_a_rod_file_in_lengths_takes_the_length_of_the_rod(tmp_path: Path) -> No
     assert "M = 100 kg" in out
     assert "a = 0.6 L from the crosshead pin" in out
     assert "N in N" in out
+
+
+def test_several_rods_on_a_page_are_those_of_their_own_pages() -> None:
+    rods = {"centre": ("0.62", "0.7"), "gyration": ("0.31", "0.34")}
+    for layout in ("inertia", "inertia-errors"):
+        words = ("inertia", "--ratio=1:4", f"--layout={layout}")
+        both = records(*words, *(f"--{name}={';'.join(values)}" for name, values in rods.items()))
+        for place in (0, 1):
+            own = records(*words, *(f"--{name}={values[place]}" for name, values in rods.items()))
+            found = [{**row, "ratio": "1:4"} for row in both if row["rod"] == str(place + 1)]
+            assert found == [{**row, "rod": str(place + 1)} for row in own]

@@ -2,27 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
 from kurbel.commands.options import Option, measure
-from kurbel.commands.part import CommandOptions
+from kurbel.commands.part import CommandOptions, flag_of
 from kurbel.commands.parts.angles import Angles
 from kurbel.commands.parts.drive import OF_MASSES, AnyDrive, Turning
-from kurbel.commands.parts.masses import MovingRod, Weight
+from kurbel.commands.parts.masses import MovingRod, Weight, each
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_over_angle, layout_option
 from kurbel.commands.subject import function
 from kurbel.errors import ProblemError
 from kurbel.linkage.arc_quantities import RockerInertiaRequest
-from kurbel.motion.inertia_page import ErrorsRequest
+from kurbel.motion.inertia_page import ErrorsRequest, InertiaRequest
 from kurbel.motion.mechanism import Mechanism
-from kurbel.motion.motion_page import Request
 from kurbel.motion.rod_masses import RodMassesRequest
 from kurbel.page.layouts import Layout
 from kurbel.page.subject import Question
 from kurbel.reading.given import as_angular_acceleration, as_length, as_ratios
 
+# What several rods have lists of.
+LISTED = ("centre", "gyration", "rod_mass")
 MASSES, ERRORS = ("rod masses", "pin masses"), "inertia errors"
 INERTIA, ROCKER_INERTIA = ("inertia", ERRORS, *MASSES), "rocker inertia"
 
@@ -57,6 +58,10 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
 
     columns = columns_over_angle("inertia", "phi,inertia_guide,inertia_pin")
     speed = Turning.speed.but(help="Speed, for columns in N and N m: 120/min, 12.5rad/s.")
+    centre = MovingRod.centre.but(
+        help="Centre of mass of the rod from the crosshead pin, in rod lengths: 0.6, 60%; or a length, where"
+        " that of the rod is known. Several rods on one page are lists: '0.6;0.65;0.7'."
+    )
     method = OF_MASSES.but()
     layout = layout_option(*INERTIA, ROCKER_INERTIA)
     rod_acceleration = measure(
@@ -86,8 +91,14 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
         if page.subject in MASSES:
             return self._masses(page)
         _, described = self.described()
+        cranks, rods = described.cranks(page.ratios), self._rods()
+        if rods[1:] and cranks[1:]:
+            raise ProblemError(
+                f"several rods stand beside each other at one crank ratio, and {len(cranks)} were given; give"
+                " one, or one rod"
+            )
         cranks = tuple(
-            replace(crank, rod=self.moving_rod(crank.rod_length)) for crank in described.cranks(page.ratios)
+            replace(crank, rod=one.moving_rod(crank.rod_length)) for crank in cranks for one in rods
         )
         if page.subject == ERRORS:
             self.check_whole(page)
@@ -98,7 +109,7 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
                         " out, or use --layout inertia"
                     )
             return ErrorsRequest(drives=cranks, **self.on_page(page, "greatest,error_percent"))
-        question = Request(
+        question = InertiaRequest(
             drives=cranks,
             angles=self.angles(page),
             method=self.method,
@@ -126,6 +137,21 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
         stroke = "--stroke"
         lone, other = ("--ratio", stroke) if name == "ratio" else (stroke, "--ratio")
         return f"{why}, whose length {stroke} and --ratio give together; add {other}, or leave {lone} out"
+
+    def _rods(self) -> Sequence[MovingRod]:
+        """Return the options of each rod, of several by their lists."""
+        lists = {name: each(self.raw(name)) for name in LISTED if self.says(name)}
+        count = max(map(len, lists.values()), default=1)
+        if count == 1:
+            return [self]
+        for name, values in lists.items():
+            if len(values) not in (1, count):
+                raise ProblemError(
+                    f"{flag_of(name)} has {len(values)} values, and there are {count} rods; give one for"
+                    " each, or one for all"
+                )
+        own = [{name: one[place % len(one)] for name, one in lists.items()} for place in range(count)]
+        return [InertiaOptions(self.values.instead(one, own=True)) for one in own]
 
     def _masses(self, page: Layout) -> Question:
         """Return what is asked for of the masses that stand in for the rod, at rest."""

@@ -328,7 +328,7 @@ def of_inertia(second: Second, key: str, method: str, row: Row) -> Value:
     long = drive.radius / drive.ratio if drive.ratio else None
     if not unit:
         drive = replace(drive, radius=Fraction(1), speed=Fraction(1), turns=False)
-    heavy = second.rod(drive, model, unit != "", long)
+    heavy = second.rod(drive, model, unit != "", long, int(row.get("rod", "1")) - 1)
     return heavy.value(f"{force}_n", second.degrees(row), stroke="return" if RETURN in key else None)
 
 

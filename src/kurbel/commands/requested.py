@@ -15,6 +15,7 @@ from kurbel.commands.options import Option
 from kurbel.commands.part import Values
 from kurbel.commands.parts.drive import Turning
 from kurbel.commands.parts.effort import PRESSING, Effort, PinFriction
+from kurbel.commands.parts.masses import each
 from kurbel.commands.recomputed import Row, nearest
 from kurbel.drive.crank import Described, radii
 from kurbel.engine.card.card import AngleCard
@@ -25,6 +26,7 @@ from kurbel.page.layouts import Layout, layout
 from kurbel.reading.given import (
     as_angular_acceleration,
     as_expansions,
+    as_mass,
     as_number,
     as_pressure,
     as_share_or_length,
@@ -154,20 +156,27 @@ class Requested:
             self._kept[key] = verify.bodies(drive, force=force, **known)
         return self._kept[key]
 
-    def rod(self, drive: verify.Drive, model: str, weighed: bool, long: Fraction | None) -> verify.Bodies:
-        """The rod alone, so long in m, of a mass of 1 or its own; of two masses k² = a b, and by the
-        railways' rule 6/10 of it are at the crank pin."""
-        key = (drive, model, weighed)
+    def rod(
+        self, drive: verify.Drive, model: str, weighed: bool, long: Fraction | None, place: int
+    ) -> verify.Bodies:
+        """The rod alone at a place among several, so long in m, of a mass of 1 or its own; of two masses
+        k² = a b, and by the railways' rule 6/10 of it are at the crank pin."""
+        key = (drive, model, weighed, place)
+
+        def given(name: str) -> Any:
+            values = each(self.asked.raw(name))
+            return values[place % len(values)]
+
         if key not in self._kept:
             asked = self.asked
-            centre = _of_rod(asked.raw("centre"), long) or Fraction(0)
-            known: dict[str, Any] = {"gyration": _of_rod(asked.raw("gyration"), long)}
+            centre = _of_rod(given("centre"), long) or Fraction(0)
+            known: dict[str, Any] = {"gyration": _of_rod(given("gyration"), long)}
             if model:
                 centre = Fraction(3, 5) if model == "railway" else centre
                 known = {"gyration_square": centre * (1 - centre)}
             if weighed and (gain := asked.raw("acceleration")) is not None:
                 known["acceleration"] = as_angular_acceleration(gain, "acceleration")
-            mass = asked.rod_mass if weighed else Fraction(1)
+            mass = as_mass(given("rod_mass"), "rod") if weighed else Fraction(1)
             self._kept[key] = verify.bodies(drive, rod_mass=mass, centre=centre, **known)
         return self._kept[key]
 

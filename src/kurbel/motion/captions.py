@@ -110,7 +110,7 @@ def caption(question: Request, chosen: bool | None = None) -> Label:
     layout, lang, columns = question.layout, question.lang, question.page_columns
     methods = dict.fromkeys(method for column in columns for method in _methods_of(column.method))
     folded = question.method == "infinite" and not question.cranks[0].ratio
-    one = len(question.cranks) == 1 and not folded
+    one = len({*question.ratios}) == 1 and not folded
     # What is called that of a stroke does not fit a page of whole turns.
     of_stroke = question.whole_turns and STROKES[OUT][lang] in layout.caption[lang]
     own = of_stroke or _is_chosen(question) if chosen is None else chosen

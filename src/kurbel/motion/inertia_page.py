@@ -9,8 +9,9 @@ from functools import cache, cached_property
 from typing import Any
 
 from kurbel.drive.at import known
+from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind, settled
-from kurbel.exact.numerals import Label, Number, nearest, number_text
+from kurbel.exact.numerals import Label, Number, figure, nearest, number_text
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.moving import Masses
 from kurbel.motion.captions import notes
@@ -19,7 +20,7 @@ from kurbel.motion.inertia import ROD_FORCES, inertia_registry
 from kurbel.motion.inertia_peak import Peak
 from kurbel.motion.motion_page import MOTION, CrankQuestion, Request
 from kurbel.motion.motion_quantities import registry
-from kurbel.motion.notes import connecting_rod, drive_notes
+from kurbel.motion.notes import connecting_rod, drive_notes, gyration_text
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
 from kurbel.page.quantity import Column, Formula, Quantity, bare, entry, enumerated_letters, for_ratio, words
@@ -43,6 +44,7 @@ WORDS = {
     "same": words("{letters} gleich|{letters} the same"),
     "opposite": words("{letters} entgegengesetzt|{letters} opposite"),
     "force": words("Kraft|Force"),
+    "rod": words("Stange|Rod"),
     "errors": words(
         "größter Fehler in % der größten genauen Kraft der Umdrehung{where}: "
         "|greatest error in % of the greatest exact force of the turn{where}: "
@@ -88,11 +90,63 @@ def _entry(
     return entry(key, name, "", unit, decimals, formulas, heading, minutes=unit == "°", needs=needs, of=of)
 
 
+class RodAxis(RatioAxis):
+    """The crank ratios or, where there are several rods at one, these."""
+
+    def __init__(self, question: CrankQuestion) -> None:
+        super().__init__(question)
+        self.cranks = question.cranks
+        if several_rods(question):
+            self.key = "rod"
+
+    def field(self) -> Field:
+        return Field("rod", WORDS["rod"][self.lang]) if self.key == "rod" else super().field()
+
+    def value(self, place: Place) -> Label:
+        return str(place["ratio"] + 1) if self.key == "rod" else super().value(place)
+
+    def stub_heading(self) -> Label:
+        return WORDS["rod"][self.lang] if self.key == "rod" else super().stub_heading()
+
+    def over_group(self, place: Place) -> Label:
+        if self.key != "rod":
+            return super().over_group(place)
+        return rod_named(self.cranks[place["ratio"]], self.lang)
+
+
+def several_rods(question: CrankQuestion) -> bool:
+    """Whether unlike rods stand beside each other, all at one crank ratio."""
+    return len(question.cranks) > 1 and len({*question.ratios}) == 1
+
+
+def rod_named(crank: Crank, lang: str) -> Label:
+    """Return what tells a rod from others: Stange mit a = 0.6 L, k = 0.3 L."""
+    rod = known(crank.rod)
+    return f"{WORDS['rod'][lang]} $a = {figure(1 - rod.centre)} L$, $k = {gyration_text(rod)} L$"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class InertiaRequest(Request):
+    """What is asked for of the rods of these cranks at these angles."""
+
+    @property
+    def axis_keys(self) -> tuple[str, ...]:
+        return ("rod" if several_rods(self) else "ratio", *super().axis_keys[1:])
+
+    @property
+    def told(self) -> list[tuple[Label, ...]]:
+        return [(rod_named(one, self.lang),) for one in self.cranks] if several_rods(self) else super().told
+
+
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ErrorsRequest(CrankQuestion):
     """What is asked for: the greatest forces and errors of the rods of these cranks."""
 
     no_column = "there is no column beside the axes; add one, such as greatest"
+
+    @property
+    def axis_keys(self) -> tuple[str, ...]:
+        return ("rod" if several_rods(self) else "ratio", *super().axis_keys[1:])
 
     def field(self, column: Column) -> Field:
         own = super().field(column)
@@ -137,6 +191,8 @@ def _error_notes(request: Request) -> Iterator[Label]:
             said.append(f"{ROD_MODELS[model][request.lang]} {errors}")
         several = len(request.cranks) > 1
         where = for_ratio(crank.ratio, request.lang, request.layout.ratio_symbol) if several else ""
+        if several_rods(request):
+            where = f", {rod_named(crank, request.lang)}"
         yield WORDS["errors"][request.lang].format(where=where) + "; ".join(said)
 
 
@@ -158,7 +214,7 @@ def _model_axis(question: ErrorsRequest) -> ListAxis:
 
 
 def _caption(question: ErrorsRequest) -> Label:
-    ratios, lang = question.ratios, question.lang
+    ratios, lang = [*dict.fromkeys(question.ratios)], question.lang
     ratio = for_ratio(ratios[0], lang, question.layout.ratio_symbol) if len(ratios) == 1 else ""
     return question.layout.caption[lang].replace("{for_ratio}", ratio)
 
@@ -220,7 +276,7 @@ SUBJECT = Subject(
     key="inertia errors",
     layout=SHEET,
     command=f"inertia --layout {SHEET}",
-    axes={"ratio": RatioAxis, "force": _force_axis, "model": _model_axis, "column": ColumnAxis},
+    axes={"ratio": RodAxis, "force": _force_axis, "model": _model_axis, "column": ColumnAxis},
     axis_keys=("ratio", "force", "model"),
     own_first=False,
     quantities=error_columns,
@@ -247,6 +303,7 @@ INERTIA = MOTION._replace(
     layout="inertia",
     command="inertia",
     quantities=_with_rods,
+    axes={**MOTION.axes, "ratio": RodAxis},
     notes=_forces_notes,
     page_notes=_error_notes,
     listed=lambda: (("inertia", one) for one in inertia_registry().values()),

@@ -369,7 +369,8 @@ class RecordRows(Rows):
     @property
     def said(self) -> Sequence[Value]:
         """All that stands for places of the other axes."""
-        return [f"${ratio_text(crank.ratio)}$" for crank in self.question.cranks]
+        axis = self.question.axes["ratio"]
+        return [axis.value({"ratio": place}) for place in range(axis.count)]
 
     def chunks(self) -> Iterator[Chunk]:
         """Yield the records in their order, ratio by ratio."""
@@ -378,7 +379,8 @@ class RecordRows(Rows):
         # What fits one chunk is computed once for the page and for all its records.
         kept = len(question) <= CHUNK and not question.layout.pairs
         for number, crank in enumerate(question.cranks):
-            ratio: Mapping[str, Value] = {"ratio": f"${ratio_text(crank.ratio)}$"}
+            axis = question.axes["ratio"]
+            ratio: Mapping[str, Value] = {axis.key: axis.value({"ratio": number})}
             for start in range(0, len(question.angles), CHUNK):
                 part = question.angles[start : start + CHUNK]
                 values = question.values[number] if kept else question.scaled(crank, part)

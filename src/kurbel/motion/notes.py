@@ -165,11 +165,10 @@ def digits_text(value: Callable[[Kind], Numeric], decimals: int) -> str:
 
 def connecting_rod(rod: Rod, lang: str, length: str = "L", named: Mapping[str, Words] = WORDS) -> Label:
     """Return the line about a rod: where its masses are, and its mass if that is known."""
-    square = rod.gyration_square
     said = named["connecting_rod"][lang].format(
         length=length,
         centre=_share(1 - rod.centre) if rod.swings else figure(1 - rod.centre),
-        gyration=_root(square) or digits_text(lambda numbers: root(numbers.of(square)), 4),
+        gyration=gyration_text(rod),
         couple=figure(rod.couple),
         mass=f", $M = {amount(rod.mass, 'kg')}$" if rod.mass is not None else "",
     )
@@ -188,6 +187,12 @@ def _swing(rod: Rod, lang: str, length: str) -> Label:
         )
     gravity = rod.swings[0].gravity
     return f"{said}, $g = {amount(gravity, 'm/s²')}$" + usual_gravity(gravity)
+
+
+def gyration_text(rod: Rod) -> str:
+    """Return k/L."""
+    square = rod.gyration_square
+    return _root(square) or digits_text(lambda numbers: root(numbers.of(square)), 4)
 
 
 def _share(value: Fraction) -> str:

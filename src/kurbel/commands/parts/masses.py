@@ -45,7 +45,7 @@ SWUNG, WEIGHED = ("pendulum", "pendulum_from"), ("rod_inertia", "rod_inertia_abo
 OF_ROD = ("rod_mass", "centre", "gyration", *SWUNG, *WEIGHED, "rod_file")
 
 
-def _each(value: object) -> Sequence[object]:
+def each(value: object) -> Sequence[object]:
     """Return the entries of a list, which may be text."""
     if isinstance(value, str):
         return [part.strip() for part in value.split(";")]
@@ -55,7 +55,7 @@ def _each(value: object) -> Sequence[object]:
 def _swings(value: object, what: str) -> tuple[Fraction, ...]:
     """Return the times of swings: 1.8s, 90s/50. Raises KurbelError."""
     found = []
-    for one in _each(value):
+    for one in each(value):
         time, slash, count = one.rpartition("/") if isinstance(one, str) else (one, "", "")
         swings = as_number(count, "number of swings") if slash else Fraction(1)
         if swings <= 0:
@@ -165,7 +165,7 @@ class MovingRod(Part):
         gravity = self.as_part(Weight).gravity
         if gravity is not None and not 0 < gravity <= GREATEST_GRAVITY:
             raise ProblemError(f"gravity is {about(gravity)} m/s²; it must be above 0 and at most 1000")
-        places = [_place(one, length, "point of a swing") for one in _each(given)]
+        places = [_place(one, length, "point of a swing") for one in each(given)]
         if len(times) > 2 or len(places) != len(times):
             raise ProblemError(
                 f"--pendulum has {len(times)} times, and --pendulum-from {len(places)} points; give a time"
