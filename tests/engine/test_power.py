@@ -156,7 +156,6 @@ def test_the_cylinders_of_a_compound_engine_part_the_diagram_at_the_receiver(way
     volume, level = found["low_cut_off"], found["receiver_pressure"]
     assert level * volume == pytest.approx(15 / 12)
     assert (found["high_bore"] / 400) ** 2 == pytest.approx(volume)
-    # bar times m³ of the low-pressure cylinder, above and below the receiver.
     high = 15 / 12 + quad(lambda share: 15 / 12 / share, 1 / 12, volume)[0] - level * volume
     low = level * volume + quad(lambda share: 15 / 12 / share, volume, 1)[0] - 0.25
     assert found["high_power"] / found["low_power"] == pytest.approx(high / low)

@@ -112,15 +112,3 @@ def test_a_sum_half_way_between_two_printed_numbers_is_a_tie() -> None:
     asked: dict[str, Any] = {"ratio": "1:4", "force": 1000, "friction": "499.75N", "angle": 90}
     (row,) = rows_of(**asked, columns="crosshead_load_n", rounding="half-even")
     assert row["crosshead_load_n"] == 500.2
-
-
-def test_the_problem_of_a_vertical_double_acting_engine() -> None:
-    """Bore 300 mm, stroke 450 mm, rod 1.2 m, piston rod 50 mm, 225 kg, 200/min; at 125° from the top dead
-    centre 30 kN/m² above and 1.5 kN/m² below. Textbooks print 3021.6 N m of first order."""
-    page = kurbel.forces(
-        bore="300mm", stroke="450mm", rod="1.2m", piston_rod="50mm", reciprocating="225kg",
-        speed="200/min", slope="vertical", gravity="9.81", head_pressure="30kPa", crank_pressure="1.5kPa",
-        angle=125, columns="torque_nm",
-    )  # fmt: skip
-    torque = float(kurbel.typeset(page, "csv").split()[-1])
-    assert torque == pytest.approx(3021.6, rel=2e-3)

@@ -300,18 +300,6 @@ def test_no_error_is_left_if_k_squared_is_a_b() -> None:
         assert all(float(shown(value)) for value in rows[force, "railway"])
 
 
-def test_forces_along_the_slide_are_the_same_for_rod_and_two_masses() -> None:
-    rod: dict[str, Any] = {"centre": 0.65, "gyration": 0.35}
-    columns = "inertia_pin_x,inertia_pin_x_two_mass"
-    page = kurbel.inertia("1:3;1:∞", **rod, angle="0..180:7", columns=columns)
-    rows = list(page.records.rows)
-    assert all(one == other for *_, one, other in rows)
-    assert len({row[-1] for row in rows}) > 20
-    sheet = kurbel.inertia(**rod, layout="inertia-errors")
-    (row,) = [row for row in sheet.records.rows if row[1:3] == ("pin_x", "two-mass")]
-    assert shown(row[-2]) == "0.00"
-
-
 def test_a_tie_of_the_greatest_force_is_proved() -> None:
     # At the dead centre X is 1 + λ b; here 1.0625. The couple's greatest error is 0.0096/0.96.
     for rounding, expected in (("half-away", "1.063"), ("half-even", "1.062")):

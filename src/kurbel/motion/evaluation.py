@@ -41,7 +41,7 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "rod": ("--centre", "--gyration"),
     "inertia": ("--rod-mass", "--stroke", "--speed"),
     "arm": ("--centre above 0", "--gyration"),
-    "arm length": ("--centre above 0", "--gyration", "the length of the rod"),
+    "arm length": ("--centre above 0", "--gyration", "--stroke", "a finite rod"),
     "couple": ("--rod-mass", "--stroke", "--speed", "a finite rod"),
     "thrust": ("--centre", "--gyration", "a crank that turns evenly"),
     "thrust inertia": ("--rod-mass", "--stroke", "--speed", "a crank that turns evenly"),
