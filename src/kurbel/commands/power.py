@@ -280,6 +280,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         """Return what is given, with the pressure that mean pressures count in."""
         factor = self.diagram_factor
         cylinders = self._count() if self.says(*SIZES) else 1
+        free, warm = self._air()
         duty = partial(
             Duty, bore=self.bore, stroke=self.stroke, speed=self.speed, power=self.power,
             brake_power=self.brake_power, brake_torque=self.brake_torque, consumption=self.consumption,
@@ -287,7 +288,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             stroke_bore=self.stroke_bore, piston_speed=self.piston_speed,
             cylinders=cylinders, piston_rod=self.piston_rod, tail_rod=self.tail_rod,
             unknown=self.unknown or "", delivery=self.delivery if self.says(*GIVING) else None,
-            **self._air(),
+            free_air=free, suction_temperature=warm,
             efficiency=self.efficiency, diagram_factor=Fraction(1) if factor is None else factor,
             specific_volume=self._volume() if self.says("eps") or self.unknown == "eps" else None,
             ends=self.mean_pressure or (),
@@ -304,15 +305,15 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             raise ProblemError(f"{flag_of(name)} is {self.raw(name)}; it must be above 0")
         return duty(pressure=pressure, pressure_option=flag_of(name))
 
-    def _air(self) -> dict[str, Any]:
-        """Return what is given of the air of a compressor."""
+    def _air(self) -> tuple[tuple[Fraction, Fraction] | None, Fraction | None]:
+        """Return the state of free air and the temperature of suction of a compressor."""
         if not self.says("pressure_ratio"):
-            return {}
+            return None, None
         free, warm = self.free_air, self.suction_temperature
         if free is not None and (warm is None or not self.says("suction_pressure")):
             missing = "--suction-pressure" if warm is not None else "--suction-temperature"
             raise ProblemError(f"free air is compared with the state of suction; add {missing}")
-        return {"free_air": free, "suction_temperature": warm}
+        return free, warm
 
     def staged(self) -> Mapping[str, object]:
         cooled, between, suction = self.intercooling, self.intermediate_pressure, self.suction_pressure

@@ -141,7 +141,7 @@ class Requested:
         key = (drive, *(str(row.get(name)) for name in LOADED))
         if key not in self._kept:
             asked, rod = self.asked, drive.radius / drive.ratio if drive.ratio else None
-            known: dict[str, Any] = {
+            known: dict[str, object] = {
                 "reciprocating": asked.reciprocating, "rod_mass": asked.rod_mass, "rotating": asked.rotating,
                 "inertia": asked.rocker_inertia, "friction": asked.friction, "gravity": asked.gravity,
                 "centre": _of_rod(asked.raw("centre"), rod), "gyration": _of_rod(asked.raw("gyration"), rod),
@@ -170,7 +170,7 @@ class Requested:
         if key not in self._kept:
             asked = self.asked
             centre = _of_rod(given("centre"), long) or Fraction(0)
-            known: dict[str, Any] = {"gyration": _of_rod(given("gyration"), long)}
+            known: dict[str, object] = {"gyration": _of_rod(given("gyration"), long)}
             if model:
                 centre = Fraction(3, 5) if model == "railway" else centre
                 known = {"gyration_square": centre * (1 - centre)}

@@ -298,7 +298,6 @@ as_density = _measured("density")
 as_heating_value = _measured("heating_value")
 as_brake_torque = _measured("brake_torque")
 as_temperature = _measured("temperature")
-as_free_air = _measured("free_air")
 as_energy = _measured("energy")
 as_stress = _measured("stress")
 as_area = _measured("area")
@@ -339,6 +338,13 @@ def as_speed(value: object) -> Speed:
     from kurbel.reading import units
 
     return units.speed(value) if isinstance(value, str) else units.Speed(as_fraction(value))
+
+
+def as_free_air(value: object, what: str) -> tuple[Fraction, Fraction]:
+    """Return the pressure in Pa and the temperature in K of a state of air, which is always text."""
+    from kurbel.reading import units
+
+    return units.free_air(str(value), what)
 
 
 def as_consumption(value: object, what: str) -> MassFlow:
