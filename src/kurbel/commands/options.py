@@ -155,8 +155,7 @@ class Count(Kind):
         return self.allowed[str(text)]
 
     def taken(self, value: object, name: str) -> object:
-        # Others are refused where they are used.
-        return self.allowed.get(str(value), value)
+        return self.read(str(value), {})
 
 
 class Columns(Kind):

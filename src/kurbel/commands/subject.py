@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, Protocol, cast
@@ -171,7 +171,10 @@ class Command:
             return None
         from kurbel.reading.amounts import IMPERIAL, read_units
 
-        return read_units(asked) if is_given(asked) else read_units(IMPERIAL)._replace(data=False)
+        if not is_given(asked):
+            return read_units(IMPERIAL)._replace(data=False)
+        listed = isinstance(asked, Iterable) and not isinstance(asked, str)
+        return read_units(";".join(map(str, asked)) if listed else str(asked))
 
 
 class Function(Protocol):

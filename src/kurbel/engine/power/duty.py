@@ -101,6 +101,9 @@ class Duty:
         for what, share in ((name.replace("_", " "), getattr(self, name)) for name in shares):
             if share is not None and not 0 < share <= 1:
                 raise ProblemError(f"the {what} is {about(share)}; it must be above 0 and at most 1")
+        for what, size in (("bore", self.bore), ("stroke", self.stroke)):
+            if size is not None and size <= 0:
+                raise ProblemError(f"the {what} is {about(size)} m; it must be above 0")
         for what, value in (("stroke over bore", self.stroke_bore), ("piston speed", self.piston_speed)):
             if value is not None and not 0 < value <= 1000:
                 raise ProblemError(f"the {what} is {about(value)}; it must be above 0 and at most 1000")
