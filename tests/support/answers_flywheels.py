@@ -146,7 +146,9 @@ def stress_of_a_disc(
 
 
 @solution
-def strips_of_a_press(work: mpf, strokes: mpf, speed: mpf, slow: mpf, radius: mpf) -> Rows:
-    inertia = 2 * work / (speed**2 - slow**2)
+def strips_of_a_press(
+    energy: mpf, broad: mpf, thick: mpf, strokes: mpf, speed: mpf, slow: mpf, radius: mpf
+) -> Rows:
+    inertia = 2 * energy * broad * thick / (speed**2 - slow**2)
     torque = inertia * (speed - slow) * strokes / (2 * pi)
     return [{"mass": inertia / radius**2, "mean_torque": torque}]

@@ -414,3 +414,13 @@ def bore_with_a_piston_rod(
     # Of the mean area of both ends.
     area = power / efficiency / (real * velocity) + pi / 8 * rod**2
     return [{"bore": sqrt(area * 4 / pi) * 1000, "stroke": velocity / 2 / turns(speed) * 1000}]
+
+
+@solution
+def compressor_by_its_volume(
+    ratio: mpf, suction: mpf, exponent: mpf, clearance: mpf, volume: mpf, speed: mpf
+) -> Rows:
+    share = 1 + clearance - clearance * ratio ** (1 / exponent)
+    rate = 2 * share * volume * turns(speed)
+    power = raised(suction, ratio * suction, exponent) * rate / 1000
+    return [{"volumetric_efficiency": share, "delivery": rate * 60, "indicated_power": power}]

@@ -48,6 +48,8 @@ UNITS = {
     "m3/min": mpf(1) / 60,
     "kg/min": mpf(1) / 60,
     "kJ/kg": mpf(1000),
+    "J/mm²": mpf(10) ** 6,
+    "l": mpf("0.001"),
     "cm": mpf("0.01"),
     "cm²": mpf("0.0001"),
 }

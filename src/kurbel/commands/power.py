@@ -50,6 +50,7 @@ from kurbel.reading.given import (
     as_speed,
     as_temperature,
     as_velocity,
+    as_volume,
 )
 from kurbel.reading.notation import about
 
@@ -59,15 +60,8 @@ NEEDED = (
 )
 # What makes a power of the mean pressure.
 SIZES = (
-    "power",
-    "brake_power",
-    "brake_torque",
-    "bore",
-    "stroke",
-    "speed",
-    "stroke_bore",
-    "piston_speed",
-    "delivery",
+    *("power", "brake_power", "brake_torque", "bore", "stroke", "speed", "stroke_bore", "piston_speed"),
+    *("swept_volume", "delivery"),
 )
 # What gives a delivery.
 GIVING = ("pressure_ratio", "pump")
@@ -103,7 +97,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         " piston_rod tail_rod stroke speed power brake_power stroke_bore piston_speed cylinders"
         " diagram_factor efficiency specific_volume delivery unknown stages"
         " suction_temperature free_air brake_torque consumption heating_value thermal_efficiency"
-        " intercooling intermediate_pressure"
+        " intercooling intermediate_pressure swept_volume"
     )
     in_short = (
         "power mean_pressure eps pressure card bore stroke speed machine cylinders efficiency brake_power"
@@ -166,6 +160,10 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     piston_speed = measure(
         as_velocity, "Mean piston speed in place of the stroke or the speed: 3m/s.", "VELOCITY", unit="m/s"
     )
+    swept_volume = measure(
+        as_volume, "Swept volume of a cylinder, of both ends the mean, in place of bore and stroke: '1.5 l'.",
+        "VOLUME", unit="m³",
+    )  # fmt: skip
     cylinders = measure(as_number, "Number of cylinders alike; default 1.", "NUMBER", topic="cylinders")
     delivery = measure(
         as_delivery,
@@ -285,7 +283,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             Duty, bore=self.bore, stroke=self.stroke, speed=self.speed, power=self.power,
             brake_power=self.brake_power, brake_torque=self.brake_torque, consumption=self.consumption,
             heating_value=self.heating_value, thermal_efficiency=self.thermal_efficiency,
-            stroke_bore=self.stroke_bore, piston_speed=self.piston_speed,
+            stroke_bore=self.stroke_bore, piston_speed=self.piston_speed, swept_volume=self.swept_volume,
             cylinders=cylinders, piston_rod=self.piston_rod, tail_rod=self.tail_rod,
             unknown=self.unknown or "", delivery=self.delivery if self.says(*GIVING) else None,
             free_air=free, suction_temperature=warm,

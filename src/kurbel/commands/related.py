@@ -273,7 +273,7 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
                 ("stroke_bore", duty.stroke_bore), ("piston_speed", duty.piston_speed),
                 ("specific_volume", duty.specific_volume), ("open", duty.open_area),
                 ("strokes", source.strokes * duty.cylinders), ("mean_torque", duty.brake_torque),
-                ("heating_value", duty.heating_value),
+                ("heating_value", duty.heating_value), ("swept", duty.swept_volume),
                 ("brake_thermal" if duty.shafted else "indicated_thermal", duty.thermal_efficiency),
             )
             if value is not None

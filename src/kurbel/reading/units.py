@@ -17,7 +17,7 @@ from kurbel.exact.numerals import exact_text
 from kurbel.reading.amounts import FOOT, INCH, POUND, POUND_FORCE, plain_unit
 from kurbel.reading.given import as_angle, as_crank_angles, as_fraction
 from kurbel.reading.names import did_you_mean
-from kurbel.reading.notation import about, in_shell, number, quoted
+from kurbel.reading.notation import about, in_shell, number, quoted, share
 
 
 def _scaled(units: Mapping[str, int | str]) -> Mapping[str, Fraction]:
@@ -79,6 +79,10 @@ KNOWN: Mapping[str, Mapping[str, Fraction]] = {
     "[mass]/[energy]": {
         **_scaled({"kg/kWh": "1/3600000", "g/kWh": "1/3600000000", "kg/kW/h": "1/3600000"}),
         **_scaled({"g/kW/h": "1/3600000000"}), "kg/hp/h": 1 / (3600 * 550 * _FOOT_POUND),
+    },
+    "[length]**3": {
+        **_scaled({"m*m*m": 1, "l": "1/1000", "L": "1/1000", "dm*dm*dm": "1/1000"}),
+        **_scaled({"cm*cm*cm": "1/1000000"}), "in*in*in": INCH**3,
     },
     "[energy]/[mass]": _scaled({"J/kg": 1, "kJ/kg": 1000, "MJ/kg": 10**6}),
     "[length]**2": {
@@ -247,6 +251,38 @@ def brake_torque(text: str, what: str) -> Fraction:
         return replace(signed_torque, most=10**12)(text, what)
     loads = [replace(force, most=0)(one, what) for one in load.replace("−", "-").split(" - ")]
     return _checked((loads[0] - sum(loads[1:])) * length(arm, what), text, what, "N m", 10**12)
+
+
+# What makes a work by its factors, beside numbers.
+_WORKS = (("force", "length"), ("energy_an_area", "area"), ("energy_an_area", "length", "length"))
+
+
+def work(text: str, what: str) -> Fraction:
+    """Return an energy in J, also by its factors: "350kN x 200mm x 15%", "1200J/cm² x 8cm x 2cm"."""
+    factors = [one.strip() for one in text.replace("×", "x").split(" x ")]
+    if len(factors) == 1:
+        return energy(text, what)
+    kinds, found = list[str](), Fraction(1)
+    for one in factors:
+        unit = _parts(one)[2]
+        measures = {"force": force, "length": length, "area": area, "energy_an_area": energy_an_area}
+        name = next(
+            (key for key, kind in measures.items() if unit and _has_dimension(unit, kind.dimension)), ""
+        )
+        if name or not unit:
+            found *= measures[name](one, what) if name else share(one, what)
+        kinds += [name or "other"] if unit else []
+    if tuple(sorted(kinds, key=lambda kind: kind in ("length", "area"))) not in _WORKS:
+        raise NotationError(
+            f'{what} "{text[:60]}" is no energy; write 10kJ, a force on a way, 350kN x 30mm, or an energy of'
+            " an area, 1200J/cm² x 16cm²"
+        )
+    return found
+
+
+def volume_swept(text: str, what: str) -> Fraction:
+    """Return a volume in m³: "1.5 l", "700cm³"."""
+    return Measure("a volume such as 1.5 l or 700cm³", "[length]**3", "m**3", _LARGEST)(text, what)
 
 
 def temperature(text: str, what: str) -> Fraction:

@@ -32,6 +32,7 @@ from kurbel.reading.given import (
     as_stress,
     as_torque,
     as_velocity,
+    as_work,
 )
 
 # The options that give figures by themselves, and what these are called where it is not the option's name.
@@ -79,7 +80,9 @@ class Swing(Part):
         what="coefficient of fluctuation of energy",
     )  # fmt: skip
     work = measure(
-        as_energy, "Work of a cycle, of a press that of a stroke: 10kJ.", "ENERGY", unit="J",
+        as_work,
+        "Work of a cycle, of a press that of a stroke: 10kJ; or its factors, '350kN x 200mm x 15%',"
+        " '1200J/cm² x 8cm x 2cm'.", "ENERGY", unit="J",
         what="work of a cycle", topic="press",
     )  # fmt: skip
 

@@ -75,6 +75,7 @@ class Duty:
     pressure_option: str = "--pressure"
     stroke_bore: Fraction | None = None
     piston_speed: Fraction | None = None
+    swept_volume: Fraction | None = None
     diagram_factor: Fraction = Fraction(1)
     unknown: str = ""
     delivery: Fraction | MassFlow | None = None
@@ -180,7 +181,7 @@ class Duty:
     @property
     def sized(self) -> bool:
         """Whether anything of the power, the sizes or the speed is given."""
-        sizes = ("bore", "stroke", "speed", "stroke_bore", "piston_speed")
+        sizes = ("bore", "stroke", "speed", "stroke_bore", "piston_speed", "swept_volume")
         names = ("power", "brake_power", "brake_torque", *sizes, "delivery")
         return any(getattr(self, name) is not None for name in names)
 
@@ -245,6 +246,9 @@ class Duty:
             found["--stroke-bore"] = stroke / bore / number(self.stroke_bore), STROKE
         if self.piston_speed is not None:
             found["--piston-speed"] = stroke * speed * number(2 / self.piston_speed), SPEED
+        if self.swept_volume is not None:
+            of_one = number(self.open_area / 4, pi=1) * bore * bore * stroke
+            found["--swept-volume"] = of_one / number(self.swept_volume), BORE
         times = source.strokes * self.cylinders * self.open_area
         swept = number(times / 4, pi=1) * bore * bore * stroke * speed
         mean = variable(MEAN) if opened else Term(source.mean)
@@ -335,6 +339,7 @@ def _check(option: str, relation: Term, duty: Duty, known: Mapping[str, Term]) -
         "--mean-pressure": (duty._of_ends(), UNITS[PRESSURE], " bar"),
         "--brake-power": (duty.brake_power, UNITS[POWER], " kW"),
         "--brake-torque": (duty.brake_torque, Fraction(1), " N m"),
+        "--swept-volume": (duty.swept_volume, Fraction(1, 1000), " l"),
         "--thermal-efficiency": (duty.thermal_efficiency, Fraction(1), ""),
     }
     if option in size:

@@ -19,6 +19,7 @@ from kurbel.engine.power.compound import Compound, whole
 from kurbel.engine.power.duty import (
     AIRY,
     ASKED,
+    BORE,
     BRAKED,
     COLD,
     COMPOUND,
@@ -106,7 +107,9 @@ class PowerRequest(Question):
             self._check_compound(self.duty.compound)
         self._check_shares()
         found = self.found(0).variables
-        touched = [one for name, one in found.items() if name != PRESSURE and set(one.powers) != {name}]
+        # A volume that is given needs neither the bore nor the stroke.
+        loose = (PRESSURE, BORE) if self.duty.swept_volume is not None else (PRESSURE,)
+        touched = [one for name, one in found.items() if name not in loose and set(one.powers) != {name}]
         asked = [found[POWER]] if found[POWER].powers else touched
         free = lacking(self.duty, *asked)
         if unknown := found.get(self.duty.unknown):
@@ -368,6 +371,8 @@ def _given(duty: Duty, source: Acting | GivenPressure) -> Iterator[Label]:
         yield f"$p = {amount(duty.pressure, 'bar')}$"
     if duty.stroke_bore is not None:
         yield f"$S/d = {figure(duty.stroke_bore)}$"
+    if duty.swept_volume is not None:
+        yield f"$V_h = {amount(duty.swept_volume, 'l')}$"
     if isinstance(duty.delivery, MassFlow):
         yield f'$"ṁ" = {amount(duty.delivery.mass, "kg/min")}$'
     elif duty.delivery is not None:
