@@ -32,6 +32,7 @@ from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, Number
 from kurbel.exact.real import EXACT_ZERO, Real
 from kurbel.kernel.balance import Star
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.kinematics import piston_acceleration
 from kurbel.page.axes import AngleAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
@@ -74,7 +75,7 @@ def of_all(arrangement: Arrangement, residual: str, first: Residual, crank: Cran
 def _even(angle: Fraction, star: Star, ratio: Fraction) -> Point:
     """Return a star times the piston acceleration less cos θ at an angle."""
 
-    def point(kind: Kind) -> tuple[Any, Any]:
+    def point(kind: Kind) -> tuple[Numeric, Numeric]:
         circle = kind.circle(angle)
         size = piston_acceleration(circle, kind.of(ratio)) - circle.cosine
         x, y = star.point(kind.circle, kind.of)

@@ -25,6 +25,7 @@ from kurbel.exact.numerals import Number
 from kurbel.exact.real import Known, Real
 from kurbel.kernel import balance
 from kurbel.kernel.balance import Star
+from kurbel.kernel.circle import Numeric
 from kurbel.reading.notation import about
 
 MOST_CYLINDERS = 24
@@ -214,7 +215,7 @@ class Length(NamedTuple):
     """A magnitude of the residual: whether it is 0, its ball, and whether it is a rational number > 0."""
 
     vanishes: Callable[[Residual], bool]
-    value: Callable[[Residual, Kind], Any]
+    value: Callable[[Residual, Kind], Numeric]
     equals: Callable[[Residual, Fraction], bool]
 
 

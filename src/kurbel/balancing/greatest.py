@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from math import acosh, ceil, log
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import flint
 from flint import arb, arb_series
@@ -148,7 +148,7 @@ def slides_of(arrangement: Arrangement, residual: str) -> tuple[Slide, ...]:
     return tuple(Slide(turned, star) for turned, star in sorted(stars.items()) if not star.vanishes())
 
 
-def left(residuals: Sequence[tuple[int, Residual, Callable[[], Any]]]) -> tuple[Wave, ...]:
+def left(residuals: Sequence[tuple[int, Residual, Callable[[], Numeric]]]) -> tuple[Wave, ...]:
     """Return the orders that do not vanish."""
     return tuple(
         Wave(order, residual, factor)

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.balancing.vector import Vector
 from kurbel.drive.at import known
@@ -312,7 +312,7 @@ def _closes(gap: Vector, one: Fraction, other: Fraction) -> bool:
 def _corner(
     gap: Vector, one: Fraction, other: Fraction, sign: int
 ) -> Callable[[Kind], tuple[Numeric, Numeric]]:
-    def point(kind: Kind) -> tuple[Any, Any]:
+    def point(kind: Kind) -> tuple[Numeric, Numeric]:
         x, y = gap.point(kind)
         square = x * x + y * y
         along = (kind.of(one**2 - other**2) + square) / (2 * square)

@@ -23,9 +23,10 @@ from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Number, nearest
 from kurbel.exact.real import ESTIMATE_BITS, PI, Real
 from kurbel.kernel.balance import Star
+from kurbel.kernel.circle import Numeric
 from kurbel.reading.units import Speed
 
-Point: TypeAlias = Callable[[Kind], tuple[Any, Any]]
+Point: TypeAlias = Callable[[Kind], tuple[Numeric, Numeric]]
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,6 +22,7 @@ from kurbel.exact.certify import NEVER_TIES, at_bits, ball, rounded
 from kurbel.exact.jet import Jet
 from kurbel.exact.numerals import Label, Number, figures
 from kurbel.exact.search import isolate
+from kurbel.kernel.circle import Numeric
 from kurbel.page.axes import (
     PHI,
     Axis,
@@ -224,7 +225,7 @@ def registry() -> Mapping[str, Quantity]:
     return found
 
 
-def _in_unit(size: Fraction, found: Any) -> Any:
+def _in_unit(size: Fraction, found: Numeric) -> Numeric:
     return found / ball(size)
 
 

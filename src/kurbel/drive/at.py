@@ -134,7 +134,7 @@ class CrankForce(NamedTuple):
     """
 
     bare: Callable[[Any, Any, Any], Any]
-    on: Callable[[Any], Any]
+    on: Callable[[Any], Numeric]
     framed: bool = False
     magnitude: bool = False
     on_shaft: bool = False
@@ -154,7 +154,7 @@ def _none(circle: Any, ratio: Numeric, offset: Numeric) -> Numeric:
     return 0
 
 
-def _across(drive: Loaded) -> Any:
+def _across(drive: Loaded) -> Numeric:
     return -1 * drive.pin_force_across()
 
 
@@ -230,7 +230,7 @@ class At:
         return self._under_force(self._weights.masses, self._weights.reciprocating)
 
     @cached_property
-    def on_shaft(self) -> Any:
+    def on_shaft(self) -> Numeric:
         """The same with the masses of which the force at the pin is that of the main bearing."""
         return self._under_force(self._weights.on_shaft, 0)
 
@@ -292,7 +292,7 @@ class At:
         towards = np.where(velocity == 0, drawn, velocity)
         return np.where(towards < 0, -1.0, 1.0)
 
-    def shaft_torque(self) -> Any:
+    def shaft_torque(self) -> Numeric:
         """Return what accelerates the shaft, M - P/ω over R, in newtons; M less the friction of pins that
         have some."""
         crank, effort = self.crank, known(self.crank.effort)

@@ -106,7 +106,7 @@ class Crank:
             kinematics.dead_centre_sine(numbers.of(stroke * self.ratio), numbers.of(stroke * self.offset))
         )
 
-    def pin_velocity(self, numbers: Kind) -> Any:
+    def pin_velocity(self, numbers: Kind) -> Numeric:
         """Return v = R ω of the crank pin in m/s."""
         speed, radius = known(self.speed), known(self.radius)
         if not speed.turns:
@@ -128,12 +128,12 @@ class Crank:
         """Return v : c_m = π R : S. Source: Blau, eq. (24), for any stroke."""
         return numbers.pi / self.stroke(numbers)
 
-    def pin_acceleration(self, numbers: Kind) -> Any:
+    def pin_acceleration(self, numbers: Kind) -> Numeric:
         """Return v²/R of the crank pin in m/s²."""
         velocity = self.pin_velocity(numbers)
         return velocity * velocity / numbers.of(known(self.radius))
 
-    def millimetres(self, numbers: Kind) -> Any:
+    def millimetres(self, numbers: Kind) -> Numeric:
         return numbers.of(1000 * known(self.radius))
 
     def newtons(self, numbers: Kind) -> Numeric:
@@ -143,7 +143,7 @@ class Crank:
     def newton_metres(self, numbers: Kind) -> Numeric:
         return self.newtons(numbers) * numbers.of(known(self.radius))
 
-    def shaft_gain(self, numbers: Kind) -> Any:
+    def shaft_gain(self, numbers: Kind) -> Numeric:
         """What makes the angular acceleration of the shaft in 1/s² of a force at R in newtons, R/J."""
         return numbers.of(known(self.radius) / known(known(self.effort).shaft).inertia)
 

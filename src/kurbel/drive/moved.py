@@ -64,7 +64,7 @@ class Moved(ABC):
     def acceleration(self, stroke: int, circle: Circle[Numeric]) -> Numeric:
         """Return the slope of the velocity."""
 
-    def lever(self, stroke: int, circle: Circle[Numeric]) -> Any:
+    def lever(self, stroke: int, circle: Circle[Numeric]) -> Numeric:
         """Return the tangential force of a unit force on the piston, by virtual work the velocity."""
         return self.velocity(stroke, circle)
 
@@ -83,7 +83,7 @@ class Moved(ABC):
 
     def power(
         self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric], weight: Weight[Numeric] | None
-    ) -> Any:
+    ) -> Numeric:
         """Return what inertia and weight of the masses do over the angle in radians, less what they take:
         the torque that they make."""
         found: Any = self.loaded(stroke, circle, masses, 0, 0, weight, None).torque()
@@ -174,7 +174,7 @@ class Slide(Moved):
     def acceleration(self, stroke: int, circle: Circle[Numeric]) -> Numeric:
         return self.motion.acceleration(circle, *self.numbers[stroke])
 
-    def lever(self, stroke: int, circle: Circle[Numeric]) -> Any:
+    def lever(self, stroke: int, circle: Circle[Numeric]) -> Numeric:
         if self._is_first_order:
             return tangential_force(circle, *self.numbers[stroke])
         return self.velocity(stroke, circle)

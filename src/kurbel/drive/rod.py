@@ -246,7 +246,7 @@ class Moving:
         own = joined(self.rod.masses("exact", Fraction), self.rod.mass or Fraction(0), self.reciprocating)
         return own._replace(rocker=end)
 
-    def weights(self, kind: Kind, factor: Any, newton: Any = 1) -> Weights:
+    def weights(self, kind: Kind, factor: Numeric, newton: Numeric = 1) -> Weights:
         """Return the masses times a factor, in a kind of number, and their weight, if that counts, times
         that of a newton."""
         of, joined = kind.of, self.joined

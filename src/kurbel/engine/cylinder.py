@@ -279,7 +279,7 @@ class AnyTurn(ABC):
                 yield start + stroke + beyond
 
     @property
-    def pi(self) -> Any:
+    def pi(self) -> Numeric:
         return self.cylinder.kind.pi
 
     def of(self, value: Fraction) -> Any:

@@ -141,7 +141,7 @@ def _expansion_work(steam: Expansion, whole: Numeric) -> Numeric:
     return steam.work(whole) - steam.full_pressure_work(whole)
 
 
-_STAGES: dict[str, Callable[[Expansion, Numeric], Any]] = {
+_STAGES: dict[str, Callable[[Expansion, Numeric], Numeric]] = {
     "full_pressure_work": lambda steam, whole: steam.cut_off * whole,
     "expansion_work": _expansion_work,
     "back_work": lambda steam, whole: steam.back * whole,

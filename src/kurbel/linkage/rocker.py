@@ -77,7 +77,7 @@ class RockerCrank(Linkage):
         """Return the way of the rod's end along its arc between the dead centres, in units of R."""
         return self.swing(kind) * kind.pi / 180 * kind.of(self.rocker)
 
-    def lead(self, kind: Kind) -> Any:
+    def lead(self, kind: Kind) -> Numeric:
         """Return Δ in degrees, by which the crank turns more than 180° during the outstroke."""
         return 2 * kind.arc(linkage.lead_half_sine(*self._dead_centres(kind)))
 

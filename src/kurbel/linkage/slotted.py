@@ -117,7 +117,7 @@ class SlottedLever(Linkage):
                 " nearer to the arm's end"
             )
 
-    def links(self, stroke: int, kind: Kind) -> Links[Any]:
+    def links(self, stroke: int, kind: Kind) -> Links[Numeric]:
         """Return the lengths with the sign of the stroke."""
         ratio = Fraction(0) if self.rod is None else stroke * self.circuit / self.rod
         of = kind.of
@@ -137,7 +137,7 @@ class SlottedLever(Linkage):
         """Return φ_i, or for RETURN φ_o - 180°, in degrees within ±90°."""
         return kind.arc(kernel.dead_crank_sine(self.links(stroke, kind), self.swings))
 
-    def lead(self, kind: Kind) -> Any:
+    def lead(self, kind: Kind) -> Numeric:
         """Return Δ in degrees, by which the crank turns more than 180° during the outstroke."""
         return self.dead_angle(RETURN, kind) - self.dead_angle(OUT, kind)
 

@@ -182,7 +182,7 @@ class Sharp:
         return digits
 
 
-def on_floats(column: Column, crank: Crank) -> Callable[[Circle[Any]], Any] | OfDegrees:
+def on_floats(column: Column, crank: Crank) -> Callable[[Circle[Any]], Numeric] | OfDegrees:
     """Return the column as a function of the circle of floats or arrays, a time as one of the angle."""
     if column.quantity.needs == "time":
         from kurbel.exact.bulk import OfDegrees

@@ -244,7 +244,7 @@ def _rod_entries() -> Iterator[Quantity]:
 def _clock_entries() -> Iterator[Quantity]:
     """Yield the time of an evenly turning crank since the dead centre where the stroke begins."""
 
-    def since(at: At) -> Any:
+    def since(at: At) -> Numeric:
         degrees = at.numbers.of(at.degrees) if isinstance(at.degrees, Fraction) else at.degrees
         return turned(at.crank, at.stroke, degrees, at.numbers)
 

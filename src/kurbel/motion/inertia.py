@@ -57,7 +57,7 @@ class RodForce(NamedTuple):
         return numbers.of(known(known(crank.rod).mass) * arm) * crank.pin_acceleration(numbers)
 
 
-def _pin_square(loaded: Loaded) -> Any:
+def _pin_square(loaded: Loaded) -> Numeric:
     along, across = loaded.pin_force_along(), loaded.pin_force_across()
     return along * along + across * across
 
@@ -124,7 +124,7 @@ ROD_COUPLES: Mapping[str, RodForce] = {
 }  # fmt: skip
 
 
-def _resultant(loaded: Loaded) -> Any:
+def _resultant(loaded: Loaded) -> Numeric:
     """Return the magnitude of M a_S, that of all forces of the pins and the guide on the rod."""
     return magnitude(loaded.pin_force_along(), loaded.pin_force_across() + loaded.guide_force())
 
@@ -152,7 +152,7 @@ def _resultant_entries() -> Iterator[Quantity]:
     )  # fmt: skip
 
 
-def _rod_millimetres(crank: Crank, numbers: Kind) -> Any:
+def _rod_millimetres(crank: Crank, numbers: Kind) -> Numeric:
     return numbers.of(1000 * known(crank.rod_length))
 
 
@@ -164,15 +164,15 @@ def inertia_registry() -> Mapping[str, Quantity]:
     return {one.key: one for one in (*rod_entries(_of_slide), *_resultant_entries(), *parts)}
 
 
-def _of_slide(force: RodForce, model: str) -> Callable[[At], Any]:
-    def kernel(at: At) -> Any:
+def _of_slide(force: RodForce, model: str) -> Callable[[At], Numeric]:
+    def kernel(at: At) -> Numeric:
         masses = known(at.crank.rod).masses(model, at.numbers.of)
         return force.formula(Loaded(at.circle, at.ratio, masses, at.offset, by=at.by))
 
     return kernel
 
 
-def rod_entries(kernel_of: Callable[[RodForce, str], Callable[[Any], Any]]) -> Iterator[Quantity]:
+def rod_entries(kernel_of: Callable[[RodForce, str], Callable[[Any], Numeric]]) -> Iterator[Quantity]:
     """Yield every force by every model, by the kernel calls of a drive."""
     for force in (*ROD_FORCES.values(), *ROD_COUPLES.values()):
         # Two masses lack what they are given in addition.
@@ -180,7 +180,7 @@ def rod_entries(kernel_of: Callable[[RodForce, str], Callable[[Any], Any]]) -> I
             yield from _entries(force, model, kernel_of(force, model))
 
 
-def _entries(force: RodForce, model: str, kernel: Callable[[Any], Any]) -> Iterator[Quantity]:
+def _entries(force: RodForce, model: str, kernel: Callable[[Any], Numeric]) -> Iterator[Quantity]:
     """Yield the force by a model in units of the rod's mass, and in newtons."""
     key = f"inertia_{force.key}" + ("" if model == "exact" else f"_{model.replace('-', '_')}")
     share = _entry(key, force.letter, force.name, force.unit, model, kernel)

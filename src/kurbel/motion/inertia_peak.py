@@ -23,7 +23,7 @@ from kurbel.exact.kind import Kind
 from kurbel.exact.search import BEFORE, BEHIND, SHARP_BITS, Summit, Zero, greatest, isolate
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.exact.terms import algebraic
-from kurbel.kernel.circle import Circle
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.moving import Masses
 from kurbel.kernel.rod import Loaded
 from kurbel.motion.inertia import RodForce
@@ -73,7 +73,7 @@ class Peak:
             return ball(0)
         return reduce(arb.max, (self._value_at(place) for place in self.places))
 
-    def on(self, numbers: Kind) -> Any:
+    def on(self, numbers: Kind) -> Numeric:
         """Return the magnitude on balls or on Terms."""
         return algebraic(numbers, self.value, self.separation)
 

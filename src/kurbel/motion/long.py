@@ -62,7 +62,7 @@ def _of_ratio(quantity: Quantity, method: str) -> Callable[[Numeric, Numeric], N
     kernel, numbers, stroke = kernel_of(quantity, method, NO_RATIO), floats(), quantity.stroke
     scale = quantity.scale(NO_RATIO, numbers) if quantity.scale else None
 
-    def column(circle: Any, ratio: Any) -> Any:
+    def column(circle: Any, ratio: Numeric) -> Any:
         # An infinite rod has no ratio, and the return stroke the other sign.
         signed = 0.0 if method == "infinite" else ratio if stroke > 0 else -ratio
         found = kernel(At(circle, NO_RATIO, numbers, stroke, signed, None, method == "series"))

@@ -61,7 +61,7 @@ class Component(NamedTuple):
     end: str
     mark: str
     part: Words
-    kernel: Callable[[Parted], Any]
+    kernel: Callable[[Parted], Numeric]
 
 
 OF_A, REPLACING = (
@@ -130,7 +130,7 @@ def _of_rod(key: str, parted_of: Callable[[At], Parted]) -> Callable[[At], Numer
 def _part(part: Part) -> Quantity:
     """A part that p₁ is made of, by any method."""
 
-    def kernel(at: At) -> Any:
+    def kernel(at: At) -> Numeric:
         return getattr(rod.parts(at.circle, at.ratio, at.offset, at.by), part.key)
 
     head = f"${part.letter}/({UNIT}) = "

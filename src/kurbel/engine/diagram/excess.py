@@ -156,7 +156,7 @@ class Excess(Given):
         return Fraction(self.excess.area(place, self.excess.line_at(place)))
 
 
-def _below(excess: Torque, number: int, degrees: Any, kind: Kind) -> Numeric:
+def _below(excess: Torque, number: int, degrees: Numeric, kind: Kind) -> Numeric:
     """Return what is below the lines up to a ball of degrees."""
     line = excess.lines[number]
     behind = degrees - kind.of(line.start)

@@ -38,7 +38,7 @@ class Extreme(NamedTuple):
     """
 
     letter: str = ""
-    degrees: Callable[[Kind], Any] | None = None
+    degrees: Callable[[Kind], Numeric] | None = None
     exact: Fraction | None = None
 
 

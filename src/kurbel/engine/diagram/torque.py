@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 from kurbel.engine.diagram.waves import Waves
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
+from kurbel.kernel.circle import Numeric
 from kurbel.reading.given import Given
 from kurbel.reading.notation import about
 
@@ -111,7 +112,7 @@ class Torque(Given):
         place = degrees % self.cycle
         return self.waves.at(degrees, kind) + kind.of(self.lines[self.line_at(place)].value(place))
 
-    def area(self, degrees: Any, number: int) -> Any:
+    def area(self, degrees: Numeric, number: int) -> Any:
         """Return what is below the lines from 0 to an angle on one of them, in N m times degrees."""
         line = self.lines[number]
         behind = degrees - line.start

@@ -125,7 +125,7 @@ class Steam:
         release, cushion, entry = (kind.of(at) for at in (self.release, self.cushion, 1 - self.lead))
         room = numbers.cut_off + numbers.clearance
         expanding = Polytrope(one, room, numbers.exponent, numbers.clearance, 1)
-        behind: list[tuple[Any, Piece]] = [(numbers.cut_off, Constant(one))]
+        behind: list[tuple[Numeric, Piece]] = [(numbers.cut_off, Constant(one))]
         if 1 / self.expansion < self.release:
             behind.append((release, expanding))
         if self.release < 1:

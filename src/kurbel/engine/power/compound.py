@@ -16,7 +16,7 @@ from kurbel.engine.power.source import Acting
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.real import Product, Term, number
-from kurbel.kernel.circle import root
+from kurbel.kernel.circle import Numeric, root
 from kurbel.kernel.steam import logarithm
 from kurbel.reading.given import as_length, as_number, as_pressure, meant
 
@@ -77,7 +77,7 @@ def work_of(compound: Compound | None, acting: Acting, expansion: Term, high: bo
     return Term(Product.about(part), expansion.powers)
 
 
-def _numbers(acting: Acting, kind: Kind) -> tuple[Any, Any]:
+def _numbers(acting: Acting, kind: Kind) -> tuple[Numeric, Numeric]:
     """Return ε and b ε on a kind of number."""
     steam = acting.load.numbers(kind.of, kind.exponent)._replace(**acting.found(kind))
     back = steam.cut_off if acting.load.back is None else steam.back
@@ -89,7 +89,7 @@ def _by_work(epsilon: Any, lost: Any) -> Any:
     return epsilon.sqrt() * ((1 - lost) / 2).exp()
 
 
-def _by_load(epsilon: Any, lost: Any) -> Any:
+def _by_load(epsilon: Numeric, lost: Any) -> Numeric:
     """Return R of equal loads: (1 - 1/R) A_h = (1/R - b) A_l, with A_l/A_h = ε/R."""
     return (1 - lost + root((1 - lost) * (1 - lost) + 4 * epsilon)) / 2
 
