@@ -20,7 +20,7 @@ from flint import arb
 from kurbel.books.form import UNREAD
 from kurbel.books.printed_value import Printed, Units
 from kurbel.drive.crank import Crank
-from kurbel.engine.cylinder import Where
+from kurbel.engine.cylinder import TurnPlace
 from kurbel.engine.engine import Engine
 from kurbel.engine.engine_quantities import ENGINE_METHODS, SPANS, applies, engine_registry
 from kurbel.engine.engine_quantities import value as engine_value
@@ -311,7 +311,7 @@ def _engine_truth(
     stroke: str = "turn",
 ) -> Truth:
     quantity, spans = engine_registry()[key], {name: span for span, (name, _) in SPANS.items()}
-    where, turn = Where(spans[choose(stroke, spans, "stroke")]), engine_turn(ratio, epsilon, back, method)
+    where, turn = TurnPlace(spans[choose(stroke, spans, "stroke")]), engine_turn(ratio, epsilon, back, method)
     if not applies(quantity, where):
         raise NotationError(f"{key} is no quantity of {stroke}")
 

@@ -30,7 +30,7 @@ from kurbel.exact.numerals import Label, finite_decimals, nearest, number_text
 from kurbel.page.axes import angle_text
 from kurbel.page.layouts import Notes, Words
 from kurbel.page.quantity import words
-from kurbel.reading.given import choose, meant
+from kurbel.reading.given import allowed_name, choose
 from kurbel.reading.notation import number, ratio
 from kurbel.reading.toml_file import Fault, TomlFile
 
@@ -152,13 +152,13 @@ def numbers_of(key: str) -> tuple[str, ...]:
 @cache
 def source(key: str) -> Book:
     """Return the book of that key; an unknown one is answered with the nearest and the list."""
-    return Book(Path(FOLDER, meant(key, source_keys(), "source")))
+    return Book(Path(FOLDER, allowed_name(key, source_keys(), "source")))
 
 
 @cache
 def example(key: str, number: str) -> Example:
     """Return an example; an unknown one is answered with the nearest and the list."""
-    key = meant(key, source_keys(), "source")
+    key = allowed_name(key, source_keys(), "source")
     book = source(key)
     name = choose(number, numbers_of(key), f"example of {key}")
     page = TomlFile(os.path.join(FOLDER, key, f"{name}.toml"), SOURCE).read(ExampleFile)

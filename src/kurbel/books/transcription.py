@@ -29,7 +29,7 @@ from kurbel.motion.evaluation import METHODS, columns_in_balls, is_known
 from kurbel.motion.motion_quantities import registry
 from kurbel.page.quantity import bare, words
 from kurbel.reading.csv_file import Head, Kind, place, read_rows, shown, whole_head
-from kurbel.reading.given import choose, meant
+from kurbel.reading.given import allowed_name, choose
 from kurbel.reading.names import otherwise
 from kurbel.reading.notation import ratio, ratio_text
 
@@ -37,7 +37,7 @@ _METHODS = (*METHODS, "weisbach", "approximate")
 KIND = Kind("transcription", "angle", SourceError)
 
 
-class Own:
+class OwnTable:
     """What stands for a book's table where the values are one's own."""
 
     def __init__(self, name: str) -> None:
@@ -88,7 +88,7 @@ def collated_table(
     tables = all_tables(folder)
     if table is None:
         raise ProblemError(f"name a table, such as roetscher-112, or --csv; kurbel has {', '.join(tables)}")
-    found = tables[meant(table, tables, "table")]
+    found = tables[allowed_name(table, tables, "table")]
     return found, tuple(Collation(found) if isinstance(found, SourceTable) else found.collated())
 
 
@@ -111,7 +111,7 @@ def collated_file(
         collated += _collated(path, read.axis, column, values, chosen)
     if not collated:
         raise SourceError(f"{shown(path)} has no printed value below its heads")
-    return Own(Path(path).name), tuple(collated)
+    return OwnTable(Path(path).name), tuple(collated)
 
 
 def _collated(
@@ -216,7 +216,7 @@ def known_quantity(key: str) -> str:
     """Return the key of a quantity that its axis and the ratio settle."""
     if key in registry() and not is_known(registry()[key], Crank(Fraction(1, 5))):
         raise ProblemError(f"the quantity {key} has a unit, and no lengths are known; choose one without")
-    return meant(key, [name for axis in FAMILIES for name in keys_by(axis)], "quantity")
+    return allowed_name(key, [name for axis in FAMILIES for name in keys_by(axis)], "quantity")
 
 
 def _axis(head: str) -> str:

@@ -43,14 +43,14 @@ class Group(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        from kurbel.reading.given import meant
+        from kurbel.reading.given import allowed_name
 
         # The help text is the answer to an option in place of a command.
         if not args[0].startswith("-") and not ctx.resilient_parsing:
             try:
-                args = [meant(args[0], self.list_commands(ctx), self.what), *args[1:]]
+                args = [allowed_name(args[0], self.list_commands(ctx), self.what), *args[1:]]
             except ChoiceError:
-                from kurbel.cli.astray import instead_of
+                from kurbel.cli.misplaced import instead_of
 
                 if self.what == Group.what and (hint := instead_of(args[0])):
                     raise ChoiceError(f'there is no command "{args[0][:60]}"; {hint}') from None
@@ -172,7 +172,7 @@ def run() -> tuple[int, str]:
         tell(f"{error.format_message()}\n")
         return error.exit_code, ""
     except click.ClickException as error:
-        from kurbel.cli.astray import one_line
+        from kurbel.cli.misplaced import one_line
 
         return error.exit_code, one_line(error, sys.argv[1:])
 

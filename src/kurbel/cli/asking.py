@@ -15,7 +15,7 @@ from click.core import ParameterSource, augment_usage_errors
 
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
-from kurbel.cli.astray import one_line
+from kurbel.cli.misplaced import one_line
 from kurbel.cli.options import MACHINE, Document, FileName, Given, Type, defaults_by_machine
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
@@ -36,7 +36,7 @@ from kurbel.handbook.pages import INSIDE, PAGE, SHEET
 from kurbel.handbook.pool import About, Made, Task, Verified
 from kurbel.page.labels import plain, unprompted
 from kurbel.page.table import Note, Table
-from kurbel.reading.given import HANDBOOK, File, meant
+from kurbel.reading.given import HANDBOOK, File, allowed_name
 
 if TYPE_CHECKING:
     from kurbel.commands.shown import Drawing
@@ -105,7 +105,7 @@ def asked(
     words = words[1:] if words[:1] in (["kurbel"], ("kurbel",)) else words
     if not words:
         raise ChoiceError(f"there is no command; write one of {', '.join(printing_commands())}")
-    command = command_of(meant(words[0], printing_commands(), "command"))
+    command = command_of(allowed_name(words[0], printing_commands(), "command"))
     assert isinstance(command, MakingCommand)
     document = Document(folder, inside)
     own = None if machine is None else document.file(machine)

@@ -32,7 +32,7 @@ from kurbel.formats.registry import DRAWN as DRAWING
 from kurbel.formats.registry import FORMATS
 from kurbel.page.layouts import Folder
 from kurbel.page.table import Table
-from kurbel.reading.given import File, choose, found_at, meant
+from kurbel.reading.given import File, allowed_name, choose, found_at
 
 HELP = """\
 Draw a construction of the books to scale, or print the lengths that it gives beside their true values.
@@ -73,7 +73,7 @@ class AnyFormat(FormatName):
         try:
             return super().read(text, typed)
         except ChoiceError:
-            return meant(text, self.known(typed), self.name)
+            return allowed_name(text, self.known(typed), self.name)
 
     def known(self, typed: Mapping[str, object]) -> Iterable[str]:
         return dict.fromkeys((*super().known(typed), *found_at(DRAWN), DRAWING))

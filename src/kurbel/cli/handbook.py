@@ -258,7 +258,7 @@ def _report(done: Build) -> str:
         say(str(done.ended))
     for failure in done.failures:
         line = f", line {failure.line}" if failure.line else ""
-        say(f"{done.manifest.path}{line}, {failure.name}: {failure.said}")
+        say(f"{done.manifest.path}{line}, {failure.name}: {failure.sentence}")
     return f", {len(done.failures)} failed" if done.failures else ""
 
 

@@ -13,7 +13,7 @@ from kurbel.cli.manual.command import TopicCommand, show_text
 from kurbel.cli.manual.help import short_text, topic_text, write_examples
 from kurbel.cli.manual.topics import TOPICS, topics_of
 from kurbel.cli.manual.wants import WANTS, Want
-from kurbel.reading.given import meant
+from kurbel.reading.given import allowed_name
 
 MORE = (
     ("kurbel help WORD", "one of these, a command, a topic; else a search"),
@@ -69,7 +69,7 @@ def _of_command(words: Sequence[str]) -> str:
     )
     rest = words[1:]
     if rest and isinstance(context.command, click.Group):
-        name = meant(rest[0], context.command.list_commands(context), f"command of kurbel {words[0]}")
+        name = allowed_name(rest[0], context.command.list_commands(context), f"command of kurbel {words[0]}")
         below = context.command.get_command(context, name)
         assert below
         context, rest = click.Context(below, context, info_name=name), rest[1:]

@@ -123,7 +123,7 @@ class Option(click.Option):
                 self.type.convert(one, self, ctx) if isinstance(self.type, Type) else one for one in typed
             ]
             if len(dict.fromkeys(said)) > 1:
-                from kurbel.cli.astray import long_flag, twice
+                from kurbel.cli.misplaced import long_flag, twice
 
                 raise click.UsageError(twice(long_flag(self), dict.fromkeys(typed), ctx.command.name), ctx)
         return typed[-1]

@@ -198,7 +198,7 @@ class _Commands(Group):
         from kurbel.cli.sweep_file import ReadFile
 
         read = ReadFile(args[0])
-        command = self.get_command(ctx, read.said.command)
+        command = self.get_command(ctx, read.declared.command)
         assert isinstance(command, SweepCommand)
         words, ctx.meta[FILE] = words_of(read, command, args[1:])
         return args[0], command, words

@@ -92,7 +92,7 @@ class ReadFile:
 
     def __init__(self, path: str) -> None:
         self.file = TomlFile(path, KIND)
-        self.said = self.file.read(SweepFile)
+        self.declared = self.file.read(SweepFile)
         self.folder = os.path.dirname(path)
 
     def beside(self, name: str) -> str:
@@ -106,10 +106,10 @@ class ReadFile:
         """
         found: dict[str, Given] = {}
         for section in SECTIONS:
-            for key, given in (getattr(self.said, section) or {}).items():
+            for key, given in (getattr(self.declared, section) or {}).items():
                 name = key.replace("-", "_")
                 try:
-                    choose(name, known, f"option of kurbel {self.said.command}")
+                    choose(name, known, f"option of kurbel {self.declared.command}")
                     if len(given) > 1 and section == "options" and not known[name].many:
                         raise FailedError(f"{key} has several values; put it under [axes]")
                     if not isinstance(given[0], bool):
@@ -167,7 +167,7 @@ def _words(read: ReadFile, option: click.Option, given: Sequence[Any]) -> Iterat
 def _of_sweeps(read: ReadFile) -> Iterator[tuple[str, Sequence[Any]]]:
     """Yield what the file says of the sweep itself by the names of the options, each as a list of values."""
     said = {
-        name: getattr(read.said, name) for name in SweepFile.__struct_fields__[1:] if name not in SECTIONS
+        name: getattr(read.declared, name) for name in SweepFile.__struct_fields__[1:] if name not in SECTIONS
     }
     said |= {"columns": ",".join(said["columns"]), "seed": said["seed"] if said["sample"] else None}
     said["zip_"] = said.pop("zip")

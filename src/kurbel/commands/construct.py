@@ -31,7 +31,7 @@ from kurbel.exact.kind import floats
 from kurbel.exact.numerals import exact_text
 from kurbel.motion.points import points_of
 from kurbel.page.layouts import Layout, layout_of
-from kurbel.reading.given import File, as_angle, as_share, as_share_or_length, meant
+from kurbel.reading.given import File, allowed_name, as_angle, as_share, as_share_or_length
 from kurbel.reading.names import enumerated
 from kurbel.reading.notation import about
 
@@ -51,7 +51,7 @@ class _Name(Kind):
         names = self.known(typed)
         if text not in names and (sentence := unfound(text)):
             raise ChoiceError(sentence)
-        return meant(text, names, self.name)
+        return allowed_name(text, names, self.name)
 
     def known(self, typed: Mapping[str, object]) -> tuple[str, ...]:
         # While it parses, click has a mark of its own for what was not given.

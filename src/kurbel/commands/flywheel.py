@@ -17,7 +17,7 @@ from kurbel.commands.parts.wheel import FIGURES, PLAIN, SPEEDS, Body, Rim, Swing
 from kurbel.commands.subject import function
 from kurbel.drive.wheel import Flywheel, check_irregularity
 from kurbel.engine.captions import caption
-from kurbel.engine.cylinder import Where
+from kurbel.engine.cylinder import TurnPlace
 from kurbel.engine.diagram import texts
 from kurbel.engine.diagram.areas import Areas
 from kurbel.engine.diagram.fluctuation import Fluctuation
@@ -264,7 +264,7 @@ flywheel = function(FlywheelOptions, "flywheel")
 def _of_engine(engine: EngineRequest, wheel: Flywheel) -> Iterator[tuple[str, Known]]:
     """Yield the figures that the engine gives, its swing and its power."""
     turn = engine.turn(0, 0, engine.page_columns[0].method)
-    where, registry = Where(flywheel=wheel), engine_registry()
+    where, registry = TurnPlace(flywheel=wheel), engine_registry()
 
     def enclosed(key: str) -> Product:
         return Product.about(lambda kind: value(registry[key], turn, where))

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from kurbel.exact.numerals import Number, number_text
 from kurbel.page.labels import plain
 from kurbel.page.table import Field, Table, Value
-from kurbel.reading.given import meant
+from kurbel.reading.given import allowed_name
 
 if TYPE_CHECKING:
     import numpy as np
@@ -80,7 +80,7 @@ def rows(table: Table) -> Iterator[Any]:
 def column(table: Table, key: str) -> np.ndarray[Any, Any]:
     """Return one column, by its key or another word for it. Raises ChoiceError."""
     made = {one.key: one for one in frames(table, as_float)}
-    return _array(made[meant(key, made, "column")])
+    return _array(made[allowed_name(key, made, "column")])
 
 
 def _array(frame: Frame) -> np.ndarray[Any, Any]:

@@ -17,12 +17,12 @@ from kurbel.page.subject import check_rounding
 from kurbel.reading import notation
 from kurbel.reading.given import (
     Exact,
+    allowed_name,
     as_angle,
     as_fraction,
     as_names,
     as_ratio,
     as_ratio_array,
-    meant,
 )
 from kurbel.reading.names import checks_keywords
 
@@ -161,13 +161,13 @@ def _method(method: str, order: int | None) -> str:
     from kurbel.commands.part import Values
     from kurbel.commands.parts.drive import Series
 
-    named = meant(method, METHODS, "method")
+    named = allowed_name(method, METHODS, "method")
     return Series(Values({"method": named, "order": order}, {})).series() or named
 
 
 def _quantity(key: str) -> Quantity:
     known = [name for name, quantity in registry().items() if not quantity.needs]
-    return registry()[meant(key, known, "quantity")]
+    return registry()[allowed_name(key, known, "quantity")]
 
 
 def _is_plain(key: str) -> bool:

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, Generic, Self, TypeAlias, TypeVar, cast, 
 
 from kurbel.errors import NotationError
 from kurbel.reading import given
-from kurbel.reading.given import Exact, found_at, meant
+from kurbel.reading.given import Exact, allowed_name, found_at
 
 if TYPE_CHECKING:
     from kurbel.commands.part import Part
@@ -127,10 +127,10 @@ class Choice(Kind):
         return found() if callable(found) else found
 
     def read(self, text: str, typed: Mapping[str, object]) -> str:
-        return meant(text, self.names, self.name)
+        return allowed_name(text, self.names, self.name)
 
     def taken(self, value: object, name: str) -> object:
-        return self.read(value if isinstance(value, str) else meant(value, self.names, self.name), {})
+        return self.read(value if isinstance(value, str) else allowed_name(value, self.names, self.name), {})
 
     def known(self, typed: Mapping[str, object]) -> Iterable[str]:
         return self.names
@@ -201,7 +201,9 @@ class LayoutName(Kind):
     def read(self, text: str, typed: Mapping[str, object]) -> str:
         from kurbel.page.layouts import layout_names
 
-        return text if text in layout_names(_folder(typed)) else meant(text, self.known(typed), self.name)
+        return (
+            text if text in layout_names(_folder(typed)) else allowed_name(text, self.known(typed), self.name)
+        )
 
     def taken(self, value: object, name: str) -> object:
         if not isinstance(value, str):

@@ -243,7 +243,7 @@ class Requested:
         force, drive = self.asked.raw("force"), self.drive(row)
         return drive if force is None else replace(drive, force=as_signed_force(force, "force"))
 
-    def rubbed(self, load: verify.Load) -> verify.Load:
+    def with_friction(self, load: verify.Load) -> verify.Load:
         """A load less the friction of piston and crosshead, in Q."""
         friction, (bore, pressure) = self.asked.friction, self.unit()
         if not pressure:

@@ -170,7 +170,7 @@ class Second(Requested):
             if asked.is_heavy() and method != "exact":
                 raise ProblemError("moving masses by a series are not computed a second time")
             if asked.says("friction") and not alone:
-                load = self.rubbed(load)
+                load = self.with_friction(load)
             if alone:
                 self._turns[key] = verify.turn(drive, load, method=method)
             elif not asked.is_heavy():

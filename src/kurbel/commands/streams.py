@@ -79,7 +79,7 @@ def _fits(rows: RecordRows) -> bool:
     fits = decimals is not None and decimals <= MOST_DECIMALS and largest(angles) * 10**decimals < 2**62
     return fits and all(
         abs(one.scaled) < 2**62 if isinstance(one, Number) else _WORD.fullmatch(plain(str(one)))
-        for one in rows.said
+        for one in rows.stub_values
     )
 
 

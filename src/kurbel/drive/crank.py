@@ -75,7 +75,7 @@ class Crank:
         return self.moving is not None and self.moving.slope is not None
 
     @property
-    def rubbed(self) -> bool:
+    def has_friction(self) -> bool:
         """Whether there is friction on piston and crosshead."""
         return self.effort is not None and bool(self.effort.friction)
 

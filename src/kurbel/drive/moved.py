@@ -123,8 +123,8 @@ class Moved(ABC):
         """Return a force of the drive under a force on the piston, with the masses or without, and friction
         that counts as it does."""
         if weights is None and friction is not None:
-            rubbed = self.loaded(stroke, circle, Masses(0, 0), net, 0, None, friction)
-            return force.on(rubbed)
+            with_friction = self.loaded(stroke, circle, Masses(0, 0), net, 0, None, friction)
+            return force.on(with_friction)
         if weights is None:
             found = net * self.bare(force, stroke, circle)
             return abs(found) if force.magnitude else found

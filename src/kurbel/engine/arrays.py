@@ -14,7 +14,7 @@ import numpy as np
 
 from kurbel.drive.at import CrankForce
 from kurbel.drive.crank import Crank
-from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, Standing, Where
+from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, Standing, TurnPlace
 from kurbel.engine.engine_quantities import value
 from kurbel.engine.irregularity import enclosed_delta
 from kurbel.engine.loads.steam import Steam
@@ -119,7 +119,7 @@ def at_angles(request: EngineRequest, quantity: Quantity, method: str, degrees: 
             " kurbel.delta"
         )
     # Kernels hand the place on to the turn, and that of arrays takes an array.
-    where = Where(half_turns=degrees / 180)
+    where = TurnPlace(half_turns=degrees / 180)
     return [
         np.broadcast_to(value(quantity, ArrayTurn(engine, method), where), degrees.shape)
         for engine in (
@@ -297,7 +297,7 @@ class EngineColumns(LongColumns):
 
     def value(self, one: Column, place: Place, places: Places) -> Any:
         asked = self._asked(one, place)
-        where = Where(half_turns=places)
+        where = TurnPlace(half_turns=places)
         return NotImplemented if asked is None else value(one.quantity, asked, where)
 
     def _asked(self, one: Column, place: Place) -> Any:

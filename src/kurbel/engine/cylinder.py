@@ -34,7 +34,7 @@ SIGNS = (OUT, RETURN)
 JUST_BEYOND = Fraction(1, 10**13)
 
 
-class Where(NamedTuple):
+class TurnPlace(NamedTuple):
     """What a quantity is asked for: a span of the turn, a crank angle in half turns, a flywheel."""
 
     stroke: int | None = WHOLE

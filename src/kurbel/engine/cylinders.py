@@ -9,7 +9,7 @@ from functools import cache, cached_property
 from typing import Any
 
 from kurbel.engine.captions import caption
-from kurbel.engine.cylinder import AnyTurn, Member, Where, members_of
+from kurbel.engine.cylinder import AnyTurn, Member, TurnPlace, members_of
 from kurbel.engine.digits import Asked, printed
 from kurbel.engine.engine import Engine
 from kurbel.engine.engine_page import errors_beside
@@ -133,7 +133,7 @@ def _number(request: CylindersRequest, column: Column, place: Place, times: int)
         return given(found, column.decimals, request.rounding)
     formula = Formula(lambda one, where: kernel(one, row))
     asked = Asked(
-        column._replace(quantity=quantity._replace(formulas={column.method: formula})), [turn], Where()
+        column._replace(quantity=quantity._replace(formulas={column.method: formula})), [turn], TurnPlace()
     )
     return printed(asked, request.rounding, request.carded)
 

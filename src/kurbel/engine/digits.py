@@ -8,7 +8,7 @@ from math import ceil, floor, log10
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.drive.at import CRANK_FORCES
-from kurbel.engine.cylinder import Where
+from kurbel.engine.cylinder import TurnPlace
 from kurbel.engine.engine_quantities import AT_ANGLE, EXTREMES, engine_registry, value
 from kurbel.engine.turn import turn_ties
 from kurbel.errors import CardError
@@ -41,7 +41,7 @@ class Asked(NamedTuple):
 
     column: Column
     turns: Sequence[Any]
-    where: Where
+    where: TurnPlace
     unit: int = 1
 
     def value(self) -> Any:
@@ -139,7 +139,7 @@ def supported(
 def check_card(turn: Any, rounding: str) -> None:
     """Raise CardError for a card, by its turn, that supports not one figure of the mean force."""
     mean = engine_registry()["mean_force"]
-    if estimated(Asked(bare(mean, turn.method, mean.decimals), (turn,), Where()), rounding) is None:
+    if estimated(Asked(bare(mean, turn.method, mean.decimals), (turn,), TurnPlace()), rounding) is None:
         raise CardError(
             f"{turn.diagram.card.name}: the points are too few or scatter too much for one figure of the mean"
             " force; give a smoother card, or look for a mistyped pressure"

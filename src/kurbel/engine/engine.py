@@ -162,7 +162,7 @@ class Engine:
 
     def friction(self, kind: Kind) -> Numeric | None:
         """Return the friction of piston and crosshead in Q, None where there is none."""
-        if not self.crank.rubbed:
+        if not self.crank.has_friction:
             return None
         assert self.load is not None
         assert self.pressure is not None

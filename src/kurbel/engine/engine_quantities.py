@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.at import CRANK_FORCES
 from kurbel.engine import work
-from kurbel.engine.cylinder import OUTSTROKE, RETURN_STROKE, WHOLE, AnyTurn, Where
+from kurbel.engine.cylinder import OUTSTROKE, RETURN_STROKE, WHOLE, AnyTurn, TurnPlace
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Numeric
 from kurbel.motion.evaluation import Method
@@ -62,13 +62,13 @@ _STAGES = (
 )
 
 
-def value(quantity: Quantity, turn: AnyTurn, where: Where) -> Any:
+def value(quantity: Quantity, turn: AnyTurn, where: TurnPlace) -> Any:
     """Return the quantity in its unit, on the kind of number of the turn."""
     found = quantity.formulas[turn.method].kernel(turn, where)
     return found * quantity.scale(turn) if quantity.scale else found
 
 
-def applies(quantity: Quantity, where: Where) -> bool:
+def applies(quantity: Quantity, where: TurnPlace) -> bool:
     """Whether there is such a number of this span."""
     if quantity.of == "stroke":
         return where.stroke is not WHOLE

@@ -209,7 +209,7 @@ def _direction(request: EngineRequest, force: Quantity) -> Label:
     """The direction of a force; the load at the crosshead is the sum of all that acts there."""
     assert force.direction is not None
     said, crank = force.direction[request.lang], request.first.crank
-    others = (" + F_G" if crank.weighed else "") + (" + F_R" if crank.rubbed else "")
+    others = (" + F_G" if crank.weighed else "") + (" + F_R" if crank.has_friction else "")
     return said.replace("F + F_m", f"F + F_m{others}")
 
 

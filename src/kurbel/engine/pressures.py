@@ -50,7 +50,7 @@ UNKNOWN: Mapping[str, str] = {
 }
 
 
-class Where(NamedTuple):
+class StrokePlace(NamedTuple):
     """A place on a stroke of the cycle: the share of it that the piston has gone, or its crank angle φ in
     half turns, less those of the strokes before."""
 
@@ -106,7 +106,7 @@ class Pressed:
         engine = self.engine
         return 2 if engine is None else len(engine.steam.strokes(floats(), engine.double))
 
-    def standing(self, half_turns: Fraction) -> Where:
+    def standing(self, half_turns: Fraction) -> StrokePlace:
         """Return where the crank stands at so many half turns of φ."""
         moved = self.drive.moved(floats(), "exact")
         since = half_turns % self.cycle
@@ -115,46 +115,46 @@ class Pressed:
                 Fraction(0) if moved.regular else Fraction(float(moved.dead_centre(stroke % 2)))
             )
             if since >= begun:
-                return Where(stroke % self.cycle, angle=since - stroke)
+                return StrokePlace(stroke % self.cycle, angle=since - stroke)
         # Before the first dead centre the last stroke is not over.
-        return Where(self.cycle - 1, angle=since + 1)
+        return StrokePlace(self.cycle - 1, angle=since + 1)
 
-    def share(self, where: Where, kind: Kind) -> Any:
+    def share(self, where: StrokePlace, kind: Kind) -> Any:
         """Return the share of the stroke that the piston has gone."""
         if where.share is not None:
             return kind.of(where.share)
         moved = self.drive.moved(kind, "exact")
         return moved.path(where.stroke % 2, self._circle(moved, where, kind)) / moved.length
 
-    def gas(self, where: Where, kind: Kind) -> Numeric:
+    def gas(self, where: StrokePlace, kind: Kind) -> Numeric:
         """Return the pressure on the piston's face less that on the other, in bar."""
         engine = known(self.engine)
         acting = engine.steam.strokes(kind, engine.double)[where.stroke]
         return acting.force(self.share(where, kind)) * kind.of(Fraction(known(engine.pressure)) / PASCALS)
 
-    def masses(self, where: Where, kind: Kind) -> Any:
+    def masses(self, where: StrokePlace, kind: Kind) -> Any:
         """Return q = m p/A in bar."""
         moved, bore = self.drive.moved(kind, "exact"), known(self.bore)
         accelerated = moved.acceleration(where.stroke % 2, self._circle(moved, where, kind))
         per_area = kind.of(4 * self.mass / (bore * bore * PASCALS)) / kind.pi
         return accelerated * per_area * self.crank.pin_acceleration(kind)
 
-    def left(self, where: Where, kind: Kind) -> Any:
+    def left(self, where: StrokePlace, kind: Kind) -> Any:
         """Return what of the pressure the masses pass on, p - q."""
         return self.gas(where, kind) - self.masses(where, kind)
 
-    def degrees(self, where: Where, kind: Kind) -> Any:
+    def degrees(self, where: StrokePlace, kind: Kind) -> Any:
         """Return φ in degrees, over both strokes and all turns of the cycle."""
         moved = self.drive.moved(kind, "exact")
         return 180 * (self._angle(moved, where, kind) + where.stroke)
 
-    def _circle(self, moved: Moved, where: Where, kind: Kind) -> Any:
+    def _circle(self, moved: Moved, where: StrokePlace, kind: Kind) -> Any:
         if where.angle is not None:
             degrees = 180 * where.angle
             return kind.circle(float(degrees) if kind.of is float else degrees)
         return half_turn_circle(self._angle(moved, where, kind))
 
-    def _angle(self, moved: Moved, where: Where, kind: Kind) -> Any:
+    def _angle(self, moved: Moved, where: StrokePlace, kind: Kind) -> Any:
         """Return the half turns of φ, less those of the strokes before."""
         if where.angle is not None:
             return kind.of(where.angle)
@@ -222,10 +222,10 @@ class PressuresRequest(Question):
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return ("exact",)
 
-    def where(self, place: Place) -> Where:
+    def where(self, place: Place) -> StrokePlace:
         """Return the place on a stroke that an address of the page is about."""
         if "share" in place:
-            return Where(place["stroke"], self.shares[place["share"]])
+            return StrokePlace(place["stroke"], self.shares[place["share"]])
         return self.pressed.standing(self.angles[place["angle"]] / 180)
 
     @cached_property
@@ -279,7 +279,7 @@ def _number(question: PressuresRequest, column: Column, place: Place, times: int
     return Number(scaled, column.places)
 
 
-def _measured(question: PressuresRequest, column: Column, where: Where) -> Number | None:
+def _measured(question: PressuresRequest, column: Column, where: StrokePlace) -> Number | None:
     """The number as far as the points of the card tell it, None if not one figure."""
     pressed, turn = question.pressed, question.turn
     share = float(pressed.share(where, floats()))

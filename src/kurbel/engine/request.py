@@ -13,7 +13,7 @@ from kurbel.drive.load import COMPRESSOR, GAS, LOADS, PUMP, STEAM
 from kurbel.drive.load import Load as Acting
 from kurbel.drive.moved import Drive
 from kurbel.drive.wheel import Flywheel, Wheel
-from kurbel.engine.cylinder import OUTSTROKE, RETURN_STROKE, WHOLE, AnyTurn, Where
+from kurbel.engine.cylinder import OUTSTROKE, RETURN_STROKE, WHOLE, AnyTurn, TurnPlace
 from kurbel.engine.digits import check_card
 from kurbel.engine.engine import Assembly, Engine, Load, check_count
 from kurbel.engine.engine_quantities import ENGINE_METHODS
@@ -177,8 +177,8 @@ class EngineRequest(Question):
         found: LongColumns | Irregularities | None = worthwhile(self, f"kurbel.engine.arrays:{own}")
         return found
 
-    def where(self, place: Place) -> Where:
-        return Where(
+    def where(self, place: Place) -> TurnPlace:
+        return TurnPlace(
             self.spans[place["stroke"]] if "stroke" in place else WHOLE,
             self.angles[place["angle"]] / 180 if "angle" in place else Fraction(0),
             self.flywheels[place["target"]] if "target" in place else None,

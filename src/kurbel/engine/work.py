@@ -11,7 +11,7 @@ from fractions import Fraction
 from typing import Any
 
 from kurbel.drive.wheel import Flywheel
-from kurbel.engine.cylinder import AnyTurn, Where
+from kurbel.engine.cylinder import AnyTurn, TurnPlace
 from kurbel.engine.engine import Engine
 from kurbel.exact.kind import Kind
 from kurbel.kernel import turning
@@ -148,7 +148,7 @@ _STAGES: dict[str, Callable[[Expansion, Numeric], Numeric]] = {
 }
 
 
-def mean_torque(turn: AnyTurn, where: Where) -> Any:
+def mean_torque(turn: AnyTurn, where: TurnPlace) -> Any:
     """|P| r in N m: of the power, rational where the speed is given in radians, or of the load."""
     wheel = _flywheel(where)
     if wheel.power is None:
@@ -157,34 +157,34 @@ def mean_torque(turn: AnyTurn, where: Where) -> Any:
     return turn.of(turns / 2) / turn.pi if wheel.speed.turns else turns
 
 
-def power_of(turn: AnyTurn, where: Where) -> Numeric:
+def power_of(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """The power in W, as it is given or of the steam."""
     given = _flywheel(where).power
     return mean_torque(turn, where) * _number(turn, speed(turn, where)) if given is None else given
 
 
-def turns_a_minute(turn: AnyTurn, where: Where) -> Numeric:
+def turns_a_minute(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """n in 1/min."""
     given = _flywheel(where).speed
     return 60 * given.value if given.turns else turn.of(30 * given.value) / turn.pi
 
 
-def speed(turn: AnyTurn, where: Where) -> Any:
+def speed(turn: AnyTurn, where: TurnPlace) -> Any:
     """ω in 1/s."""
     given = _flywheel(where).speed
     return given.omega(turn) if given.turns else given.value
 
 
-def swing(turn: AnyTurn, where: Where) -> Numeric:
+def swing(turn: AnyTurn, where: TurnPlace) -> Numeric:
     return turning.energy_swing(turn.irregularity(), _number(turn, mean_torque(turn, where)))
 
 
-def inertia(turn: AnyTurn, where: Where) -> Numeric:
+def inertia(turn: AnyTurn, where: TurnPlace) -> Numeric:
     irregularity = turn.of(_flywheel(where).irregularity)
     return turning.moment_of_inertia(swing(turn, where), irregularity, _number(turn, speed(turn, where)))
 
 
-def mass(turn: AnyTurn, where: Where) -> Numeric:
+def mass(turn: AnyTurn, where: TurnPlace) -> Numeric:
     radius = _flywheel(where).radius
     assert radius is not None
     return inertia(turn, where) / turn.of(radius * radius)
@@ -194,12 +194,12 @@ def _number(turn: AnyTurn, value: Numeric) -> Numeric:
     return turn.of(value) if isinstance(value, Fraction) else value
 
 
-def _flywheel(where: Where) -> Flywheel:
+def _flywheel(where: TurnPlace) -> Flywheel:
     assert where.flywheel is not None
     return where.flywheel
 
 
-def true_inertia(turn: AnyTurn, where: Where) -> Numeric:
+def true_inertia(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """J in kg m² with which the speed of the machine with its masses keeps within ω(1 ± δ/2), exactly.
 
     Where the speed is greatest, the energy of the load less that of the masses at that speed is greatest,

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 import kurbel.formats
 from kurbel.errors import ChoiceError, FormatError
 from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
-from kurbel.reading.given import meant
+from kurbel.reading.given import allowed_name
 
 if TYPE_CHECKING:
     from kurbel.documents.inject import Kind
@@ -268,7 +268,7 @@ def format_names() -> tuple[str, ...]:
 def by_name(name: str) -> Format:
     """Return the format of that name, by any word for it; raise ChoiceError if there is none."""
     # To ask for all names would load all formats.
-    return FORMATS[name if name in FORMATS else meant(name, FORMATS, "format")]
+    return FORMATS[name if name in FORMATS else allowed_name(name, FORMATS, "format")]
 
 
 def compiled_format() -> CompiledFormat:

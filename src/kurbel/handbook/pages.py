@@ -32,7 +32,7 @@ class Failure(NamedTuple):
 
     line: int
     name: str
-    said: str
+    sentence: str
 
 
 def document_of(manifest: Manifest, made: Mapping[str, About], failures: list[Failure]) -> Document:
@@ -79,7 +79,9 @@ class _Items:
             return Item(about.kind, part.name, self.counts[about.kind], about.lang, about.caption)
         lang = str(part.options["lang"])
         if part.words:
-            blocks = _missing(next(one.said for one in self.failures if one.name == part.name), part, lang)
+            blocks = _missing(
+                next(one.sentence for one in self.failures if one.name == part.name), part, lang
+            )
         else:
             blocks = self.text(part, lang, above)
         # With a name it is what should have been a table or a figure, and references lead to its chapter.

@@ -36,7 +36,7 @@ def is_long(columns: Sequence[Column], cranks: Sequence[Crank], angles: Sequence
     if fits_page(columns, cranks, angles):
         return False
     # A float beside a dead centre does not tell for certain which way friction acts.
-    if any(crank.rubbed or crank.pinned for crank in cranks):
+    if any(crank.has_friction or crank.pinned for crank in cranks):
         return False
     if max(column.places for column in columns) > MOST_DECIMALS:
         return False

@@ -63,10 +63,10 @@ def _at(crank: Crank, angle: Fraction, kind: Kind) -> tuple[Any, Any]:
 def _is_exactly(crank: Crank, angle: Fraction, value: Fraction) -> bool:
     """Whether GF is exactly a number, proved by the separation bound."""
 
-    def apart(kind: Kind) -> Any:
+    def difference(kind: Kind) -> Any:
         return kinematics.rod_versine(*_at(crank, angle, kind)) - kind.of(value)
 
-    return vanishes(apart)
+    return vanishes(difference)
 
 
 def _guess(crank: Crank, angle: Fraction, lowest: Fraction) -> int:

@@ -289,7 +289,7 @@ class SlideDrive(Drive):
         times: Fraction = Fraction(1),
     ) -> int:
         # No ball tells which way a piston goes that rests: friction is that of the stroke which begins there.
-        way = self._way_from(stroke, place) if self.crank.rubbed and place.degrees is None else None
+        way = self._way_from(stroke, place) if self.crank.has_friction and place.degrees is None else None
         if way is None:
             return super().digits(column, stroke, place, decimals, rounding, times)
         quantity = multiplied(self.entries[column]._replace(stroke=stroke), times)
@@ -339,10 +339,10 @@ class SlideDrive(Drive):
         ends = (Fraction(0), Fraction(1) if quantity.key == "x_stroke" else None)
 
         def is_exactly(half_turns: Fraction, wanted: Fraction) -> bool:
-            def apart(kind: Kind) -> Numeric:
+            def difference(kind: Kind) -> Numeric:
                 return self.value(quantity, kind.circle(180 * half_turns), kind) - kind.of(wanted)
 
-            return vanishes(apart)
+            return vanishes(difference)
 
         return replace(course, ends=ends, is_exactly=is_exactly)
 

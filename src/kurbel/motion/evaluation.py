@@ -114,7 +114,7 @@ def is_known(quantity: Quantity, crank: Crank) -> bool:
         "torque": crank.radius is not None and pushed,
         "masses": crank.moving is not None,
         "weight": crank.weighed,
-        "friction": crank.rubbed,
+        "friction": crank.has_friction,
         "pins": crank.pinned,
         "shaft": crank.radius is not None and crank.effort is not None and crank.effort.shaft is not None,
         "rod": crank.rod is not None,
@@ -201,7 +201,7 @@ class Places:
         return self._made[key]
 
     def _way(self, stroke: int) -> int | None:
-        if not self.drive.crank.rubbed:
+        if not self.drive.crank.has_friction:
             return None
         if stroke not in self._ways:
             self._ways[stroke] = way_at(self.drive, stroke, self.angle)

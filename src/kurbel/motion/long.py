@@ -249,7 +249,7 @@ class LongRows(RecordRows):
     bulk = True
 
     @property
-    def said(self) -> Sequence[Value]:
+    def stub_values(self) -> Sequence[Value]:
         return [value for place in self.question.long.others for value in self._values(place).values()]
 
     def chunks(self) -> Iterator[Chunk]:

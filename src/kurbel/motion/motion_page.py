@@ -367,7 +367,7 @@ class RecordRows(Rows):
         return shifted(self.question.angles, -self.question.zero)
 
     @property
-    def said(self) -> Sequence[Value]:
+    def stub_values(self) -> Sequence[Value]:
         """All that stands for places of the other axes."""
         axis = self.question.axes["ratio"]
         return [axis.value({"ratio": place}) for place in range(axis.count)]

@@ -15,7 +15,7 @@ from kurbel.page.axes import Axis, Grid, PageAxis, Place
 from kurbel.page.layouts import SUBJECTS, Layout, LayoutColumn
 from kurbel.page.quantity import Column, Known, Quantity, is_short, known_at
 from kurbel.page.table import Field, Note, Records, Tone, Value, Worded, check_label
-from kurbel.reading.given import Given, choose, found_at, meant
+from kurbel.reading.given import Given, allowed_name, choose, found_at
 from kurbel.reading.names import others, otherwise
 from kurbel.reading.notation import MOST_ROWS
 
@@ -268,7 +268,7 @@ class Question(Worded, Given):
             whole = ",".join([*(one.key for one in self.layout.columns), name[1:]])
             raise ChoiceError(f"--columns names all columns, and adds none to them; write --columns {whole}")
         try:
-            key = meant(name, allowed, "column")
+            key = allowed_name(name, allowed, "column")
         except ChoiceError as error:
             if "did you mean" not in str(error) and (line := self._elsewhere(name)):
                 raise ChoiceError(f'there is no column "{name}" on this page; kurbel {line} has it') from None

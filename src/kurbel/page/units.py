@@ -51,7 +51,7 @@ def in_units(column: Column, units: Units, lang: str, counted: bool) -> Column:
 def _renamed(label: Label, own: Unit, other: Unit, lang: str) -> Label:
     """Return the name or the head of a column with the unit that it names, if it names one, in its place."""
     if names_unit(label, own.symbol):
-        return label.removesuffix(own.symbol) + other.said(lang)
+        return label.removesuffix(own.symbol) + other.heading(lang)
     over, instead = (f" {_PER[lang]} {one.symbol.partition('/')[2].strip('()')}" for one in (own, other))
     return re.sub(rf"{over}\b", instead, label)
 

@@ -304,14 +304,14 @@ def around(question: AngleQuestion, drives: Sequence[Drive], beside: AngleQuesti
     """Return what a drawing says of its drives, and their strokes where all have the same."""
     span = float(question.angles[0]), float(question.angles[-1])
     strokes = [strokes_of(drive, span, question.lang) for drive in drives]
-    said = said_drive(drives[0], question) if len(drives) == 1 and beside is None else ""
+    said = drive_label(drives[0], question) if len(drives) == 1 and beside is None else ""
     alike = strokes and all(one == strokes[0] for one in strokes)
     return Around(said, strokes[0] if alike else None)
 
 
-def said_drive(drive: Drive, question: AngleQuestion) -> Label:
+def drive_label(drive: Drive, question: AngleQuestion) -> Label:
     """Return what a drawing says of a drive: its crank ratio and its offset."""
-    crank, parts = drive.crank, [said_ratio(drive.ratio)] if question.ratios else []
+    crank, parts = drive.crank, [ratio_label(drive.ratio)] if question.ratios else []
     if crank.offset:
         parts.append(f"$e = {plain(crank.offset)} R$")
     return ", ".join(parts)
@@ -329,7 +329,7 @@ def _spots(question: AngleQuestion, place: int, drive: Drive, power: int) -> Seq
     return spots(drive, one, value, span, power, question.lang, times)
 
 
-def said_ratio(ratio: Fraction) -> Label:
+def ratio_label(ratio: Fraction) -> Label:
     """Return what a drawing says of a crank ratio."""
     return f"$R:L = {ratio_text(ratio)}$"
 

@@ -14,7 +14,7 @@ from math import ceil, floor, radians
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.engine.captions import common, inner, named_load
-from kurbel.engine.cylinder import Where
+from kurbel.engine.cylinder import TurnPlace
 from kurbel.engine.diagram.fluctuation import place_text, shown
 from kurbel.engine.digits import Asked, estimated, settled
 from kurbel.engine.engine_quantities import ENGINE_METHODS, engine_registry, value
@@ -78,7 +78,7 @@ def engine_swing(turn: AnyTurn, energy: Column, request: EngineRequest) -> Swing
         asked = entry("energy_swing", "", "", "", decimals, formulas, of=of, minutes=of in ENDS)
         column = bare(asked, turn.method, decimals)
         settle = estimated if request.carded else settled
-        found = settle(Asked(column, (turn,), Where(), unit), request.rounding)
+        found = settle(Asked(column, (turn,), TurnPlace(), unit), request.rounding)
         # A card may leave no figure, and a swing is never 0.
         return _text(found, unit) if found is not None and (found.scaled or of in ENDS) else ""
 
@@ -370,7 +370,7 @@ def _jumps(before: Sequence[float], after: Sequence[float], most: Sequence[float
 
 
 def _values(quantities: Sequence[Quantity], turn: AnyTurn, half_turns: Fraction) -> list[float]:
-    return [float(value(quantity, turn, Where(half_turns=half_turns))) for quantity in quantities]
+    return [float(value(quantity, turn, TurnPlace(half_turns=half_turns))) for quantity in quantities]
 
 
 def _dead_centres(turn: AnyTurn, first: Fraction, last: Fraction) -> Iterator[Fraction]:

@@ -13,7 +13,7 @@ from kurbel.plot.place import (
     GAP,
     Chosen,
     Ink,
-    Own,
+    Labelled,
     Points,
     Spot,
     beside,
@@ -130,7 +130,7 @@ class Text(NamedTuple):
 
     letters: Letters
     groups: Sequence[Points]
-    own: Own
+    own: Labelled
     leader: Points | None = None
     name: str = ""
     far: Points | None = None
@@ -176,7 +176,7 @@ class Lettering:
             for broad in BROAD
         )
         beyond = [touching(end, letters.size, end - line[count // 2], NEARER) for end in (line[0], line[-1])]
-        asked = Text(letters, (near, *(beyond if ends else ()), *far), Own(line, CLEAR))
+        asked = Text(letters, (near, *(beyond if ends else ()), *far), Labelled(line, CLEAR))
         if led:
             at, along = line[int(share * (count - 1))], line[-1] - line[0]
             away = touching(at, letters.size, side * np.asarray((-along[1], along[0])), FARTHER)
@@ -189,7 +189,7 @@ class Lettering:
         near = touching(point, letters.size, outward, NEARER)
         far = touching(point, letters.size, outward, FARTHER)
         ahead = [one[_ahead(one - point, outward)] for one in (near, far)]
-        self._ask(Text(letters, (*ahead, near, far), Own(point[None], clear), point))
+        self._ask(Text(letters, (*ahead, near, far), Labelled(point[None], clear), point))
 
     def at_end(self, end: Points, side: int, text: str, other: Points) -> None:
         """Ask for a small text at the upper (1) or lower (-1) end of an upright line, as near to its middle
@@ -202,7 +202,7 @@ class Lettering:
         row, opposite = end + across + (0, up), other + across - (0, up)
         lower = np.concatenate([row + side * np.asarray((0, more)) for more in (1.0, 2.5, 4.0)])
         far = touching(end, letters.size, np.asarray((0.0, side)), FARTHER)
-        self._ask(Text(letters, (row, lower, opposite, far), Own(end[None], CLEAR), end))
+        self._ask(Text(letters, (row, lower, opposite, far), Labelled(end[None], CLEAR), end))
 
     def _ask(self, text: Text) -> None:
         name = f"{self.name}-text-{len(self.texts)}" if self.name else ""

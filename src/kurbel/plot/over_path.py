@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from kurbel.conditions.over import ANGLES, WORDS, PathRequest
 from kurbel.engine.captions import inner
-from kurbel.engine.pressures import Pressed, PressuresRequest, Where, is_carded, stroke_names
+from kurbel.engine.pressures import Pressed, PressuresRequest, StrokePlace, is_carded, stroke_names
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.texts import PRESSED
 from kurbel.errors import ProblemError
@@ -30,7 +30,7 @@ from kurbel.motion.evaluation import OUT, STROKES, method_named
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import AngleQuestion
 from kurbel.page.quantity import Column, Quantity, enumerated, filled, for_ratio, words
-from kurbel.plot.curves import infinite, said_drive, said_ratio, spots, unfolded, zeros
+from kurbel.plot.curves import drive_label, infinite, ratio_label, spots, unfolded, zeros
 from kurbel.plot.drawings import Picture, Wish, asked_of, columns_of, drawing_layout, refuse, smooth
 from kurbel.plot.engine import around, course_of, lettered, turns_of
 from kurbel.plot.panel import (
@@ -153,7 +153,7 @@ class PathDrawing:
         name, heading, unit = axis_name(self._columns[0].quantity, self.lang)
         known = bool(unit) and any(self._scale(one.quantity) for one in self._columns[1:])
         label = f"{name} {heading}" + (f" in {unit}" if unit else "")
-        said = said_drive(self.drives[0], self.question) if self.alone and self.beside is None else ""
+        said = drive_label(self.drives[0], self.question) if self.alone and self.beside is None else ""
         paths = [value for path in self._paths(self.question) for value in path]
         ends = (min(paths), max(paths))
         if known:
@@ -182,7 +182,7 @@ class PathDrawing:
             one = question.page_columns[place].quantity
             for ratio, (path, values) in enumerate(zip(paths, of_drives, strict=True)):
                 stroke = STROKES[one.stroke][self.lang] if one.stroke in STROKES else ""
-                told = (said_ratio(question.ratios[ratio]), stroke) if question.ratios else ()
+                told = (ratio_label(question.ratios[ratio]), stroke) if question.ratios else ()
                 named = partial(self._spots, place) if self.alone and not dotted else None
                 seen = self._once(question, place, ratio)
                 yield Trace(one, told, path[seen].tolist(), values[seen].tolist(), dotted, named)
@@ -322,7 +322,7 @@ def pressure_panels(request: PressuresRequest) -> list[Panel]:
     said = PRESSED["pressures"][lang] if len(columns) > 1 else inner(columns[0].quantity.name[lang], lang)
     panels = []
     for stroke, name in enumerate(names):
-        places = [Where(stroke, share) for share in _shares(request.pressed, stroke)]
+        places = [StrokePlace(stroke, share) for share in _shares(request.pressed, stroke)]
         # From left to right.
         places = places[::-1] if stroke % 2 else places
         across = [
@@ -357,7 +357,7 @@ def _shares(pressed: Pressed, stroke: int) -> list[Fraction]:
     return [share for share, _ in groupby(within)]
 
 
-def _value(pressed: Pressed, key: str, where: Where) -> float:
+def _value(pressed: Pressed, key: str, where: StrokePlace) -> float:
     carded = is_carded(pressed)
     masses = 0.0 if key == "gas_pressure" else float(pressed.masses(where, balls()))
     if key == "inertia_pressure":

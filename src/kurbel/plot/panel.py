@@ -316,7 +316,7 @@ def axis_name(quantity: Quantity, lang: str) -> tuple[str, Label, Label]:
         letter, letters = (f"({one})" if " " in one else one for one in (quantity.symbol[1:-1], unit[1:-1]))
         return name, f"${letter}/{letters}$", ""
     unit = quantity.plain_unit(lang)
-    unit = UNITS[unit].said(lang) if unit in UNITS else unit
+    unit = UNITS[unit].heading(lang) if unit in UNITS else unit
     heading = heading.removesuffix(f" in {unit}")
     return name, heading, unit if heading == quantity.symbol else ""
 

@@ -50,7 +50,7 @@ class Ink(NamedTuple):
         return Ink(np.concatenate((self.points, points)), np.concatenate((self.weights, weights)))
 
 
-class Own(NamedTuple):
+class Labelled(NamedTuple):
     """Points on what a label belongs to, and how far it stands from them at least."""
 
     points: Points
@@ -158,7 +158,7 @@ def nearest_to(point: Points, rivals: Points, centres: Points, size: tuple[float
 def spot(
     groups: Sequence[Points],
     size: tuple[float, float],
-    own: Own,
+    own: Labelled,
     ink: Ink,
     frame: Box,
     allowed: Callable[[Points], Chosen],
@@ -188,7 +188,7 @@ class _Search(NamedTuple):
     """Half the size of a box, what it belongs to, the ink of all else, and where it may be."""
 
     half: Points
-    own: Own
+    own: Labelled
     ink: Ink
     frame: Box
     allowed: Callable[[Points], Chosen]

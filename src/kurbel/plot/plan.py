@@ -155,10 +155,10 @@ class Plan(NamedTuple):
         if self.columns:
             rows = math.ceil(len(self.texts) / self.columns)
             heading += LEGEND_ROW * (rows if self.apart else rows - 1)
-        return heading + self.room.strip + (LEGEND_ROW if self.said_apart else 0)
+        return heading + self.room.strip + (LEGEND_ROW if self.legend_is_apart else 0)
 
     @property
-    def said_apart(self) -> bool:
+    def legend_is_apart(self) -> bool:
         """Whether what is said at the right stands in a row of its own, above all others."""
         if not self.room.said:
             return False

@@ -222,7 +222,7 @@ def _draw(axes: Axes, plan: Plan, number: int) -> None:
 def _said(axes: Axes, plan: Plan) -> None:
     """Write what is drawn at the right of the first heading, or above all where that has no room."""
     if plan.room.said:
-        above = plan.top() - ABOVE if plan.said_apart else plan.room.strip
+        above = plan.top() - ABOVE if plan.legend_is_apart else plan.room.strip
         place = (1, 1 + above / plan.room.height)
         axes.annotate(
             plan.room.said, place, xytext=(0, 4), xycoords="axes fraction", textcoords="offset points",

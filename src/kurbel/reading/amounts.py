@@ -61,7 +61,7 @@ class Unit(NamedTuple):
     ending: str
     named: Mapping[str, str] | None = None
 
-    def said(self, lang: str) -> str:
+    def heading(self, lang: str) -> str:
         """Return what heads call it."""
         return self.named[lang] if self.named else self.symbol
 

@@ -44,7 +44,7 @@ class Kind(NamedTuple):
     error: type[KurbelError]
 
 
-def said_lines(path: str | os.PathLike[str], kind: Kind) -> Iterator[tuple[int, str]]:
+def numbered_lines(path: str | os.PathLike[str], kind: Kind) -> Iterator[tuple[int, str]]:
     """Yield the lines that are neither empty nor comments, each with its number from 1, without its end.
 
     UTF-8 with or without BOM; LF or CRLF; a comment starts with #. At most MOST_LINES lines of LONGEST_LINE
@@ -166,7 +166,7 @@ def read_rows(
     errors of the kind, with the file's name and line; so does a file without a head, which `starts` names.
     """
     name, head, marks = shown(path), None, ""
-    for line_number, line in said_lines(path, kind):
+    for line_number, line in numbered_lines(path, kind):
         try:
             if head is None:
                 head = head_of(line)

@@ -121,7 +121,7 @@ def choose(name: str, allowed: Iterable[str], what: str) -> str:
     return _chosen(name, [*allowed], what)
 
 
-def meant(name: object, allowed: Iterable[str], what: str) -> str:
+def allowed_name(name: object, allowed: Iterable[str], what: str) -> str:
     """Return the name that is meant, which may be written with capitals or by another word for it."""
     names = [*allowed]
     if isinstance(name, str) and name not in names:

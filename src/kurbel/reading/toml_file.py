@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeAlias, TypeVar
 
 from kurbel.errors import KurbelError
-from kurbel.reading.given import meant
+from kurbel.reading.given import allowed_name
 
 if TYPE_CHECKING:
     from msgspec import Meta
@@ -66,7 +66,7 @@ class Choice(str):
     def read(cls, given: object, _: str) -> Self:
         if not isinstance(given, str):
             raise Fault(A_TEXT)
-        return cls(meant(given, cls.allowed, cls.what))
+        return cls(allowed_name(given, cls.allowed, cls.what))
 
 
 class TomlFile:

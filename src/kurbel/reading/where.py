@@ -10,7 +10,7 @@ from fractions import Fraction
 from kurbel.errors import NotationError
 from kurbel.exact.numerals import degrees_text, exact_text, finite_decimals
 from kurbel.reading import notation
-from kurbel.reading.given import as_share, meant
+from kurbel.reading.given import allowed_name, as_share
 from kurbel.reading.notation import LONGEST_NUMBER, quoted
 from kurbel.reading.units import BEFORE_UNIT
 
@@ -85,7 +85,7 @@ def read_condition(
     bare, right = match.groups()
     name = bare.strip("|")
     _refuse_column(name, right, names)
-    quantity = names[meant(name, names, "quantity")]
+    quantity = names[allowed_name(name, names, "quantity")]
     if name != bare:
         if right != MAX or bare != f"|{name}|":
             raise NotationError(f'{shown} is of a magnitude, which may be greatest; write "|{name}| = max"')

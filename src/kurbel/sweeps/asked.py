@@ -21,7 +21,7 @@ from kurbel.motion.motion_page import AngleQuestion, is_beyond
 from kurbel.page.axes import AngleAxis, shifted
 from kurbel.page.subject import Question
 from kurbel.reading import notation
-from kurbel.reading.given import as_angle, meant
+from kurbel.reading.given import allowed_name, as_angle
 from kurbel.reading.notation import Progression
 from kurbel.sweeps.condition import Condition, named_axes
 from kurbel.sweeps.coordinates import is_readable
@@ -50,7 +50,7 @@ class Design:
     def read(cls, text: str, seed: int) -> Design:
         """Return the design of a text such as sobol:1024. Raises KurbelError."""
         name, _, count = text.partition(":")
-        kind = meant(name.strip(), KINDS, "design")
+        kind = allowed_name(name.strip(), KINDS, "design")
         size = int(count) if re.fullmatch(r"[0-9]{1,9}", count.strip()) else 0
         if not 1 <= size <= MOST_POINTS:
             raise NotationError(
@@ -258,7 +258,7 @@ def _grouped(axes: Sequence[Axis], linked: Iterable[str | Sequence[str]]) -> tup
             )
         names = text.replace(";", ",").split(",") if isinstance(text, str) else text
         plain = (name.strip().replace("-", "_") for name in names)
-        found = [meant(name, by_name, "option with several values") for name in plain]
+        found = [allowed_name(name, by_name, "option with several values") for name in plain]
         if len(found) == 1:
             raise ProblemError(
                 f"--zip {flag_of(found[0])[2:]} links one option to nothing; name those that go through"

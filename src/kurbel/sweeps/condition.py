@@ -20,7 +20,7 @@ from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.separation import MOST_BITS, TooLargeError, outgrows, power
 from kurbel.reading import notation
 from kurbel.reading.arithmetic import OPERATIONS, parsed
-from kurbel.reading.given import meant
+from kurbel.reading.given import allowed_name
 from kurbel.sweeps.columns import key_of
 from kurbel.sweeps.coordinates import exact_at, values_at
 from kurbel.sweeps.plan import Axis, Places, Plan
@@ -312,7 +312,7 @@ def named_axes(plan: Plan, condition: Condition) -> Mapping[str, tuple[int, Axis
         raise ProblemError(
             f"the condition {plan.only} names no option; choose from {', '.join(sorted(plan.axes))}"
         )
-    return {name: axes[meant(name, axes, "option of the sweep")] for name in condition.names}
+    return {name: axes[allowed_name(name, axes, "option of the sweep")] for name in condition.names}
 
 
 def _holds(

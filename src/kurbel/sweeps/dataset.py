@@ -20,7 +20,7 @@ from kurbel.commands.part import Origin, Values
 from kurbel.commands.subject import MACHINE, Command, of_machine
 from kurbel.errors import ChoiceError, NotationError, ProblemError
 from kurbel.reading.environment import need
-from kurbel.reading.given import meant
+from kurbel.reading.given import allowed_name
 from kurbel.reading.names import spelling_keywords, unknown
 from kurbel.sweeps.about import cf_of, cf_of_file
 from kurbel.sweeps.asked import planned
@@ -121,7 +121,7 @@ def _command(command: Callable[..., object] | str) -> Any:
     functions = [getattr(kurbel, name) for name in kurbel.__all__ if name not in _BOOKS]
     known = {one.command.name: one for one in functions if hasattr(one, "question")}
     if isinstance(command, str):
-        return known[meant(command, known, "command")]
+        return known[allowed_name(command, known, "command")]
     if command not in known.values():
         raise NotationError(
             f"{getattr(command, '__name__', command)} is no function that makes a table of a machine, such as"
@@ -137,7 +137,7 @@ def _values_of(command: Command, machine: object, options: Mapping[str, object])
     typed = {}
     for name, value in options.items():
         try:
-            one = known[meant(name, known, "option")]
+            one = known[allowed_name(name, known, "option")]
         except ChoiceError:
             raise unknown("sweep", name, known, f"it has those of kurbel.{command.name}") from None
         typed[one.name] = _listed(one, value)

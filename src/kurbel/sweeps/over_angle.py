@@ -197,7 +197,7 @@ def has_arrays(plan: Plan, question: Question) -> bool:
     columns = question.page_columns
     if isinstance(question, Request):
         crank = question.cranks[0]
-        smooth = not (crank.rubbed or crank.pinned)
+        smooth = not (crank.has_friction or crank.pinned)
         smooth = smooth and all(isfinite(greatest_value(one, crank)) for one in columns)
         return len(question.cranks) == 1 and smooth and not any(_is_difference(one) for one in columns)
     if plan.bounds:

@@ -23,7 +23,7 @@ import pyarrow.compute as compute
 
 from kurbel.errors import ChoiceError, OutputError
 from kurbel.reading.environment import need
-from kurbel.reading.given import meant
+from kurbel.reading.given import allowed_name
 from kurbel.sweeps.arrow import REASON, own_batch_of, with_options
 from kurbel.sweeps.columns import MISSING
 from kurbel.sweeps.parquet import ROWS, gather, reasons_of, write_partition
@@ -80,7 +80,7 @@ def form_of(target: str, name: str | None = None) -> Form:
     """Return the form of a file by its suffix, or by its name. Raises ChoiceError."""
     if name:
         known = {form.name: form for form in FORMS}
-        form = known[meant(name, known, "format")]
+        form = known[allowed_name(name, known, "format")]
         return PARTITIONS if form.name == "parquet" and _is_folder(target) else form
     if _is_folder(target):
         return PARTITIONS

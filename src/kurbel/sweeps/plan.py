@@ -141,7 +141,7 @@ class Plan:
             found = {axis.option: axis.values[place] for axis in group} | found
         return found
 
-    def said(self, point: int) -> str:
+    def in_words(self, point: int) -> str:
         """Return a point in the words of the command line."""
         values = self.at(point).items()
         return " ".join(f"{flag_of(name)} {quote(text_of(value, name))}" for name, value in values)

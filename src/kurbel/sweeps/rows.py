@@ -93,7 +93,7 @@ class Sweep:
         part = Part(stop - start, values, found.reasons)
         if self.plan.strict and part.refused:
             row = min(part.refused)
-            said = self.plan.said(int(points.places[row]))
+            said = self.plan.in_words(int(points.places[row]))
             raise FailedError(f"{part.refused[row]}; this is of {said}, and --strict ends there")
         return part
 
@@ -102,9 +102,9 @@ class Sweep:
         axes = self._coordinates.at(self._points(start, stop))
         return {column.key: axes[column.option] for column in self.columns if column.option}
 
-    def said(self, row: int) -> str:
+    def in_words(self, row: int) -> str:
         """Return the combination of a row in the words of the command line."""
-        return self.plan.said(int(self._points(row, row + 1).places[0]))
+        return self.plan.in_words(int(self._points(row, row + 1).places[0]))
 
     def _points(self, start: int, stop: int) -> Points:
         rows, kept = np.arange(start, stop), self.plan.kept

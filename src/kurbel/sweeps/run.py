@@ -219,7 +219,7 @@ def estimated(sweep: Sweep, form: Form) -> Estimate:
         rows += stop - start
         if part.refused and refused is None:
             row = min(part.refused)
-            refused = (sweep.said(start + row), part.refused[row])
+            refused = (sweep.in_words(start + row), part.refused[row])
         if seconds > PATIENCE:
             break
     parts = -(-len(sweep) // sweep.rows_at_once)

@@ -16,7 +16,7 @@ from kurbel.books.constructions.file import HOUSE, read_construction
 from kurbel.books.constructions.formulas import Formula as Read
 from kurbel.books.constructions.formulas import Values
 from kurbel.books.constructions.model import Construction, Length, lettered
-from kurbel.books.constructions.placed import ALONE, Beside, Placed, said_of
+from kurbel.books.constructions.placed import ALONE, Beside, Placed, beside_labels
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, ConstructionError
 from kurbel.exact.kind import Kind, floats, settled
@@ -254,7 +254,7 @@ def _notes(request: ConstructionRequest) -> Iterator[Label]:
     if not doubtful:
         yield WORDS["all"][lang]
     yield from _drive_notes(request)
-    yield from said_of(request.beside, shown.given.takes, lang)
+    yield from beside_labels(request.beside, shown.given.takes, lang)
     for note in shown.given.notes:
         yield shown.overlined(note[lang])
 

@@ -117,7 +117,7 @@ WORDS: Mapping[str, Words] = {
 }
 
 
-def said_of(beside: Beside, takes: Collection[str], lang: str) -> Iterator[Label]:
+def beside_labels(beside: Beside, takes: Collection[str], lang: str) -> Iterator[Label]:
     """Yield what pages say of what stands beside the drive."""
     if "point" in takes:
         yield WORDS["point"][lang].format(x=exact_text(beside.point))

@@ -82,7 +82,7 @@ class TopicCommand(click.Command):
         with augment_usage_errors(ctx):
             left = super().parse_args(ctx, [*args])
         if left and not ctx.resilient_parsing:
-            from kurbel.cli.astray import stray
+            from kurbel.cli.misplaced import stray
 
             raise click.UsageError(stray(left[0], self, args), ctx)
         return left

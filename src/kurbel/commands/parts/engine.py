@@ -141,7 +141,7 @@ class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
         if sentence := uncomputed(chosen, loads[0].name) if loads else "":
             raise ProblemError(sentence)
         drives = self.weighed(chosen, chosen.drives(described, page.ratios), *self.weighing(), even=True)
-        drives = self.rubbed(chosen, drives)
+        drives = self.with_friction(chosen, drives)
         sized = bool(drives) and chosen.crank(drives[0]).radius is not None
         if sized and not self.is_heavy() and self.has_speed():
             speed = self.speed
@@ -161,7 +161,7 @@ class Cylinder(Loads, Friction, Masses, AnyDrive, Speed):
         """Whether the speed says something without masses."""
         return self.says("speed")
 
-    def rubbed(self, chosen: Mechanism, drives: Sequence[Drive]) -> list[Drive]:
+    def with_friction(self, chosen: Mechanism, drives: Sequence[Drive]) -> list[Drive]:
         """Return the drives of an engine with the rods of its piston and its friction."""
         rods = [name for name in RODS if self.says(name)]
         if not (rods or self.says("friction")):

@@ -25,6 +25,7 @@ from kurbel.drive.rod import (
 from kurbel.errors import NotationError, ProblemError
 from kurbel.motion.mechanism import Mechanism, of_other_mechanisms
 from kurbel.reading.given import (
+    allowed_name,
     as_angle,
     as_displacement,
     as_duration,
@@ -35,7 +36,6 @@ from kurbel.reading.given import (
     as_share,
     as_share_or_length,
     as_signed_mass,
-    meant,
 )
 from kurbel.reading.notation import about
 
@@ -69,7 +69,7 @@ def _place(value: object, length: Fraction | None, what: str) -> Fraction:
     from kurbel.reading.units import is_measure
 
     if isinstance(value, str) and not any(map(str.isdigit, value)):
-        return PINS[meant(value, PINS, what)]
+        return PINS[allowed_name(value, PINS, what)]
     if not isinstance(value, str) or not is_measure(value):
         return as_share(value, what)
     if length is None:

@@ -18,7 +18,7 @@ from kurbel.exact.kind import Kind, balls
 from kurbel.exact.real import Product, Term, number
 from kurbel.kernel.circle import Numeric, root
 from kurbel.kernel.steam import logarithm
-from kurbel.reading.given import as_length, as_number, as_pressure, meant
+from kurbel.reading.given import allowed_name, as_length, as_number, as_pressure
 
 HALF = Fraction(1, 2)
 # By what the high-pressure cylinder is known: equal works, equal loads on the pistons where their strokes
@@ -101,7 +101,7 @@ def as_compound(given: object, what: str) -> Compound:
     if not isinstance(given, str) or (any(map(str.isdigit, given)) and not is_measure(given)):
         return _above_zero(EXPANSION, given, as_number)
     if not any(map(str.isdigit, given)):
-        return Compound(meant(given, (WORK, LOAD), "way of sharing between the cylinders"))
+        return Compound(allowed_name(given, (WORK, LOAD), "way of sharing between the cylinders"))
     try:
         return _above_zero(BORE, given, as_length)
     except NotationError:

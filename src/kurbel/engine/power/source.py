@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any, ClassVar, NamedTuple
 
 from kurbel.drive.load import CARD, STEAM
-from kurbel.engine.cylinder import Where
+from kurbel.engine.cylinder import TurnPlace
 from kurbel.engine.digits import Asked, Estimate, check_card, estimate
 from kurbel.engine.engine import Engine
 from kurbel.engine.engine_quantities import engine_registry
@@ -182,7 +182,7 @@ class Acting:
     def _estimate(self) -> Estimate:
         """The mean pressure of an indicator card, and how far it may be off."""
         quantity = engine_registry()["mean_pressure"]
-        return estimate(Asked(bare(quantity, "exact", None), (self._turn,), Where()))
+        return estimate(Asked(bare(quantity, "exact", None), (self._turn,), TurnPlace()))
 
     @cached_property
     def _turn(self) -> Any:
