@@ -53,6 +53,12 @@ ELSEWHERE = {
         "--flywheel",
     ): "kurbel turning --flywheel 50 --speed 120/min --columns phi,angular_acceleration"
     " has how an engine's shaft is accelerated, and forces under a --force that of a shaft by its --inertia",
+    ("locomotive", "--unknown"): "what follows are columns: kurbel locomotive --wheel-load 80kN --columns"
+    " share,lift_speed, and with --hammer-blow share_most",
+    ("rotor", "--unknown"): "a mass, a radius or an angle that is asked for is a ? in its list:"
+    " --masses '?;3kg' --radii 100mm --angles '?;90'",
+    ("", "--unknown"): "kurbel solve --unknown asks for a number with which a condition holds, kurbel power"
+    " and flywheel for one of theirs",
     ("flywheel", "--angle"): "speed, torque and energy at an angle are those of kurbel turning --angle 30"
     " --flywheel 50 --speed 120/min --columns omega,torque_nm,energy",
     ("", "--pdf-engine"): "Typst sets the PDF; for that of a TeX, let it compile handbook.tex",

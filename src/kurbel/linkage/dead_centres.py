@@ -33,7 +33,10 @@ NAMES: Mapping[str, Words] = {
     "arc": words("Bogenschubkurbel|arc crank"),
     "beam": words("Balanciermaschine|beam engine"),
     "slotted": words("Kurbelschleife|slotted lever"),
+    "yoke": words("Kreuzschubkurbel|Scotch yoke"),
 }
+# What of these swings.
+SWINGING = ("arc", "beam", "slotted")
 WORDS: Mapping[str, Words] = {
     "angles": words(
         "Totlagen von der Schubrichtung im Drehsinn; $Δ = φ_o - φ_i - 180°$,"
@@ -57,6 +60,9 @@ WORDS: Mapping[str, Words] = {
     "slotted": words(
         "$S$ des Stößels, $μ$ zwischen Stange und Senkrechter zur Schubrichtung"
         "|$S$ of the ram, $μ$ between the rod and the square to the slide"
+    ),
+    "yoke": words(
+        "$S$ der Schleife, $μ$ zwischen Schlitz und Weg|$S$ of the yoke, $μ$ between the slot and its way"
     ),
 }
 
@@ -203,7 +209,7 @@ class DeadCentresRequest(DriveQuestion):
 
     def missing(self, quantity: Quantity) -> str:
         if quantity.needs == ROCKER:
-            if self.mechanism in WORDS:
+            if self.mechanism in SWINGING:
                 return ""
             return f"column {quantity.key} is of a rocker; add --mechanism arc, for example with --rocker 6"
         return super().missing(quantity)
@@ -239,7 +245,8 @@ def _sizes(question: DeadCentresRequest, drive: Any) -> Iterator[Label]:
     crank = drive.crank
     if not isinstance(drive, Crank):
         moved: Any = mechanism(question.mechanism)
-        yield ", ".join(moved.lengths(drive))
+        if said := ", ".join(moved.lengths(drive)):
+            yield said
     elif crank.offset:
         yield f"$e = {figure(crank.offset)} R$"
     if crank.radius is None:

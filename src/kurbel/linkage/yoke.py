@@ -14,6 +14,7 @@ from typing import Any
 
 from kurbel.drive.crank import RODLESS, Crank, Described
 from kurbel.exact.kind import Kind
+from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
 from kurbel.linkage.arc_quantities import headed_entry, sized_entry
@@ -46,6 +47,22 @@ class Yoke(Linkage):
     def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
         nothing, (sine, cosine, way) = circle.sine * 0, (circle.sine, circle.cosine, circle.versine)
         return Place(way, way, nothing, nothing, nothing + 1, sine, cosine, sine)
+
+    def dead_angle(self, stroke: int, kind: Kind) -> Any:
+        """Return φ_i, or of the return φ_o - 180°, in degrees: 0."""
+        return kind.of(Fraction(0))
+
+    def lead(self, kind: Kind) -> Any:
+        """Return by how many degrees the outstroke is longer than half a turn: 0."""
+        return kind.of(Fraction(0))
+
+    def way(self, kind: Kind) -> Any:
+        """Return the stroke in units of R."""
+        return kind.of(Fraction(2))
+
+    def least_transmission(self, kind: Kind) -> Any:
+        """Return the angle in degrees between the slot and the way of the yoke."""
+        return kind.of(Fraction(90))
 
     def outline(self) -> Outline:
         return Outline(TITLE, ((0, 0),), -1, 1 + ROD, _stand)
@@ -118,6 +135,10 @@ class ScotchYoke(LinkageMechanism):
     heavy = False
     takes = ("stroke", "speed")
     motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
+
+    def lengths(self, drive: Yoke) -> Iterator[Label]:
+        """Yield what was given of its lengths beside R: nothing."""
+        yield from ()
 
     def drives(self, said: Described, ratios: Sequence[str]) -> tuple[Yoke, ...]:
         return (Yoke(said.rodless),)

@@ -167,7 +167,7 @@ def connecting_rod(rod: Rod, lang: str, length: str = "L", named: Mapping[str, W
     """Return the line about a rod: where its masses are, and its mass if that is known."""
     said = named["connecting_rod"][lang].format(
         length=length,
-        centre=_share(1 - rod.centre) if rod.swings else figure(1 - rod.centre),
+        centre=_share(1 - rod.centre) if rod.swings[1:] else figure(1 - rod.centre),
         gyration=gyration_text(rod),
         couple=figure(rod.couple),
         mass=f", $M = {amount(rod.mass, 'kg')}$" if rod.mass is not None else "",
