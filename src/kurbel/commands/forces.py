@@ -197,7 +197,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, TurningShaft
     def _described(self) -> tuple[Mechanism, Described]:
         # A speed alone makes no force, and a method is that of masses.
         moving = ("speed", "acceleration", "method")
-        taken = self.is_pushed() and self.says("inertia") and self.says("power")
+        taken = self.is_pushed() and self.accelerates() and self.says("power")
         beside, leaving = (("speed",), ()) if self.is_heavy() or taken else ((), moving)
         return self.described(self._layout_of_drive(), ("stroke", "force", *beside), leaving)
 

@@ -139,9 +139,14 @@ class TurningShaft(Part):
         as_power, "With --inertia: power that is taken off the shaft at --speed: 20kW.", "POWER", unit="W"
     )
 
+    def accelerates(self) -> bool:
+        """Whether the shaft is accelerated; of the flywheel of a machine that is said by its column."""
+        columns = str(self.values.values.get("columns") or "")
+        return self.says("inertia") and (self.values.typed("inertia") or "angular_acceleration" in columns)
+
     def turned(self) -> Shaft | None:
         """Return what the torque accelerates, None without --inertia."""
-        inertia = self.inertia
+        inertia = self.inertia if self.accelerates() else None
         if inertia is None:
             return None
         if self.says("power") and not self.says("speed"):
@@ -163,7 +168,8 @@ class Effort(Piston, Friction, Pressing, Masses, Rotating):
 
     def has_parts(self) -> bool:
         """Whether more than a force and masses makes the effort on the piston."""
-        beside = self.says(*PRESSING, "friction", *PINNED, "inertia") and self.is_pushed()
+        turning = self.as_part(TurningShaft).accelerates()
+        beside = (turning or self.says(*PRESSING, "friction", *PINNED)) and self.is_pushed()
         return beside or (self.is_heavy() and self.stands())
 
     def check_pins(self) -> None:
