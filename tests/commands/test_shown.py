@@ -57,7 +57,7 @@ def test_it_is_saved_with_the_options_of_printing_and_as_pdf(tmp_path: Path) -> 
 def test_what_cannot_be_saved_leaves_the_old_file(tmp_path: Path) -> None:
     path = tmp_path / "page.csv"
     path.write_text("old")
-    with pytest.raises(kurbel.KurbelError, match="decimal mark is 'dot'"):
+    with pytest.raises(kurbel.KurbelError, match='no decimal mark "dot"'):
         PAGE.save(path, decimal="dot")
     with pytest.raises(kurbel.KurbelError, match=r"the file name '.*page.doc' names no format"):
         PAGE.save(tmp_path / "page.doc")

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise, permutations, product
 from typing import NamedTuple
@@ -117,8 +117,10 @@ def check_strokes(strokes: int) -> None:
         )
 
 
-def read_order(text: str) -> Order:
-    """Read a firing order: 1-3-4-2; of cylinders that fire at once 1+4-2+3."""
+def read_order(given: object) -> Order:
+    """Read a firing order: 1-3-4-2, or a list of these numbers; of cylinders that fire at once 1+4-2+3."""
+    numbers = given if isinstance(given, Iterable) and not isinstance(given, str) else [given]
+    text = "-".join(map(str, numbers))
     groups = [group.split("+") for group in re.split(r"[-–,;\s]+", text.strip())]
     if not all(re.fullmatch("[1-9][0-9]?", number) for group in groups for number in group):
         raise NotationError(

@@ -122,7 +122,7 @@ class Constructed(AnyDrive, CommandOptions):
             )
         chosen, described = held.described(leaving=() if held.is_sized() else ("stroke", "rod"))
         drives = chosen.drives(described, page.ratios)
-        if len(drives) > 1:
+        if len(drives) != 1:
             raise ProblemError(
                 f"a construction is of one drive, and {len(drives)} ratios were given; choose one"
             )

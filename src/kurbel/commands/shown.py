@@ -101,6 +101,7 @@ class Table(Page):
     def of(cls, page: Page, asked: Question | None = None) -> Table:
         return cls(**{field.name: getattr(page, field.name) for field in fields(page)}, asked=asked)
 
+    @checks_keywords
     def plot(self, *, decimal: str | None = None, **options: Any) -> Drawing:
         """Return the page as a drawing: a panel a unit, both strokes as one turn.
 
@@ -256,7 +257,7 @@ class Drawing:
 
 def mark_of(lang: str, decimal: str | None) -> str:
     """Return the decimal mark of that name, by default that of the language."""
-    return DECIMALS[decimal or DECIMAL_OF_LANGUAGE[lang]]
+    return DECIMALS[choose(decimal or DECIMAL_OF_LANGUAGE[lang], DECIMALS, "decimal mark")]
 
 
 class Spoken(NamedTuple):

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 import kurbel.formats
 from kurbel.errors import ChoiceError, FormatError
 from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
-from kurbel.reading.given import allowed_name
+from kurbel.reading.given import allowed_name, choose
 
 if TYPE_CHECKING:
     from kurbel.documents.inject import Kind
@@ -62,9 +62,7 @@ class Format:
     def decimal_name(self, lang: str, decimal: str | None = None) -> str:
         """Return "comma" or "point": what the user asks for, else the rule of the format."""
         if decimal is not None:
-            if decimal not in DECIMALS:
-                raise ChoiceError(f"decimal mark is {decimal!r}; it must be {' or '.join(DECIMALS)}")
-            return decimal
+            return choose(decimal, DECIMALS, "decimal mark")
         return DECIMAL_OF_LANGUAGE.get(lang, "point") if self.decimal == "language" else "point"
 
     def decimal_mark(self, lang: str, decimal: str | None = None) -> str:

@@ -8,9 +8,10 @@ import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import wraps
+from itertools import chain
 from typing import ParamSpec, TypeVar
 
-from kurbel.errors import KeywordError, KurbelError
+from kurbel.errors import KeywordError, KurbelError, NotationError
 
 # Words for the same, also before _return, _mm and the like: those that names have, then those that none has.
 # Capitals, accents and signs between words do not count, and a number is a word.
@@ -228,11 +229,15 @@ def enumerated(names: Iterable[str], before_last: str = "and") -> str:
 
 
 def checks_keywords(function: Callable[Words, Answer]) -> Callable[Words, Answer]:
-    """Refuse wrong names of the function's values by KeywordError."""
+    """Refuse wrong names of the function's values by KeywordError, and what is no text in place of one."""
+    texts = {name for name, kind in function.__annotations__.items() if kind in ("str", "str | None")}
 
     @wraps(function)
     def called(*args: Words.args, **kwargs: Words.kwargs) -> Answer:
         signature = inspect.signature(function)
+        for name, value in chain(zip(signature.parameters, args, strict=False), kwargs.items()):
+            if name in texts and value is not None and not isinstance(value, str):
+                raise NotationError(f"{name} is {str(value)[:60]}; it must be text")
         try:
             with spelling_keywords(lambda: dict.fromkeys(signature.parameters, ())):
                 return function(*args, **kwargs)

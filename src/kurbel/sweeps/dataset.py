@@ -21,7 +21,7 @@ from kurbel.commands.subject import MACHINE, Command, of_machine
 from kurbel.errors import ChoiceError, NotationError, ProblemError
 from kurbel.reading.environment import need
 from kurbel.reading.given import allowed_name
-from kurbel.reading.names import spelling_keywords, unknown
+from kurbel.reading.names import checks_keywords, spelling_keywords, unknown
 from kurbel.sweeps.about import cf_of, cf_of_file
 from kurbel.sweeps.asked import planned
 from kurbel.sweeps.columns import Column, Part
@@ -44,6 +44,7 @@ _BOOKS = frozenset(("collate", "example"))
 def sweep(command: Callable[..., Any] | str, *, output: None = ..., **options: Any) -> Dataset: ...
 @overload
 def sweep(command: Callable[..., Any] | str, *, output: str | PathLike[str], **options: Any) -> Outcome: ...
+@checks_keywords
 def sweep(
     command: Callable[..., Any] | str,
     *,
@@ -166,6 +167,8 @@ def _listed(option: Option[object], value: object) -> Any:
 
 def _linked(zip: str | Iterable[str | Sequence[str]]) -> list[str | Sequence[str]]:
     """Return the options that are linked, group by group: "eps,back", or a list of such."""
+    if not isinstance(zip, Iterable) or not all(isinstance(one, str | list | tuple) for one in zip):
+        raise NotationError(f"zip is {str(zip)[:60]}; write the options that go together as 'eps,back'")
     groups: list[str | Sequence[str]] = [zip] if isinstance(zip, str) else [*zip]
     names = [one for one in groups if isinstance(one, str) and "," not in one]
     # Names one by one are a group.
