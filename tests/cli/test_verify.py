@@ -64,10 +64,14 @@ PAGES = {
     "solve --stroke 600mm --rod 1500mm --speed 120/min --where 'c = 3 m/s'": 28,
     "solve --eps 4 --where tangential=0.5": 4 * 4,
     "pressures --reciprocating 300kg --stroke 600mm --bore 300mm --speed 2/s --eps 4 --pressure 8bar": 22 * 4,
+    "pressures --eps 4 --bore 300mm --pressure 8bar --angle 0;210 --units imperial": 4,
+    "delta --compression 14 --cycle dual --peak-pressure 60 --heat 9 --columns efficiency,mean_pressure": 2,
     "inertia --centre 0.65 --gyration 0.35 --angle 40;250": 2 * 6,
+    "inertia --centre 0.65 --gyration 0.35 --layout rod-masses": 21,
     "inertia --mechanism arc --rocker 6 --centre 0.65 --gyration 0.35 --angle 40": 6,
     "harmonics --ratio '1:4.5;5:6' --orders 12 --digits 20": 14,
     "harmonics --quantity c --method exact": 4,
+    f"harmonics --eps 4 {MASSES} --offset 0.3 --cranks 0;90 --quantity torque --orders 1": 10,
     "rotor --masses 12;9kg --radii 5cm --angles 0;70 --planes 0;3cm --balance-planes 1;5cm --bearings 0;6cm"
     " --speed 900/min --columns line,mass_kg,angle,unbalance_kgm,unbalance_n,moment_nm --about 1cm": 30,
     "locomotive --spacing 0.7m --gauge 1.5m --stroke 24in --reciprocating 300kg --revolving 90kg --axles 2"
@@ -128,6 +132,9 @@ def test_every_number_is_confirmed(line: str, tmp_path: Path) -> None:
          '"steadiness": 197.38', "right is 197.39"),
         ("turning --torque '5000 + 1500 sin(3φ)' --angle 30", '"excess_energy": 500.0',
          '"excess_energy": 500.1', "right is 500.0"),
+        ("harmonics --quantity torque --eps 4 --orders 1", "0.03085", "0.03086", "right is 0.03085"),
+        ("inertia --centre 0.6 --gyration 0.3 --layout inertia-errors", "63.6476", "63.6477", "is 63.6476"),
+        ("delta --compression 6 --heat 10 --columns efficiency", "0.511", "0.512", "right is 0.511"),
         ("turning --eps 4 --angle 90", '"eps": "4"', '"eps": "4.01"', "tangential at"),
     ],
 )  # fmt: skip

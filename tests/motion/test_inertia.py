@@ -235,8 +235,9 @@ def test_greatest_forces_and_errors_are_those_of_a_search_of_newton_s_reactions(
 ) -> None:
     about = (f"--ratio={ratio}", f"--offset={offset}", "--centre=0.65", "--gyration=0.35", "--digits=9")
     turns = {
-        model: turn_of(float(ratio), float(offset), float(heavy.centre), float(heavy.gyration))
+        model: turn_of(float(ratio), float(offset), centre, (second - centre**2) ** 0.5)
         for model, heavy in newton(slide(ratio).true, "0.65", "0.35").items()
+        for _, centre, second in [[float(one / heavy.rod[0]) for one in heavy.rod]]
     }
     for (force, model), row in errors(*about).items():
         samples, value = abs(turns[model][force]), float(row["greatest"])

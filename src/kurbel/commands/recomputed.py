@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from functools import partial
+from functools import partial, reduce
 from math import atan, degrees
+from operator import add
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from kurbel import verify
@@ -22,10 +23,13 @@ from kurbel.reading.notation import number
 from kurbel.reading.where import DEAD_CENTRE, EXTREMES, SHARE, Condition, read_condition
 from kurbel.verify import Number, Value, harmonics
 from kurbel.verify.drives import Course, Degrees
-from kurbel.verify.loads import disc
+from kurbel.verify.extremes import Summit, summits, where
+from kurbel.verify.jets import Jet
+from kurbel.verify.loads import Stroke, disc
+from kurbel.verify.numbers import degrees_of, largest, pi, sine_cosine
 from kurbel.verify.numbers import number as exactly
-from kurbel.verify.numbers import pi, sine_cosine
-from kurbel.verify.turn import Running
+from kurbel.verify.plane import Arrow
+from kurbel.verify.turn import Running, star
 from kurbel.verify.zeros import Place, Spot, around, between, root
 
 if TYPE_CHECKING:
@@ -242,9 +246,9 @@ def _on_engine(
 
     def missed(at: Place) -> Number:
         if condition.kind in EXTREMES:
-            return turn.known.slope(at)
+            return turn.known.force(at, 1)
         mean = turn.known.mean if condition.quantity == "tangential_excess" else 0
-        return turn.known.force(at, True) - mean - condition.value
+        return turn.known.force(at, true=True) - mean - condition.value
 
     place = second.spot((turn, condition, near), lambda: root(missed, near))
     if key == "phi":
@@ -259,18 +263,82 @@ def of_turn(second: Second, key: str, method: str, row: Row) -> Value:
         one, other = (of_turn(second, "delta", each, row) for each in method.split(" - "))
         return one - other
     turn, at = second.turn(method, row), second.degrees(row)
+    if key in _OF_LOAD:
+        return Value(lambda: _OF_LOAD[key](second, turn, second.load(row)()))
     if key == "torque_nm":
-        bore, pressure = second.unit()
-        if pressure is None:
-            raise ProblemError("the torque needs what Q is in N")
         newtons = turn.value("tangential", at)
-        return Value(lambda: newtons.recipe() * disc(bore) * (pressure * turn.drive.radius))
+        return Value(lambda: newtons.recipe() * second.torque(turn))
     if key in ("exponent", "clearance"):
         given = getattr(second.asked, key)
         return Value(lambda: exactly(Fraction(key == "exponent") if given is None else given))
     if second.asked.says("flywheel", "inertia") and key in _RUNNING:
         return Value(lambda: _RUNNING[key](second.running(turn), at))
     return turn.value(key, at, stroke=row.get("stroke", "turn"))
+
+
+def _ends(second: Second) -> int:
+    """How many ends of a cylinder work."""
+    asked = second.asked
+    single = (
+        asked.single_acting
+        or asked.says("compression", "other_side")
+        or asked.pump in ("single", "differential")
+    )
+    return 1 if single else 2
+
+
+def _mean_pressure(second: Second, strokes: Sequence[Stroke]) -> Number:
+    if second.asked.says("piston_rod", "tail_rod"):
+        raise ProblemError("mean pressures beside piston rods are not computed a second time")
+    return abs(sum((one.work(exactly(1)) for one in strokes), exactly(0))) / _ends(second)
+
+
+def _pascals(second: Second) -> Fraction:
+    _, pressure = second.unit()
+    if pressure is None:
+        raise ProblemError("pressures need what Q is in N")
+    return pressure
+
+
+def _efficiency(second: Second, turn: verify.Turn, strokes: Sequence[Stroke]) -> Number:
+    """Work over heat: at one volume V Δp/(γ - 1), at one pressure γ p ΔV/(γ - 1) of it."""
+    power, pressures = second.asked.exponent or Fraction(7, 5), strokes[0].sides[0][1]
+    expanding: Any = pressures.pieces[-1][1]
+    top, pressed = pressures.value(exactly(0)), strokes[-1].sides[-1][1].value(exactly(1))
+    burnt = pressures.pieces[0][0] if len(pressures.pieces) > 1 else exactly(0)
+    heat = ((top - pressed) * expanding.room + top * burnt * power) / (power - 1)
+    share: Number = (strokes[0].work(exactly(1)) + strokes[-1].work(exactly(1))) / heat
+    return share
+
+
+def _sucked(strokes: Sequence[Stroke]) -> Number:
+    """The share of a stroke on which air comes in, behind what expands of the clearance."""
+    leaving = strokes[0].sides[0][1].pieces
+    return 1 - leaving[0][0] if len(leaving) > 1 else exactly(1)
+
+
+def _delivered(second: Second, strokes: Sequence[Stroke]) -> Number:
+    return _sucked(strokes) * (1 - (second.asked.suction_loss or 0))
+
+
+def _delivery(second: Second, turn: verify.Turn, strokes: Sequence[Stroke]) -> Number:
+    drive, turns = turn.drive, turn.drive.omega / (2 * pi())
+    swept = disc(second.asked.bore or 1) * drive.stroke * drive.radius
+    return _delivered(second, strokes) * swept * turns * (_ends(second) * len(turn.cranks))
+
+
+# Of a turn under a load, by what was asked for, the turn and the strokes of its load.
+_OF_LOAD: Mapping[str, Callable[[Second, verify.Turn, Sequence[Stroke]], Number]] = {
+    "back": lambda _, __, strokes: strokes[0].sides[1][1].value(exactly(0)),
+    "work": lambda _, turn, __: turn.known.mean * 2 * pi(),
+    "mean_pressure": lambda second, _, strokes: _mean_pressure(second, strokes),
+    "mean_pressure_pa": lambda second, _, strokes: _mean_pressure(second, strokes) * _pascals(second),
+    "indicated_power": lambda second, turn, _: abs(turn.known.mean) * second.torque(turn) * turn.drive.omega,
+    "volumetric_efficiency": lambda _, __, strokes: _sucked(strokes),
+    "delivered": lambda second, _, strokes: _delivered(second, strokes),
+    "delivery": _delivery,
+    "efficiency": _efficiency,
+}
 
 
 def _apart(run: Running) -> Number:
@@ -291,29 +359,42 @@ _RUNNING: dict[str, Callable[[Any, Any], Number]] = {
 
 def of_pressures(second: Second, key: str, method: str, row: Row) -> Value:
     """Over the stroke or the angle: what presses on the piston, and what the masses take, both per area."""
-    drive = second.drive(row)
+    drive, key = second.drive(row), key.removesuffix("_pa")
     if "phi" in row:
-        raise ProblemError("pressures over the angle are not computed a second time")
-    index = int(number(row["stroke"])) - 1
-    back = index % 2 == 1
-    place = _at_share(second, drive, method, row, back)
+        # A dead centre is of the stroke that begins there.
+        angle = second.degrees(row)
+        ends = (
+            [exactly(0), exactly(180)] if method == "series" else [drive.dead_degrees(one) for one in (1, -1)]
+        )
+        index = sum(int((angle % 360 - one).sign() >= 0) for one in ends) - 1 + 2 * int(angle // 360)
+        place = Spot(lambda: Place(angle - 180 * (index % 2)))
+        share = drive.value("x_stroke", place, method, stroke="return" if index % 2 else None)
+        if key == "x_stroke":
+            return share
+    else:
+        index = int(number(row["stroke"])) - 1
+        place = _at_share(second, drive, method, row, index % 2 == 1)
+        share = Value(lambda: exactly(nearest(row["share"], second.shares)))
     if key == "crank_angle":
         return Value(lambda: place().angle + 180 * index)
-    gas = inertia = Value(lambda: exactly(0))
-    if key in ("gas_pressure", "left_pressure"):
+    if key == "left_pressure":
+        gas, inertia = (
+            of_pressures(second, one, method, row) for one in ("gas_pressure", "inertia_pressure")
+        )
+        return gas - inertia
+    if key == "gas_pressure":
         (_, pressure), load = second.unit(), second.load(row)
-        share = nearest(row["share"], second.shares)
-        gas = Value(lambda: load()[index].force(exactly(share)) * (pressure or 1))
-    if key in ("inertia_pressure", "left_pressure"):
-        heavy, bore = second.bodies(drive, Fraction(0), row), second.asked.bore or 1
-        inertia = Value(lambda: -heavy.at("inertia_force", place(), -1 if back else 1) / disc(bore))
-    return inertia if key == "inertia_pressure" else gas - inertia
+        return Value(lambda: load()[index % len(load())].force(share.recipe()) * (pressure or 1))
+    if key != "inertia_pressure":
+        raise ProblemError(f"{key} is not computed a second time")
+    heavy, bore = second.bodies(drive, Fraction(0), row), second.asked.bore or 1
+    return Value(lambda: -heavy.at("inertia_force", place(), (-1) ** index) / disc(bore))
 
 
 def of_inertia(second: Second, key: str, method: str, row: Row) -> Value:
     """Forces of a rod, of two masses at its pins, and of 6/10 and 4/10 of it there."""
-    if "model" in row:
-        raise ProblemError("greatest forces of a rod and its masses at rest are not computed a second time")
+    if "force" in row:
+        return _of_peak(second, key, row)
     if method != "exact":
         raise ProblemError("forces of a rod by a series are not computed a second time")
     drive = second.drive(row)
@@ -325,16 +406,57 @@ def of_inertia(second: Second, key: str, method: str, row: Row) -> Value:
     force = _OF_ROD.get(name.removesuffix(f"_{model}").removesuffix(RETURN))
     if force is None or (not unit and "acceleration" in second.options):
         return drive.value(key, second.degrees(row), method)
-    long = drive.radius / drive.ratio if drive.ratio else None
+    rod = second.rod(drive, model, row, unit != "")
     if not unit:
         drive = replace(drive, radius=Fraction(1), speed=Fraction(1), turns=False)
-    heavy = second.rod(drive, model, unit != "", long, int(row.get("rod", "1")) - 1)
+    heavy = verify.bodies(drive, rod=tuple(rod), acceleration=second.gain if unit else 0)
     return heavy.value(f"{force}_n", second.degrees(row), stroke="return" if RETURN in key else None)
+
+
+def _of_peak(second: Second, key: str, row: Row) -> Value:
+    """The greatest of a force over the turn and where it is; the same of its errors by other masses, in % of
+    the greatest exact one. Of the straight crank half a turn is as the other."""
+    drive, name = second.drive(row), row["force"]
+    whole = Fraction(360 if drive.offset or drive.rocker else 180)
+    at_rest = replace(drive, radius=Fraction(1), speed=Fraction(1), turns=False)
+    names = ["pin_x", "pin_y"] if name == "pin" else [_OF_ROD[name]]
+
+    def found(*signed: tuple[str, int]) -> list[Summit]:
+        rods = [[one * sign for one in second.rod(drive, model, row)] for model, sign in signed]
+        heavy = verify.bodies(at_rest, rod=tuple(map(sum, zip(*rods, strict=True))))
+
+        def square(at: Place, order: int) -> Jet:
+            forces = (heavy.course(one, at, 1, order) for one in names)
+            total: Jet = reduce(add, (one * one for one in forces))
+            return total
+
+        places: list[Summit] = second.once(row, lambda: summits(square, Fraction(0), whole), name, signed)
+        return places
+
+    def value(*signed: tuple[str, int]) -> Number:
+        return largest([one.value for one in found(*signed)]).root()
+
+    def newtons() -> Number:
+        mass = second.rod(drive, "", row, True)[0]
+        return drive.omega * drive.omega * (mass * drive.radius ** (2 if name == "torque" else 1))
+
+    itself = row["model"].replace("exact", "").replace("-", "_"), 1
+    error = ("", 1), (itself[0], -1)
+    known: Mapping[str, Callable[[], Number]] = {
+        "greatest": lambda: value(itself),
+        "greatest_n": lambda: value(itself) * newtons(),
+        "greatest_phi": lambda: where(found(itself)),
+        "error_percent": lambda: 100 * value(*error) / value(("", 1)),
+        "error_phi": lambda: where(found(*error)),
+    }
+    return Value(known[key])
 
 
 def of_harmonics(second: Second, key: str, method: str, row: Row) -> Value:
     """The harmonics of the straight crank: B_k of the acceleration, of which the velocity has 1/k and the
     path -1/k²; by first order B_1 = 1 and B_2 = λ."""
+    if key not in ("value", "factor"):
+        return _of_wave(second, key, method, row)
     quantity = str(second.options.get("quantity", "p"))
     order = int(number(row["order"])) if row["order"].isdecimal() else 0
     share = {"acceleration": 0, "p": 0, "velocity": 1, "c": 1, "path": 2, "x": 2}.get(quantity)
@@ -347,6 +469,26 @@ def of_harmonics(second: Second, key: str, method: str, row: Row) -> Value:
     return Value(lambda: harmonics.of_acceleration(ratio, order) * by_order)
 
 
+def _of_wave(second: Second, key: str, method: str, row: Row) -> Value:
+    """The harmonics of the torque T = P + Σ (a cos kφ + b sin kφ) = P + Σ c cos (kφ + ψ)."""
+    turn, order, cylinder = second.turn(method, row), number(row["order"]), row.get("cylinder", "all")
+    cranks = turn.cranks if cylinder == "all" else (turn.cranks[int(number(cylinder)) - 1],)
+    if key in ("frequency", "omega_k"):
+        return Value(lambda: turn.drive.omega * order / (2 * pi() if key == "frequency" else 1))
+    if key == "star":
+        return Value(lambda: star(cranks, order).size())
+    name = key.removesuffix("_nm")
+    found = Value(lambda: _WAVE[name](turn.known.harmonic(order, cranks)))
+    return found if name == key else Value(lambda: found.recipe() * second.torque(turn))
+
+
+_WAVE: Mapping[str, Callable[[Arrow], Number]] = {
+    "cosine": lambda wave: wave.x,
+    "sine": lambda wave: wave.y,
+    "amplitude": lambda wave: wave.size(),
+    "phase": lambda wave: degrees_of(wave.x, -wave.y),
+    "phase_rad": lambda wave: degrees_of(wave.x, -wave.y) * pi() / 180,
+}
 _OF_ROD = {
     "guide": "guide_force", "pin": "crank_pin_force", "pin_x": "pin_x", "pin_y": "pin_y", "torque": "torque",
     "resultant": "rod_inertia", "arm": "rod_arm",

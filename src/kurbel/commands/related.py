@@ -16,7 +16,6 @@ from kurbel.errors import ProblemError
 from kurbel.reading.units import MassFlow
 from kurbel.verify import Number, Value, drive, harmonics
 from kurbel.verify.diagram import Diagram, swing
-from kurbel.verify.loads import disc
 from kurbel.verify.numbers import heading, number, pi
 from kurbel.verify.plane import Arrow
 from kurbel.verify.relations import ENGINE, completed, flywheel
@@ -200,33 +199,31 @@ def of_balance(second: Second, key: str, method: str, row: Row) -> Value:
         if not order.isdecimal() and exact:
             return _exactly(ratio, slides, share, degrees)
         found = ((sense * k, one) for k in orders for sense, one in zip((1, -1), of_order(k), strict=True))
-        return together(_turned(one, k * degrees) for k, one in found)
+        return together(one.rotated(ray(Fraction(1), k * degrees)) for k, one in found)
 
     times: Callable[[], Number] = _one
     name = key.removesuffix("_n")
     if key.endswith("_n"):
         weighed = request.weighed
         lever = weighed.spacing or (Fraction(1) if request.metres else None) if arm else Fraction(1)
-        if lever is None:
-            raise ProblemError("moments of unknown places are not computed a second time")
 
         def times() -> Number:
+            if lever is None:
+                raise ProblemError("moments of unknown places, but for those that are zero, are not computed")
             mass: Fraction = weighed.crank.radius * weighed.mass * lever
             return _omega(weighed.crank.speed).power(Fraction(2)) * mass
+
+    def weighed_by(found: Callable[[], Number]) -> Value:
+        return Value(lambda: one if (one := found()).is_zero else one * times())
 
     if (angles := getattr(request, "angles", None)) is not None:
         if "phi" not in row and len(angles) > 1:
             raise ProblemError("the row does not say its crank angle; add phi to the columns")
         place = nearest(row["phi"], angles) if "phi" in row else angles[0]
-        return Value(lambda: _AT[name](at(place)) * times())
+        return weighed_by(lambda: _AT[name](at(place)))
     if not order.isdecimal() or name == "greatest_phi":
         raise ProblemError(f"{name} over the turn is not computed a second time")
-    return Value(lambda: _OF_ORDER[name](*of_order(int(order))) * times())
-
-
-def _turned(arrow: Arrow, degrees: Fraction) -> Arrow:
-    along = ray(Fraction(1), degrees)
-    return Arrow(arrow.dot(Arrow(along.x, -along.y)), arrow.dot(Arrow(along.y, along.x)))
+    return weighed_by(lambda: _OF_ORDER[name](*of_order(int(order))))
 
 
 def _exactly(ratio: Fraction, slides: Sequence[Slide], share: Fraction, degrees: Fraction) -> Arrow:
@@ -373,10 +370,7 @@ def of_flywheel(second: Second, key: str, method: str, row: Row) -> Value:
             turn = second.turn(method, row)
             known["swing_share"] = turn.known.delta()
             if "power" not in known:
-                bore, pressure = second.unit()
-                if pressure is None:
-                    raise ProblemError("the power needs what Q is in N")
-                known["mean_torque"] = abs(turn.known.mean) * disc(bore) * (pressure * turn.drive.radius)
+                known["mean_torque"] = abs(turn.known.mean) * second.torque(turn)
         elif options.is_diagram():
             known |= _of_diagram(options.fluctuation())
         elif share := options.share_of(dict(figures)):
@@ -445,6 +439,29 @@ def of_diagram(second: Second, key: str, method: str, row: Row) -> Value:
     return Value(values[key.removesuffix("_nm")])
 
 
+def of_masses(second: Second, key: str, method: str, row: Row) -> Value:
+    """Masses in place of the rod, with its mass and its centre; but for those at the pins with its moment of
+    inertia. Of two about a pin at the distance a of the centre the other is (a² + k²)/a from there."""
+    rod, long = second.question.rod, second.question.length or Fraction(1)
+    near, far, square = 1 - rod.centre, rod.centre, rod.gyration_square
+    places = {"crosshead": Fraction(0), "centre": near, "crank": Fraction(1)}
+    if row["model"] == "crosshead":
+        places["crank"] = near + square / near
+    elif row["model"] == "crank":
+        places["crosshead"] = near - square / far
+    span = places["crank"] - places["crosshead"]
+    masses = {"crosshead": (places["crank"] - near) / span, "crank": (near - places["crosshead"]) / span}
+    if row["model"] == "three":
+        masses = {"crosshead": square / near, "crank": square / far}
+        masses["centre"] = 1 - sum(masses.values())
+    part, _, what = key.partition("_")
+    if part == "lacking":
+        spread = sum(mass * (places[one] - near) ** 2 for one, mass in masses.items())
+        return Value(lambda: number((square - spread) * (rod.mass or 1) * long**2))
+    found = masses[part] * (rod.mass or 1) if what == "mass" else places[part] * long
+    return Value(lambda: number(found))
+
+
 _TURNS = ("greatest_speed", "least_speed", "speed_drop")
 _STEM = {"speed_drop": "drop", "greatest_speed": "omega_max", "least_speed": "omega_min", "strokes": "cycles"}
 
@@ -454,4 +471,5 @@ MODULES = {"locomotive": "rotor", "turning": "engine"}
 SUMMED: Mapping[str, Callable[[Any, str, str, Any], Value]] = {
     "rotor": of_rotor, "locomotive": of_locomotive, "balance": of_balance, "power": of_power,
     "flywheel": of_flywheel, "torques": of_diagram, "areas": of_diagram,
+    "rod-masses": of_masses,
 }  # fmt: skip

@@ -137,6 +137,12 @@ class Requested:
         force = (bore**2 - tail**2) * head - (bore**2 - rod**2) * crank
         return lambda _: disc(1) * force
 
+    @property
+    def gain(self) -> Fraction:
+        """The crank's angular acceleration."""
+        given = self.asked.raw("acceleration")
+        return as_angular_acceleration(0 if given is None else given, "acceleration")
+
     def bodies(self, drive: verify.Drive, force: Fraction | Force, row: Row) -> verify.Bodies:
         key = (drive, *(str(row.get(name)) for name in LOADED))
         if key not in self._kept:
@@ -145,10 +151,8 @@ class Requested:
                 "reciprocating": asked.reciprocating, "rod_mass": asked.rod_mass, "rotating": asked.rotating,
                 "inertia": asked.rocker_inertia, "friction": asked.friction, "gravity": asked.gravity,
                 "centre": _of_rod(asked.raw("centre"), rod), "gyration": _of_rod(asked.raw("gyration"), rod),
-                "slope": asked.slope,
+                "slope": asked.slope, "acceleration": self.gain,
             }  # fmt: skip
-            if (gain := asked.raw("acceleration")) is not None:
-                known["acceleration"] = as_angular_acceleration(gain, "acceleration")
             if asked.pin_friction:
                 pins = asked.crosshead_pin, asked.crank_pin, asked.shaft
                 known["pins"] = tuple(one or Fraction(0) for one in pins)
@@ -156,29 +160,19 @@ class Requested:
             self._kept[key] = verify.bodies(drive, force=force, **known)
         return self._kept[key]
 
-    def rod(
-        self, drive: verify.Drive, model: str, weighed: bool, long: Fraction | None, place: int
-    ) -> verify.Bodies:
-        """The rod alone at a place among several, so long in m, of a mass of 1 or its own; of two masses
-        k² = a b, and by the railways' rule 6/10 of it are at the crank pin."""
-        key = (drive, model, weighed, place)
+    def rod(self, drive: verify.Drive, model: str, row: Row, weighed: bool = False) -> Sequence[Fraction]:
+        """The mass, its own or 1, and the moments of the rod of a row; of two masses at its pins both are
+        the same, and by the railways' rule 6/10 of it are at the crank pin."""
 
         def given(name: str) -> Any:
             values = each(self.asked.raw(name))
-            return values[place % len(values)]
+            return values[(int(row.get("rod", "1")) - 1) % len(values)]
 
-        if key not in self._kept:
-            asked = self.asked
-            centre = _of_rod(given("centre"), long) or Fraction(0)
-            known: dict[str, object] = {"gyration": _of_rod(given("gyration"), long)}
-            if model:
-                centre = Fraction(3, 5) if model == "railway" else centre
-                known = {"gyration_square": centre * (1 - centre)}
-            if weighed and (gain := asked.raw("acceleration")) is not None:
-                known["acceleration"] = as_angular_acceleration(gain, "acceleration")
-            mass = as_mass(given("rod_mass"), "rod") if weighed else Fraction(1)
-            self._kept[key] = verify.bodies(drive, rod_mass=mass, centre=centre, **known)
-        return self._kept[key]
+        long = drive.radius / drive.ratio if drive.ratio else None
+        centre, gyration = (_of_rod(given(one), long) or Fraction(0) for one in ("centre", "gyration"))
+        centre = Fraction(3, 5) if model == "railway" else centre
+        mass = as_mass(given("rod_mass"), "rod") if weighed else Fraction(1)
+        return mass, mass * centre, mass * (centre if model else centre**2 + gyration**2)
 
     @cached_property
     def _layout(self) -> Layout:

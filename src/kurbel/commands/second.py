@@ -25,7 +25,8 @@ from kurbel.reading.given import (
     as_shares,
     found_at,
 )
-from kurbel.verify import UNDECIDED, WRONG, Value, enclose
+from kurbel.verify import UNDECIDED, WRONG, Number, Value, enclose
+from kurbel.verify.loads import disc
 from kurbel.verify.turn import Running
 from kurbel.verify.zeros import TOO_WIDE, Spot
 
@@ -105,7 +106,7 @@ class Second(Requested):
     @cached_property
     def question(self) -> Any:
         """What is asked for, as kurbel reads it."""
-        return self.function.question(**self.written)
+        return self.function.question(**{"layout": self.key, **self.written})
 
     def values(self) -> Values:
         """The options of the command as they are written."""
@@ -120,12 +121,19 @@ class Second(Requested):
             self._spots[key] = find()
         return self._spots[key]
 
-    def once(self, row: Row, find: Callable[[], object]) -> Any:
+    def once(self, row: Row, find: Callable[[], object], *own: object) -> Any:
         """What is found of a row, once for all its columns with the working bits."""
-        place = tuple(row.get(name) for name in (*LOADED, "ratio", "target")), enclose.Working.bits
+        place = *own, *(row.get(name) for name in (*LOADED, "ratio", "target", "rod")), enclose.Working.bits
         if place not in self._found:
             self._found[place] = find()
         return self._found[place]
+
+    def torque(self, turn: verify.Turn) -> Number:
+        """What Q R is in N m."""
+        bore, pressure = self.unit()
+        if pressure is None:
+            raise ProblemError("torque and power need what Q is in N")
+        return disc(bore) * (pressure * turn.drive.radius)
 
     def running(self, turn: verify.Turn) -> Running:
         """The flywheel on a turn."""
@@ -190,7 +198,8 @@ def in_own_unit(key: str, symbol: str) -> tuple[str, Fraction]:
     if unit is None or unit.ending == (own := OWN.get(unit.dimension, "")):
         return key, Fraction(1)
     if not own:
-        return key.removesuffix(f"_{unit.ending}"), 1 / unit.size
+        stem = key.removesuffix(f"_{unit.ending}")
+        return f"{stem}_pa" if unit.dimension == "pressure" and stem != key else stem, 1 / unit.size
     size = next(one.size for one in UNITS.values() if one.ending == own)
     return f"{key.removesuffix(unit.ending)}{own}", size / unit.size
 

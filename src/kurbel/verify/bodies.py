@@ -1,6 +1,8 @@
-"""Piston, rod and rocker as rigid bodies: their forces by Newton and Euler, as linear equations in SI units.
+"""Piston, rod and rocker as rigid bodies: their forces by Newton and Euler in SI units.
 
-What moves is the drive of `drives`; accelerations are the slopes of its places.
+What moves is the drive of `drives`; accelerations are the slopes of its places. A part of the rod at the
+share x of the way from B to A is accelerated by a_B + x (a_A - a_B), so forces and energies know of the rod
+its mass and the first and second moment of that about B, as sums over x, and are linear in these.
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ from kurbel.errors import ProblemError
 from kurbel.verify.drives import Degrees, Drive, place_of, typed
 from kurbel.verify.enclose import by_bits
 from kurbel.verify.jets import Jet, slope_of, slope_of_angle
-from kurbel.verify.numbers import Number, Undecided, largest, number, sine_cosine
+from kurbel.verify.numbers import Number, largest, number, sine_cosine
 from kurbel.verify.places import OUT, RETURN
 from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
@@ -30,20 +32,17 @@ Force = Callable[[Place], Jet | Number]
 class Bodies:
     """What a drive moves, in kg, m and N.
 
-    `centre` of the rod's mass from B and its radius of gyration, or the square of that, are in lengths of the
-    rod, `rotating` is the crank's own mass reduced to its pin, `inertia` the moment of inertia of the rocker
-    about its pivot. The slide rises by `slope` degrees in the crank's sense; without a slope nothing has
-    weight. `force` acts on B in the direction of the stroke, or is a function of the place, towards the
-    shaft; `friction` acts against the motion; the crank itself accelerates by `acceleration`. `pins` are the
-    diameters of crosshead pin, crank pin and shaft, which have the coefficient `pin_friction`.
+    `rod` has the rod's mass and the moments of that, in lengths of the rod, `rotating` is the crank's own
+    mass reduced to its pin, `inertia` the moment of inertia of the rocker about its pivot. The slide rises by
+    `slope` degrees in the crank's sense; without a slope nothing has weight. `force` acts on B in the
+    direction of the stroke, or is a function of the place, towards the shaft; `friction` acts against the
+    motion; the crank itself accelerates by `acceleration`. `pins` are the diameters of crosshead pin, crank
+    pin and shaft, which have the coefficient `pin_friction`.
     """
 
     drive: Drive
     reciprocating: Fraction = Fraction(0)
-    rod_mass: Fraction = Fraction(0)
-    centre: Fraction = Fraction(1, 2)
-    gyration: Fraction = Fraction(0)
-    gyration_square: Fraction | None = None
+    rod: tuple[Fraction, ...] = (Fraction(0),) * 3
     rotating: Fraction = Fraction(0)
     inertia: Fraction = Fraction(0)
     slope: Fraction | None = None
@@ -55,21 +54,12 @@ class Bodies:
     pins: tuple[Fraction, ...] = (Fraction(0),) * 3
 
     @property
-    def spread(self) -> Fraction:
-        """The square of the radius of gyration, in squares of the rod's length."""
-        return self.gyration**2 if self.gyration_square is None else self.gyration_square
-
-    @property
     def weight(self) -> Arrow:
         """Of a kilogram."""
         if self.slope is None:
             return Arrow(number(0), number(0))
         sine, cosine = sine_cosine(self.slope)
         return Arrow(-sine, -cosine).times(number(self.gravity))
-
-    def rod_centre(self, pin: Arrow, end: Arrow) -> Arrow:
-        """The centre of the rod's mass."""
-        return end.plus(pin.minus(end).times(number(self.centre)))
 
     def knows(self, key: str) -> bool:
         name, _, unit = key.replace("_return", "").rpartition("_")
@@ -86,8 +76,11 @@ class Bodies:
 
     def at(self, name: str, place: Place, stroke: int = OUT, more: int = 0) -> Number:
         """A force about an angle, or one of its slopes by that in radians."""
+        return slope_of(self.course(name, place, stroke, more), more)
+
+    def course(self, name: str, place: Place, stroke: int = OUT, more: int = 0) -> Any:
         turned = place if stroke == OUT else place.turned(Fraction(180))
-        return slope_of(_FORCES[name](self._placed(turned, stroke, more)), more)
+        return _FORCES[name](self._placed(turned, stroke, more))
 
     @by_bits
     def _placed(self, place: Place, stroke: int, more: int) -> At:
@@ -101,12 +94,10 @@ class At:
         self.bodies, self.drive, self.stroke, self.place = bodies, bodies.drive, stroke, place
         self.radius = number(self.drive.radius)
         self.pin_jet, self.end_jet = self.drive.placed(place, 2 + more)
-        self.centre_jet = bodies.rod_centre(self.pin_jet, self.end_jet)
-        self.crank, end, centre = (
-            Arrow(*(Jet(one.terms[: more + 1]) for one in each))
-            for each in (self.pin_jet, self.end_jet, self.centre_jet)
+        self.crank, end = (
+            Arrow(*(Jet(one.terms[: more + 1]) for one in each)) for each in (self.pin_jet, self.end_jet)
         )
-        self.pin, self.end, self.centre = (one.times(self.radius) for one in (self.crank, end, centre))
+        self.pin, self.end = self.crank.times(self.radius), end.times(self.radius)
         self.line = self.crank.minus(end).times(number(self.drive.ratio))
         self.way = self.drive.way(end, stroke)
         self.weight = bodies.weight
@@ -119,10 +110,6 @@ class At:
     def accelerated(self, place: Arrow) -> Arrow:
         first = place.derived()
         return Arrow(self._by_time(first.x), self._by_time(first.y)).times(self.radius)
-
-    def spun(self, line: Arrow) -> Jet:
-        """The angular acceleration of what has this direction."""
-        return self._by_time(slope_of_angle(*line))
 
     @property
     def piston_force(self) -> Jet | Number:
@@ -141,46 +128,46 @@ class At:
         return number(-forward * self.bodies.friction)
 
     @cached_property
-    def rod_inertia(self) -> Arrow:
-        """What moves the centre of mass of the rod."""
-        return self.accelerated(self.centre_jet).times(number(self.bodies.rod_mass))
+    def turned(self) -> Arrow:
+        """How A is accelerated against B."""
+        return self.accelerated(self.pin_jet.minus(self.end_jet))
 
     @cached_property
-    def rod_couple(self) -> Jet:
-        """What turns the rod about it."""
-        long, turned = self.radius / self.drive.ratio, self.spun(self.pin_jet.minus(self.end_jet))
-        return turned * (long * long * (self.bodies.spread * self.bodies.rod_mass))
+    def rod_inertia(self) -> Arrow:
+        """What moves the centre of mass of the rod."""
+        mass, first, _ = map(number, self.bodies.rod)
+        return self.accelerated(self.end_jet).times(mass).plus(self.turned.times(first))
+
+    @property
+    def rod_arm(self) -> Number:
+        """How far that passes by the centre, in lengths of the rod: by the couple that turns the rod."""
+        mass, first, second = self.bodies.rod
+        found: Number = abs((self.line.cross(self.turned) / self.rod_inertia.size()).value)
+        return found * (second - first * first / mass)
 
     @cached_property
     def forces(self) -> tuple[Arrow, Arrow, Arrow]:
-        """The forces on the rod at A and at B, and that of the guide or the rocker on B."""
-        bodies, one, none = self.bodies, number(1), number(0)
-        to_pin, to_end = self.pin.minus(self.centre), self.end.minus(self.centre)
-        rod = self.rod_inertia.minus(self.weight.times(number(bodies.rod_mass)))
-        couple = self.rod_couple
-        pushed = self.way.times(self.piston_force + self.friction_force)
-        end = self.accelerated(self.end_jet).minus(self.weight).times(number(bodies.reciprocating))
-        end = end.minus(pushed)
-        rows = [
-            # The rod: Newton along and across, Euler about its centre of mass.
-            [one, none, one, none, none, none, rod.x],
-            [none, one, none, one, none, none, rod.y],
-            [-to_pin.y, to_pin.x, -to_end.y, to_end.x, none, none, couple],
-            # What goes with B: it feels the rod's force turned round, and the guide.
-            [none, none, -one, none, one, none, end.x],
-            [none, none, none, -one, none, one, end.y],
-            [none, none, none, none, *self._held()],
-        ]
-        pin_x, pin_y, end_x, end_y, guide_x, guide_y = solved(rows)
-        return Arrow(pin_x, pin_y), Arrow(end_x, end_y), Arrow(guide_x, guide_y)
+        """The forces on the rod at A and at B, and that of the guide or the rocker on B.
 
-    def _held(self) -> tuple[Any, Any, Any]:
-        """A slide has no force along it; the rocker's own inertia takes the moment about its pivot."""
+        What goes with B takes that at B along the way; across it follows from the moment about B.
+        """
+        mass, first, second = map(number, self.bodies.rod)
+        end = self.accelerated(self.end_jet).minus(self.weight)
+        whole, moment = (end.times(a).plus(self.turned.times(b)) for a, b in ((mass, first), (first, second)))
+        taken, pushed = end.times(number(self.bodies.reciprocating)), self.piston_force + self.friction_force
+        along = self.way.times(pushed + self._held - taken.dot(self.way))
+        square = self.line.cross(whole.minus(moment).minus(along)) / self.line.dot(self.way)
+        on_end = along.minus(self.way.right().times(square))
+        return whole.minus(on_end), on_end, taken.plus(on_end).minus(self.way.times(pushed))
+
+    @property
+    def _held(self) -> Jet | Number:
+        """What the guide has along the way: a slide nothing, a rocker what its own inertia takes."""
         if self.drive.rocker is None:
-            return self.way.x, self.way.y, number(0)
+            return number(0)
         arm = self.end_jet.minus(self.drive.bearing)
-        place = self.end.minus(self.drive.bearing.times(self.radius))
-        return place.y, -place.x, self.spun(arm) * number(self.bodies.inertia)
+        turn = number(self.stroke * self.drive.right) / (self.radius * self.drive.rocker)
+        return self._by_time(slope_of_angle(*arm)) * turn * self.bodies.inertia
 
     @property
     def net_torque(self) -> Jet | Number:
@@ -214,34 +201,17 @@ class At:
 def energies(bodies: Bodies, pin: Arrow) -> tuple[Jet, Jet]:
     """Those of motion, over the crank angle at the drive's speed, and of height."""
     drive, end = bodies.drive, bodies.drive.driven(pin)
-    centre = bodies.rod_centre(pin, end)
-    total = centre.derived().square() * bodies.rod_mass + end.derived().square() * bodies.reciprocating
-    turn, long = slope_of_angle(*pin.minus(end)), 1 / number(drive.ratio)
-    total = total + turn * turn * (long * long * (bodies.spread * bodies.rod_mass))
+    mass, first, second = bodies.rod
+    turned, mass = pin.minus(end), mass + bodies.reciprocating
+    moved, spun = end.derived(), turned.derived()
+    total = moved.square() * mass + moved.dot(spun) * (2 * first) + spun.square() * second
     radius, omega = number(drive.radius), drive.omega
     total = total * (radius * radius)
     if drive.rocker is not None:
         swung = slope_of_angle(*end.minus(drive.bearing))
         total = total + swung * swung * bodies.inertia
-    places = end.times(number(bodies.reciprocating)).plus(centre.times(number(bodies.rod_mass)))
+    places = end.times(number(mass)).plus(turned.times(number(first)))
     return total * (omega * omega / 2), places.dot(bodies.weight) * -radius
-
-
-def solved(rows: list[list[Any]]) -> list[Any]:
-    """Solve linear equations by elimination; the largest pivot is taken, which must not hold zero."""
-    rows, size = [list(row) for row in rows], len(rows)
-    for column in range(size):
-        best = max(range(column, size), key=lambda row: abs(float(rows[row][column])))
-        rows[column], rows[best] = rows[best], rows[column]
-        pivot = rows[column]
-        if not float(pivot[column]):
-            raise Undecided("a pivot")
-        for row in range(size):
-            if row != column and not rows[row][column].is_zero:
-                factor = rows[row][column] / pivot[column]
-                rows[row] = [a - factor * b for a, b in zip(rows[row], pivot, strict=True)]
-                rows[row][column] = number(0)
-    return [rows[row][size] / rows[row][row] for row in range(size)]
 
 
 _FORCES: dict[str, Callable[[At], Any]] = {
@@ -264,7 +234,7 @@ _FORCES: dict[str, Callable[[At], Any]] = {
     "bearing_force": lambda at: at.on_bearing.size(),
     # Of the rod alone: its inertia force, and how far that passes by its centre, in its lengths.
     "rod_inertia": lambda at: at.rod_inertia.size(),
-    "rod_arm": lambda at: abs(at.rod_couple.value) / (at.rod_inertia.size() * at.radius) * at.drive.ratio,
+    "rod_arm": lambda at: at.rod_arm,
     # Of the rod, of what goes with B and of the rocker.
     "kinetic_energy": lambda at: energies(at.bodies, at.pin_jet)[0],
     "net_torque": lambda at: at.net_torque,
@@ -272,5 +242,14 @@ _FORCES: dict[str, Callable[[At], Any]] = {
 
 
 def bodies(drive: Drive, **given: Any) -> Bodies:
-    """Return the bodies of a drive; numbers are fractions or decimals as text, a force may be a function."""
-    return Bodies(drive, **typed(given))
+    """Return the bodies of a drive; numbers are fractions or decimals as text, a force may be a function.
+
+    A rod may be described by `rod_mass`, the `centre` of its mass from B, or its middle, and its radius of
+    `gyration`, both in lengths of the rod.
+    """
+    numbers = typed(given)
+    mass, centre, gyration = (
+        numbers.pop(name, Fraction(other))
+        for name, other in (("rod_mass", 0), ("centre", "1/2"), ("gyration", 0))
+    )
+    return Bodies(drive, **{"rod": (mass, mass * centre, mass * (centre**2 + gyration**2)), **numbers})

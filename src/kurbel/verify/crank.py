@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from kurbel.verify.drives import Drive
-from kurbel.verify.jets import Jet, turned_by
+from kurbel.verify.jets import Jet, hulled, turned_by
 from kurbel.verify.loads import Load, Stroke
-from kurbel.verify.numbers import Number, hull, number, sine_cosine, spread
+from kurbel.verify.numbers import Number, hull, number, sine_cosine
 from kurbel.verify.places import OUT, RETURN
 from kurbel.verify.plane import Arrow
 from kurbel.verify.zeros import Place, between
@@ -66,32 +66,30 @@ class Crank:
         found: Number = self.moved(pin, sense).value / self.size
         return found
 
-    def force(self, at: Place, true: bool = False) -> Number:
-        """T at its own angle; `true` with the rod's true angle on the path by first order."""
-        pin, found = self.pin(at), []
+    def force(self, at: Place, order: int = 0, true: bool = False) -> Number:
+        """T at its own angle, or its slope over a cell; `true` with the rod's true angle on the path by first
+        order."""
+        found: Number = self.course(at, order, true).slope(order)
+        return found
+
+    def course(self, at: Place, order: int, true: bool = False) -> Jet:
+        """T with as many slopes: F of the share of the stroke, times dx/dφ."""
+        pin, found = self.pin(at, order + 1), []
         for stroke, sense, _ in self.on(at):
             moved = self.moved(pin, sense)
-            slope = moved.slope()
+            share, way = moved * (1 / self.size), moved.derived()
+            if at.reach:
+                middle = self.share(self.pin(Place(at.degrees), 0), sense)
+                share = Jet([middle + share.terms[1] * at.arc, *share.terms[1:]])
             if true and self.flat and self.drive.ratio:
-                slope = self.drive.driven(pin).x.slope() * -sense
-            found.append(stroke.force(moved.value / self.size) * slope)
-        return hull(found)
+                way = self.drive.driven(pin).x.derived() * -sense
+            found.append(stroke.course(Jet(share.terms[: order + 1])) * way)
+        return hulled(found)
 
     def push(self, at: Place) -> Number:
         """The force on the piston towards the shaft, at its own angle."""
         pin = self.pin(at)
         return hull([stroke.force(self.share(pin, sense)) * sense for stroke, sense, _ in self.on(at)])
-
-    def slope(self, at: Place) -> Number:
-        """dT/dφ = F'(s) x'²/S + F x'' over a cell."""
-        point, wide, found = self.pin(Place(at.degrees), 0), self.pin(at, 2), []
-        for stroke, sense, _ in self.on(at):
-            moved = self.moved(wide, sense)
-            share = self.share(point, sense) + moved.slope() * at.arc / self.size
-            share = spread(max(share.low, Fraction(0)), max(min(share.high, Fraction(1)), Fraction(0)))
-            changed = stroke.slope(share) * moved.slope() * moved.slope() / self.size
-            found.append(changed + stroke.force(share) * moved.slope(2))
-        return hull(found)
 
     def work(self, at: Place, dead: bool = False) -> Number:
         """The work since its inner dead centre of the first cycle."""
@@ -103,15 +101,31 @@ class Crank:
             ]
         )
 
+    def begin(self, index: int) -> Number:
+        """The angle at which a stroke of a cycle begins, or the next one of its end."""
+        return self.inner + self.lead * (index % 2) + 360 * (index // 2)
+
+    def corner(self, index: int, share: Number) -> Number:
+        """The angle at which so much of a stroke is gone."""
+        if share.rational == 1:
+            return self.begin(index + 1)
+        ends = (Fraction(float(self.begin(one))) for one in (index, index + 1))
+        sense = RETURN if index % 2 else OUT
+        return between(lambda at: self.share(self.pin(at), sense) - share, *ends).angle
+
     def cut_off(self, stroke: str) -> Number:
         """The angle from its dead centre at which a stroke's first pressure has its corner."""
         index = STROKES.index(stroke)
-        sense, begin = (OUT, RETURN)[index], self.inner + self.lead * index
-        lasting, share = (self.lead, 360 - self.lead)[index], self.strokes[index].sides[0][1].pieces[0][0]
-        if share.rational == 1:
-            return lasting
-        ends = (Fraction(float(one)) for one in (begin, begin + lasting))
-        return between(lambda at: self.share(self.pin(at), sense) - share, *ends).angle - begin
+        return self.corner(index, self.strokes[index].sides[0][1].pieces[0][0]) - self.begin(index)
+
+    @property
+    def breaks(self) -> list[Number]:
+        """Where the force on the piston is not smooth, in a cycle from its beginning to its end."""
+        found = [self.begin(len(self.strokes))]
+        for index, stroke in enumerate(self.strokes):
+            ends = {float(end): end for _, one in stroke.sides for end, _ in one.pieces[:-1]}
+            found += [self.begin(index), *(self.corner(index, end) for end in ends.values())]
+        return sorted(found, key=float)
 
     def stage(self, first: bool) -> Number:
         """The work of the steam before the cut-off, or beyond it."""

@@ -12,7 +12,7 @@ from math import factorial
 from operator import add
 from typing import Any
 
-from kurbel.verify.numbers import Number, degrees_of, number, pi, sine_cosine
+from kurbel.verify.numbers import Number, degrees_of, hull, number, pi, sine_cosine
 
 # A number or a series of numbers.
 Coefficient = Any
@@ -47,7 +47,7 @@ class Jet:
     def __float__(self) -> float:
         return float(self.value)
 
-    def at(self, h: Number) -> Coefficient:
+    def at(self, h: Number | Jet) -> Coefficient:
         total = self.terms[-1]
         for one in reversed(self.terms[:-1]):
             total = total * h + one
@@ -98,13 +98,16 @@ class Jet:
     def __rtruediv__(self, other: Any) -> Jet:
         return self._like(other) / self
 
-    def root(self) -> Jet:
-        """r with r² = self: 2 r₀ r_k is what the lower ones leave of the coefficient."""
-        found = [self.terms[0].root()]
-        for k in range(1, len(self.terms)):
-            taken = (-found[i] * found[k - i] for i in range(1, k))
-            found.append(reduce(add, taken, self.terms[k]) / (2 * found[0]))
+    def power(self, exponent: Fraction) -> Jet:
+        """r = f^a, of which f r' = a f' r: k f₀ r_k is the sum of the (a i - (k - i)) f_i r_(k - i)."""
+        f, found = self.terms, [self.terms[0].power(exponent)]
+        for k in range(1, len(f)):
+            parts = (f[i] * found[k - i] * ((exponent + 1) * i - k) for i in range(1, k + 1))
+            found.append(reduce(add, parts) / (f[0] * k))
         return Jet(found)
+
+    def root(self) -> Jet:
+        return self.power(Fraction(1, 2))
 
 
 def _depth(one: Any) -> int:
@@ -147,3 +150,12 @@ def slope_of(found: Jet | Number, order: int) -> Number:
         slope: Number = found.slope(order)
         return slope
     return number(0) if order else found
+
+
+def hulled(jets: Sequence[Jet]) -> Jet:
+    """All that they may be, coefficient by coefficient."""
+    return (
+        jets[0]
+        if len(jets) == 1
+        else Jet([hull(each) for each in zip(*(one.terms for one in jets), strict=True)])
+    )

@@ -20,13 +20,11 @@ from itertools import accumulate
 from typing import Any
 
 from kurbel.errors import ProblemError
-from kurbel.verify.jets import Jet, angle_of
+from kurbel.verify.jets import Jet, angle_of, hulled
 from kurbel.verify.numbers import Number, hull, number, pi, spread
 
 # Typed: a fraction or a decimal.
 Given = Any
-# Intervals wider than this are passed through what is monotone by their ends.
-WIDE = Fraction(1, 2**30)
 
 
 @dataclass(frozen=True)
@@ -39,13 +37,8 @@ class Piece:
     sense: int
     exponent: Fraction
 
-    def value(self, share: Number) -> Number:
-        return monotone(lambda at: self.height * (self.grown / self._volume(at)).power(self.exponent), share)
-
-    def slope(self, share: Number) -> Number:
-        """d/ds k (g/V)ⁿ = -n σ k (g/V)ⁿ/V."""
-        factor = -self.exponent * self.sense
-        return monotone(lambda at: self.value(at) / self._volume(at) * factor, share)
+    def value(self, share: Number | Jet) -> Any:
+        return self.height * (self._volume(share) / self.grown).power(-self.exponent)
 
     def integral(self, low: Number, high: Number) -> Number:
         """∫ from one share to another."""
@@ -56,7 +49,7 @@ class Piece:
         ends = [one * (self.grown / one).power(self.exponent) for one in (begin, end)]
         return self.height * (ends[1] - ends[0]) / (left * self.sense)
 
-    def _volume(self, share: Number) -> Number:
+    def _volume(self, share: Any) -> Any:
         return self.room + share * self.sense
 
 
@@ -67,11 +60,8 @@ class Cubic:
     begin: Number | Fraction
     terms: Jet
 
-    def value(self, share: Number) -> Any:
+    def value(self, share: Jet) -> Any:
         return self.terms.at(share - self.begin)
-
-    def slope(self, share: Number) -> Any:
-        return self.terms.derived().at(share - self.begin)
 
     def integral(self, low: Number, high: Number) -> Any:
         whole = angle_of(number(0), self.terms)
@@ -84,11 +74,13 @@ class Pressure:
 
     pieces: tuple[tuple[Number, Piece | Cubic], ...]
 
-    def value(self, share: Number) -> Number:
-        return hull([self.pieces[index][1].value(part) for index, part in self._touched(share)])
+    def value(self, share: Number) -> Any:
+        return self.course(Jet([share])).value
 
-    def slope(self, share: Number) -> Number:
-        return hull([self.pieces[index][1].slope(part) for index, part in self._touched(share)])
+    def course(self, share: Jet) -> Jet:
+        """The pressure with its slopes by what the share has slopes by."""
+        touched = self._touched(share.value)
+        return hulled([self.pieces[k][1].value(Jet([at, *share.terms[1:]])) for k, at in touched])
 
     def integral(self, share: Number) -> Number:
         """∫ from 0 to a share."""
@@ -123,18 +115,19 @@ class Stroke:
 
     sides: tuple[tuple[Fraction, Pressure], ...] = ()
 
-    def force(self, share: Number) -> Number:
-        return self._sum(lambda one: one.value(share))
+    def force(self, share: Number) -> Any:
+        return self.course(Jet([share])).value
 
-    def slope(self, share: Number) -> Number:
-        return self._sum(lambda one: one.slope(share))
+    def slope(self, share: Number) -> Any:
+        return self.course(Jet([share, number(1)])).slope()
+
+    def course(self, share: Jet) -> Jet:
+        """The force with its slopes by what the share has slopes by."""
+        return sum((pressure.course(share) * area for area, pressure in self.sides), share * 0)
 
     def work(self, share: Number) -> Number:
         """∫ of the force from the beginning of the stroke to a share."""
-        return self._sum(lambda one: one.integral(share))
-
-    def _sum(self, of: Callable[[Pressure], Number]) -> Number:
-        return sum((of(pressure) * area for area, pressure in self.sides), number(0))
+        return sum((pressure.integral(share) * area for area, pressure in self.sides), number(0))
 
 
 Load = Callable[[], tuple[Stroke, ...]]
@@ -146,13 +139,6 @@ def _within(share: Number, low: Number, high: Number) -> Number:
         return share
     begin, end = max(share.low, low.low), min(share.high, high.high)
     return spread(begin, end) if begin <= end else share
-
-
-def monotone(function: Callable[[Number], Number], at: Number) -> Number:
-    """Return the function of an interval in which it rises or falls throughout: by the ends."""
-    if at.exact is not None or at.high - at.low < WIDE:
-        return function(at)
-    return hull([function(number(one)) for one in (at.low, at.high)])
 
 
 def constant(height: Number | Fraction | int) -> Pressure:

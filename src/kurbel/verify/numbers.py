@@ -149,8 +149,13 @@ class Number:
         return Number(exact={}) if self.rational == 1 else Number(enclose.logarithm(self.span))
 
     def power(self, exponent: Fraction) -> Number:
-        """x^(p/q) of a positive x: whole powers by products, half ones by roots, others e^(p/q log x)."""
+        """x^(p/q) of a positive x: whole powers by products, half ones by roots, others e^(p/q log x).
+
+        It rises or falls throughout, so a wide enclosure goes through by its ends.
+        """
         exponent = Fraction(exponent)
+        if self.exact is None and self.low > 0 and self.high - self.low >= WIDE:
+            return hull([number(one).power(exponent) for one in (self.low, self.high)])
         if exponent.denominator > 2 or abs(exponent) > 64:
             return Number(enclose.exponential(enclose.of(exponent) * enclose.logarithm(self.span)))
         base = self if exponent.denominator == 1 else self.root()
@@ -160,6 +165,8 @@ class Number:
         return found if exponent >= 0 else 1 / found
 
 
+# What goes through what is monotone by its ends.
+WIDE = Fraction(1, 2**30)
 # What is added to a number; a series does this by itself.
 KINDS = (Number, int, Fraction)
 

@@ -33,6 +33,10 @@ class Arrow(NamedTuple):
     def cross(self, other: Arrow) -> Coordinate:
         return self.x * other.y - self.y * other.x
 
+    def rotated(self, ray: Arrow) -> Arrow:
+        """Turned to the left by the angle of the ray, and as many times as long as the ray."""
+        return Arrow(self.dot(Arrow(ray.x, -ray.y)), self.dot(Arrow(ray.y, ray.x)))
+
     def square(self) -> Coordinate:
         return self.x * self.x + self.y * self.y
 

@@ -60,9 +60,10 @@ def held(pulls: Sequence[Pull], planes: Sequence[Fraction]) -> tuple[Arrow, ...]
 def parts(slides: Sequence[Slide], order: int, harmonic: Number, share: Fraction) -> tuple[Arrow, Arrow]:
     """What turns forward by kφ and what turns back, at φ = 0, in the unit of the masses; counterweights turn
     opposite the cranks with a share of what goes to and fro."""
-    half = harmonic / 2
     forward, back = (
-        together([ray(half * one.moved, one.bank + sense * order * (one.crank - one.bank)) for one in slides])
+        together([ray(one.moved, one.bank + sense * order * (one.crank - one.bank)) for one in slides]).times(
+            harmonic / 2
+        )
         for sense in (1, -1)
     )
     if order == 1:

@@ -24,7 +24,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, partial
+from functools import cached_property, partial, reduce
 from typing import Any, NamedTuple
 
 from kurbel.errors import ProblemError
@@ -32,10 +32,11 @@ from kurbel.verify.bodies import Bodies, energies
 from kurbel.verify.crank import STROKES, Crank
 from kurbel.verify.drives import Degrees, Drive, place_of, typed
 from kurbel.verify.enclose import by_bits
+from kurbel.verify.harmonics import Piece, pieces, wave
 from kurbel.verify.jets import Jet
 from kurbel.verify.loads import Load, disc
-from kurbel.verify.numbers import Number, Undecided, largest, number, pi
-from kurbel.verify.places import ORDER
+from kurbel.verify.numbers import Number, Undecided, largest, number, pi, sine_cosine
+from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
 from kurbel.verify.zeros import TOO_WIDE, Place, between
 
@@ -104,25 +105,22 @@ class Known:
         self.mean = self.crank.total * len(turn.cranks) / (pi() * self.crank.cycle / 180)
         self.first = self._begun()
 
-    def masses(self, at: Place, dead: bool = False) -> Jet:
-        """The energy of all masses in Q R."""
-        bodies = self.turn.bodies
-        assert bodies is not None
+    def masses(self, at: Place, order: int = 2, dead: bool = False) -> Jet:
+        """The energy of the masses of a crank in Q R, at its own angle."""
+        if self.turn.bodies is None:
+            return Jet([number(0)] * (order + 1))
         unit = disc(self.turn.bore) * self.turn.pressure * self.drive.radius
-        pins = (self.crank.pin(at.turned(-crank), ORDER, dead) for crank in self.turn.cranks)
-        first, *rest = (one * (1 / unit) for pin in pins for one in energies(bodies, pin))
-        return sum(rest, first)
+        moved, risen = energies(self.turn.bodies, self.crank.pin(at, order + 1, dead))
+        return (moved + risen) * (1 / unit)
 
     def whole(self, of: Callable[[Place], Number], at: Place, order: int) -> Number:
         """Of all cranks, less the slope of this order of the energy of their masses."""
-        total = sum((of(at.turned(-one)) for one in self.turn.cranks), number(0))
-        return total - self.masses(at).slope(order) if self.turn.bodies else total
+        own = (at.turned(-one) for one in self.turn.cranks)
+        return sum((of(one) - self.masses(one, max(order, 1)).slope(order) for one in own), number(0))
 
-    def force(self, at: Place, true: bool = False) -> Number:
-        return self.whole(partial(self.crank.force, true=true), at, 1)
-
-    def slope(self, at: Place) -> Number:
-        return self.whole(self.crank.slope, at, 2)
+    def force(self, at: Place, order: int = 0, true: bool = False) -> Number:
+        """T, or a slope of it over a cell."""
+        return self.whole(partial(self.crank.force, order=order, true=true), at, 1 + order)
 
     @by_bits
     def excess(self, at: Place) -> Number:
@@ -130,15 +128,34 @@ class Known:
 
     def _begun(self) -> Number:
         """What is taken from the works so that they count from the first crank's inner dead centre."""
-        works = (self.crank.work(Place(-one), True) for one in self.turn.cranks if one)
-        total = sum(works, number(0))
-        return total - self.masses(Place(ZERO), True).value if self.turn.bodies else total
+        own = (Place(-one) for one in self.turn.cranks)
+        works = (
+            (self.crank.work(one, True) if one.degrees else ZERO) - self.masses(one, 1, True).value
+            for one in own
+        )
+        return sum(works, number(0))
 
     def energy(self, degrees: Fraction) -> Number:
         """W since that dead centre."""
         at = Place(degrees)
         done = self.whole(self.crank.work, at, 0)
         return done - self.first - self.mean * (at.angle - self.crank.inner) * pi() / 180
+
+    @cached_property
+    def _series(self) -> list[Piece]:
+        """T of one crank with its masses, by its own angle."""
+
+        def course(at: Place, order: int) -> Jet:
+            found = self.crank.course(at, order, true=True)
+            return found - self.masses(at, order + 1).derived()
+
+        return list(pieces(course, self.crank.breaks))
+
+    @by_bits
+    def harmonic(self, order: Fraction, cranks: tuple[Fraction, ...]) -> Arrow:
+        """a and b of T = P + Σ (a cos kφ + b sin kφ), of some of the cranks."""
+        one = wave(self._series, order).rotated(star(cranks, order))
+        return one.times(360 / (pi() * self.crank.cycle))
 
     # Where the speed is least and greatest.
 
@@ -149,7 +166,7 @@ class Known:
         while cells:
             cell = cells.pop()
             try:
-                slope = self.slope(cell)
+                slope = self.force(cell, 1)
                 if ZERO not in self.excess(Place(cell.degrees)) + slope * cell.arc:
                     continue
                 if ZERO not in slope:
@@ -167,7 +184,7 @@ class Known:
     def narrowed(self, one: Meeting) -> tuple[Number, Number]:
         """The angle of a place from the slide direction, and the energy there."""
         at = between(self.excess, *one.cell.ends)
-        off = (self.excess(Place(at.degrees)) + self.slope(at) * at.arc) * at.arc
+        off = (self.excess(Place(at.degrees)) + self.force(at, 1) * at.arc) * at.arc
         return at.angle, self.energy(at.degrees) + off
 
     def extremes(self, stroke: str, greatest: bool) -> list[tuple[Number, Number]]:
@@ -203,6 +220,12 @@ class Known:
     def delta(self) -> Number:
         swing = self.extreme_energy("turn", True) - self.extreme_energy("turn", False)
         return swing / abs(self.mean)
+
+
+def star(cranks: tuple[Fraction, ...], order: Fraction) -> Arrow:
+    """The sum of rays at k times the angles of the cranks."""
+    rays = (sine_cosine(order * one)[::-1] for one in cranks)
+    return reduce(Arrow.plus, (Arrow(*one) for one in rays))
 
 
 def repeated(cranks: tuple[Fraction, ...], cycle: int) -> Fraction:
@@ -249,8 +272,8 @@ _AT: dict[str, Callable[[Known, Place], Number]] = {
     "power": lambda known, at: known.force(at),
     # Of the first crank, towards the shaft.
     "piston_force": lambda known, at: known.crank.push(at),
-    "tangential": lambda known, at: known.force(at, True),
-    "tangential_excess": lambda known, at: known.force(at, True) - known.mean,
+    "tangential": lambda known, at: known.force(at, true=True),
+    "tangential_excess": lambda known, at: known.force(at, true=True) - known.mean,
     "energy": lambda known, at: known.energy(at.degrees),
 }
 _OF: dict[str, Callable[[Known], Number]] = {

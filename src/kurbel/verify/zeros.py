@@ -43,6 +43,11 @@ class Place(NamedTuple):
         """What they are from the middle, in radians."""
         return spread(-self.reach, self.reach) * pi() / 180
 
+    @property
+    def half(self) -> Number:
+        """Its half width in radians."""
+        return pi() * self.reach / 180
+
     def turned(self, degrees: Fraction) -> Place:
         return Place(self.degrees + degrees, self.reach)
 
