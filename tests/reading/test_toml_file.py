@@ -15,7 +15,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import kurbel
-from kurbel.books.source import source_tables
+from kurbel.books.source import all_tables
 from kurbel.commands.machine_file import read_machine
 from kurbel.handbook.manifest import read_manifest
 
@@ -99,7 +99,7 @@ def read(path: Path) -> list[str]:
             return sorted(read_machine(str(path)))
         case "handbook.toml":
             return [part.name for part in read_manifest(str(path)).parts()]
-    return [key for key in source_tables(path.parent.parent) if key.startswith("book")]
+    return [key for key in all_tables(path.parent.parent) if key.startswith("book")]
 
 
 @pytest.fixture(scope="module")

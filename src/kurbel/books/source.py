@@ -412,11 +412,6 @@ def books(folder: str | os.PathLike[str] | None = None) -> Iterator[Book]:
         yield from map(Book, found)
 
 
-def source_tables(folder: str | os.PathLike[str] | None = None) -> Mapping[str, SourceTable]:
-    """Return every table of values of every book by its key; the user's go before kurbel's own."""
-    return {key: table for key, table in all_tables(folder).items() if isinstance(table, SourceTable)}
-
-
 def all_tables(folder: str | os.PathLike[str] | None = None) -> Mapping[str, SourceTable | FormulaTable]:
-    """Return the same with the tables of formulas."""
+    """Return every table of every book by its key; the user's go before kurbel's own."""
     return {table.key: table for book in books(folder) for table in book.all_tables}
