@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 from zlib import crc32
 
 from kurbel.formats.formula import has_bar, mathml
-from kurbel.formats.page import Setter
+from kurbel.formats.page import Setter, page
 from kurbel.formats.spacing import (
     Room,
     added,
@@ -23,7 +23,7 @@ from kurbel.formats.spacing import (
     spans,
     widest,
 )
-from kurbel.formats.writer import PageWriter
+from kurbel.formats.writer import PLAIN, PageWriter
 from kurbel.page.formula import Formula
 from kurbel.page.table import HeadCell
 
@@ -239,11 +239,9 @@ class Heads:
             yield self._id(kind, number) if cell.down else name
 
 
-_FORMULA = re.compile(r"<math.*?</math>", re.DOTALL)
-_FRACTION = re.compile(r"<mfrac>(.*?)</mfrac>", re.DOTALL)
 _TAG = re.compile(r"<[^>]*>")
 # No no-break space.
-_PIECES = re.compile(r" |\n|<br>")
+_PIECES = re.compile(r"[ \n]")
 
 
 # A table that needs no more fits beside the contents of a handbook on every desktop; one that needs no more
@@ -315,7 +313,7 @@ class Widths(NamedTuple):
 
 
 def measures(panel: PagePanel, lang: str) -> Widths:
-    """Return about how wide a panel in a language is, in units of the size of its type.
+    """Return about how wide a panel in a language is, by its plain text, in units of the size of its type.
 
     Rather too wide than too narrow: letters and figures are those of the widest face of the style sheet.
     """
@@ -342,22 +340,14 @@ def measures(panel: PagePanel, lang: str) -> Widths:
 
 
 def _whole(text: str) -> float:
-    """Return the width of a text on one line."""
-    lines = _plain(text).split("\n")
+    """Return the width of a text, whose tags have none."""
+    lines = _TAG.sub("", text).split("\n")
     return max(added(WIDTHS.get(character, OTHERS) for character in line) for line in lines)
 
 
 def _longest(text: str) -> str:
     """Return the longest part of a text that does not break."""
-    # A formula does not break at its spaces.
-    kept = _FORMULA.sub(lambda formula: _plain(formula[0]).replace(" ", "\u00a0"), text)
-    return max(_PIECES.split(kept.replace(BREAK, "- ")), key=_whole)
-
-
-def _plain(text: str) -> str:
-    """Return the letters of a text; those of a fraction stand above each other."""
-    flat = _FRACTION.sub(lambda both: _TAG.sub("", both[1])[::2], text.replace("<br>", "\n"))
-    return _TAG.sub("", flat)
+    return max(_PIECES.split(_TAG.sub("", text.replace(BREAK, "- "))), key=_whole)
 
 
 class View(NamedTuple):
@@ -378,10 +368,11 @@ class View(NamedTuple):
 def views(setter: Setter, ready: Page, place: Place) -> Iterator[View]:
     """Yield the panels of a page, in a document of ours those too wide for a telephone with their pieces."""
     first, number_above = f"tab-{ready.anchor}-caption", f"tab-{ready.anchor}-number "
+    plain = page(setter.table, PLAIN, setter.mark).panels
     for number, (model, panel) in enumerate(zip(setter.table.panels, ready.panels, strict=True), 1):
         name = first if number == 1 else f"{first}-{number}"
         called = name if number == 1 else f"{first} {name}"
-        sizes = measures(panel, ready.lang)
+        sizes = measures(plain[number - 1], ready.lang)
         whole = View(
             panel,
             Heads(panel, ready.anchor, number),
