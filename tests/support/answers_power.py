@@ -91,9 +91,7 @@ def otto_cycle(
 def air_compressor(
     ratio: mpf, suction: mpf, exponent: mpf, clearance: mpf, bore: mpf, stroke: mpf, speed: mpf
 ) -> Rows:
-    rate = (1 + clearance - clearance * ratio ** (1 / exponent)) * swept(bore, stroke) * turns(speed)
-    power = raised(suction, ratio * suction, exponent) * rate / 1000
-    return [{"indicated_power": power, "delivery": rate * 60}]
+    return compressor_by_its_volume(ratio, suction, exponent, clearance, swept(bore, stroke) / 2, speed)
 
 
 @solution
