@@ -323,14 +323,10 @@ def test_an_infinite_rod_has_its_greatest_torque_at_45_degrees() -> None:
     assert records["guide", "two-mass"]["greatest"] == "0.0000"
     assert records["guide", "two-mass"]["greatest_phi"] == ""
     assert records["guide", "two-mass"]["error_percent"] == "100.00"
-
-
-def test_nothing_is_divided_by_a_force_that_is_zero() -> None:
-    # Of an infinite rod with k² = a b no force is at the guide.
+    # With k² = a b no force is at the guide, and nothing is divided by it.
     table = kurbel.inertia("1:∞", centre=0.9, gyration=0.3, layout="inertia-errors")
-    rows = {row[1:3]: row[3:] for row in table.records.rows}
-    for model in ("exact", "railway"):
-        assert list(map(shown, rows["guide", model])) == ["0.0000", "None", "None", "None"]
+    guide = next(row[3:] for row in table.records.rows if row[1:3] == ("guide", "exact"))
+    assert [*map(shown, guide)] == ["0.0000", "None", "None", "None"]
 
 
 def test_a_mass_that_only_rotates_presses_alike_everywhere() -> None:
