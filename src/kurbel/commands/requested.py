@@ -289,7 +289,9 @@ class Requested:
         back = raw("back")
         if back is not None:
             back = as_share_or_pressure(back, "back pressure", raw("pressure"))
-        own = {**of((*STEAM, "bore", "piston_rod", "tail_rod")), "cushion": asked.cushioned(), "back": back}
+        # Of a bore that is found the mean pressure does not ask by how much rods lessen the area.
+        sizes = () if raw("bore") is None else ("bore", "piston_rod", "tail_rod")
+        own = {**of((*STEAM, *sizes)), "cushion": asked.cushioned(), "back": back}
         return of_given(verify.steam, of_row("epsilon", asked.eps), **own)
 
 
