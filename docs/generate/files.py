@@ -13,7 +13,7 @@ FOLDER = "reference/files"
 # What a file is called, where it is told of, and the file of its schema.
 FILES = {
     "machine.schema.json": ("machine", "A machine", "subjects/engines.md"),
-    "layout.schema.json": ("layout", "layout.toml", "howto/layouts.md"),
+    "layout.schema.json": ("layout", "layout.toml", "howto/layout-keys.md"),
     "sweep.schema.json": ("sweep", "sweep.toml", "howto/sweeps.md"),
     "handbook.schema.json": ("handbook", "handbook.toml", "howto/handbook.md"),
 }

@@ -242,7 +242,7 @@ WANTS = (
             ),
             ("locomotive --spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg", "hammer blow"),
         ),
-        "subjects/balance",
+        "subjects/balance subjects/rotors subjects/locomotives",
     ),
     Want(
         "vibration",
@@ -260,7 +260,7 @@ WANTS = (
             ("inject notes.md", "at marked places of a text"),
             ("handbook init appendix/", "a whole appendix"),
         ),
-        "howto/formats howto/latex howto/word howto/layouts howto/handbook",
+        "howto/formats howto/latex howto/word howto/layouts howto/layout-keys howto/layout-list howto/handbook",
     ),
     Want(
         "printed",
@@ -283,7 +283,7 @@ WANTS = (
             ("plot --animate --ratio 1:4 -o turn.html", "what moves"),
             ("construct blau-9 --ratio 1:4 --angle 50 -o fig9.svg", "a construction of a book"),
         ),
-        "subjects/drawings subjects/constructions",
+        "subjects/drawings subjects/constructions subjects/construction-list",
     ),
     Want(
         "combinations",
