@@ -260,7 +260,7 @@ WANTS = (
             ("inject notes.md", "at marked places of a text"),
             ("handbook init appendix/", "a whole appendix"),
         ),
-        "howto/formats howto/latex howto/word howto/layouts howto/layout-keys howto/layout-list howto/handbook",
+        "howto/formats howto/latex howto/word howto/layouts howto/layout-list howto/handbook",
     ),
     Want(
         "printed",
