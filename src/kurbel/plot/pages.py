@@ -45,8 +45,8 @@ FIRST = ("angle", "share", "order", "expansion")
 # How several places of an axis are typed, or several loads of a kind.
 SEVERAL = {
     "ratio": "--ratio '1:4;1:5'", "steam": "--eps 2..6", "compressor": "--pressure-ratio 2..6",
-    "gas": "--compression 4..8", "target": "--delta '1:100;1:50'", "share": "--share '1/3;1/2'",
-    "arm": "--beam '2;3'",
+    "gas": "--compression 4..8", "target": "--delta '1:100;1:50' with --columns inertia",
+    "share": "--share '1/3;1/2'", "arm": "--beam '2;3'",
 }  # fmt: skip
 # What has no place between two of its own, and is drawn as lines from 0.
 APART = ("order", "place")
