@@ -198,12 +198,7 @@ def test_row_is_smooth_with_the_corrected_value_and_has_a_dent_as_printed() -> N
     steps = [after - before for before, after in pairwise(row)]
     assert steps == [69, 47, 32, 24]
     corrected = [1281, *row[1:]]
-    assert [after - before for before, after in pairwise(corrected)] == [
-        93,
-        47,
-        32,
-        24,
-    ]
+    assert [after - before for before, after in pairwise(corrected)] == [93, 47, 32, 24]
 
 
 def test_first_angle_as_transcribed_does_not_fulfil_its_equation() -> None:

@@ -98,10 +98,7 @@ def test_forces_of_masses_are_those_at_the_angle() -> None:
         "--friction=500N", "--digits=3",
     )  # fmt: skip
     (row,) = records(
-        "forces",
-        *about,
-        "--angle=s=35%",
-        "--columns=phi,torque_nm,guide_force_return_n,phi_return",
+        "forces", *about, "--angle=s=35%", "--columns=phi,torque_nm,guide_force_return_n,phi_return"
     )
     fine = asked(Fraction(1, 5), Fraction(7, 20), "phi,phi_return", "--offset=0.3")
     for angle, key in (("phi", "torque_nm"), ("phi_return", "guide_force_return_n")):

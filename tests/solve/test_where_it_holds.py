@@ -13,10 +13,7 @@ from mpmath import mp, mpf
 DIGITS = 20
 
 
-@given(
-    rod=st.integers(180, 900),
-    share=st.fractions(Fraction(1, 50), Fraction(49, 50), max_denominator=60),
-)
+@given(rod=st.integers(180, 900), share=st.fractions(Fraction(1, 50), Fraction(49, 50), max_denominator=60))
 @settings(deadline=None, max_examples=6)
 def test_a_path_gives_the_triangle_and_its_forces(rod: int, share: Fraction) -> None:
     path = 240 * share
