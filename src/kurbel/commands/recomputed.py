@@ -97,6 +97,9 @@ def _of_engine(second: Second, key: str, method: str, at: Degrees, row: Row) -> 
         return found if pressure is None else found * disc(bore) * pressure
 
     there = second.bodies(turn.drive, push, row)
+    if method != "exact" and there.rod[0]:
+        raise ProblemError("moving rods by a series are not computed a second time")
+    there = replace(there, series=method != "exact")
     if there.knows(key):
         return there.value(key, at)
     newtons = there.value(f"{key}_n", at)

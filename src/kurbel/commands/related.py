@@ -432,6 +432,7 @@ def of_diagram(second: Second, key: str, method: str, row: Row) -> Value:
             "torque": lambda: torque((driving, 1)),
             "load_torque": lambda: torque((load, 1)),
             "excess_torque": lambda: torque((driving, 1), (load, -1)),
+            "angular_acceleration": lambda: torque((driving, 1), (load, -1)) / (second.asked.inertia or 0),
             "excess_energy": lambda: (
                 (driving.integral(at) - load.integral(at)) * (number(1) if excess.by_degree else pi() / 180)
             ),

@@ -175,7 +175,7 @@ class Second(Requested):
             if asked.says("cylinder"):
                 raise ProblemError("engines of unlike cylinders are not computed a second time")
             cranks = tuple(asked.cranks or (Fraction(0),))
-            if asked.is_heavy() and method != "exact":
+            if asked.is_heavy() and method != "exact" and not alone:
                 raise ProblemError("moving masses by a series are not computed a second time")
             if asked.says("friction") and not alone:
                 load = self.with_friction(load)

@@ -15,7 +15,7 @@ from itertools import product
 from typing import Any
 
 from kurbel.errors import ProblemError
-from kurbel.verify.drives import Degrees, Drive, place_of, typed
+from kurbel.verify.drives import Degrees, Drive, approximate, place_of, typed
 from kurbel.verify.enclose import by_bits
 from kurbel.verify.jets import Jet, slope_of, slope_of_angle
 from kurbel.verify.numbers import Number, largest, number, sine_cosine
@@ -52,6 +52,8 @@ class Bodies:
     acceleration: Fraction = Fraction(0)
     pin_friction: Fraction = Fraction(0)
     pins: tuple[Fraction, ...] = (Fraction(0),) * 3
+    # B, without a rod that has a mass, is accelerated as the series of first order says.
+    series: bool = False
 
     @property
     def weight(self) -> Arrow:
@@ -101,6 +103,15 @@ class At:
         self.line = self.crank.minus(end).times(number(self.drive.ratio))
         self.way = self.drive.way(end, stroke)
         self.weight = bodies.weight
+
+    @property
+    def end_moved(self) -> Arrow:
+        """How B moves, from anywhere."""
+        if not self.bodies.series:
+            return self.end_jet
+        order = len(self.end_jet.x.terms) - 1
+        path: Any = approximate("x", self.drive, self.place, OUT, 1, order)
+        return Arrow(-path, path * 0)
 
     def _by_time(self, first: Jet) -> Jet:
         """x'' ω² + x' α of the slope by the crank angle."""
@@ -152,7 +163,7 @@ class At:
         What goes with B takes that at B along the way; across it follows from the moment about B.
         """
         mass, first, second = map(number, self.bodies.rod)
-        end = self.accelerated(self.end_jet).minus(self.weight)
+        end = self.accelerated(self.end_moved).minus(self.weight)
         whole, moment = (end.times(a).plus(self.turned.times(b)) for a, b in ((mass, first), (first, second)))
         taken, pushed = end.times(number(self.bodies.reciprocating)), self.piston_force + self.friction_force
         along = self.way.times(pushed + self._held - taken.dot(self.way))
@@ -216,7 +227,7 @@ def energies(bodies: Bodies, pin: Arrow) -> tuple[Jet, Jet]:
 
 _FORCES: dict[str, Callable[[At], Any]] = {
     "piston_force": lambda at: at.piston_force,
-    "inertia_force": lambda at: -at.accelerated(at.end_jet).dot(at.way) * number(at.bodies.reciprocating),
+    "inertia_force": lambda at: -at.accelerated(at.end_moved).dot(at.way) * number(at.bodies.reciprocating),
     "weight_force": lambda at: at.weight.dot(at.way) * number(at.bodies.reciprocating),
     "friction_force": lambda at: at.friction_force,
     "crosshead_load": lambda at: at.forces[1].dot(at.way),

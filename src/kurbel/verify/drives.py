@@ -117,7 +117,7 @@ class Drive(Places):
             return self.held(place, stroke, method, more).force(name)
         if method == "exact" or (name == "psi" and method == "series"):
             return self.moving(name, place, stroke, more)
-        return _approximate(name, self, place, stroke, order if method == "series" else 0, more)
+        return approximate(name, self, place, stroke, order if method == "series" else 0, more)
 
     def moving(self, name: str, place: Place, stroke: int, more: int) -> Jet:
         of, slope = _SLOPES.get(name, (name, 0))
@@ -196,6 +196,8 @@ class Drive(Places):
         radius, omega = number(self.radius), self.omega
         known: dict[str, Callable[[], Number]] = {
             "": lambda: number(1),
+            # As books print it, before which R ω² stands.
+            "bracket": lambda: number(1),
             "stroke": lambda: 1 / self.stroke,
             "percent": lambda: 100 / self.stroke,
             "mm": lambda: 1000 * radius,
@@ -265,7 +267,7 @@ def parted(key: str) -> tuple[str, bool, str]:
     return name, returning, "_".join(rest[returning:])
 
 
-def _approximate(name: str, drive: Drive, place: Place, stroke: int, order: int, more: int) -> Jet | Number:
+def approximate(name: str, drive: Drive, place: Place, stroke: int, order: int, more: int) -> Jet | Number:
     """The straight crank by powers of λ up to an order, 0 of an infinitely long rod.
 
     λ is the variable of a series whose coefficients are series in φ: nothing is expanded by hand.
