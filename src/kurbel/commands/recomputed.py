@@ -22,6 +22,7 @@ from kurbel.reading.given import as_places
 from kurbel.reading.notation import number
 from kurbel.reading.where import DEAD_CENTRE, EXTREMES, SHARE, Condition, read_condition
 from kurbel.verify import Number, Value, harmonics
+from kurbel.verify.bodies import Force
 from kurbel.verify.drives import Course, Degrees
 from kurbel.verify.extremes import Summit, summits, where
 from kurbel.verify.jets import Jet
@@ -65,7 +66,7 @@ def of_drive(second: Second, key: str, method: str, row: Row) -> Value:
 def _moved(second: Second, drive: verify.Drive, key: str, method: str, at: Degrees, row: Row) -> Value:
     asked = second.asked
     if asked.is_heavy() or asked.has_parts():
-        heavy = second.bodies(drive, second.push(), row)
+        heavy = _heavy(second, drive, second.push(), method, row)
         if heavy.knows(key):
             return heavy.value(key, at)
         if key.startswith("angular_acceleration"):
@@ -83,6 +84,17 @@ def _moved(second: Second, drive: verify.Drive, key: str, method: str, at: Degre
     return drive.value(key, at, method, point=(number(share), number(beside or "0")))
 
 
+def _heavy(
+    second: Second, drive: verify.Drive, force: Fraction | Force, method: str, row: Row
+) -> verify.Bodies:
+    found = second.bodies(drive, force, row)
+    if method == "exact":
+        return found
+    if found.rod[0] or method != "series":
+        raise ProblemError(f"moving rods, and masses by {method}, are not computed a second time")
+    return replace(found, series=True)
+
+
 def _of_engine(second: Second, key: str, method: str, at: Degrees, row: Row) -> Value:
     """A force where the load of an engine acts on the piston of the first crank."""
     if "end" in row:
@@ -96,10 +108,7 @@ def _of_engine(second: Second, key: str, method: str, at: Degrees, row: Row) -> 
         found = turn.known.crank.push(place)
         return found if pressure is None else found * disc(bore) * pressure
 
-    there = second.bodies(turn.drive, push, row)
-    if method != "exact" and there.rod[0]:
-        raise ProblemError("moving rods by a series are not computed a second time")
-    there = replace(there, series=method != "exact")
+    there = _heavy(second, turn.drive, push, method, row)
     if there.knows(key):
         return there.value(key, at)
     newtons = there.value(f"{key}_n", at)

@@ -443,7 +443,14 @@ def of_diagram(second: Second, key: str, method: str, row: Row) -> Value:
 def of_masses(second: Second, key: str, method: str, row: Row) -> Value:
     """Masses in place of the rod, with its mass and its centre; but for those at the pins with its moment of
     inertia. Of two about a pin at the distance a of the centre the other is (a² + k²)/a from there."""
-    rod, long = second.question.rod, second.question.length or Fraction(1)
+    rod, printed = (
+        second.question.rod,
+        [one.key for one in second.question.page_columns if one.key.startswith(key)],
+    )
+    if len(printed) != 1:
+        raise ProblemError("shares beside kilograms are not told apart")
+    # A column without a unit of its own has shares of the rod's mass and length.
+    mass, long = (rod.mass, second.question.length) if printed != [key] else (Fraction(1), Fraction(1))
     near, far, square = 1 - rod.centre, rod.centre, rod.gyration_square
     places = {"crosshead": Fraction(0), "centre": near, "crank": Fraction(1)}
     if row["model"] == "crosshead":
@@ -458,8 +465,8 @@ def of_masses(second: Second, key: str, method: str, row: Row) -> Value:
     part, _, what = key.partition("_")
     if part == "lacking":
         spread = sum(mass * (places[one] - near) ** 2 for one, mass in masses.items())
-        return Value(lambda: number((square - spread) * (rod.mass or 1) * long**2))
-    found = masses[part] * (rod.mass or 1) if what == "mass" else places[part] * long
+        return Value(lambda: number((square - spread) * mass * long**2))
+    found = masses[part] * mass if what == "mass" else places[part] * long
     return Value(lambda: number(found))
 
 
