@@ -354,6 +354,7 @@ def described(text: str, signature: inspect.Signature) -> str:
         _COMMAND_LINES.sub("", about).rstrip(),
         "",
         "Values are text as on the command line, or numbers, lists of them, and arrays.",
+        "Raises KurbelError, of one sentence, for what cannot be asked or answered.",
         "",
     ]
     for name, one in signature.parameters.items():
