@@ -59,8 +59,6 @@ ELSEWHERE = {
     " --masses '?;3kg' --radii 100mm --angles '?;90'",
     ("", "--unknown"): "kurbel solve --unknown asks for a number with which a condition holds, kurbel power"
     " and flywheel for one of theirs",
-    ("flywheel", "--angle"): "speed, torque and energy at an angle are those of kurbel turning --angle 30"
-    " --flywheel 50 --speed 120/min --columns omega,torque_nm,energy",
     ("", "--pdf-engine"): "Typst sets the PDF; for that of a TeX, let it compile handbook.tex",
 }
 # What pages draw themselves, by the flag that once drew it.

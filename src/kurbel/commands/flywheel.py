@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from kurbel.commands.engine import ENGINE_ORDER, EXAMPLE, LOAD_ORDER, WITH_MASSES
-from kurbel.commands.options import Choice, Option, word
+from kurbel.commands.options import Choice, Option, measure, word
 from kurbel.commands.part import CommandOptions, flag_of
 from kurbel.commands.parts.diagram import Diagram
 from kurbel.commands.parts.effort import RODS
@@ -20,6 +20,7 @@ from kurbel.engine.captions import caption
 from kurbel.engine.cylinder import TurnPlace
 from kurbel.engine.diagram import texts
 from kurbel.engine.diagram.areas import Areas
+from kurbel.engine.diagram.excess import Excess
 from kurbel.engine.diagram.fluctuation import Fluctuation
 from kurbel.engine.diagram.wheel.relations import SHOWN, registry
 from kurbel.engine.diagram.wheel.sizing import Known, Sizing, gathered, sized, told_by
@@ -32,10 +33,15 @@ from kurbel.exact.kind import floats
 from kurbel.exact.real import Product
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.subject import Question
+from kurbel.reading.given import as_angle
 from kurbel.reading.names import enumerated
 
 ENGINE, SIZING = "flywheel", "flywheel sizing"
 PAGE_OF_SIZES = "flywheel-sizing"
+AT_ANGLE = (
+    "speed, torque and energy at an angle are those of kurbel turning --angle 30 --flywheel 50 --speed"
+    " 120/min --columns omega,torque_nm,energy"
+)
 # What an engine's flywheel is not given by.
 ALONE = (Diagram, Swing, Press, Body)
 
@@ -68,14 +74,21 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
     unnamed = "eps"
     sequence = (
         f"{ENGINE_ORDER} torque torque_file triangles load_torque load_torque_file turns areas area_scale"
-        " swing energy_fluctuation work strokes share duration hole punch_stroke shear_energy shear_strength"
-        " efficiency greatest_speed least_speed inertia run_up_torque run_up_time run_up_turns"
+        " angle swing energy_fluctuation work strokes share duration hole punch_stroke shear_energy"
+        " shear_strength efficiency greatest_speed least_speed inertia run_up_torque run_up_time run_up_turns"
         " mass rim_diameter rim_speed rim_section rim_breadth"
         " rim_thickness density hoop_stress rim_share disc_diameter disc_thickness"
         f" {LOAD_ORDER} power speed delta radius columns unknown"
     )
     in_short = "delta power speed swing inertia mass radius eps ratio machine torque areas"
 
+    angle = measure(
+        as_angle,
+        "Crank angle of a diagram at which the angular acceleration of the flywheel stands: 45.",
+        "ANGLE",
+        unit="degrees",
+        topic="diagram",
+    )
     unknown = word(
         "What is asked for: disc_diameter, rim_mass, delta; says what is missing where it does not follow.",
         kind=Choice("unknown", "kurbel.engine.diagram.wheel.relations:SHOWN"),
@@ -102,6 +115,8 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
 
     def _beside_engine(self, option: Option[object]) -> str:
         name, flag = option.name, flag_of(option.name)
+        if name == "angle":
+            return f"--angle is a place on a diagram without an engine; {AT_ANGLE}"
         if option.home in ALONE:
             return (
                 f"{flag} is of a flywheel without an engine, and one is described; leave one of the two out"
@@ -117,6 +132,8 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
 
     def _without_engine(self, option: Option[object]) -> str:
         name = option.name
+        if name == "angle":
+            return f"--angle is a place on a diagram by --torque; {AT_ANGLE}"
         if name == "turns":
             return (
                 "--turns is of the cycle of a diagram or of a work; add --torque, --work or --power, or leave"
@@ -229,6 +246,7 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
             known_from=self._source(),
             fluctuation=diagram,
             press=(share.working, share.rest) if share else None,
+            angle=self.angle if isinstance(diagram, Excess) else None,
             **self.on_page(page, EXAMPLE),
         )
 

@@ -381,6 +381,9 @@ def of_flywheel(second: Second, key: str, method: str, row: Row) -> Value:
                 whole = flywheel({taken: number(1), **whole})
         return whole
 
+    if key == "angular_acceleration":
+        excess, at = options.fluctuation(), options.angle or Fraction(0)
+        return Value(lambda: _torque(excess, at, 1, -1) / second.once(row, found)["inertia"])
     stem = re.sub("_nm$", "", _STEM.get(key, key))
     return Value(lambda: second.once(row, found)[stem] / (2 * pi() if key in _TURNS else 1))
 
@@ -413,6 +416,14 @@ def diagrams(excess: Any) -> tuple[Diagram, Diagram]:
     return driving, load
 
 
+def _torque(excess: Any, at: Fraction, *shares: int) -> Number:
+    """So many times the torque of the drive and that of the load at a crank angle."""
+    total = sum(
+        (one.value(at) * share for one, share in zip(diagrams(excess), shares, strict=True)), number(0)
+    )
+    return total * 180 / pi() if excess.by_degree else total
+
+
 def of_diagram(second: Second, key: str, method: str, row: Row) -> Value:
     """Turning moment diagrams: torques, and the work above the mean since 0°, by closed antiderivatives."""
     request = second.question
@@ -423,16 +434,11 @@ def of_diagram(second: Second, key: str, method: str, row: Row) -> Value:
     else:
         excess, at = request.excess, nearest(row["phi"], request.angles)
         driving, load = diagrams(excess)
-
-        def torque(*signed: tuple[Diagram, int]) -> Number:
-            total = sum((one.value(at) * sign for one, sign in signed), number(0))
-            return total * 180 / pi() if excess.by_degree else total
-
         values = {
-            "torque": lambda: torque((driving, 1)),
-            "load_torque": lambda: torque((load, 1)),
-            "excess_torque": lambda: torque((driving, 1), (load, -1)),
-            "angular_acceleration": lambda: torque((driving, 1), (load, -1)) / (second.asked.inertia or 0),
+            "torque": lambda: _torque(excess, at, 1, 0),
+            "load_torque": lambda: _torque(excess, at, 0, 1),
+            "excess_torque": lambda: _torque(excess, at, 1, -1),
+            "angular_acceleration": lambda: _torque(excess, at, 1, -1) / (second.asked.inertia or 0),
             "excess_energy": lambda: (
                 (driving.integral(at) - load.integral(at)) * (number(1) if excess.by_degree else pi() / 180)
             ),

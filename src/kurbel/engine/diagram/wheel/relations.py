@@ -56,7 +56,10 @@ NEEDS: Mapping[str, tuple[str, ...]] = {
     "disc stress": ("--poisson", "--density", "--speed"),
     "diagram": ("--torque",),
     "run up": ("--run-up-torque", "--run-up-time", "--inertia", "--speed"),
+    "angle": ("--torque", "--angle", "--inertia"),
 }
+# At a crank angle of a diagram, and of either sign.
+ACCELERATION = "angular_acceleration"
 
 
 Row = tuple[str, str, Label, str, Shown, str]
@@ -131,7 +134,15 @@ def registry() -> Mapping[str, Quantity]:
         entry(key, name, symbol, unit, None, {"exact": Formula(shown.of)}, needs=needs)
         for key, name, symbol, unit, shown, needs in _ROWS
     )
-    return {one.key: one._replace(heading=with_symbol(one)) for one in entries}
+    own = (*entries, _acceleration())
+    return {one.key: one._replace(heading=with_symbol(one)) for one in own}
+
+
+def _acceleration() -> Quantity:
+    """The angular acceleration by the excess torque at a crank angle, of which a kernel call makes it."""
+    name = "Winkelbeschleunigung bei φ|Angular acceleration at φ"
+    formula = Formula(lambda torque, inertia, kind: torque(kind) / inertia.on(kind))
+    return entry(ACCELERATION, name, "$α$", "rad/s²", None, {"exact": formula}, needs="angle")
 
 
 class Rule(NamedTuple):

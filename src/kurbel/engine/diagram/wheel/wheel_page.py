@@ -9,10 +9,10 @@ from fractions import Fraction
 from kurbel.engine.diagram.excess import Excess, acceleration_line
 from kurbel.engine.diagram.fluctuation import Extreme, Fluctuation, place_text
 from kurbel.engine.diagram.texts import FLUCTUATION, OF_WHEELS, SOURCES, TORQUE
-from kurbel.engine.diagram.wheel.relations import NEEDS, SHOWN, registry
+from kurbel.engine.diagram.wheel.relations import ACCELERATION, NEEDS, SHOWN, registry
 from kurbel.engine.diagram.wheel.sizing import LIMIT, ONE_TURN, RIM_ALONE, Sizing
 from kurbel.exact.numerals import Label, Number, figure, finite_decimals, number_text
-from kurbel.exact.real import Product
+from kurbel.exact.real import Product, Real
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_number, irregularity_label
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, words
@@ -51,6 +51,8 @@ def notes(question: WheelRequest) -> Iterator[Label]:
     if question.fluctuation is not None:
         yield from _places(question)
         yield from _accelerated(question)
+        if question.angle is not None:
+            yield OF_WHEELS["at angle"][lang].format(angle=figure(question.angle))
     if question.known_from in (FLUCTUATION, TORQUE) and "turns" in wheel.figures:
         yield _cycle(question)
     if question.press is not None:
@@ -142,7 +144,8 @@ class WheelRequest(Question):
 
     Without any of these there is one flywheel. `known_from` says what the swing is known from; `fluctuation`
     is the diagram, if it is one, and `press` the share of its cycle in which a press works, None of a blow,
-    with the rest. `engine` are the caption and the lines of an engine, of which the swing is.
+    with the rest. `engine` are the caption and the lines of an engine, of which the swing is. `angle` is
+    where on the diagram the angular acceleration is asked for, in degrees.
     """
 
     wheels: tuple[Sizing, ...]
@@ -151,13 +154,15 @@ class WheelRequest(Question):
     fluctuation: Fluctuation | None = None
     press: tuple[Product | None, Product] | None = None
     engine: tuple[Label, ...] = ()
+    angle: Fraction | None = None
 
     @property
     def axis_keys(self) -> tuple[str, ...]:
         return super().axis_keys if self.targets else ()
 
     def missing(self, quantity: Quantity) -> str:
-        if self.wheels[0].knows(quantity.key):
+        known = self.angle is not None and "inertia" in self.wheels[0].figures
+        if known if quantity.key == ACCELERATION else self.wheels[0].knows(quantity.key):
             return ""
         options = ", ".join(NEEDS[quantity.needs])
         return f"column {quantity.key} does not follow from what is given; add what it needs of {options}"
@@ -186,13 +191,25 @@ def _target_axis(question: WheelRequest) -> ListAxis:
 
 
 def _number(question: WheelRequest, column: Column, place: Place, times: int) -> Number | None:
-    quantity = column.quantity
-    known = question.wheels[place["target"]].figures.get(SHOWN[quantity.key].figure)
+    quantity, figures = column.quantity, question.wheels[place["target"]].figures
+    if quantity.key == ACCELERATION:
+        return _acceleration(question, column, figures["inertia"].value).number(
+            column.decimals, question.rounding
+        )
+    known = figures.get(SHOWN[quantity.key].figure)
     if known is None:
         return None
     # In other units than its own the quantity's is a multiple.
     shown: Product = quantity.formulas["exact"].kernel(known.value)
     return shown.number(column.decimals, question.rounding, times)
+
+
+def _acceleration(question: WheelRequest, column: Column, inertia: Product) -> Real:
+    """Return α in rad/s² at the angle, of a diagram over the crank angle."""
+    excess, angle = question.fluctuation, question.angle
+    assert isinstance(excess, Excess) and angle is not None
+    kernel = column.quantity.formulas["exact"].kernel
+    return Real(lambda kind: kernel(lambda kind: excess.torque(excess.excess, angle, kind), inertia, kind))
 
 
 SUBJECT = Subject(
