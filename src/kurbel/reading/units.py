@@ -77,7 +77,7 @@ KNOWN: Mapping[str, Mapping[str, Fraction]] = {
     "[force]/[length]": _scaled({"J/mm/mm": 10**6, "J/cm/cm": 10**4, "J/m/m": 1}),
     "[mass]/[time]": {**_scaled({"kg/s": 1, "kg/min": "1/60", "kg/h": "1/3600"}), "lb/h": POUND / 3600},
     "[mass]/[energy]": {
-        **_scaled({"kg/kWh": "1/3600000", "g/kWh": "1/3600000000", "kg/kW/h": "1/3600000"}),
+        **_scaled({"kg/J": 1, "kg/kWh": "1/3600000", "g/kWh": "1/3600000000", "kg/kW/h": "1/3600000"}),
         **_scaled({"g/kW/h": "1/3600000000"}), "kg/hp/h": 1 / (3600 * 550 * _FOOT_POUND),
     },
     "[length]**3": {
