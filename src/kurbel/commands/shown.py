@@ -297,7 +297,13 @@ def shot_of(seconds: float, question: Any) -> Shot:
     """Return how the drawing of a question is to move, with the mechanism of a single drive."""
     from kurbel.plot.animated import Shot
 
-    span = float(question.angles[-1] - question.angles[0])
+    angles = getattr(question, "angles", ())
+    if not angles:
+        raise ProblemError(
+            "a drawing that moves runs through crank angles, and this page stands over something else; leave"
+            " --animate out"
+        )
+    span = float(angles[-1] - angles[0])
     seconds *= max(1.0, span / 360)
     # A diagram of torques has no drive, and of several cranks none is that of the drawing.
     moving, first = question.moving, getattr(question, "first", None)
