@@ -103,7 +103,7 @@ class Loads(Piston):
         "steam",
     )  # fmt: skip
     cushion = measure(
-        lambda value, what: _cushion(value, what),
+        _cushion,
         "Share of the return stroke at which the exhaust closes: 80%, or the pressure to which what is left"
         " in the clearance is compressed: 6bar.",
         "SHARE",

@@ -127,7 +127,7 @@ OF_WHEELS: Mapping[str, Words] = {
         "|$σ = (3 + ν)/8 ρ (ω D/2)^2$ in the middle of the disc, without a hole, $ν = {poisson}$"
     ),
     "disc": words("Scheibe: $J = m D^2/8$, $m = ρ π D^2 t/4$|disc: $J = m D^2/8$, $m = ρ π D^2 t/4$"),
-    "at angle": words("$α = (T - T_L)/J$ bei $φ = {angle}°$|$α = (T - T_L)/J$ at $φ = {angle}°$"),
+    "at angle": words("$α$ steht bei $φ = {angle}°$|$α$ stands at $φ = {angle}°$"),
     "places": words("Geschwindigkeit am größten bei {high}, am kleinsten bei {low}"
                       "|speed greatest at {high}, least at {low}"),
     "letters": words(

@@ -43,9 +43,9 @@ from kurbel.engine.power.duty import (
     Found,
     lacking,
     option_of,
-    registry,
     solved,
 )
+from kurbel.engine.power.power_quantities import registry
 from kurbel.engine.power.source import Acting, GivenPressure
 from kurbel.engine.power.unknown import UNKNOWNS
 from kurbel.engine.texts import COUNTED_IN, POWER_TEXTS

@@ -140,7 +140,7 @@ def registry() -> Mapping[str, Quantity]:
 
 def _acceleration() -> Quantity:
     """The angular acceleration by the excess torque at a crank angle, of which a kernel call makes it."""
-    name = "Winkelbeschleunigung bei φ|Angular acceleration at φ"
+    name = "Winkelbeschleunigung|Angular acceleration"
     formula = Formula(lambda torque, inertia, kind: torque(kind) / inertia.on(kind))
     return entry(ACCELERATION, name, "$α$", "rad/s²", None, {"exact": formula}, needs="angle")
 
