@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from kurbel.formats.pdf.writer import typeset_pdf
     from kurbel.sweeps.dataset import sweep
 
-__version__ = "0.2.0"
+__version__ = "0.3.0"
 __all__ = [
     "Drawing",
     "KurbelError",
