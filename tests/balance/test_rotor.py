@@ -99,12 +99,17 @@ def test_balancing_masses_leave_neither_a_pull_nor_a_couple_and_bearings_take_th
 def test_what_is_asked_for_balances_the_others(
     masses: str, radii: str, angles: str, planes: str, ways: int
 ) -> None:
-    words = (f"--masses={masses}", f"--radii={radii}", f"--angles={angles}", f"--planes={planes}")
-    found = [vectors(page(*words, solution=str(way)), "mass") for way in range(1, ways + 1)]
+    words = (f"--masses={masses}", f"--radii={radii}", f"--angles={angles}", f"--planes={planes}", "-r1:4")
+    pages = [page(*words, solution=str(way)) for way in range(1, ways + 1)]
+    found = [vectors(rows, "mass") for rows in pages]
     assert not page(*words, solution=str(ways + 1))
     for way in found:
         assert abs(total(way)) < 1e-7
         assert abs(total(way, 0)) < 1e-7
+    for rows, way in zip(pages, found, strict=True):
+        second = [(pull**2 / abs(pull) / 4, plane) for pull, plane in way]
+        assert abs(said(rows["second_unbalance"], "unbalance_kgm") - total(second)) < 1e-7
+        assert abs(said(rows["second_couple"], "moment_kgm2") - total(second, 0)) < 1e-7
     assert len({tuple(way) for way in found}) == ways
 
 

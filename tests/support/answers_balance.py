@@ -53,6 +53,22 @@ def complete_balance(masses: Sequence[mpf], radii: mpf, planes: Sequence[mpf]) -
 
 
 @solution
+def inner_cranks(
+    mass: mpf, crank: mpf, apart: mpf, planes: Sequence[mpf], ratio: mpf, speed: mpf
+) -> Rows:  # fmt: skip
+    outer = [turned(mass, mpf(0)), turned(mass, apart)]
+    first, second, third, last = (plane / 1000 for plane in planes)
+    right = -(outer[0] * (first - second) + outer[1] * (last - second)) / (third - second)
+    cranks = [outer[0], -sum(outer) - right, right, outer[1]]
+    doubled = [one**2 / abs(one) * ratio * crank * speed**2 for one in cranks]
+    arms = (first, second, third, last)
+    couple, angle = polar(sum(one * arm for one, arm in zip(doubled, arms, strict=True)))
+    force = {"unbalance_n": abs(sum(doubled))}
+    rows = [dict(zip(("mass_kg", "angle"), polar(one), strict=True)) for one in cranks]
+    return [*rows, {"unbalance_n": 0}, {"moment_nm": 0}, force, {"moment_nm": couple, "angle": angle}]
+
+
+@solution
 def five_cranks(mass: mpf, crank: mpf, ratio: mpf, speed: mpf, spacing: mpf) -> Rows:
     rows = []
     for levers in ((1, 1, 1, 1, 1), (-2, -1, 0, 1, 2)):

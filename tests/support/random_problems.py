@@ -43,6 +43,7 @@ SPANS = {"masses": (1, 30), "radii": (40, 300), "angles": (0, 359), "planes": (0
 # What a solution or a load fixes: four masses, cycles of four strokes, three cranks' corners at 60°.
 KEPT_SHAPES: Mapping[str, tuple[str, ...]] = {
     "complete-balance": ("masses", "radii", "planes"),
+    "inner-cranks": ("planes",),
     "four-strokes": ("areas",),
     "three-cranks": ("points",),
     "load-over-three-turns": ("points",),

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from kurbel.balancing.vector import Vector
 from kurbel.drive.at import known
-from kurbel.drive.crank import LARGEST_ANGLE
+from kurbel.drive.crank import LARGEST_ANGLE, check_ratio
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits
 from kurbel.exact.kind import Kind, balls
@@ -60,19 +60,46 @@ class Placed(NamedTuple):
     plane: Real
     given: Mass
 
+    def moment(self, about: Fraction) -> Vector:
+        """Return the moment of the unbalance about a plane, in kg m²."""
+        arm = self.plane - about
+        if arm.rational is not None:
+            return self.vector * arm.rational
+
+        def point(kind: Kind) -> tuple[Numeric, Numeric]:
+            (x, y), length = self.vector.point(kind), arm.on(kind)
+            return x * length, y * length
+
+        return Vector(rest=((point, Fraction(1)),))
+
+    def second(self, ratio: Fraction) -> Placed:
+        """Return the same as it acts in the second order where it goes to and fro, λ m r at the double angle.
+
+        λ is the crank ratio; times ω² it is the greatest force. Source: the textbooks; the series of the
+        piston's acceleration to the first order of λ.
+        """
+        mass, _, angle, _ = self.given
+        known_angle = mass is not None and angle is not None
+        vector = Vector.ray(2 * known(angle), self.given.unbalance) if known_angle else self.vector.doubled()
+        return self._replace(vector=vector * ratio)
+
 
 @dataclass(frozen=True, slots=True)
 class Rotor:
-    """The masses of a shaft, and the zero of the moments along it."""
+    """The masses of a shaft, the zero of the moments along it, and the crank ratio of those that go to and
+    fro."""
 
     masses: tuple[Mass, ...]
     about: Fraction = Fraction(0)
+    ratio: Fraction | None = None
 
     def __post_init__(self) -> None:
         if not 1 <= len(self.masses) <= MOST_MASSES:
             raise ProblemError(f"{len(self.masses)} masses were given; a rotor has 1 to {MOST_MASSES}")
         for number, one in enumerate(self.masses, 1):
             _check(number, one)
+        if self.ratio is not None:
+            check_ratio(self.ratio)
 
 
 def _check(number: int, one: Mass) -> None:
@@ -100,12 +127,10 @@ def moment(masses: Sequence[Placed], about: Fraction) -> Vector:
 
     Without an unbalance of all together it is the same about any point.
     """
-    planes = [one.plane.rational for one in masses]
-    if None in planes:
+    if any(one.plane.rational is None for one in masses):
         # Planes are found from two linear equations, so that masses balanced in their forces have no couple.
         return Vector()
-    arms = zip(masses, planes, strict=True)
-    return sum((one.vector * (known(plane) - about) for one, plane in arms), Vector())
+    return sum((one.moment(about) for one in masses), Vector())
 
 
 def shares(masses: Sequence[Placed], planes: Sequence[Fraction]) -> tuple[Vector, ...]:
@@ -146,9 +171,14 @@ class Line(NamedTuple):
 
 
 def lines(rotor: Rotor, standing: Sequence[Placed], places: Places) -> Iterator[Line]:
-    """Yield the lines of a way in which the masses stand: these, what they leave, what balances them."""
+    """Yield the lines of a way in which the masses stand: these, what they leave, what balances them; of
+    masses that go to and fro what they leave of the second order."""
     yield from _masses("mass", standing, rotor.about)
-    yield from _sums("", standing, rotor.about)
+    yield from _sums("", force(standing), moment(standing, rotor.about))
+    if rotor.ratio is not None:
+        second = [one.second(rotor.ratio) for one in standing]
+        couple = sum((one.moment(rotor.about) for one in second), Vector())
+        yield from _sums("second_", force(second), couple)
     if places.balance:
         found = zip(shares(standing, places.balance), places.balance, places.radii, strict=True)
         added = [
@@ -157,7 +187,7 @@ def lines(rotor: Rotor, standing: Sequence[Placed], places: Places) -> Iterator[
         ]
         yield from _masses("balance", added, rotor.about)
         standing = (*standing, *added)
-        yield from _sums("left_", standing, rotor.about)
+        yield from _sums("left_", force(standing), moment(standing, rotor.about))
     if places.bearings:
         pulls = zip(shares(standing, places.bearings), places.bearings, strict=True)
         for number, (one, plane) in enumerate(pulls, 1):
@@ -174,9 +204,8 @@ def _masses(key: str, masses: Sequence[Placed], about: Fraction) -> Iterator[Lin
         yield Line(key, number, own, of_radius, plane, unbalance, unbalance * (plane - about), direction)
 
 
-def _sums(before: str, masses: Sequence[Placed], about: Fraction) -> Iterator[Line]:
+def _sums(before: str, rest: Vector, couple: Vector) -> Iterator[Line]:
     """Yield what masses leave together: an unbalance and a couple."""
-    rest, couple = force(masses), moment(masses, about)
     yield Line(f"{before}unbalance", unbalance=rest.length(), angle=rest)
     yield Line(f"{before}couple", moment=couple.length(), angle=couple)
 

@@ -19,18 +19,21 @@ from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
+from kurbel.reading.notation import ratio_text
 from kurbel.reading.units import Speed
 
 ANGLE_DECIMALS = 2
 # What planes and a speed tell.
 _OF_PLANES, _OF_SPEED = "planes", "speed"
 NEEDS: Mapping[str, tuple[str, ...]] = {_OF_PLANES: ("--planes",), _OF_SPEED: ("--speed",)}
-_COUPLES = ("couple", "left_couple")
+_COUPLES = ("couple", "second_couple", "left_couple")
 WORDS: Mapping[str, Words] = {
     "line": words("Masse|Mass"),
     "mass": words("{number}"),
     "unbalance": words("Unwucht|Unbalance"),
     "couple": words("Moment|Couple"),
+    "second_unbalance": words("Zweite Ordnung: Unwucht|Second order: unbalance"),
+    "second_couple": words("Zweite Ordnung: Moment|Second order: couple"),
     "balance": words("Ausgleich {number}|Balance {number}"),
     "left_unbalance": words("bleibende Unwucht|Unbalance left"),
     "left_couple": words("bleibendes Moment|Couple left"),
@@ -51,6 +54,10 @@ WORDS: Mapping[str, Words] = {
     "speed": words(
         "Kräfte und Momente auf die Welle mit $ω^2$: {speed}"
         "|Forces and moments on the shaft with $ω^2$: {speed}"
+    ),
+    "second": words(
+        "Zweite Ordnung: $λ m r$ der Massen, die hin und her gehen, in doppelten Winkeln, $λ =$ {ratio}"
+        "|Second order: $λ m r$ of masses that go to and fro, at double angles, $λ =$ {ratio}"
     ),
     "zero": words("0 ohne Dezimalen ist genau 0|0 without decimals is exactly 0"),
 }
@@ -195,6 +202,8 @@ def _notes(question: RotorRequest) -> Iterator[Label]:
     if not question.planar:
         planes = WORDS["planes"][lang].format(about=f"$z = {amount(about, 'mm')}$")
     yield WORDS["angles"][lang] + planes
+    if question.rotor.ratio is not None:
+        yield WORDS["second"][lang].format(ratio=ratio_text(question.rotor.ratio))
     if question.speed is not None:
         yield WORDS["speed"][lang].format(speed=turns_label(question.speed))
     yield WORDS["zero"][lang]

@@ -23,7 +23,7 @@ from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Number, nearest
 from kurbel.exact.real import ESTIMATE_BITS, PI, Real
 from kurbel.kernel.balance import Star
-from kurbel.kernel.circle import Numeric
+from kurbel.kernel.circle import Numeric, root
 from kurbel.reading.units import Speed
 
 Point: TypeAlias = Callable[[Kind], tuple[Numeric, Numeric]]
@@ -59,6 +59,16 @@ class Vector:
             along, across = of(kind)
             x, y = x + kind.of(times) * along, y + kind.of(times) * across
         return x, y
+
+    def doubled(self) -> Vector:
+        """Return a vector of the same length, not 0, twice as far from 0°."""
+
+        def point(kind: Kind) -> tuple[Any, Any]:
+            x, y = self.point(kind)
+            length = root(x * x + y * y)
+            return (x * x - y * y) / length, 2 * x * y / length
+
+        return Vector(rest=((point, Fraction(1)),))
 
     @property
     def parts(self) -> tuple[Real, Real]:

@@ -57,6 +57,12 @@ def of_rotor(second: Second, key: str, method: str, row: Row) -> Value:
         return Pull(found.times(number(-1 if name == "balance" else 1)), number(planes[index]))
 
     def _left() -> list[Pull]:
+        if name.startswith("second"):
+            # What goes to and fro turns twice as fast in the second order.
+            return [
+                Pull(ray(one.mass * one.radius * rotor.ratio, 2 * one.angle), number(one.plane or 0))
+                for one in rotor.masses
+            ]
         found = pulls()
         if places.balance and name != "balance":
             against = zip(held(found, places.balance), places.balance, strict=True)
@@ -65,9 +71,9 @@ def of_rotor(second: Second, key: str, method: str, row: Row) -> Value:
 
     def vector() -> Arrow:
         if name.endswith("unbalance"):
-            return together(one.arrow for one in (_left() if name.startswith("left") else pulls()))
+            return together(one.arrow for one in (_left() if "_" in name else pulls()))
         if name.endswith("couple"):
-            return moment(_left() if name.startswith("left") else pulls(), rotor.about)
+            return moment(_left() if "_" in name else pulls(), rotor.about)
         return pull().arrow
 
     if key == "plane":

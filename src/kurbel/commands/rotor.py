@@ -16,7 +16,7 @@ from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_o
 from kurbel.commands.subject import function
 from kurbel.errors import NotationError, ProblemError
 from kurbel.page.subject import Question
-from kurbel.reading.given import as_crank_angles, as_force, as_length, as_shares, as_velocity
+from kurbel.reading.given import as_crank_angles, as_force, as_length, as_ratios, as_shares, as_velocity
 from kurbel.reading.units import as_angles_or_unknown, displacement, length, mass
 
 # One of each mass, None for what is asked for.
@@ -45,6 +45,13 @@ def _place(given: object, what: str) -> Fraction:
     return lengths[0]
 
 
+def _ratio(given: object) -> Fraction:
+    ratios = as_ratios(given)
+    if len(ratios) != 1:
+        raise ProblemError(f"{len(ratios)} crank ratios were given; the pistons of one shaft have one")
+    return ratios[0]
+
+
 class RotorOptions(OnMachine, Speed, Layouts, Sheet, CommandOptions):
     """Print what rotating masses leave unbalanced, and what balances them.
 
@@ -70,7 +77,7 @@ class RotorOptions(OnMachine, Speed, Layouts, Sheet, CommandOptions):
     topic = "masses"
 
     unnamed = "masses"
-    sequence = "masses radii angles planes balance_planes balance_radii bearings speed about"
+    sequence = "masses radii angles planes balance_planes balance_radii bearings speed about ratio"
     in_short = "masses radii angles planes bearings speed machine balance_planes balance_radii columns digits"
 
     masses: Option[Sought] = Option(
@@ -113,6 +120,12 @@ class RotorOptions(OnMachine, Speed, Layouts, Sheet, CommandOptions):
         _place,
         "Plane about which moments are taken: 400mm; default: where planes count from.", "LENGTH", unit="m",
     )  # fmt: skip
+    ratio = Linked.ratio.read_as(
+        alone(_ratio),
+        help="Crank ratio where the masses go to and fro, with pistons in one line, 1:4: what they leave of"
+        " the second order.",
+        topic="masses",
+    )
     columns = columns_option("rotor", "line,unbalance_kgm,angle")
     layout = layout_option("rotor")
 
@@ -120,8 +133,10 @@ class RotorOptions(OnMachine, Speed, Layouts, Sheet, CommandOptions):
         page, masses = self.page("rotor", "rotor"), self._masses()
         along = self.says("planes")
         about = self.about if along else None
+        # That of a machine's file does not say that these masses go to and fro.
+        ratio = self.ratio if self.values.typed("ratio") else None
         return RotorRequest(
-            rotor=Rotor(masses, about or Fraction(0)),
+            rotor=Rotor(masses, about or Fraction(0), ratio),
             places=self._places(),
             speed=self.speed,
             planar=not along,

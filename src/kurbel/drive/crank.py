@@ -148,7 +148,7 @@ class Crank:
         return numbers.of(known(self.radius) / known(known(self.effort).shaft).inertia)
 
     def __post_init__(self) -> None:
-        _check_ratio(self.ratio)
+        check_ratio(self.ratio)
         if abs(self.offset) > LONGEST_ROD:
             raise ProblemError(f"offset e is above {LONGEST_ROD} R; no crank turns so far from its slide")
         if self.ratio and abs(self.offset) >= 1 / self.ratio - 1:
@@ -198,7 +198,7 @@ def _where_stuck(ratio: Fraction, offset: Fraction) -> str:
     return f"for at φ = {angle % 360:.4g}° the rod stands square to the slide"
 
 
-def _check_ratio(ratio: Fraction) -> None:
+def check_ratio(ratio: Fraction) -> None:
     if ratio < 0:
         raise ProblemError(
             f"crank ratio R:L is {about(ratio)}; it must not be negative, for both are lengths"
