@@ -152,3 +152,14 @@ def strips_of_a_press(
     inertia = 2 * energy * broad * thick / (speed**2 - slow**2)
     torque = inertia * (speed - slow) * strokes / (2 * pi)
     return [{"mass": inertia / radius**2, "mean_torque": torque}]
+
+
+@solution
+def riveting(
+    moment: mpf, turning: mpf, lasts: mpf, strokes: mpf, speed: mpf, delta: mpf, density: mpf
+) -> Rows:  # fmt: skip
+    work = moment * turning * lasts
+    swing = work - work * lasts * strokes / (2 * pi)
+    # 90 % of it is of the ring ρ π D (D/10) (D/20) at D/2.
+    diameter = (mpf("0.9") * swing / (delta * speed**2) * 800 / (pi * density)) ** mpf("0.2")
+    return [{"work": work, "swing": swing, "rim_diameter": diameter, "thickness": diameter * 50}]

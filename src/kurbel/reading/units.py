@@ -6,7 +6,7 @@ The units of everyday are known; all others need the extra `units`, whose regist
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
@@ -253,31 +253,52 @@ def brake_torque(text: str, what: str) -> Fraction:
     return _checked((loads[0] - sum(loads[1:])) * length(arm, what), text, what, "N m", 10**12)
 
 
+class OfTurns(NamedTuple):
+    """An energy in J over π."""
+
+    share: Fraction
+
+
 # What makes a work by its factors, beside numbers.
-_WORKS = (("force", "length"), ("energy_an_area", "area"), ("energy_an_area", "length", "length"))
+_FACTORS: Mapping[str, Measure] = {
+    "force": force,
+    "torque": signed_torque,
+    "energy_an_area": energy_an_area,
+    "speed": Measure("a speed such as 144/min", "1/[time]", "1/s"),
+    "length": length,
+    "area": area,
+    "duration": duration,
+}
+_WORKS = (
+    *(("force", "length"), ("energy_an_area", "area"), ("energy_an_area", "length", "length")),
+    ("torque", "speed", "duration"),
+)
 
 
-def work(text: str, what: str) -> Fraction:
-    """Return an energy in J, also by its factors: "350kN x 200mm x 15%", "1200J/cm² x 8cm x 2cm"."""
+def work(text: str, what: str) -> Fraction | OfTurns:
+    """Return an energy in J, also by its factors: "350kN x 200mm x 15%", "1200J/cm² x 8cm x 2cm"; of a torque
+    on a shaft that turns, "2.1kNm x 144/min x 0.6s", its share of π."""
     factors = [one.strip() for one in text.replace("×", "x").split(" x ")]
     if len(factors) == 1:
         return energy(text, what)
-    kinds, found = list[str](), Fraction(1)
+    kinds, found, turns = list[str](), Fraction(1), False
     for one in factors:
         unit = _parts(one)[2]
-        measures = {"force": force, "length": length, "area": area, "energy_an_area": energy_an_area}
         name = next(
-            (key for key, kind in measures.items() if unit and _has_dimension(unit, kind.dimension)), ""
+            (key for key, kind in _FACTORS.items() if unit and _has_dimension(unit, kind.dimension)), ""
         )
-        if name or not unit:
-            found *= measures[name](one, what) if name else share(one, what)
+        if name == "speed":
+            turning = speed(one)
+            found, turns = found * turning.value * (2 if turning.turns else 1), turning.turns
+        elif name or not unit:
+            found *= _FACTORS[name](one, what) if name else share(one, what)
         kinds += [name or "other"] if unit else []
-    if tuple(sorted(kinds, key=lambda kind: kind in ("length", "area"))) not in _WORKS:
+    if tuple(sorted(kinds, key=[*_FACTORS, "other"].index)) not in _WORKS:
         raise NotationError(
-            f'{what} "{text[:60]}" is no energy; write 10kJ, a force on a way, 350kN x 30mm, or an energy of'
-            " an area, 1200J/cm² x 16cm²"
+            f'{what} "{text[:60]}" is no energy; write 10kJ, a force on a way, 350kN x 30mm, an energy of an'
+            " area, 1200J/cm² x 16cm², or a torque, 2kNm x 144/min x 0.6s"
         )
-    return found
+    return OfTurns(found) if turns else found
 
 
 def volume_swept(text: str, what: str) -> Fraction:
@@ -375,7 +396,7 @@ def _quantity(text: str, what: str, example: str, dimension: str) -> Any:
         quantity = registry().Quantity(number(digits, what), "1" + unit if unit.startswith("/") else unit)
     except PINT_ERRORS:
         hint = in_forces(written, dimension, number(digits, what))
-        units = (*KNOWN.get(dimension, ()), *(TURNS if dimension == "1/[time]" else ()))
+        units = _units_of(dimension)
         near = "" if hint else did_you_mean(written, [unit for unit in units if unit.isalpha()])
         raise NotationError(
             f'{what} "{text[:40]}" has the unknown unit {written}{near}; write {hint or example}'
@@ -411,8 +432,13 @@ def in_forces(written: str, dimension: str, amount: Fraction | str) -> str:
     return " or ".join(f"{so_many(size)} for {name} tons" for name, size in sizes.items()) or so_many(1)
 
 
+def _units_of(dimension: str) -> Sequence[str]:
+    """Return the units of a dimension that are known without pint, turns among them."""
+    return (*KNOWN.get(dimension, ()), *(TURNS if dimension == "1/[time]" else ()))
+
+
 def _has_dimension(unit: str, dimension: str) -> bool:
-    if plain_unit(unit) in KNOWN.get(dimension, {}):
+    if plain_unit(unit) in _units_of(dimension):
         return True
     try:
         return bool(registry().Quantity(Fraction(1), plain_unit(unit) or unit).check(dimension))

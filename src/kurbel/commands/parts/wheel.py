@@ -34,6 +34,7 @@ from kurbel.reading.given import (
     as_velocity,
     as_work,
 )
+from kurbel.reading.units import OfTurns
 
 # The options that give figures by themselves, and what these are called where it is not the option's name.
 PLAIN = (
@@ -82,7 +83,7 @@ class Swing(Part):
     work = measure(
         as_work,
         "Work of a cycle, of a press that of a stroke: 10kJ; or its factors, '350kN x 200mm x 15%',"
-        " '1200J/cm² x 8cm x 2cm'.", "ENERGY", unit="J",
+        " '1200J/cm² x 8cm x 2cm', '2kNm x 144/min x 0.6s'.", "ENERGY", unit="J",
         what="work of a cycle", topic="press",
     )  # fmt: skip
 
@@ -233,6 +234,9 @@ class Wheel(Swing, Press, Body, Rim, Speed):
             number = (option.read or as_number)(value, what)
             if isinstance(number, ShareOf):
                 yield SHARES[name], _above_zero(number.share, what, "")
+                return
+            if isinstance(number, OfTurns):
+                yield name, _above_zero(number.share, what, "J") * Product.of(1, 1)
                 return
             assert isinstance(number, Fraction)
             if name == "rim_share" and number > 1:
