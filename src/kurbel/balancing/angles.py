@@ -15,10 +15,10 @@ from typing import Any
 from kurbel.balancing.arrangement import Arrangement, Cylinder, Residual, factor
 from kurbel.balancing.balance_page import (
     DECIMALS,
-    NEEDS,
     NEWTON_DECIMALS,
     RESIDUALS,
     SUBJECT,
+    WEIGHED,
     BalanceRequest,
     balance_notes,
 )
@@ -121,7 +121,7 @@ def quantities() -> Mapping[str, Quantity]:
             own,
             own._replace(
                 key=key + IN_NEWTONS, unit=words(BOTH), decimals=NEWTON_DECIMALS, heading=in_newtons,
-                needs=IN_NEWTONS,
+                needs=(WEIGHED,),
             ),
         ]  # fmt: skip
     formulas = {"exact": Formula(PRINTED["direction"])}
@@ -231,5 +231,4 @@ AT_ANGLES = SUBJECT._replace(
     quantities=quantities,
     number=_number,
     notes=_notes,
-    options=NEEDS,
 )

@@ -35,7 +35,7 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, exact_text
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis, angle_text
-from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Words, entry, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import BOTH, amount, unit_of_page
@@ -104,7 +104,7 @@ WORDS: Mapping[str, Words] = {
 
 DEFAULT_ENGINE = "inline-4"
 DECIMALS, NEWTON_DECIMALS = 4, 1
-NEEDS: Mapping[str, tuple[str, ...]] = {IN_NEWTONS: ("--reciprocating", "--stroke", "--speed")}
+WEIGHED = Need(lambda question: question.weighed is not None, ("--reciprocating", "--stroke", "--speed"))
 RESIDUALS = ("force", "moment")
 FACTOR = "factor"
 # Key, name, spanner and head of the lengths of `balance.LENGTHS`.
@@ -143,7 +143,7 @@ def _in_newtons(own: Quantity) -> Quantity:
     unit = words(BOTH)
     spanners = tuple({lang: f"{one[lang]} in {unit[lang]}" for lang in one} for one in own.spanners)
     return own._replace(
-        key=own.key + IN_NEWTONS, unit=unit, decimals=NEWTON_DECIMALS, spanners=spanners, needs=IN_NEWTONS
+        key=own.key + IN_NEWTONS, unit=unit, decimals=NEWTON_DECIMALS, spanners=spanners, needs=(WEIGHED,)
     )
 
 
@@ -168,10 +168,9 @@ class BalanceRequest(OrdersRequest):
         in_newtons = quantity.key + IN_NEWTONS
         if self.weighed is not None and self.weighed.each and in_newtons in self.subject.quantities():
             return f"column {quantity.key} is in units of m R ω², but masses are not alike; take {in_newtons}"
-        if quantity.needs != IN_NEWTONS or self.weighed is not None:
-            return ""
-        *first, last = NEEDS[IN_NEWTONS]
-        return f"column {quantity.key} is in N and N m and needs {', '.join(first)} and {last}"
+        *first, last = WEIGHED.options
+        said = f"column {quantity.key} is in N and N m and needs {', '.join(first)} and {last}"
+        return said if any(map(self.lacks, quantity.needs)) else ""
 
     @property
     def in_own_units(self) -> bool:
@@ -339,6 +338,5 @@ SUBJECT = Subject(
     number=_number,
     caption=_caption,
     notes=balance_notes,
-    options=NEEDS,
     drawn="kurbel.plot.pages:unbalanced",
 )

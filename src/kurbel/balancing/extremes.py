@@ -12,7 +12,6 @@ from typing import Any
 from kurbel.balancing.angles import WORDS, LineAxis, of_all, of_order
 from kurbel.balancing.arrangement import LENGTHS, Residual, certified_length, factor
 from kurbel.balancing.balance_page import (
-    NEEDS,
     RESIDUALS,
     SUBJECT,
     BalanceRequest,
@@ -186,6 +185,5 @@ EXTREMES = SUBJECT._replace(
     quantities=quantities,
     number=_number,
     notes=_notes,
-    options=NEEDS,
     listed=lambda: (("balance --layout balance-greatest", quantities()[PLACE]),),
 )

@@ -24,7 +24,7 @@ from kurbel.exact.numerals import Label, Number, figure
 from kurbel.exact.real import PI, Real
 from kurbel.motion.notes import turns_label
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_text
-from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Words, entry, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
@@ -129,17 +129,12 @@ class Run(NamedTuple):
 
 
 ANGLE_DECIMALS = 2
-# What a quantity needs to be known, with the options that say so.
-NEEDS: Mapping[str, tuple[str, ...]] = {
-    "speed": ("--speed",),
-    "wheel": ("--wheel",),
-    "radius": ("--balance-radius",),
-    "load": ("--speed", "--wheel-load"),
-    "train": ("--speed", "--wheel"),
-    "lift": ("--wheel-load", "--wheel"),
-    "lift alone": ("--wheel-load",),
-    "limit": ("--speed", "--hammer-blow"),
-}
+# What quantities need to be known.
+SPEED = Need(lambda question: question.run.omega is not None, ("--speed",))
+WHEEL = Need(lambda question: question.run.wheel is not None, ("--wheel",))
+RADIUS = Need(lambda question: question.run.radius is not None, ("--balance-radius",))
+LOAD = Need(lambda question: question.run.load is not None, ("--wheel-load",))
+LIMIT = Need(lambda question: not question.run.limit is question.run.load is None, ("--hammer-blow",))
 PER_MINUTE = '$"min"^(-1)$'
 
 
@@ -187,7 +182,7 @@ def _mirrored(vector: Vector) -> Vector:
     return Vector(vector.star.mirrored())
 
 
-Row = tuple[str, str, Label, str, Callable[[At], "Real | Vector | None"], str]
+Row = tuple[str, str, Label, str, Callable[[At], "Real | Vector | None"], *tuple[Need, ...]]
 
 
 def _of_side(side: int, key: str, de: str) -> tuple[Row, ...]:
@@ -196,41 +191,41 @@ def _of_side(side: int, key: str, de: str) -> tuple[Row, ...]:
 
     return (
         (f"balance_{key}_kgm", f"Ausgleich {de}|Balance {key}", "$B b$", "kg m",
-         lambda at: balance(at).length(), ""),
+         lambda at: balance(at).length()),
         (f"mass_{key}_kg", f"Ausgleichmasse {de}|Balancing mass {key}", "$B$", "kg",
-         lambda at: balance(at).length() / known(at.run.radius), "radius"),
-        (f"angle_{key}", f"Richtung {de}|Direction {key}", "", "°", balance, ""),
+         lambda at: balance(at).length() / known(at.run.radius), RADIUS),
+        (f"angle_{key}", f"Richtung {de}|Direction {key}", "", "°", balance),
     )  # fmt: skip
 
 
 _ROWS: tuple[Row, ...] = (
-    ("speed", "Drehzahl|Speed", "$n$", PER_MINUTE, lambda at: _minutes(at.omega), "speed"),
+    ("speed", "Drehzahl|Speed", "$n$", PER_MINUTE, lambda at: _minutes(at.omega), SPEED),
     ("velocity_kmh", "Fahrgeschwindigkeit|Speed of the train", "$v$", "km/h",
-     lambda at: at.kilometres(at.omega), "train"),
+     lambda at: at.kilometres(at.omega), SPEED, WHEEL),
     *_of_side(0, "left", "links"),
     *_of_side(1, "right", "rechts"),
     ("blow_left_n", "Hammerschlag links|Hammer blow left", "", "N",
-     lambda at: at.turning(at.engine.blows(at.share)[0]), "speed"),
+     lambda at: at.turning(at.engine.blows(at.share)[0]), SPEED),
     ("blow_right_n", "Hammerschlag rechts|Hammer blow right", "", "N",
-     lambda at: at.turning(at.engine.blows(at.share)[1]), "speed"),
+     lambda at: at.turning(at.engine.blows(at.share)[1]), SPEED),
     ("load_least_n", "kleinster Raddruck|Least load of a wheel", "", "N",
-     lambda at: known(at.run.load) - at.blow, "load"),
+     lambda at: known(at.run.load) - at.blow, SPEED, LOAD),
     ("load_greatest_n", "größter Raddruck|Greatest load of a wheel", "", "N",
-     lambda at: known(at.run.load) + at.blow, "load"),
+     lambda at: known(at.run.load) + at.blow, SPEED, LOAD),
     ("lift_speed", "Drehzahl des Abhebens|Speed of lifting", "", PER_MINUTE,
-     lambda at: _minutes(at.lifting()), "lift alone"),
+     lambda at: _minutes(at.lifting()), LOAD),
     ("lift_velocity_kmh", "Fahrgeschwindigkeit des Abhebens|Speed of the train at lifting", "", "km/h",
-     lambda at: at.kilometres(at.lifting()), "lift"),
+     lambda at: at.kilometres(at.lifting()), LOAD, WHEEL),
     ("pull_n", "Zucken, größte Kraft ±|Variation of tractive force ±", "", "N",
-     lambda at: at.turning(at.engine.pull(at.share)), "speed"),
+     lambda at: at.turning(at.engine.pull(at.share)), SPEED),
     ("pull_phi", "größte Zugkraft bei φ|greatest at φ", "", "°",
-     lambda at: _mirrored(at.engine.pull(at.share)), ""),
+     lambda at: _mirrored(at.engine.pull(at.share))),
     ("sway_nm", "Schlingermoment ±|Swaying couple ±", "", "N m",
-     lambda at: at.turning(at.engine.sway(at.share)), "speed"),
+     lambda at: at.turning(at.engine.sway(at.share)), SPEED),
     ("sway_phi", "größtes Moment bei φ|greatest couple at φ", "", "°",
-     lambda at: _mirrored(at.engine.sway(at.share)), ""),
+     lambda at: _mirrored(at.engine.sway(at.share))),
     ("share_most", "größter Teil nach dem erlaubten Raddruck|Largest share by the allowed blow", "$c$", "",
-     At.largest, "limit"),
+     At.largest, SPEED, LIMIT),
 )  # fmt: skip
 
 
@@ -240,9 +235,9 @@ def quantities() -> Mapping[str, Quantity]:
     return {
         key: entry(
             key, name, symbol, unit, ANGLE_DECIMALS if unit == "°" else None,
-            {"exact": Formula(kernel)}, needs=needs,
+            {"exact": Formula(kernel)}, needs=tuple(needs),
         )
-        for key, name, symbol, unit, kernel, needs in _ROWS
+        for key, name, symbol, unit, kernel, *needs in _ROWS
     }  # fmt: skip
 
 
@@ -297,18 +292,6 @@ class LocomotiveRequest(Question):
         # The page's last column has the units.
         named = {lang: f"{name} {one.symbol}".rstrip() for lang, name in one.name.items()}
         return one._replace(spanners=(), heading=named)
-
-    def missing(self, quantity: Quantity) -> str:
-        run = self.run
-        unknown = {
-            "--speed": run.omega is None,
-            "--wheel": run.wheel is None,
-            "--balance-radius": run.radius is None,
-            "--wheel-load": run.load is None,
-            "--hammer-blow": run.limit is None and run.load is None,
-        }
-        lacking = [option for option in NEEDS.get(quantity.needs, ()) if unknown[option]]
-        return f"column {quantity.key} needs {' and '.join(lacking)}" if lacking else ""
 
 
 def _number(question: LocomotiveRequest, column: Column, place: Place, times: int) -> Number | None:
@@ -379,5 +362,4 @@ SUBJECT = Subject(
     number=_number,
     caption=lambda question: question.layout.caption[question.lang],
     notes=_notes,
-    options=NEEDS,
 )

@@ -15,7 +15,7 @@ from kurbel.exact.numerals import Label, Number, given
 from kurbel.exact.real import Real
 from kurbel.motion.notes import turns_label
 from kurbel.page.axes import ColumnAxis, ListAxis, Place
-from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Words, entry, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
@@ -24,8 +24,8 @@ from kurbel.reading.units import Speed
 
 ANGLE_DECIMALS = 2
 # What planes and a speed tell.
-_OF_PLANES, _OF_SPEED = "planes", "speed"
-NEEDS: Mapping[str, tuple[str, ...]] = {_OF_PLANES: ("--planes",), _OF_SPEED: ("--speed",)}
+_PLANES = Need(lambda question: not question.planar, ("--planes",))
+_SPEED = Need(lambda question: question.speed is not None, ("--speed",))
 _COUPLES = ("couple", "second_couple", "left_couple")
 WORDS: Mapping[str, Words] = {
     "line": words("Masse|Mass"),
@@ -86,18 +86,18 @@ def _field(name: str, times: int = 1, power: int = 0) -> Callable[[At], Real | N
 def quantities() -> Mapping[str, Quantity]:
     """Return the columns by their keys."""
     rows = (
-        ("mass_kg", "Masse|Mass", "$m$", "kg", _field("mass"), ""),
+        ("mass_kg", "Masse|Mass", "$m$", "kg", _field("mass"), ()),
         ("radius_mm", "Halbmesser des Schwerpunkts|Radius of the centre of mass", "$r$", "mm",
-         _field("radius", 1000), ""),
-        ("angle", "Winkel|Angle", "$α$", "°", lambda at: at.line.angle, ""),
-        ("plane_mm", "Lage der Ebene|Position of the plane", "$z$", "mm", _field("plane", 1000), _OF_PLANES),
-        ("unbalance_kgm", "Unwucht|Unbalance", "$m r$", "kg m", _field("unbalance"), ""),
+         _field("radius", 1000), ()),
+        ("angle", "Winkel|Angle", "$α$", "°", lambda at: at.line.angle, ()),
+        ("plane_mm", "Lage der Ebene|Position of the plane", "$z$", "mm", _field("plane", 1000), (_PLANES,)),
+        ("unbalance_kgm", "Unwucht|Unbalance", "$m r$", "kg m", _field("unbalance"), ()),
         ("moment_kgm2", "Moment der Unwucht|Moment of the unbalance", "$m r l$", "kg m²", _field("moment"),
-         _OF_PLANES),
+         (_PLANES,)),
         ("unbalance_n", "Fliehkraft|Centrifugal force", "$m r ω^2$", "N", _field("unbalance", power=2),
-         _OF_SPEED),
+         (_SPEED,)),
         ("moment_nm", "Moment der Fliehkraft|Moment of the centrifugal force", "$m r l ω^2$", "N m",
-         _field("moment", power=2), _OF_SPEED),
+         _field("moment", power=2), (_PLANES, _SPEED)),
     )  # fmt: skip
     return {
         key: entry(
@@ -132,13 +132,6 @@ class RotorRequest(Question):
         hidden = _COUPLES if self.planar else ()
         every = (lines(self.rotor, solution, self.places) for solution in self.solutions)
         return tuple(tuple(one for one in found if one.key not in hidden) for found in every)
-
-    def missing(self, quantity: Quantity) -> str:
-        lacks = [_OF_PLANES] * (self.planar and quantity.key in ("plane_mm", "moment_kgm2", "moment_nm"))
-        lacks += [_OF_SPEED] * (quantity.needs == _OF_SPEED and self.speed is None)
-        if not lacks:
-            return ""
-        return f"column {quantity.key} needs {' and '.join(one for lack in lacks for one in NEEDS[lack])}"
 
 
 def number_of(question: Question, column: Column, at: Any) -> Number | None:
@@ -220,5 +213,4 @@ SUBJECT = Subject(
     number=_number,
     caption=_caption,
     notes=_notes,
-    options=NEEDS,
 )

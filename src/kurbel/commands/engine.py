@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import ClassVar
 
@@ -19,9 +19,11 @@ from kurbel.commands.parts.performance import Flywheel
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
 from kurbel.drive.wheel import Wheel
+from kurbel.engine.engine_quantities import Needs, engine_registry
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import Layout
+from kurbel.page.quantity import Need
 from kurbel.page.subject import Question
 from kurbel.reading import notation
 from kurbel.reading.given import as_angles, as_ratios
@@ -47,17 +49,16 @@ WITH_WHEEL = ("speed", "evenness")
 TORQUES, AREAS = "torques", "areas"
 # What counts beside masses, or in columns; what these need, beside bore and pressures of the load.
 SIZES = ("stroke", "rod", "speed", "bore", "pressure")
-NEEDS = {
-    "load": (), "stroke": ("stroke",), "torque": ("stroke",), "power": ("stroke", "speed"),
-    "flow": ("stroke", "speed"),
+NEEDS: Mapping[Need, tuple[str, ...]] = {
+    Needs.LOAD: (), Needs.STROKE: ("stroke",), Needs.TORQUE: ("stroke",), Needs.POWER: ("stroke", "speed")
 }  # fmt: skip
 
 
 class EngineWithWheel(Flywheel, Engine, Layouts, Sheet, CommandOptions):
     """An engine with its flywheel."""
 
-    # Columns for which bore, stroke and speed are, and what these need.
-    of_sizes: ClassVar[Mapping[str, str]] = {}
+    # Columns for which bore, stroke and speed are.
+    of_sizes: ClassVar[tuple[str, ...]] = ()
     # A column that has to do with the flywheel.
     of_wheel: ClassVar[str] = ""
 
@@ -84,7 +85,7 @@ class EngineWithWheel(Flywheel, Engine, Layouts, Sheet, CommandOptions):
         used = {name for one in shown for name in self._needed(one.needs)}
         if question.columns and any(one.key == "mean_pressure_kpa" for one in shown):
             # The bore of a cylinder is given with its stroke.
-            used |= {*self._needed("stroke")}
+            used |= {*self._needed((Needs.STROKE,))}
         for name in SIZES:
             typed = self.values.typed(name) and self.says(name)
             if typed and name not in used and not self._counts(name):
@@ -107,13 +108,12 @@ class EngineWithWheel(Flywheel, Engine, Layouts, Sheet, CommandOptions):
             return self.has_wheel()
         return self.says("friction", *RODS) or (name == "pressure" and self._back_is_pressure())
 
-    def _needed(self, needs: str) -> Sequence[str]:
+    def _needed(self, needs: Iterable[Need]) -> Sequence[str]:
         """Return the options that make such a column known; the rod gives the stroke by the ratio."""
-        if needs not in NEEDS:
-            return ()
+        of_sizes = [need for need in needs if need in NEEDS]
         length = "rod" if self.says("rod") and not self.says("stroke") else "stroke"
-        own = [length if name == "stroke" else name for name in NEEDS[needs]]
-        return own if needs == "stroke" else [*own, *self.weighing()]
+        own = [length if name == "stroke" else name for need in of_sizes for name in NEEDS[need]]
+        return own if {*of_sizes} <= {Needs.STROKE} else [*own, *self.weighing()]
 
     def _lacking(self, question: EngineRequest, name: str) -> list[str]:
         """Return what the nearest column of the page lacks that a size is for, none if no column is."""
@@ -134,8 +134,8 @@ class EngineWithWheel(Flywheel, Engine, Layouts, Sheet, CommandOptions):
         if name == "rod":
             return "--rod gives the ratio with --stroke; add that, or leave --rod out"
         if name in SIZES and name not in (() if self.says("eps") else ("pressure",)):
-            for key, needs in self.of_sizes.items():
-                if name in self._needed(needs):
+            for key in self.of_sizes:
+                if name in self._needed(engine_registry()[key].needs):
                     return f"{flag} says nothing on this page; add --reciprocating, or a column such as {key}"
             return f"{flag} is for {Masses.title}; add {Masses.add}"
         return ""
@@ -183,7 +183,7 @@ class DeltaOptions(EngineWithWheel):
     sequence = f"{ENGINE_ORDER} {LOAD_ORDER} flywheel inertia power resistance speed detail columns"
     in_short = "eps back bore pressure card ratio machine pressure_ratio compression cranks flywheel detail"
 
-    of_sizes: ClassVar[Mapping[str, str]] = {"indicated_power": "power"}
+    of_sizes: ClassVar[tuple[str, ...]] = ("indicated_power",)
     of_wheel = "delta_mean"
 
     detail = flag("All that leads to δ: angles and speeds of both strokes.")
@@ -248,7 +248,7 @@ class TurningOptions(EngineWithWheel, Diagram):
         " load_torque load_torque_file turns areas area_scale speed angle step columns"
     )
     in_short = "eps back bore pressure card ratio stroke machine torque cranks step columns"
-    of_sizes: ClassVar[Mapping[str, str]] = {"pin_path_mm": "stroke", "tangential_kpa": "load"}
+    of_sizes: ClassVar[tuple[str, ...]] = ("pin_path_mm", "tangential_kpa")
     of_wheel = "speed"
 
     angle = Angles.angle.but(

@@ -31,7 +31,7 @@ from kurbel.exact.found import Found
 from kurbel.exact.kind import balls
 from kurbel.exact.numerals import exact_text, figures, nearest
 from kurbel.exact.place import fraction
-from kurbel.motion.evaluation import NEEDS, kernel_of
+from kurbel.motion.evaluation import kernel_of
 from kurbel.motion.evaluation import value as at
 from kurbel.page.axes import angle_text
 from kurbel.page.layouts import layout
@@ -123,7 +123,7 @@ class OfRatio:
             self.condition.unit
             and (column := MEASURES[self.condition.quantity].column) not in self.drive.columns
         ):
-            needs = " and ".join(NEEDS[self.drive.entries[column].needs])
+            needs = " and ".join(self.drive.entries[column].options)
             raise ProblemError(f'condition "{self.condition}" is in {self.condition.unit} and needs {needs}')
         if self.condition.kind not in (VALUE, MAX) or (
             self.condition.kind == MAX and self.condition.quantity != "c"

@@ -17,7 +17,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, exact_text
 from kurbel.motion.captions import formula_lines, signed, strokes_of
 from kurbel.motion.drives import Drive
-from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES, TURN, method_named, unknown
+from kurbel.motion.evaluation import OUT, RETURN, STROKES, TURN, method_named, unknown
 from kurbel.motion.mechanism import mechanism
 from kurbel.motion.motion_page import DriveQuestion
 from kurbel.motion.motion_quantities import registry
@@ -292,7 +292,6 @@ MOTION = Subject(
     number=_number,
     caption=caption,
     notes=notes,
-    options=NEEDS,
     listed=_listed,
     drawn="kurbel.plot.over_path:over_path",
 )

@@ -17,7 +17,7 @@ from kurbel.exact.kind import balls
 from kurbel.exact.numerals import MOST_DIGITS, Number, exact_text, nearest, number_text
 from kurbel.exact.place import Place
 from kurbel.motion.drives import Drive, condition_names
-from kurbel.motion.evaluation import NEEDS, OUT, RETURN
+from kurbel.motion.evaluation import OUT, RETURN, Needs
 from kurbel.motion.mechanism import mechanism
 from kurbel.reading import units
 from kurbel.reading.amounts import UNITS
@@ -65,7 +65,7 @@ class Root:
         """Return what a column shows of the place, times a factor."""
         if column in self.known:
             return nearest(times * self.known[column], decimals, rounding)
-        if self.place.degrees is None and self.drive.entries[column].needs == "time":
+        if self.place.degrees is None and Needs.TIME in self.drive.entries[column].needs:
             return self._time(decimals, rounding, times)
         scaled = self.drive.digits(column, self.stroke, self.place, decimals, rounding, times)
         return Number(scaled, decimals)
@@ -120,7 +120,7 @@ def read_on(drive: Drive, text: str) -> Condition:
         return found
     column = drive.in_newtons[found.quantity]
     if column not in drive.columns:
-        options = " and ".join(NEEDS[drive.entries[column].needs])
+        options = " and ".join(drive.entries[column].options)
         raise ProblemError(f'condition "{found}" is in {found.unit} and needs {options}')
     reader = units.signed_torque if found.quantity == TORQUE else units.signed_force
     value = reader(f"{exact_text(found.value)} {found.unit}", found.quantity)

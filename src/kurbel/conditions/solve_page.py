@@ -15,7 +15,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.course import ClosedForm, Target, closed_forms, form_text, is_at
 from kurbel.exact.numerals import Label, Number, degrees_text, exact_text, finite_decimals
 from kurbel.motion.drives import Drive
-from kurbel.motion.evaluation import NEEDS, OUT, RETURN, STROKES, method_named, typed, unknown
+from kurbel.motion.evaluation import OUT, RETURN, STROKES, method_named, typed, unknown
 from kurbel.motion.mechanism import mechanism
 from kurbel.motion.motion_page import DriveQuestion
 from kurbel.motion.motion_quantities import registry
@@ -301,7 +301,7 @@ class SolveRequest(DriveQuestion):
     def _check(self, condition: Condition) -> None:
         quantity, known = condition.quantity, self.drives[0].columns
         if condition.unit and MEASURES[quantity].column not in known:
-            options = " and ".join(NEEDS[registry()[MEASURES[quantity].column].needs])
+            options = " and ".join(registry()[MEASURES[quantity].column].options)
             raise ProblemError(f'condition "{condition}" is in {condition.unit} and needs {options}')
         if self.drives[0].column_of(quantity) not in known:
             raise ProblemError(f'method "{typed(self.method)}" has no formula for {quantity}; use exact')

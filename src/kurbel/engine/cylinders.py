@@ -13,7 +13,7 @@ from kurbel.engine.cylinder import AnyTurn, Member, TurnPlace, members_of
 from kurbel.engine.digits import Asked, printed
 from kurbel.engine.engine import Engine
 from kurbel.engine.engine_page import errors_beside
-from kurbel.engine.engine_quantities import ENGINE_METHODS
+from kurbel.engine.engine_quantities import ENGINE_METHODS, Needs
 from kurbel.engine.loads.words import load_text
 from kurbel.engine.notes import notes
 from kurbel.engine.request import EngineRequest
@@ -71,14 +71,14 @@ def registry() -> Mapping[str, Quantity]:
         ("lag", "Winkel hinter dem ersten Zylinder|Angle behind the first cylinder", "$α$", "°", None,
          lambda turn, row: None if row.part is None else 180 * row.start, {}),
         ("load", "Belastung|Load", "", "", None, None, {}),
-        ("bore_mm", "Bohrung|Bore", "$d$", "mm", None, _of_part(_bore), {"needs": "load"}),
-        ("stroke_mm", "Hub|Stroke", "$s$", "mm", None, _of_part(_stroke), {"needs": "torque"}),
+        ("bore_mm", "Bohrung|Bore", "$d$", "mm", None, _of_part(_bore), {"needs": (Needs.LOAD,)}),
+        ("stroke_mm", "Hub|Stroke", "$s$", "mm", None, _of_part(_stroke), {"needs": (Needs.TORQUE,)}),
         ("mean_share", "Anteil an der mittleren Tangentialkraft|Share of the mean tangential force", "", "%",
          2, _mean, {"scale": lambda turn: 100 / abs(turn.mean_force())}),
         ("mean_force", "mittlere Tangentialkraft|Mean tangential force", "$P$", "$Q$", 5, _mean, {}),
         ("mean_torque", "mittleres Drehmoment|Mean torque", "$P r$", "N m", 1, _mean,
-         {"scale": AnyTurn.torque_unit, "needs": "torque"}),
-        ("power", "Leistung|Power", "$N$", "kW", 3, _mean, {"scale": kilowatts, "needs": "power"}),
+         {"scale": AnyTurn.torque_unit, "needs": (Needs.TORQUE,)}),
+        ("power", "Leistung|Power", "$N$", "kW", 3, _mean, {"scale": kilowatts, "needs": (Needs.POWER,)}),
     )  # fmt: skip
     return {row[0]: _entry(*row) for row in rows}
 

@@ -3,8 +3,7 @@
 Each is a number of a turn: of a stroke of it, of the whole turn, at a crank angle, or of a flywheel. Its
 kernel takes the turn and where in it, and returns a number of the turn's kind or, where it is rational, a
 fraction. What it is `of`: a turn, a stroke, "least" or "greatest" (the extremes of the speed, in a stroke or
-in the turn), an angle (of all cranks), a crank (the first one, at an angle) or a flywheel. It `needs` an
-ideal card, "steam", the "load" or the "torque" that makes newtons, or what else `EngineRequest.needs` says.
+in the turn), an angle (of all cranks), a crank (the first one, at an angle) or a flywheel.
 """
 
 from __future__ import annotations
@@ -14,12 +13,53 @@ from functools import cache, partial
 from typing import Any, NamedTuple
 
 from kurbel.drive.at import CRANK_FORCES
+from kurbel.drive.load import COMPRESSOR
 from kurbel.engine import work
 from kurbel.engine.cylinder import OUTSTROKE, RETURN_STROKE, WHOLE, AnyTurn, TurnPlace
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Numeric
 from kurbel.motion.evaluation import Method
-from kurbel.page.quantity import Formula, Quantity, Words, entry, words
+from kurbel.page.quantity import Formula, Need, Quantity, Words, entry, words
+
+_IDEAL = "an ideal card, with an expansion ratio"
+
+
+class Needs:
+    """What a quantity needs to be known of an engine that is asked for; {pressure} is how its load has it."""
+
+    STEAM = Need(lambda asked: asked.steamed, words=_IDEAL)
+    CURVE = Need(lambda asked: hasattr(asked.acting, "exponent"), words=_IDEAL)
+    CLEARANCE = Need(lambda asked: hasattr(asked.acting, "clearance"), words=_IDEAL)
+    COMPRESSOR = Need(
+        lambda asked: asked.acting is not None and asked.acting.name == COMPRESSOR,
+        words="a compressor, with --pressure-ratio",
+    )
+    HEAT = Need(
+        lambda asked: getattr(asked.acting, "adiabatic", False),
+        words="the cycle of a gas engine, --compression, with one adiabatic exponent",
+    )
+    LOAD = Need(lambda asked: asked.load is not None, words="--bore{pressure}")
+    STROKE = Need(lambda asked: asked.first.crank.radius is not None, words="--stroke")
+    TORQUE = Need(lambda asked: asked.sized, words="--stroke, --bore{pressure}")
+    POWER = Need(
+        lambda asked: asked.sized and asked.first.crank.speed is not None,
+        words="--stroke, --speed, --bore{pressure}",
+    )
+    FLOW = Need(
+        lambda asked: hasattr(asked.acting, "delivered"),
+        words="a compressor or a pump, --pressure-ratio or --pump",
+    )
+    MASSES = Need(
+        lambda asked: any(part.crank.moving is not None for part in asked.first.parts),
+        words="moving masses, such as --reciprocating 300kg",
+    )
+    RADIUS = Need(
+        lambda asked: asked.flywheels and asked.flywheels[0].radius is not None,
+        words="the radius at which the mass is, --radius",
+    )
+    TURNS = Need(lambda asked: asked.wheel and asked.wheel.speed, words="the mean speed, --speed")
+    INERTIA = Need(lambda asked: asked.wheel and asked.wheel.inertia, words="the flywheel by its --inertia")
+
 
 SPANS: Mapping[int | None, tuple[str, Words]] = {
     OUTSTROKE: ("outstroke", words("Hingang|Outstroke")),
@@ -115,13 +155,13 @@ def _turn_entries() -> Iterator[Quantity]:
     yield row("mean_force", "mittlere Umfangskraft|Mean tangential force", "$P$", "$Q$", "turn", 5,
               lambda turn, where: turn.mean_force())  # fmt: skip
     yield row("back", "Gegendruck|Back pressure", "$R_b$", "$Q$", "turn", 4,
-              lambda turn, where: turn.back(), needs="steam")  # fmt: skip
+              lambda turn, where: turn.back(), needs=(Needs.STEAM,))  # fmt: skip
     yield row("exponent", "Exponent der Expansion|Exponent of the expansion", "$n$", "", "turn", None,
-              lambda turn, where: turn.engine.steam.exponent, needs="curve")  # fmt: skip
+              lambda turn, where: turn.engine.steam.exponent, needs=(Needs.CURVE,))  # fmt: skip
     yield row("clearance", "schädlicher Raum|Clearance", "$κ$", "", "turn", None,
-              lambda turn, where: turn.engine.steam.clearance, needs="clearance")  # fmt: skip
+              lambda turn, where: turn.engine.steam.clearance, needs=(Needs.CLEARANCE,))  # fmt: skip
     yield row("alpha_cutoff", "Absperrung bei|Cut-off at", "$α_ε$", "°", "stroke", 3,
-              lambda turn, where: 180 * turn.cut_off(where.stroke), minutes=True, needs="steam",
+              lambda turn, where: 180 * turn.cut_off(where.stroke), minutes=True, needs=(Needs.STEAM,),
               )  # fmt: skip
     yield from _extreme("kleinste Geschwindigkeit|Least speed", "least", "min")
     yield from _extreme("größte Geschwindigkeit|Greatest speed", "greatest", "max")
@@ -142,20 +182,22 @@ def _path_entries() -> Iterator[Quantity]:
     """The way of the first crank pin on its circle, developed, and the tangential force over the area."""
     path, along = "Weg des Kurbelzapfens|Path of the crank pin", lambda turn, where: turn.of(where.half_turns)
     for key, unit, decimals, scale, needs in (
-        ("pin_path", "$r$", 4, lambda turn: turn.pi, ""),
+        ("pin_path", "$r$", 4, lambda turn: turn.pi, ()),
         ("pin_path_mm", "mm", 2, lambda turn: turn.of(1000 * turn.engine.crank.radius) * turn.pi,
-         "stroke"),
+         (Needs.STROKE,)),
     ):  # fmt: skip
         yield row(key, path, "$s$", unit, "angle", decimals, along, scale=scale, needs=needs)
     yield row("tangential_kpa", "Tangentialdruck|Tangential pressure", "$T/A$", "kPa", "angle", 1,
-              lambda turn, where: turn.tangential_force(where.half_turns), needs="load",
+              lambda turn, where: turn.tangential_force(where.half_turns), needs=(Needs.LOAD,),
               scale=work.kilopascals)  # fmt: skip
 
 
 def _work_entries() -> Iterator[Quantity]:
     yield row("work", "Arbeit einer Umdrehung|Work of a turn", "$A$", "$Q r$", "turn", 4, work.work)
     for key, name, letter in _STAGES:
-        yield row(key, name, letter, "$Q r$", "turn", None, partial(work.stage_work, key), needs="steam")
+        yield row(
+            key, name, letter, "$Q r$", "turn", None, partial(work.stage_work, key), needs=(Needs.STEAM,)
+        )
     per_area = "$Q$ je Kolbenfläche|$Q$ per piston area"
     heading = "|".join(f"$p_m$ in {unit}" for unit in per_area.split("|"))
     mean = row("mean_pressure", "mittlerer Druck|Mean pressure", "$p_m$", per_area, "turn", 4,
@@ -163,42 +205,42 @@ def _work_entries() -> Iterator[Quantity]:
     yield mean
     yield mean._replace(
         key="mean_pressure_kpa", unit=words("kPa"), decimals=1, heading=words("$p_m$ in kPa"),
-        scale=work.kilopascals, needs="load",
+        scale=work.kilopascals, needs=(Needs.LOAD,),
     )  # fmt: skip
     yield row("indicated_power", "indizierte Leistung|Indicated power", "$N_i$", "kW", "turn", None,
-              work.power, scale=work.kilowatts, needs="power")  # fmt: skip
+              work.power, scale=work.kilowatts, needs=(Needs.POWER,))  # fmt: skip
     yield row("volumetric_efficiency", "volumetrischer Wirkungsgrad|Volumetric efficiency", "$η_v$", "",
-              "turn", 4, work.volumetric_efficiency, needs="compressor")  # fmt: skip
+              "turn", 4, work.volumetric_efficiency, needs=(Needs.COMPRESSOR,))  # fmt: skip
     yield row("delivered", "Fördervolumen|Delivered volume", "$V/V_h$", "", "turn", 4,
-              work.delivered, needs="compressor")  # fmt: skip
+              work.delivered, needs=(Needs.COMPRESSOR,))  # fmt: skip
     yield row("delivery", "Fördermenge|Delivery", "$V$", "m³/min", "turn", None, work.flow,
-              needs="flow")  # fmt: skip
+              needs=(Needs.FLOW, Needs.POWER))  # fmt: skip
     yield row("efficiency", "idealer Wirkungsgrad|Ideal efficiency", "$η$", "", "turn", 4,
-              work.efficiency, needs="heat")  # fmt: skip
+              work.efficiency, needs=(Needs.HEAT,))  # fmt: skip
 
 
 def _flywheel_entries() -> Iterator[Quantity]:
-    for key, name, symbol, unit, decimals, kernel, needs in _FLYWHEEL:
-        yield row(key, name, symbol, unit, "flywheel", decimals, kernel, needs=needs)
+    for key, name, symbol, unit, decimals, kernel, *needs in _FLYWHEEL:
+        yield row(key, name, symbol, unit, "flywheel", decimals, kernel, needs=tuple(needs))
 
 
 _SWING = "Arbeitsüberschuss|Energy swing"
 
 
-_FLYWHEEL: tuple[tuple[str, str, str, str, int | None, Callable[..., Numeric], str], ...] = (
-    ("power", "Leistung|Power", "$N$", "W", None, work.power_of, ""),
-    ("speed", "Drehzahl|Speed", "$n$", '$"min"^(-1)$', None, work.turns_a_minute, ""),
-    ("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", None, work.speed, ""),
-    ("mean_torque", "mittleres Drehmoment|Mean torque", "$P r$", "N m", None, work.mean_torque, ""),
-    ("swing_share", _SWING, "$(ΔW)/(P r)$", "", 4, lambda turn, where: turn.irregularity(), ""),
-    ("swing", _SWING, "$ΔW$", "J", None, work.swing, ""),
-    ("inertia", "Trägheitsmoment|Moment of inertia", "$J$", "kg m²", None, work.inertia, ""),
+_FLYWHEEL: tuple[tuple[str, str, str, str, int | None, Callable[..., Numeric], *tuple[Need, ...]], ...] = (
+    ("power", "Leistung|Power", "$N$", "W", None, work.power_of),
+    ("speed", "Drehzahl|Speed", "$n$", '$"min"^(-1)$', None, work.turns_a_minute),
+    ("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", None, work.speed),
+    ("mean_torque", "mittleres Drehmoment|Mean torque", "$P r$", "N m", None, work.mean_torque),
+    ("swing_share", _SWING, "$(ΔW)/(P r)$", "", 4, lambda turn, where: turn.irregularity()),
+    ("swing", _SWING, "$ΔW$", "J", None, work.swing),
+    ("inertia", "Trägheitsmoment|Moment of inertia", "$J$", "kg m²", None, work.inertia),
     (
         "inertia_true",
         "Trägheitsmoment, Massen bei wahrer Geschwindigkeit|Moment of inertia, masses at their true speed",
-        "$J_δ$", "kg m²", None, work.true_inertia, "masses",
+        "$J_δ$", "kg m²", None, work.true_inertia, Needs.MASSES,
     ),
-    ("mass", "Schwungmasse am Halbmesser|Mass at the radius", "$J/ρ^2$", "kg", None, work.mass, "radius"),
+    ("mass", "Schwungmasse am Halbmesser|Mass at the radius", "$J/ρ^2$", "kg", None, work.mass, Needs.RADIUS),
 )  # fmt: skip
 
 
@@ -283,11 +325,11 @@ def _force_entries() -> Iterator[Quantity]:
         yield in_steam
         yield in_steam._replace(
             key=f"{key}_n", unit=words("N"), decimals=1, heading=words(f"{in_steam.symbol} in N"),
-            scale=AnyTurn.force_unit, needs="load",
+            scale=AnyTurn.force_unit, needs=(Needs.LOAD,),
         )  # fmt: skip
     yield row(
         "torque_nm", "Drehmoment|Torque", "$M_d$", "N m", "angle", 1,
         lambda turn, where: turn.tangential_force(where.half_turns),
-        scale=AnyTurn.torque_unit, needs="torque",
+        scale=AnyTurn.torque_unit, needs=(Needs.TORQUE,),
         direction=words("$M_d$ an der Welle|$M_d$ on the shaft"),
     )  # fmt: skip

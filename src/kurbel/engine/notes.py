@@ -13,7 +13,7 @@ from kurbel.engine.captions import (
     masses_notes,
     named_ratio,
 )
-from kurbel.engine.engine_quantities import AT_ANGLE, EXTREMES, FORCES
+from kurbel.engine.engine_quantities import AT_ANGLE, EXTREMES, FORCES, Needs
 from kurbel.engine.loads.words import engine_lines
 from kurbel.engine.request import BY_STROKE, OF_FORCES, OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest
 from kurbel.engine.texts import ENGINE, SIGNS, SUPPLIED
@@ -64,17 +64,17 @@ def notes(request: EngineRequest) -> Iterator[Label | Note]:
     if _says_forces(request):
         yield request.words.forces[lang]
     yield from _directions(request, [column.quantity for column in columns])
-    needs = {column.quantity.needs for column in columns}
+    needs = {need for column in columns for need in column.quantity.needs}
     alike = request.assembly is None
     # The power of an engine that is not given follows from its sizes.
     powered = alike and any(one.power is None for one in request.flywheels)
-    newtons = powered or needs & {"load", "torque", "power", "flow"}
+    newtons = powered or needs & {Needs.LOAD, Needs.TORQUE, Needs.POWER}
     if alike and request.load is not None and (request.first.crank.loaded or newtons):
         yield request.words.newtons(request.steams[0], request.load)
     if request.first.crank.moving is None:
         if powered:
             yield _radius(request)
-        elif needs & {"power", "flow"}:
+        elif Needs.POWER in needs:
             yield _sized(request)
     if _by_weisbach(request):
         yield ENGINE["weisbach"][lang]
@@ -192,7 +192,7 @@ def from_dead_centre(request: EngineRequest, method: str) -> bool:
 def _directions(request: EngineRequest, shown: Sequence[Quantity]) -> Iterator[Label]:
     """The directions of what is shown: of all forces and the torque on one line, with whose they are."""
     lang = request.lang
-    torques = [one for one in shown if one.needs == "torque" and one.of == "angle"]
+    torques = [one for one in shown if Needs.TORQUE in one.needs and one.of == "angle"]
     yield from dict.fromkeys(
         one.direction[lang] for one in shown if one.of == "angle" and one.direction and one not in torques
     )

@@ -34,7 +34,7 @@ from kurbel.kernel.circle import Numeric
 from kurbel.motion.notes import digits_text, moving_notes
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decimals
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio
+from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, filled, for_ratio
 from kurbel.page.subject import OVER_AXES, Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
@@ -42,12 +42,17 @@ from kurbel.reading.notation import about
 
 PASCALS = 10**5
 OVER_STROKE, OVER_ANGLE = "pressures", "pressures over the angle"
-GAS, MASSES, BOTH = "gas", "masses", "both"
-UNKNOWN: Mapping[str, str] = {
-    GAS: "a pressure on the piston; add what drives it, such as --eps 4 with --bore and --pressure",
-    MASSES: "masses; add --reciprocating, --stroke, --speed and --bore",
-    BOTH: "masses and a pressure on the piston; add --reciprocating, and what drives it, such as --eps 4",
-}
+GAS = Need(
+    lambda question: question.pressed.pushed,
+    words="a pressure on the piston; add what drives it, such as --eps 4 with --bore and --pressure",
+)
+MASSES = Need(
+    lambda question: question.pressed.heavy, words="masses; add --reciprocating, --stroke, --speed and --bore"
+)
+BOTH = Need(
+    lambda question: question.pressed.pushed and question.pressed.heavy,
+    words="masses and a pressure on the piston; add --reciprocating, and what drives it, such as --eps 4",
+)
 
 
 class StrokePlace(NamedTuple):
@@ -179,9 +184,9 @@ def registry() -> Mapping[str, Quantity]:
     entries = (
         entry("crank_angle", "Kurbelwinkel|Crank angle", "$φ$", "°", 3, _of(Pressed.degrees)),
         entry("x_stroke", "Kolbenweg|Piston path", "$x$", "Hub|stroke", 4, _of(Pressed.share), "$x/S$"),
-        entry("gas_pressure", gas, "$p$", "bar", 3, _of(Pressed.gas), needs=GAS),
-        entry("inertia_pressure", masses, "$q$", "bar", 3, _of(Pressed.masses), needs=MASSES),
-        entry("left_pressure", left, "$p - q$", "bar", 3, _of(Pressed.left), needs=BOTH),
+        entry("gas_pressure", gas, "$p$", "bar", 3, _of(Pressed.gas), needs=(GAS,)),
+        entry("inertia_pressure", masses, "$q$", "bar", 3, _of(Pressed.masses), needs=(MASSES,)),
+        entry("left_pressure", left, "$p - q$", "bar", 3, _of(Pressed.left), needs=(BOTH,)),
     )
     return {one.key: one._replace(spanners=(one.name,)) for one in entries}
 
@@ -211,13 +216,6 @@ class PressuresRequest(Question):
     @property
     def ratios(self) -> list[Fraction]:
         return [self.pressed.crank.ratio]
-
-    def missing(self, quantity: Quantity) -> str:
-        gas, masses = not self.pressed.pushed, not self.pressed.heavy
-        lacks = {GAS: gas, MASSES: masses, BOTH: gas or masses}
-        if not lacks.get(quantity.needs):
-            return ""
-        return f"column {quantity.key} needs {UNKNOWN[quantity.needs]}"
 
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return ("exact",)
@@ -273,7 +271,7 @@ def _number(question: PressuresRequest, column: Column, place: Place, times: int
     """The printed number."""
     quantity, where, pressed = column.quantity, question.where(place), question.pressed
     kernel = quantity.formulas["exact"].kernel
-    if is_carded(pressed) and quantity.needs in (GAS, BOTH):
+    if is_carded(pressed) and MASSES not in quantity.needs:
         return _measured(question, column, where)
     scaled = settled(lambda kind: times * kernel(pressed, where, kind), column.places, question.rounding)
     return Number(scaled, column.places)
@@ -288,7 +286,7 @@ def _measured(question: PressuresRequest, column: Column, where: StrokePlace) ->
     bar = float(question.of_page("bar"))
     unit = bar * float(known(known(pressed.engine).pressure)) / PASCALS
     value = own * unit
-    if column.quantity.needs == BOTH:
+    if BOTH in column.quantity.needs:
         value -= bar * float(pressed.masses(where, balls()))
     supported = min(column.places, floor(-log10(2 * max(apart, turn.force_apart) * unit)))
     return nearest(Fraction(value), supported, question.rounding) if supported >= 0 else None

@@ -26,7 +26,7 @@ from kurbel.motion.motion_page import worthwhile
 from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import Column, Quantity, with_symbol, words
-from kurbel.page.subject import Question
+from kurbel.page.subject import LEAVE_OUT, Question
 from kurbel.page.table import Field
 from kurbel.reading.given import choose
 
@@ -80,6 +80,8 @@ class EngineRequest(Question):
     load: Load | None = None
     assembly: Assembly | None = None
     numbers: tuple[int, ...] = ()
+
+    advice = LEAVE_OUT
 
     def check(self) -> None:
         self._check_lists()
@@ -256,42 +258,23 @@ class EngineRequest(Question):
         asked = not methods or not self.methods or set(methods) <= set(self.methods)
         return asked and super().shows(column)
 
-    @cached_property
-    def needs(self) -> Mapping[str, tuple[bool, str]]:
-        """What quantities need: whether it is given, and how it is."""
-        load, crank, alone = self.steams[0], self.first.crank, self.assembly is None
-        sized, flows = self.load is not None and crank.radius is not None, hasattr(load, "delivered")
-        ideal, bore = "an ideal card, with an expansion ratio", f"--bore{self.words.pressure}"
-        powered, power = sized and crank.speed is not None, f"--stroke, --speed, {bore}"
-        pumped = power if flows else "a compressor or a pump, --pressure-ratio or --pump"
-        adiabatic = "the cycle of a gas engine, --compression, with one adiabatic exponent"
-        moving = any(part.crank.moving is not None for part in self.first.parts)
-        at_radius = bool(self.flywheels) and self.flywheels[0].radius is not None
-        return {
-            "": (True, ""),
-            "steam": (self.steamed, ideal),
-            "curve": (alone and hasattr(load, "exponent"), ideal),
-            "clearance": (alone and hasattr(load, "clearance"), ideal),
-            "compressor": (alone and load.name == COMPRESSOR, "a compressor, with --pressure-ratio"),
-            "heat": (alone and getattr(load, "adiabatic", False), adiabatic),
-            "load": (self.load is not None, bore),
-            "torque": (sized, f"--stroke, {bore}"),
-            "stroke": (crank.radius is not None, "--stroke"),
-            "power": (powered, power),
-            "flow": (alone and powered and flows, pumped),
-            "masses": (moving, "moving masses, such as --reciprocating 300kg"),
-            "radius": (at_radius, "the radius at which the mass is, --radius"),
-            "turns": (bool(self.wheel and self.wheel.speed), "the mean speed, --speed"),
-            "inertia": (bool(self.wheel and self.wheel.inertia), "the flywheel by its --inertia"),
-        }
+    @property
+    def acting(self) -> Acting | None:
+        """The load, where it is that of all cylinders."""
+        return self.steams[0] if self.assembly is None else None
+
+    @property
+    def sized(self) -> bool:
+        """Whether the load and the size of the crank make a torque known."""
+        return self.load is not None and self.first.crank.radius is not None
 
     def missing(self, quantity: Quantity) -> str:
-        is_given, needed = self.needs[quantity.needs]
+        lacking = [str(one).format(pressure=self.words.pressure) for one in quantity.needs if self.lacks(one)]
         if quantity.of == "stroke" and not self.first.plain:
-            is_given, needed = False, "one double-acting crank"
+            lacking = ["one double-acting crank"]
         if self.assembly is not None and quantity.key in OF_ALIKE:
-            is_given, needed = False, "cylinders alike"
-        return "" if is_given else f"column {quantity.key} needs {needed}; leave it out, or give that"
+            lacking = ["cylinders alike"]
+        return self.needing(quantity, lacking[:1])
 
     def methods_of(self, column: LayoutColumn) -> tuple[str, ...]:
         return _methods(column.method) or self.methods or ("exact",)

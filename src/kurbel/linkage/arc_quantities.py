@@ -17,12 +17,13 @@ from kurbel.kernel.rocker import LoadedRocker
 from kurbel.linkage.linkage import DECIMALS, LinkageRequest, force_entries, force_formula, linkage_subject
 from kurbel.linkage.rocker import STROKE, RockerCrank
 from kurbel.motion.entries import OF_ROD, on_strokes, spanned
+from kurbel.motion.evaluation import Needs
 from kurbel.motion.inertia import RodForce, rod_entries
 from kurbel.motion.mechanism import mechanism
 from kurbel.motion.notes import connecting_rod, size_notes, turns_label
 from kurbel.motion.rod_accelerations import rocker_entries
 from kurbel.motion.rod_forces import part_entries
-from kurbel.page.quantity import Formula, Quantity, words
+from kurbel.page.quantity import Formula, Need, Quantity, words
 
 ANGLE_DECIMALS = 3
 # A further formula, as it is printed where the pivot lies on the left of the end's way.
@@ -108,7 +109,7 @@ def _arc_entries() -> Iterator[Quantity]:
     )  # fmt: skip
     yield sized_entry(
         "path_mm", "Weg auf dem Bogen|Path along the arc", "x", "mm", Formula(_path), Crank.millimetres,
-        needs="length", of=STROKE,
+        needs=Needs.LENGTH, of=STROKE,
     )  # fmt: skip
     yield headed_entry("velocity", "Geschwindigkeit|Velocity", "c", "v", _VELOCITY, names=("velocity", "c"))
     yield sized_entry("velocity_mps", "Geschwindigkeit|Velocity", "c", "m/s", _VELOCITY, Crank.pin_velocity)
@@ -188,13 +189,13 @@ def headed_entry(
 
 def sized_entry(
     key: str, name: str, letter: str, unit: str, formula: Formula, scale: Callable[..., Numeric],
-    needs: str = "speed", **rest: Any,
+    needs: Need = Needs.SPEED, **rest: Any,
 ) -> Quantity:  # fmt: skip
     """An entry in a unit that the crank's length or its speed makes."""
     symbol, decimals = f"${letter}$", 2 if unit in ("mm", "m/s²") else 3
     heading, formulas = f"{symbol} in {unit}", {"exact": formula}
     return spanned(
-        key, name, symbol, heading, unit, decimals, formulas, scale=scale, needs=needs, **rest
+        key, name, symbol, heading, unit, decimals, formulas, scale=scale, needs=(needs,), **rest
     )  # fmt: skip
 
 

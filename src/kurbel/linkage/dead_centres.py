@@ -16,17 +16,16 @@ from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Numeric
-from kurbel.motion.evaluation import NEEDS, OUT, RETURN
+from kurbel.motion.evaluation import OUT, RETURN, Needs
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import DriveQuestion
 from kurbel.motion.notes import size_notes, turns_label
 from kurbel.page.axes import ColumnAxis, LetteredRatioAxis, Place
-from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, filled, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Words, entry, filled, words
 from kurbel.page.subject import Subject
 from kurbel.reading.given import as_speed
 
 ANGLES, SHARES, LENGTHS, TIMES = 3, 4, 2, 5
-ROCKER = "rocker"
 NAMES: Mapping[str, Words] = {
     "straight": words("gerader Kurbeltrieb|straight crank"),
     "offset": words("geschränkter Kurbeltrieb|offset crank"),
@@ -37,6 +36,7 @@ NAMES: Mapping[str, Words] = {
 }
 # What of these swings.
 SWINGING = ("arc", "beam", "slotted")
+ROCKER = Need(lambda mechanism: mechanism in SWINGING)
 WORDS: Mapping[str, Words] = {
     "angles": words(
         "Totlagen von der Schubrichtung im Drehsinn; $Δ = φ_o - φ_i - 180°$,"
@@ -158,28 +158,29 @@ class Ends(NamedTuple):
         return self.kind.pi / self.stroke()
 
 
-Row = tuple[str, str, Label, str, int, Callable[[Ends], Numeric], str]
+Row = tuple[str, str, Label, str, int, Callable[[Ends], Numeric], tuple[Need, ...]]
 _ROWS: tuple[Row, ...] = (
-    ("phi_i", "innere Totlage|Inner dead centre", "φ_i", "°", ANGLES, Ends.inner, ""),
-    ("phi_o", "äußere Totlage|Outer dead centre", "φ_o", "°", ANGLES, Ends.outer, ""),
+    ("phi_i", "innere Totlage|Inner dead centre", "φ_i", "°", ANGLES, Ends.inner, ()),
+    ("phi_o", "äußere Totlage|Outer dead centre", "φ_o", "°", ANGLES, Ends.outer, ()),
     ("lead", "Kurbelwinkel des Hingangs über 180°|Crank angle of the outstroke above 180°", "Δ", "°", ANGLES,
-     Ends.lead, ""),
+     Ends.lead, ()),
     ("time_ratio", "Zeitverhältnis Hingang zu Rückgang|Time of the outstroke to that of the return",
-     "t_h:t_r", "", SHARES, Ends.time_ratio, ""),
+     "t_h:t_r", "", SHARES, Ends.time_ratio, ()),
     ("outstroke_time", "Zeit des Hingangs|Time of the outstroke", "t_h", "s", TIMES, Ends.outstroke_time,
-     "time"),
-    ("return_time", "Zeit des Rückgangs|Time of the return", "t_r", "s", TIMES, Ends.return_time, "time"),
-    ("stroke", "Hub|Stroke", "S", "R", SHARES, Ends.stroke, ""),
-    ("stroke_mm", "Hub|Stroke", "S", "mm", LENGTHS, Ends.stroke_mm, "length"),
-    ("swing", "Schwingungswinkel|Swing", "Δ θ", "°", ANGLES, Ends.swing, ROCKER),
+     (Needs.TIME,)),
+    ("return_time", "Zeit des Rückgangs|Time of the return", "t_r", "s", TIMES, Ends.return_time,
+     (Needs.TIME,)),
+    ("stroke", "Hub|Stroke", "S", "R", SHARES, Ends.stroke, ()),
+    ("stroke_mm", "Hub|Stroke", "S", "mm", LENGTHS, Ends.stroke_mm, (Needs.LENGTH,)),
+    ("swing", "Schwingungswinkel|Swing", "Δ θ", "°", ANGLES, Ends.swing, (ROCKER,)),
     ("transmission", "kleinster Übertragungswinkel|Least transmission angle", "μ_(min)", "°", ANGLES,
-     Ends.transmission, ""),
+     Ends.transmission, ()),
     ("v_mps", "Kurbelzapfengeschwindigkeit|Crank-pin velocity", "v", "m/s", ANGLES, Ends.pin_velocity,
-     "speed"),
+     (Needs.SPEED,)),
     ("c_m_mps", "mittlere Kolbengeschwindigkeit|Mean piston speed", "c_m", "m/s", ANGLES, Ends.mean_velocity,
-     "mean speed"),
+     (Needs.MEAN_SPEED,)),
     ("v_c_m", "Verhältnis der Geschwindigkeiten|Ratio of the velocities", "v:c_m", "", SHARES,
-     Ends.pin_to_mean, ""),
+     Ends.pin_to_mean, ()),
 )  # fmt: skip
 
 
@@ -191,8 +192,9 @@ def registry() -> Mapping[str, Quantity]:
 
 
 def _entry(
-    key: str, name: str, letter: Label, unit: str, decimals: int, kernel: Callable[[Ends], Any], needs: str
-) -> Quantity:
+    key: str, name: str, letter: Label, unit: str, decimals: int, kernel: Callable[[Ends], Any],
+    needs: tuple[Need, ...],
+) -> Quantity:  # fmt: skip
     symbol = f"${letter}$"
     heading = "|".join(f"{one} {symbol}" for one in name.split("|"))
     return entry(
@@ -208,8 +210,8 @@ class DeadCentresRequest(DriveQuestion):
     mechanism: str
 
     def missing(self, quantity: Quantity) -> str:
-        if quantity.needs == ROCKER:
-            if self.mechanism in SWINGING:
+        if ROCKER in quantity.needs:
+            if ROCKER.is_known(self.mechanism):
                 return ""
             return f"column {quantity.key} is of a rocker; add --mechanism arc, for example with --rocker 6"
         return super().missing(quantity)
@@ -266,5 +268,4 @@ SUBJECT = Subject(
     number=_number,
     caption=_caption,
     notes=_notes,
-    options=NEEDS,
 )

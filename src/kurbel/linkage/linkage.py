@@ -21,7 +21,7 @@ from kurbel.motion import motion_quantities
 from kurbel.motion.captions import direction_notes
 from kurbel.motion.drives import Drive
 from kurbel.motion.entries import Formulas
-from kurbel.motion.evaluation import NEEDS, OUT, certified
+from kurbel.motion.evaluation import OUT, Needs, certified
 from kurbel.motion.mechanism import FORCES as IN_DRAWINGS
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import CURVES, AngleQuestion, check_pairs, long_records
@@ -203,7 +203,6 @@ def linkage_subject(
         notes=notes,
         listed=listed,
         rows=long_records,
-        options=NEEDS,
         drawn=CURVES,
     )
 
@@ -283,7 +282,7 @@ def force_lines(
         columns = [column for column in question.page_columns if column.quantity.of == FORCE]
         yield from direction_notes(question, columns)
     sizes = size_notes(question.cranks)
-    if first.speed is not None and any(one.needs == "speed" for one in shown):
+    if first.speed is not None and any(Needs.SPEED in one.needs for one in shown):
         sizes.append(turns_label(first.speed))
     if first.acceleration:
         sizes.append(gain_label(first, lang))

@@ -34,7 +34,7 @@ from kurbel.linkage.linkage import (
     plain_notes,
 )
 from kurbel.motion.entries import spanned
-from kurbel.motion.evaluation import OUT, RETURN
+from kurbel.motion.evaluation import OUT, RETURN, Needs
 from kurbel.motion.motion_quantities import FORCES, Force, force_entries, torque_entries
 from kurbel.page.quantity import Formula, Quantity, words
 from kurbel.reading.given import as_number
@@ -268,7 +268,7 @@ def _ram_entries() -> Iterator[Quantity]:
         {"exact": Formula(lambda at: _path(at) / at.drive.way(at.numbers), path.printed, path.symbols)},
         names=("s",), rises=True,
     )  # fmt: skip
-    yield sized_entry("path_mm", "Weg|Path", "x", "mm", path, Crank.millimetres, needs="length")
+    yield sized_entry("path_mm", "Weg|Path", "x", "mm", path, Crank.millimetres, needs=Needs.LENGTH)
     name, velocity = (
         "Geschwindigkeit|Velocity",
         _of(kernel.velocity, "$c/v = ω_B/ω B cos(θ + σ)/(cos σ)$", (_TURNING, _Q, _THETA, _SIGMA)),

@@ -31,6 +31,7 @@ from kurbel.linkage.linkage import (
     plain_notes,
 )
 from kurbel.motion.entries import spanned
+from kurbel.motion.evaluation import Needs
 from kurbel.page.quantity import Formula, Quantity, words
 
 # In units of R: half the slot, and the rod of the yoke.
@@ -92,7 +93,7 @@ def _motion() -> Iterator[Quantity]:
         "path_stroke", "Weg|Path", "$x$", "in Teilen des Hubes|in strokes", "Hub|stroke", DECIMALS,
         {"exact": path}, names=("s",), scale=lambda crank, numbers: numbers.of(Fraction(1, 2)),
     )  # fmt: skip
-    yield sized_entry("path_mm", "Weg|Path", "x", "mm", path, Crank.millimetres, needs="length")
+    yield sized_entry("path_mm", "Weg|Path", "x", "mm", path, Crank.millimetres, needs=Needs.LENGTH)
     for key, name, letter, formula in (
         (
             "velocity", "Geschwindigkeit|Velocity", "c",

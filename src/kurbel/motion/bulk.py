@@ -13,7 +13,7 @@ from kurbel.drive.at import gain, known
 from kurbel.drive.crank import Crank, largest
 from kurbel.exact.kind import floats
 from kurbel.kernel.circle import Circle, Numeric
-from kurbel.motion.evaluation import LOADED, MOST_DECIMALS, columns_in_balls, fits_page, value
+from kurbel.motion.evaluation import LOADED, MOST_DECIMALS, Needs, columns_in_balls, fits_page, value
 from kurbel.page.quantity import Column
 from kurbel.reading.notation import Progression
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 # Floats are worth their while as long as few of them are doubtful.
 DOUBTFUL_SHARE = 0.1
 # Of what is known of quantities that have no arcs.
-ARITHMETIC = frozenset(("", "length", "speed", "mean speed"))
+ARITHMETIC = {Needs.LENGTH, Needs.SPEED, Needs.MEAN_SPEED}
 LARGEST_DENOMINATOR = 2**46
 # So many cells take balls as long as sums of two floats take for the first.
 MANY = 200
@@ -54,7 +54,7 @@ def suits_floats(column: Column, crank: Crank, reach: float) -> bool:
 def suits_doubles(column: Column, crank: Crank, angles: Sequence[Fraction]) -> bool:
     """Whether the formula is arithmetic, which sums of two floats do as well, and its digits fit 64 bits."""
     quantity = column.quantity
-    plain = quantity.needs in ARITHMETIC and not quantity.in_degrees and not crank.acceleration
+    plain = ARITHMETIC.issuperset(quantity.needs) and not quantity.in_degrees and not crank.acceleration
     if not plain or (crank.loaded and LOADED in quantity.formulas) or not isinstance(angles, Progression):
         return False
     denominator = lcm(angles.start.denominator, angles.step.denominator)
@@ -85,19 +85,19 @@ def float_bound(column: Column, crank: Crank, largest_angle: float) -> float:
 
 def greatest_value(column: Column, crank: Crank) -> float:
     """Return what no value of the column, nor its slopes over λ and the angle, exceeds by much."""
-    if column.quantity.needs.startswith("thrust"):
+    if Needs.EVEN in column.quantity.needs:
         from kurbel.motion.rod_forces import has_poles
 
         if has_poles(column.quantity, crank):
             return inf
-    if column.quantity.needs.startswith("arm"):
+    if Needs.ARM in column.quantity.needs:
         # Over a force that nearly vanishes.
         return inf
     steepest = float(crank.ratio) * (1 + abs(float(crank.offset)))
     growth = (1 - min(steepest, 1 - 1e-12) ** 2) ** -3.5
     quantity = column.quantity
     scale = abs(float(quantity.scale(crank, floats()))) if quantity.scale else 1.0
-    if quantity.needs in ("force", "torque") and crank.force is not None:
+    if Needs.FORCE in quantity.needs and crank.force is not None:
         scale *= float(crank.force.growth)
     if LOADED in quantity.formulas and crank.loaded:
         # A force is a sum of few products of these with powers of 1/cos ψ.
@@ -184,7 +184,7 @@ class Sharp:
 
 def on_floats(column: Column, crank: Crank) -> Callable[[Circle[Any]], Numeric] | OfDegrees:
     """Return the column as a function of the circle of floats or arrays, a time as one of the angle."""
-    if column.quantity.needs == "time":
+    if Needs.TIME in column.quantity.needs:
         from kurbel.exact.bulk import OfDegrees
 
         return OfDegrees(

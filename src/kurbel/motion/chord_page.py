@@ -223,6 +223,5 @@ SUBJECT = MOTION._replace(
     caption=_caption,
     notes=_notes,
     rows=None,
-    options={},
     listed=None,
 )

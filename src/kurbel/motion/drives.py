@@ -30,7 +30,7 @@ from kurbel.exact.terms import vanishes
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion.captions import Formulated, formula_lines
-from kurbel.motion.evaluation import LOADED, OUT, certified, is_known, is_transcendental, typed, value
+from kurbel.motion.evaluation import LOADED, OUT, Needs, certified, is_known, is_transcendental, typed, value
 from kurbel.motion.motion_quantities import registry
 from kurbel.motion.notes import drive_notes
 from kurbel.page.quantity import Column, Formula, Quantity, multiplied, words
@@ -101,8 +101,8 @@ class Drive(ABC):
     @cached_property
     def in_newtons(self) -> Mapping[str, str]:
         """The columns in N and N m that a piston force calls up, by the quantities that they show."""
-        needs = ("force", "torque", "masses") if self._is_heavy else ("force", "torque")
-        found = [one.key for one in self.entries.values() if one.needs in needs]
+        needs = {Needs.FORCE, Needs.MASSES} if self._is_heavy else {Needs.FORCE}
+        found = [one.key for one in self.entries.values() if not needs.isdisjoint(one.needs)]
         return {key.removesuffix("_nm").removesuffix("_n"): key for key in found}
 
     @property

@@ -13,7 +13,7 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.kernel import kinematics, series
 from kurbel.kernel.circle import Numeric
-from kurbel.motion.evaluation import OFFSET, OUT, REACH, RETURN, STROKES, TANGENT, TURN
+from kurbel.motion.evaluation import OFFSET, OUT, REACH, RETURN, STROKES, TANGENT, TURN, Needs
 from kurbel.page.quantity import Formula, Quantity, entry, words
 
 Formulas = Mapping[str, Formula]
@@ -184,16 +184,19 @@ def _piston_entries() -> Iterator[Quantity]:
         "x_percent", path, "$x$", "in % des Hubes|in % of stroke", "% des Hubes|% of the stroke", 2, PATH,
         scale=lambda crank, numbers: 100 / crank.stroke(numbers),
     )  # fmt: skip
-    yield spanned("x_mm", path, "$x$", "$x$ in mm", "mm", 2, PATH, scale=Crank.millimetres, needs="length")
+    yield spanned(
+        "x_mm", path, "$x$", "$x$ in mm", "mm", 2, PATH, scale=Crank.millimetres, needs=(Needs.LENGTH,)
+    )
     yield from _rod_versine_entries()
     yield spanned("c", velocity, "$c$", "$c/v$", "$v$", 4, VELOCITY, names=("c",))
     yield spanned(
-        "c_mps", velocity, "$c$", "$c$ in m/s", "m/s", 3, VELOCITY, scale=Crank.pin_velocity, needs="speed"
-    )
+        "c_mps", velocity, "$c$", "$c$ in m/s", "m/s", 3, VELOCITY, scale=Crank.pin_velocity,
+        needs=(Needs.SPEED,),
+    )  # fmt: skip
     yield spanned("p", acceleration, "$p$", "$(p R)/v^2$", "$v^2/R$", 4, ACCELERATION, names=("p",))
     yield spanned(
         "p_mps2", acceleration, "$p$", "$p$ in m/s²", "m/s²", 2, ACCELERATION, scale=Crank.pin_acceleration,
-        needs="speed",
+        needs=(Needs.SPEED,),
     )  # fmt: skip
 
 
@@ -203,7 +206,7 @@ def _rod_versine_entries() -> Iterator[Quantity]:
     yield spanned("fd", name, symbol, "$overline(f d)/R$", "$R$", 4, ROD_VERSINE, names=("fd",))
     yield spanned(
         "fd_mm", name, symbol, "$overline(f d)$ in mm", "mm", 2, ROD_VERSINE, scale=Crank.millimetres,
-        needs="length",
+        needs=(Needs.LENGTH,),
     )  # fmt: skip
     for key, head, unit, decimals, times in (
         ("fd_stroke", "in Teilen des Hubes|in strokes", "Hub|stroke", 4, 1),
@@ -237,7 +240,7 @@ def _rod_entries() -> Iterator[Quantity]:
         yield spanned(key, name, symbol, share, unit, 4, formulas, names=(key,), direction=OF_ROD)
         yield spanned(
             f"{key}_radps{power}", name, symbol, f"{symbol} in {radians}", radians, 3, formulas, scale=scale,
-            needs="speed", direction=OF_ROD,
+            needs=(Needs.SPEED,), direction=OF_ROD,
         )  # fmt: skip
 
 
@@ -252,7 +255,7 @@ def _clock_entries() -> Iterator[Quantity]:
     formulas = dict.fromkeys(methods, Formula(since, "$t = {angle}/ω$"))
     yield spanned(
         "time", "Zeit seit dem Totpunkt|Time since the dead centre", "$t$", "$t$ in s", "s", 5,
-        {**formulas, OFFSET: Formula(since, "$t = ({angle} - φ_i)/ω$")}, scale=turn_time, needs="time",
+        {**formulas, OFFSET: Formula(since, "$t = ({angle} - φ_i)/ω$")}, scale=turn_time, needs=(Needs.TIME,),
     )  # fmt: skip
 
 
@@ -261,15 +264,15 @@ def speed_entries() -> Iterator[Quantity]:
     for key, name, head, unit, line, oblique, scale, needs in (
         (
             "v_mps", "Kurbelzapfengeschwindigkeit|Crank-pin velocity", "v", "m/s", " = (S π n)/60",
-            " = (R π n)/30", Crank.pin_velocity, "speed",
+            " = (R π n)/30", Crank.pin_velocity, (Needs.SPEED,),
         ),
         (
             "c_m_mps", "mittlere Kolbengeschwindigkeit|Mean piston speed", "c_m", "m/s", " = (S n)/30",
-            " = (S n)/30", Crank.mean_velocity, "mean speed",
+            " = (S n)/30", Crank.mean_velocity, (Needs.MEAN_SPEED,),
         ),
         (
             "v_c_m", "Verhältnis der Geschwindigkeiten|Ratio of the velocities", "v:c_m", "", " = π:2",
-            " = π R:S", Crank.pin_to_mean, "",
+            " = π R:S", Crank.pin_to_mean, (),
         ),
     ):  # fmt: skip
         one = Formula(lambda at: at.numbers.of(Fraction(1)), f"${head}{line}$")

@@ -18,34 +18,40 @@ from kurbel.drive.moved import Drive
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.kernel.circle import Numeric
-from kurbel.page.quantity import Column, Quantity, Words, words
+from kurbel.page.quantity import Column, Need, Quantity, Words, words
 
 # Below this many cells balls are done before NumPy is imported.
 PAGE_CELLS = 20_000
 # Integers of 64 bits have no more digits.
 MOST_DECIMALS = 18
 
-# What of the crank a quantity needs to be known, and the options that tell it.
-NEEDS: Mapping[str, tuple[str, ...]] = {
-    "": (),
-    "length": ("--stroke",),
-    **dict.fromkeys(("speed", "mean speed"), ("--stroke", "--speed")),
-    "time": ("--stroke", "--speed"),
-    "force": ("--force",),
-    "torque": ("--force", "--stroke"),
-    "masses": ("--reciprocating", "--stroke", "--speed"),
-    "weight": ("--slope", "--reciprocating", "--stroke", "--speed"),
-    "friction": ("--friction",),
-    "pins": ("--pin-friction", "--crank-pin", "--stroke"),
-    "shaft": ("--inertia", "--stroke"),
-    "rod": ("--centre", "--gyration"),
-    "inertia": ("--rod-mass", "--stroke", "--speed"),
-    "arm": ("--centre above 0", "--gyration"),
-    "arm length": ("--centre above 0", "--gyration", "--stroke", "a finite rod"),
-    "couple": ("--rod-mass", "--stroke", "--speed", "a finite rod"),
-    "thrust": ("--centre", "--gyration", "a crank that turns evenly"),
-    "thrust inertia": ("--rod-mass", "--stroke", "--speed", "a crank that turns evenly"),
-}
+
+class Needs:
+    """What a quantity needs to be known of the crank."""
+
+    LENGTH = Need(lambda crank: crank.radius is not None, ("--stroke",))
+    SPEED = Need(lambda crank: crank.speed is not None, ("--stroke", "--speed"))
+    # The same of another course in π.
+    MEAN_SPEED, TIME = Need(SPEED.is_known, SPEED.options), Need(SPEED.is_known, SPEED.options)
+    FORCE = Need(lambda crank: crank.pushed, ("--force",))
+    MASSES = Need(lambda crank: crank.moving is not None, ("--reciprocating", "--stroke", "--speed"))
+    WEIGHT = Need(lambda crank: crank.weighed, ("--slope", *MASSES.options))
+    FRICTION = Need(lambda crank: crank.has_friction, ("--friction",))
+    PINS = Need(lambda crank: crank.pinned, ("--pin-friction", "--crank-pin", "--stroke"))
+    SHAFT = Need(lambda crank: crank.effort is not None and crank.effort.shaft is not None, ("--inertia",))
+    ROD = Need(lambda crank: crank.rod is not None, ("--centre", "--gyration"))
+    INERTIA = Need(
+        lambda crank: None not in (crank.rod and crank.rod.mass, crank.speed),
+        ("--rod-mass", "--stroke", "--speed"),
+    )
+    # Where the centre of mass is that of the crosshead, it rests at moments in which the rod turns.
+    ARM = Need(
+        lambda crank: crank.rod is not None and crank.rod.centre < 1, ("--centre above 0", "--gyration")
+    )
+    FINITE = Need(lambda crank: crank.rod_length is not None, ("a finite rod",))
+    EVEN = Need(lambda crank: not crank.acceleration, ("a crank that turns evenly",))
+
+
 # What a quantity is of: a stroke, or the turn, of which it is one number.
 OUT, RETURN, TURN = 1, -1, 0
 STROKES = {OUT: words("Hingang|Outstroke"), RETURN: words("Rückgang|Return")}
@@ -106,38 +112,14 @@ TANGENT = "tangent"
 
 def is_known(quantity: Quantity, crank: Crank) -> bool:
     """Whether what the quantity needs is known of the crank."""
-    pushed = crank.pushed
-    known = {
-        "length": crank.radius is not None,
-        **dict.fromkeys(("speed", "mean speed", "time"), crank.speed is not None),
-        "force": pushed,
-        "torque": crank.radius is not None and pushed,
-        "masses": crank.moving is not None,
-        "weight": crank.weighed,
-        "friction": crank.has_friction,
-        "pins": crank.pinned,
-        "shaft": crank.radius is not None and crank.effort is not None and crank.effort.shaft is not None,
-        "rod": crank.rod is not None,
-        "inertia": crank.rod is not None and crank.rod.mass is not None and crank.speed is not None,
-    }
-    # Where the centre of mass is that of the crosshead, it rests at moments in which the rod turns.
-    known["arm"] = crank.rod is not None and crank.rod.centre < 1
-    known["arm length"] = known["arm"] and crank.rod_length is not None
-    known["couple"] = known["inertia"] and crank.rod_length is not None
-    for thrust, force in (("thrust", "rod"), ("thrust inertia", "inertia")):
-        known[thrust] = known[force] and not crank.acceleration
-    return known.get(quantity.needs, True)
-
-
-def needed(quantity: Quantity, cranks: Sequence[Crank]) -> str:
-    """Return the sentence that refuses a quantity of cranks of which too little is known, else nothing."""
-    return "" if all(is_known(quantity, crank) for crank in cranks) else unknown(quantity)
+    return all(need.is_known(crank) for need in quantity.needs)
 
 
 def unknown(quantity: Quantity) -> str:
     """Return the sentence that refuses a quantity of which too little is known."""
-    options = " and ".join(NEEDS[quantity.needs])
-    return f"column {quantity.key} is in {quantity.plain_unit('en')} and needs {options}"
+    return (
+        f"column {quantity.key} is in {quantity.plain_unit('en')} and needs {' and '.join(quantity.options)}"
+    )
 
 
 def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
@@ -147,12 +129,12 @@ def is_transcendental(quantity: Quantity, crank: Crank) -> bool:
     number. Such relations exist only for ψ = 0 and ±30°, which are whole degrees, and as
     cos 36° - cos 72° = 1/2, which would need λ = 1 (Conway and Jones, Acta Arithmetica 30, 1976, theorem 7).
     """
-    if quantity.needs == "time":
+    if Needs.TIME in quantity.needs:
         return not known(crank.speed).turns or begun(crank, quantity.stroke) is None
     if quantity.in_degrees or quantity.scale is Crank.pin_to_mean:
         return True
-    timed = quantity.needs in ("speed", "mean speed", "inertia", "couple", "thrust inertia")
-    return timed and known(crank.speed).turns is not (quantity.needs == "mean speed")
+    timed = {Needs.SPEED, Needs.MEAN_SPEED, Needs.INERTIA}.intersection(quantity.needs)
+    return bool(timed) and known(crank.speed).turns is not (Needs.MEAN_SPEED in timed)
 
 
 def value(
@@ -232,7 +214,7 @@ def kernel_of(quantity: Quantity, method: str, drive: Drive) -> Callable[[At], N
         return formulas[LOADED if crank.loaded and LOADED in formulas else "exact"].kernel
     if crank.offset and method != "exact":
         raise ProblemError(f'method "{typed(method)}" has no formulas for an offset crank; use exact')
-    if method == DIFFERENCE and quantity.needs == "time":
+    if method == DIFFERENCE and Needs.TIME in quantity.needs:
         return lambda at: at.numbers.of(Fraction(0))
     if method == DIFFERENCE:
         exact, series = (kernel_of(quantity, one, drive) for one in ("exact", "series"))

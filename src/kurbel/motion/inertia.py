@@ -16,7 +16,7 @@ from kurbel.kernel.circle import Numeric
 from kurbel.kernel.moving import Masses
 from kurbel.kernel.rod import Loaded, magnitude
 from kurbel.motion.entries import OF_ROD
-from kurbel.motion.evaluation import OFFSET, ROD_MODELS
+from kurbel.motion.evaluation import OFFSET, ROD_MODELS, Needs
 from kurbel.motion.rod_accelerations import acceleration_entries
 from kurbel.motion.rod_forces import held, mollier_entries, part_entries
 from kurbel.page.quantity import Formula, Quantity, Words, words
@@ -141,14 +141,14 @@ def _resultant_entries() -> Iterator[Quantity]:
     yield from _entries(force, "exact", _of_slide(force, "exact"))
     name = words("Hebelarm der Massenkraft|Arm of the inertia force")
     arm = _entry("inertia_arm", "h", name, "L", "exact", _of_slide(force._replace(formula=_arm), "exact"))
-    arm = arm._replace(needs="arm", direction=words(
+    arm = arm._replace(needs=(Needs.ARM,), direction=words(
         "$h$ vom Schwerpunkt der Stange zur Linie ihrer Massenkraft"
         "|$h$ from the rod's centre of mass to the line of its inertia force"
     ))  # fmt: skip
     yield arm
     yield arm._replace(
-        key="inertia_arm_mm", unit=words("mm"), decimals=2, scale=_rod_millimetres, needs="arm length",
-        spanners=(name, words("$h$ in mm")),
+        key="inertia_arm_mm", unit=words("mm"), decimals=2, scale=_rod_millimetres,
+        needs=(Needs.ARM, Needs.LENGTH, Needs.FINITE), spanners=(name, words("$h$ in mm")),
     )  # fmt: skip
 
 
@@ -191,7 +191,7 @@ def _entries(force: RodForce, model: str, kernel: Callable[[Any], Numeric]) -> I
     yield share._replace(
         key=f"{key}_{unit.replace(' ', '').lower()}", unit=words(unit), decimals=1, scale=force.scale,
         spanners=(force.name, words(f"${force.letter}$ in {unit}")),
-        needs="couple" if force.is_couple else "inertia",
+        needs=(Needs.INERTIA, Needs.FINITE) if force.is_couple else (Needs.INERTIA,),
     )  # fmt: skip
 
 
@@ -210,6 +210,6 @@ def _entry(
         spanners=(name, words(f"${letter}/({unit})$")),
         heading=ROD_MODELS[model],
         part=ROD_MODELS[model],
-        needs="rod",
+        needs=(Needs.ROD,),
         of=model,
     )

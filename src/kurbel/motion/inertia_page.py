@@ -15,7 +15,7 @@ from kurbel.exact.numerals import Label, Number, figure, nearest, number_text
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.moving import Masses
 from kurbel.motion.captions import notes
-from kurbel.motion.evaluation import ROD_MODELS
+from kurbel.motion.evaluation import ROD_MODELS, Needs
 from kurbel.motion.inertia import ROD_FORCES, inertia_registry
 from kurbel.motion.inertia_peak import Peak
 from kurbel.motion.motion_page import MOTION, CrankQuestion, Request
@@ -86,7 +86,7 @@ def error_columns() -> Mapping[str, Quantity]:
 def _entry(
     key: str, name: str, heading: str, unit: str, decimals: int, of: str, kernel: Callable[..., Numeric]
 ) -> Quantity:
-    needs, formulas = "inertia" if kernel is _in_newtons else "rod", {EXACT: Formula(kernel)}
+    needs, formulas = (Needs.INERTIA,) if kernel is _in_newtons else (), {EXACT: Formula(kernel)}
     return entry(key, name, "", unit, decimals, formulas, heading, minutes=unit == "°", needs=needs, of=of)
 
 
@@ -256,7 +256,7 @@ def _number(question: ErrorsRequest, column: Column, place: Place, times: int) -
         if share is not None:
             return nearest(100 * share, decimals, rounding)
     kernel, unit = quantity.formulas[EXACT].kernel, Fraction(1)
-    if quantity.needs == "inertia":
+    if quantity.needs:
         unit = question.of_page("N m" if peak.force.is_torque or peak.force.is_couple else "N")
     return Number(
         settled(lambda kind: kind.of(unit) * kernel(peak, whole, kind), decimals, rounding), decimals

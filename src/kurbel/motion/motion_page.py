@@ -18,15 +18,15 @@ from kurbel.motion.bulk import columns_in_floats, has_arrays, is_long, on_floats
 from kurbel.motion.evaluation import (
     DIFFERENCE,
     LOADED,
-    NEEDS,
     OUT,
     PAGE_CELLS,
     RETURN,
     STROKES,
+    Needs,
     columns_in_balls,
     fits_page,
-    needed,
     typed,
+    unknown,
     value,
 )
 from kurbel.motion.motion_quantities import effort_keys, registry
@@ -42,7 +42,7 @@ from kurbel.page.axes import (
 )
 from kurbel.page.build import Rows, records_of
 from kurbel.page.layouts import Layout, LayoutColumn
-from kurbel.page.quantity import Column, Quantity
+from kurbel.page.quantity import Column, Need, Quantity
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Records, Value
 from kurbel.reading.given import found_at
@@ -73,8 +73,11 @@ class DriveQuestion(Question):
         """The ratios of the drives, where they have one."""
         return [crank.ratio for crank in self.cranks] if "ratio" in self.subject.axes else []
 
+    def lacks(self, need: Need) -> bool:
+        return not all(need.is_known(crank) for crank in self.cranks)
+
     def missing(self, quantity: Quantity) -> str:
-        return super().missing(quantity) or needed(quantity, self.cranks)
+        return unknown(quantity) if any(map(self.lacks, quantity.needs)) else ""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -209,7 +212,7 @@ class Request(CrankQuestion, AngleQuestion):
             self._check_offset()
         if any(crank.acceleration for crank in self.cranks):
             check_pairs(self.layout, "drives whose crank is accelerated")
-            if any(column.quantity.needs == "time" for column in self.page_columns):
+            if any(Needs.TIME in column.quantity.needs for column in self.page_columns):
                 raise ProblemError("a time is that of a crank that turns evenly; leave --acceleration out")
         if self.method == "infinite" and all(column.method is None for column in self.layout.columns):
             cranks = (replace(crank, ratio=Fraction(0)) for crank in self.cranks)
@@ -243,7 +246,7 @@ class Request(CrankQuestion, AngleQuestion):
                 f" use --layout {self._plain} or leave the offset out"
             )
         check_pairs(self.layout, "offset cranks")
-        if any(column.quantity.needs.startswith("thrust") for column in self.page_columns):
+        if any(Needs.EVEN in column.quantity.needs for column in self.page_columns):
             # Its module is large, and few pages have such a force.
             from kurbel.motion.rod_forces import check_poles
 
@@ -403,7 +406,6 @@ MOTION = Subject(
     caption=captions.caption,
     notes=captions.notes,
     rows=motion_records,
-    options=NEEDS,
     listed=lambda: [("table", one) for key, one in registry().items() if key not in effort_keys()],
     drawn=CURVES,
 )

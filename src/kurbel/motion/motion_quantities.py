@@ -12,8 +12,8 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Numeric
 from kurbel.motion.entries import Formulas, motion_entries, on_strokes, spanned, speed_entries
-from kurbel.motion.evaluation import LOADED, OFFSET, TANGENT
-from kurbel.page.quantity import Formula, Quantity, words
+from kurbel.motion.evaluation import LOADED, OFFSET, TANGENT, Needs
+from kurbel.page.quantity import Formula, Need, Quantity, words
 
 
 @cache
@@ -47,7 +47,7 @@ class Force(NamedTuple):
     printed: Label = ""
     oblique: Label = ""
     closed: Label = ""
-    needs: str = "masses"
+    needs: Need = Needs.MASSES
 
 
 # Where masses count, those at the end show what one force alone does not.
@@ -95,7 +95,7 @@ FORCES: Mapping[str, Force] = {
     ),
     # What acts along the slide, in its parts.
     "piston_force": Force(
-        "Kolbenkraft|Piston force", "F", "$F$ auf den Kolben|$F$ on the piston", needs="force"
+        "Kolbenkraft|Piston force", "F", "$F$ auf den Kolben|$F$ on the piston", needs=Needs.FORCE
     ),
     "inertia_force": Force(
         "Massenkraft|Inertia force", "F_m",
@@ -105,19 +105,19 @@ FORCES: Mapping[str, Force] = {
     "weight_force": Force(
         "Gewicht|Weight", "F_G",
         "$F_G$ Gewicht von Kolben und Kreuzkopf längs der Führung"
-        "|$F_G$ weight of piston and crosshead along the slide", needs="weight",
+        "|$F_G$ weight of piston and crosshead along the slide", needs=Needs.WEIGHT,
     ),
     "friction_force": Force(
         "Reibung|Friction", "F_R",
         "$F_R$ Reibung von Kolben und Kreuzkopf, im Totpunkt die des Hubes, der dort beginnt"
         "|$F_R$ friction of piston and crosshead, at a dead centre that of the stroke which begins there",
-        needs="friction",
+        needs=Needs.FRICTION,
     ),
     "crosshead_load": Force(
         "Last am Kreuzkopfzapfen|Load at the crosshead pin", "F_B",
         "$F_B$ ihre Summe am Kreuzkopfzapfen, alle in der Richtung des Hubes, beim Hingang zur Welle hin"
         "|$F_B$ their sum at the crosshead pin, all in the direction of the stroke, on the outstroke towards"
-        " the shaft", needs="force",
+        " the shaft", needs=Needs.FORCE,
     ),
 }  # fmt: skip
 
@@ -138,12 +138,13 @@ def _force_entries() -> Iterator[Quantity]:
     yield from torque_entries(torque, in_newtons("tangential_force", torque))
     yield spanned(
         "net_torque_nm", "Drehmoment nach der Zapfenreibung|Torque less the friction of the pins", "$M_R$",
-        "$M_R$ in N m", "N m", 1, {LOADED: Formula(At.net_torque)}, scale=Crank.newton_metres, needs="pins",
+        "$M_R$ in N m", "N m", 1, {LOADED: Formula(At.net_torque)}, scale=Crank.newton_metres,
+        needs=(Needs.PINS,),
     )  # fmt: skip
     yield spanned(
         "angular_acceleration", "Winkelbeschleunigung der Welle|Angular acceleration of the shaft", "$α$",
         "$α$ in rad/s²", "rad/s²", 2, {LOADED: Formula(At.shaft_torque)}, scale=Crank.shaft_gain,
-        needs="shaft",
+        needs=(Needs.SHAFT, Needs.LENGTH),
     )  # fmt: skip
 
 
@@ -155,7 +156,7 @@ def force_entries(
     if shares:
         share = f"${force.letter}/F$"
         yield spanned(key, name, symbol, share, "$F$", 4, shares, names=(key,), direction=said, **rest)
-    needs = "force" if shares else force.needs
+    needs = (Needs.FORCE if shares else force.needs,)
     yield spanned(
         f"{key}_n", name, symbol, f"{symbol} in N", "N", 1, newton, scale=Crank.newtons, needs=needs,
         direction=said, **rest,
@@ -168,7 +169,7 @@ def torque_entries(shares: Formulas, newton: Formulas, **rest: Any) -> Iterator[
     yield spanned("torque", name, symbol, "$M_d/(F R)$", "$F R$", 4, shares, names=("torque",), **rest)
     yield spanned(
         "torque_nm", name, symbol, "$M_d$ in N m", "N m", 1, newton, scale=Crank.newton_metres,
-        needs="torque", **rest,
+        needs=(Needs.FORCE, Needs.LENGTH), **rest,
     )  # fmt: skip
 
 

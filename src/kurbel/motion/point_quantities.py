@@ -19,7 +19,7 @@ from kurbel.kernel import coupler as kernel
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.coupler import Point, Reach, Rod, Vector, amount, first_order_reach, slide_reach, slide_rod
-from kurbel.motion.evaluation import OFFSET
+from kurbel.motion.evaluation import OFFSET, Needs
 from kurbel.motion.points import RodPoint
 from kurbel.page.quantity import Formula, Quantity, entry, words
 
@@ -182,7 +182,7 @@ def _in_units(
 ) -> list[Quantity]:
     symbol, spanners = f"${letter}$", (words(one.name),)
     share: Label = f"${one.share.format(letter)}$"
-    needs = "length" if one.measured == "mm" else "speed"
+    needs = Needs.LENGTH if one.measured == "mm" else Needs.SPEED
     return [
         entry(
             key, one.name, symbol, f"${one.unit}$", DECIMALS, formulas, share,
@@ -190,7 +190,8 @@ def _in_units(
         ),
         entry(
             f"{key}_{_ENDINGS[one.measured]}", one.name, symbol, one.measured, one.decimals, formulas,
-            f"{symbol} in {one.measured}", spanners=spanners, part=part, of=of, scale=one.scale, needs=needs,
+            f"{symbol} in {one.measured}", spanners=spanners, part=part, of=of, scale=one.scale,
+            needs=(needs,),
         ),
     ]  # fmt: skip
 

@@ -14,7 +14,7 @@ from kurbel.exact.kind import Kind, floats
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import Circle, Numeric, circle
 from kurbel.motion.captions import formula_lines
-from kurbel.motion.evaluation import METHODS, NEEDS, OFFSET, OUT, certified
+from kurbel.motion.evaluation import METHODS, OFFSET, OUT, certified
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import CURVES, AngleQuestion, check_pairs, long_records
 from kurbel.motion.motion_quantities import registry
@@ -377,7 +377,6 @@ SUBJECT = Subject(
     caption=caption,
     notes=notes,
     rows=long_records,
-    options=NEEDS,
     listed=lambda: [("table --point 0.5", one) for one in points_registry().values()],
     drawn=CURVES,
 )

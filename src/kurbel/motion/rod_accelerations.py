@@ -11,7 +11,7 @@ from kurbel.kernel import rod
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.moving import Masses
 from kurbel.kernel.parts import Parted, Vector, parted
-from kurbel.motion.evaluation import OFFSET
+from kurbel.motion.evaluation import OFFSET, Needs
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
 UNIT = "R ω^2"
@@ -157,7 +157,7 @@ def in_seconds(share: Quantity) -> Quantity:
         decimals=2,
         scale=Crank.pin_acceleration,
         spanners=(share.name, words(f"{letter} in m/s²")),
-        needs="speed",
+        needs=(Needs.SPEED,),
     )
 
 
@@ -176,6 +176,6 @@ def entry_of_rod(
         spanners=(name, words(f"${letter}/({unit})$")),
         heading=part,
         part=part,
-        needs="rod",
+        needs=(Needs.ROD,),
         of=of,
     )

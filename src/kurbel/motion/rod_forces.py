@@ -14,12 +14,12 @@ from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.parts import Parted, moving_force, parted
 from kurbel.kernel.rod import Parts
-from kurbel.motion.evaluation import OFFSET
+from kurbel.motion.evaluation import OFFSET, Needs
 from kurbel.motion.rod_accelerations import ACROSS, ALONG, entry_of_rod
-from kurbel.page.quantity import Column, Formula, Quantity, Words, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Words, words
 
 COMMON, TURNING, STRETCHING = PARTS = Parts._fields
-EXACT, THRUST = "exact", ("thrust", "thrust inertia")
+EXACT = "exact"
 UNIT, TORQUE = "M R ω^2", "M R^2 ω^2"
 # The accelerations of which the parts are.
 NUMBERS: Mapping[str, str] = {COMMON: "2", TURNING: "4", STRETCHING: "5"}
@@ -122,7 +122,7 @@ def _of_part(formula: Callable[[Parted, str], Any], part: str) -> Kernel:
 def part_entries(parted_of: Callable[[At], Parted], slide: bool = True) -> Iterator[Quantity]:
     """Yield every force of a part in units of the rod's mass and in newtons, of the rod at a place."""
     for share in (*_ends(slide), *_drive()):
-        yield from _in_both_units(_entry(share, _of_rod(share.kernel, parted_of), EXACT), "rod", "inertia")
+        yield from _in_both_units(_entry(share, _of_rod(share.kernel, parted_of), EXACT))
 
 
 def _of_rod(kernel: Kernel, parted_of: Callable[[At], Parted]) -> Callable[[At], Numeric]:
@@ -141,7 +141,7 @@ def mollier_entries(models: Mapping[str, Words]) -> Iterator[Quantity]:
     for model, said in models.items():
         key = "inertia_mollier" + ("" if model == EXACT else f"_{model.replace('-', '_')}")
         share = Share(key, "H", name, said, lambda rod: rod)
-        yield from _in_both_units(_entry(share, _moving(model), model), *THRUST)
+        yield from _in_both_units(_entry(share, _moving(model), model), Needs.EVEN)
 
 
 def _moving(model: str) -> Callable[[At], Numeric]:
@@ -169,7 +169,7 @@ def _without_warning(force: Callable[[], Numeric], at: At) -> Numeric:
 def has_poles(quantity: Quantity, crank: Crank) -> bool:
     """Whether a quantity grows beyond all bounds, so that no float of it has a bound of its own."""
     return bool(
-        quantity.needs in THRUST and quantity.of == EXACT and crank.offset and known(crank.rod).couple
+        Needs.EVEN in quantity.needs and quantity.of == EXACT and crank.offset and known(crank.rod).couple
     )
 
 
@@ -202,8 +202,8 @@ def _entry(share: Share, kernel: Callable[[At], Numeric], model: str) -> Quantit
     return entry_of_rod(share.key, share.letter, share.name, share.part, formulas, share.unit, model)
 
 
-def _in_both_units(share: Quantity, needs: str, newtons: str) -> Iterator[Quantity]:
-    yield share._replace(needs=needs)
+def _in_both_units(share: Quantity, *needs: Need) -> Iterator[Quantity]:
+    yield share._replace(needs=(Needs.ROD, *needs))
     torque = share.unit["en"] == TORQUE.replace("^2", "²")
     unit = "N m" if torque else "N"
     yield share._replace(
@@ -212,7 +212,7 @@ def _in_both_units(share: Quantity, needs: str, newtons: str) -> Iterator[Quanti
         decimals=1,
         scale=_newton_metres if torque else _newtons,
         spanners=(share.name, words(f"{share.symbol} in {unit}")),
-        needs=newtons,
+        needs=(Needs.INERTIA, *needs),
     )
 
 

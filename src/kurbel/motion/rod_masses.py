@@ -13,18 +13,21 @@ from kurbel.exact.numerals import Label, Number, figure, given, number_text
 from kurbel.exact.real import Product
 from kurbel.motion.notes import connecting_rod
 from kurbel.page.axes import ColumnAxis, ListAxis, Place
-from kurbel.page.quantity import Column, Formula, Quantity, entry, words
-from kurbel.page.subject import Question, Subject
+from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, words
+from kurbel.page.subject import LEAVE_OUT, Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount, unit_of_page
 
-KILOGRAMS, LENGTHS, BOTH, TURNED = "mass", "length", "mass and length", "mass, length and acceleration"
-UNKNOWN = {
-    KILOGRAMS: "the mass of the rod, --rod-mass",
-    LENGTHS: "the length of the rod, --rod",
-    BOTH: "the rod's mass and length, --rod-mass and --rod",
-    TURNED: "the rod's mass, length and angular acceleration, --rod-mass, --rod and --rod-acceleration",
-}
+KILOGRAMS = Need(lambda question: question.rod.mass is not None, words="the mass of the rod, --rod-mass")
+LENGTHS = Need(lambda question: question.length is not None, words="the length of the rod, --rod")
+BOTH = Need(
+    lambda question: None not in (question.rod.mass, question.length),
+    words="the rod's mass and length, --rod-mass and --rod",
+)
+TURNED = Need(
+    lambda question: None not in (question.rod.mass, question.length, question.acceleration),
+    words="the rod's mass, length and angular acceleration, --rod-mass, --rod and --rod-acceleration",
+)
 MODEL = words("Ersatz der Stange|In place of the rod")
 
 
@@ -98,11 +101,11 @@ def registry() -> Mapping[str, Quantity]:
     name = words("Ausgleichsmoment|Correction couple")
     formulas = {"exact": Formula(lambda rod, points: lacking(rod)(points))}
     couple = Quantity("correction_nm", name, "$ΔJ α$", words("N m"), None, formulas, words("$ΔJ α$ in N m"))
-    entries.append(couple._replace(spanners=(name,), needs=TURNED))
+    entries.append(couple._replace(spanners=(name,), needs=(TURNED,)))
     return {one.key: one for one in entries}
 
 
-_ENTRIES: tuple[tuple[str, str, str, str, Callable[..., Fraction | None]], ...] = (
+_ENTRIES: tuple[tuple[str, str, str, Need, Callable[..., Fraction | None]], ...] = (
     ("crosshead_mass", "Masse am Kreuzkopf|Mass at the crosshead", "m_B", KILOGRAMS, _end(0, "mass")),
     ("crosshead_place", "Masse am Kreuzkopf|Mass at the crosshead", "x_B", LENGTHS, _end(0, "place")),
     ("centre_mass", "Masse im Schwerpunkt|Mass at the centre", "m_S", KILOGRAMS, _middle),
@@ -116,7 +119,7 @@ _UNITS = {KILOGRAMS: ("kg", "kg"), LENGTHS: ("mm", "mm"), BOTH: ("kgm2", "kg m²
 
 
 def _pair(
-    key: str, name: str, letter: str, kind: str, kernel: Callable[..., Fraction | None]
+    key: str, name: str, letter: str, kind: Need, kernel: Callable[..., Fraction | None]
 ) -> Iterator[Quantity]:
     share, (suffix, unit) = _SHARES[kind], _UNITS[kind]
     formulas = {"exact": Formula(kernel)}
@@ -131,7 +134,7 @@ def _pair(
         unit=words(unit),
         decimals=None,
         heading=words(f"${letter}$ in {unit}"),
-        needs=kind,
+        needs=(kind,),
     )
 
 
@@ -144,24 +147,14 @@ class RodMassesRequest(Question):
     acceleration: Fraction | None = None
 
     no_column = "there is no column beside the axes; add one, such as crosshead_mass"
-
-    def missing(self, quantity: Quantity) -> str:
-        lacks = {
-            KILOGRAMS: self.rod.mass is None,
-            LENGTHS: self.length is None,
-            BOTH: self.rod.mass is None or self.length is None,
-            TURNED: None in (self.rod.mass, self.length, self.acceleration),
-        }
-        if not lacks.get(quantity.needs):
-            return ""
-        return f"column {quantity.key} needs {UNKNOWN[quantity.needs]}; leave it out, or give that"
+    advice = LEAVE_OUT
 
     def unit(self, quantity: Quantity) -> Fraction:
         """Return what a share of the rod is in the unit of a quantity."""
         mass, length = self.rod.mass or Fraction(1), self.length or Fraction(1)
         inertia, turned = mass * length**2, self.acceleration or Fraction(0)
-        units = {"": Fraction(1), KILOGRAMS: mass, LENGTHS: 1000 * length, BOTH: inertia}
-        return {**units, TURNED: inertia * turned}[quantity.needs]
+        units = {KILOGRAMS: mass, LENGTHS: 1000 * length, BOTH: inertia, TURNED: inertia * turned}
+        return next((units[need] for need in quantity.needs), Fraction(1))
 
 
 def _number(question: RodMassesRequest, column: Column, place: Place, times: int) -> Number | None:

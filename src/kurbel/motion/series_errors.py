@@ -31,11 +31,11 @@ from kurbel.exact.search import Zero
 from kurbel.kernel import kinematics, series
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.series import terms_of, versine_term
-from kurbel.motion.evaluation import NEEDS
+from kurbel.motion.evaluation import Needs
 from kurbel.motion.motion_page import CrankQuestion
 from kurbel.motion.notes import drive_notes
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, filled, for_ratio, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 
@@ -119,17 +119,18 @@ class Erring(NamedTuple):
     of: str
     unit: str
     ending: str
-    needs: str
+    needs: Need
     scale: Callable[[Crank, Kind], Numeric]
 
 
 ERRING = (
-    Erring("x", "Kolbenweg|Piston path", "x/R", "R", "mm", "mm", "length", Crank.millimetres),
+    Erring("x", "Kolbenweg|Piston path", "x/R", "R", "mm", "mm", Needs.LENGTH, Crank.millimetres),
     Erring(
-        "c", "Kolbengeschwindigkeit|Piston velocity", "c/v", "v", "m/s", "mps", "speed", Crank.pin_velocity
+        "c", "Kolbengeschwindigkeit|Piston velocity", "c/v", "v", "m/s", "mps", Needs.SPEED,
+        Crank.pin_velocity,
     ),
     Erring(
-        "p", "Kolbenbeschleunigung|Piston acceleration", "(p R)/v^2", "v^2/R", "m/s²", "mps2", "speed",
+        "p", "Kolbenbeschleunigung|Piston acceleration", "(p R)/v^2", "v^2/R", "m/s²", "mps2", Needs.SPEED,
         Crank.pin_acceleration,
     ),
 )  # fmt: skip
@@ -149,7 +150,7 @@ def _entries(one: Erring) -> Iterator[Quantity]:
     yield entry(key, error, symbol, f"${one.of}$", None, formulas, f"${one.share}$", spanners=heads)
     yield entry(
         f"{key}_{one.ending}", error, symbol, one.unit, None, formulas, spanners=heads, scale=one.scale,
-        needs=one.needs,
+        needs=(one.needs,),
     )  # fmt: skip
     where = {"exact": Formula(_where(one.letter))}
     yield entry(
@@ -268,5 +269,4 @@ SUBJECT = Subject(
     number=_number,
     caption=_caption,
     notes=_notes,
-    options=NEEDS,
 )

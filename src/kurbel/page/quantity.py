@@ -1,6 +1,7 @@
 """What a page can show: one kind of entry, whatever the page is about."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple, TypeAlias
 
@@ -33,6 +34,22 @@ class Formula(NamedTuple):
     symbols: tuple[Label, ...] = ()
 
 
+@dataclass(frozen=True, eq=False)
+class Need:
+    """What must be known before a quantity can be computed; the same only as itself.
+
+    `is_known` tells whether it is, of what the subject has it of: a crank, or the question itself. `options`
+    give it, and lists of quantities have them; refusals have `words` where the options do not say it.
+    """
+
+    is_known: Callable[[Any], object]
+    options: tuple[str, ...] = ()
+    words: str = ""
+
+    def __str__(self) -> str:
+        return self.words or " and ".join(self.options)
+
+
 class Quantity(NamedTuple):
     """An entry: what a column shows, all that is said of it, and how it is computed.
 
@@ -41,10 +58,10 @@ class Quantity(NamedTuple):
     minutes and records degrees to so many decimals.
 
     `formulas` are by method. `scale` makes the quantity's unit of the kernel's. `bound` is how far a float
-    can lie from the true value, in units of the subject's own bound. `needs` names what must be known of the
-    drive or the load, `of` what it is a number of: a turn, a stroke, an angle. `names` are those under which
-    conditions know it; `rises` tells that between the dead centres it only rises or only falls. `direction`
-    says in which direction it counts.
+    can lie from the true value, in units of the subject's own bound. `needs` are what must be known of the
+    drive or the load, `of` is what it is a number of: a turn, a stroke, an angle. `names` are those under
+    which conditions know it; `rises` tells that between the dead centres it only rises or only falls.
+    `direction` says in which direction it counts.
     """
 
     key: str
@@ -60,11 +77,16 @@ class Quantity(NamedTuple):
     stroke: int = 1
     scale: Callable[..., Any] | None = None
     bound: float = 1.0
-    needs: str = ""
+    needs: tuple[Need, ...] = ()
     of: str = ""
     names: tuple[str, ...] = ()
     rises: bool = False
     direction: Words | None = None
+
+    @property
+    def options(self) -> tuple[str, ...]:
+        """The options that give what it needs."""
+        return tuple(option for need in self.needs for option in need.options)
 
     @property
     def in_degrees(self) -> bool:

@@ -13,7 +13,7 @@ from kurbel.errors import ChoiceError, ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label, Number
 from kurbel.page.axes import Axis, Grid, PageAxis, Place
 from kurbel.page.layouts import SUBJECTS, Layout, LayoutColumn
-from kurbel.page.quantity import Column, Known, Quantity, is_short, known_at
+from kurbel.page.quantity import Column, Known, Need, Quantity, is_short, known_at
 from kurbel.page.table import Field, Note, Records, Tone, Value, Worded, check_label
 from kurbel.reading.given import Given, allowed_name, choose, found_at
 from kurbel.reading.names import others, otherwise
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 Limit: TypeAlias = Callable[[Fraction], object]
 # What draws a page over one of its axes.
 OVER_AXES = "kurbel.plot.pages:over_axes"
+# How refusals of a column end that what is known does not make.
+LEAVE_OUT = "; leave it out, or give that"
 # What a question finds once and depends on its units and columns; all else that was found stays.
 OF_COLUMNS = ("page_columns", "axes", "full", "for_data", "values", "long", "known")
 
@@ -47,9 +49,9 @@ class Subject(NamedTuple):
     where it is that of another layout.
 
     Lists of quantities name those that are `listed`, each with the command that prints it, by default all
-    that any of its layouts can show; with `letters` the symbol stands beside the name. `options` tell what
-    quantities need, by their `needs`. `limits` raise KurbelError for a value of an axis that is beyond
-    them, whatever else is given. `drawn` is the place of what makes the picture of a question.
+    that any of its layouts can show; with `letters` the symbol stands beside the name. `limits` raise
+    KurbelError for a value of an axis that is beyond them, whatever else is given. `drawn` is the place of
+    what makes the picture of a question.
     """
 
     key: str
@@ -72,7 +74,6 @@ class Subject(NamedTuple):
     grid: Callable[[Any], tuple[Layout, Grid]] | None = None
     listed: Callable[[], Iterable[tuple[str, Quantity]]] | None = None
     letters: bool = False
-    options: Mapping[str, tuple[str, ...]] = MappingProxyType({})
     limits: Mapping[str, Limit] = MappingProxyType({})
     drawn: str = OVER_AXES
 
@@ -89,7 +90,7 @@ class Subject(NamedTuple):
         """Yield the quantities that lists name here, each with what prints it, and its options."""
         fitting = ((self.command, self.quantities()[key]) for key in self.fitting())
         for command, one in self.listed() if self.listed else fitting:
-            yield one, " ".join((command, *self.options.get(one.needs, ())))
+            yield one, " ".join((command, *one.options))
 
     def name_of(self, quantity: Quantity, lang: str) -> str:
         """Return what lists call a quantity."""
@@ -136,6 +137,8 @@ class Question(Worded, Given):
 
     # What to do with a page of one place that was to be drawn, whose axes take no other values.
     undrawn: ClassVar[str] = "print it, as text or LaTeX"
+    # What a refusal of a column ends with that needs what is not known.
+    advice: ClassVar[str] = ""
     # Whether records of the axes alone say something.
     axes_suffice: ClassVar[bool] = False
     # Numbers that need not be computed.
@@ -159,9 +162,18 @@ class Question(Worded, Given):
     def check(self) -> None:
         """Raise a KurbelError for what the subject cannot answer."""
 
+    def lacks(self, need: Need) -> bool:
+        """Whether what quantities need is not known."""
+        return not need.is_known(self)
+
     def missing(self, quantity: Quantity) -> str:
         """Return the sentence that refuses a column of the quantity, nothing if it is known."""
-        return ""
+        return self.needing(quantity, (str(need) for need in quantity.needs if self.lacks(need)))
+
+    def needing(self, quantity: Quantity, lacking: Iterable[str]) -> str:
+        """Return the sentence that refuses a column by what it lacks, nothing if that is nothing."""
+        named = " and ".join(lacking)
+        return named and f"column {quantity.key} needs {named}{self.advice}"
 
     @cached_property
     def for_data(self) -> Self:

@@ -27,16 +27,17 @@ from kurbel.exact.real import Product
 from kurbel.kernel.circle import Numeric
 from kurbel.motion.notes import turns_label
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place
-from kurbel.page.quantity import Column, Formula, Quantity, entry, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount, digits, unit_of_page
 from kurbel.reading.units import Speed
 
-INERTIA, RUN, SCALE = "inertia", "run", "scale"
+INERTIA = Need(lambda question: question.inertia is not None, ("--inertia",))
+RUN = Need(lambda question: question.steady is not None, ("--inertia", "--speed"))
+SCALE = Need(lambda question: not question.areas.measured, ("--area-scale",))
 TORQUES, AREAS = "torques", "areas"
 POINT = words("Punkt|Point")
-NEEDS = {INERTIA: ("--inertia",), RUN: ("--inertia", "--speed"), SCALE: ("--area-scale",)}
 
 
 @cache
@@ -66,13 +67,14 @@ def _of_torques() -> Iterator[Quantity]:
     yield from _of_energy()
     yield _entry(
         "angular_acceleration", "Winkelbeschleunigung|Angular acceleration", "$α$", '$"rad"/"s"^2$',
-        lambda asked, where, kind: _excess(asked, where, kind) / kind.of(known(asked.inertia)), needs=INERTIA,
+        lambda asked, where, kind: _excess(asked, where, kind) / kind.of(known(asked.inertia)),
+        needs=(INERTIA,),
     )  # fmt: skip
 
 
 def _of_areas() -> Iterator[Quantity]:
     name = "Fläche über der Mittellinie|Area above the mean line"
-    yield _entry("level", name, "$A$", "", lambda asked, where, kind: kind.of(where), needs=SCALE)
+    yield _entry("level", name, "$A$", "", lambda asked, where, kind: kind.of(where), needs=(SCALE,))
     yield from _of_energy()
 
 
@@ -86,10 +88,10 @@ def _of_energy() -> Iterator[Quantity]:
         return known(asked.steady).at(energy(asked, where, kind), kind)
 
     yield _entry("excess_energy", "Überschussarbeit|Excess energy", "$W$", "J", energy)
-    yield _entry("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", omega, needs=RUN)
+    yield _entry("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", omega, needs=(RUN,))
     yield _entry(
         "rpm", "Drehzahl|Speed", "$n$", '$"min"^(-1)$',
-        lambda asked, where, kind: 30 * omega(asked, where, kind) / kind.pi, needs=RUN,
+        lambda asked, where, kind: 30 * omega(asked, where, kind) / kind.pi, needs=(RUN,),
     )  # fmt: skip
 
 
@@ -125,12 +127,6 @@ class DiagramRequest(Question, ABC):
         if self.inertia is None or self.speed is None:
             return None
         return Steady(self.swinging, self.inertia, self.speed)
-
-    def missing(self, quantity: Quantity) -> str:
-        lacks = {INERTIA: self.inertia is None, RUN: self.inertia is None or self.speed is None}
-        if not lacks.get(quantity.needs):
-            return ""
-        return f"column {quantity.key} needs {' and '.join(NEEDS[quantity.needs])}"
 
     def flywheel(self) -> Iterator[Label]:
         """Yield the line about the flywheel and its speed."""
@@ -177,7 +173,7 @@ class AreasRequest(DiagramRequest):
         return self.areas
 
     def missing(self, quantity: Quantity) -> str:
-        if quantity.needs == SCALE and self.areas.measured:
+        if SCALE in quantity.needs and self.lacks(SCALE):
             return f"column {quantity.key} is of areas with a scale; these are energies, add --area-scale"
         return super().missing(quantity)
 
@@ -278,7 +274,6 @@ OF_TORQUES = Subject(
     caption=_caption,
     notes=_torque_notes,
     letters=True,
-    options=NEEDS,
     drawn="kurbel.plot.diagrams:torques",
 )
 
@@ -294,5 +289,4 @@ OF_AREAS = Subject(
     caption=_caption,
     notes=_area_notes,
     letters=True,
-    options=NEEDS,
 )

@@ -20,13 +20,13 @@ from kurbel.balancing.harmonics import EXACT_ZERO
 from kurbel.drive.at import known
 from kurbel.engine.cylinder import AnyTurn, Member
 from kurbel.engine.digits import CLEAN, FLOAT_ERROR, Estimate, certified, supported
-from kurbel.engine.engine_quantities import ENGINE_METHODS
+from kurbel.engine.engine_quantities import ENGINE_METHODS, Needs
 from kurbel.engine.harmonics.fourier import NOTHING_BITS, PARTS, Floats, Spectrum, Wave, star_of
 from kurbel.exact.certify import NEVER_TIES, at_bits
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.balance import Star
 from kurbel.kernel.circle import Numeric
-from kurbel.page.quantity import Column, Formula, Quantity, entry, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, words
 from kurbel.reading.units import Speed
 
 if TYPE_CHECKING:
@@ -120,7 +120,11 @@ PHASES = ("phase", "phase_rad")
 
 
 # What quantities need to be known, beside what those of turns do.
-STAR, SPEED = "star", "speed"
+STAR = Need(
+    lambda asked: asked.alike and len(asked.first.parts[0].starts) > 1,
+    words="several cranks with cylinders alike",
+)
+SPEED = Need(lambda asked: asked.speed is not None, words="--speed")
 
 
 @cache
@@ -140,21 +144,21 @@ def _entries() -> Iterator[Quantity]:
         yield of_force
         yield of_force._replace(
             key=f"{key}_nm", unit=words("N m"), decimals=2, heading=words(f"{of_force.symbol} in N m"),
-            scale=AnyTurn.torque_unit, needs="torque",
+            scale=AnyTurn.torque_unit, needs=(Needs.TORQUE,),
         )  # fmt: skip
     name = "Phase der Harmonischen|Phase of the harmonic"
     yield _entry("phase", name, "$ψ_k$", "°", 2, phase, scale=lambda turn: 180 / turn.pi)
     yield _entry("phase_rad", name, "$ψ_k$", "rad", 5, phase)
     yield _entry(
-        "star", "Summe des Kurbelsterns|Sum of the star of cranks", "$s_k$", "", 4, star, needs=STAR,
+        "star", "Summe des Kurbelsterns|Sum of the star of cranks", "$s_k$", "", 4, star, needs=(STAR,),
     )  # fmt: skip
     yield _entry(
         "frequency", "Frequenz der Harmonischen|Frequency of the harmonic", "$k n$", "Hz", None,
-        frequency, needs=SPEED,
+        frequency, needs=(SPEED,),
     )  # fmt: skip
     yield _entry(
         "omega_k", "Kreisfrequenz der Harmonischen|Angular frequency of the harmonic", "$k ω$", "rad/s",
-        None, angular, needs=SPEED,
+        None, angular, needs=(SPEED,),
     )  # fmt: skip
 
 
@@ -175,9 +179,9 @@ def _entry(
 def number_of(column: Column, at: At, rounding: str) -> Number | None:
     """Return the printed number; None of the phase of nothing."""
     needs, is_phase = column.quantity.needs, column.quantity.key in PHASES
-    if needs == STAR:
+    if STAR in needs:
         return _star(at, column.places, rounding)
-    if needs != SPEED:
+    if SPEED not in needs:
         if at.wave is None:
             return None if is_phase else EXACT_ZERO
         if is_phase and all(one == 0 for one in at.wave):

@@ -83,15 +83,6 @@ class TorqueRequest(EngineRequest):
         spectrum = self.spectrum(place["expansion"], place["ratio"], method)
         return At(spectrum, self.members[place["cylinder"]], self.orders[place["order"]], self.speed)
 
-    @cached_property
-    def needs(self) -> Mapping[str, tuple[bool, str]]:
-        several = self.alike and len(self.first.parts[0].starts) > 1
-        own = {
-            STAR: (several, "several cranks with cylinders alike"),
-            SPEED: (self.speed is not None, "--speed"),
-        }
-        return {**super().needs, **own}
-
 
 def _number(request: TorqueRequest, column: Column, place: Place, times: int) -> Value:
     at = request.at(place, column.method)
@@ -101,7 +92,7 @@ def _number(request: TorqueRequest, column: Column, place: Place, times: int) ->
 
 
 def _beside(request: TorqueRequest, column: Column) -> tuple[Column, ...]:
-    return () if column.quantity.needs in (STAR, SPEED) else errors_beside(request, column)
+    return () if {STAR, SPEED}.intersection(column.quantity.needs) else errors_beside(request, column)
 
 
 class _OrderAxis(ListAxis):
@@ -142,7 +133,7 @@ def _notes(request: TorqueRequest) -> Iterator[Label | Note]:
     lang = request.lang
     regular = from_dead_centre(request, (request.methods or ("exact",))[0])
     yield HARMONICS["sum"][lang].replace("{begin}", HARMONICS["dead_centre" if regular else "slide"][lang])
-    if any(column.quantity.needs == STAR for column in request.page_columns):
+    if any(STAR in column.quantity.needs for column in request.page_columns):
         yield HARMONICS["star"][lang]
     yield from notes(request)
     yield HARMONICS["zero"][lang]

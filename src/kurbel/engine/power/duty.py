@@ -33,12 +33,6 @@ UNITS = {
     PRESSURE: Fraction(10**5),
 }
 MOST_CYLINDERS = 24
-# What a quantity needs beside the variables in it.
-STEAMED, GIVES, EFFICIENT, FACTORED, UNITLESS = "steam", "delivery", "efficiency", "factor", "share"
-ASKED = "asked"
-AIRY, FREE, STAGED, WARM = "compressor", "free", "stages", "warm"
-BRAKED, FUELLED, WEIGHED, COMPOUND = "braked", "fuel", "suction", "compound"
-COOLED, COLD = "cooled", "cold"
 # Of air, in J/(kg K), as most textbooks have it.
 GAS_CONSTANT = 287
 HALF = Fraction(1, 2)

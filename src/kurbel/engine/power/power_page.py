@@ -12,40 +12,23 @@ from kurbel.engine.captions import DRIVEN
 from kurbel.engine.digits import FLOAT_ERROR, supported
 from kurbel.engine.engine import Engine
 from kurbel.engine.engine_page import LoadAxis
-from kurbel.engine.loads.driven import AIR
 from kurbel.engine.loads.texts import OF_STEAM
 from kurbel.engine.loads.words import LoadWords, best_back, valve_lines, words_of
 from kurbel.engine.power.compound import Compound, whole
 from kurbel.engine.power.duty import (
-    AIRY,
-    ASKED,
     BORE,
-    BRAKED,
-    COLD,
-    COMPOUND,
-    COOLED,
     EFFICIENCY,
-    EFFICIENT,
     FACTOR,
-    FACTORED,
-    FREE,
-    FUELLED,
-    GIVES,
     POWER,
     PRESSURE,
-    STAGED,
-    STEAMED,
     THERMAL,
-    UNITLESS,
-    WARM,
-    WEIGHED,
     Duty,
     Found,
     lacking,
     option_of,
     solved,
 )
-from kurbel.engine.power.power_quantities import registry
+from kurbel.engine.power.power_quantities import Needs, registry
 from kurbel.engine.power.source import Acting, GivenPressure
 from kurbel.engine.power.unknown import UNKNOWNS
 from kurbel.engine.texts import COUNTED_IN, POWER_TEXTS
@@ -54,7 +37,7 @@ from kurbel.exact.numerals import Label, Number
 from kurbel.exact.real import Product, Term
 from kurbel.page.axes import ColumnAxis, Place
 from kurbel.page.quantity import Column, Quantity, words
-from kurbel.page.subject import Question, Subject
+from kurbel.page.subject import LEAVE_OUT, Question, Subject
 from kurbel.reading.amounts import amount
 from kurbel.reading.units import MassFlow
 
@@ -85,6 +68,7 @@ class PowerRequest(Question):
     duty: Duty
 
     no_column = "there is no column beside the axes; add one, such as mean_pressure"
+    advice = LEAVE_OUT
 
     def check(self) -> None:
         ends = self.duty.ends
@@ -219,43 +203,27 @@ class PowerRequest(Question):
     def axis_keys(self) -> tuple[str, ...]:
         return (self.words.key,)
 
+    @property
+    def acting(self) -> Acting | None:
+        """What acts on the piston, where its pressure is not given."""
+        source = self.sources[0]
+        return source if isinstance(source, Acting) else None
+
+    @property
+    def machine(self) -> Any:
+        """The load."""
+        return self.acting and self.acting.load
+
+    @property
+    def compressor(self) -> Any:
+        return self.machine if self.machine is not None and self.machine.name == COMPRESSOR else None
+
     def missing(self, quantity: Quantity) -> str:
-        source, duty = self.sources[0], self.duty
-        acting = source if isinstance(source, Acting) else None
-        airy = acting is not None and acting.name == COMPRESSOR
-        lacks = {
-            STEAMED: ("steam with --eps", acting is None or not acting.steamed),
-            GIVES: ("a compressor or a pump", acting is None or not hasattr(acting.load, "delivered")),
-            AIRY: ("a compressor, --pressure-ratio", not airy),
-            STAGED: ("--stages 2", acting is None or not airy or acting.load.stages == 1),
-            COLD: (
-                "a compressor with --exponent above 1 and below 1.4",
-                acting is None or not airy or not 1 < acting.load.exponent < AIR,
-            ),
-            COOLED: (
-                "--intercooling or --intermediate-pressure",
-                acting is None or not airy or (acting.load.cooled == 1 and acting.load.between is None),
-            ),
-            WARM: ("a compressor with --suction-temperature", not airy or duty.suction_temperature is None),
-            FREE: ("a compressor with --free-air", not airy or duty.free_air is None),
-            EFFICIENT: ("the mechanical efficiency, --efficiency", not duty.shafted),
-            BRAKED: ("--brake-power or --brake-torque", not duty.braked or duty.efficiency is not None),
-            FUELLED: ("--consumption, or --heating-value with --thermal-efficiency", not duty.burnt),
-            WEIGHED: ("--suction-pressure", duty.pressure is None),
-            COMPOUND: ("--compound", duty.compound is None),
-            FACTORED: ("--diagram-factor", duty.diagram_factor == 1 and not duty.factor_asked),
-            ASKED: ("--unknown diagram_factor", not duty.factor_asked),
-            **{name: (f"--unknown {name}", duty.unknown != name) for name in UNKNOWNS},
-            UNITLESS: ("what acts on the piston", acting is None),
-        }
-        needed = [lacks[one][0] for one in quantity.needs.split() if lacks[one][1]]
-        if STEAMED in quantity.needs and not needed and duty.specific_volume is None:
-            needed = ["--specific-volume"]
-        if not needed:
-            needed = lacking(duty, quantity.formulas["exact"].kernel(self.found(0)))
-        return f"column {quantity.key} needs {' and '.join(needed)}; leave it out, or give that" * bool(
-            needed
-        )
+        if said := super().missing(quantity):
+            return said
+        if Needs.STEAM in quantity.needs and self.duty.specific_volume is None:
+            return self.needing(quantity, ["--specific-volume"])
+        return self.needing(quantity, lacking(self.duty, quantity.formulas["exact"].kernel(self.found(0))))
 
 
 def _instead(free: Sequence[str], duty: Duty) -> str:

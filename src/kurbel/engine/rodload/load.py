@@ -19,7 +19,7 @@ from flint import arb
 
 from kurbel.drive.at import CrankForce
 from kurbel.engine.cylinder import AnyTurn
-from kurbel.engine.engine_quantities import engine_registry, row
+from kurbel.engine.engine_quantities import Needs, engine_registry, row
 from kurbel.engine.segments import (
     At,
     Part,
@@ -190,7 +190,7 @@ def _extremes() -> Iterator[Quantity]:
         yield force
         yield force._replace(
             key=f"{key}_n", unit=words("N"), decimals=1, heading=words(f"{symbol} in N"),
-            scale=AnyTurn.force_unit, needs="load",
+            scale=AnyTurn.force_unit, needs=(Needs.LOAD,),
         )  # fmt: skip
         yield row(
             f"phi_{key}", f"größter {de} bei|Greatest {en} at", "$φ$", "°", PLACE, DEGREE_DECIMALS,

@@ -14,7 +14,7 @@ from kurbel.drive.wheel import SQUARE, Wheel
 from kurbel.engine import notes
 from kurbel.engine.digits import Asked, printed
 from kurbel.engine.engine_page import IRREGULARITY, TURNING
-from kurbel.engine.engine_quantities import EXTREMES, engine_registry, row
+from kurbel.engine.engine_quantities import EXTREMES, Needs, engine_registry, row
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.speed.run import Run
 from kurbel.engine.speed.solved import run_of
@@ -46,7 +46,7 @@ def evenness_registry() -> Mapping[str, Quantity]:
 
 
 def _speed_entries() -> Iterator[Quantity]:
-    turns = {"needs": "turns"}
+    turns = {"needs": (Needs.TURNS,)}
     yield row("speed", "Kurbelgeschwindigkeit|Crank-pin velocity", "$v/v_1$", "", AT_SPEED, 4,
               lambda run, where: run.speed(where.half_turns))  # fmt: skip
     yield row("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", AT_SPEED, 3,
@@ -64,7 +64,7 @@ def _speed_entries() -> Iterator[Quantity]:
 
 def _evenness_entries() -> Iterator[Quantity]:
     yield row("number", "Schwungradzahl|Number of the flywheel", "$(m_1 v_1^2)/(P r)$", "", OF_EVENNESS,
-              None, lambda run, where: run.number, needs="inertia")  # fmt: skip
+              None, lambda run, where: run.number, needs=(Needs.INERTIA,))  # fmt: skip
     for index, of, name in (
         ("min", "least", "kleinste Geschwindigkeit|Least speed"),
         ("max", "greatest", "größte Geschwindigkeit|Greatest speed"),
@@ -148,7 +148,7 @@ def _number(request: EngineRequest, column: Column, place: Place, times: int) ->
 
 def _listed(command: str, registry: Callable[[], Mapping[str, Quantity]]) -> Callable[[], Listed]:
     return lambda: [
-        (command + " --speed" * (one.needs == "turns"), one)
+        (command + " --speed" * (Needs.TURNS in one.needs), one)
         for key, one in registry().items()
         if key in of_runs()
     ]

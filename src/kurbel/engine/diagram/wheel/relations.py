@@ -15,7 +15,7 @@ from typing import NamedTuple, TypeAlias
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, number_text
 from kurbel.exact.real import Product, Term
-from kurbel.page.quantity import Formula, Quantity, entry, with_symbol
+from kurbel.page.quantity import Formula, Need, Quantity, entry, with_symbol
 
 Values: TypeAlias = Mapping[str, Product]
 _ONE, _TWO, _HALF = Product.of(1), Product.of(2), Product.of(Fraction(1, 2))
@@ -42,85 +42,74 @@ _MM, _CM2 = Product.of(1000), Product.of(10_000)
 _PER_MINUTE = '$"min"^(-1)$'
 
 
-# By what a figure needs, the options that give it.
-NEEDS: Mapping[str, tuple[str, ...]] = {
-    "wheel": ("--swing", "--speed", "--delta"),
-    "power": ("--power", "--speed"),
-    "cycles": ("--work", "--strokes"),
-    "motor": ("--power", "--efficiency"),
-    "fluctuation": ("--energy-fluctuation", "--power", "--speed"),
-    "mass": ("--radius",),
-    "rim": ("--rim-diameter", "--density"),
-    "section": ("--rim-diameter", "--density", "--rim-section"),
-    "disc": ("--disc-diameter", "--density"),
-    "disc stress": ("--poisson", "--density", "--speed"),
-    "diagram": ("--torque",),
-    "run up": ("--run-up-torque", "--run-up-time", "--inertia", "--speed"),
-    "angle": ("--torque", "--angle", "--inertia"),
-}
 # At a crank angle of a diagram, and of either sign.
 ACCELERATION = "angular_acceleration"
 
 
-Row = tuple[str, str, Label, str, Shown, str]
+# The options that give figures.
+_WHEEL, _POWER = ("--swing", "--speed", "--delta"), ("--power", "--speed")
+_RIM, _DISC, _MASS = ("--rim-diameter", "--density"), ("--disc-diameter", "--density"), ("--radius",)
+_SECTION, _CYCLES, _MOTOR = (*_RIM, "--rim-section"), ("--work", "--strokes"), ("--power", "--efficiency")
+_RUN_UP = ("--run-up-torque", "--run-up-time", "--inertia", "--speed")
+Row = tuple[str, str, Label, str, Shown, tuple[str, ...]]
 
 
 _ROWS: tuple[Row, ...] = (
-    ("power", "Leistung|Power", "$N$", "W", Shown("power"), "power"),
-    ("motor_power", "Leistung des Motors|Power of the motor", "$N_M$", "W", Shown("motor"), "motor"),
-    ("strokes", "Arbeitsspiele|Cycles", "$z$", _PER_MINUTE, Shown("cycles", Product.of(60)), "cycles"),
-    ("work", "Arbeit eines Spiels|Work of a cycle", "$W$", "J", Shown("work"), "power"),
-    ("mean_torque", "mittleres Drehmoment|Mean torque", "$M_m$", "N m", Shown("mean_torque"), "power"),
+    ("power", "Leistung|Power", "$N$", "W", Shown("power"), _POWER),
+    ("motor_power", "Leistung des Motors|Power of the motor", "$N_M$", "W", Shown("motor"), _MOTOR),
+    ("strokes", "Arbeitsspiele|Cycles", "$z$", _PER_MINUTE, Shown("cycles", Product.of(60)), _CYCLES),
+    ("work", "Arbeit eines Spiels|Work of a cycle", "$W$", "J", Shown("work"), _POWER),
+    ("mean_torque", "mittleres Drehmoment|Mean torque", "$M_m$", "N m", Shown("mean_torque"), _POWER),
     ("energy_fluctuation", "Anteil des Arbeitsüberschusses|Coefficient of fluctuation of energy", "$(ΔW)/W$",
-     "", Shown("energy_fluctuation"), "fluctuation"),
-    ("swing", "Arbeitsüberschuss|Energy swing", "$ΔW$", "J", Shown("swing"), "wheel"),
-    ("speed", "Drehzahl|Speed", "$n$", _PER_MINUTE, Shown("omega", _MINUTE), "wheel"),
-    ("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", Shown("omega"), "wheel"),
+     "", Shown("energy_fluctuation"), ("--energy-fluctuation", *_POWER)),
+    ("swing", "Arbeitsüberschuss|Energy swing", "$ΔW$", "J", Shown("swing"), _WHEEL),
+    ("speed", "Drehzahl|Speed", "$n$", _PER_MINUTE, Shown("omega", _MINUTE), _WHEEL),
+    ("omega", "Winkelgeschwindigkeit|Angular velocity", "$ω$", "rad/s", Shown("omega"), _WHEEL),
     ("delta", "Ungleichförmigkeitsgrad|Coefficient of fluctuation of speed", "$δ$", "", Shown("delta"),
-     "wheel"),
+     _WHEEL),
     ("steadiness", "Gleichförmigkeit|Coefficient of steadiness", "$1/δ$", "", Shown("delta", power=-1),
-     "wheel"),
+     _WHEEL),
     ("greatest_speed", "größte Drehzahl|Greatest speed", '$n_"max"$', _PER_MINUTE,
-     Shown("omega_max", _MINUTE), "wheel"),
+     Shown("omega_max", _MINUTE), _WHEEL),
     ("least_speed", "kleinste Drehzahl|Least speed", '$n_"min"$', _PER_MINUTE,
-     Shown("omega_min", _MINUTE), "wheel"),
+     Shown("omega_min", _MINUTE), _WHEEL),
     ("speed_drop", "Drehzahlabfall|Drop of speed", '$n_"max" - n_"min"$', _PER_MINUTE,
-     Shown("drop", _MINUTE), "wheel"),
+     Shown("drop", _MINUTE), _WHEEL),
     ("omega_max", "größte Winkelgeschwindigkeit|Greatest angular velocity", '$ω_"max"$', "rad/s",
-     Shown("omega_max"), "wheel"),
+     Shown("omega_max"), _WHEEL),
     ("omega_min", "kleinste Winkelgeschwindigkeit|Least angular velocity", '$ω_"min"$', "rad/s",
-     Shown("omega_min"), "wheel"),
-    ("inertia", "Trägheitsmoment|Moment of inertia", "$J$", "kg m²", Shown("inertia"), "wheel"),
-    ("stored", "Bewegungsenergie|Kinetic energy", "$J ω^2/2$", "J", Shown("stored"), "wheel"),
+     Shown("omega_min"), _WHEEL),
+    ("inertia", "Trägheitsmoment|Moment of inertia", "$J$", "kg m²", Shown("inertia"), _WHEEL),
+    ("stored", "Bewegungsenergie|Kinetic energy", "$J ω^2/2$", "J", Shown("stored"), _WHEEL),
     ("run_up_torque", "Drehmoment des Anlaufs|Torque of running up", "$M_a$", "N m", Shown("run_up_torque"),
-     "run up"),
-    ("run_up_time", "Zeit des Anlaufs|Time of running up", "$t_a$", "s", Shown("run_up_time"), "run up"),
+     _RUN_UP),
+    ("run_up_time", "Zeit des Anlaufs|Time of running up", "$t_a$", "s", Shown("run_up_time"), _RUN_UP),
     ("run_up_turns", "Umdrehungen des Anlaufs|Turns of running up", "$u_a$", "", Shown("run_up_turns"),
-     "run up"),
+     _RUN_UP),
     ("run_up_acceleration", "Winkelbeschleunigung des Anlaufs|Angular acceleration of running up", "$ε_a$",
-     "rad/s²", Shown("run_up_acceleration"), "run up"),
-    ("run_up_energy", "Arbeit des Anlaufs|Energy of running up", "$W_a$", "J", Shown("stored"), "run up"),
-    ("slip_energy", "Verlust der Kupplung|Loss of the clutch", "$W_k$", "J", Shown("stored"), "run up"),
-    ("mass", "Masse|Mass", "$m$", "kg", Shown("mass"), "mass"),
-    ("radius", "Trägheitshalbmesser|Radius of gyration", "$k$", "m", Shown("radius"), "mass"),
+     "rad/s²", Shown("run_up_acceleration"), _RUN_UP),
+    ("run_up_energy", "Arbeit des Anlaufs|Energy of running up", "$W_a$", "J", Shown("stored"), _RUN_UP),
+    ("slip_energy", "Verlust der Kupplung|Loss of the clutch", "$W_k$", "J", Shown("stored"), _RUN_UP),
+    ("mass", "Masse|Mass", "$m$", "kg", Shown("mass"), _MASS),
+    ("radius", "Trägheitshalbmesser|Radius of gyration", "$k$", "m", Shown("radius"), _MASS),
     ("rim_share", "Anteil des Kranzes|Share of the rim", "$J_R/J$", "", Shown("rim_share"),
-     "rim"),
+     _RIM),
     ("rim_inertia", "Trägheitsmoment des Kranzes|Moment of inertia of the rim", "$J_R$", "kg m²",
-     Shown("rim_inertia"), "rim"),
+     Shown("rim_inertia"), _RIM),
     ("rim_diameter", "mittlerer Durchmesser des Kranzes|Mean diameter of the rim", "$D$", "m",
-     Shown("rim_diameter"), "rim"),
-    ("rim_speed", "Geschwindigkeit des Kranzes|Speed of the rim", "$v$", "m/s", Shown("rim_speed"), "rim"),
-    ("hoop_stress", "Ringspannung|Hoop stress", "$σ$", "MPa", Shown("hoop_stress", _MPA), "rim"),
-    ("rim_mass", "Masse des Kranzes|Mass of the rim", "$m_R$", "kg", Shown("rim_mass"), "rim"),
-    ("section", "Querschnitt des Kranzes|Section of the rim", "$A$", "cm²", Shown("section", _CM2), "rim"),
-    ("breadth", "Breite des Kranzes|Breadth of the rim", "$b$", "mm", Shown("breadth", _MM), "section"),
-    ("thickness", "Dicke des Kranzes|Thickness of the rim", "$t$", "mm", Shown("thickness", _MM), "section"),
+     Shown("rim_diameter"), _RIM),
+    ("rim_speed", "Geschwindigkeit des Kranzes|Speed of the rim", "$v$", "m/s", Shown("rim_speed"), _RIM),
+    ("hoop_stress", "Ringspannung|Hoop stress", "$σ$", "MPa", Shown("hoop_stress", _MPA), _RIM),
+    ("rim_mass", "Masse des Kranzes|Mass of the rim", "$m_R$", "kg", Shown("rim_mass"), _RIM),
+    ("section", "Querschnitt des Kranzes|Section of the rim", "$A$", "cm²", Shown("section", _CM2), _RIM),
+    ("breadth", "Breite des Kranzes|Breadth of the rim", "$b$", "mm", Shown("breadth", _MM), _SECTION),
+    ("thickness", "Dicke des Kranzes|Thickness of the rim", "$t$", "mm", Shown("thickness", _MM), _SECTION),
     ("disc_diameter", "Durchmesser der Scheibe|Diameter of the disc", "$D$", "m", Shown("disc_diameter"),
-     "disc"),
+     _DISC),
     ("disc_thickness", "Dicke der Scheibe|Thickness of the disc", "$t$", "mm",
-     Shown("disc_thickness", _MM), "disc"),
+     Shown("disc_thickness", _MM), _DISC),
     ("disc_stress", "größte Spannung der Scheibe|Greatest stress of the disc", "$σ$", "MPa",
-     Shown("disc_stress", _MPA), "disc stress"),
+     Shown("disc_stress", _MPA), ("--poisson", "--density", "--speed")),
 )  # fmt: skip
 
 
@@ -131,18 +120,29 @@ SHOWN: Mapping[str, Shown] = {row[0]: row[4] for row in _ROWS}
 def registry() -> Mapping[str, Quantity]:
     """Return every quantity by its key, in the order of the page; a kernel call takes the figure."""
     entries = (
-        entry(key, name, symbol, unit, None, {"exact": Formula(shown.of)}, needs=needs)
-        for key, name, symbol, unit, shown, needs in _ROWS
-    )
+        entry(
+            key, name, symbol, unit, None, {"exact": Formula(shown.of)},
+            needs=(_figured(key, options),),
+        )
+        for key, name, symbol, unit, shown, options in _ROWS
+    )  # fmt: skip
     own = (*entries, _acceleration())
     return {one.key: one._replace(heading=with_symbol(one)) for one in own}
+
+
+def _figured(key: str, options: tuple[str, ...]) -> Need:
+    return Need(lambda asked: asked.wheels[0].knows(key), options)
 
 
 def _acceleration() -> Quantity:
     """The angular acceleration by the excess torque at a crank angle, of which a kernel call makes it."""
     name = "Winkelbeschleunigung|Angular acceleration"
     formula = Formula(lambda torque, inertia, kind: torque(kind) / inertia.on(kind))
-    return entry(ACCELERATION, name, "$α$", "rad/s²", None, {"exact": formula}, needs="angle")
+    needs = Need(
+        lambda asked: asked.angle is not None and asked.wheels[0].knows("inertia"),
+        ("--torque", "--angle", "--inertia"),
+    )
+    return entry(ACCELERATION, name, "$α$", "rad/s²", None, {"exact": formula}, needs=(needs,))
 
 
 class Rule(NamedTuple):

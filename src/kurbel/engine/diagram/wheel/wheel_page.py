@@ -9,7 +9,7 @@ from fractions import Fraction
 from kurbel.engine.diagram.excess import Excess, acceleration_line
 from kurbel.engine.diagram.fluctuation import Extreme, Fluctuation, place_text
 from kurbel.engine.diagram.texts import FLUCTUATION, OF_WHEELS, SOURCES, TORQUE
-from kurbel.engine.diagram.wheel.relations import ACCELERATION, NEEDS, SHOWN, registry
+from kurbel.engine.diagram.wheel.relations import ACCELERATION, SHOWN, registry
 from kurbel.engine.diagram.wheel.sizing import LIMIT, ONE_TURN, RIM_ALONE, Sizing
 from kurbel.exact.numerals import Label, Number, figure, finite_decimals, number_text
 from kurbel.exact.real import Product, Real
@@ -161,11 +161,9 @@ class WheelRequest(Question):
         return super().axis_keys if self.targets else ()
 
     def missing(self, quantity: Quantity) -> str:
-        known = self.angle is not None and "inertia" in self.wheels[0].figures
-        if known if quantity.key == ACCELERATION else self.wheels[0].knows(quantity.key):
-            return ""
-        options = ", ".join(NEEDS[quantity.needs])
-        return f"column {quantity.key} does not follow from what is given; add what it needs of {options}"
+        options = ", ".join(quantity.options) if any(map(self.lacks, quantity.needs)) else ""
+        sentence = f"column {quantity.key} does not follow from what is given; add what it needs of {options}"
+        return options and sentence
 
     def shows(self, column: LayoutColumn) -> bool:
         # Where its turns are known, the speed says how many cycles there are.
@@ -223,6 +221,5 @@ SUBJECT = Subject(
     caption=caption,
     notes=notes,
     letters=True,
-    options=NEEDS,
     drawn="kurbel.plot.diagrams:sizing",
 )
