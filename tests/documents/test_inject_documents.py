@@ -298,8 +298,8 @@ quantity = "psi"
 def test_a_template_in_a_marker_has_the_limits_of_handbooks(
     template: str, sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("kurbel.formats.apart.PATIENCE", 1.0)
-    monkeypatch.setattr("kurbel.formats.apart.GIGABYTES", 1)
+    monkeypatch.setattr("kurbel.formats.templates.PATIENCE", 1.0)
+    monkeypatch.setattr("kurbel.formats.templates.GIGABYTES", 1)
     own = tmp_path / "mine/slant"
     own.mkdir(parents=True)
     (own / "layout.toml").write_text(LAYOUT)

@@ -10,7 +10,7 @@ from browser import Viewer
 from cli import printed
 from manifests import FIGURES
 
-from kurbel.formats.html.svg import COLOURS, inline
+from kurbel.formats.html.document import COLOURS, inline
 
 SIZE = "svg { display: block; width: 600px; height: auto; }"
 ITSELF = "".join(f"--{name}: {colour};" for colour, name in COLOURS.items())

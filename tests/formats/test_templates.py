@@ -44,7 +44,7 @@ def folder(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def little_memory(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("kurbel.formats.apart.GIGABYTES", 0.7)
+    monkeypatch.setattr("kurbel.formats.templates.GIGABYTES", 0.7)
 
 
 def made(folder: Path, template: str) -> str:

@@ -569,7 +569,7 @@ def test_a_bar_shows_on_a_terminal_how_far_it_is(programs: Programs, tmp_path: P
 def test_a_template_that_misbehaves_fails_its_tables_and_no_others(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, template: str, said: str
 ) -> None:
-    monkeypatch.setattr("kurbel.formats.apart.PATIENCE", 1.0)
+    monkeypatch.setattr("kurbel.formats.templates.PATIENCE", 1.0)
     text = MANIFEST.replace('title = "Tafeln"', 'title = "Tafeln"\ntemplates = "mine"')
     folder = book(
         tmp_path, text.replace('"text", "latex", "markdown", "html", "csv", "json"', '"markdown", "csv"')

@@ -96,7 +96,7 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
     def _mechanism(self, chosen: Mechanism, drive: Drive, angles: Sequence[Fraction]) -> Drawing:
         """Return the mechanism to scale at crank angles, the first one strong."""
         from kurbel.plot.animated import mechanism_film
-        from kurbel.plot.rod_paths import coupled
+        from kurbel.plot.stage import coupled
 
         lang, mark, turn = self.lang, mark_of(self.lang, self.decimal), self.turn
         points: tuple[RodPoint, ...] = ()

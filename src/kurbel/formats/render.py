@@ -112,7 +112,7 @@ def as_one_page(folders: Folders | str | None) -> AbstractContextManager[None]:
     """Have the templates of a user's within the time of one page for all of it."""
     if not folders:
         return nullcontext()
-    from kurbel.formats.apart import one_page
+    from kurbel.formats.templates import one_page
 
     return one_page()
 
@@ -137,7 +137,7 @@ def filled_by(
 ) -> str:
     if not folders:
         return environment_of(form, folders).get_template(template).render(values)
-    from kurbel.formats.apart import filled_apart
+    from kurbel.formats.templates import filled_apart
 
     return filled_apart(form.name, template, values, folders)
 

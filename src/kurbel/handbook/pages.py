@@ -11,9 +11,9 @@ from typing import NamedTuple
 from kurbel.documents import prose
 from kurbel.documents.document import PLACE, Chapter, Document, Item
 from kurbel.errors import HandbookError, KurbelError
-from kurbel.formats.apart import deadline
 from kurbel.formats.registry import FORMATS, DocumentFormat, PageFormat, WorkbookFormat
 from kurbel.formats.render import as_one_page
+from kurbel.formats.templates import deadline
 from kurbel.handbook.folder import LARGEST, SHEETS
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
 from kurbel.handbook.model import COMPILED

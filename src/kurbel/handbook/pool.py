@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from kurbel.errors import KurbelError
 from kurbel.exact.certify import BALLS
-from kurbel.formats.apart import HAS_PROCESSES
+from kurbel.formats.templates import HAS_PROCESSES
 from kurbel.page.quantity import Letter
 from kurbel.sweeps.hands import taken
 from kurbel.sweeps.versions import LIBRARIES, content_of

@@ -25,7 +25,7 @@ from kurbel.plot.film import Film
 from kurbel.plot.panel import NOTHING_AROUND, Around, Panel, PinForce, axis_label, degrees
 from kurbel.plot.plotting import curves
 from kurbel.plot.polar import polar
-from kurbel.plot.rod_paths import Coupled
+from kurbel.plot.stage import Coupled
 from kurbel.plot.standing import LinksStanding, RockerStanding, SlideStanding, Standing
 from kurbel.plot.style import USUAL, Size
 from kurbel.reading import notation

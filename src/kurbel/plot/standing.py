@@ -29,7 +29,6 @@ from kurbel.plot.moving import (
 )
 from kurbel.plot.panel import degrees
 from kurbel.plot.place import CLEAR
-from kurbel.plot.rod_paths import Coupled, around, draw_paths, usual_scale
 from kurbel.plot.sketch import (
     DEAD_CENTRES,
     DOWN,
@@ -44,7 +43,7 @@ from kurbel.plot.sketch import (
     laid_out,
     page_fitted,
 )
-from kurbel.plot.stage import draw_fixed
+from kurbel.plot.stage import Coupled, around, draw_fixed, draw_paths, usual_scale
 from kurbel.plot.style import BLACK, MEDIUM, PALE, WIDTH, Size, arrowhead, style, text_of
 from kurbel.reading.notation import about
 

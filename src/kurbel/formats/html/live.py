@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 from kurbel.exact.numerals import Label, Number, number_text
 from kurbel.formats.html import FORMAT
-from kurbel.formats.html.svg import inline
+from kurbel.formats.html.document import inline
 from kurbel.formats.html.writer import RUNS
 from kurbel.formats.registry import PageFormat, by_name
 from kurbel.formats.render import render, render_document

@@ -128,7 +128,7 @@ class Writer(PageWriter):
         return around | {"remark": REMARK if place == "step" else ""}
 
     def drawing(self, svg: str, name: str, title: str) -> str:
-        from kurbel.formats.html.svg import inline
+        from kurbel.formats.html.document import inline
 
         return inline(svg, name, title, own_page=False)
 
