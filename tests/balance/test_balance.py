@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from pace import within
 
 from kurbel.exact import certify
-from kurbel.kernel.balance import Star
+from kurbel.kernel.harmonics import Star
 
 HALF = Fraction(1, 2)
 STEPS = 256

@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 
 from kurbel import certified
 from kurbel.exact.certify import ball
+from kurbel.exact.place import Field, SecondRootError
 from kurbel.exact.search import LEAST_WIDTH, Zero, isolate
-from kurbel.exact.surd import Field, SecondRootError
 
 Ball = Any
 Pair = tuple[Callable[[Ball], Ball], Callable[[Ball], Ball]]

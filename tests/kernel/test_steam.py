@@ -18,7 +18,7 @@ from numpy.testing import assert_allclose
 
 from kurbel import verify
 from kurbel.exact.certify import ball
-from kurbel.kernel import steam, turning
+from kurbel.kernel import forces, steam
 from kurbel.kernel.circle import circle
 from kurbel.kernel.kinematics import piston_path, piston_path_first_order
 from kurbel.kernel.steam import larger, logarithm, smaller
@@ -196,7 +196,7 @@ def test_logarithm_of_each_kind() -> None:
 
 def test_flywheel_keeps_the_irregularity() -> None:
     # ½ J (ω₁² - ω₂²) = ΔW with ω₁, ω₂ = ω (1 ± δ/2), in whole numbers: ΔW = J ω² δ.
-    swing = turning.energy_swing(1.5, 700.0)
-    inertia = turning.moment_of_inertia(swing, 0.04, 30.0)
+    swing = forces.energy_swing(1.5, 700.0)
+    inertia = forces.moment_of_inertia(swing, 0.04, 30.0)
     fastest, slowest = 30.0 * 1.02, 30.0 * 0.98
     assert inertia / 2 * (fastest**2 - slowest**2) == pytest.approx(1.5 * 700.0, rel=1e-13)

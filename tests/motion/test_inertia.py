@@ -21,7 +21,7 @@ from pages import shown
 
 import kurbel
 from kurbel import verify
-from kurbel.exact.jet import Jet, ball_jets
+from kurbel.exact.search import Jet, ball_jets
 
 FORCES = ("guide", "pin_x", "pin_y", "pin", "torque")
 MODELS = {"exact": "", "two-mass": "_two_mass", "railway": "_railway"}

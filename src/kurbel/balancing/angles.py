@@ -31,8 +31,8 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, Number
 from kurbel.exact.real import EXACT_ZERO, Real
-from kurbel.kernel.balance import Star
 from kurbel.kernel.circle import Numeric
+from kurbel.kernel.harmonics import Star
 from kurbel.kernel.kinematics import piston_acceleration
 from kurbel.page.axes import AngleAxis, Place
 from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, words

@@ -1,7 +1,7 @@
 """Balance of engines with several cranks: free forces and moments of each order, with certified digits.
 
 Forces are in units of m R ω², m being the reciprocating mass of a cylinder; moments in that times the unit
-of the cylinders' positions. They are vectors in the plane across the shaft, see kernel/balance.py.
+of the cylinders' positions. They are vectors in the plane across the shaft, see kernel/harmonics.py.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ from kurbel.exact.certify import NEVER_TIES, at_bits, rounded
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Number
 from kurbel.exact.real import Known, Real
-from kurbel.kernel import balance
-from kurbel.kernel.balance import Star
+from kurbel.kernel import harmonics as of_kernel
 from kurbel.kernel.circle import Numeric
+from kurbel.kernel.harmonics import Star
 from kurbel.reading.notation import about
 
 MOST_CYLINDERS = 24
@@ -183,8 +183,8 @@ def _residual(arrangement: Arrangement, order: int, weigh: Callable[[Cylinder], 
     forward, backward = Star(), Star()
     for cylinder in arrangement.cylinders:
         weight = sign * weigh(cylinder) * cylinder.mass
-        forward += balance.forward(order, cylinder.crank, cylinder.bank, weight)
-        backward += balance.backward(order, cylinder.crank, cylinder.bank, weight)
+        forward += of_kernel.forward(order, cylinder.crank, cylinder.bank, weight)
+        backward += of_kernel.backward(order, cylinder.crank, cylinder.bank, weight)
         if order == 1:
             turning = weigh(cylinder) * cylinder.revolving - weight * arrangement.share
             forward += Star.ray(cylinder.crank, turning)

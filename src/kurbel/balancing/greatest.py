@@ -26,8 +26,8 @@ from kurbel.errors import ProblemError
 from kurbel.exact import search
 from kurbel.exact.certify import at_bits, ball, ball_circle
 from kurbel.exact.search import SHARP_BITS, Summit, Zero, isolate
-from kurbel.kernel.balance import Star
 from kurbel.kernel.circle import Numeric
+from kurbel.kernel.harmonics import Star
 
 # The value, its slope and half its second slope.
 TERMS = 3

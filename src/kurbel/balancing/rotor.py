@@ -22,8 +22,8 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.real import Real
-from kurbel.kernel.balance import Star
 from kurbel.kernel.circle import Numeric
+from kurbel.kernel.harmonics import Star
 from kurbel.reading.notation import about
 
 MOST_MASSES = 100

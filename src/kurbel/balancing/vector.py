@@ -22,8 +22,8 @@ from kurbel.exact.certify import at_bits
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Number, nearest
 from kurbel.exact.real import ESTIMATE_BITS, PI, Real
-from kurbel.kernel.balance import Star
 from kurbel.kernel.circle import Numeric, root
+from kurbel.kernel.harmonics import Star
 from kurbel.reading.units import Speed
 
 Point: TypeAlias = Callable[[Kind], tuple[Numeric, Numeric]]

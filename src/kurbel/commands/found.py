@@ -12,7 +12,7 @@ from kurbel.commands.parts.effort import PRESSING
 from kurbel.commands.solve import OF_MOTION, SolveOptions
 from kurbel.conditions.solve_page import SolveRequest
 from kurbel.errors import ProblemError
-from kurbel.exact.found import Found
+from kurbel.exact.kind import Found
 from kurbel.exact.place import Place
 from kurbel.motion.evaluation import RETURN
 from kurbel.reading.where import ACCELERATIONS

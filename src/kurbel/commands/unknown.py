@@ -27,8 +27,7 @@ from kurbel.engine.engine_quantities import value
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.course import Target
-from kurbel.exact.found import Found
-from kurbel.exact.kind import balls
+from kurbel.exact.kind import Found, balls
 from kurbel.exact.numerals import exact_text, figures, nearest
 from kurbel.exact.place import fraction
 from kurbel.motion.evaluation import kernel_of

@@ -30,10 +30,9 @@ from kurbel.engine.segments import (
 from kurbel.engine.turn import Turn
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import at_bits, ball
-from kurbel.exact.jet import Jet
 from kurbel.exact.numerals import exact_text, nearest, number_text
 from kurbel.exact.place import fraction
-from kurbel.exact.search import EQUAL_BITS
+from kurbel.exact.search import EQUAL_BITS, Jet
 from kurbel.kernel.circle import Numeric
 from kurbel.reading import units
 from kurbel.reading.where import EXTREMES, MIN, MOST, Condition

@@ -19,9 +19,8 @@ from flint import arb
 
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import NEVER_TIES, at_bits, ball, rounded
-from kurbel.exact.jet import Jet
 from kurbel.exact.numerals import Label, Number, figures
-from kurbel.exact.search import isolate
+from kurbel.exact.search import Jet, isolate
 from kurbel.kernel.circle import Numeric
 from kurbel.page.axes import (
     PHI,

@@ -9,8 +9,7 @@ from math import asin, degrees
 from typing import Any, NamedTuple
 
 from kurbel.drive.at import At, acceleration_of, known
-from kurbel.drive.effort import Effort
-from kurbel.drive.load import PistonForce, read_force
+from kurbel.drive.load import Effort, PistonForce, read_force
 from kurbel.drive.moved import Moved, moved
 from kurbel.drive.rod import Moving, Rod
 from kurbel.errors import NotationError, ProblemError

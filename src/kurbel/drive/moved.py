@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from kurbel.drive.at import At, CrankForce, Weights, framed
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
-from kurbel.kernel import kinematics, moving, rod, turning
+from kurbel.kernel import forces, kinematics, moving, rod
 from kurbel.kernel.circle import Circle, Numeric, root
 from kurbel.kernel.forces import Weight, on_return, tangential_force, torque_slope, work
 from kurbel.kernel.moving import EVEN, OF_FIRST_ORDER, Masses
@@ -21,7 +21,7 @@ from kurbel.kernel.rod import Loaded
 if TYPE_CHECKING:
     from kurbel.drive.crank import Crank
 
-MOTIONS = {"exact": turning.EXACT, "series": turning.FIRST_ORDER, "weisbach": turning.FIRST_ORDER}
+MOTIONS = {"exact": forces.EXACT, "series": forces.FIRST_ORDER, "weisbach": forces.FIRST_ORDER}
 
 
 class Drive(Protocol):
@@ -148,7 +148,7 @@ class Slide(Moved):
     from the slope of the work as the exact velocity does from that of first order.
     """
 
-    def __init__(self, motion: turning.Motion, kind: Kind, ratio: Numeric, *offset: Numeric) -> None:
+    def __init__(self, motion: forces.Motion, kind: Kind, ratio: Numeric, *offset: Numeric) -> None:
         self.regular = not offset
         self.numbers: tuple[tuple[Any, ...], ...] = tuple(
             (sign * ratio, *(sign * one for one in offset)) for sign in (1, -1)
@@ -158,7 +158,7 @@ class Slide(Moved):
 
     @property
     def _is_first_order(self) -> bool:
-        return self.motion is turning.FIRST_ORDER
+        return self.motion is forces.FIRST_ORDER
 
     def dead_centre(self, stroke: int) -> Any:
         if self.regular:
@@ -230,4 +230,4 @@ def moved(crank: Crank, kind: Kind, method: str) -> Moved:
         return Slide(MOTIONS[method], kind, kind.of(crank.ratio))
     if method != "exact":
         raise ProblemError(f'method "{method}" has no formulas for the offset crank; use exact')
-    return Slide(turning.OFFSET, kind, kind.of(crank.ratio), kind.of(crank.offset))
+    return Slide(forces.OFFSET, kind, kind.of(crank.ratio), kind.of(crank.offset))

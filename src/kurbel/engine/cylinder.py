@@ -20,10 +20,10 @@ from kurbel.drive.wheel import Flywheel
 from kurbel.engine.engine import Assembly, Engine
 from kurbel.exact.certify import FLOAT_BITS, at_bits
 from kurbel.exact.kind import Kind
-from kurbel.kernel import turning
+from kurbel.kernel import forces
 from kurbel.kernel.circle import Circle, Numeric
+from kurbel.kernel.forces import Stroke
 from kurbel.kernel.steam import larger, smaller
-from kurbel.kernel.turning import Stroke
 from kurbel.motion.evaluation import OUT, RETURN
 
 # The spans of a turn that have extremes of their own.
@@ -205,7 +205,7 @@ class AnyTurn(ABC):
 
     def _cylinder_on(self, part: Engine, kind: Kind, circle: Callable[[Any], Circle[Numeric]]) -> Cylinder:
         strokes, drive = part.strokes(kind), part.drive.moved(kind, self.method)
-        mean, weights = turning.mean_force(strokes, kind.pi, drive.length), part.weights(kind)
+        mean, weights = forces.mean_force(strokes, kind.pi, drive.length), part.weights(kind)
         unit = None if part is self.part else self._unit(part, kind)
         return Cylinder(drive, strokes, mean, weights, kind, circle, unit, part.friction(kind))
 

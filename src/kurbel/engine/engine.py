@@ -20,7 +20,7 @@ from kurbel.engine.loads.steam import LEAST_WORK, Steam
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.turning import Stroke
+from kurbel.kernel.forces import Stroke
 from kurbel.reading.notation import about
 
 # Nearer to 1 the piston of the exact motion stands still but for an instant.

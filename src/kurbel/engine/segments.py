@@ -23,12 +23,20 @@ from flint import arb
 from kurbel.engine.cylinder import Cylinder, Standing
 from kurbel.engine.turn import Turn, circle
 from kurbel.exact.certify import at_bits, ball
-from kurbel.exact.jet import Jet, ball_jets, slopes
 from kurbel.exact.place import PRECISIONS, Place, fraction, unsettled
-from kurbel.exact.search import EQUAL_BITS, ISOLATING_BITS, Function, between, greatest
+from kurbel.exact.search import (
+    EQUAL_BITS,
+    ISOLATING_BITS,
+    Function,
+    Jet,
+    ball_jets,
+    between,
+    greatest,
+    slopes,
+)
 from kurbel.exact.taylor import Continued
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.turning import Stroke
+from kurbel.kernel.forces import Stroke
 
 PRECISIONS_KEPT = 32
 # Shares of a segment at which nothing is likely to be zero.

@@ -14,7 +14,7 @@ from kurbel.drive.wheel import Flywheel
 from kurbel.engine.cylinder import AnyTurn, TurnPlace
 from kurbel.engine.engine import Engine
 from kurbel.exact.kind import Kind
-from kurbel.kernel import turning
+from kurbel.kernel import forces
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.steam import Expansion
 
@@ -176,12 +176,12 @@ def speed(turn: AnyTurn, where: TurnPlace) -> Any:
 
 
 def swing(turn: AnyTurn, where: TurnPlace) -> Numeric:
-    return turning.energy_swing(turn.irregularity(), _number(turn, mean_torque(turn, where)))
+    return forces.energy_swing(turn.irregularity(), _number(turn, mean_torque(turn, where)))
 
 
 def inertia(turn: AnyTurn, where: TurnPlace) -> Numeric:
     irregularity = turn.of(_flywheel(where).irregularity)
-    return turning.moment_of_inertia(swing(turn, where), irregularity, _number(turn, speed(turn, where)))
+    return forces.moment_of_inertia(swing(turn, where), irregularity, _number(turn, speed(turn, where)))
 
 
 def mass(turn: AnyTurn, where: TurnPlace) -> Numeric:
@@ -210,5 +210,5 @@ def true_inertia(turn: AnyTurn, where: TurnPlace) -> Numeric:
     high, low = (turn.at_speed(1 + sign * wheel.irregularity / 2) for sign in (1, -1))
     swung = high.extreme(greatest=True).energy - low.extreme(greatest=False).energy
     moment, omega = _number(turn, turn.torque_unit()), _number(turn, speed(turn, where))
-    beyond = turning.moment_of_inertia(swung * moment, turn.of(wheel.irregularity), omega)
+    beyond = forces.moment_of_inertia(swung * moment, turn.of(wheel.irregularity), omega)
     return beyond - 2 * turn.kinetic_energy_begun() * moment / (omega * omega)

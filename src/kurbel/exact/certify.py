@@ -23,7 +23,7 @@ import flint
 from flint import arb
 
 from kurbel.errors import ProblemError
-from kurbel.exact.found import Found
+from kurbel.exact.kind import Found
 from kurbel.exact.numerals import MOST_FIGURES
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinematics import rod_sine

@@ -29,13 +29,13 @@ from kurbel.exact.place import (
     PRECISIONS,
     Centre,
     Place,
+    Surd,
     fraction,
     is_after,
     recognised,
     unsettled,
 )
 from kurbel.exact.search import Function, Zero, greatest
-from kurbel.exact.surd import Surd
 
 # Equal values at both dead centres are 0 or 1.
 ROUND = 1000

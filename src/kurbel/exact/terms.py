@@ -21,8 +21,7 @@ from flint import arb
 
 from kurbel.exact import certify
 from kurbel.exact.certify import at_bits
-from kurbel.exact.found import Found
-from kurbel.exact.kind import Kind, balls
+from kurbel.exact.kind import Found, Kind, balls
 from kurbel.exact.place import Place
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel.circle import Circle

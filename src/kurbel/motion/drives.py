@@ -20,12 +20,10 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import NEVER_TIES, TieBits, half_turn_circle, rounded
 from kurbel.exact.course import Course
-from kurbel.exact.jet import Jet, ball_jets, jets, slopes
 from kurbel.exact.kind import Kind, balls, surds
 from kurbel.exact.numerals import Label
-from kurbel.exact.place import SQUARE, Centre, Place, exact_place
-from kurbel.exact.search import between
-from kurbel.exact.surd import Field, SecondRootError, Surd
+from kurbel.exact.place import SQUARE, Centre, Field, Place, SecondRootError, Surd, exact_place
+from kurbel.exact.search import Jet, ball_jets, between, jets, slopes
 from kurbel.exact.terms import vanishes
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle, Numeric

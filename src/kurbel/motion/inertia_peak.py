@@ -18,9 +18,19 @@ from flint import arb
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import GUARD_BITS, MOST_BITS, ball, ball_circle, half_turn_circle, pi, vanishes
-from kurbel.exact.jet import Jet, ball_jets, jets
 from kurbel.exact.kind import Kind
-from kurbel.exact.search import BEFORE, BEHIND, SHARP_BITS, Summit, Zero, greatest, isolate
+from kurbel.exact.search import (
+    BEFORE,
+    BEHIND,
+    SHARP_BITS,
+    Jet,
+    Summit,
+    Zero,
+    ball_jets,
+    greatest,
+    isolate,
+    jets,
+)
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.exact.terms import algebraic
 from kurbel.kernel.circle import Circle, Numeric

@@ -9,8 +9,7 @@ from math import isqrt
 
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
-from kurbel.drive.effort import Areas, Effort
-from kurbel.drive.load import figure
+from kurbel.drive.load import Areas, Effort, figure
 from kurbel.drive.rod import STANDARD_GRAVITY, Moving, Rod, Slope
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text

@@ -24,10 +24,9 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.crank import Crank
 from kurbel.exact.certify import at_bits, half_turn_circle
-from kurbel.exact.jet import ball_jets, slopes
 from kurbel.exact.kind import Kind, balls, floats, settled
 from kurbel.exact.numerals import Label, Number, figures, nearest
-from kurbel.exact.search import Zero
+from kurbel.exact.search import Zero, ball_jets, slopes
 from kurbel.kernel import kinematics, series
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.series import terms_of, versine_term

@@ -11,7 +11,7 @@ from itertools import product
 from typing import Any, TypeAlias
 
 from kurbel.errors import ProblemError
-from kurbel.exact.found import Found
+from kurbel.exact.kind import Found
 from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals, nearest, number_text
 from kurbel.page.quantity import words
 from kurbel.page.table import Cell, Ditto, Field, Value

@@ -14,9 +14,9 @@ from kurbel.books.constructions.placed import Placed, Point
 from kurbel.exact.kind import floats
 from kurbel.kernel import beam, forces, kinematics, linkage
 from kurbel.kernel.circle import Numeric, root
+from kurbel.kernel.forces import mean_force
 from kurbel.kernel.parts import COMMON, STRETCHING, TURNING
 from kurbel.kernel.steam import logarithm
-from kurbel.kernel.turning import mean_force
 from kurbel.motion.evaluation import OUT, RETURN
 
 POINT, NUMBER = "point", "number"

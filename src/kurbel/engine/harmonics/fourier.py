@@ -34,7 +34,7 @@ from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.kind import balls, floats
 from kurbel.exact.search import interval
 from kurbel.exact.taylor import Continued, continued, half_turn_circle
-from kurbel.kernel.balance import Star
+from kurbel.kernel.harmonics import Star
 
 if TYPE_CHECKING:
     from kurbel.engine.card.turn import CardTurn

@@ -24,8 +24,8 @@ from kurbel.engine.engine_quantities import ENGINE_METHODS, Needs
 from kurbel.engine.harmonics.fourier import NOTHING_BITS, PARTS, Floats, Spectrum, Wave, star_of
 from kurbel.exact.certify import NEVER_TIES, at_bits
 from kurbel.exact.numerals import Label, Number
-from kurbel.kernel.balance import Star
 from kurbel.kernel.circle import Numeric
+from kurbel.kernel.harmonics import Star
 from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, words
 from kurbel.reading.units import Speed
 

@@ -12,9 +12,9 @@ from kurbel.drive.load import STEAM
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Numeric
+from kurbel.kernel.forces import Stroke
 from kurbel.kernel.law import Between, Constant, Law, Line, Piece, Polytrope, steady
 from kurbel.kernel.steam import Expansion, IdleStroke, best_back, power
-from kurbel.kernel.turning import Stroke
 from kurbel.reading.notation import about, plain, too_small
 
 LARGEST_EXPANSION = 10**6

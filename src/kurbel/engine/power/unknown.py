@@ -17,10 +17,9 @@ from flint import arb
 from kurbel.engine.power.duty import FACTOR, MEAN, OPEN_PRESSURE, VARIABLES
 from kurbel.engine.power.source import Sought
 from kurbel.errors import NoRootError, ProblemError
-from kurbel.exact.jet import Jet
 from kurbel.exact.kind import balls
 from kurbel.exact.real import Term
-from kurbel.exact.search import Zero, isolate
+from kurbel.exact.search import Jet, Zero, isolate
 from kurbel.kernel.circle import Numeric
 from kurbel.page.quantity import Words, words
 

@@ -33,8 +33,8 @@ from kurbel.engine.segments import (
 )
 from kurbel.engine.turn import Turn
 from kurbel.exact.certify import at_bits
-from kurbel.exact.jet import Jet
 from kurbel.exact.numerals import Label
+from kurbel.exact.search import Jet
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.steam import larger, smaller
 from kurbel.page.quantity import Quantity, Words, words

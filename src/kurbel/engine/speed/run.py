@@ -22,7 +22,7 @@ from kurbel.engine.speed.course import Course, energies
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, kept
-from kurbel.kernel import turning
+from kurbel.kernel import forces
 from kurbel.kernel.circle import Numeric
 from kurbel.reading.notation import plain
 
@@ -104,7 +104,7 @@ class AnyRun(ABC):
 
     def irregularity(self) -> Numeric:
         """Return (v_max - v_min)/v_m."""
-        return turning.irregularity_of_mean(
+        return forces.irregularity_of_mean(
             self.extreme_speed(greatest=True), self.extreme_speed(greatest=False)
         )
 
@@ -147,7 +147,7 @@ class Run(AnyRun):
     @property
     def law(self) -> Callable[[Any, Any], Any]:
         """How the speed follows from the excess."""
-        return turning.first_order_speed if self.method == "weisbach" else turning.root_speed
+        return forces.first_order_speed if self.method == "weisbach" else forces.root_speed
 
     def excess(self, energy: Numeric) -> Numeric:
         """Return w = W/(P r) of an excess work in Q r."""
@@ -164,7 +164,7 @@ class Run(AnyRun):
         if bits not in self._numbers:
             extremes = self.extreme_excess(greatest=True), self.extreme_excess(greatest=False)
             first = self.method == "weisbach"
-            found = turning.first_number_of_mean if first else turning.number_of_mean
+            found = forces.first_number_of_mean if first else forces.number_of_mean
             self._numbers[bits] = found(self.at_mean, *extremes)
         return self._numbers[bits]
 
