@@ -38,7 +38,7 @@ LEVERS = [
 ]
 MOTIONS = (
     "lever", "lever_velocity", "lever_acceleration", "block_velocity", "coriolis", "path", "path_stroke",
-    "velocity", "acceleration",
+    "velocity", "acceleration", "rod_velocity", "rod_acceleration",
 )  # fmt: skip
 FORCES = ("rod_force", "guide_force", "block_force", "tangential_force", "radial_force", "torque")
 DEAD = ("phi_i", "phi_o", "lead", "time_ratio", "stroke", "transmission", "outstroke_time", "v_c_m")
@@ -82,6 +82,7 @@ def test_conditions_hold_where_the_links_say(drive: Drive) -> None:
         ("path_stroke", "0.25", 2),
         ("acceleration", "0", 4),
         ("lever_velocity", turning, 4),
+        ("rod_velocity", "0", 4),
     ):
         where = "s=25%" if key == "path_stroke" else f"{key}={aim}"
         rows = records("solve", *drive.words, "--where", where, "--columns=phi_turn", "--digits=9")

@@ -85,6 +85,18 @@ def acceleration(at: Lever[Numeric], links: Links[Numeric]) -> Numeric:
     return links.stroke * at.gain * at.pull - at.turning * at.turning * drawn
 
 
+def rod_velocity(at: Lever[Numeric], links: Links[Numeric]) -> Numeric:
+    """Return the angular velocity of the rod in units of ω, positive against the sense of the crank."""
+    return links.ratio * links.arm * at.sine * at.turning / at.slant_cosine
+
+
+def rod_acceleration(at: Lever[Numeric], links: Links[Numeric]) -> Numeric:
+    """Return the angular acceleration of the rod in units of ω², likewise."""
+    turning, bent = rod_velocity(at, links), at.slant / at.slant_cosine
+    lifted = at.sine * at.gain + links.stroke * at.cosine * at.turning * at.turning
+    return links.ratio * links.arm * lifted / at.slant_cosine + links.stroke * bent * turning * turning
+
+
 def coriolis(at: Lever[Numeric]) -> Numeric:
     """Return the acceleration of Coriolis at the block, square to the lever as it turns, in units of v²/R."""
     return 2 * at.turning * at.slide

@@ -33,7 +33,7 @@ from kurbel.linkage.linkage import (
     linkage_subject,
     plain_notes,
 )
-from kurbel.motion.entries import spanned
+from kurbel.motion.entries import OF_ROD, spanned
 from kurbel.motion.evaluation import OUT, RETURN, Needs
 from kurbel.motion.motion_quantities import FORCES, Force, force_entries, torque_entries
 from kurbel.page.quantity import Formula, Quantity, words
@@ -252,12 +252,28 @@ def _lever_entries() -> Iterator[Quantity]:
             Formula(lambda at: kernel.coriolis(at.place), "$(p_C R)/v^2 = 2 ω_B/ω w/v$"),
             Crank.pin_acceleration,
         ),
+        (
+            "rod_velocity", "Winkelgeschwindigkeit der Stange|Angular velocity of the rod", "ω_L", "ω",
+            _of(kernel.rod_velocity, "$ω_L/ω = (B sin θ)/(L cos σ) ω_B/ω$", (_TURNING, _Q, _THETA, _SIGMA)),
+            angular_velocity,
+        ),
+        (
+            "rod_acceleration", "Winkelbeschleunigung der Stange|Angular acceleration of the rod", "ε_L",
+            "ω²",
+            _of(
+                kernel.rod_acceleration,
+                "$ε_L/ω^2 = B/(L cos σ) (ε_B/ω^2 sin θ + ω_B^2/ω^2 cos θ) + ω_L^2/ω^2 tan σ$",
+                (_TURNING, _GAIN, _Q, _THETA, _SIGMA),
+            ),
+            angular_square,
+        ),
     ):  # fmt: skip
+        turned = OF_ROD if key.startswith("rod") else None
         heading = f"$({letter} R)/v^2$" if unit == "v²/R" else ""
-        yield headed_entry(key, name, letter, unit, formula, heading, names=(key,))
+        yield headed_entry(key, name, letter, unit, formula, heading, names=(key,), direction=turned)
         sized = {"ω": "rad/s", "ω²": "rad/s²", "v": "m/s", "v²/R": "m/s²"}[unit]
         suffix = {"rad/s": "radps", "rad/s²": "radps2", "m/s": "mps", "m/s²": "mps2"}[sized]
-        yield sized_entry(f"{key}_{suffix}", name, letter, sized, formula, scale)
+        yield sized_entry(f"{key}_{suffix}", name, letter, sized, formula, scale, direction=turned)
 
 
 def _ram_entries() -> Iterator[Quantity]:
@@ -359,11 +375,12 @@ class SlottedDrive(LinkageDrive):
             at, slope, _ = self._slopes(one)
             last = Fraction(1) if one.key == "path_stroke" else None
             return Course(at, slope, *self.ends(stroke), ends=(Fraction(0), last))
-        return self.by_balls(one, stroke, *AT_REST)
+        return self.by_balls(one, stroke, *AT_REST, *(LEVER_AT_REST if self.drive.swings else ()))
 
 
-# What is zero at dead centres.
+# What is zero at dead centres, and where the lever swings.
 AT_REST = ("velocity", "tangential_force", "tangential_force_n", "torque", "torque_nm")
+LEVER_AT_REST = ("lever_velocity", "coriolis", "rod_velocity")
 _PLAIN = plain_notes(
     words("$F$ auf den Stößel, in der Richtung des Hubes|$F$ on the ram, in the direction of the stroke"),
     words(
@@ -383,6 +400,8 @@ LINE = words(
 
 def _notes(question: LinkageRequest) -> Iterator[Label]:
     yield from _PLAIN(question)
+    if any(column.quantity.direction is OF_ROD for column in question.page_columns):
+        yield OF_ROD[question.lang]
     for drive in question.drives:
         yield LINE[question.lang].format(
             lengths=", ".join(MECHANISM.lengths(drive)),

@@ -103,7 +103,12 @@ class SlottedLever(Drive):
         pin = self.pin(place.degrees, 2 + more, place.reach)
         along = pin.minus(self.foot)
         reach, turning = along.size(), slope_of_angle(*along)
+        # Against the sense of the crank, as a crank's rod on its outstroke.
+        end = self.end(along.times(1 / reach))
+        swung = -slope_of_angle(*end.minus(self.ram(end))) if self.ram_rod else 0 * turning
         known: dict[str, Callable[[], Jet]] = {
+            "rod_velocity": lambda: swung,
+            "rod_acceleration": swung.derived,
             "lever": lambda: direction(along.y, -along.x),
             "lever_velocity": lambda: turning,
             "lever_acceleration": turning.derived,
