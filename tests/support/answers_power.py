@@ -422,3 +422,20 @@ def compressor_by_its_volume(
     rate = 2 * share * volume * turns(speed)
     power = raised(suction, ratio * suction, exponent) * rate / 1000
     return [{"volumetric_efficiency": share, "delivery": rate * 60, "indicated_power": power}]
+
+
+@solution
+def air_left_in_the_clearance(
+    ratio: mpf, suction: mpf, exponent: mpf, back: mpf, clearance: mpf, delivery: mpf, speed: mpf,
+    efficiency: mpf,
+) -> Rows:  # fmt: skip
+    high, whole = ratio * suction, 1 + clearance
+    end, start = whole * ratio ** (-1 / exponent), clearance * ratio ** (1 / back)
+    # Up to the delivery, the delivery itself, back to suction: the volume in that of a stroke.
+    work = quad(lambda v: suction * (whole / v) ** exponent, [end, whole]) + high * (end - clearance)
+    work -= quad(lambda v: high * (clearance / v) ** back, [clearance, start]) + suction * (whole - start)
+    swept = delivery / (whole - start) / (2 * speed / (2 * pi))
+    power = work * delivery / (whole - start) / 1000
+    bore = 1000 * (4 * swept / pi) ** (mpf(1) / 3)
+    rows = {"volumetric_efficiency": whole - start, "bore": bore, "indicated_power": power}
+    return [{**rows, "brake_power": power / efficiency}]

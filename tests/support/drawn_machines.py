@@ -63,9 +63,10 @@ class Draw:
 
     def _compressor(self) -> dict[str, Any]:
         losses = self.random.choice((("0", "0"), (self.number(0, 0.1, 2), self.number(0, 0.1, 2))))
+        left = {"clearance": self.number(0.01, 0.1, 2), "expansion_exponent": "1.15"}
         return {
             "pressure_ratio": self.number(1.5, 6, 2), "exponent": self.random.choice(("1", "1.2", "1.35")),
-            "clearance": self.random.choice(("0", self.number(0.01, 0.1, 2))),
+            **self.random.choice(({}, left)),
             "suction_loss": losses[0], "delivery_loss": losses[1],
             "single_acting": self.random.random() < 0.4,
         }  # fmt: skip

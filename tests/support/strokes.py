@@ -90,13 +90,14 @@ def _compressor(options: Options, double: bool) -> tuple[Stroke, ...]:
     other = number(options.get("other_side"), 1.0)
     if "other_side" in options:
         other /= pressure_of(options)
+    left = number(options.get("expansion_exponent"), exponent)
     grown, whole = (high / low) ** (1 / exponent), 1 + clearance
-    corners = (clearance * (grown - 1), whole - whole / grown)
+    corners = (clearance * ((high / low) ** (1 / left) - 1), whole - whole / grown)
 
     def leaving(share: Grid) -> Grid:
         if not clearance:
             return np.full_like(share, low)
-        return np.maximum(low, high * (clearance / (clearance + share)) ** exponent)
+        return np.maximum(low, high * (clearance / (clearance + share)) ** left)
 
     def coming(share: Grid) -> Grid:
         with np.errstate(divide="ignore"):

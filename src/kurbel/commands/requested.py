@@ -41,7 +41,7 @@ from kurbel.verify.loads import Stroke, constant, disc
 from kurbel.verify.zeros import Spot
 
 # Of each load its options, which the second computation calls likewise.
-AIR = ("exponent", "clearance", "single_acting", "suction_loss", "delivery_loss")
+AIR = ("exponent", "clearance", "single_acting", "suction_loss", "delivery_loss", "expansion_exponent")
 STEAM = (*AIR[:3], "release", "cushion", "lead")
 GAS = ("cycle", "exponent", "expansion_exponent", "heat", "cut_off", "two_stroke")
 # How near a point of a card its curve passes, in the greatest pressure.

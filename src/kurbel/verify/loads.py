@@ -250,6 +250,7 @@ def compressor(
     delivery_loss: Given = 0,
     single_acting: bool = False,
     other: Given = 1,
+    expansion_exponent: Given | None = None,
 ) -> Load:
     """In suction pressures. Behind the piston what the clearance holds expands down to suction, before it
     the air is compressed up to delivery; single-acting, `other` presses on the other face."""
@@ -267,8 +268,10 @@ def compressor(
         )
         leaving = constant(low)
         if room:
-            expanding = Piece(number(high), number(room), number(room), 1, power)
-            leaving = Pressure((((grown - 1) * room, expanding), (number(1), _level(low))))
+            again = Fraction(expansion_exponent or exponent)
+            regrown = number(high / low).power(1 / again)
+            expanding = Piece(number(high), number(room), number(room), 1, again)
+            leaving = Pressure((((regrown - 1) * room, expanding), (number(1), _level(low))))
         one = Fraction(1)
         if not single_acting:
             return (Stroke(((one, leaving), (-one, coming))),) * 2

@@ -197,9 +197,10 @@ class Loads(Piston):
     )
     expansion_exponent = measure(
         as_number,
-        "Gas engine: n of the expansion; default that of --exponent, 1.4.",
+        "n of the expansion, of a compressor that of the air left in its clearance; default that of"
+        " --exponent, of a gas engine 1.4.",
         "N",
-        machine="gas",
+        machine="gas compressor",
         topic="gas",
     )
     exhaust_pressure = _in_units_of_suction("Gas engine: exhaust pressure in suction pressures; default 1.")
@@ -327,7 +328,8 @@ class Loads(Piston):
         return [
             of_given(
                 Compressor, ratio, exponent=self.exponent, clearance=self.clearance, other_side=other,
-                suction_loss=self.suction_loss, delivery_loss=self.delivery_loss, **self.staged(),
+                suction_loss=self.suction_loss, delivery_loss=self.delivery_loss,
+                expansion_exponent=self.expansion_exponent, **self.staged(),
             )
             for ratio in self.pressure_ratio or ()
         ]  # fmt: skip

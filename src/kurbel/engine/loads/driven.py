@@ -43,22 +43,25 @@ class _Ends(NamedTuple):
     delivery: Numeric
     exponent: Numeric
     clearance: Numeric
-    # The volume at suction pressure of what has one volume at delivery pressure.
+    # The volume at suction pressure of what has one volume at delivery pressure, of what is compressed
     growth: Numeric
+    # and, with an exponent of its own, of what is left.
+    regrowth: Numeric
+    left_exponent: Numeric
     # Whether there is a clearance, in which something of the delivery is left.
     kept: bool
 
     def sucked(self) -> Numeric:
         """Return the share of the stroke on which air is sucked."""
-        return 1 + self.clearance * (1 - self.growth)
+        return 1 + self.clearance * (1 - self.regrowth)
 
     def leaving(self) -> Law:
         """Return the pressure in the end that the piston leaves: what is left expands, then air is sucked."""
         suction = Constant(self.suction)
         if not self.kept:
             return Law((suction,))
-        expanding = Polytrope(self.delivery, self.clearance, self.exponent, self.clearance, 1)
-        return Law((expanding, suction), (self.clearance * (self.growth - 1),))
+        expanding = Polytrope(self.delivery, self.clearance, self.left_exponent, self.clearance, 1)
+        return Law((expanding, suction), (self.clearance * (self.regrowth - 1),))
 
     def coming(self) -> Law:
         """Return the pressure in the other end: the air is compressed, then pushed out."""
@@ -69,7 +72,8 @@ class _Ends(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Compressor:
-    """Pressure ratio Π = p₂/p₁, exponent n of p V^n = const, clearance as a share of the stroke's volume.
+    """Pressure ratio Π = p₂/p₁, exponent n of p V^n = const, clearance as a share of the stroke's volume; the
+    air that is left in it expands by `expansion_exponent` where that is given.
 
     The losses of the valves are shares of the pressures outside: in the cylinder it is p₁ (1 - ζ_s) at
     suction, p₂ (1 + ζ_d) at delivery. Q is p₁ times the piston's area. A single-acting piston has
@@ -93,6 +97,7 @@ class Compressor:
     stages: int = 1
     cooled: Fraction = Fraction(1)
     between: Fraction | None = None
+    expansion_exponent: Fraction | None = None
 
     def __post_init__(self) -> None:
         if self.ratio <= 1:
@@ -104,6 +109,8 @@ class Compressor:
             raise ProblemError(f"pressure ratio Π is {about(self.ratio)}; at most {LARGEST_RATIO} is allowed")
         check_exponent(self.exponent, "exponent n")
         check_clearance(self.clearance)
+        if self.expansion_exponent is not None:
+            self._check_expansion(self.expansion_exponent)
         if self.between is not None and not 1 < self.between < self.ratio:
             raise ProblemError(
                 f"the intermediate pressure is {about(self.between)} times the suction pressure; it must be"
@@ -121,6 +128,15 @@ class Compressor:
             )
         self._check_delivery()
 
+    def _check_expansion(self, exponent: Fraction) -> None:
+        check_exponent(exponent, "exponent of the expansion")
+        if not self.clearance:
+            raise ProblemError("--expansion-exponent is of the air left in the clearance; add --clearance 5%")
+        if self.stages > 1:
+            raise ProblemError(
+                f"--expansion-exponent is computed for one stage, and {self.stages} were given; leave it out"
+            )
+
     def strokes(self, kind: Kind, double: bool) -> tuple[Between, Between]:
         """Return both strokes; single-acting, air is sucked on the outstroke and compressed on the return."""
         ends = self._ends(kind)
@@ -131,7 +147,8 @@ class Compressor:
         return Between(ends.leaving(), other), Between(other, ends.coming())
 
     def volumetric_efficiency(self, kind: Kind, **found: Any) -> Numeric:
-        """Return the share of the stroke on which air is sucked: 1 + κ - κ Π'^(1/n), Π' in the cylinder."""
+        """Return the share of the stroke on which air is sucked: 1 + κ - κ Π'^(1/n), Π' in the cylinder and n
+        that of the expansion."""
         return self._ends(kind, **found).sucked()
 
     def delivered(self, kind: Kind, **found: Any) -> Numeric:
@@ -142,8 +159,12 @@ class Compressor:
     def mean(self, kind: Kind, **found: Any) -> Numeric:
         """Return the mean pressure that a stroke takes: η_v n/(n - 1) (Π'^((n - 1)/n) - 1), in the cylinder's
         suction pressure, of all stages on the piston of the first; with `found` numbers in the place of ratio
-        or clearance."""
+        or clearance. Of two exponents it is what the compression takes less what the expansion gives."""
         ends = self._ends(kind, **found)
+        if self.expansion_exponent is not None:
+            taken = (1 + ends.clearance) * ends.exponent * self._of_stages(kind, **found)
+            given = ends.left_exponent * expansion_work(1 / ends.regrowth, ends.left_exponent)
+            return ends.suction * (ends.clearance * ends.regrowth * given - taken)
         return -ends.suction * ends.sucked() * ends.exponent * self._of_stages(kind, **found)
 
     def _of_stages(self, kind: Kind, **found: Any) -> Numeric:
@@ -251,16 +272,19 @@ class Compressor:
                 ratio * kind.of(one / self.ratio) for one in (inside[1] / inside[0], inside[1])
             )
         growth = power(raised, self._exponent(kind, 1 / self.exponent))
+        left = self.expansion_exponent or self.exponent
+        regrowth = growth if left == self.exponent else power(raised, self._exponent(kind, 1 / left))
         exponent, room = self._exponent(kind, self.exponent), kind.of(self.clearance)
         kept = self.clearance > 0 or clearance is not None
         room = room if clearance is None else clearance
-        return _Ends(kind.of(inside[0]), delivery, exponent, room, growth, kept)
+        again = regrowth, self._exponent(kind, left)
+        return _Ends(kind.of(inside[0]), delivery, exponent, room, growth, *again, kept)
 
     def _exponent(self, kind: Kind, exponent: Fraction) -> Numeric:
         return 1 if exponent == 1 else kind.exponent(exponent)
 
     def _check_delivery(self) -> None:
-        growth = float(self._ends(floats()).growth)
+        growth = float(self._ends(floats()).regrowth)
         if 1 - float(self.clearance) * (growth - 1) < LEAST_DELIVERY:
             least, most = 1 / (growth - 1), self._largest_ratio()
             raise ProblemError(
@@ -275,7 +299,7 @@ class Compressor:
 
     def _largest_ratio(self) -> float:
         """The pressure ratio at which this clearance delivers nothing any more."""
-        inside: float = float(1 + 1 / self.clearance) ** float(self.exponent)
+        inside: float = float(1 + 1 / self.clearance) ** float(self.expansion_exponent or self.exponent)
         found: float = (inside * float((1 - self.suction_loss) / (1 + self.delivery_loss))) ** self.stages
         return found
 

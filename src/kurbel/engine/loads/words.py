@@ -187,7 +187,9 @@ CARD_WORDS = LoadWords(
 
 def _compressor_lines(request: Loaded, lang: str) -> Iterator[Label]:
     load: Compressor = request.steams[0]
-    if load.exponent == 1:
+    if load.expansion_exponent is not None:
+        yield _apart(load.exponent, load.expansion_exponent, lang)
+    elif load.exponent == 1:
         yield OTHERS["isothermal"][lang]
     else:
         yield OTHERS["polytropic"][lang].format(exponent=figure(load.exponent))
@@ -204,6 +206,10 @@ def _compressor_lines(request: Loaded, lang: str) -> Iterator[Label]:
     if not request.double:
         said = "same_side" if load.other_side == 1 else "other_side"
         yield OTHERS[said][lang].format(share=figure(load.other_side))
+
+
+def _apart(compression: Fraction, expansion: Fraction, lang: str) -> Label:
+    return OTHERS["apart"][lang].format(compression=figure(compression), expansion=figure(expansion))
 
 
 def _pump_lines(request: Loaded, lang: str) -> Iterator[Label]:
@@ -237,8 +243,7 @@ def _gas_lines(request: Loaded, lang: str) -> Iterator[Label]:
         yield OTHERS["both"][lang].format(exponent=figure(load.exponent)) + usual
     else:
         assert load.expansion_exponent is not None
-        exponents = figure(load.exponent), figure(load.expansion_exponent)
-        yield OTHERS["apart"][lang].format(compression=exponents[0], expansion=exponents[1])
+        yield _apart(load.exponent, load.expansion_exponent, lang)
     if not load.two_stroke:
         said = "unraised" if load.exhaust == 1 else "exhaust"
         yield OTHERS[said][lang].format(exhaust=figure(load.exhaust))

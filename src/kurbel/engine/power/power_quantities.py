@@ -50,7 +50,8 @@ class Needs:
     AIR = _of_air(lambda load, duty: True, "a compressor, --pressure-ratio")
     STAGES = _of_air(lambda load, duty: load.stages > 1, "--stages 2")
     COLD = _of_air(
-        lambda load, duty: 1 < load.exponent < AIR, "a compressor with --exponent above 1 and below 1.4"
+        lambda load, duty: 1 < load.exponent < AIR and load.expansion_exponent is None,
+        "a compressor with --exponent above 1 and below 1.4, of compression and expansion",
     )
     COOLED = _of_air(
         lambda load, duty: load.cooled != 1 or load.between is not None,
