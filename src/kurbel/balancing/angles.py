@@ -23,8 +23,7 @@ from kurbel.balancing.balance_page import (
     balance_notes,
 )
 from kurbel.balancing.harmonics import OrderAxis
-from kurbel.balancing.newtons import IN_NEWTONS
-from kurbel.balancing.vector import Point, Vector
+from kurbel.balancing.vector import IN_NEWTONS, Point, Vector
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError

@@ -29,7 +29,7 @@ from kurbel.balancing.harmonics import (
     harmonic_number,
     series_notes,
 )
-from kurbel.balancing.newtons import IN_NEWTONS, Weighed
+from kurbel.balancing.vector import IN_NEWTONS, Weighed
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError

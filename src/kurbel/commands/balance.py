@@ -11,11 +11,10 @@ from typing import ClassVar
 from kurbel.balancing.angles import AngleRequest
 from kurbel.balancing.arrangement import usual
 from kurbel.balancing.balance_page import BalanceRequest, arranged
-from kurbel.balancing.extremes import ExtremesRequest
-from kurbel.balancing.firing import read_order
-from kurbel.balancing.firing_page import FiringRequest, asked
+from kurbel.balancing.firing import FiringRequest, asked, read_order
+from kurbel.balancing.greatest import ExtremesRequest
 from kurbel.balancing.harmonics import MOST_ORDERS
-from kurbel.balancing.newtons import Weighed
+from kurbel.balancing.vector import Weighed
 from kurbel.commands.options import Choice, Count, Option, alone, amount, measure, word
 from kurbel.commands.part import CommandOptions, Part, Rivals, Values, flag_of
 from kurbel.commands.parts.angles import Angles, in_degrees

@@ -216,7 +216,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, TurningShaft
         )  # fmt: skip
 
     def _coupled(self) -> Question:
-        from kurbel.linkage.coupled import CoupledRequest, axles_of
+        from kurbel.linkage.parallel import CoupledRequest, axles_of
 
         if self.is_over_path():
             raise ProblemError("coupled axles have no piston; give --angle in degrees, or leave --axles out")

@@ -211,8 +211,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
 
     def _of_engine(self) -> Question:
         """Return what is asked of the forces of an engine."""
-        from kurbel.conditions.load_page import LoadedRequest
-        from kurbel.conditions.loaded import MEASURED, NAMES
+        from kurbel.conditions.loaded import MEASURED, NAMES, LoadedRequest
 
         self.refuse("force", "order", *PRESSING)
         page = self.page("solve-load", "loaded roots")

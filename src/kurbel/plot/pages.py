@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from kurbel.balancing.angles import AngleRequest
 from kurbel.balancing.balance_page import RESIDUALS, UNITS, WORDS, BalanceRequest
-from kurbel.balancing.newtons import IN_NEWTONS
+from kurbel.balancing.vector import IN_NEWTONS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.page.axes import RATIO, Axis, ListAxis, PageAxis, Place, places
