@@ -15,7 +15,7 @@ from pages import default_page
 from rows import text_of_pdf
 from tex import compiled, complaints
 from tools import require
-from typeset import narrowest_figure
+from typeset import narrowest_figure, words_of_pdf
 
 import kurbel
 from kurbel.exact.numerals import Number, number_text
@@ -82,9 +82,8 @@ def figures_of(pages: list[Table]) -> Counter[str]:
         for row in panel.rows()
         for cell in (*row.stub, *row.cells)
     )
-    marks = {"de": ",", "en": "."}
-    assert len({page.lang for page in pages}) == 1
-    mark = marks[pages[0].lang]
+    (lang,) = {page.lang for page in pages}
+    mark = {"de": ",", "en": "."}[lang]
     return Counter(
         number_text(value, mark).lstrip("-−")
         for value in cells
@@ -130,6 +129,10 @@ def test_a_sample_of_layouts_is_set_whole(tmp_path: Path) -> None:
     assert "Package kurbel Info: tab:machine-forces is set in type of 8pt" in log
     # Three pages of formulas, and two of each that is turned and higher than a line is long.
     assert "(11 pages" in log
+    # Both parts of a turned table stand at the head of their pages, which is on the left.
+    words = words_of_pdf(tmp_path / "page.pdf")
+    heads = [min(word.left for word in words if word.page == page) for page in (1, 2)]
+    assert heads == pytest.approx([heads[0]] * 2, abs=3)
 
 
 @pytest.mark.slow
