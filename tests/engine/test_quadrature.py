@@ -10,7 +10,7 @@ import flint
 import pytest
 from flint import acb, arb
 
-from kurbel.engine.harmonics.fourier import sampled
+from kurbel.engine.fourier import sampled
 from kurbel.exact.certify import ball
 
 MOST = Fraction(100)

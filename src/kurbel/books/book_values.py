@@ -24,7 +24,7 @@ from kurbel.engine.cylinder import TurnPlace
 from kurbel.engine.engine import Engine
 from kurbel.engine.engine_quantities import ENGINE_METHODS, SPANS, applies, engine_registry
 from kurbel.engine.engine_quantities import value as engine_value
-from kurbel.engine.loads.steam import Steam
+from kurbel.engine.loads.ideal import Steam
 from kurbel.engine.turn import turn_of
 from kurbel.errors import NotationError
 from kurbel.exact.certify import NEVER_TIES, TieBits, ball, ball_circle, ball_degrees, rounded, vanishes

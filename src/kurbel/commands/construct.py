@@ -25,7 +25,7 @@ from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import function
 from kurbel.drive.moved import Drive
 from kurbel.drive.rod import Rod
-from kurbel.engine.loads.steam import Steam
+from kurbel.engine.loads.ideal import Steam
 from kurbel.errors import ChoiceError, ProblemError
 from kurbel.exact.kind import floats
 from kurbel.exact.numerals import exact_text

@@ -19,12 +19,11 @@ from kurbel.drive.wheel import Flywheel, check_irregularity
 from kurbel.engine.captions import caption
 from kurbel.engine.cylinder import TurnPlace
 from kurbel.engine.diagram import texts
-from kurbel.engine.diagram.areas import Areas
 from kurbel.engine.diagram.excess import Excess
-from kurbel.engine.diagram.fluctuation import Fluctuation
-from kurbel.engine.diagram.wheel.relations import SHOWN, registry
-from kurbel.engine.diagram.wheel.sizing import Known, Sizing, gathered, sized, told_by
-from kurbel.engine.diagram.wheel.wheel_page import WheelRequest
+from kurbel.engine.diagram.fluctuation import Areas, Fluctuation
+from kurbel.engine.diagram.relations import SHOWN, registry
+from kurbel.engine.diagram.sizing import Known, Sizing, gathered, sized, told_by
+from kurbel.engine.diagram.wheel_page import WheelRequest
 from kurbel.engine.engine_quantities import engine_registry, value
 from kurbel.engine.notes import engine_notes
 from kurbel.engine.request import EngineRequest
@@ -91,7 +90,7 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
     )
     unknown = word(
         "What is asked for: disc_diameter, rim_mass, delta; says what is missing where it does not follow.",
-        kind=Choice("unknown", "kurbel.engine.diagram.wheel.relations:SHOWN"),
+        kind=Choice("unknown", "kurbel.engine.diagram.relations:SHOWN"),
         topic="question",
     )
     columns = columns_option("flywheel", "target,swing,inertia")

@@ -11,7 +11,7 @@ from kurbel.commands.parts.engine import Engine
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
 from kurbel.drive.crank import Described
-from kurbel.engine.harmonics.torque_page import TorqueRequest
+from kurbel.engine.torque_harmonics import TorqueRequest
 from kurbel.errors import ProblemError
 from kurbel.page.subject import Question
 

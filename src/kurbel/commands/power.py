@@ -21,10 +21,9 @@ from kurbel.commands.subject import function
 from kurbel.drive.crank import Crank
 from kurbel.drive.load import CARD, MASSES, PUMP
 from kurbel.engine.engine import Engine, Load
-from kurbel.engine.power.compound import as_compound
 from kurbel.engine.power.duty import Duty, equation
 from kurbel.engine.power.power_page import PowerRequest
-from kurbel.engine.power.source import Acting, GivenPressure
+from kurbel.engine.power.source import Acting, GivenPressure, as_compound
 from kurbel.engine.power.unknown import UNKNOWNS, sought
 from kurbel.engine.pressures import Pressed, PressuresRequest
 from kurbel.engine.request import EngineRequest

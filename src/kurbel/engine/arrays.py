@@ -17,7 +17,7 @@ from kurbel.drive.crank import Crank
 from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, Standing, TurnPlace
 from kurbel.engine.engine_quantities import value
 from kurbel.engine.irregularity import enclosed_delta
-from kurbel.engine.loads.steam import Steam
+from kurbel.engine.loads.ideal import Steam
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.speed.run import Run
 from kurbel.engine.speed.solved import run_of

@@ -17,7 +17,7 @@ from kurbel.exact.numerals import Number, figures, given, nearest
 from kurbel.page.quantity import Column, Quantity, bare
 
 if TYPE_CHECKING:
-    from kurbel.engine.card.turn import CardTurn
+    from kurbel.engine.card.force import CardTurn
 
 # What the key of a value of a card has in addition for its error.
 ERROR = "_error"

@@ -16,7 +16,7 @@ from kurbel.drive.crank import Crank
 from kurbel.drive.load import Load as Acting
 from kurbel.drive.moved import Drive
 from kurbel.engine.card.card import Diagram
-from kurbel.engine.loads.steam import LEAST_WORK, Steam
+from kurbel.engine.loads.ideal import LEAST_WORK, Steam
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Numeric

@@ -10,7 +10,7 @@ from kurbel.engine.captions import caption, load_label, named_load
 from kurbel.engine.cylinder import WHOLE
 from kurbel.engine.digits import ERROR, Asked, printed
 from kurbel.engine.engine_quantities import EXTREMES, SPANS, applies, engine_registry
-from kurbel.engine.loads.steam import Steam
+from kurbel.engine.loads.ideal import Steam
 from kurbel.engine.notes import ERRORS, MAKES_DELTA, marks_delta, notes
 from kurbel.engine.request import EngineRequest
 from kurbel.exact.numerals import Label, Number, nearest

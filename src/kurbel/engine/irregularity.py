@@ -9,7 +9,7 @@ from typing import Any, TypeAlias, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kurbel.engine.loads.steam import LARGEST_CLEARANCE, LARGEST_EXPANSION, LARGEST_EXPONENT, LEAST_CURVE
+from kurbel.engine.loads.ideal import LARGEST_CLEARANCE, LARGEST_EXPANSION, LARGEST_EXPONENT, LEAST_CURVE
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.bulk import broadcast_shape, in_blocks
 from kurbel.kernel.half_tangent import load

@@ -27,7 +27,7 @@ from flint import arb
 from kurbel.drive.moved import Moved
 from kurbel.engine.cylinder import SIGNS, AnyTurn, Cylinder, Peak, Standing
 from kurbel.engine.engine import Assembly, Engine
-from kurbel.engine.loads.steam import Steam
+from kurbel.engine.loads.ideal import Steam
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import FLOAT_BITS, at_bits, ball, ball_circle, half_turn_circle
 from kurbel.exact.kind import Kind, balls
@@ -236,7 +236,7 @@ def turn_of(engine: Engine | Assembly, method: str) -> AnyTurn:
     if any(part.crank.moving is not None for part in engine.parts) and method == "weisbach":
         raise ProblemError('method "weisbach" has no formulas for the masses; use exact or series')
     if engine.carded:
-        from kurbel.engine.card.turn import CardTurn
+        from kurbel.engine.card.force import CardTurn
 
         return CardTurn(engine, method)
     if method != "weisbach":

@@ -49,18 +49,18 @@ SUBJECTS: Mapping[str, Pages] = {
     "evenness": Pages("kurbel.engine.speed.speed_page:EVENNESS", "delta --flywheel 50"),
     "crank forces": Pages("kurbel.engine.engine_page:CRANK_FORCES", "forces --eps 4"),
     "machine": Pages("kurbel.engine.engine_page:MACHINE", _MACHINE),
-    "rod load": Pages("kurbel.engine.rodload.rod_load_page:SUBJECT", "forces --eps 4"),
+    "rod load": Pages("kurbel.engine.rod_load_page:SUBJECT", "forces --eps 4"),
     "flywheel": Pages("kurbel.engine.engine_page:FLYWHEEL", f"flywheel --eps 4 {_EVEN}"),
     "flywheel sizing": Pages(
-        "kurbel.engine.diagram.wheel.wheel_page:SUBJECT", "flywheel --swing 5kJ --speed 300/min --delta 1:50"
+        "kurbel.engine.diagram.wheel_page:SUBJECT", "flywheel --swing 5kJ --speed 300/min --delta 1:50"
     ),
     "pressures": Pages("kurbel.engine.pressures:PRESSURES", _PRESSED),
     "pressures over the angle": Pages("kurbel.engine.pressures:PRESSURES_OVER_ANGLE", _PRESSED),
     "dead centres": Pages("kurbel.linkage.beam_engine:SUBJECT", "deadcentres"),
     "drive dead centres": Pages("kurbel.linkage.dead_centres:SUBJECT", f"deadcentres {_ARC}"),
     "harmonics": Pages("kurbel.balancing.harmonics:SUBJECT", "harmonics"),
-    "torque": Pages("kurbel.engine.harmonics.torque_page:TORQUE", "harmonics --quantity torque --eps 4"),
-    "excitation": Pages("kurbel.engine.harmonics.torque_page:EXCITING", _EXCITED),
+    "torque": Pages("kurbel.engine.torque_harmonics:TORQUE", "harmonics --quantity torque --eps 4"),
+    "excitation": Pages("kurbel.engine.torque_harmonics:EXCITING", _EXCITED),
     "balance": Pages("kurbel.balancing.balance_page:SUBJECT", "balance"),
     "balance at angles": Pages("kurbel.balancing.angles:AT_ANGLES", "balance --angle 30"),
     "balance extremes": Pages("kurbel.balancing.greatest:EXTREMES", "balance"),

@@ -10,7 +10,7 @@ from kurbel.engine.diagram.diagram_page import TorquesRequest
 from kurbel.engine.diagram.excess import Excess
 from kurbel.engine.diagram.fluctuation import shown
 from kurbel.engine.diagram.torque import Torque
-from kurbel.engine.diagram.wheel.wheel_page import WheelRequest
+from kurbel.engine.diagram.wheel_page import WheelRequest
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.speed.run import AnyRun
 from kurbel.engine.speed.solved import run_of

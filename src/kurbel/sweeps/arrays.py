@@ -13,7 +13,7 @@ import numpy as np
 from kurbel.drive.crank import LARGEST_ANGLE, Crank, largest
 from kurbel.engine.arrays import KEY, SUBJECT, plain_steam
 from kurbel.engine.irregularity import enclosed_delta
-from kurbel.engine.loads.steam import Steam
+from kurbel.engine.loads.ideal import Steam
 from kurbel.engine.request import EngineRequest
 from kurbel.exact.bulk import nearest
 from kurbel.kernel.loops import of_all

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 import kurbel
-from kurbel.engine.diagram.wheel.relations import DISC_RULES, RULES
-from kurbel.engine.diagram.wheel.sizing import Known, completed
+from kurbel.engine.diagram.relations import DISC_RULES, RULES
+from kurbel.engine.diagram.sizing import Known, completed
 from kurbel.exact.real import Product
 
 F = Fraction

@@ -22,7 +22,7 @@ from kurbel.motion.evaluation import OUT
 from kurbel.page.quantity import Words, words
 
 if TYPE_CHECKING:
-    from kurbel.engine.loads.steam import Steam
+    from kurbel.engine.loads.ideal import Steam
 
 
 class Point(NamedTuple):

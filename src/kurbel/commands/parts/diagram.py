@@ -13,9 +13,8 @@ from kurbel.reading.given import as_crank_angles, as_energy, as_fraction, as_pow
 from kurbel.reading.notation import about, each_number
 
 if TYPE_CHECKING:
-    from kurbel.engine.diagram.areas import Areas
     from kurbel.engine.diagram.excess import Excess
-    from kurbel.engine.diagram.fluctuation import Fluctuation
+    from kurbel.engine.diagram.fluctuation import Areas, Fluctuation
     from kurbel.engine.diagram.torque import Torque
 
 MOST_TURNS = 100
@@ -76,7 +75,7 @@ class Diagram(Part):
 
     def whole_areas(self, turns: Fraction | None = None) -> Areas:
         """Return the areas of a diagram, of a cycle of so many turns where these are known."""
-        from kurbel.engine.diagram.areas import given_areas
+        from kurbel.engine.diagram.fluctuation import given_areas
 
         if not self.says("areas"):
             raise ProblemError("no areas were given; add --areas '+52;-124;+72' with --area-scale 52.36J")
@@ -146,7 +145,7 @@ class Diagram(Part):
         return Torque.of(waves, own_cycle(waves, turns, what))
 
     def _triangles(self, turns: Fraction | None) -> Torque:
-        from kurbel.engine.diagram.areas import scaled_areas
+        from kurbel.engine.diagram.fluctuation import scaled_areas
         from kurbel.engine.diagram.points import triangles
 
         if load := next((name for name in LOADS if self.says(name)), ""):

@@ -174,7 +174,7 @@ class Loads(Piston):
     )  # fmt: skip
     cycle = word(
         "Gas engine: otto (default), diesel or dual cycle.",
-        kind=Choice("cycle", "kurbel.engine.loads.gas:CYCLES"),
+        kind=Choice("cycle", "kurbel.engine.loads.ideal:CYCLES"),
         machine="gas",
         topic="gas",
     )
@@ -251,7 +251,7 @@ class Loads(Piston):
         return self._steams(page)
 
     def _steams(self, page: Layout) -> Sequence[Acting]:
-        from kurbel.engine.loads.steam import Steam
+        from kurbel.engine.loads.ideal import Steam
 
         back, pressure = self.back, self.raw("pressure") if self._back_is_pressure() else None
         share = None if back is None else as_share_or_pressure(back, "back pressure", pressure)
@@ -369,7 +369,7 @@ class Loads(Piston):
         return Pump(kind, share) if ring is None else Pump(kind, share, ring)
 
     def _gas_cycles(self) -> Sequence[Acting]:
-        from kurbel.engine.loads.gas import OTTO, GasCycle
+        from kurbel.engine.loads.ideal import OTTO, GasCycle
 
         peak, exhaust = self._in_suctions("peak_pressure"), self._in_suctions("exhaust_pressure")
         return [

@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 from kurbel.commands.options import Option, measure
 from kurbel.commands.part import Part, flag_of
-from kurbel.engine.diagram.wheel.relations import figures_of
-from kurbel.engine.diagram.wheel.sizing import Figures, Known, completed
+from kurbel.engine.diagram.relations import figures_of
+from kurbel.engine.diagram.sizing import Figures, Known, completed
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import about
 from kurbel.exact.real import Product

@@ -11,7 +11,7 @@ from kurbel.commands.options import Option, alone, amount, measure
 from kurbel.commands.part import Part, Rivals, flag_of
 from kurbel.commands.parts.drive import Speed
 from kurbel.commands.parts.press import Press, in_one_unit, sides_of
-from kurbel.engine.diagram.wheel.sizing import Known
+from kurbel.engine.diagram.sizing import Known
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import about
 from kurbel.exact.real import Product

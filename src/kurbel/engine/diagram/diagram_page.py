@@ -16,9 +16,8 @@ from typing import Any
 from kurbel.drive.at import known
 from kurbel.drive.crank import check_angles
 from kurbel.drive.load import figure
-from kurbel.engine.diagram.areas import Areas
 from kurbel.engine.diagram.excess import Excess, acceleration_line
-from kurbel.engine.diagram.fluctuation import Steady, outcome
+from kurbel.engine.diagram.fluctuation import Areas, Steady, outcome
 from kurbel.engine.diagram.texts import WORDS
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats, settled

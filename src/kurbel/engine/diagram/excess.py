@@ -16,8 +16,7 @@ from typing import Any, NamedTuple
 
 from kurbel.engine.diagram.fluctuation import Extreme, places, work_of
 from kurbel.engine.diagram.texts import ACCELERATION, FROM_TO
-from kurbel.engine.diagram.torque import TURN, Line, Torque, common_cycle
-from kurbel.engine.diagram.waves import QUARTER, Waves
+from kurbel.engine.diagram.torque import QUARTER, TURN, Line, Torque, Waves, common_cycle
 from kurbel.engine.diagram.zeros import Zero, is_plain, over_cycle, waves_at, zeros
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats

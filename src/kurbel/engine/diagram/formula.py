@@ -12,7 +12,7 @@ import re
 from fractions import Fraction
 from typing import NamedTuple, NoReturn
 
-from kurbel.engine.diagram.waves import QUARTER, Waves
+from kurbel.engine.diagram.torque import QUARTER, Waves
 from kurbel.errors import NotationError
 from kurbel.exact.separation import TooLargeError
 from kurbel.reading import notation, units

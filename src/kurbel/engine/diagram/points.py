@@ -20,8 +20,7 @@ from fractions import Fraction
 from itertools import groupby, pairwise
 from typing import NamedTuple
 
-from kurbel.engine.diagram.torque import MOST_TURNS, TURN, Line, Torque
-from kurbel.engine.diagram.waves import Waves
+from kurbel.engine.diagram.torque import MOST_TURNS, TURN, Line, Torque, Waves
 from kurbel.errors import NotationError, ProblemError
 from kurbel.reading import notation, units
 from kurbel.reading.csv_file import Column, Head, Kind, check_once, digits_and_unit, read_head, read_rows

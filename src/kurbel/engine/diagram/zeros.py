@@ -14,8 +14,7 @@ from math import lcm, log2
 from typing import Any
 
 from kurbel.engine.diagram.fluctuation import Extreme
-from kurbel.engine.diagram.torque import TURN, Line, Torque
-from kurbel.engine.diagram.waves import Waves
+from kurbel.engine.diagram.torque import TURN, Line, Torque, Waves
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.kind import Kind, balls, floats

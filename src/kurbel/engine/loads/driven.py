@@ -12,7 +12,7 @@ from math import floor
 from typing import Any, ClassVar, NamedTuple
 
 from kurbel.drive.load import COMPRESSOR, PUMP
-from kurbel.engine.loads.steam import (
+from kurbel.engine.loads.ideal import (
     LEAST_WORK,
     check_clearance,
     check_exponent,

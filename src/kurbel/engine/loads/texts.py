@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kurbel.engine.loads.driven import DIFFERENTIAL, DOUBLE, SINGLE
-from kurbel.engine.loads.gas import DIESEL, DUAL, OTTO
+from kurbel.engine.loads.ideal import DIESEL, DUAL, OTTO
 from kurbel.page.quantity import words
 
 OTHERS = {

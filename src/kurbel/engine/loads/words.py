@@ -11,7 +11,7 @@ from typing import Any, NamedTuple, Protocol
 from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM, figure
 from kurbel.engine.engine import Assembly, Load
 from kurbel.engine.loads.driven import DIFFERENTIAL, DOUBLE, Compressor, Pump
-from kurbel.engine.loads.gas import GasCycle
+from kurbel.engine.loads.ideal import GasCycle
 from kurbel.engine.loads.texts import CYCLES, OF_STEAM, OTHERS, PUMP_KINDS, PUMPS
 from kurbel.engine.texts import CYLINDERS, OF_FIRST, OF_ONE, OF_SEVERAL
 from kurbel.exact.numerals import Label, exact_text

@@ -11,8 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from kurbel.engine.power.compound import Compound, whole, work_of
-from kurbel.engine.power.source import Acting, GivenPressure
+from kurbel.engine.power.source import Acting, Compound, GivenPressure, whole, work_of
 from kurbel.errors import ProblemError
 from kurbel.exact.real import Product, Term, number, variable
 from kurbel.reading.notation import about

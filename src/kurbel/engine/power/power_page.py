@@ -14,7 +14,6 @@ from kurbel.engine.engine import Engine
 from kurbel.engine.engine_page import LoadAxis
 from kurbel.engine.loads.texts import OF_STEAM
 from kurbel.engine.loads.words import LoadWords, best_back, valve_lines, words_of
-from kurbel.engine.power.compound import Compound, whole
 from kurbel.engine.power.duty import (
     BORE,
     EFFICIENCY,
@@ -29,7 +28,7 @@ from kurbel.engine.power.duty import (
     solved,
 )
 from kurbel.engine.power.power_quantities import Needs, registry
-from kurbel.engine.power.source import Acting, GivenPressure
+from kurbel.engine.power.source import Acting, Compound, GivenPressure, whole
 from kurbel.engine.power.unknown import UNKNOWNS
 from kurbel.engine.texts import COUNTED_IN, POWER_TEXTS
 from kurbel.errors import ProblemError

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kurbel.drive.wheel import Wheel
-from kurbel.engine.card.turn import CardTurn
+from kurbel.engine.card.force import CardTurn
 from kurbel.engine.cylinder import Cylinder
 from kurbel.engine.speed.run import SAMPLES, AnyRun, Run, Sampled, top
 from kurbel.kernel.circle import Numeric

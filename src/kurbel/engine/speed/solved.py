@@ -306,7 +306,7 @@ def run_of(turn: AnyTurn, wheel: Wheel) -> AnyRun:
     if any(part.crank.moving is not None for part in turn.engine.parts):
         if isinstance(turn, Turn):
             return HeavyRun(turn, wheel)
-        from kurbel.engine.card.turn import CardTurn
+        from kurbel.engine.card.force import CardTurn
         from kurbel.engine.speed.card import HeavyCardRun
 
         assert isinstance(turn, CardTurn)

@@ -8,9 +8,9 @@ from fractions import Fraction
 
 from kurbel.engine.diagram.excess import Excess, acceleration_line
 from kurbel.engine.diagram.fluctuation import Extreme, Fluctuation, place_text
+from kurbel.engine.diagram.relations import ACCELERATION, SHOWN, registry
+from kurbel.engine.diagram.sizing import LIMIT, ONE_TURN, RIM_ALONE, Sizing
 from kurbel.engine.diagram.texts import FLUCTUATION, OF_WHEELS, SOURCES, TORQUE
-from kurbel.engine.diagram.wheel.relations import ACCELERATION, SHOWN, registry
-from kurbel.engine.diagram.wheel.sizing import LIMIT, ONE_TURN, RIM_ALONE, Sizing
 from kurbel.exact.numerals import Label, Number, figure, finite_decimals, number_text
 from kurbel.exact.real import Product, Real
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_number, irregularity_label

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
-from kurbel.engine.diagram.wheel.relations import (
+from kurbel.engine.diagram.relations import (
     DISC_RULES,
     LAWS,
     OF_DISC,

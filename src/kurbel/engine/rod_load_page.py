@@ -14,7 +14,7 @@ from kurbel.engine.digits import ERROR, FLOAT_ERROR, error_number, supported
 from kurbel.engine.engine_page import LoadAxis, errors_beside
 from kurbel.engine.notes import notes
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.rodload.load import (
+from kurbel.engine.rod_load import (
     ENDS,
     FORCE,
     PLACE,
@@ -35,7 +35,8 @@ from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note
 
 if TYPE_CHECKING:
-    from kurbel.engine.card.turn import CardTurn
+    from kurbel.engine.card.force import CardTurn
+
 
 KEPT_LOADS = 96
 _REVERSAL = "reversal"
@@ -46,7 +47,7 @@ def rod_load(turn: AnyTurn, end: str) -> Any:
     """Return the load of the rod at an end, one of ENDS, over a turn."""
     force = CRANK_FORCES[ENDS[end][0]]
     if turn.engine.carded:
-        from kurbel.engine.rodload.card import CardRodLoad
+        from kurbel.engine.rod_load import CardRodLoad
 
         return CardRodLoad(cast("CardTurn", turn), force)
     return RodLoad(cast("Turn", turn), force)

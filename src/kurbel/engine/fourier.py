@@ -37,7 +37,8 @@ from kurbel.exact.taylor import Continued, continued, half_turn_circle
 from kurbel.kernel.harmonics import Star
 
 if TYPE_CHECKING:
-    from kurbel.engine.card.turn import CardTurn
+    from kurbel.engine.card.force import CardTurn
+
 
 # The ellipses that are tried around a panel, the ρ of each.
 ELLIPSES = (Fraction(2), Fraction(3), Fraction(4), Fraction(6))
@@ -295,7 +296,7 @@ def spectrum_of(turn: AnyTurn) -> Spectrum:
     """Return the harmonics of a turn."""
     if isinstance(turn, Turn):
         return Balls(turn)
-    from kurbel.engine.card.turn import CardTurn
+    from kurbel.engine.card.force import CardTurn
 
     assert isinstance(turn, CardTurn)
     return Floats(turn)
