@@ -25,7 +25,7 @@ class NotationError(KurbelError):
 
 
 class KeywordError(KurbelError, TypeError):
-    """A name of a value that a function of Python has not, is given twice or lacks."""
+    """A value that a function of Python has not, is given twice, of another kind, or lacks."""
 
 
 class ProblemError(KurbelError):

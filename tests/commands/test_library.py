@@ -103,6 +103,9 @@ def test_types_are_plain_and_every_number_may_be_a_float() -> None:
         ("compute_delta", (2, 0.2), {"clearence": 0.1}, r"\(did you mean clearance\?\)"),
         ("sweep", ("delta",), {"epss": [1, 2]}, r"\(did you mean eps\?\)"),
         ("typeset", (kurbel.table(), "csv"), {"decimals": 2}, r"\(did you mean decimal\?\)"),
+        ("typeset", (kurbel.table(), 3), {}, "^format is 3; it must be text$"),
+        ("Table.save", (kurbel.table(), 3), {}, "^path is 3; it must be the name of a file$"),
+        ("Drawing.save", (kurbel.table().plot(),), {}, r"^kurbel.Drawing.save needs path; help\("),
     ],
 )
 def test_a_wrong_keyword_is_told_the_nearest(

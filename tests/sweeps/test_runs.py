@@ -12,6 +12,8 @@ from pathlib import Path
 from threading import Event
 from typing import Any
 
+import pyarrow.dataset
+import pyarrow.parquet
 import pytest
 from small_parts import DEADLY, KILLS, InThreads, Running, SmallParts, StoppedError, plan_of, run, small
 
@@ -296,3 +298,6 @@ def test_partitions_are_the_same_whoever_writes_them(tmp_path: Path, monkeypatch
     assert sorted(os.listdir(tmp_path)) == ["apart", "joined"]
     for name in names:
         assert Path(joined, name).read_bytes() == Path(apart, name).read_bytes()
+    run(sweep, f"{tmp_path}/one.parquet", Running(jobs=1))
+    in_one = pyarrow.parquet.read_table(f"{tmp_path}/one.parquet")
+    assert pyarrow.dataset.dataset(joined).to_table().equals(in_one)

@@ -141,9 +141,7 @@ class Option(click.Option):
 @contextmanager
 def naming_variable(context: click.Context, option: click.Parameter) -> Iterator[None]:
     """Have the sentence that refuses the value of an option name the variable in which it stands."""
-    several = [option.envvar] if isinstance(option.envvar, str) else [*(option.envvar or ())]
-    variables = [*several, f"{context.auto_envvar_prefix}_{(option.name or '').upper()}"]
-    variable = next((one for one in variables if os.environ.get(one)), variables[-1])
+    variable = _variable(context, option)
     try:
         yield
     except KurbelError as error:
@@ -152,6 +150,13 @@ def naming_variable(context: click.Context, option: click.Parameter) -> Iterator
     except click.BadParameter:
         value, flag = os.environ[variable][:40], max(option.opts, key=len)
         raise NotationError(f'{variable} is "{value}"; write 1 for {flag}, or 0 to go without') from None
+
+
+def _variable(context: click.Context, option: click.Parameter) -> str:
+    """Return the variable in which the value of an option stands."""
+    several = [option.envvar] if isinstance(option.envvar, str) else [*(option.envvar or ())]
+    variables = [*several, f"{context.auto_envvar_prefix}_{(option.name or '').upper()}"]
+    return next((one for one in variables if os.environ.get(one)), variables[-1])
 
 
 def click_option(option: kinds.Option[object]) -> click.Parameter:
@@ -247,29 +252,25 @@ class Given(Values):
     """What was given to a command of click."""
 
     def __init__(self, context: click.Context) -> None:
-        self._context = context
-        sources = {name: context.get_parameter_source(name) for name in context.params}
-        super().__init__(context.params, {name: _ORIGINS.get(one) for name, one in sources.items()})
         self.in_document = context.find_object(Document) is not None
+        sources = {name: context.get_parameter_source(name) for name in context.params}
+        origins = {name: _ORIGINS.get(one) for name, one in sources.items()}
+        file = context.meta.get(MACHINE)
+        places = {
+            name: _variable(context, param)
+            if origins.get(name) is Origin.ENVIRONMENT
+            else f"{name} of {file}"
+            if file
+            else f"the default {name}"
+            for param in context.command.params
+            if origins.get(name := param.name or "") in (Origin.ENVIRONMENT, Origin.MACHINE)
+        }
+        super().__init__(context.params, origins, places)
 
     def text(self, name: str) -> str:
         """Return the text of an option, nothing where it is not given."""
         value = self.values.get(name)
         return "" if value is None else str(value)
-
-    @contextmanager
-    def naming_variables(self) -> Iterator[None]:
-        """Have a sentence that quotes the value of an option name the variable in which it stands."""
-        try:
-            yield
-        except KurbelError as error:
-            for param in self._context.command.params:
-                value, origin = self.written.get(param.name or ""), self.origins.get(param.name or "")
-                several = value if isinstance(value, Sequence) and param.multiple else [value]
-                if origin is Origin.ENVIRONMENT and any(f'"{one}"' in str(error) for one in several):
-                    with naming_variable(self._context, param):
-                        raise
-            raise
 
 
 # Where a context keeps the name of the file.

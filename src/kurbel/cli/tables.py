@@ -60,9 +60,8 @@ class MakingCommand(TopicCommand, ABC):
         """Print what the options say, and return the exit code."""
 
     def invoke(self, ctx: click.Context) -> int:
-        given = Given(ctx)
-        with augment_usage_errors(ctx), given.naming_variables():
-            return self.run(given)
+        with augment_usage_errors(ctx):
+            return self.run(Given(ctx))
 
 
 class TableCommand(MakingCommand):

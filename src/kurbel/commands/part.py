@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from enum import Enum
+from types import MappingProxyType
 from typing import Any, ClassVar, TypeAlias, TypeVar
 
 from kurbel.commands.options import Option, is_given
@@ -27,17 +28,19 @@ class Origin(Enum):
     MACHINE = "machine"
 
 
-PLACES: Mapping[Origin | None, str] = {
-    Origin.ENVIRONMENT: "environment",
-    Origin.MACHINE: "machine's file",
-}
-
-
 class Values:
-    """The values of a command's options by their names, where they come from, and which of them were read."""
+    """The values of a command's options by their names, where they come from, and which of them were read.
 
-    def __init__(self, values: Mapping[str, object], origins: Mapping[str, Origin | None]) -> None:
-        self.values, self.origins = dict(values), dict(origins)
+    `places` are what sentences call those that were not typed: by a variable, or a machine's file.
+    """
+
+    def __init__(
+        self,
+        values: Mapping[str, object],
+        origins: Mapping[str, Origin | None],
+        places: Mapping[str, str] = MappingProxyType({}),
+    ) -> None:
+        self.values, self.origins, self.places = dict(values), dict(origins), places
         # As it was written, before one option took the place of another.
         self.written = dict(values)
         self.read: set[str] = set()
@@ -141,11 +144,6 @@ class Part:
     def says(self, *names: str) -> bool:
         """Whether one of the options says anything, by which none of them counts as read."""
         return self.values.says(*names)
-
-    def called(self, name: str) -> str:
-        """Return what a sentence calls an option that is given: --rod-mass, and where it stands elsewhere."""
-        place = PLACES.get(self.values.origins.get(name))
-        return f"{name} of the {place}" if place else flag_of(name)
 
     def raw(self, name: str) -> object:
         """Return the value of an option as it was given, and note that it was read."""

@@ -154,6 +154,11 @@ class Table(Page):
         with whole_file(os.fspath(path)) as stream:
             stream.write(content)
 
+    @property
+    def columns(self) -> list[str]:
+        """The keys of the columns, as those of a DataFrame."""
+        return [field.key for field in self.records.fields]
+
     def __bool__(self) -> bool:
         return True
 
@@ -200,6 +205,7 @@ class Drawing:
         """The title without formulas' marks, for readers that do not see the drawing."""
         return labels.plain(self.title, self.mark)
 
+    @checks_keywords
     def image(self, format: str = "svg", *, text: bool = False) -> bytes:
         """Return the drawing as a file of the format svg, png, pdf or pgf; of SVG with `text` letters stay
         text. A construction in steps has html, too.
@@ -237,6 +243,7 @@ class Drawing:
         still = image(self.figure, "svg", self.plain_title, about, text).decode()
         return moving(still, self.film, self.figure).encode()
 
+    @checks_keywords
     def save(self, path: str | os.PathLike[str], *, text: bool = False) -> None:
         """Write the drawing into a file, whole or not at all, in the format of its suffix.
 

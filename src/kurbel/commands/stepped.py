@@ -50,11 +50,11 @@ def stepped(command: Command, values: Values) -> Table:
 
     `values` are those of all options, which are settled here; a page is called by them.
     """
-    command.settle(values)
-    named = values.values
-    asking = _Asking(command, values, tuple(choices(command.options, named)))
-    check_count(asking.choices)
-    question = asking.first()
+    with command.naming_places(values):
+        command.settle(values)
+        asking = _Asking(command, values, tuple(choices(command.options, values.values)))
+        check_count(asking.choices)
+        question = asking.first()
     found = (*asking.usual(question), *asking.choices)
     check_count(found)
     asking = replace(asking, choices=found)

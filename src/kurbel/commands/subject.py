@@ -5,14 +5,15 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from kurbel.commands.options import FILE, TEXT, Choice, Option, alone_of, is_given
-from kurbel.commands.part import CommandOptions, Origin, Values
-from kurbel.errors import MachineError, ProblemError
+from kurbel.commands.part import CommandOptions, Origin, Values, flag_of
+from kurbel.errors import KurbelError, MachineError, ProblemError
 from kurbel.page.subject import Question
 from kurbel.page.table import Request, own_words
 from kurbel.reading.given import File, found_at
@@ -137,8 +138,34 @@ class Command:
 
     def ask(self, values: Values) -> Any:
         """Return what is asked for by these values, which it settles. Raises KurbelError."""
-        self.settle(values)
-        return self.question(values)
+        with self.naming_places(values):
+            self.settle(values)
+            return self.question(values)
+
+    @contextmanager
+    def naming_places(self, values: Values) -> Iterator[None]:
+        """Have a sentence say where the value stands without which it were not said, or which it names."""
+        try:
+            yield
+        except KurbelError as error:
+            found = [name for name in values.places if self._asks_without(name, values)]
+            found += [one for one in values.places if _names(str(error), one, values.written.get(one))]
+            place = values.places[found[0]] if found else ""
+            # Of a cylinder a sentence begins with file and line.
+            if place.rpartition(" ")[2] not in str(error):
+                error.args = (f"{place}: {error}", *error.args[1:])
+            raise
+
+    def _asks_without(self, name: str, values: Values) -> bool:
+        """Whether there is a question without the value of an option."""
+        others = {**self.defaults, **values.written, name: self.defaults.get(name)}
+        alone = Values(others, {**values.origins, name: None})
+        try:
+            self.settle(alone)
+            self.question(alone)
+        except KurbelError:
+            return False
+        return True
 
     def built(self, question: Question, values: Values) -> Page:
         """Return the table that was asked for, which these values of the options name."""
@@ -238,7 +265,8 @@ def _values(command: Command, args: tuple[object, ...], options: Mapping[str, ob
     }
     found = {} if machine is None else of_machine(command, machine)
     origins = {**dict.fromkeys(found, Origin.MACHINE), **dict.fromkeys(given, Origin.TYPED)}
-    return Values({**command.defaults, **found, **given}, origins)
+    places = {name: f"{name} of {machine}" for name in found if name not in given}
+    return Values({**command.defaults, **found, **given}, origins, places)
 
 
 def _table(page: Page, asked: Question | None = None) -> Table:
@@ -277,6 +305,12 @@ def _variant_name(key: str, name: str, said: str) -> str:
     from hashlib import sha256
 
     return f"{key}{name[:LONGEST].rstrip('-.')}-{sha256(said.encode()).hexdigest()[:6]}"
+
+
+def _names(sentence: str, option: str, value: object) -> bool:
+    several = value if isinstance(value, list | tuple) else [value]
+    quoted = any(f'"{one}"' in sentence for one in several)
+    return quoted or re.search(rf"{flag_of(option)}(?![\w-])", sentence) is not None
 
 
 def _is_other(one: Option[object], values: Mapping[str, object]) -> bool:

@@ -8,10 +8,11 @@ import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import wraps
-from itertools import chain
-from typing import ParamSpec, TypeVar
+from os import PathLike
+from types import NoneType
+from typing import Any, ParamSpec, TypeVar
 
-from kurbel.errors import KeywordError, KurbelError, NotationError
+from kurbel.errors import KeywordError, KurbelError
 
 # Words for the same, also before _return, _mm and the like: those that names have, then those that none has.
 # Capitals, accents and signs between words do not count, and a number is a word.
@@ -80,6 +81,12 @@ MOST = 3
 _RETURN = "return"
 # Keywords that say how a page is written, and not what stands on it.
 WRITING = frozenset(("format", "decimal", "output", "standalone", "longtable", "siunitx", "plain", "excel"))
+# Annotations, with what a value must be.
+_KINDS: Mapping[str, tuple[Any, str]] = {
+    "str": (str, "text"),
+    "str | None": ((str, NoneType), "text"),
+    "str | os.PathLike[str]": ((str, PathLike), "the name of a file"),
+}
 Words = ParamSpec("Words")
 Answer = TypeVar("Answer")
 
@@ -229,21 +236,18 @@ def enumerated(names: Iterable[str], before_last: str = "and") -> str:
 
 
 def checks_keywords(function: Callable[Words, Answer]) -> Callable[Words, Answer]:
-    """Refuse wrong names of the function's values by KeywordError, and what is no text in place of one."""
-    texts = {name for name, kind in function.__annotations__.items() if kind in ("str", "str | None")}
+    """Refuse wrong names of the function's values, and what is no text or file in place of one, by
+    KeywordError."""
+    signature = inspect.signature(function)
 
     @wraps(function)
     def called(*args: Words.args, **kwargs: Words.kwargs) -> Answer:
-        signature = inspect.signature(function)
-        for name, value in chain(zip(signature.parameters, args, strict=False), kwargs.items()):
-            if name in texts and value is not None and not isinstance(value, str):
-                raise NotationError(f"{name} is {str(value)[:60]}; it must be text")
-        try:
-            with spelling_keywords(lambda: dict.fromkeys(signature.parameters, ())):
-                return function(*args, **kwargs)
-        except TypeError:
-            bound(function.__qualname__, signature, args, kwargs)
-            raise
+        for name, value in bound(function.__qualname__, signature, args, kwargs).arguments.items():
+            kinds, needed = _KINDS.get(signature.parameters[name].annotation, (object, ""))
+            if not isinstance(value, kinds):
+                raise KeywordError(f"{name} is {str(value)[:60]}; it must be {needed}")
+        with spelling_keywords(lambda: dict.fromkeys(signature.parameters, ())):
+            return function(*args, **kwargs)
 
     return called
 

@@ -288,7 +288,7 @@ class Masses(MovingRod, Weight):
         if not chosen.heavy:
             raise ProblemError(
                 f"the forces of moving masses in {chosen.title} are not computed; leave"
-                f" {self.called(self.a_mass())} out, or --mechanism {chosen.name}"
+                f" {flag_of(self.a_mass())} out, or --mechanism {chosen.name}"
             )
         foreign = of_other_mechanisms(chosen, [name for name in Masses.masses() if self.says(name)])
         for sentence in foreign.values():
@@ -300,7 +300,7 @@ class Masses(MovingRod, Weight):
         if missing:
             *others, last = missing
             needed = f"{', '.join(others)} and {last}" if others else last
-            raise ProblemError(f"{self.called(self.a_mass())} needs {needed} to become a force")
+            raise ProblemError(f"{flag_of(self.a_mass())} needs {needed} to become a force")
         # One rod for all ratios has a length of its own only if there is one ratio.
         length = cranks[0].rod_length if len(cranks) == 1 else None
         slope = self.slope_of_slide()

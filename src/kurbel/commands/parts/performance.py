@@ -65,9 +65,7 @@ class Flywheel(Part):
         if number is not None and inertia is not None:
             raise ProblemError("--flywheel and --inertia both describe the flywheel; leave one out")
         if inertia is not None and speed is None:
-            raise ProblemError(
-                f"{self.called('inertia')} needs the mean speed; add --speed, for example --speed 120/min"
-            )
+            raise ProblemError("--inertia needs the mean speed; add --speed, for example --speed 120/min")
         return Wheel(
             number,
             inertia,
