@@ -13,7 +13,7 @@ from typing import Any
 import click
 
 from kurbel import __version__
-from kurbel.cli import COMMANDS, INTERRUPTED, help_text, say, short_help, tell
+from kurbel.cli import COMMANDS, INTERRUPTED, help_text, say, screen, short_help, tell
 from kurbel.errors import ChoiceError, KurbelError
 
 HELP_OPTIONS = ["-h", "--help"]
@@ -104,8 +104,6 @@ def show(pieces: Iterable[bytes], has_words: bool = True) -> None:
 
     One who reads no German is told how words come to be English, unless a language was chosen.
     """
-    from kurbel.cli import screen
-
     context = click.get_current_context(silent=True)
     screen.show(pieces, paging=not (context and context.meta.get(UNPAGED)))
     if not (has_words and context and sys.stdout.isatty() and sys.stderr.isatty()):

@@ -12,7 +12,9 @@ import click
 
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import Group, command_of
+from kurbel.cli.manual.topics import topics_of
 from kurbel.cli.options import FileName, Option, Type, click_option, machine_option, output_option
+from kurbel.cli.tables import TableCommand
 from kurbel.commands import options as kinds
 from kurbel.commands.options import Count
 from kurbel.commands.subject import Command
@@ -179,8 +181,6 @@ class _Commands(Group):
 
     def further(self) -> Mapping[str, Sequence[click.Option]]:
         """Return the options of every sweep, by the heads below which manuals have them."""
-        from kurbel.cli.manual.topics import topics_of
-
         own = click.Command("sweep", params=[*sweep_options(), *running_options()], add_help_option=False)
         return {topic.title: options for topic, options in topics_of(own)}
 
@@ -207,7 +207,6 @@ class _Commands(Group):
         if name not in TABLES:
             return None
         from kurbel.cli.sweep_command import SweepCommand
-        from kurbel.cli.tables import TableCommand
 
         table = command_of(name)
         assert isinstance(table, TableCommand)

@@ -7,6 +7,8 @@ from decimal import Context, Decimal
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from kurbel.commands.part import Values
+from kurbel.commands.parts.drive import Series
 from kurbel.drive.crank import LARGEST_ANGLE, Crank, check_angles
 from kurbel.errors import ChoiceError, NotationError, ProblemError
 from kurbel.motion.evaluation import METHODS
@@ -158,9 +160,6 @@ def _of_motion(
 
 
 def _method(method: str, order: int | None) -> str:
-    from kurbel.commands.part import Values
-    from kurbel.commands.parts.drive import Series
-
     named = allowed_name(method, METHODS, "method")
     return Series(Values({"method": named, "order": order}, {})).series() or named
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 
+from kurbel.commands.forces import ForcesOptions
 from kurbel.commands.motion import some
 from kurbel.commands.options import Choice, Option, amount, word
 from kurbel.commands.part import CommandOptions, Values, flag_of
@@ -190,8 +191,6 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
             return f"{flag} is of forces, and --unknown ratio is of the motion of the piston; leave it out"
         if not (self.is_engine() or self.of_forces()):
             return f"{flag} is of forces, and the condition is on the motion of the piston; leave it out"
-        from kurbel.commands.forces import ForcesOptions
-
         return self.as_part(ForcesOptions).refusal(option)
 
     def _moving(self, chosen: Mechanism, drives: Sequence[Drive]) -> Sequence[Drive]:

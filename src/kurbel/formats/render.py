@@ -18,7 +18,9 @@ from functools import cache, partial
 from typing import TYPE_CHECKING, BinaryIO, TypeAlias
 
 from kurbel.errors import ChoiceError, OutputError
+from kurbel.formats.page import blank, page
 from kurbel.formats.registry import BytesFormat, PageFormat, RecordsFormat, by_name
+from kurbel.formats.writer import Wishes
 from kurbel.page import labels
 from kurbel.page.layouts import template_folder
 from kurbel.page.table import Table
@@ -73,9 +75,6 @@ def render(
     if not isinstance(form, PageFormat):
         assert isinstance(form, BytesFormat)
         raise ChoiceError(form.no_text.format(name=form.name))
-    from kurbel.formats.page import page
-    from kurbel.formats.writer import Wishes
-
     mark, writer = form.decimal_mark(table.lang, decimal), form.writer
     place = "document" if standalone else place
     stepped = table.steps is not None and "interactive" in form.takes
@@ -174,8 +173,6 @@ def folders_of(*folders: str | None, pages: bool = True) -> Folders:
 def environment_of(form: PageFormat | RecordsFormat, folders: Folders) -> Environment:
     """Return what loads the templates of a format; those of a user's folders run in a sandbox."""
     from jinja2 import BaseLoader, Environment, FileSystemLoader, StrictUndefined
-
-    from kurbel.formats.page import blank
 
     kind: type[Environment] = Environment
     ours = template_folder(), form.home

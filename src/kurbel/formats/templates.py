@@ -31,6 +31,7 @@ from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from kurbel.errors import KurbelError, LayoutError, OutputError
 from kurbel.formats.registry import Format, PageFormat, RecordsFormat, by_name
+from kurbel.formats.render import environment_of
 from kurbel.page.layouts import layout_file, layout_names, template_folder
 from kurbel.reading.given import choose
 from kurbel.reading.names import did_you_mean
@@ -288,8 +289,6 @@ def filled(form: str, template: str, values: Mapping[str, object], folders: Sequ
 
     Raises LayoutError, with the file and the line, for whatever is wrong with a template of the folders.
     """
-    from kurbel.formats.render import environment_of
-
     found = by_name(form)
     assert isinstance(found, PageFormat | RecordsFormat)
     try:

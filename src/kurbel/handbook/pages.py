@@ -14,8 +14,10 @@ from kurbel.errors import HandbookError, KurbelError
 from kurbel.formats.registry import FORMATS, DocumentFormat, PageFormat, WorkbookFormat
 from kurbel.formats.render import as_one_page
 from kurbel.formats.templates import deadline
+from kurbel.handbook.binder import document_workbook
 from kurbel.handbook.folder import LARGEST, SHEETS
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
+from kurbel.handbook.matter import with_matter
 from kurbel.handbook.model import COMPILED
 from kurbel.handbook.pool import PDF_PATIENCE, About, Made
 from kurbel.page.labels import primed
@@ -47,8 +49,6 @@ def document_of(manifest: Manifest, made: Mapping[str, About], failures: list[Fa
     whole = Document(manifest.title, manifest.lang, mark, chapters, manifest.subtitle, manifest.author)
     if not manifest.matter:
         return whole
-    from kurbel.handbook.matter import with_matter
-
     return with_matter(whole, manifest, made)
 
 
@@ -154,8 +154,6 @@ def make_document(
     """Return the files of the document in a format, of the fragments by their names."""
     form = FORMATS[format]
     if isinstance(form, WorkbookFormat):
-        from kurbel.handbook.binder import document_workbook
-
         return Made(
             {f"handbook{form.suffixes[0]}": form.writer.written(document_workbook(document, fragments))}
         )

@@ -15,6 +15,7 @@ from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import Circle, Numeric, circle
 from kurbel.motion import captions
 from kurbel.motion.bulk import columns_in_floats, has_arrays, is_long, on_floats
+from kurbel.motion.drives import slide_drives
 from kurbel.motion.evaluation import (
     DIFFERENCE,
     LOADED,
@@ -30,6 +31,7 @@ from kurbel.motion.evaluation import (
     value,
 )
 from kurbel.motion.motion_quantities import effort_keys, registry
+from kurbel.motion.rod_forces import check_poles
 from kurbel.page.axes import (
     AngleAxis,
     ColumnAxis,
@@ -248,8 +250,6 @@ class Request(CrankQuestion, AngleQuestion):
         check_pairs(self.layout, "offset cranks")
         if any(Needs.EVEN in column.quantity.needs for column in self.page_columns):
             # Its module is large, and few pages have such a force.
-            from kurbel.motion.rod_forces import check_poles
-
             check_poles(self.page_columns, self.cranks, self.angles)
 
     def too_long(self) -> str:
@@ -286,8 +286,6 @@ class Request(CrankQuestion, AngleQuestion):
         return columns_in_floats(self.page_columns, crank, angles, self.rounding)
 
     def solved(self) -> tuple[Drive, ...]:
-        from kurbel.motion.drives import slide_drives
-
         even = not any(crank.acceleration for crank in self.cranks)
         return slide_drives(self.cranks, self.method or "exact") if even else ()
 

@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple, TypeAlias
 
 from kurbel.exact.numerals import Label, Number, figures
+from kurbel.page.labels import plain
 from kurbel.reading.notation import ratio_text
 
 # A text in every language.
@@ -94,8 +95,6 @@ class Quantity(NamedTuple):
 
     def plain_unit(self, lang: str) -> str:
         """Return the unit as text."""
-        from kurbel.page.labels import plain
-
         return plain(self.unit[lang])
 
     def unit_beside(self, lang: str) -> Label:

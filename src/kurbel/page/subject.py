@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeAlias
 from kurbel.errors import ChoiceError, ProblemError
 from kurbel.exact.numerals import MOST_DIGITS, ROUNDINGS, Label, Number
 from kurbel.page.axes import Axis, Grid, PageAxis, Place
+from kurbel.page.labels import plain
 from kurbel.page.layouts import SUBJECTS, Layout, LayoutColumn
 from kurbel.page.quantity import Column, Known, Need, Quantity, is_short, known_at
 from kurbel.page.table import Field, Note, Records, Tone, Value, Worded, check_label
@@ -94,8 +95,6 @@ class Subject(NamedTuple):
 
     def name_of(self, quantity: Quantity, lang: str) -> str:
         """Return what lists call a quantity."""
-        from kurbel.page.labels import plain
-
         name = quantity.full_name(lang)
         return f"{name} {plain(quantity.symbol)}" if self.letters else name
 

@@ -16,6 +16,7 @@ import msgspec
 from msgspec import inspect
 
 from kurbel.errors import KurbelError
+from kurbel.reading.foreign import ours
 from kurbel.reading.given import choose
 from kurbel.reading.toml_file import A_TEXT, Fault, Place, TomlFile, shown
 
@@ -105,8 +106,6 @@ def _of_keys(given: Mapping[str, object], shape: KEYED, place: Place) -> Iterato
         try:
             choose(key, fields, getattr(shape.cls, "NOUN", f"entry of [{_dotted(place)}],"))
         except KurbelError as error:
-            from kurbel.reading.foreign import ours
-
             name, written = ours(key, str(value), [one.replace("_", "-") for one in fields])
             line = f"write {name.replace('-', '_')} = {json.dumps(written, ensure_ascii=False)}"
             said = str(error)

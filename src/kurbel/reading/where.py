@@ -10,6 +10,7 @@ from fractions import Fraction
 from kurbel.errors import NotationError
 from kurbel.exact.numerals import degrees_text, exact_text, finite_decimals
 from kurbel.reading import notation
+from kurbel.reading.amounts import UNITS
 from kurbel.reading.given import allowed_name, as_share
 from kurbel.reading.notation import LONGEST_NUMBER, quoted
 from kurbel.reading.units import BEFORE_UNIT
@@ -115,8 +116,6 @@ def _refuse_column(name: str, right: str, names: Mapping[str, str]) -> None:
     quantity, _, ending = name.rpartition("_")
     if name in names or quantity not in (*names, *MEASURED):
         return
-    from kurbel.reading.amounts import UNITS
-
     if symbol := next((unit.symbol for unit in UNITS.values() if unit.ending == ending), ""):
         unit = "" if right in (MAX, MIN) or any(map(str.isalpha, right)) else f" {symbol}"
         line = f'"{quantity} = {right}{unit}"'

@@ -10,6 +10,7 @@ import click
 
 from kurbel.cli import LANGUAGES
 from kurbel.cli.manual.command import TopicCommand
+from kurbel.cli.manual.examples import short, topical
 from kurbel.cli.manual.topics import (
     DEFAULTS,
     SHORTER,
@@ -102,8 +103,6 @@ def _records(options: Sequence[click.Option], context: click.Context) -> Iterato
 def topic_text(context: click.Context, name: str) -> str:
     """Return the options of one topic, with an example and its keys in a machine's file. Raises
     ChoiceError."""
-    from kurbel.cli.manual.examples import topical
-
     command = context.command
     found = {topic.name: (topic, options) for topic, options in topics_of(command)}
     topic, options = found[choose(name, found, f"topic of {context.command_path}")]
@@ -150,8 +149,6 @@ def _beside(command: click.Command, topic: Topic) -> Sequence[tuple[str, str]]:
 
 def short_text(context: click.Context) -> str:
     """Return what one needs first: what is printed, examples with what they are, some options, all topics."""
-    from kurbel.cli.manual.examples import short
-
     command, path = context.command, context.command_path
     assert isinstance(command, TopicCommand)
     formatter = context.make_formatter()

@@ -14,6 +14,7 @@ import click
 from kurbel.books.constructions.construction_page import construction, construction_names
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
+from kurbel.cli.listing import printing
 from kurbel.cli.manual.command import TopicCommand
 from kurbel.cli.manual.help import GAP, folded
 from kurbel.cli.manual.topics import flag_of, options_of, topics_of
@@ -246,8 +247,6 @@ def _quantities() -> Iterator[Found]:
 
 
 def _layouts() -> Iterator[Found]:
-    from kurbel.cli.listing import printing
-
     for one in map(layout, layout_names()):
         yield Found("Layouts", one.key, one.title["en"], printing(one, None), one.title["de"])
 

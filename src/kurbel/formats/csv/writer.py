@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from kurbel.errors import LayoutError
 from kurbel.exact.numerals import DECIMALS, Number, number_text
+from kurbel.formats.render import filled_by, has_template, pieces, template_of
 from kurbel.formats.writer import Chunks, RecordsWriter
 from kurbel.page.labels import plain
 from kurbel.page.table import Table, Value
@@ -28,7 +29,6 @@ class Writer(RecordsWriter):
     def rows(self, table: Table, decimal: str, folders: Sequence[str] = ()) -> Iterator[str]:
         """Raises LayoutError for more rows than a template of one's own can set."""
         from kurbel.formats.csv import FORMAT
-        from kurbel.formats.render import filled_by, has_template, pieces, template_of
 
         template, rows = template_of(table, FORMAT.name, folders), table.records.rows
         if own := has_template(folders, template):

@@ -20,6 +20,7 @@ from typing import NamedTuple, cast
 import kurbel.formats.typst
 from kurbel.errors import LayoutError, OutputError, ProblemError
 from kurbel.formats.pdf import STANDARDS, Standard
+from kurbel.formats.render import render
 from kurbel.formats.writer import CompiledWriter
 from kurbel.page.table import Table
 from kurbel.reading.environment import source_date_epoch
@@ -193,8 +194,6 @@ def typeset_pdf(page: Table, *, decimal: str | None = None, standards: Sequence[
     SOURCE_DATE_EPOCH; without that variable it has none, or 1970-01-01 where PDF/A demands one. Raises
     KurbelError.
     """
-    from kurbel.formats.render import render
-
     if not isinstance(page, Table):
         raise ProblemError(f"a {type(page).__name__} cannot be set; make a page, such as kurbel.table()")
     return compile_typst(render(page, "typst", decimal=decimal, standalone=True), standards=standards)
