@@ -610,7 +610,7 @@ def test_what_the_environment_says_of_the_steam_gives_way_to_what_is_typed() -> 
     assert printed("delta", KURBEL_DELTA_CARD=card).out == printed("delta", "--card", card).out
     # Neither of two of the environment, nor of two that are typed.
     said = "describes an ideal card, and --card gives a measured one; leave one out"
-    assert refusal("delta", KURBEL_DELTA_CARD=card, KURBEL_DELTA_EPS="3") == f"--eps {said}"
+    assert refusal("delta", KURBEL_DELTA_CARD=card, KURBEL_DELTA_EPS="3") == f"KURBEL_DELTA_EPS: --eps {said}"
     assert refusal("delta", "--card", card, "--back", "0.1", KURBEL_DELTA_EPS="3") == f"--back {said}"
 
 
