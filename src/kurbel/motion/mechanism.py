@@ -12,7 +12,6 @@ from kurbel.drive.load import CARD, COMPRESSOR, FORCE, GAS, LOADS, MASSES, PUMP,
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
-from kurbel.motion.drives import slide_columns, slide_drives
 from kurbel.motion.motion_page import Request
 from kurbel.motion.notes import drive_notes, loaded_notes, offset_notes
 from kurbel.page.quantity import Column, Quantity
@@ -166,9 +165,13 @@ class StraightCrank(Mechanism):
         return Request(drives=tuple(drives), method=method, **asked)
 
     def solved(self, drives: Sequence[Crank], method: str | None) -> tuple[SlideDrive, ...]:
+        from kurbel.motion.drives import slide_drives
+
         return slide_drives(drives, method or "exact")
 
     def conditions(self) -> Mapping[str, Quantity]:
+        from kurbel.motion.drives import slide_columns
+
         return slide_columns()
 
 

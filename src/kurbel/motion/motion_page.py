@@ -15,7 +15,6 @@ from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import Circle, Numeric, circle
 from kurbel.motion import captions
 from kurbel.motion.bulk import columns_in_floats, has_arrays, is_long, on_floats
-from kurbel.motion.drives import slide_drives
 from kurbel.motion.evaluation import (
     DIFFERENCE,
     LOADED,
@@ -286,6 +285,8 @@ class Request(CrankQuestion, AngleQuestion):
         return columns_in_floats(self.page_columns, crank, angles, self.rounding)
 
     def solved(self) -> tuple[Drive, ...]:
+        from kurbel.motion.drives import slide_drives
+
         even = not any(crank.acceleration for crank in self.cranks)
         return slide_drives(self.cranks, self.method or "exact") if even else ()
 
