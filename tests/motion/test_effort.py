@@ -47,8 +47,12 @@ def test_forces_are_those_of_the_bodies_under_pressure_and_friction(seed: int) -
         "speed": f"{speed}rad/s", **{key: f"{value}kg" for key, value in weights.items()}, **rod,
         **PRESSED, "friction": "1234N",
     }  # fmt: skip
-    for row in rows(kurbel.forces(**asked, angle=(33, 141, 199, 318), digits=5, columns=FORCES)):
-        for key in row.keys() - {"phi"}:
+    for row in rows(
+        kurbel.forces(**asked, angle=(33, 141, 199, 318), digits=5, columns=f"{FORCES},reversing_speed")
+    ):
+        held = float(row["crosshead_load_n"]) - float(row["inertia_force_n"])
+        assert (not row["reversing_speed"]) is (held * float(row["inertia_force_n"]) > 0)
+        for key in [key for key, value in row.items() if key != "phi" and value]:
             value = bodies.value(key, row["phi"])
             assert value.confirms(row[key]) == verify.CONFIRMED, (seed, row["phi"], key)
 

@@ -112,8 +112,9 @@ def pressure_on_both_sides(
 
 @solution
 def petrol_engine(stroke: mpf, rod: mpf, bore: mpf, pressure: mpf, mass: mpf, speed: mpf, angle: mpf) -> Rows:
-    load = pressure * pi / 4 * bore**2 - mass * to_first_order(stroke / 2, rod, speed, angle)
-    return [{"crosshead_load_n": load, **forces(stroke / 2, rod, angle, force=load)(*KEYS)}]
+    gas, inertia = pressure * pi / 4 * bore**2, mass * to_first_order(stroke / 2, rod, speed, angle)
+    found = {"crosshead_load_n": gas - inertia, "reversing_speed": speed * sqrt(gas / inertia) * 30 / pi}
+    return [{**found, **forces(stroke / 2, rod, angle, force=gas - inertia)(*KEYS)}]
 
 
 @solution

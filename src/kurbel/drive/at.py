@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls
 from kurbel.kernel import forces, kinematics
-from kurbel.kernel.circle import Circle, Numeric
+from kurbel.kernel.circle import Circle, Numeric, root
 from kurbel.kernel.forces import Weight, on_return
 from kurbel.kernel.forces import net_torque as pin_torque
 from kurbel.kernel.moving import Accelerations, Masses, with_crank
@@ -52,6 +52,12 @@ def angular_velocity(crank: Crank, numbers: Kind) -> Numeric:
     speed = known(crank.speed)
     omega = numbers.of(2 * speed.value if speed.turns else speed.value)
     return omega * numbers.pi if speed.turns else omega
+
+
+def turns_a_minute(crank: Crank, numbers: Kind) -> Numeric:
+    """Return n in 1/min."""
+    speed = known(crank.speed)
+    return numbers.of(60 * speed.value) if speed.turns else numbers.of(30 * speed.value) / numbers.pi
 
 
 def angular_square(crank: Crank, numbers: Kind) -> Numeric:
@@ -301,6 +307,26 @@ class At:
             return torque
         return torque - self.numbers.of(power / known(crank.radius)) / known(crank.speed).omega(self.numbers)
 
+    def reverses(self) -> Numeric:
+        """Return what is above 0 where inertia opposes all other forces at the crosshead pin, in N²."""
+        inertia = self.loaded.inertia_force()
+        return inertia * (inertia - self.loaded.thrust())
+
+    def reversal(self) -> Numeric:
+        """Return the speed at which the load on the crosshead pin reverses here, in that of the crank.
+
+        √((F_m - F_B)/F_m): of all that acts along the slide the inertia force alone grows, with ω². NaN in
+        arrays where it opposes nothing.
+        """
+        inertia: Any = abs(self.loaded.inertia_force())
+        opposed: Any = self.reverses()
+        if self.numbers.bounded:
+            return root(opposed) / inertia
+        import numpy as np
+
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.where(opposed > 0, np.sqrt(opposed) / inertia, np.nan)
+
     def net_torque(self) -> Any:
         """Return the torque on the shaft less what the friction of the pins takes, over R, in newtons."""
         crank = self.crank
@@ -318,8 +344,6 @@ def way_at(crank: Crank, stroke: int, angle: Fraction) -> int:
     counts from where the stroke begins."""
     if not crank.offset:
         return 1 if angle % 360 < 180 else -1
-    from kurbel.exact.certify import at_bits
-    from kurbel.exact.terms import vanishes
 
     def velocity(kind: Kind) -> Numeric:
         return kinematics.offset_velocity(kind.circle(angle), *_numbers(crank, stroke, kind))
@@ -327,11 +351,20 @@ def way_at(crank: Crank, stroke: int, angle: Fraction) -> int:
     def acceleration(kind: Kind) -> Numeric:
         return kinematics.offset_acceleration(kind.circle(angle), *_numbers(crank, stroke, kind))
 
-    rests = vanishes(velocity)
+    return sign_of(velocity) or sign_of(acceleration)
+
+
+def sign_of(value: Callable[[Kind], Any]) -> int:
+    """Return 1, 0 or -1, the sign of a number on any kind, by proof."""
+    from kurbel.exact.certify import at_bits
+    from kurbel.exact.terms import vanishes
+
+    if vanishes(value):
+        return 0
     bits = FIRST_BITS
     while True:
         with at_bits(bits):
-            found: Any = (acceleration if rests else velocity)(balls())
+            found = value(balls())
         if not found.contains(0):
             return 1 if found > 0 else -1
         bits *= 2

@@ -39,6 +39,8 @@ def is_long(columns: Sequence[Column], cranks: Sequence[Crank], angles: Sequence
     # A float beside a dead centre does not tell for certain which way friction acts.
     if any(crank.has_friction or crank.pinned for crank in cranks):
         return False
+    if any(column.quantity.exists for column in columns):
+        return False
     if max(column.places for column in columns) > MOST_DECIMALS:
         return False
     reach = float(largest(angles))
@@ -177,7 +179,7 @@ class Sharp:
 
     def _in_balls(self, column: Column, row: int) -> int:
         [[digits]] = columns_in_balls([column], self.crank, [self.angles[row]], self.rounding)
-        return digits
+        return known(digits)
 
 
 def on_floats(column: Column, crank: Crank) -> Callable[[Circle[Any]], Numeric] | OfDegrees:

@@ -12,7 +12,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from kurbel.drive.at import At, begun, known, way_at
+from kurbel.drive.at import At, begun, known, sign_of, way_at
 from kurbel.drive.crank import Crank
 from kurbel.drive.moved import Drive
 from kurbel.errors import ProblemError
@@ -255,15 +255,26 @@ def certified_at(quantity: Quantity, method: str, places: Places, decimals: int,
     return settled(at, decimals, rounding)
 
 
+def _exists(quantity: Quantity, method: str, places: Places) -> bool:
+    """Whether there is such a number at the places."""
+    positive = quantity.exists
+    return positive is None or sign_of(lambda kind: positive(places.at(quantity, method, kind))) > 0
+
+
 def columns_in_balls(
     columns: Sequence[Column], drive: Drive, angles: Sequence[Fraction], rounding: str
-) -> list[list[int]]:
+) -> list[list[int | None]]:
     """Return for each column its values times 10**decimals, rounded correctly, one for each angle.
 
-    Every value is certified by itself: no NumPy, any number of decimals.
+    Every value is certified by itself: no NumPy, any number of decimals. None is where there is none.
     """
     rows = [
-        [certified_at(one.quantity, one.method, place, one.places, rounding) for one in columns]
+        [
+            certified_at(one.quantity, one.method, place, one.places, rounding)
+            if _exists(one.quantity, one.method, place)
+            else None
+            for one in columns
+        ]
         for place in (Places(drive, angle) for angle in angles)
     ]
     return [list(column) for column in zip(*rows, strict=True)] if rows else [[] for _ in columns]

@@ -354,7 +354,7 @@ class RecordRows(Rows):
             for row, angle in enumerate(angles):
                 axes = {**others, "phi": angle_number(angle - zero, of_angles)}
                 yield tuple(
-                    axes[key] if key in axes else Number(int(scaled[key][row]), decimals[key])
+                    axes[key] if key in axes else scaled_number(scaled[key][row], decimals[key])
                     for key in self.keys
                 )
 
@@ -389,9 +389,14 @@ class RecordRows(Rows):
                 yield Chunk(ratio, part, dict(zip(self.columns, values, strict=True)), decimals)
 
 
-def _number(question: Request, column: Column, place: Place, times: int) -> Number:
+def scaled_number(scaled: Any, decimals: int, times: int = 1) -> Number | None:
+    """Return scaled digits as a number, None where there is none."""
+    return None if scaled is None else Number(int(scaled) * times, decimals)
+
+
+def _number(question: Request, column: Column, place: Place, times: int) -> Number | None:
     scaled = question.values[place["ratio"]][place["column"]][place["angle"]]
-    return Number(int(scaled) * times, column.places)
+    return scaled_number(scaled, column.places, times)
 
 
 MOTION = Subject(

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
-from kurbel.drive.at import CRANK_FORCES, At, CrankForce
+from kurbel.drive.at import CRANK_FORCES, At, CrankForce, turns_a_minute
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Numeric
@@ -124,7 +124,7 @@ FORCES: Mapping[str, Force] = {
 
 EFFORT = (
     "piston_force", "inertia_force", "weight_force", "friction_force", "crosshead_load", "net_torque",
-    "angular_acceleration",
+    "angular_acceleration", "reversing_speed",
 )  # fmt: skip
 _UNIT = "_nm?$"
 
@@ -140,6 +140,15 @@ def _force_entries() -> Iterator[Quantity]:
         "net_torque_nm", "Drehmoment nach der Zapfenreibung|Torque less the friction of the pins", "$M_R$",
         "$M_R$ in N m", "N m", 1, {LOADED: Formula(At.net_torque)}, scale=Crank.newton_metres,
         needs=(Needs.PINS,),
+    )  # fmt: skip
+    yield spanned(
+        "reversing_speed", "Drehzahl des Druckwechsels|Speed of the reversal", "$n_w$",
+        '$n_w$ in $"min"^(-1)$', '$"min"^(-1)$', 1, {LOADED: Formula(At.reversal)}, scale=turns_a_minute,
+        needs=(Needs.MASSES,), exists=At.reverses,
+        direction=words(
+            "$n_w$ Drehzahl, bei der $F_B$ dort verschwindet; – bei keiner"
+            "|$n_w$ speed at which $F_B$ vanishes there; – at none"
+        ),
     )  # fmt: skip
     yield spanned(
         "angular_acceleration", "Winkelbeschleunigung der Welle|Angular acceleration of the shaft", "$α$",

@@ -62,7 +62,8 @@ class Quantity(NamedTuple):
     can lie from the true value, in units of the subject's own bound. `needs` are what must be known of the
     drive or the load, `of` is what it is a number of: a turn, a stroke, an angle. `names` are those under
     which conditions know it; `rises` tells that between the dead centres it only rises or only falls.
-    `direction` says in which direction it counts.
+    `direction` says in which direction it counts. Where
+    `exists` is not above 0 there is no such number.
     """
 
     key: str
@@ -83,6 +84,7 @@ class Quantity(NamedTuple):
     names: tuple[str, ...] = ()
     rises: bool = False
     direction: Words | None = None
+    exists: Callable[[Any], Any] | None = None
 
     @property
     def options(self) -> tuple[str, ...]:

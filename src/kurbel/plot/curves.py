@@ -142,6 +142,8 @@ def _conditions(drive: Drive) -> dict[str, str]:
 def _is_solved(drive: Drive, asked: str) -> bool:
     """Whether it is proved where the quantity rises and falls."""
     one = drive.asked(asked, OUT)
+    if one.exists:
+        return False
     heavy = bool(getattr(drive.crank, "loaded", False)) and LOADED in one.formulas
     return heavy or one.rises or drive.jet(one) is not None
 

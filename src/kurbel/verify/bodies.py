@@ -18,7 +18,7 @@ from kurbel.errors import ProblemError
 from kurbel.verify.drives import Degrees, Drive, approximate, place_of, typed
 from kurbel.verify.enclose import by_bits
 from kurbel.verify.jets import Jet, slope_of, slope_of_angle
-from kurbel.verify.numbers import Number, largest, number, sine_cosine
+from kurbel.verify.numbers import Number, largest, number, pi, sine_cosine
 from kurbel.verify.places import OUT, RETURN
 from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
@@ -65,7 +65,7 @@ class Bodies:
 
     def knows(self, key: str) -> bool:
         name, _, unit = key.replace("_return", "").rpartition("_")
-        return unit in ("n", "nm", "j") and name in _FORCES
+        return unit in ("n", "nm", "j", "speed") and name in _FORCES
 
     def value(self, key: str, degrees: Degrees, *, stroke: str | int | None = None) -> Value:
         """Return what kurbel's column of this key says, `guide_force_n` or `torque_return_nm`."""
@@ -243,6 +243,11 @@ _FORCES: dict[str, Callable[[At], Any]] = {
     "bearing_along": lambda at: -at.on_bearing.x * at.stroke,
     "bearing_across": lambda at: at.on_bearing.y * at.stroke,
     "bearing_force": lambda at: at.on_bearing.size(),
+    # In 1/min, the speed at which the inertia force, which grows with its square, is what the others are.
+    "reversing": lambda at: (
+        (1 - _FORCES["crosshead_load"](at) / _FORCES["inertia_force"](at)).root()
+        * (30 * at.drive.omega / pi())
+    ),
     # Of the rod alone: its inertia force, and how far that passes by its centre, in its lengths.
     "rod_inertia": lambda at: at.rod_inertia.size(),
     "rod_arm": lambda at: at.rod_arm,
