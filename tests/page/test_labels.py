@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import pytest
 from golden import assert_golden
 from hypothesis import given
@@ -9,10 +12,14 @@ from hypothesis import strategies as st
 from page_formats import page_format
 from places import GOLDEN
 
+import kurbel
 from kurbel import KurbelError
 from kurbel.formats.registry import FORMATS, PageFormat
 from kurbel.page.formula import Formula
 from kurbel.page.labels import Mark, Prose, formula_plain, mark_text, parse, plain
+from kurbel.page.quantity import texts
+
+PACKAGE = Path(kurbel.__file__).parent
 
 
 def formula(source: str) -> Formula:
@@ -97,3 +104,11 @@ def test_latex_prose_has_no_ligatures(prose: str) -> None:
 )
 def test_markdown_prose_starts_no_list(prose: str, escaped: str) -> None:
     assert page_format("markdown").writer.escape(prose) == escaped
+
+
+@pytest.mark.parametrize("package", sorted(PACKAGE.rglob("texts.toml")), ids=lambda file: file.parent.name)
+def test_a_text_has_the_same_places_in_both_languages(package: Path) -> None:
+    for section in texts(".".join(package.parent.relative_to(PACKAGE).parts)).values():
+        for key, text in section.items():
+            de, en = (sorted(re.findall(r"\{\w+\}", text[lang])) for lang in ("de", "en"))
+            assert de == en, key

@@ -18,7 +18,6 @@ from kurbel.commands.subject import function
 from kurbel.drive.wheel import Flywheel, check_irregularity
 from kurbel.engine.captions import caption
 from kurbel.engine.cylinder import TurnPlace
-from kurbel.engine.diagram import texts
 from kurbel.engine.diagram.excess import Excess
 from kurbel.engine.diagram.fluctuation import Areas, Fluctuation
 from kurbel.engine.diagram.relations import SHOWN, registry
@@ -266,11 +265,11 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
     def _source(self) -> str:
         """Return what the swing is known from, for the caption."""
         sources = {
-            texts.AREAS: self.says("areas"),
-            texts.TORQUE: self.is_diagram(),
-            texts.SWING: self.says("swing"),
-            texts.PRESS: self.says("share", "duration", "punch_stroke"),
-            texts.FLUCTUATION: self.says("energy_fluctuation"),
+            "areas": self.says("areas"),
+            "torque": self.is_diagram(),
+            "swing": self.says("swing"),
+            "press": self.says("share", "duration", "punch_stroke"),
+            "fluctuation": self.says("energy_fluctuation"),
         }
         return next((source for source, known in sources.items() if known), "")
 

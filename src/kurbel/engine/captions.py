@@ -15,16 +15,17 @@ from kurbel.engine.loads.words import (
     words_of,
 )
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.texts import CYLINDERS
 from kurbel.exact.numerals import Label
 from kurbel.motion import notes as motion
 from kurbel.page.axes import (
     angle_text,
 )
 from kurbel.page.labels import unprompted
-from kurbel.page.quantity import AND, FOR, filled, words
+from kurbel.page.quantity import AND, FOR, filled, texts, words
 from kurbel.reading.amounts import amount
 from kurbel.reading.notation import plain, ratio_text
+
+CYLINDERS = texts("engine")["cylinders"]
 
 PLAIN_CAPTION = words("{quantities} {machine}{for_engine}; {method}")
 # What is of the speed under a given flywheel.

@@ -24,7 +24,6 @@ from kurbel.engine.captions import Alone, within
 from kurbel.engine.card.card import Diagram
 from kurbel.engine.engine import Engine
 from kurbel.engine.loads.words import engine_lines, load_text
-from kurbel.engine.texts import PRESSED
 from kurbel.engine.turn import angle_at, turn_of
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import half_turn_circle
@@ -34,11 +33,13 @@ from kurbel.kernel.circle import Numeric
 from kurbel.motion.notes import digits_text, moving_notes
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decimals
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, filled, for_ratio
+from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, filled, for_ratio, texts
 from kurbel.page.subject import OVER_AXES, Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
 from kurbel.reading.notation import about
+
+PRESSED = texts("engine")["pressed"]
 
 PASCALS = 10**5
 OVER_STROKE, OVER_ANGLE = "pressures", "pressures over the angle"

@@ -25,17 +25,18 @@ from kurbel.engine.rod_load import (
     rod_quantities,
     sign_of,
 )
-from kurbel.engine.texts import ROD_LOAD
 from kurbel.engine.turn import Turn, turn_ties
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, filled
+from kurbel.page.quantity import Column, filled, texts
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note
 
 if TYPE_CHECKING:
     from kurbel.engine.card.force import CardTurn
+
+ROD_LOAD = texts("engine")["rod_load"]
 
 
 KEPT_LOADS = 96

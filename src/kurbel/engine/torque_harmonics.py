@@ -32,14 +32,13 @@ from kurbel.engine.fourier import NOTHING_BITS, PARTS, Floats, Spectrum, Wave, s
 from kurbel.engine.loads.ideal import Steam
 from kurbel.engine.notes import from_dead_centre, notes
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.texts import HARMONICS
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import NEVER_TIES, at_bits
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.harmonics import Star
 from kurbel.page.axes import Axis, ColumnAxis, ListAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, texts, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note, Value
 from kurbel.reading.notation import plain
@@ -47,6 +46,8 @@ from kurbel.reading.units import Speed
 
 if TYPE_CHECKING:
     from kurbel.engine.card.force import CardTurn
+
+HARMONICS = texts("engine")["harmonics"]
 
 
 # Steps of orders beside one at which the cards' differences are looked at: one alone may vanish by chance.

@@ -1,14 +1,17 @@
 """What a page can show: one kind of entry, whatever the page is about."""
 
+import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 from typing import Any, NamedTuple, TypeAlias
 
 from kurbel.exact.numerals import Label, Number, figures
 from kurbel.page.labels import plain
 from kurbel.reading.notation import ratio_text
 
+_HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 # A text in every language.
 Words = Mapping[str, str]
 
@@ -17,6 +20,23 @@ def words(text: str) -> Words:
     """Return "German|English", or one text for both, by language."""
     de, _, en = text.partition("|")
     return {"de": de, "en": en or de}
+
+
+@cache
+def texts(package: str) -> Mapping[str, Mapping[str, Words]]:
+    """Return what pages of a package such as "engine.loads" say: its texts.toml, by section and key.
+
+    A text is `key.de` and `key.en` there, or `key` alone if it is the same in both languages.
+    """
+    import tomllib
+
+    with open(os.path.join(_HERE, *package.split("."), "texts.toml"), "rb") as stream:
+        found = tomllib.load(stream)
+    return {name: {key: _in_both(text) for key, text in one.items()} for name, one in found.items()}
+
+
+def _in_both(text: Words | str) -> Words:
+    return {"de": text, "en": text} if isinstance(text, str) else text
 
 
 AND = words(" und | and ")

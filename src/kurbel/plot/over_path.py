@@ -20,7 +20,6 @@ from kurbel.conditions.over import ANGLES, WORDS, PathRequest
 from kurbel.engine.captions import inner
 from kurbel.engine.pressures import Pressed, PressuresRequest, StrokePlace, is_carded, stroke_names
 from kurbel.engine.request import EngineRequest
-from kurbel.engine.texts import PRESSED
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats
 from kurbel.exact.numerals import Label
@@ -29,7 +28,7 @@ from kurbel.motion.drives import Drive
 from kurbel.motion.evaluation import OUT, STROKES, method_named
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import AngleQuestion
-from kurbel.page.quantity import Column, Quantity, enumerated, filled, for_ratio, words
+from kurbel.page.quantity import Column, Quantity, enumerated, filled, for_ratio, texts, words
 from kurbel.plot.curves import drive_label, infinite, ratio_label, spots, unfolded, zeros
 from kurbel.plot.drawings import Picture, Wish, asked_of, columns_of, drawing_layout, refuse, smooth
 from kurbel.plot.engine import around, course_of, lettered, turns_of
@@ -53,6 +52,8 @@ from kurbel.plot.sketch import DEAD_CENTRES
 
 if TYPE_CHECKING:
     from kurbel.engine.cylinder import AnyTurn
+
+PRESSED = texts("engine")["pressed"]
 
 # What is drawn to scale, R, v and v²/R of one length, by the beginning of its key.
 VELOCITY, ACCELERATION = ("c", "velocity"), ("p", "acceleration")

@@ -15,7 +15,6 @@ from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 from kurbel.engine.diagram.fluctuation import Extreme, places, work_of
-from kurbel.engine.diagram.texts import ACCELERATION, FROM_TO
 from kurbel.engine.diagram.torque import QUARTER, TURN, Line, Torque, Waves, common_cycle
 from kurbel.engine.diagram.zeros import Zero, is_plain, over_cycle, waves_at, zeros
 from kurbel.errors import ProblemError
@@ -24,8 +23,11 @@ from kurbel.exact.numerals import Label, number_text
 from kurbel.exact.real import Product
 from kurbel.exact.search import greatest as greatest_of
 from kurbel.kernel.circle import Numeric
+from kurbel.page.quantity import texts
 from kurbel.reading.given import Given
 from kurbel.reading.notation import about
+
+WORDS = texts("engine.diagram")["diagram"]
 
 
 @dataclass(frozen=True)
@@ -210,7 +212,7 @@ def acceleration_line(
         for peak, sign in ((high, ""), (low, "-"))
     ]
     listed = ["; ".join(_listed(peak, lang)) for peak in (high, low)]
-    yield ACCELERATION[lang].format(most=figures[0], least=figures[1], high=listed[0], low=listed[1])
+    yield WORDS["acceleration"][lang].format(most=figures[0], least=figures[1], high=listed[0], low=listed[1])
 
 
 def peak_of(excess: Excess, *, greatest: bool) -> Peak | None:
@@ -262,4 +264,4 @@ def _listed(peak: Peak, lang: str) -> Iterator[Label]:
         return
     for start, end in peak.places:
         one, other = places([start]), places([end])
-        yield one if one == other else FROM_TO[lang].format(start=one, end=other)
+        yield one if one == other else WORDS["from_to"][lang].format(start=one, end=other)

@@ -24,17 +24,19 @@ from itertools import accumulate
 from string import ascii_lowercase
 from typing import Any, NamedTuple, Protocol
 
-from kurbel.engine.diagram.texts import WORDS
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats, settled
 from kurbel.exact.numerals import Label, Number, figures, finite_decimals, nearest, number_text
 from kurbel.kernel.circle import Numeric
 from kurbel.page.axes import angle_decimals
+from kurbel.page.quantity import texts
 from kurbel.reading import notation, units
 from kurbel.reading.amounts import moved, unit_of_page
 from kurbel.reading.given import Given
 from kurbel.reading.notation import about
 from kurbel.reading.units import Speed
+
+WORDS = texts("engine.diagram")["diagram"]
 
 # So many places are named; more go on in the same steps.
 MOST_PLACES = 6

@@ -10,16 +10,18 @@ from kurbel.engine.diagram.excess import Excess, acceleration_line
 from kurbel.engine.diagram.fluctuation import Extreme, Fluctuation, place_text
 from kurbel.engine.diagram.relations import ACCELERATION, SHOWN, registry
 from kurbel.engine.diagram.sizing import LIMIT, ONE_TURN, RIM_ALONE, Sizing
-from kurbel.engine.diagram.texts import FLUCTUATION, OF_WHEELS, SOURCES, TORQUE
 from kurbel.exact.numerals import Label, Number, figure, finite_decimals, number_text
 from kurbel.exact.real import Product, Real
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_number, irregularity_label
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Quantity, words
+from kurbel.page.quantity import Column, Quantity, texts, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import unit_of_page
 from kurbel.reading.notation import plain
+
+OF_WHEELS = texts("engine.diagram")["of_wheels"]
+SOURCES = texts("engine.diagram")["sources"]
 
 ANGLE_DECIMALS = 2
 # More places of one speed are left out.
@@ -53,7 +55,7 @@ def notes(question: WheelRequest) -> Iterator[Label]:
         yield from _accelerated(question)
         if question.angle is not None:
             yield OF_WHEELS["at angle"][lang].format(angle=figure(question.angle))
-    if question.known_from in (FLUCTUATION, TORQUE) and "turns" in wheel.figures:
+    if question.known_from in ("fluctuation", "torque") and "turns" in wheel.figures:
         yield _cycle(question)
     if question.press is not None:
         yield _press(*question.press, lang)

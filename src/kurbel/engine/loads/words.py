@@ -12,13 +12,18 @@ from kurbel.drive.load import CARD, COMPRESSOR, GAS, PUMP, STEAM, figure
 from kurbel.engine.engine import Assembly, Load
 from kurbel.engine.loads.driven import DIFFERENTIAL, DOUBLE, Compressor, Pump
 from kurbel.engine.loads.ideal import GasCycle
-from kurbel.engine.loads.texts import CYCLES, OF_STEAM, OTHERS, PUMP_KINDS, PUMPS
-from kurbel.engine.texts import CYLINDERS, OF_FIRST, OF_ONE, OF_SEVERAL
 from kurbel.exact.numerals import Label, exact_text
-from kurbel.page.quantity import Words, words
+from kurbel.page.quantity import Words, texts, words
 from kurbel.reading.amounts import amount
 from kurbel.reading.given import found_at
 from kurbel.reading.notation import plain
+
+CYCLES = texts("engine.loads")["cycles"]
+OF_STEAM = texts("engine.loads")["of_steam"]
+OTHERS = texts("engine.loads")["others"]
+PUMP_KINDS = texts("engine.loads")["pump_kinds"]
+PUMPS = texts("engine.loads")["pumps"]
+CYLINDERS = texts("engine")["cylinders"]
 
 
 class Loaded(Protocol):
@@ -324,8 +329,8 @@ GAS_WORDS = LoadWords(
 def words_of_cylinders(assembly: Assembly) -> LoadWords:
     """Return what is said of the cylinders of an engine."""
     own, count = words_of(assembly.steam.name), len(assembly.cranks)
-    machine = OF_SEVERAL if count > 1 else OF_ONE
-    forces = {lang: said + OF_FIRST[lang] for lang, said in own.forces.items()}
+    machine = CYLINDERS["of_several" if count > 1 else "of_one"]
+    forces = {lang: said + CYLINDERS["of_first"][lang] for lang, said in own.forces.items()}
 
     return LoadWords(
         key="cylinders",

@@ -12,7 +12,6 @@ from kurbel.engine.captions import DRIVEN
 from kurbel.engine.digits import FLOAT_ERROR, supported
 from kurbel.engine.engine import Engine
 from kurbel.engine.engine_page import LoadAxis
-from kurbel.engine.loads.texts import OF_STEAM
 from kurbel.engine.loads.words import LoadWords, best_back, valve_lines, words_of
 from kurbel.engine.power.duty import (
     BORE,
@@ -30,15 +29,18 @@ from kurbel.engine.power.duty import (
 from kurbel.engine.power.power_quantities import Needs, registry
 from kurbel.engine.power.source import Acting, Compound, GivenPressure, whole
 from kurbel.engine.power.unknown import UNKNOWNS
-from kurbel.engine.texts import COUNTED_IN, POWER_TEXTS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
 from kurbel.exact.real import Product, Term
 from kurbel.page.axes import ColumnAxis, Place
-from kurbel.page.quantity import Column, Quantity, words
+from kurbel.page.quantity import Column, Quantity, texts, words
 from kurbel.page.subject import LEAVE_OUT, Question, Subject
 from kurbel.reading.amounts import amount
 from kurbel.reading.units import MassFlow
+
+OF_STEAM = texts("engine.loads")["of_steam"]
+COUNTED_IN = texts("engine")["counted_in"]
+POWER_TEXTS = texts("engine")["power_texts"]
 
 GIVEN_WORDS = LoadWords(
     key="load",

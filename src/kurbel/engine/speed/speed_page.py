@@ -18,13 +18,14 @@ from kurbel.engine.engine_quantities import EXTREMES, Needs, engine_registry, ro
 from kurbel.engine.request import EngineRequest
 from kurbel.engine.speed.run import Run
 from kurbel.engine.speed.solved import run_of
-from kurbel.engine.texts import OF_SPEED
 from kurbel.exact.numerals import Label, exact_text
 from kurbel.motion.notes import turns_label
 from kurbel.page.axes import Place
-from kurbel.page.quantity import Column, Quantity, words
+from kurbel.page.quantity import Column, Quantity, texts, words
 from kurbel.page.table import Note, Value
 from kurbel.reading.amounts import amount
+
+OF_SPEED = texts("engine")["of_speed"]
 
 # What these are of: a crank angle under a flywheel, or the whole turn under one.
 AT_SPEED, OF_EVENNESS = "speed", "evenness"
