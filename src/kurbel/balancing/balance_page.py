@@ -35,7 +35,7 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, exact_text
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis, angle_text
-from kurbel.page.quantity import Column, Formula, Need, Quantity, Words, entry, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, texts, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import BOTH, amount, unit_of_page
@@ -57,49 +57,7 @@ ENGINES: Mapping[str, tuple[str, str]] = {
     "boxer-2": ("Zweizylinder-Boxermotor", "flat twin"),
     "boxer-4": ("Vierzylinder-Boxermotor", "flat four"),
 }
-WORDS: Mapping[str, Words] = {
-    "force": words("Kräfte|Forces"),
-    "moment": words("Momente|Moments"),
-    "in": words("{residual} in {unit}"),
-    "residual": words("Kraft oder Moment|Force or moment"),
-    "cylinders": words("{count} Zylinder|{count} cylinders"),
-    "cranks": words("Kurbeln: |Cranks: "),
-    "banks": words("Zylinderachsen: |Axes of the cylinders: "),
-    "positions": words("Lagen in $a$: |Positions in $a$: "),
-    "lengths": words("Lagen: |Positions: "),
-    "length": words("$a = 1 {unit}$"),
-    "symbols": words(
-        "$m$ hin- und hergehende Masse eines Zylinders, $R$ Kurbelhalbmesser, $ω$ Winkelgeschwindigkeit"
-        "|$m$ reciprocating mass of a cylinder, $R$ crank radius, $ω$ angular velocity"
-    ),
-    "balanced": words(
-        "; die umlaufenden Massen gelten als ausgeglichen (--revolving)"
-        "|; rotating masses are taken as balanced (--revolving)"
-    ),
-    "share": words(
-        "Gegengewichte, der Kurbel gegenüber umlaufend, gleichen von jeder Masse $m$ den Teil {share} aus"
-        "|Counterweights, opposite the crank and turning with it, balance the share {share} of every mass $m$"
-    ),
-    "spacing": words("$a$ Abstand benachbarter Kurbeln|$a$ distance of neighbouring cranks"),
-    "unit": words("$a$ Längeneinheit der Lagen|$a$ unit of length of the positions"),
-    "middle": words(
-        "; Momente um die Mitte, in der Richtung der Kräfte des Paares"
-        "|; moments about the middle, in the direction of the forces of the couple"
-    ),
-    "about": words(
-        "; Momente um die Lage {position}, in der Richtung der Kräfte des Paares"
-        "|; moments about the position {position}, in the direction of the forces of the couple"
-    ),
-    "angles": words(
-        "Winkel zählen im Drehsinn von der Bezugslinie, der Zylinderachse oder beim V der Mittellinie"
-        "|Angles count in the sense of rotation from the line of reference, the cylinder axis or of a V the "
-        "middle line"
-    ),
-    "zero": words(
-        "Beträge enthalten den Faktor $B_k$; 0 ohne Dezimalen ist genau 0"
-        "|Magnitudes include the factor $B_k$; 0 without decimals is exactly 0"
-    ),
-}
+WORDS = texts("balancing")["balance"]
 
 
 DEFAULT_ENGINE = "inline-4"

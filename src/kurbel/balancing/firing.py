@@ -24,7 +24,7 @@ from kurbel.balancing.balance_page import angle_notes, arranged, engine_label, l
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_number, angle_text
-from kurbel.page.quantity import Column, Formula, Quantity, Words, entry, filled, words
+from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, texts
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field, Value
 from kurbel.reading.notation import about
@@ -211,42 +211,7 @@ def _text(order: Order) -> str:
     return Firing(order, (), 0).text
 
 
-WORDS: Mapping[str, Words] = {
-    "order": words("Zündfolge|Firing order"),
-    "number": words("Nr.|No."),
-    "cylinder": words("Zylinder|Cylinder"),
-    "strokes": words(
-        "Viertakt: jeder Zylinder zündet in zwei Umdrehungen einmal"
-        "|four strokes: each cylinder fires once in two turns"
-    ),
-    "two_strokes": words(
-        "Zweitakt: jeder Zylinder zündet in jeder Umdrehung|two strokes: each cylinder fires in each turn"
-    ),
-    "even": words("Zündabstand ${angle}$, überall gleich|Firing interval ${angle}$ throughout"),
-    "uneven": words(
-        "Bei gleichen Abständen zündet der Motor in keiner Folge; gezeigt sind die Folgen, deren größter"
-        " Abstand am kleinsten ist"
-        "|The engine has no order at equal intervals; shown are those whose longest interval is shortest"
-    ),
-    "numbers": words(
-        "Zylinder in der Reihenfolge ihrer Kurbeln gezählt; + verbindet, die zugleich zünden"
-        "|Cylinders are numbered in the order of their cranks; + joins those that fire at once"
-    ),
-    "zero": words(
-        "Zündwinkel zählen vom inneren Totpunkt, in dem der erste Zylinder zündet"
-        "|Firing angles count from the inner dead centre in which the first cylinder fires"
-    ),
-    "sense": words(
-        "Kurbeln zählen hier wie bei balance im Drehsinn; --cranks von delta, turning und harmonics und angle"
-        " eines Zylinders sagen dagegen, um wie viel eine Kurbel der ersten folgt{follows}"
-        "|Cranks count here and in balance in the sense of rotation; --cranks of delta, turning and harmonics"
-        " and the angle of a cylinder say by how much a crank follows the first{follows}"
-    ),
-    "follows": words(
-        ": so zählt die Spalte Nachlauf, über das ganze Arbeitsspiel"
-        "|: so does the column beside them, over the whole cycle"
-    ),
-}
+WORDS = texts("balancing")["firing"]
 
 
 class Fired(NamedTuple):

@@ -24,7 +24,7 @@ from kurbel.exact.numerals import Label, Number, figure
 from kurbel.exact.real import PI, Real
 from kurbel.motion.notes import turns_label
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_text
-from kurbel.page.quantity import Column, Formula, Need, Quantity, Words, entry, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, texts
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
@@ -241,32 +241,7 @@ def quantities() -> Mapping[str, Quantity]:
     }  # fmt: skip
 
 
-WORDS: Mapping[str, Words] = {
-    "share": words("Ausgeglichener Teil|Balanced share"),
-    "cranks": words("Kurbeln: |Cranks: "),
-    "places": words("; Zylindermitten: |; cylinders' centre lines: "),
-    "wheels": words("; Räder bei |; wheels at "),
-    "reciprocating": words("Massen: hin- und hergehend |Masses: reciprocating "),
-    "revolving": words("; umlaufend, an der Kurbel |; revolving, at the crank "),
-    "order": words(
-        "Kräfte erster Ordnung; die umlaufenden Massen sind ganz ausgeglichen|Forces of the first order; the"
-        " revolving masses are balanced wholly"
-    ),
-    "axles": words(
-        "Den Teil der hin- und hergehenden Massen gleichen {axles} gekuppelte Achsen zu gleichen Teilen aus;"
-        " Ausgleich und Räder sind die der Achse mit den Kurbeln"
-        "|{axles} coupled axles balance equal parts of the share of the reciprocating masses; balance and"
-        " wheels are those of the axle with the cranks"
-    ),
-    "angles": words(
-        "Winkel zählen im Drehsinn wie die der Kurbeln, φ von der Stellung, in der diese stehen wie angegeben"
-        "|Angles count in the sense of rotation as those of the cranks, φ from where these stand as given"
-    ),
-    "wheel": words("Durchmesser der Räder |Diameter of the wheels "),
-    "load": words("ruhende Last eines Rades |static load of a wheel "),
-    "limit": words("erlaubter Hammerschlag |allowed hammer blow "),
-    "radius": words("Halbmesser der Ausgleichmassen |radius of the balancing masses "),
-}
+WORDS = texts("balancing")["locomotive"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)

@@ -15,7 +15,7 @@ from kurbel.exact.numerals import Label, Number, given
 from kurbel.exact.real import Real
 from kurbel.motion.notes import turns_label
 from kurbel.page.axes import ColumnAxis, ListAxis, Place
-from kurbel.page.quantity import Column, Formula, Need, Quantity, Words, entry, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, texts
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
@@ -27,40 +27,7 @@ ANGLE_DECIMALS = 2
 _PLANES = Need(lambda question: not question.planar, ("--planes",))
 _SPEED = Need(lambda question: question.speed is not None, ("--speed",))
 _COUPLES = ("couple", "second_couple", "left_couple")
-WORDS: Mapping[str, Words] = {
-    "line": words("Masse|Mass"),
-    "mass": words("{number}"),
-    "unbalance": words("Unwucht|Unbalance"),
-    "couple": words("Moment|Couple"),
-    "second_unbalance": words("Zweite Ordnung: Unwucht|Second order: unbalance"),
-    "second_couple": words("Zweite Ordnung: Moment|Second order: couple"),
-    "balance": words("Ausgleich {number}|Balance {number}"),
-    "left_unbalance": words("bleibende Unwucht|Unbalance left"),
-    "left_couple": words("bleibendes Moment|Couple left"),
-    "bearing": words("Lager {number}|Bearing {number}"),
-    "solution": words("Lösung|Solution"),
-    "what_left": words(": Unwucht|: unbalance"),
-    "what_balanced": words(": Ausgleich in gegebenen Ebenen|: balance in given planes"),
-    "what_static": words(": Ausgleich der Kräfte|: static balance"),
-    "what_complete": words(": vollständiger Ausgleich|: complete balance"),
-    "angles": words(
-        "Winkel zählen im Drehsinn von der Richtung 0°|Angles count in the sense of rotation from the"
-        " direction 0°"
-    ),
-    "planes": words(
-        "; Momente um die Ebene bei {about}, in der Richtung der Kräfte des Paares"
-        "|; moments about the plane at {about}, in the direction of the forces of the couple"
-    ),
-    "speed": words(
-        "Kräfte und Momente auf die Welle mit $ω^2$: {speed}"
-        "|Forces and moments on the shaft with $ω^2$: {speed}"
-    ),
-    "second": words(
-        "Zweite Ordnung: $λ m r$ der Massen, die hin und her gehen, in doppelten Winkeln, $λ =$ {ratio}"
-        "|Second order: $λ m r$ of masses that go to and fro, at double angles, $λ =$ {ratio}"
-    ),
-    "zero": words("0 ohne Dezimalen ist genau 0|0 without decimals is exactly 0"),
-}
+WORDS = texts("balancing")["rotor"]
 
 
 class At(NamedTuple):

@@ -11,7 +11,7 @@ goes the share at the crosshead pin, and that at the crank pin turns.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import inf
@@ -31,7 +31,7 @@ from kurbel.exact.real import ESTIMATE_BITS, PI, Real
 from kurbel.kernel.circle import Numeric, root
 from kurbel.kernel.harmonics import Star
 from kurbel.motion.notes import moving_notes, turns_label
-from kurbel.page.quantity import Words, words
+from kurbel.page.quantity import texts
 from kurbel.reading.amounts import Units, amount, digits, unit_of_page
 from kurbel.reading.notation import about
 from kurbel.reading.units import Speed
@@ -171,21 +171,7 @@ def pin_acceleration(crank: Crank) -> Real:
 
 
 IN_NEWTONS = "_n"
-WORDS: Mapping[str, Words] = {
-    "rod": words(
-        " mit dem Teil der Schubstange am Kreuzkopfzapfen| with the rod's share at the crosshead pin"
-    ),
-    "each": words("Hin- und hergehende Massen: {masses}{rod}|Reciprocating masses: {masses}{rod}"),
-    "revolving": words(
-        "Umlaufende Massen am Kurbelhalbmesser: {masses}, davon ausgeglichen der Teil {share}"
-        "|Revolving masses at the crank radius: {masses}, of which the share {share} is balanced"
-    ),
-    "counterweights": words(
-        "Gegengewichte der Kurbel gegenüber, Masse mal Halbmesser in {unit}: {moments}"
-        "|Counterweights opposite the crank, mass times radius in {unit}: {moments}"
-    ),
-    "at_radius": words("; am Halbmesser {radius}: {masses}|; at the radius {radius}: {masses}"),
-}
+WORDS = texts("balancing")["vector"]
 
 
 @dataclass(frozen=True, slots=True)

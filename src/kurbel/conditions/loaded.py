@@ -45,7 +45,7 @@ from kurbel.exact.search import EQUAL_BITS, Jet
 from kurbel.kernel.circle import Numeric
 from kurbel.page.axes import PHI, Axis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, filled, words
+from kurbel.page.quantity import Column, filled, texts
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field, Note
 from kurbel.reading import units
@@ -208,23 +208,7 @@ def _energy(segment: Segment, half_turns: arb) -> Jet:
 
 DEGREE_DECIMALS = 4
 KEPT = 64
-WORDS = {
-    "extremes": words(
-        "größte und kleinste Werte: der ganzen Umdrehung|greatest and least values: of the whole turn"
-    ),
-    "cylinder": words(
-        "Kräfte und $φ$ des Zylinders {number}; Drehmoment und Überschuss aller"
-        "|Forces and $φ$ of cylinder {number}; torque and excess of all"
-    ),
-    "angles": words(
-        "$φ$ vom inneren Totpunkt der ersten Kurbel; im Totpunkt gelten auch die Werte davor"
-        "|$φ$ from the inner dead centre of the first crank; at a dead centre values before it count, too"
-    ),
-    "angles_off": words(
-        "$φ$ der ersten Kurbel von der Schubrichtung; im Totpunkt gelten auch die Werte davor"
-        "|$φ$ of the first crank from the slide direction; at a dead centre values before it count, too"
-    ),
-}
+WORDS = texts("conditions")["loaded"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)

@@ -24,28 +24,12 @@ from kurbel.motion.motion_quantities import registry
 from kurbel.motion.notes import force_notes, loaded_notes
 from kurbel.page.axes import Axis, ColumnAxis, Place, RatioAxis, angle_decimals, angle_number
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Quantity, Words, bare, enumerated, filled, for_ratio, words
+from kurbel.page.quantity import Column, Quantity, bare, enumerated, filled, for_ratio, texts, words
 from kurbel.page.subject import Subject, subject
 from kurbel.page.table import Field
 from kurbel.reading.notation import about
 
-WORDS: Mapping[str, Words] = {
-    "caption": words(
-        "{quantities} über dem Kolbenweg{for_ratio}; {method}"
-        "|{quantities} over the piston path{for_ratio}; {method}"
-    ),
-    "share": words("Kolbenweg in Teilen des Hubes|Piston path in strokes"),
-    "straight": words(
-        "$x$ und $φ$ von dem Totpunkt an, in dem der Hub beginnt; {stroke}"
-        "|$x$ and $φ$ from the dead centre where the stroke begins; {stroke}"
-    ),
-    "oblique": words(
-        "$x$ von dem Totpunkt an, in dem der Hub beginnt, $φ$ von der Schubrichtung an; {stroke}"
-        "|$x$ from the dead centre where the stroke begins, $φ$ from the slide direction; {stroke}"
-    ),
-    "length": words("$S$ Hub|$S$ stroke"),
-    "between": words(", $y$ zwischen Welle und Kreuzkopf|, $y$ between shaft and crosshead"),
-}
+WORDS = texts("conditions")["over"]
 # The angle at a path by the triangle of crank, rod and slide; of the return stroke it is the outer angle.
 _TRIANGLE = {
     "+": "$cos {angle} = (R^2 + y^2 - L^2)/(2 R y)$, $y = R + L - x$",

@@ -33,7 +33,7 @@ from kurbel.page.axes import (
     angle_text,
     method_of,
 )
-from kurbel.page.quantity import Column, Formula, Quantity, Words, words
+from kurbel.page.quantity import Column, Formula, Quantity, Words, texts, words
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 
@@ -189,19 +189,7 @@ def of_ratio(formula: Callable[[Any], Any], target: Callable[[], arb], greatest:
 
 
 NEAR_BITS = 120
-WORDS = {
-    "number": words("Lösung|Solution"),
-    "angles": words("den Winkeln $φ$|the angles $φ$"),
-    "first": words("mit dem ersten Wert:|with the first value:"),
-    "all": words(
-        "alle Werte über 0, bei denen die Bedingung gilt|all values above 0 with which the condition holds"
-    ),
-    "ratio": words(
-        "alle Kurbelverhältnisse unter {greatest}, bei denen die Bedingung gilt"
-        "|all crank ratios below {greatest} with which the condition holds"
-    ),
-    "none": words("bei den anderen Winkeln gilt sie nie|at the other angles it never holds"),
-}
+WORDS = texts("conditions")["unknown"]
 
 # What stands for an unknown in a German sentence, where it is not "die".
 _WHICH = {"pressure": "den", "stroke": "den", "ratio": "das"}

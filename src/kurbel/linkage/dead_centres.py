@@ -21,7 +21,7 @@ from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import DriveQuestion
 from kurbel.motion.notes import size_notes, turns_label
 from kurbel.page.axes import ColumnAxis, LetteredRatioAxis, Place
-from kurbel.page.quantity import Column, Formula, Need, Quantity, Words, entry, filled, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, Words, entry, filled, texts, words
 from kurbel.page.subject import Subject
 from kurbel.reading.given import as_speed
 
@@ -37,34 +37,7 @@ NAMES: Mapping[str, Words] = {
 # What of these swings.
 SWINGING = ("arc", "beam", "slotted")
 ROCKER = Need(lambda mechanism: mechanism in SWINGING)
-WORDS: Mapping[str, Words] = {
-    "angles": words(
-        "Totlagen von der Schubrichtung im Drehsinn; $Δ = φ_o - φ_i - 180°$,"
-        " $t_h:t_r = (180° + Δ):(180° - Δ)$"
-        "|Dead centres from the slide direction as the crank turns; $Δ = φ_o - φ_i - 180°$,"
-        " $t_h:t_r = (180° + Δ):(180° - Δ)$"
-    ),
-    "slide": words(
-        "$μ$ zwischen Schubstange und Senkrechter zur Schubrichtung"
-        "|$μ$ between the rod and the square to the slide"
-    ),
-    "arc": words(
-        "$S$ auf dem Bogen, $μ$ zwischen Schubstange und Schwinge"
-        "|$S$ along the arc, $μ$ between rod and rocker"
-    ),
-    "beam": words(
-        "Schubrichtung ist die Senkrechte durch die Welle; $S$ auf dem Bogen, $μ$ zwischen Schubstange und"
-        " Balancier"
-        "|The slide direction is the vertical through the shaft; $S$ along the arc, $μ$ between rod and beam"
-    ),
-    "slotted": words(
-        "$S$ des Stößels, $μ$ zwischen Stange und Senkrechter zur Schubrichtung"
-        "|$S$ of the ram, $μ$ between the rod and the square to the slide"
-    ),
-    "yoke": words(
-        "$S$ der Schleife, $μ$ zwischen Schlitz und Weg|$S$ of the yoke, $μ$ between the slot and its way"
-    ),
-}
+WORDS = texts("linkage")["dead_centres"]
 
 
 def drives_of(chosen: Mechanism, said: Described, ratios: Sequence[str]) -> tuple[Any, ...]:

@@ -44,7 +44,7 @@ from kurbel.motion.entries import spanned
 from kurbel.motion.evaluation import value
 from kurbel.motion.motion_quantities import Force
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis
-from kurbel.page.quantity import AND, Column, Formula, Quantity, Words, filled, words
+from kurbel.page.quantity import AND, Column, Formula, Quantity, filled, texts, words
 from kurbel.page.subject import OVER_AXES
 from kurbel.page.table import Field
 from kurbel.reading.given import as_number, as_places
@@ -198,24 +198,7 @@ MOST_AXLES = 12
 COUPLING = ("coupling_force", "coupling_force_n")
 SHARED = ("tangential_force", "tangential_force_n", "radial_force", "radial_force_n", "torque", "torque_nm")
 AXLE = words("Achse|Axle")
-WORDS: Mapping[str, Words] = {
-    "force": words(
-        "$F$ auf den Zapfen der getriebenen Achse, längs der Wellenlinie, positiv wie der Weg beim Hingang"
-        "|$F$ on the pin of the driven axle, along the line of shafts, positive as the path of the outstroke"
-    ),
-    "rods": words(
-        "Jede Kuppelstange trägt den Anteil der Achsen jenseits von ihr, von der getriebenen aus; $S$ steht"
-        " bei der Achse, die sie mit der nächsten verbindet"
-        "|Each coupling rod carries the share of the axles beyond it, seen from the driven one; $S$ stands at"
-        " the axle that it joins to the next"
-    ),
-    "points": words(
-        "Bei $0°$ und $180°$ gibt eine Kuppelstange kein Drehmoment weiter; dort trägt die der anderen Seite,"
-        " deren Kurbeln um $90°$ versetzt sind"
-        "|At $0°$ and $180°$ a coupling rod passes on no torque; there that of the other side carries, whose"
-        " cranks stand $90°$ apart"
-    ),
-}
+WORDS = texts("linkage")["parallel"]
 
 
 @dataclass(frozen=True, slots=True)

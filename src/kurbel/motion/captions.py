@@ -24,16 +24,7 @@ from kurbel.motion.evaluation import (
 )
 from kurbel.motion.notes import digits_text, drive_notes, force_notes, loaded_notes
 from kurbel.page.layouts import Layout
-from kurbel.page.quantity import (
-    AND,
-    Column,
-    Quantity,
-    Words,
-    enumerated,
-    filled,
-    for_ratio,
-    words,
-)
+from kurbel.page.quantity import AND, Column, Quantity, enumerated, filled, for_ratio, texts
 
 if TYPE_CHECKING:
     from kurbel.motion.motion_page import AngleQuestion, Request
@@ -62,43 +53,7 @@ SYMBOLS = {
 _SIGNED = ("{±}", "{sign}", "{turned}", "{ψ}", "{guide}", "{slant}")
 # For columns that the layout's own caption does not know.
 PLAIN_CAPTION = "{quantities}{for_ratio}; {method}"
-WORDS: Mapping[str, Words] = {
-    "outward": words(
-        "jenseits des äußeren Totpunkts bleiben die Richtungen die des Hingangs"
-        "|beyond the outer dead centre directions remain those of the outstroke"
-    ),
-    "difference": words(
-        "Unterschied: genauer Wert weniger Näherung, vor dem Runden gebildet."
-        "|Difference: exact value less first order, taken before rounding."
-    ),
-    "signs": words(
-        "oberes Zeichen: Hingang, unteres Zeichen: Rückgang|upper sign: outstroke, lower sign: return stroke"
-    ),
-    "first_order": words(
-        "Näherung der Massenkräfte: $(p R)/v^2 = cos {angle} {±} λ cos 2 {angle}$,"
-        " $ε_L/ω^2 = {turned}λ sin {angle}$; der Stangenwinkel $ψ$, mit dem die Stange drückt, ist genau"
-        "|Forces of the masses to first order: $(p R)/v^2 = cos {angle} {±} λ cos 2 {angle}$,"
-        " $ε_L/ω^2 = {turned}λ sin {angle}$; the angle $ψ$ at which the rod pushes is exact"
-    ),
-    "crank": words(
-        'Kurbel mit der Winkelbeschleunigung $α = {given} "rad/s"^2$, $α/ω^2 = {share}$'
-        '|Crank with the angular acceleration $α = {given} "rad/s"^2$, $α/ω^2 = {share}$'
-    ),
-    "p": words("zu $(p R)/v^2$ kommt $c/v · α/ω^2$|to $(p R)/v^2$ comes $c/v · α/ω^2$"),
-    "rod_acceleration": words("zu $ε_L/ω^2$ kommt $ω_L/ω · α/ω^2$|to $ε_L/ω^2$ comes $ω_L/ω · α/ω^2$"),
-    "common_acceleration": words("zu $p_2$ kommt $c/v · R α$|to $p_2$ comes $c/v · R α$"),
-    "turning_acceleration": words(
-        "von $p_4$ geht $(cos {angle})/(cos ψ) · R α$ ab|from $p_4$ goes $(cos {angle})/(cos ψ) · R α$"
-    ),
-    "torque": words(
-        "$M_d$ und $T$ ohne das, was Kurbel und Schwungrad beschleunigt"
-        "|$M_d$ and $T$ without what accelerates crank and flywheel"
-    ),
-    "offset_return": words(
-        "Rückgang bei $180° + {angle}$, vom äußeren Totpunkt und in Richtung des Rückgangs gerechnet"
-        "|Return at $180° + {angle}$, counted from the outer dead centre in the direction of the return"
-    ),
-}
+WORDS = texts("motion")["captions"]
 
 
 def caption(question: Request, chosen: bool | None = None) -> Label:

@@ -27,7 +27,7 @@ from kurbel.motion.motion_page import MOTION, Request
 from kurbel.motion.notes import drive_notes
 from kurbel.page.axes import Place
 from kurbel.page.layouts import LayoutColumn
-from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio, words
+from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio, texts
 
 # Of a first guess, which exact digits put right, and so many of them are sure.
 _BITS, _SURE_BITS = 128, 40
@@ -89,32 +89,7 @@ MOST_STEPS = 9
 DECIMALS = 6
 EXACT, COUNT = "gf", "gf_steps"
 FORMULA = "$overline(G F)_(k+1) = overline(C F)^2/(2 L - overline(G F)_k)$"
-WORDS = {
-    "formula": words(
-        "{formula} mit $overline(G F)_0 = 0$, $overline(C F) = R sin {angle}$;"
-        " genau $overline(G F) = L (1 - cos ψ)$, $sin ψ = λ sin {angle}$, $λ = {ratio}$"
-        "|{formula} with $overline(G F)_0 = 0$, $overline(C F) = R sin {angle}$;"
-        " exact $overline(G F) = L (1 - cos ψ)$, $sin ψ = λ sin {angle}$, $λ = {ratio}$"
-    ),
-    "bound": words(
-        "Jeder Schritt lässt weniger als den $q$-ten Teil des Fehlers,"
-        " $q = overline(G F)/(2 L - overline(G F)) = tan^2 (1/2 ψ)$:"
-        " $0 < overline(G F) - overline(G F)_k < q^k overline(G F)$"
-        "|Each step leaves less than $q$ times the error,"
-        " $q = overline(G F)/(2 L - overline(G F)) = tan^2 (1/2 ψ)$:"
-        " $0 < overline(G F) - overline(G F)_k < q^k overline(G F)$"
-    ),
-    "steps": words(
-        "Schritte: nach so vielen stehen {count} Stellen von $overline(G F)/R$ und bleiben"
-        "|Steps: after so many {count} places of $overline(G F)/R$ stand, and stay"
-    ),
-    "never": words(
-        "ohne Zahl: der genaue Wert liegt in der Mitte zwischen zwei gedruckten und ist aufgerundet, jeder"
-        " Schritt liegt darunter"
-        "|without a number: the exact value is half-way between two printed ones and rounded up, and the"
-        " steps lie below it"
-    ),
-}
+WORDS = texts("motion")["chord"]
 _NAME = "GF nach {0} Schritten|GF after {0} steps"
 
 

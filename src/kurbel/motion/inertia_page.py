@@ -23,7 +23,16 @@ from kurbel.motion.motion_quantities import registry
 from kurbel.motion.notes import connecting_rod, drive_notes, gyration_text
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import layout
-from kurbel.page.quantity import Column, Formula, Quantity, bare, entry, enumerated_letters, for_ratio, words
+from kurbel.page.quantity import (
+    Column,
+    Formula,
+    Quantity,
+    bare,
+    entry,
+    enumerated_letters,
+    for_ratio,
+    texts,
+)
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 
@@ -39,18 +48,7 @@ SAME = ("X", "P", "A_2", "A_5", "A_x", "A", "B_2", "B_x", "B", "H")
 OPPOSITE = ("N", "Y", "M_d", "A_4", "A_y", "B_4", "B_y")
 # Of what is in no unit of its own.
 UNITS = "M R ω², M R² ω²"
-WORDS = {
-    "mirrored": words("bei $360° - φ$ |at $360° - φ$ "),
-    "same": words("{letters} gleich|{letters} the same"),
-    "opposite": words("{letters} entgegengesetzt|{letters} opposite"),
-    "force": words("Kraft|Force"),
-    "rod": words("Stange|Rod"),
-    "errors": words(
-        "größter Fehler in % der größten genauen Kraft der Umdrehung{where}: "
-        "|greatest error in % of the greatest exact force of the turn{where}: "
-    ),
-    "model": words("Ersatz der Stange|In place of the rod"),
-}
+WORDS = texts("motion")["inertia"]
 
 
 # A kernel call takes the peak of a force or of an error, that of the exact force, and a kind of number.

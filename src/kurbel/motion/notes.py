@@ -15,47 +15,12 @@ from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text
 from kurbel.kernel.circle import Numeric, root
 from kurbel.motion.evaluation import OUT, RETURN
-from kurbel.page.quantity import Words, words
+from kurbel.page.quantity import Words, texts
 from kurbel.reading.amounts import amount, unit_of_page
 from kurbel.reading.notation import ratio_text
 from kurbel.reading.units import Speed
 
-WORDS: Mapping[str, Words] = {
-    "offset": words(
-        "Geschränkt, $e = {offset} R$, $R:L = {ratio}$: Totlagen $φ_i = {inner}°$ und $φ_o = {outer}°$, Hub "
-        "${stroke} R$"
-        "|Offset $e = {offset} R$, $R:L = {ratio}$: dead centres at $φ_i = {inner}°$ and $φ_o = {outer}°$, "
-        "stroke ${stroke} R$"
-    ),
-    "speed": words(
-        "; {turns}$v = {pin} {unit}$, mittlere Kolbengeschwindigkeit $c_m = {mean} {unit}$, $v:c_m = "
-        "{quotient}$"
-        "|; {turns}$v = {pin} {unit}$, mean piston speed $c_m = {mean} {unit}$, $v:c_m = {quotient}$"
-    ),
-    "masses": words("Massen: |Masses: "),
-    "weightless": words(
-        "Gewicht der Massen nicht gerechnet (--slope)|Weight of the masses left out (--slope)"
-    ),
-    "reciprocating": words("Kolben und Kreuzkopf|piston and crosshead"),
-    "rotating": words("Kurbel weniger Gegengewicht, am Zapfen|crank less counterweight, at its pin"),
-    "connecting_rod": words(
-        "Schubstange: Schwerpunkt $a = {centre} {length}$ vom Kreuzkopfzapfen, $k = {gyration} {length}$, "
-        "$k^2 - a b = {couple} {length}^2${mass}"
-        "|Rod: centre of mass $a = {centre} {length}$ from the crosshead pin, $k = {gyration} {length}$, "
-        "$k^2 - a b = {couple} {length}^2${mass}"
-    ),
-    "swing": words(
-        '; {found} aus der Dauer ${time} "s"$ einer Schwingung hin und her um {point}'
-        '|; {found} from the time ${time} "s"$ of a swing to and fro about {point}'
-    ),
-    "swing_too": words(' und ${time} "s"$ um {point}| and ${time} "s"$ about {point}'),
-    "swing_0": words("den Kreuzkopfzapfen|the crosshead pin"),
-    "swing_1": words("den Kurbelzapfen|the crank pin"),
-    "swing_at": words(
-        "den Punkt ${place} {length}$ vom Kreuzkopfzapfen|the point ${place} {length}$ from the crosshead pin"
-    ),
-    "swing_both": words("$a$ und $k$|$a$ and $k$"),
-}
+WORDS = texts("motion")["notes"]
 
 
 def drive_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
@@ -205,51 +170,7 @@ def _root(square: Fraction) -> str:
     return figure(found) if found * found == square and finite_decimals(found) is not None else ""
 
 
-ACTING = {
-    "weight": words(
-        "Gewicht {parts}: Schubrichtung unter ${angle}°$ gegen die Waagerechte, {where}, $g = {gravity}$"
-        "|Weight of {parts}: slide at ${angle}°$ to the horizontal, {where}, $g = {gravity}$"
-    ),
-    "pressures": words(
-        "$F = π/4 ({cover} p_D - {other} p_K)$ zur Welle hin: $p_D = {head}$ auf der"
-        " Deckelseite, $p_K = {crank}$ auf der Kurbelseite, über dem Druck der Umgebung"
-        "|$F = π/4 ({cover} p_D - {other} p_K)$ towards the shaft: $p_D = {head}$ on the"
-        " side of the cover, $p_K = {crank}$ on that of the crank, above the surroundings"
-    ),
-    "difference": words(
-        "$F = π/4 d^2 Δp$ zur Welle hin: auf der Deckelseite $Δp = {head}$ mehr"
-        "|$F = π/4 d^2 Δp$ towards the shaft: $Δp = {head}$ more on the side of the cover"
-    ),
-    "rods": words(
-        "{rods}: Kolbenstange und durchgeführte Stange auf ihrer Seite von der Kolbenfläche abgezogen; auf"
-        " ihren Querschnitt wirkt kein Druck, auch nicht der der Luft"
-        "|{rods}: areas of piston rod and tail rod taken off on their sides of the piston; no pressure acts"
-        " on their sections, not even that of the atmosphere"
-    ),
-    "pins": words(
-        "$M_R$ weniger dem, was die Zapfen nehmen, mit Reibungskreisen $d/2 sin ρ$, $tan ρ = {friction}$:"
-        " Kreuzkopfzapfen $d = {crosshead}$, Kurbelzapfen $d = {crank}$, Welle $d = {shaft}$"
-        "|$M_R$ less what the pins take, with circles of friction $d/2 sin ρ$, $tan ρ = {friction}$:"
-        " crosshead pin $d = {crosshead}$, crank pin $d = {crank}$, shaft $d = {shaft}$"
-    ),
-    "shaft": words(
-        "$α = {torque}/J$ der Welle: $J = {inertia}${power}"
-        "|$α = {torque}/J$ of the shaft: $J = {inertia}${power}"
-    ),
-    "friction": words("Reibung ${force}$ gegen die Bewegung|Friction ${force}$ against the motion"),
-    "reciprocating": words("von Kolben und Kreuzkopf|piston and crosshead"),
-    "rod": words("der Schubstange|rod"),
-    "all": words("von Kolben, Kreuzkopf und Schubstange|piston, crosshead and rod"),
-    "above": words("Zylinder über der Welle|cylinder above the shaft"),
-    "below": words("Zylinder unter der Welle|cylinder below the shaft"),
-    "level": words("Zylinder neben der Welle|cylinder beside the shaft"),
-    "over": words(
-        ", Kurbelzapfen auf dem Hingang über der Welle|, crank pin above the shaft on the outstroke"
-    ),
-    "under": words(
-        ", Kurbelzapfen auf dem Hingang unter der Welle|, crank pin below the shaft on the outstroke"
-    ),
-}
+ACTING = texts("motion")["acting"]
 
 
 def weight_notes(moving: Moving, lang: str) -> Iterator[Label]:

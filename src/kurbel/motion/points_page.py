@@ -34,72 +34,13 @@ from kurbel.motion.point_quantities import (
 from kurbel.motion.points import RodPoint, decimals_of, with_points
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import Layout, LayoutColumn
-from kurbel.page.quantity import Column, Quantity, Words, bare, enumerated, filled, for_ratio, words
+from kurbel.page.quantity import Column, Quantity, bare, enumerated, filled, for_ratio, texts, words
 from kurbel.page.steps import Scene
 from kurbel.page.subject import Subject
 from kurbel.page.subject import subject as registered
 from kurbel.page.table import Field
 
-WORDS: Mapping[str, Words] = {
-    "one": words("des Punktes {point} der {rod}|of the point {point} of the {rod}"),
-    "several": words("von Punkten der {rod}|of points of the {rod}"),
-    "rod": words("Schubstange|connecting rod"),
-    "parallel": words("Koppel|coupling rod"),
-    "point": words(
-        "$s$ vom {driven} $B$ ($s = 0$) zum Kurbelzapfen $A$ ($s = 1$), in Stangenlängen"
-        "|$s$ from the {driven} $B$ ($s = 0$) to the crank pin $A$ ($s = 1$), in rod lengths"
-    ),
-    "beside": words(
-        "; $t$ quer zur Stange, ebenso, nach der Seite des Kurbelzapfens beim Hingang"
-        "|; $t$ beside its axis, likewise, on the side of the crank pin during the outstroke"
-    ),
-    "crosshead": words("Kreuzkopfzapfen|crosshead pin"),
-    "rocker": words("Zapfen der Schwinge|pin of the rocker"),
-    "along": words(
-        "$ξ$ längs der Schubrichtung nach der Welle hin, vom Ort des Punktes im inneren Totpunkt an"
-        "|$ξ$ along the slide towards the shaft, from where the point is at the inner dead centre"
-    ),
-    "across": words(
-        "$η$ von der Geraden durch die Welle in der Schubrichtung an, nach der Seite des Kurbelzapfens beim"
-        " Hingang"
-        "|$η$ from the line through the shaft along the slide, to the side of the crank pin during the"
-        " outstroke"
-    ),
-    "shafts": words(
-        "$ξ$ längs der Wellenlinie, von $φ = 0$ an in der Richtung des Hinganges; $η$ quer, nach der Seite"
-        " des Kurbelzapfens beim Hingang"
-        "|$ξ$ along the line of shafts, from $φ = 0$ in the direction of the outstroke; $η$ square to it, to"
-        " the side of the crank pin during the outstroke"
-    ),
-    "signs": words(
-        "Geschwindigkeiten und Beschleunigungen in denselben Richtungen positiv"
-        "|velocities and accelerations positive in the same directions"
-    ),
-    "directions": words(
-        "$γ$ wie $φ$ gezählt, von der Richtung der Welle zum inneren Totpunkt im Drehsinn der Kurbel"
-        "|$γ$ counted as $φ$, from the direction of the shaft to the inner dead centre, as the crank turns"
-    ),
-    "ellipse": words(
-        "Die Punkte einer unendlich langen Stange laufen auf Ellipsen mit den Halbachsen $R$ längs und $s R$"
-        " quer"
-        "|The points of an infinitely long rod run on ellipses of the semi-axes $R$ along and $s R$ across"
-    ),
-    "vectors": words(
-        "Jeder Vektor des Punktes ist $1 - s$ mal der des Endes $B$ und $s$ mal der des Kurbelzapfens $A$"
-        "|Every vector of the point is $1 - s$ times that of the end $B$ and $s$ times that of the crank pin"
-        " $A$"
-    ),
-    "turned": words(
-        ", dazu $t$ mal der von $B$ nach $A$, um $90°$ gedreht"
-        "|, and $t$ times that from $B$ to $A$, turned by $90°$"
-    ),
-    "circle": words(
-        "Jeder Punkt der Koppel läuft wie der Kurbelzapfen, auf einem Kreis vom Halbmesser $R$; $η$ zählt von"
-        " dessen Mitte an"
-        "|Every point of the coupling rod moves as the crank pin, on a circle of radius $R$; $η$ counts from"
-        " its centre"
-    ),
-}
+WORDS = texts("motion")["points"]
 
 
 def caption(question: PointsRequest) -> Label:

@@ -34,7 +34,7 @@ from kurbel.motion.evaluation import Needs
 from kurbel.motion.motion_page import CrankQuestion
 from kurbel.motion.notes import drive_notes
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, filled, for_ratio, words
+from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, filled, for_ratio, texts, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 
@@ -94,19 +94,7 @@ class Greatest:
 
 ORDERS = (1, 3, 5, 7, 9)
 DEGREE_DECIMALS = 4
-WORDS = {
-    "order": words("Ordnung|Order"),
-    "over": words(
-        "größter Betrag des Unterschieds von genauem Wert und Reihe bis $λ^n$ über die ganze Umdrehung, auf"
-        " beiden Hüben gleich; ebenso bei $180° - φ$, $180° + φ$ und $360° - φ$"
-        "|greatest magnitude of exact value less series up to $λ^n$ over the whole turn, the same on both"
-        " strokes; also at $180° - φ$, $180° + φ$ and $360° - φ$"
-    ),
-    "left": words(
-        "Erstes weggelassenes Glied von $x/R$: {terms}, $λ = {ratio}$"
-        "|First term of $x/R$ that is left out: {terms}, $λ = {ratio}$"
-    ),
-}
+WORDS = texts("motion")["series_errors"]
 
 
 class Erring(NamedTuple):
