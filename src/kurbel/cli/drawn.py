@@ -11,6 +11,7 @@ from kurbel.books.constructions.construction_page import construction, construct
 from kurbel.books.constructions.model import Construction
 from kurbel.cli.drawings import check_moving, check_terminal, suffix_of, write
 from kurbel.cli.listing import Listing, form_of_list, plain_lines, show_list
+from kurbel.cli.manual.command import with_examples
 from kurbel.cli.options import (
     FormatName,
     Given,
@@ -42,10 +43,10 @@ the steps to click through; other formats and --table are the table. Drawings ne
 NAME the constructions are listed.
 
 \b
-kurbel construct
-kurbel construct blau-9 --ratio 1:4 --angle 50
-kurbel construct blau-9 --ratio 1:4 --angle 50 -o fig9.svg
-kurbel construct blau-9 --ratio 1:4 --angle 50 -o fig9.html
+kurbel construct  # all there are
+kurbel construct blau-9 --ratio 1:4 --angle 50  # its lengths
+kurbel construct blau-9 --ratio 1:4 --angle 50 -o fig9.svg  # drawn
+kurbel construct blau-9 --ratio 1:4 --angle 50 -o fig9.html  # to click through
 kurbel construct roetscher-1047-line --offset 0.3 --ratio 1:4 -o abb1047.pgf
 kurbel construct forces --ratio 1:4 -o kraefte.pdf
 kurbel construct blau-9 --ratio 1:4 --angle 50 --table -o fig9.tex
@@ -97,7 +98,7 @@ class ConstructCommand(TableCommand):
             own["width"],
             own["height"],
         ]
-        self.help = HELP
+        self.help, self.examples = with_examples(HELP)
 
     def made(self, given: Given) -> tuple[Table | Drawing, int]:
         if given.values["name"] is None:

@@ -10,6 +10,7 @@ from click.core import augment_usage_errors
 
 from kurbel.cli import say
 from kurbel.cli.manual.command import TopicCommand
+from kurbel.cli.manual.examples import SWEEPS
 from kurbel.cli.options import Given, help_of
 from kurbel.cli.sweep import SweepRequest, own_options, running, running_options, sweep_options
 from kurbel.cli.sweep_file import FILE
@@ -41,6 +42,8 @@ class SweepCommand(TopicCommand):
             in_short=command.asks.in_short,
         )
         self.place, self.asking = place, command
+        line = f"kurbel sweep {name} {SWEEPS[name]}"
+        self.examples = [(line, "into a file"), (f"{line} --dry-run", "how much, how long")]
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         with augment_usage_errors(ctx):

@@ -65,9 +65,10 @@ class FiringOptions(Arranged, OnMachine, Layouts, Plain, CommandOptions):
     """Print the firing orders that an engine's cranks allow; with --order the cranks that it needs.
 
     \b
-    kurbel firing --cranks '0;180;180;0'
+    kurbel firing --engine inline-4  # all orders
+    kurbel firing --engine inline-6 --order 1-5-3-6-2-4  # one order
+    kurbel firing --cranks '0;180;180;0'  # by its cranks
     kurbel firing --engine v8-90
-    kurbel firing --order 1-5-3-6-2-4
     kurbel firing --order 1-2 --banks '0;45' --intervals '405;315'
     \f
     >>> import kurbel
@@ -145,7 +146,10 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
     balance-greatest has the greatest over the turn.
 
     \b
-    kurbel balance --engine inline-4 --ratio 1:4
+    kurbel balance --engine inline-4  # an engine by its name
+    kurbel balance --cranks '0;180;180;0' --spacing 100mm --reciprocating 1kg --speed 50/s \
+--stroke 80mm  # in N
+    kurbel balance --cranks '0;90' --ratio 1:5  # by its cranks
     kurbel balance --engine v2-90 --share 0.5 --orders 6
     kurbel balance --cranks '0;0;90;90' --positions '0;0;1;1' --banks '-45;45;-45;45'
     kurbel balance --reciprocating 2kg --stroke 90mm --speed 3000/min --spacing 100mm

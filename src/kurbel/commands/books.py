@@ -57,10 +57,10 @@ class CollateOptions(Layouts, Worded, CommandOptions):
     Of formulas it prints whether each follows from the one before.
 
     \b
-    kurbel collate roetscher-112
-    kurbel collate weisbach-150 --only deviations --lang en
+    kurbel collate roetscher-112  # a table of a book
+    kurbel collate weisbach-150 --only deviations  # what is not right there
+    kurbel collate --csv scan.csv --quantity p --ratio 1:4 --method series  # your own transcription
     kurbel collate blau-equations
-    kurbel collate --csv scan.csv --quantity p --ratio 1:4 --method series --strict
     \f
     >>> import kurbel
     >>> page = kurbel.collate(
@@ -122,9 +122,9 @@ class ExampleOptions(Worded, CommandOptions):
     With numbers of one's own the same steps are worked with these. Without NUMBER the examples are listed.
 
     \b
-    kurbel example
-    kurbel example blau 33
-    kurbel example blau 33 --ratio 1:4,5
+    kurbel example  # all there are
+    kurbel example blau 33  # one of them
+    kurbel example blau 33 --ratio 1:4,5  # your own number
     \f
     >>> import kurbel
     >>> print(kurbel.typeset(kurbel.example("blau", 35), "csv").splitlines()[-1])

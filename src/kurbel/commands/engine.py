@@ -152,8 +152,10 @@ class DeltaOptions(EngineWithWheel):
     ratio ε, of a compressor over its pressure ratio, of a pump, of the cycle of a gas engine.
 
     \b
-    kurbel delta --eps 2..6
-    kurbel delta --pressure-ratio 2..6 --exponent 1.3 --clearance 4%
+    kurbel delta --eps 4 --ratio 1:5  # cut-off after a quarter
+    kurbel delta --eps 2..6 --ratio '1:4;1:5'  # a table of both
+    kurbel delta --machine engine.toml  # with its masses
+    kurbel delta --pressure-ratio 4 --clearance 5%  # a compressor
     kurbel delta --pump --cranks '0;90'
     kurbel delta --compression 5..8 --heat 10
     kurbel delta --eps 2 --detail
@@ -232,9 +234,11 @@ class TurningOptions(EngineWithWheel, Diagram):
     crank angle; without an engine a turning-moment diagram, by its torque or its areas.
 
     \b
-    kurbel turning --eps 4 --ratio 1:5
+    kurbel turning --eps 4 --ratio 1:5  # without dimensions
+    kurbel turning --machine engine.toml  # a machine, in N and J
+    kurbel turning --eps 4 --cranks '0;90'  # two cylinders
+    kurbel turning --torque '5000 + 1500 sin(3φ)'  # a diagram without an engine
     kurbel turning --pressure-ratio 3 --clearance 5%
-    kurbel turning --eps 4 --cranks '0;90' --step 15
     kurbel turning --eps 4 --step 0.5 -f csv -o drehkraft.csv
     kurbel turning --eps 4 --flywheel 50 --columns phi,speed
     kurbel turning --torque '5000 + 1500 sin(3φ)' --load-torque '5000 + 600 sin φ'

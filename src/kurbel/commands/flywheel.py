@@ -51,13 +51,14 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
     Without an engine what is given of swing, speed, irregularity, flywheel and rim finds the rest.
 
     \b
-    kurbel flywheel --power 50kW --speed 120/min --delta 1:100 --eps 4 --ratio 1:5
+    kurbel flywheel --power 50kW --speed 120/min --delta 1:100 --eps 4  # steam
+    kurbel flywheel --swing 5kJ --speed 300/min --delta ±1% --radius 1m  # a swing
+    kurbel flywheel --areas '+52;-124;+72' --area-scale '500 N m; 6°' --speed 600/min \
+--delta ±1.5%  # a diagram
     kurbel flywheel --power 50kW --speed 120/min --delta '1:50;1:100' --eps 4 --radius 1.5m
-    kurbel flywheel --swing 5kJ --speed 300/min --delta ±1% --radius 1m
     kurbel flywheel --swing 56kJ --speed 120/min --mass 6.5t --radius 1.8m
     kurbel flywheel --power 300kW --speed 90/min --energy-fluctuation 0.1 --delta ±0.5% --radius 2m
     kurbel flywheel --torque '5000 + 1500 sin(3φ)' --speed 300/min --inertia 200kgm2
-    kurbel flywheel --areas '+52;-124;+72' --area-scale '500 N m; 6°' --speed 600/min --delta ±1.5%
     kurbel flywheel --power 3kW --work 10kJ --duration 1s --greatest-speed 300/min --mass 150kg --radius 0.6m
     kurbel flywheel --work 10kJ --strokes 30/min --share 1/4 --speed 200..225/min --radius 0.5m
     kurbel flywheel --swing 56kJ --speed 120/min --delta 1:60 --rim-diameter 3m --density 7200kg/m³

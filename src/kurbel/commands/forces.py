@@ -32,15 +32,15 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, TurningShaft
     steam engine.
 
     \b
+    kurbel forces --force 10kN --stroke 600mm  # in N and N m
+    kurbel forces --eps 4 --bore 300mm --pressure 8bar  # a steam engine
+    kurbel forces --machine engine.toml --angle '30;60'  # at two angles
+    kurbel forces --mechanism arc --ratio 1:5 --rocker 6  # of a rocker
     kurbel forces --ratio 1:5
-    kurbel forces --ratio 1:5 --force 10kN --stroke 600mm
     kurbel forces --ratio 1:5 --at tangent
-    kurbel forces --mechanism arc --ratio 1:5 --rocker 6
     kurbel forces --mechanism parallel --axles '14;15;14' --driven 2
-    kurbel forces --eps 4 --bore 300mm --pressure 8bar
     kurbel forces --pressure-ratio 4 --bore 300mm --suction-pressure 1bar
     kurbel forces --eps 4 --layout rod-load
-    kurbel forces --machine engine.toml
     \f
     >>> import kurbel
     >>> page = kurbel.forces("3:4", at="tangent", columns="phi,rod_force,guide_force")

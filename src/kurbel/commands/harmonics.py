@@ -23,8 +23,9 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
     """Print the harmonics of the piston's motion, coefficients of cos φ, cos 2φ, ..., or those of the torque.
 
     \b
-    kurbel harmonics --ratio 1:5
-    kurbel harmonics --ratio '1:4;1:5' --quantity x --orders 10 --digits 12
+    kurbel harmonics --ratio 1:5  # of the motion
+    kurbel harmonics --machine engine.toml --quantity torque  # of the torque
+    kurbel harmonics --ratio 1:5 --orders 8 --digits 6  # up to the eighth
     kurbel harmonics --quantity torque --eps 4 --cranks '0;90'
     kurbel harmonics --layout excitation --machine engine.toml -f csv -o excitation.csv
     \f

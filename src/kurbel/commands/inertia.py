@@ -36,7 +36,9 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
     rod-masses the masses themselves, and those that are dynamically equivalent.
 
     \b
-    kurbel inertia --ratio 1:5 --centre 0.65 --gyration 0.35
+    kurbel inertia --centre 0.6 --gyration 0.3  # without dimensions
+    kurbel inertia --centre 0.6 --gyration 0.3 --digits 6  # more decimals
+    kurbel inertia --machine engine.toml  # in newtons
     kurbel inertia --rod-file rod.csv --stroke 600mm --speed 120/min
     kurbel inertia --centre 0.65 --gyration 0.35 --layout inertia-errors
     kurbel inertia --rod 500mm --centre 325mm --pendulum 1.3s --pendulum-from crosshead --layout rod-masses

@@ -78,11 +78,11 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
     """Print a table of piston path, velocity and acceleration.
 
     \b
-    kurbel table --ratio 1:5
-    kurbel table --ratio '1:4;1:4,5' --step 15 --to 180 -f latex -o anhang.tex
+    kurbel table --ratio 1:5  # the motion
+    kurbel table --stroke 600mm --rod 1500mm --speed 120/min  # in m and m/s
+    kurbel table --ratio '1:4;1:4,5' --step 15 -o table.tex  # for LaTeX
+    kurbel table --mechanism arc --ratio 1:5 --rocker 6  # of a rocker
     kurbel table --layout roetscher-112 --ratio 1:5 --ratio 1:4,5 --ratio 1:4
-    kurbel table --stroke 600mm --rod 1500mm --speed 120/min
-    kurbel table --mechanism arc --ratio 1:5 --rocker 6
     kurbel table --ratio 1:5 --angle 's=0..100%:5%'
     kurbel table --ratio 1:5 --angle psi=max
     kurbel table --ratio 1:5 --point 0.5
@@ -218,9 +218,10 @@ class DeadCentresOptions(Linked, Speed, Layouts, Sheet, CommandOptions):
     μ and ν of the rod in the dead centres, their distance, the small paths.
 
     \b
-    kurbel deadcentres --beam 3 --ratio 1:5
+    kurbel deadcentres --ratio 1:4 --offset 0.3  # of an offset crank
+    kurbel deadcentres --mechanism beam --beam 3  # of a beam engine
+    kurbel deadcentres --mechanism arc --ratio 1:5 --rocker 6  # of a rocker
     kurbel deadcentres --beam 3 --ratio 1:5 --exact
-    kurbel deadcentres --mechanism arc --ratio 1:5 --rocker 6
     kurbel deadcentres --ratio 1:4 --offset 0.5 --stroke 600mm --speed 120/min
     \f
     >>> import kurbel

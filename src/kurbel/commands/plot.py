@@ -46,10 +46,10 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
     forces.svg. Drawings need the extra `plot`.
 
     \b
-    kurbel plot --positions 30 --ratio 1:5 -o kurbeltrieb.svg
+    kurbel plot --positions 30 --ratio 1:5 -o drive.svg  # to scale
+    kurbel plot --point 0.5 --ratio 1:5 -o coupler.svg  # the path of a point
+    kurbel plot --animate --ratio 1:4 -o turn.html  # what moves
     kurbel plot --positions '30;90;150' --mechanism arc --rocker 6 -o bogenschubkurbel.pdf
-    kurbel plot --point 0.5 --ratio 1:5 -o koppelkurve.svg
-    kurbel plot --animate --ratio 1:4 -o drehung.html
     """
 
     topic = "question"

@@ -73,8 +73,11 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     stroke or speed that a power asks for, and the steam taken.
 
     \b
+    kurbel power --machine engine.toml  # of a machine
+    kurbel power --power 50kW --mean-pressure 3bar --speed 120/min --stroke 600mm \
+--working-strokes 2  # the bore for a power
+    kurbel power --eps 4 --pressure 8bar --bore 300mm --stroke 600mm --speed 2/s  # of an ideal card
     kurbel power --eps 3 --pressure 8bar --back 1.1bar --clearance 8% --diagram-factor 0.8
-    kurbel power --eps 3 --pressure 8bar --back 1.1bar --bore 300mm --stroke 450mm --speed 200/min
     kurbel power --eps 3 --pressure 8bar --back 1.1bar --power 75kW --stroke-bore 1.5 --speed 250/min
     kurbel power --mean-pressure 5bar --working-strokes 2 --bore 300mm --stroke 450mm --speed 200/min
     kurbel power --compression 6 --heat 10 --suction-pressure 1bar --cylinders 4 --power 30kW \
@@ -468,7 +471,8 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
     --eps or --card it stands alone.
 
     \b
-    kurbel pressures --machine engine.toml
+    kurbel pressures --machine engine.toml  # of a machine
+    kurbel pressures --machine engine.toml --shares '25%;50%'  # at two places
     kurbel pressures --reciprocating 300kg --stroke 600mm --bore 300mm --speed 120/min
     kurbel pressures --machine engine.toml --angle 0..360:15
     \f

@@ -60,8 +60,9 @@ class RotorOptions(OnMachine, Speed, Layouts, Sheet, CommandOptions):
     complete balance, and two planes in place of a mass with its angle.
 
     \b
+    kurbel rotor --masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120' --planes '0;200mm' \
+--balance-planes '50mm;150mm' --balance-radii 100mm  # what balances two masses
     kurbel rotor --masses '200;300;400kg' --radii '80;70;60mm' --angles '0;45;115'
-    kurbel rotor --masses '12;9kg' --radii 5cm --angles '0;70' --planes '0;3cm' --balance-planes '1;5cm'
     kurbel rotor --masses '?;9;5;4kg' --radii 10cm --angles '?;0;?;?' --planes '0;0.6;1.2;1.8m'
     kurbel rotor --masses 3kg --radii 2cm --angles 0 --planes 20cm --bearings '0;1m' --speed 900/min
     \f
@@ -197,8 +198,10 @@ class LocomotiveOptions(OnMachine, Speed, Layouts, Sheet, CommandOptions):
     lift, and the largest share.
 
     \b
-    kurbel locomotive --spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg --speed 300/min
-    kurbel locomotive --spacing 2m --gauge 1.5m --stroke crank:30cm --reciprocating 240kg --share 2/3
+    kurbel locomotive --spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg \
+--speed 300/min  # by shares
+    kurbel locomotive --spacing 2m --gauge 1.5m --stroke crank:30cm --reciprocating 240kg \
+--share 2/3  # for one share
     \f
     >>> import kurbel
     >>> page = kurbel.locomotive(

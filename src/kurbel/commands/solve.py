@@ -54,7 +54,10 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
     number than the angle, with which a condition holds at one.
 
     \b
-    kurbel solve --ratio 1:5 --method series --where p=0
+    kurbel solve --ratio 1:5 --where p=0  # no acceleration
+    kurbel solve --ratio 1:5 --where c=max  # the greatest velocity
+    kurbel solve --ratio 1:5 --where 's = 25%'  # a quarter of the stroke
+    kurbel solve --machine engine.toml --where torque=max  # the greatest torque
     kurbel solve --ratio '1:4;1:5' --where s=25% --where c=max
     kurbel solve --stroke 600mm --rod 1500mm --speed 120/min --where "c = 3 m/s"
     kurbel solve --ratio 1:5 --mechanism arc --rocker 6 --where acceleration=0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
 WHOLE = "all"
+# An example of the help, and what it is, which -h says.
+_EXAMPLE = re.compile(r"^(kurbel .*?)  # (.*)$", re.MULTILINE)
 
 
 class TopicName(click.ParamType):  # type: ignore[type-arg]
@@ -61,10 +64,11 @@ class HelpOption(click.Option):
 
 class TopicCommand(click.Command):
     """A command whose options stand in topics, `in_short` those that one needs first. What it asks for has no
-    words but behind options."""
+    words but behind options. Of the examples of its help -h has those that say what they are."""
 
-    def __init__(self, *args: Any, in_short: str, **more: Any) -> None:
-        super().__init__(*args, **more)
+    def __init__(self, name: str, help: str, in_short: str, **more: Any) -> None:
+        text, self.examples = with_examples(help)
+        super().__init__(name, help=text, **more)
         self.in_short = in_short
         self.add_help_option = False
         short = click.Option(
@@ -95,6 +99,11 @@ class TopicCommand(click.Command):
         from kurbel.cli.manual.help import write_options
 
         write_options(self, ctx, formatter)
+
+
+def with_examples(help: str) -> tuple[str, list[tuple[str, str]]]:
+    """Return a help without what its examples are, and those that say it."""
+    return _EXAMPLE.sub(r"\1", help), _EXAMPLE.findall(help)
 
 
 def _show(context: click.Context, parameter: click.Parameter, asked: str | None) -> None:

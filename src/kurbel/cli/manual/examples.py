@@ -1,123 +1,13 @@
-"""Lines that a help shows: of each command a few with what each is, of each topic one."""
+"""Lines that a help shows: of each sweep one, and of each topic one."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import click
 
 from kurbel.cli.manual.topics import is_sweep
 
-# What stands behind the command, and what it is.
-SHORT: Mapping[str, Sequence[tuple[str, str]]] = {
-    "table": (
-        ("--ratio 1:5", "the motion"),
-        ("--stroke 600mm --rod 1500mm --speed 120/min", "in m and m/s"),
-        ("--ratio '1:4;1:4,5' --step 15 -o table.tex", "for LaTeX"),
-        ("--mechanism arc --ratio 1:5 --rocker 6", "of a rocker"),
-    ),
-    "forces": (
-        ("--force 10kN --stroke 600mm", "in N and N m"),
-        ("--eps 4 --bore 300mm --pressure 8bar", "a steam engine"),
-        ("--machine engine.toml --angle '30;60'", "at two angles"),
-        ("--mechanism arc --ratio 1:5 --rocker 6", "of a rocker"),
-    ),
-    "inertia": (
-        ("--centre 0.6 --gyration 0.3", "without dimensions"),
-        ("--centre 0.6 --gyration 0.3 --digits 6", "more decimals"),
-        ("--machine engine.toml", "in newtons"),
-    ),
-    "solve": (
-        ("--ratio 1:5 --where p=0", "no acceleration"),
-        ("--ratio 1:5 --where c=max", "the greatest velocity"),
-        ("--ratio 1:5 --where 's = 25%'", "a quarter of the stroke"),
-        ("--machine engine.toml --where torque=max", "the greatest torque"),
-    ),
-    "delta": (
-        ("--eps 4 --ratio 1:5", "cut-off after a quarter"),
-        ("--eps 2..6 --ratio '1:4;1:5'", "a table of both"),
-        ("--machine engine.toml", "with its masses"),
-        ("--pressure-ratio 4 --clearance 5%", "a compressor"),
-    ),
-    "turning": (
-        ("--eps 4 --ratio 1:5", "without dimensions"),
-        ("--machine engine.toml", "a machine, in N and J"),
-        ("--eps 4 --cranks '0;90'", "two cylinders"),
-        ("--torque '5000 + 1500 sin(3φ)'", "a diagram without an engine"),
-    ),
-    "pressures": (
-        ("--machine engine.toml", "of a machine"),
-        ("--machine engine.toml --shares '25%;50%'", "at two places"),
-    ),
-    "power": (
-        ("--machine engine.toml", "of a machine"),
-        (
-            "--power 50kW --mean-pressure 3bar --speed 120/min --stroke 600mm --working-strokes 2",
-            "the bore for a power",
-        ),
-        ("--eps 4 --pressure 8bar --bore 300mm --stroke 600mm --speed 2/s", "of an ideal card"),
-    ),
-    "flywheel": (
-        ("--power 50kW --speed 120/min --delta 1:100 --eps 4", "steam"),
-        ("--swing 5kJ --speed 300/min --delta ±1% --radius 1m", "a swing"),
-        ("--areas '+52;-124;+72' --area-scale '500 N m; 6°' --speed 600/min --delta ±1.5%", "a diagram"),
-    ),
-    "deadcentres": (
-        ("--ratio 1:4 --offset 0.3", "of an offset crank"),
-        ("--mechanism beam --beam 3", "of a beam engine"),
-        ("--mechanism arc --ratio 1:5 --rocker 6", "of a rocker"),
-    ),
-    "harmonics": (
-        ("--ratio 1:5", "of the motion"),
-        ("--machine engine.toml --quantity torque", "of the torque"),
-        ("--ratio 1:5 --orders 8 --digits 6", "up to the eighth"),
-    ),
-    "balance": (
-        ("--engine inline-4", "an engine by its name"),
-        ("--cranks '0;180;180;0' --spacing 100mm --reciprocating 1kg --speed 50/s --stroke 80mm", "in N"),
-        ("--cranks '0;90' --ratio 1:5", "by its cranks"),
-    ),
-    "rotor": (
-        (
-            "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120' --planes '0;200mm'"
-            " --balance-planes '50mm;150mm' --balance-radii 100mm",
-            "what balances two masses",
-        ),
-    ),
-    "locomotive": (
-        (
-            "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg --speed 300/min",
-            "by shares",
-        ),
-        ("--spacing 2m --gauge 1.5m --stroke crank:30cm --reciprocating 240kg --share 2/3", "for one share"),
-    ),
-    "firing": (
-        ("--engine inline-4", "all orders"),
-        ("--engine inline-6 --order 1-5-3-6-2-4", "one order"),
-        ("--cranks '0;180;180;0'", "by its cranks"),
-    ),
-    "collate": (
-        ("roetscher-112", "a table of a book"),
-        ("weisbach-150 --only deviations", "what is not right there"),
-        ("--csv scan.csv --quantity p --ratio 1:4 --method series", "your own transcription"),
-    ),
-    "example": (
-        ("", "all there are"),
-        ("blau 33", "one of them"),
-        ("blau 33 --ratio 1:4,5", "your own number"),
-    ),
-    "plot": (
-        ("--positions 30 --ratio 1:5 -o drive.svg", "to scale"),
-        ("--point 0.5 --ratio 1:5 -o coupler.svg", "the path of a point"),
-        ("--animate --ratio 1:4 -o turn.html", "what moves"),
-    ),
-    "construct": (
-        ("", "all there are"),
-        ("blau-9 --ratio 1:4 --angle 50", "its lengths"),
-        ("blau-9 --ratio 1:4 --angle 50 -o fig9.svg", "drawn"),
-        ("blau-9 --ratio 1:4 --angle 50 -o fig9.html", "to click through"),
-    ),
-}
 SWEEPS: Mapping[str, str] = {
     "table": "--ratio 1:3..8 --step 1 --columns x,c -o table.parquet",
     "forces": "--ratio 1:3..8 --step 15 --columns torque -o forces.csv",
@@ -297,14 +187,6 @@ OWN: Mapping[str, Mapping[str, str]] = {
 }
 # The same of every sweep, behind its line.
 SWEPT: Mapping[str, str] = {"combinations": "--bounds", "run": "--jobs 2", "output": "--dry-run"}
-
-
-def short(command: click.Command) -> Sequence[tuple[str, str]]:
-    """Return lines behind a command and what they are."""
-    name = command.name or ""
-    if not is_sweep(command):
-        return SHORT[name]
-    return ((SWEEPS[name], "into a file"), (f"{SWEEPS[name]} --dry-run", "how much, how long"))
 
 
 def topical(command: click.Command, topic: str) -> str:

@@ -10,7 +10,7 @@ import click
 
 from kurbel.cli import LANGUAGES
 from kurbel.cli.manual.command import TopicCommand
-from kurbel.cli.manual.examples import short, topical
+from kurbel.cli.manual.examples import topical
 from kurbel.cli.manual.topics import (
     DEFAULTS,
     SHORTER,
@@ -157,7 +157,7 @@ def short_text(context: click.Context) -> str:
     with formatter.indentation():
         formatter.write_text(inspect.cleandoc(command.help or "").partition("\n\n")[0])
     with formatter.section("Examples"):
-        write_examples([(f"{path} {words}".rstrip(), what) for words, what in short(command)], formatter)
+        write_examples(command.examples, formatter)
     options = first_of(command)
     records = [(one, record[0]) for one in options if (record := one.get_help_record(context))]
     width = min(max(len(written) for _, written in records), WIDEST)
