@@ -12,12 +12,14 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property, lru_cache, partial
+from itertools import product
 from operator import pos
 from typing import Any, NamedTuple, cast
 
 from flint import arb
 
 from kurbel.conditions.solve_page import WORDS as SOLVED
+from kurbel.conditions.solve_page import RootAxis, RootsQuestion, condition_axis, exists
 from kurbel.drive.at import CRANK_FORCES, CrankForce
 from kurbel.engine.captions import about_engines
 from kurbel.engine.cylinder import Cylinder
@@ -39,15 +41,14 @@ from kurbel.engine.segments import (
 from kurbel.engine.turn import Turn, turn_ties
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import NEVER_TIES, TieBits, at_bits, ball, rounded
-from kurbel.exact.numerals import Label, Number, degrees_text, exact_text, nearest, number_text
+from kurbel.exact.numerals import Label, Number, exact_text, nearest, number_text
 from kurbel.exact.place import fraction
 from kurbel.exact.search import EQUAL_BITS, Jet
 from kurbel.kernel.circle import Numeric
-from kurbel.page.axes import PHI, Axis, ColumnAxis, ListAxis, Place, RatioAxis
-from kurbel.page.layouts import LayoutColumn
+from kurbel.page.axes import ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, filled, texts
 from kurbel.page.subject import Subject
-from kurbel.page.table import Field, Note
+from kurbel.page.table import Note
 from kurbel.reading import units
 from kurbel.reading.where import EXTREMES, MIN, MOST, VALUE, Condition
 
@@ -206,18 +207,13 @@ def _energy(segment: Segment, half_turns: arb) -> Jet:
     return Jet(since - before, excess.value, excess.slope)
 
 
-DEGREE_DECIMALS = 4
 KEPT = 64
 WORDS = texts("conditions")["loaded"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class LoadedRequest(EngineRequest):
+class LoadedRequest(RootsQuestion, EngineRequest):
     """What is asked for: where the forces of these engines fulfil the conditions."""
-
-    conditions: tuple[Condition, ...] = ()
-
-    axes_suffice = True
 
     def check(self) -> None:
         super().check()
@@ -231,23 +227,14 @@ class LoadedRequest(EngineRequest):
                 " give ideal steam, such as --eps 4, or print the forces over the turn, kurbel forces --card"
             )
         for condition in self.conditions:
-            column = _column_of(condition)
+            column = self.column_of(condition)
             if missing := self.missing(self.entry(column)):
                 raise ProblemError(f'condition "{condition}" is in {condition.unit}: {missing}')
 
-    def __len__(self) -> int:
-        return sum(len(self.roots(place)) for place in self._places())
-
-    def _places(self) -> Iterator[Place]:
-        for expansion in range(len(self.steams)):
-            for ratio in range(len(self.drives)):
-                for condition in range(len(self.conditions)):
-                    yield {"expansion": expansion, "ratio": ratio, "condition": condition}
-
-    @cached_property
-    def most(self) -> int:
-        """The greatest number of places at which a condition holds."""
-        return max(len(self.roots(place)) for place in self._places())
+    def each(self) -> Iterator[Sequence[At]]:
+        asked = product(range(len(self.steams)), range(len(self.drives)), range(len(self.conditions)))
+        for expansion, ratio, condition in asked:
+            yield self.roots({"expansion": expansion, "ratio": ratio, "condition": condition})
 
     @cached_property
     def loaded(self) -> Callable[[Any], Loaded]:
@@ -264,22 +251,25 @@ class LoadedRequest(EngineRequest):
     def roots(self, place: Place) -> Sequence[At]:
         return self.at(place).places(self.conditions[place["condition"]])
 
-    @cached_property
-    def page_columns(self) -> tuple[Column, ...]:
-        """The columns asked for, else the layout's and those of the conditions."""
-        own = super().page_columns
-        if self.columns:
-            return own
-        shown = {column.key for column in own}
-        asked = dict.fromkeys(
-            _column_of(condition)
-            for condition in self.conditions
-            if ASKED[condition.quantity].measured not in shown
-        )
-        return (*own, *(self.printed(LayoutColumn(key, key)) for key in asked if key not in shown))
+    def column_of(self, condition: Condition) -> str:
+        """Return the column that shows what a condition is about, in its unit."""
+        asked = ASKED[condition.quantity]
+        return asked.measured if condition.unit else asked.column
+
+    def measured(self, condition: Condition) -> str:
+        return ASKED[condition.quantity].measured
+
+    def in_letters(self, condition: Condition) -> Label:
+        """Return a condition in letters: T = 0.5 Q; M_d greatest."""
+        shown = self.entry(self.column_of(condition))
+        symbol = shown.symbol.strip("$")
+        if condition.kind in EXTREMES:
+            return SOLVED[condition.kind][self.lang].format(symbol=symbol)
+        unit = f'"{condition.unit}"' if condition.unit else shown.unit[self.lang].strip("$")
+        value = exact_text(condition.value)
+        return f"${symbol} = {value} {unit}$" if condition.value else f"${symbol} = 0$"
 
     def angle(self, place: Place, share: int, decimals: int) -> Number:
-        """Return φ over the cycle in parts of a degree."""
         found = self.roots(place)[place["root"]].place
         if found.exact is not None:
             return nearest(share * 180 * found.exact, decimals, self.rounding)
@@ -287,67 +277,10 @@ class LoadedRequest(EngineRequest):
         return Number(scaled, decimals)
 
 
-def _column_of(condition: Condition) -> str:
-    """Return the column that shows what a condition is about, in its unit."""
-    asked = ASKED[condition.quantity]
-    return asked.measured if condition.unit else asked.column
-
-
-class _RootAxis(Axis):
-    """The crank angles at which a condition holds, on pages in degrees and minutes."""
-
-    key = "phi"
-    found = True
-
-    def __init__(self, question: LoadedRequest) -> None:
-        super().__init__(question.most)
-        self.question = question
-
-    @property
-    def decimals(self) -> int:
-        return DEGREE_DECIMALS if self.question.digits is None else self.question.digits
-
-    def field(self) -> Field:
-        return Field("phi", PHI[self.question.lang], "$φ$", "°", self.decimals, self.question.method)
-
-    def value(self, place: Place) -> Number:
-        return self.question.angle(place, 1, self.decimals)
-
-    def heads(self, place: Place) -> tuple[Label, ...]:
-        return (f"${degrees_text(Fraction(self.question.angle(place, 60, 0).scaled, 60))}$",)
-
-    def stub_heading(self) -> Label:
-        return "$φ$"
-
-
-def _condition_axis(question: LoadedRequest) -> ListAxis:
-    return ListAxis(
-        question.conditions,
-        Field("condition", SOLVED["condition"][question.lang]),
-        str,
-        lambda one: _condition_label(question, one),
-    )
-
-
-def _condition_label(question: LoadedRequest, condition: Condition) -> Label:
-    """Return the condition in letters: T = 0.5 Q; M_d greatest."""
-    shown = question.entry(_column_of(condition))
-    symbol = shown.symbol.strip("$")
-    if condition.kind in EXTREMES:
-        return SOLVED[condition.kind][question.lang].format(symbol=symbol)
-    unit = f'"{condition.unit}"' if condition.unit else shown.unit[question.lang].strip("$")
-    value = exact_text(condition.value)
-    return f"${symbol} = {value} {unit}$" if condition.value else f"${symbol} = 0$"
-
-
-def _exists(question: LoadedRequest, place: Place) -> bool:
-    return "root" not in place or place["root"] < len(question.roots(place))
-
-
 def _number(question: LoadedRequest, column: Column, place: Place, times: int) -> Number:
     condition = question.conditions[place["condition"]]
     decimals, rounding = column.places, question.rounding
-    if condition.kind == VALUE and column.key == _column_of(condition):
+    if condition.kind == VALUE and column.key == question.column_of(condition):
         value = measured(condition) if condition.unit else condition.value
         if question.units is not None:
             value *= question.units.times(question.entry(column.key).plain_unit("en"))
@@ -376,7 +309,7 @@ def _bare(column: str) -> str:
 
 def _caption(question: LoadedRequest) -> Label:
     one = len(question.conditions) == 1
-    said = f", {_condition_label(question, question.conditions[0])}" if one else ""
+    said = f", {question.in_letters(question.conditions[0])}" if one else ""
     parts = {**about_engines(question, [question.method]), "{condition}": said}
     return filled(question.layout.caption[question.lang], parts.items())
 
@@ -399,8 +332,8 @@ SUBJECT = Subject(
     axes={
         "expansion": LoadAxis,
         "ratio": RatioAxis,
-        "condition": _condition_axis,
-        "root": _RootAxis,
+        "condition": condition_axis,
+        "root": RootAxis,
         "column": ColumnAxis,
     },
     axis_keys=("epsilon", "ratio", "condition", "phi"),
@@ -409,7 +342,7 @@ SUBJECT = Subject(
     caption=_caption,
     notes=_notes,
     of=("crank", "angle"),
-    exists=_exists,
+    exists=exists,
     letters=True,
     listed=tuple,
 )

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from abc import abstractmethod
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
 from itertools import groupby
+from typing import Any
 
 from kurbel.conditions.solve import MEASURES, Root, column_of, solve, target_of
 from kurbel.drive.mechanisms import MECHANISMS
@@ -23,7 +25,7 @@ from kurbel.motion.notes import loaded_notes
 from kurbel.page.axes import PHI, Axis, ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.layouts import LayoutColumn
 from kurbel.page.quantity import AND, Column, Quantity, Words, bare, words
-from kurbel.page.subject import Subject, subject
+from kurbel.page.subject import Question, Subject, subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
 from kurbel.reading.notation import ratio_text
@@ -222,28 +224,47 @@ def own_columns() -> Iterator[tuple[str, Quantity]]:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class SolveRequest(DriveQuestion):
-    """What is asked for: where these drives, alike but for their ratios, fulfil the conditions."""
+class RootsQuestion(Question):
+    """What is asked for: the places at which something fulfils each of the conditions."""
 
-    drives: tuple[Drive, ...]
     conditions: tuple[Condition, ...]
 
-    no_column = "there is no column beside the angle; add one, such as phi_turn or x"
     axes_suffice = True
 
-    def check(self) -> None:
-        super().check()
-        if not self.conditions:
-            raise ProblemError('no condition was given; write one as --where p=0 or --where "s = 25%"')
-        for condition in self.conditions:
-            self._check(condition)
+    @property
+    @abstractmethod
+    def method(self) -> str: ...
+
+    @abstractmethod
+    def each(self) -> Iterable[Sequence[Any]]:
+        """Return what was found of each condition, wherever something was."""
+
+    @abstractmethod
+    def roots(self, place: Place) -> Sequence[Any]: ...
+
+    @abstractmethod
+    def angle(self, place: Place, share: int, decimals: int) -> Number:
+        """Return φ at a place in parts of a degree."""
+
+    @abstractmethod
+    def in_letters(self, condition: Condition) -> Label:
+        """Return a condition in letters."""
+
+    @abstractmethod
+    def column_of(self, condition: Condition) -> str:
+        """Return the column that shows what a condition is about."""
+
+    @abstractmethod
+    def measured(self, condition: Condition) -> str:
+        """Return the column that shows it in a unit, nothing if none does."""
 
     def __len__(self) -> int:
-        return sum(map(len, self.found.values()))
+        return sum(map(len, self.each()))
 
-    @property
-    def method(self) -> str:
-        return self.drives[0].method
+    @cached_property
+    def most(self) -> int:
+        """The greatest number of places at which a condition holds."""
+        return max(map(len, self.each()))
 
     @cached_property
     def page_columns(self) -> tuple[Column, ...]:
@@ -253,11 +274,43 @@ class SolveRequest(DriveQuestion):
             return own
         shown = {column.key for column in own}
         # Of what has a column in units the share of it has none on pages.
-        sized = {key for key, one in MEASURES.items() if one.column in shown and not self.data}
         asked = dict.fromkeys(
-            column_of(self.drives[0], one) for one in self.conditions if one.quantity not in sized
+            map(self.column_of, (c for c in self.conditions if self.measured(c) not in shown))
         )
         return (*own, *(self.printed(LayoutColumn(key, key)) for key in asked if key not in shown))
+
+    @property
+    def degree_decimals(self) -> int:
+        return DEGREE_DECIMALS if self.digits is None else self.digits
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class SolveRequest(RootsQuestion, DriveQuestion):
+    """What is asked for: where these drives, alike but for their ratios, fulfil the conditions."""
+
+    drives: tuple[Drive, ...]
+
+    no_column = "there is no column beside the angle; add one, such as phi_turn or x"
+
+    def check(self) -> None:
+        super().check()
+        if not self.conditions:
+            raise ProblemError('no condition was given; write one as --where p=0 or --where "s = 25%"')
+        for condition in self.conditions:
+            self._check(condition)
+
+    @property
+    def method(self) -> str:
+        return self.drives[0].method
+
+    def column_of(self, condition: Condition) -> str:
+        return column_of(self.drives[0], condition)
+
+    def measured(self, condition: Condition) -> str:
+        return "" if self.data or condition.quantity not in MEASURES else MEASURES[condition.quantity].column
+
+    def in_letters(self, condition: Condition) -> Label:
+        return condition_label(condition, self.drives[0], self.lang)
 
     @cached_property
     def found(self) -> Mapping[tuple[int, int, int], Sequence[Root]]:
@@ -269,8 +322,14 @@ class SolveRequest(DriveQuestion):
                     found.setdefault((ratio, condition, root.stroke), []).append(root)
         return found
 
+    def each(self) -> Iterable[Sequence[Root]]:
+        return self.found.values()
+
     def roots(self, place: Place) -> Sequence[Root]:
         return self.found.get((place["ratio"], place["condition"], tuple(STROKES)[place["stroke"]]), ())
+
+    def angle(self, place: Place, share: int, decimals: int) -> Number:
+        return self.roots(place)[place["root"]].angle(False, share, decimals, self.rounding)
 
     def knows(self, key: str) -> bool:
         # As of any page, but without asking every mechanism for its quantities.
@@ -294,10 +353,6 @@ class SolveRequest(DriveQuestion):
         own = super().field(column)
         return own._replace(symbol=f"${self.layout.angle_symbol}$") if column.key == TURN.key else own
 
-    @property
-    def degree_decimals(self) -> int:
-        return DEGREE_DECIMALS if self.digits is None else self.digits
-
     def _check(self, condition: Condition) -> None:
         quantity, known = condition.quantity, self.drives[0].columns
         if condition.unit and MEASURES[quantity].column not in known:
@@ -307,14 +362,10 @@ class SolveRequest(DriveQuestion):
             raise ProblemError(f'method "{typed(self.method)}" has no formula for {quantity}; use exact')
 
 
-def _condition_axis(question: SolveRequest) -> ListAxis:
+def condition_axis(question: RootsQuestion) -> ListAxis:
     """The conditions in letters."""
-    return ListAxis(
-        question.conditions,
-        Field("condition", WORDS["condition"][question.lang]),
-        str,
-        lambda one: condition_label(one, question.drives[0], question.lang),
-    )
+    field = Field("condition", WORDS["condition"][question.lang])
+    return ListAxis(question.conditions, field, str, question.in_letters)
 
 
 def _stroke_axis(question: SolveRequest) -> ListAxis:
@@ -325,14 +376,14 @@ def _stroke_axis(question: SolveRequest) -> ListAxis:
     )
 
 
-class _RootAxis(Axis):
-    """The crank angles on a stroke, on pages in degrees and minutes."""
+class RootAxis(Axis):
+    """The crank angles at which a condition holds, on pages in degrees and minutes."""
 
     key = "phi"
     found = True
 
-    def __init__(self, question: SolveRequest) -> None:
-        super().__init__(max(map(len, question.found.values())))
+    def __init__(self, question: RootsQuestion) -> None:
+        super().__init__(question.most)
         self.question = question
 
     def field(self) -> Field:
@@ -340,20 +391,17 @@ class _RootAxis(Axis):
         return Field("phi", PHI[lang], symbol, "°", self.question.degree_decimals, self.question.method)
 
     def value(self, place: Place) -> Number:
-        return self._angle(place, 1, self.question.degree_decimals)
+        return self.question.angle(place, 1, self.question.degree_decimals)
 
     def stub_heading(self) -> Label:
         return f"${self.question.layout.angle_symbol}$"
 
     def heads(self, place: Place) -> tuple[Label, ...]:
-        return (f"${degrees_text(Fraction(self._angle(place, 60, 0).scaled, 60))}$",)
-
-    def _angle(self, place: Place, share: int, decimals: int) -> Number:
-        return self.question.roots(place)[place["root"]].angle(False, share, decimals, self.question.rounding)
+        return (f"${degrees_text(Fraction(self.question.angle(place, 60, 0).scaled, 60))}$",)
 
 
-def _exists(question: SolveRequest, place: Place) -> bool:
-    """Whether there are so many roots: not every stroke has as many."""
+def exists(question: Any, place: Place) -> bool:
+    """Whether there is so much: not everywhere as much is found."""
     return "root" not in place or place["root"] < len(question.roots(place))
 
 
@@ -372,9 +420,9 @@ SUBJECT = Subject(
     command="solve",
     axes={
         "ratio": RatioAxis,
-        "condition": _condition_axis,
+        "condition": condition_axis,
         "stroke": _stroke_axis,
-        "root": _RootAxis,
+        "root": RootAxis,
         "column": ColumnAxis,
     },
     axis_keys=("ratio", "condition", "stroke", "phi"),
@@ -383,6 +431,6 @@ SUBJECT = Subject(
     number=_number,
     caption=caption,
     notes=notes,
-    exists=_exists,
+    exists=exists,
     listed=own_columns,
 )

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple, Protocol
 import flint
 from flint import arb
 
+from kurbel.conditions.solve_page import exists
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import NEVER_TIES, at_bits, ball, rounded
 from kurbel.exact.numerals import Label, Number, figures
@@ -265,6 +266,9 @@ class UnknownRequest(Question):
         """The values at each angle."""
         return [one.found for one in self.asked]
 
+    def roots(self, place: Place) -> Sequence[Callable[[], Any]]:
+        return self.found[place["phi"]]
+
     def missing(self, quantity: Quantity) -> str:
         own = (self.unknown, "rod_ratio") if self.unknown == "ratio" else (self.unknown,)
         if quantity.key in own:
@@ -273,7 +277,7 @@ class UnknownRequest(Question):
 
     def value(self, place: Place, column: Column) -> Any:
         """Return a value in the unit of a column, at the precision in force."""
-        return column.quantity.formulas["exact"].kernel(self.found[place["phi"]][place["root"]]())
+        return column.quantity.formulas["exact"].kernel(self.roots(place)[place["root"]]())
 
 
 def _angle_axis(question: UnknownRequest) -> ListAxis:
@@ -285,11 +289,6 @@ def _angle_axis(question: UnknownRequest) -> ListAxis:
         lambda angle: angle_number(angle, decimals),
         lambda angle: f"$φ = {angle_text(angle)}$",
     )
-
-
-def _exists(question: UnknownRequest, place: Place) -> bool:
-    """Whether there are so many values: not at every angle there are as many."""
-    return "root" not in place or place["root"] < len(question.found[place["phi"]])
 
 
 class _RootAxis(Axis):
@@ -357,6 +356,6 @@ SUBJECT = Subject(
     number=_number,
     caption=_caption,
     notes=_notes,
-    exists=_exists,
+    exists=exists,
     letters=True,
 )
