@@ -21,8 +21,8 @@ from places import ROOT
 from registers import FORMULAS as KEYS
 from registers import formulas, letters_of
 
-from kurbel.books.formula_page import formula_lines, room_beside, word_lines
-from kurbel.page.labels import plain
+from kurbel.books.formula_page import formula_lines, room_beside
+from kurbel.page.labels import plain, rows_of
 
 FUNCTIONS = {
     "sin": mp.sin, "cos": mp.cos, "tan": mp.tan, "cot": mp.cot, "sqrt": mp.sqrt, "ln": mp.log,
@@ -396,6 +396,7 @@ def test_the_lines_of_a_formula_are_the_formula() -> None:
 
 def test_a_finding_goes_on_below_a_formula_with_its_own_formulas_whole() -> None:
     said = "wrong: at $a = 1$, $b = 2$ it is $1.5$, not $2.5$"
-    assert word_lines(said, 16) == ("wrong: at $a = 1$,", "$b = 2$ it is $1.5$,", "not $2.5$")
-    assert word_lines("proved", 3) == ("proved",)
+    rows = rows_of(said, 16, lambda one: len(plain(one)))
+    assert rows == ["wrong: at $a = 1$,", "$b = 2$ it is $1.5$,", "not $2.5$"]
+    assert rows_of("proved", 3, len) == ["proved"]
     assert [room_beside(["x" * long]) for long in (1, 45, 60)] == [50, 23, 16]

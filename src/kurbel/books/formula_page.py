@@ -38,7 +38,7 @@ from kurbel.exact.certify import at_bits
 from kurbel.exact.numerals import Label, nearest, number_text
 from kurbel.page.axes import ColumnAxis, PageAxis, Place
 from kurbel.page.formula import FENCES, ROOT, SIGNS, tokens
-from kurbel.page.labels import plain
+from kurbel.page.labels import plain, rows_of
 from kurbel.page.quantity import Column, Quantity, Words, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import DITTO, Ditto, Note, Tone, Value
@@ -193,7 +193,7 @@ def _lines(
     """Yield the lines of a formula; what is found of it begins in its last."""
     *lines, last = printed
     verdict = verdict_text(one, request.table, request.lang)
-    first, *further = (None,) if verdict is None else word_lines(verdict, room)
+    first, *further = (None,) if verdict is None else rows_of(verdict, room, _letters)
     parts = [*((line, "") for line in lines), (last, first), *(("", line) for line in further)]
     place = request.labels[one.row.place]
     tone = TONES.get(one.finding.kind, "wrong")
@@ -324,34 +324,12 @@ def formula_lines(printed: str, longest: int = LONGEST) -> tuple[Label, ...]:
 
 def room_beside(lines: Iterable[Label]) -> int:
     """Return how many characters the words beside such lines may have."""
-    longest = max((len(plain(line)) for line in lines), default=0)
+    longest = max(map(_letters, lines), default=0)
     return min(max(BOTH - longest, LEAST_WORDS), LONGEST)
 
 
-def word_lines(label: Label, longest: int) -> tuple[Label, ...]:
-    """Return a label in lines of so many characters; its formulas are not broken."""
-    lines: list[Label] = []
-    for word in _words(label):
-        longer = f"{lines[-1]} {word}" if lines else word
-        if lines and len(plain(longer)) <= longest:
-            lines[-1] = longer
-        else:
-            lines.append(word)
-    return tuple(lines)
-
-
-def _words(label: Label) -> Iterator[Label]:
-    word = ""
-    for place, part in enumerate(label.split("$")):
-        if place % 2:
-            word += f"${part}$"
-            continue
-        first, *others = part.split(" ")
-        word += first
-        for other in others:
-            yield word
-            word = other
-    yield word
+def _letters(label: Label) -> int:
+    return len(plain(label))
 
 
 def _pairs(words: Sequence[str]) -> dict[int, int]:
@@ -409,7 +387,7 @@ def _before(words: Sequence[str], at: int) -> str:
 
 
 def _length(words: Sequence[str], pairs: dict[int, int], start: int, end: int) -> int:
-    return len(plain(_label(words, pairs, start, end)))
+    return _letters(_label(words, pairs, start, end))
 
 
 def _label(words: Sequence[str], pairs: dict[int, int], start: int, end: int) -> Label:

@@ -3,11 +3,14 @@ its records to calculate with."""
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from datetime import UTC, datetime
+from io import BytesIO
 from itertools import chain
 from math import ceil
 from typing import Literal, NamedTuple
+from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile, ZipInfo
 
 from kurbel.errors import LayoutError
 from kurbel.exact.numerals import DECIMALS, Number, number_text
@@ -292,13 +295,28 @@ def _width(panel: PagePanel, place: int) -> float:
 
 
 WORDS = {"de": {"page": "Tafel", "records": "Werte"}, "en": {"page": "Table", "records": "Values"}}
-# A zip file has no earlier day.
-EARLIEST = 315532800
+# A zip file has no earlier day, and no later one.
+EARLIEST, LATEST = 315532800, 4354819198
 
 
 def epoch() -> int:
     """Return the time that a workbook is of: SOURCE_DATE_EPOCH, else the first day of 1980."""
     return max(source_date_epoch() or 0, EARLIEST)
+
+
+def zipped(files: Mapping[str, Iterable[bytes]], epoch: int, stored: Container[str] = ()) -> bytes:
+    """Return files, by their names and in pieces, as one that is the same everywhere; some `stored` as they
+    are."""
+    day = datetime.fromtimestamp(min(epoch, LATEST), UTC)
+    stream = BytesIO()
+    with ZipFile(stream, "w") as whole:
+        for name, pieces in files.items():
+            one = ZipInfo(name, day.timetuple()[:6])
+            one.compress_type, one.create_system = ZIP_STORED if name in stored else ZIP_DEFLATED, 3
+            with whole.open(one, "w") as file:
+                for piece in pieces:
+                    file.write(piece)
+    return stream.getvalue()
 
 
 def table_workbook(table: Table, decimal: str) -> Workbook:

@@ -233,3 +233,19 @@ def lines_of(text: str, room: int, further: str = "") -> list[str]:
 def longest_word(text: str) -> int:
     """Return the least room that a text needs."""
     return max(map(len, text.split(" ")))
+
+
+# Spaces outside of formulas.
+_BETWEEN = re.compile(r" (?=(?:[^$]*\$[^$]*\$)*[^$]*$)")
+
+
+def rows_of(label: str, room: float, width: Callable[[str], float]) -> list[str]:
+    """Return a label in rows that are no wider than the room; its formulas are not broken."""
+    rows = [""]
+    for word in _BETWEEN.split(label):
+        longer = f"{rows[-1]} {word}".lstrip()
+        if rows[-1] and width(longer) > room:
+            rows.append(word)
+        else:
+            rows[-1] = longer
+    return rows

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
-from math import ceil, floor
+from math import ceil
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -33,10 +33,11 @@ from kurbel.plot.panel import (
     Trace,
     check_drawn,
     in_floats,
+    named_again,
     panels_of,
+    strokes_between,
     vector,
 )
-from kurbel.plot.sketch import DEAD_CENTRES
 from kurbel.reading.given import as_angles
 from kurbel.reading.notation import plain, ratio_text
 from kurbel.reading.where import MAX, MIN, Condition
@@ -113,24 +114,9 @@ def zeros(drive: Drive, quantity: Quantity, span: tuple[float, float], lang: str
 
 def strokes_of(drive: Drive, span: tuple[float, float], lang: str) -> Strokes:
     """Return the strokes of a drive between dead centres, those at the ends of a span and all within."""
-    first, last = (180 * float(place.half_turns().mid()) for place in drive.ends(OUT))
-    turns = range(floor((span[0] - last) / TURN), ceil((span[1] - first) / TURN) + 1)
-    ends = [TURN * turn + end for turn in turns for end in (first, last)]
-    names = [STROKES[stroke][lang] for _ in turns for stroke in (OUT, RETURN)]
-    dead = [DEAD_CENTRES[which][lang] for _ in turns for which in ("inner", "outer")]
-    kept = [
-        number
-        for number, end in enumerate(ends)
-        if span[0] - TURN < end < span[1] + TURN and _touches(ends, number, span)
-    ]
-    begin, beyond = kept[0], kept[-1] + 1
-    return Strokes(ends[begin:beyond], dead[begin:beyond], names[begin : beyond - 1])
-
-
-def _touches(ends: Sequence[float], number: int, span: tuple[float, float]) -> bool:
-    """Whether a stroke that begins or ends at a dead centre is seen."""
-    before, after = ends[max(number - 1, 0)], ends[min(number + 1, len(ends) - 1)]
-    return before < span[1] and after > span[0]
+    inner, outer = (180 * float(place.half_turns().mid()) for place in drive.ends(OUT))
+    names = [STROKES[stroke][lang] for stroke in (OUT, RETURN)]
+    return strokes_between((inner, outer - 180), names, span, lang)
 
 
 def _conditions(drive: Drive) -> dict[str, str]:
@@ -166,10 +152,9 @@ def _named(
     for one in found:
         number = _number(one.root, quantity, times)
         signed = number._replace(scaled=abs(number.scaled) * (-1 if one.value < 0 else 1))
-        turns = range(ceil((span[0] - one.angle) / TURN), floor((span[1] - one.angle) / TURN) + 1)
-        for turn in turns:
-            text = AT[lang].format(number=f"${number_text(signed)}$", angle=_degrees(one.root, turn))
-            yield Spot(one.angle + TURN * turn, one.value, text if turn == turns[0] else "")
+        turn = ceil((span[0] - one.angle) / TURN)
+        text = AT[lang].format(number=f"${number_text(signed)}$", angle=_degrees(one.root, turn))
+        yield from named_again(one.angle, one.value, TURN, span, text)
 
 
 def _degrees(root: Root, turn: int) -> str:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from fractions import Fraction
+from itertools import chain
 from typing import Any
 
 from kurbel.engine.diagram.diagram_page import TorquesRequest
@@ -20,7 +20,7 @@ from kurbel.page.quantity import words
 from kurbel.plot.drawings import Picture, Wish, asked_of, drawing_layout, refuse, smooth
 from kurbel.plot.engine import across_path, diagram_swing, over_path, turns_of
 from kurbel.plot.pages import over_axes
-from kurbel.plot.panel import Curve, Panel, amount, axis_name, check_drawn, in_floats, power_of_curves
+from kurbel.plot.panel import Curve, Panel, again, amount, axis_name, check_drawn, in_floats, power_of_curves
 
 # By the column that is drawn the letter of its mean, half the sum of the extremes.
 MEANS = {"rpm": "$n_m$", "speed": "$v_m/v_1$"}
@@ -148,13 +148,8 @@ def _mean(request: TorquesRequest, unit: str, power: int) -> str:
 def _places(torque: Torque, request: TorquesRequest) -> list[Fraction]:
     """Return the angles with those at which the torque has corners."""
     first, last = request.angles[0], request.angles[-1]
-    return sorted({*request.angles, *_within(torque, first, last)})
-
-
-def _within(torque: Torque, first: Fraction, last: Fraction) -> Iterator[Fraction]:
-    turns = range(int(first // torque.cycle), int(last // torque.cycle) + 1)
-    for begun in (torque.cycle * number for number in turns):
-        yield from (begun + one.start for one in torque.lines if first <= begun + one.start <= last)
+    corners = (again(one.start, int(torque.cycle), first, last) for one in torque.lines)
+    return sorted({*request.angles, *chain.from_iterable(corners)})
 
 
 def _course(torque: Torque, request: TorquesRequest) -> tuple[list[float], list[float]]:

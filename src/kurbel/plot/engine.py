@@ -10,7 +10,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from itertools import product
-from math import ceil, floor, radians
+from math import radians
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.engine.captions import common, inner, named_load
@@ -45,14 +45,16 @@ from kurbel.plot.panel import (
     Strokes,
     Swing,
     Trace,
+    again,
     amount,
     check_drawn,
     in_floats,
+    named_again,
     panels_of,
     plain_ticks,
+    strokes_between,
     vector,
 )
-from kurbel.plot.sketch import DEAD_CENTRES
 from kurbel.reading.notation import ratio_text
 
 if TYPE_CHECKING:
@@ -83,13 +85,13 @@ def engine_swing(turn: AnyTurn, energy: Column, request: EngineRequest) -> Swing
         return _text(found, unit) if found is not None and (found.scaled or of in ENDS) else ""
 
     spots: list[Spot] = []
-    cycle = 180 * turn.cycle
+    cycle, span = 180 * turn.cycle, _span(request)
     for of, greatest in ENDS.items():
         peaks = turn.peaks(greatest)
         level = float(turn.extreme(greatest).energy)
         for peak in peaks:
             text = number(of, partial(_degrees, peak.place), 0, 60)
-            spots.extend(_turned(180 * float(peak.place), level, text, cycle, request.angles))
+            spots.extend(named_again(180 * float(peak.place), level, cycle, span, text))
     # Of W/(Q r) that is (ΔW)/(Q r).
     letter, _, unit = energy.heading[0][1:-1].partition("/")
     said, found = f"(Δ{letter})/{unit}", number("turn", _swing, energy.decimals)
@@ -100,6 +102,7 @@ def diagram_swing(request: TorquesRequest, panel: Panel) -> Panel:
     """Return the panel of the excess energy of a diagram with its swing."""
     excess, power, times = request.excess, panel.power, request.of_page("J")
     spots: list[Spot] = []
+    span = _span(request)
 
     def swing(kind: Kind) -> Any:
         return excess.swing(kind) * kind.of(times * Fraction(10) ** -power)
@@ -110,7 +113,7 @@ def diagram_swing(request: TorquesRequest, panel: Panel) -> Panel:
             assert one.degrees is not None
             angle = float(one.degrees(floats()))
             text = f"${place_text(one).removesuffix('°')}$°"
-            spots.extend(_turned(angle, level, text, int(excess.cycle), request.angles))
+            spots.extend(named_again(angle, level, int(excess.cycle), span, text))
     number, unit = amount(shown(swing), panel.unit, power)
     found = _swinging(spots, f'$ΔW = {number} "{unit}"$')
     return panel._replace(spots=found.spots, swing=found.swing)
@@ -131,14 +134,6 @@ def _text(number: Number, unit: int) -> Label:
     return (
         degrees_text(Fraction(number.scaled, unit)) if number.scaled % unit else f"{number.scaled // unit}°"
     )
-
-
-def _turned(angle: float, level: float, text: Label, cycle: int, angles: Any) -> Iterator[Spot]:
-    """Yield a place as often as it comes again in the drawn angles; the first within a cycle has its text."""
-    first, last = float(angles[0]), float(angles[-1])
-    turns = range(ceil((first - angle) / cycle), floor((last - angle) / cycle) + 1)
-    for turn in turns:
-        yield Spot(angle + turn * cycle, level, "" if turn else text)
 
 
 def _swinging(spots: list[Spot], text: Label) -> Swinging:
@@ -308,13 +303,13 @@ def engine_pin_force(request: EngineRequest) -> PinForce:
 def _strokes(turn: AnyTurn, request: EngineRequest) -> Strokes:
     """Return the strokes of the first cylinder, from the one in which the angles begin to that in which they
     end."""
-    first, last = (float(one) for one in (request.angles[0], request.angles[-1]))
-    begun = [180 * float(turn.cylinder.drive.dead_centre(way)) for way in (0, 1)]
-    names = stroke_names(turn.cycle, request.lang)
-    numbers = range(floor((first - max(begun)) / 180), ceil((last - min(begun)) / 180) + 1)
-    ends = [180 * number + begun[number % 2] for number in numbers]
-    dead = [DEAD_CENTRES["outer" if number % 2 else "inner"][request.lang] for number in numbers]
-    return Strokes(ends, dead, [names[number % turn.cycle] for number in numbers[:-1]])
+    drive, names = turn.cylinder.drive, stroke_names(turn.cycle, request.lang)
+    begun = 180 * float(drive.dead_centre(0)), 180 * float(drive.dead_centre(1))
+    return strokes_between(begun, names, _span(request), request.lang)
+
+
+def _span(request: EngineRequest | TorquesRequest) -> tuple[float, float]:
+    return float(request.angles[0]), float(request.angles[-1])
 
 
 def turns_of(request: EngineRequest) -> list[tuple[Label, AnyTurn]]:
@@ -376,17 +371,11 @@ def _values(quantities: Sequence[Quantity], turn: AnyTurn, half_turns: Fraction)
 def _dead_centres(turn: AnyTurn, first: Fraction, last: Fraction) -> Iterator[Fraction]:
     """Yield the dead centres of all cranks between two angles."""
     for place in turn.dead_centres():
-        yield from _every(180 * turn.cycle, 180 * place, first, last)
+        yield from again(180 * place, 180 * turn.cycle, first, last)
 
 
 def _cut_offs(turn: AnyTurn, first: Fraction, last: Fraction) -> Iterator[Fraction]:
     """Yield the angles of cut-off between two: a curve that leaves them out has no sharp tips."""
     if isinstance(turn, Turn):
         for place in turn.corners():
-            yield from _every(180 * turn.cycle, 180 * place, first, last)
-
-
-def _every(step: int, start: Fraction, first: Fraction, last: Fraction) -> Iterator[Fraction]:
-    """Yield the angles between two that are whole steps from a start."""
-    for number in range(ceil((first - start) / step), floor((last - start) / step) + 1):
-        yield start + step * number
+            yield from again(180 * place, 180 * turn.cycle, first, last)

@@ -33,6 +33,7 @@ from kurbel.plot.curves import drive_label, infinite, ratio_label, spots, unfold
 from kurbel.plot.drawings import Picture, Wish, asked_of, columns_of, drawing_layout, refuse, smooth
 from kurbel.plot.engine import around, course_of, lettered, turns_of
 from kurbel.plot.panel import (
+    DEAD_CENTRES,
     Across,
     Around,
     Curve,
@@ -41,6 +42,7 @@ from kurbel.plot.panel import (
     Strokes,
     Ticks,
     Trace,
+    again,
     axis_name,
     check_drawn,
     in_floats,
@@ -48,7 +50,6 @@ from kurbel.plot.panel import (
     plain_ticks,
     titled,
 )
-from kurbel.plot.sketch import DEAD_CENTRES
 
 if TYPE_CHECKING:
     from kurbel.engine.cylinder import AnyTurn
@@ -278,9 +279,7 @@ def _ticks(ends: tuple[float, float], low: float, high: float, mark: str, most: 
 def _dead_centres(drive: Drive, first: float, last: float) -> Iterator[float]:
     """Yield the dead centres of a drive between two angles."""
     for place in drive.ends(OUT):
-        begun = 180 * float(place.half_turns().mid())
-        turns = range(int((first - begun) // 360), int((last - begun) // 360) + 1)
-        yield from (begun + 360 * turn for turn in turns if first <= begun + 360 * turn <= last)
+        yield from again(180 * float(place.half_turns().mid()), 360, first, last)
 
 
 def _within(angle: float, span: tuple[float, float]) -> bool:

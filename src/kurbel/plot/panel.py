@@ -4,22 +4,28 @@ round numbers, written with the decimal mark and the minus sign of print."""
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from math import ceil, floor
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, finite_decimals, nearest, number_text
 from kurbel.page.axes import PHI
-from kurbel.page.quantity import Quantity, enumerated
+from kurbel.page.quantity import Quantity, enumerated, words
 from kurbel.plot.place import Points
 from kurbel.plot.style import LINES
 from kurbel.reading.amounts import UNITS
 from kurbel.reading.notation import about
 
+# What drawings call the ends of the stroke.
+DEAD_CENTRES = {
+    "inner": words("innerer Totpunkt|inner dead centre"),
+    "outer": words("äußerer Totpunkt|outer dead centre"),
+}
+Angle = TypeVar("Angle", float, Fraction)
 MINUS = "−"
 _ROUND = (Fraction(1), Fraction(2), Fraction(5, 2), Fraction(5), Fraction(10))
 _ANGLE_STEPS = (1, 2, 5, 10, 15, 30, 45, 60, 90, 180, 360)
@@ -203,6 +209,33 @@ class Around(NamedTuple):
 
 
 NOTHING_AROUND = Around()
+
+
+def again(place: Angle, cycle: int, first: Angle, last: Angle) -> Iterator[Angle]:
+    """Yield a place as often as it comes again between two angles."""
+    turns = range(ceil((first - place) / cycle), floor((last - place) / cycle) + 1)
+    yield from (place + cycle * turn for turn in turns)
+
+
+def named_again(angle: float, value: float, cycle: int, span: tuple[float, float], text: Label) -> list[Spot]:
+    """Return the spots of a place that comes again after a cycle, of which the first has the text."""
+    places = again(angle, cycle, *span)
+    return [Spot(place, value, "" if number else text) for number, place in enumerate(places)]
+
+
+def strokes_between(
+    begun: tuple[float, float], names: Sequence[Label], span: tuple[float, float], lang: str
+) -> Strokes:
+    """Return the strokes of which something is seen in a span; `begun` are the inner dead centre and, half a
+    turn back, the outer one, the names those of the strokes that begin there."""
+    numbers = range(floor((span[0] - max(begun)) / 180), ceil((span[1] - min(begun)) / 180) + 1)
+    ends = [180 * number + begun[number % 2] for number in numbers]
+    while ends[1] <= span[0]:
+        numbers, ends = numbers[1:], ends[1:]
+    while ends[-2] >= span[1]:
+        numbers, ends = numbers[:-1], ends[:-1]
+    dead = [DEAD_CENTRES["outer" if number % 2 else "inner"][lang] for number in numbers]
+    return Strokes(ends, dead, [names[number % len(names)] for number in numbers[:-1]])
 
 
 def power_of_curves(curves: Sequence[Curve]) -> int:

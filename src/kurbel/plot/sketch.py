@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from kurbel.errors import ProblemError
-from kurbel.page.quantity import words
 from kurbel.plot.lettering import Hole, Lettering, cut
 from kurbel.plot.moving import polar_point
 from kurbel.plot.style import (
@@ -91,11 +90,6 @@ Point = tuple[float, float]
 # A text for a point, with the direction from it that is best.
 Text = tuple[Point, Point, str]
 
-# What drawings call the ends of the stroke.
-DEAD_CENTRES = {
-    "inner": words("innerer Totpunkt|inner dead centre"),
-    "outer": words("äußerer Totpunkt|outer dead centre"),
-}
 # In mm: dimensions, discs, and bearings with their ground.
 LEAST_DIMENSION, SMALL_CRANK = 5.0, 9.5
 SHAFT, PIN, LIGHT_PIN, CENTRE, DEAD, DOT = 1.7, 1.1, 0.7, 0.35, 0.5, 0.45

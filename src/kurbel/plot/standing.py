@@ -27,10 +27,9 @@ from kurbel.plot.moving import (
     links_fixed,
     polar_point,
 )
-from kurbel.plot.panel import degrees
+from kurbel.plot.panel import DEAD_CENTRES, degrees
 from kurbel.plot.place import CLEAR
 from kurbel.plot.sketch import (
-    DEAD_CENTRES,
     DOWN,
     HANGING,
     HATCH,

@@ -20,7 +20,7 @@ from kurbel.errors import ChoiceError
 from kurbel.exact.numerals import Label
 from kurbel.formats.formula import TexMath
 from kurbel.page.formula import Formula
-from kurbel.page.labels import mark_text, set_label
+from kurbel.page.labels import mark_text, rows_of, set_label
 from kurbel.reading.given import choose
 
 if TYPE_CHECKING:
@@ -274,11 +274,4 @@ def size_of(text: str, points: float = TEXT_SIZE) -> tuple[float, float]:
 def in_rows(text: str, width: float) -> str:
     """Return a text in rows not wider than so many mm, broken at spaces outside of formulas. Only inside
     `style`."""
-    rows = [""]
-    for word in re.split(r" (?=(?:[^$]*\$[^$]*\$)*[^$]*$)", text):
-        longer = f"{rows[-1]} {word}".lstrip()
-        if rows[-1] and size_of(longer)[0] > width:
-            rows.append(word)
-        else:
-            rows[-1] = longer
-    return "\n".join(rows)
+    return "\n".join(rows_of(text, width, lambda one: size_of(one)[0]))

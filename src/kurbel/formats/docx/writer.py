@@ -14,10 +14,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from io import BytesIO
 from tempfile import TemporaryDirectory
-from time import gmtime
 from xml.etree import ElementTree
 from xml.sax.saxutils import escape
-from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
+from zipfile import ZipFile
 
 from kurbel.documents.document import Document, Item
 from kurbel.errors import LayoutError, MissingExtraError, OutputError
@@ -26,7 +25,7 @@ from kurbel.formats.docx import FORMAT
 from kurbel.formats.docx.tables import W, laid_out
 from kurbel.formats.registry import FORMATS, PageFormat
 from kurbel.formats.render import folders_of, render
-from kurbel.formats.workbook import epoch
+from kurbel.formats.workbook import epoch, zipped
 from kurbel.formats.writer import DocumentWriter
 from kurbel.page.labels import plain
 from kurbel.page.table import Table
@@ -111,7 +110,7 @@ def document_of(html: str, title: str, lang: str, folders: Sequence[str | None],
     files["word/styles.xml"] = _joined(theirs, ours) if reference else _joined(ours, theirs)
     titled = b"<dc:title>%s</dc:title>" % escape(title).encode()
     files["docProps/core.xml"] = files["docProps/core.xml"].replace(b"<dc:title></dc:title>", titled)
-    return _zipped(files)
+    return zipped({name: [content] for name, content in files.items()}, epoch())
 
 
 def _without_figures(html: str) -> str:
@@ -156,14 +155,3 @@ def _joined(first: bytes, second: bytes) -> bytes:
     styles.extend(style for style in more.iter(f"{W}style") if style.get(f"{W}styleId") not in known)
     made: bytes = ElementTree.tostring(styles, "utf-8", xml_declaration=True)
     return made
-
-
-def _zipped(files: dict[str, bytes]) -> bytes:
-    stream = BytesIO()
-    day = gmtime(epoch())[:6]
-    with ZipFile(stream, "w", ZIP_DEFLATED) as file:
-        for name, content in files.items():
-            entry = ZipInfo(name, day)
-            entry.compress_type = ZIP_DEFLATED
-            file.writestr(entry, content)
-    return stream.getvalue()

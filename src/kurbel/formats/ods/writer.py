@@ -13,12 +13,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import UTC, datetime
 from hashlib import sha256
 from html import escape
-from io import BytesIO
-from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile, ZipInfo
 
 from kurbel.exact.numerals import Number, number_text
 from kurbel.formats.page import blank
 from kurbel.formats.sheet import Look, Picture, Run, Sheet, SheetCell, Workbook, bare, quoted, runs
+from kurbel.formats.workbook import zipped
 from kurbel.formats.writer import WorkbookWriter
 
 NAMESPACES = " ".join(
@@ -238,8 +237,6 @@ def parts_of(book: Workbook, names: Sequence[str]) -> Mapping[str, str]:
     return files | {MANIFEST: listed}
 
 
-# A zip file has no later day than the end of 2107.
-LATEST = 4354819198
 EMPTY = "<table:table-cell/>"
 
 
@@ -250,27 +247,12 @@ class Writer(WorkbookWriter):
         files: dict[str, Iterable[bytes]] = {"mimetype": [MIME.encode()], "content.xml": _content(book)}
         parts = {name: [text.encode()] for name, text in parts_of(book, ("content.xml", *shown)).items()}
         listed = {MANIFEST: parts.pop(MANIFEST)}
-        return _zipped({**files, **parts, **shown, **listed}, book)
+        # What the file is must stand first, as it is.
+        return zipped({**files, **parts, **shown, **listed}, book.epoch, stored=("mimetype",))
 
 
 def _name_of(picture: Picture) -> str:
     return f"Pictures/{sha256(picture.content).hexdigest()[:24]}.png"
-
-
-def _zipped(files: Mapping[str, Iterable[bytes]], book: Workbook) -> bytes:
-    """Return the files as one, each of the same day; what the file is must stand first, as it is."""
-    day = datetime.fromtimestamp(min(book.epoch, LATEST), UTC)
-    stream = BytesIO()
-    with ZipFile(stream, "w") as whole:
-        for name, pieces in files.items():
-            one = ZipInfo(name, day.timetuple()[:6])
-            one.compress_type = ZIP_STORED if name == "mimetype" else ZIP_DEFLATED
-            # The same on every system.
-            one.create_system = 3
-            with whole.open(one, "w") as file:
-                for piece in pieces:
-                    file.write(piece)
-    return stream.getvalue()
 
 
 def _content(book: Workbook) -> Iterator[bytes]:
