@@ -146,9 +146,6 @@ FENCES = [
 def test_markers_in_code_of_markdown_are_shown_only(shape: str) -> None:
     marker = "<!-- kurbel: table -->"
     text = shape.format(marker if "Write" in shape else f"{marker}\n")
-    # The library sees it so as well.
-    tokens = MarkdownIt().parse(text)
-    assert not [token for token in tokens if token.type == "html_block"]
     whole = f"{text}\n\n{marker}\n<!-- /kurbel -->\n"
     assert words_of(whole) == [(whole.count("\n") - 1, "table")]
 
@@ -169,7 +166,6 @@ PROSE = [
 @pytest.mark.parametrize("before", PROSE)
 def test_markers_behind_code_of_markdown_are_markers(before: str) -> None:
     text = f"{before}<!-- kurbel: table -->\n"
-    assert [token for token in MarkdownIt().parse(text) if token.type == "html_block"]
     assert words_of(f"{text}<!-- /kurbel -->\n") == [(text.count("\n"), "table")]
 
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import io
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from xml.etree.ElementTree import Element, fromstring
 from zipfile import ZipFile
 
 import manifests
+import numpy as np
 import pytest
 from browser import Viewer
 from cli import kurbel, printed, refusal
@@ -223,7 +225,8 @@ def test_a_handbook_is_one_document_with_its_texts_and_drawings(tmp_path: Path) 
 # Each row of figures in HTML, and where they end.
 ROWS = """() => [...document.querySelectorAll('.scroll:not(.narrow) tbody tr:not(.group)')].map(
     row => [...row.children].filter(cell => !cell.matches('.words, .missing') && !cell.querySelector('math'))
-        .map(cell => cell.textContent.replace(/[\\u2007\\u2008]/g, '')))"""
+        .map(cell => [cell.textContent.replace(/[\\u2007\\u2008]/g, ''), cell.getBoundingClientRect().right])
+)"""
 # Pairs below spanners; two lines of heads, at 9 pt; two panels on a turned page.
 THREE = ("kinematics", "machine-forces", "kolbenwege")
 
@@ -250,12 +253,17 @@ def test_libreoffice_shows_the_rows_of_the_page_in_html(tmp_path: Path, viewer: 
         ends: list[list[float]] = [[] for _ in shown[0]]
         for row in shown:
             # Figures stand in the order of the page, each whole and on the line of its row.
-            line = next((line for line in lines if [word.text for word in line] == row), None)
+            figures = [one for one, _ in row]
+            line = next((line for line in lines if [word.text for word in line] == figures), None)
             assert line, f"{name} has no line {row}"
+            assert all(left.right < right.left for left, right in pairwise(line))
             for column, word in zip(ends, line, strict=True):
                 column.append(word.right)
-        # They end below each other.
+        # They end below each other, and columns lie as they do in the browser, by shares of the table.
         assert all(max(column) - min(column) < 1.0 for column in ends)
+        places = np.array([[column[0] for column in ends], [end for _, end in shown[0]]])
+        shares = (places - places[:, :1]) / (places[:, -1:] - places[:, :1])
+        assert np.abs(shares[0] - shares[1]).max() < 0.06
 
 
 def test_a_mark_hangs_beside_its_figure(tmp_path: Path) -> None:
