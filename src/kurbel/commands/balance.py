@@ -133,9 +133,7 @@ class Revolving(Part):
     revolving_share = measure(
         as_share, "Share of it that counterweights balance: 1, 50%; default 0.", "SHARE"
     )
-    balance_radius = measure(
-        as_length, "Radius of the counterweights, for their masses: 300mm.", "LENGTH", unit="m"
-    )
+    balance_radius = measure(as_length, "Radius of the counterweights, for their masses: 300mm.", "LENGTH")
 
 
 class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, Sheet, CommandOptions):
@@ -216,7 +214,7 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
     )  # fmt: skip
     stroke, rod = Linked.stroke, Linked.rod
     speed = Speed.speed.but(help="Speed, for the masses: 120/min, 12.5rad/s.")
-    spacing = measure(as_length, "Unit of the positions, for moments in N m: 100mm.", "LENGTH", unit="m")
+    spacing = measure(as_length, "Unit of the positions, for moments in N m: 100mm.", "LENGTH")
     columns = columns_option("balance", "order,along,forward")
     layout = layout_option(*SUBJECTS)
 

@@ -85,7 +85,6 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
         as_angle,
         "Crank angle of a diagram at which the angular acceleration of the flywheel stands: 45.",
         "ANGLE",
-        unit="degrees",
         topic="diagram",
     )
     unknown = word(

@@ -69,7 +69,7 @@ class InertiaOptions(Angles, AnyDrive, MovingRod, Turning, Layouts, Sheet, Comma
     rod_acceleration = measure(
         as_angular_acceleration,
         "With --layout rod-masses: angular acceleration of the rod, for the correction couple: 23000rad/s².",
-        "ALPHA", unit="rad/s²", topic="masses",
+        "ALPHA", topic="masses",
     )  # fmt: skip
     gravity = Weight.gravity.but(help="Acceleration of gravity, for --pendulum: 9.81; default 9.80665m/s².")
 

@@ -319,7 +319,9 @@ class Option(Generic[Made]):
 def measure(
     read: Callable[[object, str], Value], help: str, metavar: str | None = None, **more: Any
 ) -> Option[Value | None]:
-    """Return an option that is read, None where it is not given; `read` takes it, and what it is called."""
+    """Return an option that is read, None where it is not given; `read` takes it, and what it is called. A
+    bare number is in the unit of the reader, if it has one."""
+    more.setdefault("unit", getattr(read, "unit", ""))
     return Option(help, metavar, read=read, **more)
 
 

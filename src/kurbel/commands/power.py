@@ -120,7 +120,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         "NUMBER",
     )
     ratio = Linked.ratio.but(help="Crank ratio, for a card over the crank angle: 1:5.")
-    stroke = measure(as_length, "Stroke of the piston: 450mm.", "LENGTH", unit="m", topic="crank")
+    stroke = measure(as_length, "Stroke of the piston: 450mm.", "LENGTH", topic="crank")
     cranks = EnginePart.cranks.but()
     speed = measure(
         alone(as_speed), "Speed: 120/min, 12.5rad/s.", "SPEED", unit="turns a second", topic="crank"
@@ -140,7 +140,6 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         "Torque at the shaft, which with the speed tells that: 300Nm, or a brake's load, less that of its"
         " spring, on its arm, '1370N - 145N x 0.61m'.",
         "TORQUE",
-        unit="N m",
     )
     consumption = measure(
         as_consumption,
@@ -151,7 +150,6 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     )
     heating_value = measure(
         as_heating_value, "Heating value of the fuel, or heat of the steam: 43MJ/kg, 2400kJ/kg.", "HEAT",
-        unit="J/kg",
     )  # fmt: skip
     thermal_efficiency = measure(
         as_share, "Thermal efficiency, at the shaft or indicated as --consumption: 28%.", "SHARE"
@@ -160,11 +158,11 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         as_share, "Stroke over bore, where sizes are to be found: 1.5.", "RATIO", what="stroke over bore"
     )
     piston_speed = measure(
-        as_velocity, "Mean piston speed in place of the stroke or the speed: 3m/s.", "VELOCITY", unit="m/s"
+        as_velocity, "Mean piston speed in place of the stroke or the speed: 3m/s.", "VELOCITY"
     )
     swept_volume = measure(
         as_volume, "Swept volume of a cylinder, of both ends the mean, in place of bore and stroke: '1.5 l'.",
-        "VOLUME", unit="m³",
+        "VOLUME",
     )  # fmt: skip
     cylinders = measure(as_number, "Number of cylinders alike; default 1.", "NUMBER", topic="cylinders")
     delivery = measure(
@@ -180,14 +178,14 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
     intercooling = measure(
         as_temperature,
         "Temperature to which the air is cooled between the stages: 35°C; default: that of suction.",
-        "TEMPERATURE", unit="K", topic="compressor",
+        "TEMPERATURE", topic="compressor",
     )  # fmt: skip
     intermediate_pressure = measure(
-        as_pressure, "Pressure between two stages, in the place of the best: 4bar.", "PRESSURE", unit="Pa",
+        as_pressure, "Pressure between two stages, in the place of the best: 4bar.", "PRESSURE",
         topic="compressor",
     )  # fmt: skip
     suction_temperature = measure(
-        as_temperature, "Temperature of suction of a compressor: 30°C, 303K.", "TEMPERATURE", unit="K",
+        as_temperature, "Temperature of suction of a compressor: 30°C, 303K.", "TEMPERATURE",
         topic="compressor",
     )  # fmt: skip
     free_air = measure(

@@ -227,9 +227,7 @@ class LocomotiveOptions(OnMachine, Speed, Layouts, Sheet, CommandOptions):
         "Angles of the cranks: '0;90', or '0;120;240'.", "ANGLES", unit="degrees", default="0;90",
         read=alone(as_crank_angles), whole=True,
     )  # fmt: skip
-    spacing = measure(
-        as_length, "Distance of the centre lines of neighbouring cylinders: 0.7m.", "LENGTH", unit="m"
-    )
+    spacing = measure(as_length, "Distance of the centre lines of neighbouring cylinders: 0.7m.", "LENGTH")
     positions = measure(
         displacement.each,
         "Their places from the middle in place of that: '-0.4;0.4m'.", "LENGTHS", unit="m", what="position",
@@ -255,17 +253,13 @@ class LocomotiveOptions(OnMachine, Speed, Layouts, Sheet, CommandOptions):
         default="0;1/2;2/3;1", read=as_shares, whole=True, topic="counterweights",
     )  # fmt: skip
     balance_radius = measure(
-        as_length, "Radius of the balancing masses: 600mm.", "LENGTH", unit="m", topic="counterweights"
+        as_length, "Radius of the balancing masses: 600mm.", "LENGTH", topic="counterweights"
     )
     speed = Speed.speed.but(help="Speed of the axle: 300/min, 31rad/s.", topic="axle")
-    velocity = measure(
-        as_velocity, "Speed of the train in its place, with --wheel: 96km/h.", "SPEED", unit="m/s"
-    )
-    wheel = measure(as_length, "Diameter of the wheels: 1.8m.", "LENGTH", unit="m")
-    wheel_load = measure(as_force, "Load of a wheel at rest: 30kN.", "FORCE", unit="N")
-    hammer_blow = measure(
-        as_force, "Hammer blow that is allowed: 40kN; default: the load.", "FORCE", unit="N"
-    )
+    velocity = measure(as_velocity, "Speed of the train in its place, with --wheel: 96km/h.", "SPEED")
+    wheel = measure(as_length, "Diameter of the wheels: 1.8m.", "LENGTH")
+    wheel_load = measure(as_force, "Load of a wheel at rest: 30kN.", "FORCE")
+    hammer_blow = measure(as_force, "Hammer blow that is allowed: 40kN; default: the load.", "FORCE")
     columns = columns_option("locomotive", "share,blow_left_n,sway_nm")
     layout = layout_option("locomotive")
 

@@ -9,12 +9,12 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import fields
+from dataclasses import dataclass, fields
 from decimal import Decimal
 from fractions import Fraction
 from importlib import import_module
 from itertools import chain
-from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeAlias, TypeVar, cast
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeAlias, TypeVar, cast
 
 from kurbel.errors import ChoiceError, NotationError, OutsideError
 from kurbel.reading import notation
@@ -249,22 +249,24 @@ def as_fraction(value: object) -> Fraction:
     return Fraction(value) if isinstance(value, int) else notation.number(str(value))
 
 
-def _exactly(read: Callable[Concatenate[str, P], Fraction]) -> Callable[Concatenate[object, P], Fraction]:
-    """Return the reader of a value of either kind that reads text so."""
+@dataclass(frozen=True)
+class Reader:
+    """What reads a value of either kind, text in its way; a bare number is in the unit."""
 
-    def either(value: object, /, *what: P.args, **more: P.kwargs) -> Fraction:
-        return read(value, *what, **more) if isinstance(value, str) else as_fraction(value)
+    text: Callable[..., Fraction]
+    unit: str = ""
 
-    return either
-
-
-as_ratio = _exactly(notation.ratio)
-as_angle = _exactly(notation.angle)
-as_number = _exactly(notation.number)
-as_share = _exactly(notation.share)
+    def __call__(self, value: object, *what: str) -> Fraction:
+        return self.text(value, *what) if isinstance(value, str) else as_fraction(value)
 
 
-def _measured(name: str) -> Callable[..., Fraction]:
+as_ratio = Reader(notation.ratio)
+as_angle = Reader(notation.angle, "degrees")
+as_number = Reader(notation.number)
+as_share = Reader(notation.share)
+
+
+def _measured(name: str, unit: str) -> Reader:
     """Return the reader of a measure; units are loaded where there are any."""
 
     def read(text: str, what: str = "") -> Fraction:
@@ -273,37 +275,35 @@ def _measured(name: str) -> Callable[..., Fraction]:
         value: Fraction = getattr(units, name)(text, what)
         return value
 
-    return _exactly(read)
+    return Reader(read, unit)
 
 
-# Metres, kilograms, kilogram square metres, pascals, newtons, watts, metres a second, m³/kg, kg/m³.
-as_length = _measured("length")
-as_mass = _measured("mass")
-as_signed_mass = _measured("signed_mass")
-as_inertia = _measured("moment_of_inertia")
-as_pressure = _measured("pressure")
-as_mean_pressure = _measured("mean_pressure")
-as_force = _measured("force")
-as_signed_force = _measured("signed_force")
-as_power = _measured("power")
-as_torque = _measured("signed_torque")
-as_duration = _measured("duration")
-# Metres, against the direction that counts below 0.
-as_displacement = _measured("displacement")
-# Radians a second squared.
-as_angular_acceleration = _measured("angular_acceleration")
-as_velocity = _measured("velocity")
-as_specific_volume = _measured("specific_volume")
-as_density = _measured("density")
-as_heating_value = _measured("heating_value")
-as_brake_torque = _measured("brake_torque")
-as_temperature = _measured("temperature")
-as_energy = _measured("energy")
-as_work = _measured("work")
-as_volume = _measured("volume_swept")
-as_stress = _measured("stress")
-as_area = _measured("area")
-as_energy_an_area = _measured("energy_an_area")
+as_length = _measured("length", "m")
+as_mass = _measured("mass", "kg")
+as_signed_mass = _measured("signed_mass", "kg")
+as_inertia = _measured("moment_of_inertia", "kg m²")
+as_pressure = _measured("pressure", "Pa")
+as_mean_pressure = _measured("mean_pressure", "Pa")
+as_force = _measured("force", "N")
+as_signed_force = _measured("signed_force", "N")
+as_power = _measured("power", "W")
+as_torque = _measured("signed_torque", "N m")
+as_duration = _measured("duration", "s")
+# Against the direction that counts it is below 0.
+as_displacement = _measured("displacement", "m")
+as_angular_acceleration = _measured("angular_acceleration", "rad/s²")
+as_velocity = _measured("velocity", "m/s")
+as_specific_volume = _measured("specific_volume", "m³/kg")
+as_density = _measured("density", "kg/m³")
+as_heating_value = _measured("heating_value", "J/kg")
+as_brake_torque = _measured("brake_torque", "N m")
+as_temperature = _measured("temperature", "K")
+as_energy = _measured("energy", "J")
+as_work = _measured("work", "J")
+as_volume = _measured("volume_swept", "m³")
+as_stress = _measured("stress", "Pa")
+as_area = _measured("area", "m²")
+as_energy_an_area = _measured("energy_an_area", "J/m²")
 
 
 def as_share_or_pressure(value: object, what: str, whole: object) -> Fraction:

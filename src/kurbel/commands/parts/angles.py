@@ -90,17 +90,16 @@ class Angles(Part):
         " --where of kurbel solve: 's=10%', 's=0..100%:5%', 'x=120mm', psi=max, c=max.", "ANGLES",
         unit="degrees", many=True,
     )  # fmt: skip
-    from_ = measure(as_angle, "First angle; default 0.", "ANGLE", unit="degrees", what="first angle")
+    from_ = measure(as_angle, "First angle; default 0.", "ANGLE", what="first angle")
     to = measure(
         as_angle,
         "Last angle; default 360, the whole turn, and 180 where outstroke and return stand side by side."
         " Beyond 180 a page is of whole turns, with one column a quantity.",
-        "ANGLE", unit="degrees", what="last angle",
+        "ANGLE", what="last angle",
     )  # fmt: skip
     step = measure(
         as_angle,
         "Step of the angles; default 10. Without any of these options a layout has its own angles.", "ANGLE",
-        unit="degrees",
     )  # fmt: skip
     zero = amount(
         "Where the angles of the page count from, if not from φ = 0: an angle, or outer for the outer dead"

@@ -29,19 +29,16 @@ class Piston(Part):
     title, add = "a piston on which a pressure acts", "--head-pressure or --crank-pressure"
     topic = "piston"
 
-    bore = measure(
-        as_length, "Bore of the cylinder: 300mm.", "LENGTH", unit="m", machine="steam compressor pump gas"
-    )
+    bore = measure(as_length, "Bore of the cylinder: 300mm.", "LENGTH", machine="steam compressor pump gas")
     piston_rod = measure(
         as_length,
         "Diameter of the piston rod, which lessens the area on the side of the crank: 50mm.", "LENGTH",
-        unit="m", machine="steam",
+        machine="steam",
     )  # fmt: skip
     tail_rod = measure(
         as_length,
         "Diameter of a rod through the cover, on the other side: 40mm.",
         "LENGTH",
-        unit="m",
         machine="steam",
     )
 
@@ -62,7 +59,6 @@ class Friction(Part):
         as_force,
         "Friction of piston and crosshead, against their motion: 500N.",
         "FORCE",
-        unit="N",
         machine="masses",
     )
 
@@ -77,18 +73,17 @@ class Pressing(Part):
         as_pressure,
         "With --bore: pressure on the piston's side of the cover, above the surroundings: 0.3bar. It acts as"
         " long as the crank turns; without --crank-pressure none is on the other side.",
-        "PRESSURE", unit="Pa",
+        "PRESSURE",
     )  # fmt: skip
     crank_pressure = measure(
         as_pressure,
         "The same on the side of the crank, on the area less that of the --piston-rod: 1.5kPa.", "PRESSURE",
-        unit="Pa",
     )  # fmt: skip
     pressure_difference = measure(
         as_pressure,
         "In place of both: by how much the pressure of the cover's side is higher, on the full area: 2.5bar;"
         " -2.5bar where it is lower.",
-        "PRESSURE", unit="Pa",
+        "PRESSURE",
     )  # fmt: skip
 
 
@@ -104,11 +99,9 @@ class PinFriction(Part):
         " diameter has none.",
         "μ",
     )  # fmt: skip
-    crosshead_pin = measure(
-        as_length, "With --pin-friction: diameter of the crosshead pin: 80mm.", "LENGTH", unit="m"
-    )
-    crank_pin = measure(as_length, "The same of the crank pin: 120mm.", "LENGTH", unit="m")
-    shaft = measure(as_length, "The same of the shaft: 140mm.", "LENGTH", unit="m")
+    crosshead_pin = measure(as_length, "With --pin-friction: diameter of the crosshead pin: 80mm.", "LENGTH")
+    crank_pin = measure(as_length, "The same of the crank pin: 120mm.", "LENGTH")
+    shaft = measure(as_length, "The same of the shaft: 140mm.", "LENGTH")
 
     def pins(self) -> Pins | None:
         """Return the pins with their friction, None without any."""
@@ -133,11 +126,9 @@ class TurningShaft(Part):
     inertia = measure(
         as_inertia,
         "Moment of inertia of flywheel and shaft, for the angular acceleration of the shaft: '21.6 kg m²'.",
-        "J", unit="kg m²", what="moment of inertia",
+        "J", what="moment of inertia",
     )  # fmt: skip
-    power = measure(
-        as_power, "With --inertia: power that is taken off the shaft at --speed: 20kW.", "POWER", unit="W"
-    )
+    power = measure(as_power, "With --inertia: power that is taken off the shaft at --speed: 20kW.", "POWER")
 
     def accelerates(self) -> bool:
         """Whether the shaft is accelerated; of the flywheel of a machine that is said by its column."""

@@ -121,7 +121,7 @@ class Loads(Piston):
     other_side = measure(
         as_pressure,
         "With --single-acting and --card or --pressure-ratio: pressure on the piston's other face, 1bar.",
-        "PRESSURE", unit="Pa", machine="steam compressor", topic="piston",
+        "PRESSURE", machine="steam compressor", topic="piston",
     )  # fmt: skip
     single_acting = flag(
         "One end works: steam on the outstroke only, and on the return both faces have the back pressure; a"
@@ -131,7 +131,7 @@ class Loads(Piston):
     )
     pressure = measure(
         as_pressure,
-        "Steam pressure before cut-off: 8bar; an indicator card has its own.", "PRESSURE", unit="Pa",
+        "Steam pressure before cut-off: 8bar; an indicator card has its own.", "PRESSURE",
         machine="steam",
     )  # fmt: skip
     pressure_ratio = measure(
@@ -161,11 +161,11 @@ class Loads(Piston):
         as_pressure,
         "Suction pressure of a compressor or gas engine: 1bar; of a pump above that on the other face:"
         " -0.3bar.",
-        "PRESSURE", unit="Pa", machine="compressor pump gas", topic="compressor",
+        "PRESSURE", machine="compressor pump gas", topic="compressor",
     )  # fmt: skip
     delivery_pressure = measure(
         as_pressure,
-        "Delivery pressure of a pump, above that on the other face: 6bar.", "PRESSURE", unit="Pa",
+        "Delivery pressure of a pump, above that on the other face: 6bar.", "PRESSURE",
         machine="pump", topic="pump",
     )  # fmt: skip
     compression = measure(

@@ -91,7 +91,7 @@ class MovingRod(Part):
         *(pair for one in SWUNG for other in WEIGHED for pair in ((one, other), (other, one))),
     )
 
-    rod_mass = measure(as_mass, "Mass of the connecting rod: 150kg.", "MASS", unit="kg", machine="masses.rod")
+    rod_mass = measure(as_mass, "Mass of the connecting rod: 150kg.", "MASS", machine="masses.rod")
     centre = amount(
         "Centre of mass of the rod from the crosshead pin, in rod lengths: 0.6, 60%; or a length, where that"
         " of the rod is known.",
@@ -117,7 +117,7 @@ class MovingRod(Part):
         as_inertia,
         "In place of --gyration the moment of inertia of the rod: '0.35 kg m²', with --rod-mass and its"
         " length.",
-        "J", unit="kg m²", what="moment of inertia",
+        "J", what="moment of inertia",
     )  # fmt: skip
     rod_inertia_about = amount(
         "The point about which that is: crosshead, crank, or its place as in --pendulum-from; default the"
@@ -237,7 +237,7 @@ class Rotating(Part):
         as_signed_mass,
         "Mass of the crank itself at its pin, for the main bearing: 60kg; -40kg if counterweights outweigh"
         " it.",
-        "MASS", unit="kg", what="rotating mass", machine="masses",
+        "MASS", what="rotating mass", machine="masses",
     )  # fmt: skip
 
 
@@ -251,13 +251,12 @@ class Masses(MovingRod, Weight):
         as_mass,
         "Mass of piston and crosshead: 200kg. Masses need --stroke and --speed, and beside steam --bore and"
         " --pressure.",
-        "MASS", unit="kg", what="reciprocating mass", machine="masses",
+        "MASS", what="reciprocating mass", machine="masses",
     )  # fmt: skip
     rocker_inertia = measure(
         as_inertia,
         "Moment of inertia of the rocker about its pivot: '20kg m²'.",
         "INERTIA",
-        unit="kg m²",
         machine="masses.rocker",
     )
 

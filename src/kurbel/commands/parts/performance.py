@@ -38,11 +38,9 @@ class Flywheel(Part):
         as_inertia,
         "The same by its moment of inertia: 1200kgm2. It needs --speed, and --power or the bore and the"
         " pressure.",
-        "J", unit="kg m²", what="moment of inertia",
+        "J", what="moment of inertia",
     )  # fmt: skip
-    power = measure(
-        as_power, "Power of the engine, for --inertia: 50kW, 68PS.", "POWER", unit="W", topic="work"
-    )
+    power = measure(as_power, "Power of the engine, for --inertia: 50kW, 68PS.", "POWER", topic="work")
     resistance = word(
         "Torque that the engine turns against: constant (default), or square of the speed.",
         kind=Choice("resistance", "kurbel.drive.wheel:RESISTANCES"),
@@ -94,5 +92,5 @@ class Losses(Part):
         as_specific_volume,
         "Of the steam before cut-off, for the steam taken: '0.24 m3/kg'; or its density, '4.16 kg/m3'.",
         "VOLUME",
-        unit="m³/kg", machine="steam",
+        machine="steam",
     )  # fmt: skip

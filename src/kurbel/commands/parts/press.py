@@ -49,7 +49,7 @@ class Press(Part):
         what="share of the cycle",
     )  # fmt: skip
     duration = measure(
-        as_duration, "Press: how long a stroke takes, in place of the share: 1s.", "TIME", unit="s",
+        as_duration, "Press: how long a stroke takes, in place of the share: 1s.", "TIME",
         what="duration of a stroke",
     )  # fmt: skip
     hole = measure(
@@ -62,14 +62,13 @@ class Press(Part):
         as_length,
         "Press: stroke of the punch, up and down in a cycle; with --hole it works while it goes through the"
         " plate, of which the share follows: 100mm.",
-        "LENGTH", unit="m", what="stroke of the punch",
+        "LENGTH", what="stroke of the punch",
     )  # fmt: skip
     shear_energy = measure(
-        as_energy_an_area, "Press: energy of a sheared area, for --hole: 7J/mm².", "ENERGY", unit="J/m²"
+        as_energy_an_area, "Press: energy of a sheared area, for --hole: 7J/mm².", "ENERGY"
     )
     shear_strength = measure(
         as_stress, "Press: strength of the plate, for --hole, whose work is ½ π d t² τ: 300MPa.", "STRESS",
-        unit="Pa",
     )  # fmt: skip
     efficiency = measure(
         as_share, "Press: efficiency from the motor, whose power is --power: 95%.", "SHARE", topic="work"

@@ -73,7 +73,7 @@ class Swing(Part):
     topic = "wheel"
 
     swing = measure(
-        as_energy, "Energy swing, from the least speed to the greatest: 5kJ.", "ENERGY", unit="J",
+        as_energy, "Energy swing, from the least speed to the greatest: 5kJ.", "ENERGY",
         what="energy swing",
     )  # fmt: skip
     energy_fluctuation = measure(
@@ -83,7 +83,7 @@ class Swing(Part):
     work = measure(
         as_work,
         "Work of a cycle, of a press that of a stroke: 10kJ; or its factors, '350kN x 200mm x 15%',"
-        " '1200J/cm² x 8cm x 2cm', '2kNm x 144/min x 0.6s'.", "ENERGY", unit="J",
+        " '1200J/cm² x 8cm x 2cm', '2kNm x 144/min x 0.6s'.", "ENERGY",
         what="work of a cycle", topic="press",
     )  # fmt: skip
 
@@ -98,15 +98,15 @@ class Body(Part):
     )
     least_speed = amount("Least speed: 200/min.", "SPEED", unit="turns a second")
     inertia = measure(
-        as_inertia, "Moment of inertia of the flywheel: 1200kgm2.", "J", unit="kg m²",
+        as_inertia, "Moment of inertia of the flywheel: 1200kgm2.", "J",
         what="moment of inertia", machine="flywheel",
     )  # fmt: skip
     run_up_torque = measure(
-        as_torque, "From rest to its --speed under a constant torque: 20 N m.", "TORQUE", unit="N m",
+        as_torque, "From rest to its --speed under a constant torque: 20 N m.", "TORQUE",
         what="torque of running up",
     )  # fmt: skip
     run_up_time = measure(
-        as_duration, "How long it takes from rest to its --speed: 12s.", "TIME", unit="s",
+        as_duration, "How long it takes from rest to its --speed: 12s.", "TIME",
         what="time of running up",
     )  # fmt: skip
     run_up_turns = amount("How many turns it makes meanwhile: 40.", "TURNS")
@@ -114,7 +114,6 @@ class Body(Part):
         as_mass,
         "Mass of the flywheel, which with --radius gives the inertia: 6.5t.",
         "MASS",
-        unit="kg",
         machine="flywheel",
     )
 
@@ -126,12 +125,12 @@ class Rim(Part):
     section = "flywheel"
 
     rim_diameter = measure(
-        as_length, "Mean diameter of the rim: 2m.", "LENGTH", unit="m", what="mean diameter of the rim"
+        as_length, "Mean diameter of the rim: 2m.", "LENGTH", what="mean diameter of the rim"
     )
     rim_speed = measure(
         as_velocity,
         "Speed of the rim at its mean diameter: 25m/s, or 26..28m/s; with δ its mass needs no --speed.",
-        "VELOCITY", unit="m/s", what="speed of the rim", machine="",
+        "VELOCITY", what="speed of the rim", machine="",
     )  # fmt: skip
     rim_section = amount(
         "Section of the rim: breadth to thickness, 2:1, both, '400mm x 200mm', or 800cm².",
@@ -146,11 +145,11 @@ class Rim(Part):
         _size, "Thickness of the rim, along the radius: 150mm, or a share of its mean diameter, 10%.",
         "LENGTH", unit="m", what="thickness of the rim",
     )  # fmt: skip
-    density = measure(as_density, "Density of rim or disc: 7200kg/m³.", "DENSITY", unit="kg/m³")
+    density = measure(as_density, "Density of rim or disc: 7200kg/m³.", "DENSITY")
     hoop_stress = measure(
         as_stress,
         "Hoop stress ρ v² that the rim may have: 6MPa; without --rim-diameter the greatest is found.",
-        "STRESS", unit="Pa", usual="MPa",
+        "STRESS", usual="MPa",
     )  # fmt: skip
     rim_share = measure(
         as_share, "Share of the rim in the moment of inertia, beside arms and hub: 92%.", "SHARE",
@@ -160,7 +159,6 @@ class Rim(Part):
         as_length,
         "Solid disc: its diameter, 600mm.",
         "LENGTH",
-        unit="m",
         what="diameter of the disc",
         topic="disc",
     )
@@ -195,7 +193,7 @@ class Wheel(Swing, Press, Body, Rim, Speed):
     power = measure(
         as_power,
         "Power of the engine: 50kW, 68PS; left out, it follows from pressure, bore, stroke and speed.",
-        "POWER", unit="W", machine="flywheel", topic="work",
+        "POWER", machine="flywheel", topic="work",
     )  # fmt: skip
     speed = Speed.speed.but(help="Speed: 120/min, 12.5rad/s; without an engine also 200..225/min.")
     delta: Option[Sequence[Fraction] | None] = measure(
@@ -205,7 +203,7 @@ class Wheel(Swing, Press, Body, Rim, Speed):
     )  # fmt: skip
     radius = measure(
         as_length, "Radius at which the mass of the rim is wanted, or the radius of gyration: 1.5m.",
-        "LENGTH", unit="m", machine="flywheel",
+        "LENGTH", machine="flywheel",
     )  # fmt: skip
 
     def figures(self, *only: str) -> Iterator[tuple[str, Known]]:
