@@ -76,7 +76,9 @@ class House:
             return
         place = said.get("before") or said["replace"]
         assert own.count(place) == 1, f"{path.name} has {own.count(place)} places {place!r}"
-        text = f"{text}\n\n{place}" if "before" in said else text.rstrip("\n")
+        indent = own[: own.index(place)].rpartition("\n")[2]
+        among = textwrap.indent(text, indent).lstrip() + (indent or "\n\n") + place
+        text = among if "before" in said else text.rstrip("\n")
         path.write_text(own.replace(place, text), encoding="utf-8")
 
     def ran(self, command: str) -> tuple[int, str]:

@@ -34,19 +34,22 @@ OF_ROD = words(
 )
 
 
-def _motion(straight: Kernel, series: Kernel, offset: Kernel, *lines: Label) -> Formulas:
-    """Return the formulas by the methods exact, series and infinite, and of the offset crank, as printed."""
+def _motion(straight: Kernel, first: Kernel, offset: Kernel, *lines: Label) -> Formulas:
+    """Return the formulas by the methods exact, series and infinite, of the offset crank, and by higher
+    powers of λ, of which kernel/series.py has the kernel by the name of the exact one; as printed."""
 
     def exact(at: At) -> Any:
         return straight(at.circle, at.ratio)
 
     kernels = {
         "exact": exact,
-        "series": lambda at: series(at.circle, at.ratio),
+        "series": lambda at: first(at.circle, at.ratio),
         "infinite": exact,
         OFFSET: lambda at: offset(at.circle, at.ratio, at.offset),
     }
-    return {key: Formula(one, text) for (key, one), text in zip(kernels.items(), lines, strict=True)}
+    *own, further = lines
+    formulas = {key: Formula(one, text) for (key, one), text in zip(kernels.items(), own, strict=True)}
+    return _by_orders(formulas, straight.__name__, further)
 
 
 def _by_orders(first: Formulas, kernel: str, line: Label) -> Formulas:
@@ -83,6 +86,7 @@ PATH = _motion(
     "$x/R = 1 - cos {angle} {±} 1/2 λ sin^2 {angle}$",
     "$x/R = 1 - cos {angle}$",
     "$x/R = (cos φ_i - cos {angle}) + (cos ψ_i - cos ψ)/λ$",
+    "$x/R = 1 - cos {angle} {±} ({path})$",
 )
 VELOCITY = _motion(
     kinematics.piston_velocity,
@@ -92,25 +96,23 @@ VELOCITY = _motion(
     "$c/v = sin {angle} {±} 1/2 λ sin 2 {angle}$",
     "$c/v = sin {angle}$",
     "$c/v = sin {angle} + cos {angle} tan ψ$",
+    "$c/v = sin {angle} {±} λ sin {angle} cos {angle} ({velocity})$",
 )
-ACCELERATION = _motion(
-    kinematics.piston_acceleration,
-    kinematics.piston_acceleration_first_order,
-    kinematics.offset_acceleration,
-    "$(p R)/v^2 = cos {angle} {±} λ (cos 2 {angle} + λ^2 sin^4 {angle})/(cos^3 ψ)$",
-    "$(p R)/v^2 = cos {angle} {±} λ cos 2 {angle}$",
-    "$(p R)/v^2 = cos {angle}$",
-    "$(p R)/v^2 = cos {angle} - sin {angle} tan ψ + λ (cos^2 {angle})/(cos^3 ψ)$",
+ACCELERATION = _driven(
+    _motion(
+        kinematics.piston_acceleration,
+        kinematics.piston_acceleration_first_order,
+        kinematics.offset_acceleration,
+        "$(p R)/v^2 = cos {angle} {±} λ (cos 2 {angle} + λ^2 sin^4 {angle})/(cos^3 ψ)$",
+        "$(p R)/v^2 = cos {angle} {±} λ cos 2 {angle}$",
+        "$(p R)/v^2 = cos {angle}$",
+        "$(p R)/v^2 = cos {angle} - sin {angle} tan ψ + λ (cos^2 {angle})/(cos^3 ψ)$",
+        "$(p R)/v^2 = cos {angle} {±} ({acceleration})$",
+    ),
+    VELOCITY,
 )
 
 
-PATH = _by_orders(PATH, "piston_path", "$x/R = 1 - cos {angle} {±} ({path})$")
-VELOCITY = _by_orders(
-    VELOCITY, "piston_velocity", "$c/v = sin {angle} {±} λ sin {angle} cos {angle} ({velocity})$"
-)
-ACCELERATION = _by_orders(
-    ACCELERATION, "piston_acceleration", "$(p R)/v^2 = cos {angle} {±} ({acceleration})$"
-)
 ROD_VERSINE = _by_orders(
     {
         "exact": Formula(
@@ -129,7 +131,6 @@ def _rod_angle(at: At) -> Numeric:
     return at.numbers.rod_angle(at.circle, at.ratio, at.offset)
 
 
-ACCELERATION = _driven(ACCELERATION, VELOCITY)
 ROD_VELOCITY = _motion(
     kinematics.rod_velocity,
     kinematics.rod_velocity_first_order,
@@ -138,21 +139,21 @@ ROD_VELOCITY = _motion(
     "$ω_L/ω = {sign}λ cos {angle}$",
     "$ω_L = 0$",
     "$ω_L/ω = (λ cos {angle})/(cos ψ)$",
+    "$ω_L/ω = {sign}λ cos {angle} ({velocity})$",
 )
-ROD_ACCELERATION = _motion(
-    kinematics.rod_acceleration,
-    kinematics.rod_acceleration_first_order,
-    kinematics.offset_rod_acceleration,
-    "$ε_L/ω^2 = {turned}(λ (1 - λ^2) sin {angle})/(cos^3 ψ)$",
-    "$ε_L/ω^2 = {turned}λ sin {angle}$",
-    "$ε_L = 0$",
-    "$ε_L/ω^2 = (ω_L^2/ω^2 sin ψ - λ sin {angle})/(cos ψ)$",
+ROD_ACCELERATION = _driven(
+    _motion(
+        kinematics.rod_acceleration,
+        kinematics.rod_acceleration_first_order,
+        kinematics.offset_rod_acceleration,
+        "$ε_L/ω^2 = {turned}(λ (1 - λ^2) sin {angle})/(cos^3 ψ)$",
+        "$ε_L/ω^2 = {turned}λ sin {angle}$",
+        "$ε_L = 0$",
+        "$ε_L/ω^2 = (ω_L^2/ω^2 sin ψ - λ sin {angle})/(cos ψ)$",
+        "$ε_L/ω^2 = {turned}λ sin {angle} ({rod_acceleration})$",
+    ),
+    ROD_VELOCITY,
 )
-ROD_VELOCITY = _by_orders(ROD_VELOCITY, "rod_velocity", "$ω_L/ω = {sign}λ cos {angle} ({velocity})$")
-ROD_ACCELERATION = _by_orders(
-    ROD_ACCELERATION, "rod_acceleration", "$ε_L/ω^2 = {turned}λ sin {angle} ({rod_acceleration})$"
-)
-ROD_ACCELERATION = _driven(ROD_ACCELERATION, ROD_VELOCITY)
 
 
 # The rod angle enters the first-order formulas nowhere; it is the same arc by every method.
@@ -170,6 +171,7 @@ def motion_entries() -> Iterator[Quantity]:
     yield from _piston_entries()
     yield from _rod_entries()
     yield from _clock_entries()
+    # Another quantity is one more entry here.
 
 
 def _piston_entries() -> Iterator[Quantity]:

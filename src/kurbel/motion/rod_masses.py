@@ -123,11 +123,9 @@ def _pair(
 ) -> Iterator[Quantity]:
     share, (suffix, unit) = _SHARES[kind], _UNITS[kind]
     formulas = {"exact": Formula(kernel)}
-    own = entry(
-        key, name, f"${letter}$", share.replace("^2", "²"), 4, formulas, f"${letter}/({share})$", of=kind
-    )
-    own = own._replace(heading=words(f"${letter}/{share}$" if " " not in share else f"${letter}/({share})$"))
-    own = own._replace(spanners=(own.name,))
+    heading = f"${letter}/{share}$" if " " not in share else f"${letter}/({share})$"
+    spanners = (words(name),)
+    own = entry(key, name, f"${letter}$", share.replace("^2", "²"), 4, formulas, heading, spanners=spanners)
     yield own
     yield own._replace(
         key=f"{key}_{suffix}",
