@@ -575,7 +575,7 @@ class Folder:
     def wrong(self, call: Call) -> tuple[int | str, str]:
         """Make a call; return how it ended, and what is wrong with what came of it, or nothing."""
         for name, content in call.files.items():
-            (self.work / name).parent.mkdir(exist_ok=True)
+            (self.work / name).parent.mkdir(parents=True, exist_ok=True)
             (self.work / name).write_bytes(content)
         before = state(self.work) if call.files else self.clean
         with chdir(self.work):

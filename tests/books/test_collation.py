@@ -220,11 +220,14 @@ def test_only_deviations_leaves_what_is_right_and_strict_fails_where_something_d
     assert (len(deviating), len(collated("roetscher-112"))) == (14, 54)
     assert kurbel("collate", "weisbach-149", "--strict").code == 0
     result = kurbel("collate", "blau-32", "--strict")
-    assert (result.code, result.err) == (1, "")
+    failure = "kurbel: printed values deviate (1), and --strict fails then\n"
+    assert (result.code, result.err) == (1, failure)
     assert "0,356" in result.out
-    whole = tmp_path / "apparat.csv"
-    assert kurbel("collate", "blau-32", "--strict", "-o", str(whole)).code == 1
-    assert "0,356" in whole.read_text(encoding="utf-8")
+    for name in ("apparat.csv", "apparat.svg"):
+        whole = tmp_path / name
+        result = kurbel("collate", "blau-32", "--strict", "-o", str(whole))
+        assert (result.code, result.err) == (1, failure)
+        assert "0,356" in whole.read_text(encoding="utf-8") or name.endswith(".svg")
 
 
 def test_how_blau_came_to_a_last_place_is_said() -> None:

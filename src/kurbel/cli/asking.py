@@ -55,16 +55,14 @@ OF_THE_PAGE = frozenset(("lang", "decimal", "layouts"))
 class Asked(NamedTuple):
     """What the words ask for: a table or a drawing, its language and decimal mark, the files read for it.
 
-    `longtable` tells that LaTeX may break the table over pages; `code` is 1 where the command, such as
-    collate --strict, would end with it. With `siunitx` LaTeX leaves the numbers to that package, and `plain`
-    is what an author would type; `rounding` is that of the table's.
+    `longtable` tells that LaTeX may break the table over pages. With `siunitx` LaTeX leaves the numbers to
+    that package, and `plain` is what an author would type; `rounding` is that of the table's.
     """
 
     made: Table | Drawing
     lang: str
     decimal: str | None
     files: tuple[str, ...]
-    code: int
     longtable: bool = False
     siunitx: bool = False
     plain: bool = False
@@ -120,14 +118,14 @@ def asked(
             if context.get_parameter_source(one) is ParameterSource.COMMANDLINE and not drawn:
                 raise ProblemError(f"--{one} is for single tables; a document sets it by itself")
         with augment_usage_errors(context):
-            made, code = command.made(Given(context))
+            made = command.made(Given(context))
     except click.ClickException as error:
         raise ProblemError(one_line(error, words)) from None
     if isinstance(made, Table):
         made = _unprompted(made)
     values = context.params
     wishes = {one: values[one] for one in ("longtable", "siunitx", "plain", "rounding") if one in values}
-    return Asked(made, values["lang"], values["decimal"], _files(context, own), code, **wishes)
+    return Asked(made, values["lang"], values["decimal"], _files(context, own), **wishes)
 
 
 def _unprompted(table: Table) -> Table:
@@ -185,8 +183,6 @@ def make_part(task: Task) -> Made:
     options = {**part.options, "label": part.name}
     inside = "" if task.outside else HANDBOOK
     answer = asked(part.words, options, task.machine, folder=task.folder, inside=inside)
-    if answer.code:
-        raise FailedError("the command ends with 1, for printed values deviate and it is strict")
     made = answer.made
     return _table(task, answer, made) if isinstance(made, Table) else _figure(task, answer, made)
 

@@ -100,12 +100,12 @@ class ConstructCommand(TableCommand):
         ]
         self.help, self.examples = with_examples(HELP)
 
-    def made(self, given: Given) -> tuple[Table | Drawing, int]:
+    def made(self, given: Given) -> Table | Drawing:
         if given.values["name"] is None:
             raise ProblemError('"construct" prints a list; a document needs the name of a construction')
         if given.values["table"]:
             return super().made(given)
-        return self._drawn(given), 0
+        return self._drawn(given)
 
     def run(self, given: Given) -> int:
         if given.values["name"] is None:
@@ -191,16 +191,14 @@ class PlotCommand(MakingCommand):
         command = plot_mechanism.command
         super().__init__("plot", params=_params(), help=help_of(command), in_short=command.asks.in_short)
 
-    def made(self, given: Given) -> tuple[Drawing, int]:
-        """Return the drawing, and the exit code of the command."""
+    def made(self, given: Given) -> Drawing:
         drawing: Drawing = plot_mechanism.command.ask(given)
-        return drawing, 0
+        return drawing
 
     def run(self, given: Given) -> int:
         name = _format(given)
-        drawing, code = self.made(given)
-        write(drawing, name, given)
-        return code
+        write(self.made(given), name, given)
+        return 0
 
 
 def _format(given: Given) -> str:

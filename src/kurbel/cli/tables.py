@@ -27,7 +27,7 @@ from kurbel.cli.options import (
     printing_options,
 )
 from kurbel.commands.subject import Command
-from kurbel.errors import ProblemError
+from kurbel.errors import FailedError, ProblemError
 from kurbel.exact.numerals import ROUNDINGS
 from kurbel.formats.registry import DEFAULT, FORMATS, BytesFormat, Format, RecordsFormat, for_suffix
 from kurbel.formats.render import render, whole_file
@@ -52,8 +52,8 @@ class MakingCommand(TopicCommand, ABC):
     """A command of which a document can ask what it makes."""
 
     @abstractmethod
-    def made(self, given: Given) -> tuple[Table | Drawing, int]:
-        """Return the table or the drawing, and what the command would end with. Raises KurbelError."""
+    def made(self, given: Given) -> Table | Drawing:
+        """Return the table or the drawing. Raises KurbelError, also where the command prints and fails."""
 
     @abstractmethod
     def run(self, given: Given) -> int:
@@ -86,20 +86,19 @@ class TableCommand(MakingCommand):
         """Return what is asked for. Raises KurbelError."""
         return self.made_by.ask(given)
 
-    def exit_code(self, given: Given, question: Question) -> int:
-        """Return what the command ends with, once it has printed."""
-        return 0
+    def check(self, given: Given, question: Question) -> None:
+        """Raise FailedError where the command fails once it has printed."""
 
-    def made(self, given: Given) -> tuple[Table | Drawing, int]:
-        """Return the table, or the drawing, and the exit code, for a document."""
-        if self.draws and drawing_format(given):
-            return drawn(self.question(given), given), 0
-        # What cannot be printed so is refused, too.
-        Printing.chosen(given)
-        if Printing.interactive(given):
-            return self.stepped(given), 0
+    def made(self, given: Given) -> Table | Drawing:
+        is_drawn = self.draws and drawing_format(given)
+        if not is_drawn:
+            # What cannot be printed so is refused, too.
+            Printing.chosen(given)
+            if Printing.interactive(given):
+                return self.stepped(given)
         question = self.question(given)
-        return self.made_by.built(question, given), self.exit_code(given, question)
+        self.check(given, question)
+        return drawn(question, given) if is_drawn else self.made_by.built(question, given)
 
     def stepped(self, given: Given) -> Table:
         """Return the table of an interactive page, with those of its steps. Raises KurbelError."""
@@ -112,7 +111,9 @@ class TableCommand(MakingCommand):
 
     def run(self, given: Given) -> int:
         if self.draws and (name := drawing_format(given)):
-            write(drawn(self.question(given), given), name, given)
+            question = self.question(given)
+            write(drawn(question, given), name, given)
+            self.check(given, question)
             return 0
         printing = Printing.chosen(given)
         if Printing.interactive(given):
@@ -122,7 +123,8 @@ class TableCommand(MakingCommand):
             return 0
         question = self.question(given)
         self.print(question, printing, given)
-        return self.exit_code(given, question)
+        self.check(given, question)
+        return 0
 
     def print(self, question: Question, printing: Printing, given: Given) -> None:
         """Write the table to the file, whole or not at all."""
@@ -140,7 +142,7 @@ class TableCommand(MakingCommand):
 
 
 class CollateCommand(TableCommand):
-    """`kurbel collate`, which may end with 1, and takes neither digits nor rounding."""
+    """`kurbel collate`, which may fail, and takes neither digits nor rounding."""
 
     def question(self, given: Given) -> Any:
         if given.values["digits"] is not None:
@@ -153,8 +155,9 @@ class CollateCommand(TableCommand):
             )
         return super().question(given)
 
-    def exit_code(self, given: Given, question: Any) -> int:
-        return int(given.says("strict") and bool(question.deviations))
+    def check(self, given: Given, question: Any) -> None:
+        if given.says("strict") and question.deviations:
+            raise FailedError(f"printed values deviate ({len(question.deviations)}), and --strict fails then")
 
 
 def _params(
