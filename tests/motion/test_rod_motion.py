@@ -12,7 +12,7 @@ from figures import figures
 import kurbel
 from kurbel import verify
 
-RADPS = ("rod_velocity_radps", "rod_acceleration_radps2")
+RADPS = ("rod_velocity_radps", "rod_acceleration_radps2", "rod_along", "slowest_point")
 
 
 @pytest.mark.parametrize(("degrees", "offset"), [("60", "0"), ("217", "0"), ("60", "-40"), ("310", "70")])

@@ -19,6 +19,7 @@ from mpmath import (
     mpf,
     pi,
     radians,
+    sign,
     sin,
     sqrt,
 )
@@ -85,8 +86,22 @@ def greatest_velocity(crank: mpf, rod: mpf, speed: mpf) -> Rows:
 
 
 @solution
-def rod_turns(crank: mpf, rod: mpf, speed: mpf, angle: mpf) -> Rows:
-    return [{"psi": degrees(asin(crank * sin(radians(angle)) / rod)), **turning(crank, rod, speed, angle)}]
+def rod_turns(crank: mpf, rod: mpf, speed: mpf, pin: mpf, big: mpf, angle: mpf) -> Rows:
+    piston = place(angle, crank, rod, speed)["c_mps"]
+
+    def size(share: mpf) -> mpf:
+        """The velocity of a point of the rod, whose ends move as the piston and square to the crank."""
+        ends = mpc(-piston), crank * speed * 1j * expj(radians(angle))
+        return abs(ends[0] * (1 - share) + ends[1] * share)
+
+    turned, slowest = turning(crank, rod, speed, angle), findroot(lambda one: diff(size, one), mpf("0.1"))
+    rates = {"crosshead_pin": (0, pin), "crank_pin": (speed, big)}
+    rubbed = {
+        f"{name}_rubbing_mps": (turned["rod_velocity_radps"] + own) * wide / 2
+        for name, (own, wide) in rates.items()
+    }
+    found = {"slowest_point": slowest, "rod_along_mps": size(slowest) * sign(piston), **turned, **rubbed}
+    return [{"psi": degrees(asin(crank * sin(radians(angle)) / rod)), **found}]
 
 
 @solution

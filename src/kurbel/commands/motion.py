@@ -9,7 +9,16 @@ from typing import ClassVar
 from kurbel.commands.options import Columns, Option, flag, measure
 from kurbel.commands.part import CommandOptions, Rivals
 from kurbel.commands.parts.angles import ANGLE, ENDS, FORCES_OVER_PATH, OVER_PATH, Angles
-from kurbel.commands.parts.drive import APPROXIMATE, POINTS, AnyDrive, Linked, Series, Speed, Turning
+from kurbel.commands.parts.drive import (
+    APPROXIMATE,
+    POINTS,
+    AnyDrive,
+    Linked,
+    PinSizes,
+    Series,
+    Speed,
+    Turning,
+)
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, columns_over_angle, layout_option
 from kurbel.commands.subject import function
 from kurbel.drive.crank import Described
@@ -74,7 +83,7 @@ class OverPath(Angles, AnyDrive, Layouts, Sheet):
         )
 
 
-class MotionOptions(OverPath, Turning, Series, CommandOptions):
+class MotionOptions(OverPath, Turning, Series, PinSizes, CommandOptions):
     """Print a table of piston path, velocity and acceleration.
 
     \b
@@ -111,7 +120,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
     unnamed = "ratio"
     sequence = (
         "point angle from_ to step zero columns offset stroke time_ratio rod"
-        " method order speed acceleration mechanism rocker pivot circuit beam"
+        " method order speed acceleration mechanism rocker pivot circuit beam crosshead_pin crank_pin shaft"
     )
     in_short = "ratio stroke rod speed machine mechanism offset method angle step columns digits"
     rivals: ClassVar[Rivals] = (("mechanism", "layout"), ("layout", "mechanism"))
@@ -142,7 +151,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
         if page.subject in APPROXIMATE:
             return self._approximations(chosen, described, page)
         question = chosen.question(
-            chosen.drives(described, page.ratios),
+            self.with_pins(chosen, chosen.drives(described, page.ratios)),
             self.series(),
             angles=self.angles(page),
             zero=self.zero_angle,
@@ -159,7 +168,7 @@ class MotionOptions(OverPath, Turning, Series, CommandOptions):
             raise ProblemError("series of points of the rod are of first order; leave --order out")
         chosen.rod_ends()
         page = self.page(SUBJECT.layout, POINTS)
-        drives = chosen.drives(described, page.ratios)
+        drives = tuple(self.with_pins(chosen, chosen.drives(described, page.ratios)))
         return PointsRequest(
             mechanism=chosen,
             drives=drives,

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from kurbel import verify
 from kurbel.errors import ProblemError
+from kurbel.motion.point_quantities import points_registry
 from kurbel.reading import units
 from kurbel.reading.given import as_places
 from kurbel.reading.notation import number
@@ -65,6 +66,12 @@ def of_drive(second: Second, key: str, method: str, row: Row) -> Value:
 
 def _moved(second: Second, drive: verify.Drive, key: str, method: str, at: Degrees, row: Row) -> Value:
     asked = second.asked
+    if "rubbing" in key:
+        pin, _, side = key.removesuffix("_mps").partition("_rubbing")
+        turned = drive.value(f"rod_velocity{side}", at, method)
+        own, of_rod = {"crosshead_pin": (0, 1), "crank_pin": (1, 1), "shaft": (1, 0)}[pin]
+        rim: Fraction = getattr(asked, pin) / 2
+        return Value(lambda: (own + of_rod * turned.recipe()) * drive.omega * rim)
     if asked.is_heavy() or asked.has_parts():
         heavy = _heavy(second, drive, second.push(), method, row)
         if heavy.knows(key):
@@ -76,11 +83,12 @@ def _moved(second: Second, drive: verify.Drive, key: str, method: str, at: Degre
             return Value(
                 lambda: (torque.recipe() - (exactly(power) / drive.omega if power else 0)) / exactly(inertia)
             )
-    if "point" not in row:
+    if "point" not in second.options or key not in points_registry():
         return drive.value(key, at, method)
     if method != "exact" or drive.parallel:
         raise ProblemError("points of such a rod are not known to the second computation")
-    share, _, beside = row["point"].partition(",")
+    # That of one point is in its caption.
+    share, _, beside = (row.get("point") or second.question.points[0].text).partition(",")
     return drive.value(key, at, method, point=(number(share), number(beside or "0")))
 
 

@@ -486,7 +486,7 @@ _TURNS = ("greatest_speed", "least_speed", "speed_drop")
 _STEM = {"speed_drop": "drop", "greatest_speed": "omega_max", "least_speed": "omega_min", "strokes": "cycles"}
 
 # Where a command is that is not called as its module.
-MODULES = {"locomotive": "rotor", "turning": "engine"}
+MODULES = {"table": "motion", "locomotive": "rotor", "turning": "engine"}
 # By commands, and of turning moment diagrams by their layouts.
 SUMMED: Mapping[str, Callable[[Any, str, str, Any], Value]] = {
     "rotor": of_rotor, "locomotive": of_locomotive, "balance": of_balance, "power": of_power,

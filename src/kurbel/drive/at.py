@@ -54,6 +54,12 @@ def angular_velocity(crank: Crank, numbers: Kind) -> Numeric:
     return omega * numbers.pi if speed.turns else omega
 
 
+def rubbing(pin: str, crank: Crank, numbers: Kind) -> Numeric:
+    """Return in m/s how fast the surface of a pin rubs in what turns with ω in it: d/2 ω."""
+    diameter: Fraction = known(getattr(known(crank.diameters), pin))
+    return angular_velocity(crank, numbers) * numbers.of(diameter / 2)
+
+
 def turns_a_minute(crank: Crank, numbers: Kind) -> Numeric:
     """Return n in 1/min."""
     speed = known(crank.speed)
@@ -315,17 +321,9 @@ class At:
     def reversal(self) -> Numeric:
         """Return the speed at which the load on the crosshead pin reverses here, in that of the crank.
 
-        √((F_m - F_B)/F_m): of all that acts along the slide the inertia force alone grows, with ω². NaN in
-        arrays where it opposes nothing.
+        √((F_m - F_B)/F_m): of all that acts along the slide the inertia force alone grows, with ω².
         """
-        inertia: Any = abs(self.loaded.inertia_force())
-        opposed: Any = self.reverses()
-        if self.numbers.bounded:
-            return root(opposed) / inertia
-        import numpy as np
-
-        with np.errstate(divide="ignore", invalid="ignore"):
-            return np.where(opposed > 0, np.sqrt(opposed) / inertia, np.nan)
+        return root(self.reverses()) / abs(self.loaded.inertia_force())
 
     def net_torque(self) -> Any:
         """Return the torque on the shaft less what the friction of the pins takes, over R, in newtons."""

@@ -25,11 +25,19 @@ LONGEST_ROD = 10**9
 LARGEST_ANGLE = 10**6
 
 
+class Diameters(NamedTuple):
+    """Those of crosshead pin, crank pin and shaft in metres, where they are known."""
+
+    crosshead_pin: Fraction | None = None
+    crank_pin: Fraction | None = None
+    shaft: Fraction | None = None
+
+
 @dataclass(frozen=True, slots=True)
 class Crank:
     """A crank drive: ratio λ = R/L, offset e/R, crank radius R in metres, speed, piston force,
     connecting rod, moving masses and what else acts on piston and crosshead, where they are known; its
-    angular acceleration in rad/s².
+    angular acceleration in rad/s²; the diameters of its pins.
 
     Valid for 0 <= λ < 1 and |e| < L − R; λ = 0 is the infinite rod.
     """
@@ -43,6 +51,7 @@ class Crank:
     moving: Moving | None = None
     acceleration: Fraction = Fraction(0)
     effort: Effort | None = None
+    diameters: Diameters | None = None
 
     @property
     def crank(self) -> Crank:

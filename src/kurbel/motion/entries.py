@@ -8,13 +8,14 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from kurbel.drive.at import At, angular_square, angular_velocity, turn_time, turned
+from kurbel.drive.at import At, angular_square, angular_velocity, rubbing, turn_time, turned
 from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.kernel import kinematics, series
 from kurbel.kernel.circle import Numeric
+from kurbel.kernel.forces import rod_slant
 from kurbel.motion.evaluation import OFFSET, OUT, REACH, RETURN, STROKES, TANGENT, TURN, Needs
-from kurbel.page.quantity import Formula, Quantity, entry, words
+from kurbel.page.quantity import Formula, Need, Quantity, entry, words
 
 Formulas = Mapping[str, Formula]
 Kernel = Callable[..., Numeric]
@@ -166,11 +167,36 @@ ROD_ANGLE: Formulas = {
 }
 
 
+def _of_end(at: At, formulas: Formulas) -> Numeric:
+    found: Numeric = formulas["exact" if at.offset is None else OFFSET].kernel(at)
+    return found
+
+
+def _along_rod(at: At) -> Numeric:
+    return _of_end(at, VELOCITY) * rod_slant(at.circle, at.ratio, at.offset).cosine
+
+
+def _slowest(at: At) -> Numeric:
+    lifted = at.ratio * rod_slant(at.circle, at.ratio, at.offset).sine
+    return _of_end(at, VELOCITY) * lifted / _of_end(at, ROD_VELOCITY)
+
+
+# All points of the rod have one velocity along it, the slowest no other.
+ROD_ALONG = dict.fromkeys(("exact", OFFSET), Formula(_along_rod, "$c_L = c cos ψ$"))
+SLOWEST = dict.fromkeys(("exact", OFFSET), Formula(_slowest, "$s_L = (c sin ψ)/ω_L$"))
+OF_ALONG = words("$c_L$ die kleinste Geschwindigkeit ihrer Punkte|$c_L$ the least velocity of its points")
+OF_SLOWEST = words(
+    "$s_L$ vom Kreuzkopf zum Kurbelzapfen; – in allen Punkten dieselbe"
+    "|$s_L$ from the crosshead to the crank pin; – the same in all points"
+)
+
+
 def motion_entries() -> Iterator[Quantity]:
     """Yield what moves on the outstroke, in the order in which `kurbel quantities` lists it."""
     yield from _piston_entries()
     yield from _rod_entries()
     yield from _clock_entries()
+    yield from _rubbing_entries()
     # Another quantity is one more entry here.
 
 
@@ -261,6 +287,48 @@ def _clock_entries() -> Iterator[Quantity]:
     )  # fmt: skip
 
 
+def _rubbing_entries() -> Iterator[Quantity]:
+    """Yield how fast pins of given diameters rub, and the velocity of the rod's slowest point."""
+    for pin, name, letter, line, kernel in (
+        (
+            "crosshead_pin", "Gleitgeschwindigkeit am Kreuzkopfzapfen|Rubbing velocity at the crosshead pin",
+            "w_B", "$w_B = {{sign}}(d_B ω)/2 {0}$", lambda turning, at: turning(at),
+        ),
+        (
+            "crank_pin", "Gleitgeschwindigkeit am Kurbelzapfen|Rubbing velocity at the crank pin",
+            "w_K", "$w_K = (d_K ω)/2 (1 {{±}} {0})$", lambda turning, at: 1 + turning(at),
+        ),
+    ):  # fmt: skip
+        formulas = {
+            method: Formula(
+                partial(kernel, one.kernel),
+                line.format(one.printed.partition(" = ")[2].replace("{sign}", "").strip("$")),
+            )
+            for method, one in ROD_VELOCITY.items()
+        }
+        yield spanned(
+            f"{pin}_rubbing_mps", name, f"${letter}$", f"${letter}$ in m/s", "m/s", 3, formulas,
+            scale=partial(rubbing, pin), needs=(_diameter(pin), Needs.SPEED), direction=OF_ROD,
+        )  # fmt: skip
+    along = partial(spanned, name="Geschwindigkeit längs der Stange|Velocity along the rod", symbol="$c_L$")
+    along = partial(along, formulas=ROD_ALONG, direction=OF_ALONG)
+    yield along("rod_along", heading="$c_L/v$", unit="$v$", decimals=4)
+    yield along(
+        "rod_along_mps", heading="$c_L$ in m/s", unit="m/s", decimals=3, scale=Crank.pin_velocity,
+        needs=(Needs.SPEED,),
+    )  # fmt: skip
+    yield spanned(
+        "slowest_point", "langsamster Punkt der Stange|Slowest point of the rod", "$s_L$", "$s_L/L$", "$L$",
+        4, SLOWEST, direction=OF_SLOWEST, exists=lambda at: _of_end(at, ROD_VELOCITY) ** 2,
+    )  # fmt: skip
+
+
+def _diameter(pin: str) -> Need:
+    return Need(
+        lambda crank: crank.diameters and getattr(crank.diameters, pin), (f"--{pin.replace('_', '-')}",)
+    )
+
+
 def speed_entries() -> Iterator[Quantity]:
     """Yield what is one number for the whole turn: its scale."""
     for key, name, head, unit, line, oblique, scale, needs in (
@@ -275,6 +343,11 @@ def speed_entries() -> Iterator[Quantity]:
         (
             "v_c_m", "Verhältnis der Geschwindigkeiten|Ratio of the velocities", "v:c_m", "", " = π:2",
             " = π R:S", Crank.pin_to_mean, (),
+        ),
+        (
+            "shaft_rubbing_mps", "Gleitgeschwindigkeit der Welle|Rubbing velocity of the shaft", "w_H", "m/s",
+            " = (d_H π n)/60", " = (d_H π n)/60", partial(rubbing, "shaft"),
+            (_diameter("shaft"), Needs.SPEED),
         ),
     ):  # fmt: skip
         one = Formula(lambda at: at.numbers.of(Fraction(1)), f"${head}{line}$")

@@ -156,7 +156,21 @@ def value(
     return _value_at(quantity, method, at)
 
 
-def _value_at(quantity: Quantity, method: str, at: At) -> Numeric:
+def _value_at(quantity: Quantity, method: str, at: At) -> Any:
+    """Return the quantity at a place; of floats NaN where there is no such number."""
+    if quantity.exists is None or at.numbers.of is not float:
+        return _scaled_at(quantity, method, at)
+    import numpy as np
+
+    exists: Any = quantity.exists(at)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        if np.ndim(exists):
+            found: Any = _scaled_at(quantity, method, at)
+            return np.where(exists > 0, found, np.nan)
+        return _scaled_at(quantity, method, at) if exists > 0 else np.nan
+
+
+def _scaled_at(quantity: Quantity, method: str, at: At) -> Numeric:
     found = kernel_of(quantity, method, at.drive)(at)
     return found * quantity.scale(at.crank, at.numbers) if quantity.scale else found
 

@@ -27,7 +27,14 @@ def drive_notes(cranks: Sequence[Crank], lang: str) -> list[Label]:
     """Return the lines about lengths and speeds, and those about offsets."""
     speeds = [_speed(crank, lang) if crank.speed else "" for crank in cranks if crank.radius is not None]
     lines = [size + speed for size, speed in zip(size_notes(cranks), speeds, strict=True)]
-    return lines + offset_notes(cranks, lang)
+    return lines + _pin_notes(cranks) + offset_notes(cranks, lang)
+
+
+def _pin_notes(cranks: Sequence[Crank]) -> list[Label]:
+    """Return the line about the diameters of pins, which all have alike."""
+    pins = zip("BKH", cranks[0].diameters or (), strict=False)
+    known = [f"$d_{letter} = {amount(size, 'mm')}$" for letter, size in pins if size is not None]
+    return [", ".join(known)] if known else []
 
 
 def size_notes(cranks: Iterable[Crank]) -> list[Label]:

@@ -8,13 +8,14 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
+from kurbel.drive.crank import Diameters
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel.circle import Circle, Numeric, circle
 from kurbel.motion.captions import formula_lines
-from kurbel.motion.evaluation import METHODS, OFFSET, OUT, certified
+from kurbel.motion.evaluation import METHODS, OFFSET, RETURN, columns_in_balls
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import CURVES, AngleQuestion, check_pairs, long_records
 from kurbel.motion.motion_quantities import registry
@@ -130,7 +131,8 @@ def _directions(question: PointsRequest, shown: Sequence[Quantity]) -> Iterator[
 
 # What stands beside points: of the rod, of the driven end, of the rocker.
 OF_DRIVE = (
-    *("x", "c", "p", "psi", "rod_velocity", "rod_acceleration", "time"),
+    *("x", "c", "p", "psi", "rod_velocity", "rod_acceleration", "time", "rod_along", "slowest_point"),
+    *(f"{pin}_rubbing" for pin in Diameters._fields),
     *("path", "rocker", "rod", "turn_velocity", "turn_acceleration"),
 )
 _UNITS = ("_mm", "_mps", "_mps2", "_radps", "_radps2")
@@ -144,7 +146,7 @@ def of_drive(name: str) -> Mapping[str, Quantity]:
     return {
         key: one._replace(part=None, spanners=tuple(label for label in one.spanners if label != one.part))
         for key in keys
-        if (one := known.get(key)) is not None and one.stroke == OUT
+        if (one := known.get(key)) is not None and one.stroke != RETURN
     }
 
 
@@ -302,8 +304,7 @@ def _number(question: PointsRequest, column: Column, place: Place, times: int) -
     if column.key in points_registry():
         scaled = moved.certified(column.quantity, angle, column.places, question.rounding)
     else:
-        by = moved.drive, angle, column.places, question.rounding
-        scaled = certified(column.quantity, column.method, *by)
+        [[scaled]] = columns_in_balls([column], moved.drive, [angle], question.rounding)
     return None if scaled is None else Number(scaled * times, column.places)
 
 

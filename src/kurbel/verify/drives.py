@@ -130,6 +130,14 @@ class Drive(Places):
             way = self.moved(end, stroke) if of == "path" else self.turned(end, stroke)
             found: Jet = way.derived(slope)
             return found
+        if name == "rod_along":
+            along: Jet = end.derived().dot(rod) / rod.size() * stroke
+            return along
+        if name == "slowest_point":
+            # Where the velocity, which changes evenly along the rod, is square to its change.
+            change = rod.derived()
+            slowest: Jet = -end.derived().dot(change) / change.square()
+            return slowest
         if name == "fd":
             return self.rod + rod.x
         if name in ("psi", "rod"):
@@ -342,6 +350,7 @@ _SLOPES = {
     **{
         f"{of}_{name}": (of, _ORDERS[name]) for of in ("turn", "rod") for name in ("velocity", "acceleration")
     },
+    **{name: (name, 1) for name in ("rod_along", "slowest_point")},
 }
 _POINTS = [
     *(f"{one}_{part}" for one in _ORDERS for part in ("along", "across")),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 from typing import ClassVar
 
 from kurbel.commands.options import Choice, Option, alone, amount, file, measure, word
@@ -10,15 +11,16 @@ from kurbel.commands.part import Origin, Part, Values
 from kurbel.commands.parts.angles import OVER_PATH
 from kurbel.commands.parts.sheet import Layouts
 from kurbel.drive import mechanisms as registered
-from kurbel.drive.crank import Described
+from kurbel.drive.crank import Described, Diameters
 from kurbel.drive.mechanisms import MECHANISMS, MOTIONS
+from kurbel.drive.moved import Drive
 from kurbel.drive.size import in_strokes, is_written
 from kurbel.errors import ProblemError
 from kurbel.motion.evaluation import REACH, series_of
 from kurbel.motion.mechanism import Mechanism, mechanism, of_other_mechanisms
 from kurbel.page.layouts import layout_of
 from kurbel.reading.given import Exact, as_crank_angles, as_length, as_numbers, as_ratios, as_speed
-from kurbel.reading.notation import plain, ratio_text
+from kurbel.reading.notation import about, plain, ratio_text
 
 # Of pages of approximations, and of pages about points of the rod.
 APPROXIMATE, POINTS = ("series errors", "successive"), "rod points"
@@ -156,6 +158,36 @@ class Speed(Part):
         unit="turns a second",
         machine="crank",
     )
+
+
+class PinSizes(Part):
+    """The diameters of the pins, by which they rub."""
+
+    title, add = "rubbing velocities of pins", "--columns phi,crank_pin_rubbing_mps"
+    topic = "crank"
+
+    crosshead_pin = measure(
+        as_length, "Diameter of the crosshead pin, for its rubbing velocity: 80mm.", "LENGTH", unit="m"
+    )
+    crank_pin = measure(as_length, "The same of the crank pin: 120mm.", "LENGTH", unit="m")
+    shaft = measure(as_length, "The same of the shaft: 140mm.", "LENGTH", unit="m")
+
+    def with_pins(self, chosen: Mechanism, drives: Sequence[Drive]) -> Sequence[Drive]:
+        """Return drives with the diameters of their pins. Raises ProblemError for other drives."""
+        if not self.says(*Diameters._fields):
+            return drives
+        if not chosen.crosshead:
+            raise ProblemError(
+                f"rubbing velocities of {chosen.title} are not computed; leave the diameters of its pins out"
+            )
+        pins = Diameters(self.crosshead_pin, self.crank_pin, self.shaft)
+        for name, diameter in pins._asdict().items():
+            if diameter is not None and diameter <= 0:
+                raise ProblemError(
+                    f"the diameter of the {name.replace('_', ' ')} is {about(1000 * diameter)} mm; it must be"
+                    " above 0"
+                )
+        return [drive.of(replace(chosen.crank(drive), diameters=pins)) for drive in drives]
 
 
 class Method(Part):
