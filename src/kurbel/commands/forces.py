@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from kurbel.commands.motion import OverPath
 from kurbel.commands.options import Choice, LayoutName, Option, measure, word
 from kurbel.commands.part import CommandOptions, flag_of
 from kurbel.commands.parts.angles import ENDS, FORCES_OVER_PATH, FULL_TURN, OVER_PATH
-from kurbel.commands.parts.drive import OF_MASSES, Turning
+from kurbel.commands.parts.drive import OF_MASSES, Turning, with_pins
 from kurbel.commands.parts.effort import PINNED, PRESSING, Effort, PinFriction, TurningShaft
 from kurbel.commands.parts.engine import Engine, FromOne
 from kurbel.commands.parts.loads import FURTHER, KINDS
@@ -15,6 +17,7 @@ from kurbel.commands.parts.sheet import columns_over_angle
 from kurbel.commands.subject import function
 from kurbel.drive.crank import Described
 from kurbel.drive.mechanisms import LINKAGES, SUBJECTS
+from kurbel.drive.moved import Drive
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.page.subject import Question
@@ -116,8 +119,11 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, TurningShaft
         page = self.page(name, *((*OF_DRIVES, *OF_ENGINES) if chosen.crosshead else (chosen.subject,)))
         if page.subject in OF_ENGINES:
             raise ProblemError(f"layout {page.key} is of a steam engine; add --eps or --card")
+        drives: Sequence[Drive] = chosen.drives(described, page.ratios)
+        if "rubbing" in str(self.values.values.get("columns")):
+            drives = with_pins(self, chosen, drives)
         question = chosen.question(
-            self.pushed(chosen, self.weighed(chosen, chosen.drives(described, page.ratios))),
+            self.pushed(chosen, self.weighed(chosen, drives)),
             self.method if self.is_heavy() else None,
             angles=self.angles(page),
             zero=self.zero_angle,

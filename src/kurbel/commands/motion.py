@@ -18,6 +18,7 @@ from kurbel.commands.parts.drive import (
     Series,
     Speed,
     Turning,
+    with_pins,
 )
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, columns_over_angle, layout_option
 from kurbel.commands.subject import function
@@ -151,7 +152,7 @@ class MotionOptions(OverPath, Turning, Series, PinSizes, CommandOptions):
         if page.subject in APPROXIMATE:
             return self._approximations(chosen, described, page)
         question = chosen.question(
-            self.with_pins(chosen, chosen.drives(described, page.ratios)),
+            with_pins(self, chosen, chosen.drives(described, page.ratios)),
             self.series(),
             angles=self.angles(page),
             zero=self.zero_angle,
@@ -168,7 +169,7 @@ class MotionOptions(OverPath, Turning, Series, PinSizes, CommandOptions):
             raise ProblemError("series of points of the rod are of first order; leave --order out")
         chosen.rod_ends()
         page = self.page(SUBJECT.layout, POINTS)
-        drives = tuple(self.with_pins(chosen, chosen.drives(described, page.ratios)))
+        drives = tuple(with_pins(self, chosen, chosen.drives(described, page.ratios)))
         return PointsRequest(
             mechanism=chosen,
             drives=drives,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from kurbel.commands.options import Choice, Option, alone, amount, file, measure, word
 from kurbel.commands.part import Origin, Part, Values
@@ -20,7 +20,7 @@ from kurbel.motion.evaluation import REACH, series_of
 from kurbel.motion.mechanism import Mechanism, mechanism, of_other_mechanisms
 from kurbel.page.layouts import layout_of
 from kurbel.reading.given import Exact, as_crank_angles, as_length, as_numbers, as_ratios, as_speed
-from kurbel.reading.notation import about, plain, ratio_text
+from kurbel.reading.notation import plain, ratio_text
 
 # Of pages of approximations, and of pages about points of the rod.
 APPROXIMATE, POINTS = ("series errors", "successive"), "rod points"
@@ -172,22 +172,17 @@ class PinSizes(Part):
     crank_pin = measure(as_length, "The same of the crank pin: 120mm.", "LENGTH", unit="m")
     shaft = measure(as_length, "The same of the shaft: 140mm.", "LENGTH", unit="m")
 
-    def with_pins(self, chosen: Mechanism, drives: Sequence[Drive]) -> Sequence[Drive]:
-        """Return drives with the diameters of their pins. Raises ProblemError for other drives."""
-        if not self.says(*Diameters._fields):
-            return drives
-        if not chosen.crosshead:
-            raise ProblemError(
-                f"rubbing velocities of {chosen.title} are not computed; leave the diameters of its pins out"
-            )
-        pins = Diameters(self.crosshead_pin, self.crank_pin, self.shaft)
-        for name, diameter in pins._asdict().items():
-            if diameter is not None and diameter <= 0:
-                raise ProblemError(
-                    f"the diameter of the {name.replace('_', ' ')} is {about(1000 * diameter)} mm; it must be"
-                    " above 0"
-                )
-        return [drive.of(replace(chosen.crank(drive), diameters=pins)) for drive in drives]
+
+def with_pins(options: Any, chosen: Mechanism, drives: Sequence[Drive]) -> Sequence[Drive]:
+    """Return drives with the diameters of their pins among options. Raises ProblemError for other drives."""
+    if not options.says(*Diameters._fields):
+        return drives
+    if not chosen.crosshead:
+        raise ProblemError(
+            f"rubbing velocities of {chosen.title} are not computed; leave the diameters of its pins out"
+        )
+    pins = Diameters(options.crosshead_pin, options.crank_pin, options.shaft)
+    return [drive.of(replace(chosen.crank(drive), diameters=pins)) for drive in drives]
 
 
 class Method(Part):
