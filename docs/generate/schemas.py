@@ -11,7 +11,7 @@ from msgspec import inspect
 
 import kurbel
 from kurbel.cli.asking import option_names
-from kurbel.cli.sweep_file import SweepFile
+from kurbel.cli.sweep_command import SweepFile
 from kurbel.commands.machine_file import machine_model
 from kurbel.handbook.model import SCHEMA, HandbookKeys
 from kurbel.page.layouts import LayoutFile

@@ -215,8 +215,8 @@ def test_threads_processes_and_one_that_dies_give_the_same_bytes(
 
 
 def small_partitions(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("kurbel.sweeps.parquet.GROUP", 4)
-    monkeypatch.setattr("kurbel.sweeps.parquet.GROUPS", 2)
+    monkeypatch.setattr("kurbel.sweeps.arrow.GROUP", 4)
+    monkeypatch.setattr("kurbel.sweeps.arrow.GROUPS", 2)
     monkeypatch.setattr("kurbel.sweeps.parts.ROWS", 8)
 
 

@@ -30,9 +30,8 @@ from kurbel.formats.registry import (
 )
 from kurbel.formats.render import as_one_page, render
 from kurbel.formats.workbook import page_sheet
-from kurbel.handbook.binder import kept
 from kurbel.handbook.matter import terse
-from kurbel.handbook.pages import INSIDE, PAGE, SHEET
+from kurbel.handbook.pages import INSIDE, PAGE, SHEET, kept
 from kurbel.handbook.pool import About, Made, Task, Verified
 from kurbel.page.labels import plain, unprompted
 from kurbel.page.table import Note, Table

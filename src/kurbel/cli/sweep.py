@@ -190,13 +190,10 @@ class _Commands(Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        from kurbel.cli.sweep_file import FILE, SUFFIX, words_of
+        from kurbel.cli.sweep_command import FILE, SUFFIX, ReadFile, SweepCommand, words_of
 
         if not args[0].endswith(SUFFIX) or ctx.resilient_parsing:
             return super().resolve_command(ctx, args)
-        from kurbel.cli.sweep_command import SweepCommand
-        from kurbel.cli.sweep_file import ReadFile
-
         read = ReadFile(args[0])
         command = self.get_command(ctx, read.declared.command)
         assert isinstance(command, SweepCommand)

@@ -24,9 +24,8 @@ import pyarrow.compute as compute
 from kurbel.errors import ChoiceError, OutputError
 from kurbel.reading.environment import need
 from kurbel.reading.given import allowed_name
-from kurbel.sweeps.arrow import REASON, own_batch_of, with_options
+from kurbel.sweeps.arrow import REASON, ROWS, gather, own_batch_of, reasons_of, with_options, write_partition
 from kurbel.sweeps.columns import MISSING
-from kurbel.sweeps.parquet import ROWS, gather, reasons_of, write_partition
 from kurbel.sweeps.rows import Sweep
 
 
@@ -64,9 +63,9 @@ class Form(NamedTuple):
 
 _HERE = "kurbel.sweeps"
 _NETCDF, _ZARR = ("pyarrow", "h5netcdf", "h5py"), ("pyarrow", "zarr")
-PARTITIONS = Form("partitions", ("/",), f"{_HERE}.parquet:write_folder", streams=False)
+PARTITIONS = Form("partitions", ("/",), f"{_HERE}.arrow:write_folder", streams=False)
 FORMS = (
-    Form("parquet", (".parquet", ".pq"), f"{_HERE}.parquet:write"),
+    Form("parquet", (".parquet", ".pq"), f"{_HERE}.arrow:write_parquet"),
     PARTITIONS,
     Form("arrow", (".arrow", ".feather"), f"{_HERE}.arrow:write_arrow"),
     Form("csv", (".csv",), f"{_HERE}.arrow:write_csv"),

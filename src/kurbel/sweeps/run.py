@@ -261,4 +261,4 @@ def _written(sweep: Sweep, form: Form, batch: pa.RecordBatch) -> tuple[float, fl
         return os.path.getsize(one), seconds
 
 
-FORMS_OF_FILES = Form("parquet", (), "kurbel.sweeps.parquet:write")
+FORMS_OF_FILES = Form("parquet", (), "kurbel.sweeps.arrow:write_parquet")

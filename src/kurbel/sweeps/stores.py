@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kurbel.sweeps.arrow import whole_path
 from kurbel.sweeps.grid import Array, fill
-from kurbel.sweeps.parquet import whole_path
 from kurbel.sweeps.rows import Sweep
 
 if TYPE_CHECKING:

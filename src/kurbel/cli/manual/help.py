@@ -10,7 +10,6 @@ import click
 
 from kurbel.cli import LANGUAGES
 from kurbel.cli.manual.command import TopicCommand
-from kurbel.cli.manual.examples import topical
 from kurbel.cli.manual.topics import (
     DEFAULTS,
     SHORTER,
@@ -19,6 +18,7 @@ from kurbel.cli.manual.topics import (
     flag_of,
     is_sweep,
     options_of,
+    topical,
     topics_of,
 )
 from kurbel.reading.given import choose
