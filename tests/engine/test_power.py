@@ -24,21 +24,6 @@ def record(*words: str) -> dict[str, float]:
     return {key: float(value) for key, value in [*row.items()][1:]}
 
 
-def card(share: float, cut_off: float, clearance: float, exponent: float) -> float:
-    """The pressure of the ideal card in that of admission."""
-    if share <= cut_off:
-        return 1.0
-    return float(((cut_off + clearance) / (share + clearance)) ** exponent)
-
-
-@pytest.mark.parametrize("exponent", [1.0, 1.2])
-def test_mean_pressure_is_the_area_of_the_card(exponent: float) -> None:
-    area, _ = quad(card, 0, 1, args=(1 / 3, 0.08, exponent), points=[1 / 3], epsabs=1e-13, epsrel=1e-13)
-    found = record("--eps=3", *STEAM, f"--exponent={exponent}", "--diagram-factor=0.8")
-    assert found["theoretical_pressure"] == pytest.approx(8 * area - 1.1, abs=2e-9)
-    assert found["mean_pressure"] == pytest.approx(0.8 * (8 * area - 1.1), abs=2e-9)
-
-
 def test_the_exhaust_pressure_of_an_otto_cycle_is_a_pressure() -> None:
     words = ("--compression=6", "--peak-pressure=34.5bar")
     own, exhaust = (
@@ -83,15 +68,6 @@ def test_power_and_steam_of_a_double_acting_engine() -> None:
     assert record(*words, f"--specific-volume={1 / 0.24:.20f} kg/m3")["steam"] == pytest.approx(
         found["steam"]
     )
-
-
-def test_a_power_and_a_bore_find_the_stroke_or_the_speed() -> None:
-    # Mean pressure 4 bar, two cylinders that work twice in a turn: N = z k p A S n by hand.
-    given = ("--mean-pressure=5bar", "--diagram-factor=0.8", "--working-strokes=2", "--cylinders=2")
-    power = ("--brake-power=60kW", "--efficiency=80%", "--bore=400mm")
-    rate = 75e3 / (pi / 4 * 2 * 2 * 4e5 * 0.16)
-    assert record(*given, *power, "--speed=26rad/s")["stroke"] == pytest.approx(2000 * pi * rate / 26)
-    assert record(*given, *power, "--stroke=0.6m")["speed"] == pytest.approx(60 * rate / 0.6)
 
 
 def test_a_rod_lessens_the_area_of_its_end() -> None:
