@@ -110,17 +110,14 @@ def _check(tree: ast.expr, text: str, later: bool) -> None:
             _check(right, text, later)
         case ast.Call(func=ast.Name(id=name), args=[inner], keywords=[]) if name in FUNCTIONS:
             _check(inner, text, later)
-            if name in ("sin", "cos") and not (later and _has_names(inner)):
+            names = any(isinstance(node, ast.Name) for node in ast.walk(inner))
+            if name in ("sin", "cos") and not (later and names):
                 _written_out(inner, text)
         case _:
             raise NotationError(
                 f'"{text[:60]}" has what no expression may; it has numbers, names of cells, + - * / ^,'
                 f" brackets, {', '.join(FUNCTIONS)}"
             )
-
-
-def _has_names(tree: ast.expr) -> bool:
-    return any(isinstance(node, ast.Name) for node in ast.walk(tree))
 
 
 def _written_out(tree: ast.expr, text: str) -> Fraction:

@@ -30,7 +30,7 @@ from kurbel.page.build import own_grid
 from kurbel.page.layouts import Layout, layout_of
 from kurbel.page.quantity import Column, Formula, Quantity, Words, words
 from kurbel.page.subject import Question, Subject
-from kurbel.page.table import Cell, Field, Note, Records, Tone, Value
+from kurbel.page.table import Cell, Field, Note, Records, Value
 from kurbel.reading.given import choose
 from kurbel.reading.notation import angle, ratio
 
@@ -210,11 +210,6 @@ def _shown(request: CollateRequest, column: Column, place: Place, times: int) ->
     return shown
 
 
-def _tone(request: CollateRequest, column: Column, place: Place) -> Tone:
-    kind = request.shown[place["place"]].verdict.kind
-    return tone_of(kind) if column.quantity.key == "verdict" else ""
-
-
 @cache
 def quantities() -> Mapping[str, Quantity]:
     """Return what stands beside a place, each of what was collated there."""
@@ -257,10 +252,6 @@ def _filled(request: CollateRequest, note: Label) -> Label:
         raise table.book.file.error(("tables", table.name, "notes", request.lang), error) from None
 
 
-def _grid(request: CollateRequest) -> tuple[Layout, Grid]:
-    return _printed_page(request) if request.as_printed else own_grid(request)
-
-
 SUBJECT = Subject(
     key="collation",
     layout="collation",
@@ -271,10 +262,12 @@ SUBJECT = Subject(
     quantities=quantities,
     listed=tuple,
     number=_shown,
-    tone=_tone,
+    tone=lambda request, column, place: (
+        tone_of(request.shown[place["place"]].verdict.kind) if column.quantity.key == "verdict" else ""
+    ),
     caption=titled,
     notes=_notes,
-    grid=_grid,
+    grid=lambda request: _printed_page(request) if request.as_printed else own_grid(request),
     rows=CollateRequest.records,
     drawn="kurbel.plot.pages:deviations",
 )

@@ -154,7 +154,8 @@ def build_example(request: ExampleRequest) -> Table:
     remarks = dict.fromkeys(entry.remark for part in worked for entry in part if entry.remark)
     marks = {remark: MARKS[place] for place, remark in enumerate(remarks)}
     kind = _kind(request, worked)
-    columns = _columns(kind, lang)
+    # "neu berechnet" is wider than its figures.
+    columns = [Column(key, tuple(WORDS[word][lang].split())) for key, word in COLUMNS[kind]]
     groups = tuple(
         Group(tuple(_row(entry, columns, marks) for entry in entries), _part_label(request, part))
         for part, entries in zip(request.parts, worked, strict=True)
@@ -163,7 +164,7 @@ def build_example(request: ExampleRequest) -> Table:
         key=request.label or f"{request.book}-{request.number}",
         lang=lang,
         caption=_caption(request),
-        panels=(Panel((Column("line", (WORDS["line"][lang],)),), columns, groups),),
+        panels=(Panel((Column("line", (WORDS["line"][lang],)),), tuple(columns), groups),),
         records=_records(request, worked),
         notes=tuple(_notes(request, marks, kind)),
         source=_source(request, kind),
@@ -176,11 +177,6 @@ def _kind(request: ExampleRequest, worked: Sequence[Sequence[Entry]]) -> str:
     if any(part.printed for part in request.parts):
         return PRINTED
     return OWN if any(entry.step for part in worked for entry in part) else LETTERS
-
-
-def _columns(kind: str, lang: str) -> tuple[Column, ...]:
-    # "neu berechnet" is wider than its figures.
-    return tuple(Column(key, tuple(WORDS[word][lang].split())) for key, word in COLUMNS[kind])
 
 
 def _row(entry: Entry, columns: Sequence[Column], marks: Mapping[Label, str]) -> Row:

@@ -215,13 +215,9 @@ def verdict_text(one: CollatedFormula, table: FormulaTable, lang: str) -> Label 
         at = WORDS["at" if point else "no_letter"][lang].format(point=point)
         parts |= {"at": at, "left": left, "right": right}
         if kind == WRONG and left == right:
-            kind, parts["apart"] = ALIKE, _figures(_apart(*found.sides))
+            with at_bits(BITS):
+                kind, parts["apart"] = ALIKE, _figures(abs(found.sides[1] - found.sides[0]))
     return VERDICTS[kind][1][lang].format(**parts)
-
-
-def _apart(left: Any, right: Any) -> Any:
-    with at_bits(BITS):
-        return abs(right - left)
 
 
 def _power(letter: Label, order: int) -> Label:
@@ -251,10 +247,6 @@ def _shown(request: FormulaRequest, column: Column, place: Place, times: int) ->
     return shown
 
 
-def _tone(request: FormulaRequest, column: Column, place: Place) -> Tone:
-    return request.lines[place["place"]].tone if column.quantity.key == "verdict" else ""
-
-
 def _notes(request: FormulaRequest) -> Iterator[Note]:
     lang = request.lang
     found = [one.finding.kind for one in request.collated if one.finding.kind != STARTS]
@@ -279,7 +271,9 @@ SUBJECT = Subject(
     quantities=quantities,
     listed=tuple,
     number=_shown,
-    tone=_tone,
+    tone=lambda request, column, place: (
+        request.lines[place["place"]].tone if column.quantity.key == "verdict" else ""
+    ),
     caption=titled,
     notes=_notes,
     rows=FormulaRequest.records,

@@ -21,6 +21,9 @@ WORDS = {
     "en": {"source": "Source", "continued": "continued", "missing": "no value", "babel": "english"},
 }
 
+# On a telephone anything longer would hide the figures that scroll behind it.
+_LONGEST_NAME = 24
+
 
 class PageCell(NamedTuple):
     """A cell as text, its note marks apart so that they can hang beside an aligned number.
@@ -193,6 +196,8 @@ class Setter:
         head = tuple(
             tuple(cell._replace(lines=self.labels(cell.lines)) for cell in row) for row in head_rows(panel)
         )
+        stub = [cell.value for cell in by_column[len(panel.stub) - 1]] if panel.stub else []
+        short = all(len(plain(name)) <= _LONGEST_NAME for name in stub if isinstance(name, str))
         headings = {cell.first: cell.lines for row in head for cell in row if cell.kind != "spanner"}
         return PagePanel(
             columns=tuple(
@@ -200,7 +205,7 @@ class Setter:
                 for place, (cells, gap) in enumerate(zip(by_column, gaps(panel), strict=True))
             ),
             stubs=len(panel.stub),
-            names=len(panel.stub) - 1 if panel.stub and _are_short(row.stub[-1] for row in rows) else None,
+            names=len(panel.stub) - 1 if panel.stub and short else None,
             head=head,
             groups=tuple(
                 PageGroup(self.label(group.label), tuple(islice(lines, len(group.rows))), pauses, held(group))
@@ -260,11 +265,3 @@ def alignment(cells: Iterable[Cell]) -> Literal["left", "right"]:
     """Return "right" for a column of figures, "left" for one with any words or formulas."""
     words = [plain(cell.value) for cell in cells if isinstance(cell.value, str)]
     return "right" if all(re.fullmatch(_FIGURES, word) for word in words) else "left"
-
-
-# On a telephone anything longer would hide the figures that scroll behind it.
-_LONGEST_NAME = 24
-
-
-def _are_short(names: Iterable[Cell]) -> bool:
-    return all(len(plain(cell.value)) <= _LONGEST_NAME for cell in names if isinstance(cell.value, str))

@@ -215,7 +215,8 @@ def whole_file(target: str) -> Iterator[BinaryIO]:
         if descriptor is not None:
             with os.fdopen(os.dup(descriptor), "wb") as stream:
                 yield stream
-        elif _is_device(Path(target)):
+        # Asked of the target as it was given: a link such as /dev/fd/.. may lead to a pipe that has no path.
+        elif (path := Path(target)).exists() and not path.is_file() and not path.is_dir():
             with open(target, "wb") as device:
                 yield device
         else:
@@ -233,11 +234,6 @@ def _descriptor(target: str) -> int | None:
     if folder in ("/dev/fd", "/proc/self/fd") and number.isdecimal() and len(number) < 6:
         return int(number)
     return names.get(target)
-
-
-def _is_device(path: Path) -> bool:
-    # Asked of the target as it was given: a link such as /dev/fd/.. may lead to a pipe that has no path.
-    return path.exists() and not path.is_file() and not path.is_dir()
 
 
 def _replaced(path: Path) -> Iterator[BinaryIO]:

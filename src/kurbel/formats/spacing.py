@@ -222,7 +222,8 @@ def panel_pauses(panel: Panel, every: int | None) -> Iterator[frozenset[int]]:
     rows have no even step, and between the rows of one cell of the stub.
     """
     for group in panel.groups:
-        yield frozenset(_every(group, every) if every is not None else _by_step(panel, group))
+        by_count = range(every, len(group.rows), every) if every else ()
+        yield frozenset(_by_step(panel, group) if every is None else by_count)
 
 
 def held(group: Group) -> frozenset[int]:
@@ -245,15 +246,12 @@ def _continues(stub: Sequence[Cell]) -> bool:
     )
 
 
-def _every(group: Group, count: int) -> Iterator[int]:
-    yield from range(count, len(group.rows), count) if count else ()
-
-
 def _by_step(panel: Panel, group: Group) -> Iterator[int]:
     if len(group.rows) < FEWEST or not panel.stub:
         return
     if any(cell.value is DITTO for row in group.rows for cell in row.stub[:-1]):
-        yield from (place for place, row in enumerate(group.rows) if place and not _goes_on(row.stub))
+        goes_on = [any(cell.value is DITTO for cell in row.stub) for row in group.rows]
+        yield from (place for place, one in enumerate(goes_on) if place and not one)
         return
     values = [_value(row.stub[-1]) for row in group.rows]
     known = [value for value in values if value is not None]
@@ -263,10 +261,6 @@ def _by_step(panel: Panel, group: Group) -> Iterator[int]:
     (step,) = steps
     stride = abs(step) * _count(abs(step), panel.stub[-1].key == "angle")
     yield from (place for place, value in enumerate(known) if place and value % stride == 0)
-
-
-def _goes_on(stub: Sequence[Cell]) -> bool:
-    return any(cell.value is DITTO for cell in stub)
 
 
 def _count(step: Fraction, angle: bool) -> int:

@@ -352,8 +352,9 @@ def records_sheet(records: Records, mark: str, name: str) -> Sheet:
         min(max(map(figures_wide, (key, *map(_shown, {*cells}))), default=0.0), WIDEST_WORDS) + BETWEEN
         for key, cells in zip(keys, columns, strict=True)
     )
+    figures = [any(isinstance(one, Number) for one in column) for column in columns]
     head = (
-        SheetCell(0, place, key, Look("key", "right" if _has_numbers(columns[place]) else "left"))
+        SheetCell(0, place, key, Look("key", "right" if figures[place] else "left"))
         for place, key in enumerate(keys)
     )
     body = _records(zip(*columns, strict=True))
@@ -371,10 +372,6 @@ def _column(values: Sequence[Value], mark: str) -> list[Number | str | None]:
         else checked_text(plain(value, mark))
         for value in values
     ]
-
-
-def _has_numbers(values: Sequence[Number | str | None]) -> bool:
-    return any(isinstance(value, Number) for value in values)
 
 
 def _shown(value: Number | str | None) -> str:

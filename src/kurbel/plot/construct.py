@@ -206,14 +206,6 @@ def _from_outside(
     return start - by, end + by
 
 
-def _curve(board: Board, one: model.Curve) -> None:
-    board.sketch.line(*board.curves[one.name], **LOOKS[one.look])
-
-
-def _said(board: Board, one: model.Text) -> None:
-    board.sketch.beside_points([(board.points[one.at], (0.0, 1.0), board.text(one.text))], CORNER)
-
-
 def _scale(board: Board, one: model.Scale) -> None:
     start, end = board.points[one.start], board.points[one.end]
     board.sketch.line(start, end, linewidth=MEDIUM)
@@ -265,15 +257,17 @@ def _length(sketch: Sketch, start: Point, end: Point, letters: str, look: str) -
     sketch.line(start, end, **{**LOOKS[look], "zorder": STRONG_LEVEL}).set_gid(f"length-{letters}")
 
 
-DRAW: Mapping[type, Callable[[Board, Any], None]] = {
+DRAW: Mapping[type, Callable[[Board, Any], object]] = {
     model.Line: _line,
     model.Arrow: _arrow,
     model.Arc: _arc,
     model.Circle: _circle,
     model.RightAngle: _right_angle,
     model.Angle: _angle,
-    model.Curve: _curve,
-    model.Text: _said,
+    model.Curve: lambda board, one: board.sketch.line(*board.curves[one.name], **LOOKS[one.look]),
+    model.Text: lambda board, one: board.sketch.beside_points(
+        [(board.points[one.at], (0.0, 1.0), board.text(one.text))], CORNER
+    ),
     model.Scale: _scale,
     model.Measure: _measure,
 }

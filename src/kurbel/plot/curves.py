@@ -248,13 +248,9 @@ def _polar(question: AngleQuestion) -> Picture:
         raise ProblemError(f"the polar diagram of {chosen.title} is not drawn; leave --polar out")
     check_one(len(drives), "crank ratios")
     keys = pin_force_keys(chosen, drives[0].crank)
-    asked = asked_of(page, columns=keys, angles=smooth(_whole(question.angles)))
+    turn = (Fraction(0), Fraction(360)) if _is_stroke(question.angles) else question.angles
+    asked = asked_of(page, columns=keys, angles=smooth(turn))
     return Picture(asked, force=pin_force(asked, drives[0]))
-
-
-def _whole(angles: Sequence[Fraction]) -> Sequence[Fraction]:
-    """Return the turn where the angles are those of a stroke."""
-    return (Fraction(0), Fraction(360)) if _is_stroke(angles) else angles
 
 
 def motion_panels(

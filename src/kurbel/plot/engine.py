@@ -92,9 +92,13 @@ def engine_swing(turn: AnyTurn, energy: Column, request: EngineRequest) -> Swing
         for peak in peaks:
             text = number(of, partial(_degrees, peak.place), 0, 60)
             spots.extend(named_again(180 * float(peak.place), level, cycle, span, text))
+
+    def swing(turn: AnyTurn) -> Any:
+        return turn.extreme(greatest=True).energy - turn.extreme(greatest=False).energy
+
     # Of W/(Q r) that is (ΔW)/(Q r).
     letter, _, unit = energy.heading[0][1:-1].partition("/")
-    said, found = f"(Δ{letter})/{unit}", number("turn", _swing, energy.decimals)
+    said, found = f"(Δ{letter})/{unit}", number("turn", swing, energy.decimals)
     return _swinging(spots, f"${said} = {found}$" if found else f"${said}$")
 
 
@@ -121,10 +125,6 @@ def diagram_swing(request: TorquesRequest, panel: Panel) -> Panel:
 
 def _degrees(half_turns: Any, turn: AnyTurn) -> Any:
     return 180 * half_turns
-
-
-def _swing(turn: AnyTurn) -> Any:
-    return turn.extreme(greatest=True).energy - turn.extreme(greatest=False).energy
 
 
 def _text(number: Number, unit: int) -> Label:

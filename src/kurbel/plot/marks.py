@@ -116,7 +116,8 @@ def draw_swing(axes: Axes, plan: Plan, mark: str) -> None:
     swing = plan.panel.swing
     if swing is None:
         return
-    low, high = (_height(plan, value) for value in (swing.least, swing.greatest))
+    ends = Course(np.zeros(2), np.asarray((swing.least, swing.greatest)))
+    low, high = plan.on_paper(ends)[:, 1].tolist()
     x = plan.room.width + SWING
     for level, value in ((low, swing.least), (high, swing.greatest)):
         reached = [spot.angle for spot in plan.panel.spots if spot.value == value]
@@ -193,11 +194,6 @@ def _dead_centres(
 def _across(angle: float, span: tuple[float, float], width: float) -> float:
     first, last = span
     return (angle - first) / (last - first) * width
-
-
-def _height(plan: Plan, value: float) -> float:
-    low, high = plan.limits
-    return (value - low) / (high - low) * plan.room.height
 
 
 def _write(axes: Axes, plan: Plan, place: tuple[float, float], text: str) -> None:

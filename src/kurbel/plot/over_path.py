@@ -147,7 +147,8 @@ class PathDrawing:
         traces = [*own, *(self._traces(self.beside, dotted=True) if self.beside else ())]
         apart = len(self.question.ratios) > 1 or self.beside is not None
         found = panels_of(traces, self.lang, apart=apart)
-        scales = {_label(one.quantity, self.lang): self._scale(one.quantity) for one in traces}
+        named = ((axis_name(one.quantity, self.lang), self._scale(one.quantity)) for one in traces)
+        scales = {titled(name, heading): scale for (name, heading, _), scale in named}
         return [panel._replace(scale=scales.get(panel.label)) for panel in found]
 
     def around(self) -> Around:
@@ -259,11 +260,6 @@ class PathDrawing:
             "{method}": method_named(self.drives[0].method).caption[self.lang],
         }
         return filled(WORDS["caption"][self.lang], parts.items())
-
-
-def _label(quantity: Quantity, lang: str) -> Label:
-    name, heading, _ = axis_name(quantity, lang)
-    return titled(name, heading)
 
 
 def _ticks(ends: tuple[float, float], low: float, high: float, mark: str, most: int) -> Ticks:

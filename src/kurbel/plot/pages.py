@@ -12,7 +12,7 @@ from kurbel.balancing.angles import AngleRequest
 from kurbel.balancing.balance_page import RESIDUALS, UNITS, WORDS, BalanceRequest
 from kurbel.balancing.vector import IN_NEWTONS
 from kurbel.errors import ProblemError
-from kurbel.exact.numerals import Label, Number
+from kurbel.exact.numerals import Number
 from kurbel.page.axes import RATIO, Axis, ListAxis, PageAxis, Place, places
 from kurbel.page.quantity import Column, Quantity, entry, words
 from kurbel.page.subject import Question
@@ -154,7 +154,7 @@ def _traces(asked: Question, across: _Across, keys: Sequence[str]) -> Iterator[T
     ]
     for quantity, what in quantities:
         for place in places(others, lambda place: True):
-            telling = tuple(_telling(axes[name], place) for name, size in others.items() if size > 1)
+            telling = tuple(axes[name].over_group(place) for name, size in others.items() if size > 1)
             values = [
                 _at(asked, what, {**place, across.name: number}) for number in range(len(across.places))
             ]
@@ -177,10 +177,6 @@ def _at(asked: Question, what: Any, place: Mapping[str, int]) -> float:
     number, column = what
     found = asked.number(column, {**place, "column": number})
     return 0.0 if found is None and column.key == "difference" else _float(found)
-
-
-def _telling(axis: PageAxis, place: Place) -> Label:
-    return axis.over_group(place)
 
 
 def _float(value: object) -> float:

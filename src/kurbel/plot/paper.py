@@ -53,17 +53,13 @@ def joined(svg: str) -> str:
     Each piece stands where its first letter stood and is as long as it was, in the reader's fonts, too: a
     wider one would run into the next. Only inside `style`.
     """
-    return _TEXT.sub(lambda text: f"{text[1]}{''.join(_pieces(_letters(text[2])))}{text[3]}", svg)
+    return _TEXT.sub(lambda text: f"{text[1]}{''.join(_pieces(text[2]))}{text[3]}", svg)
 
 
-def _letters(spans: str) -> list[_Letter]:
-    found = [_Letter(float(x), *rest) for x, *rest in _LETTER.findall(spans)]
-    return sorted(found, key=lambda letter: letter.x)
-
-
-def _pieces(letters: Sequence[_Letter]) -> Iterator[str]:
+def _pieces(spans: str) -> Iterator[str]:
+    letters = [_Letter(float(x), *rest) for x, *rest in _LETTER.findall(spans)]
     run: list[_Letter] = []
-    for letter in letters:
+    for letter in sorted(letters, key=lambda letter: letter.x):
         gap = (letter.x - run[-1].end()) / letter.size if run else 0.0
         alike = not run or (letter.y, letter.style) == (run[-1].y, run[-1].style)
         if not alike or abs(gap) > _TOGETHER:

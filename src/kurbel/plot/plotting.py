@@ -59,7 +59,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from kurbel.plot.panel import Ticks
 
 HEIGHTS = {1: 72.0, 2: 50.0}
 LOWEST = 38.0
@@ -115,7 +114,9 @@ def charted(
         draw_swing(one, plan, mark)
         _value_axis(one, plan, mark)
         most = min(MOST_STEPS, int(plan.room.width / TICK_WIDTH))
-        _across_axis(one, axis.ticks(*span, mark, most), named=number == len(plans))
+        places, texts = axis.ticks(*span, mark, most)
+        one.set_xticks(places, texts if number == len(plans) else [""] * len(texts))
+        lined(one)
     _said(axes[0], plans[0])
     if around.strokes:
         draw_strokes(axes[0], plans[0], around.strokes, mark)
@@ -189,14 +190,10 @@ def _laid_out(plans: Sequence[Plan], size: Size, above: float) -> tuple[Figure, 
     return figure, axes
 
 
-def _look(plan: Plan, number: int) -> Line:
-    """Return how a curve is drawn."""
-    return Line(BLACK, DOTS, STRONG * 0.7) if plan.panel.curves[number].dotted else LINES[number]
-
-
 def _draw(axes: Axes, plan: Plan, number: int) -> None:
     drawn = []
-    looks = [_look(plan, count) for count in range(len(plan.courses))]
+    curves = zip(plan.panel.curves, LINES, strict=False)
+    looks = [Line(BLACK, DOTS, STRONG * 0.7) if curve.dotted else line for curve, line in curves]
     for count, (course, look) in enumerate(zip(plan.courses, looks, strict=True), 1):
         artist = axes.plot(*course.broken())[0]
         artist.set(color=look.colour, linewidth=look.width, zorder=3, clip_on=False)
@@ -243,8 +240,3 @@ def _value_axis(axes: Axes, plan: Plan, mark: str) -> None:
             axes.spines[edge].set_linewidth(MEDIUM)
     if low < 0 < high:
         axes.axhline(0, color=BLACK, linewidth=MEDIUM, zorder=2)
-
-
-def _across_axis(axes: Axes, ticks: Ticks, named: bool) -> None:
-    axes.set_xticks(ticks.places, ticks.texts if named else [""] * len(ticks.texts))
-    lined(axes)

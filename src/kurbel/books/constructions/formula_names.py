@@ -11,12 +11,14 @@ from operator import attrgetter
 from typing import Any, NamedTuple
 
 from kurbel.books.constructions.placed import Placed, Point
+from kurbel.exact.certify import ball
 from kurbel.exact.kind import floats
 from kurbel.kernel import beam, forces, kinematics, linkage
 from kurbel.kernel.circle import Numeric, root
 from kurbel.kernel.forces import mean_force
 from kurbel.kernel.parts import COMMON, STRETCHING, TURNING
 from kurbel.kernel.steam import logarithm
+from kurbel.linkage.beam_engine import LOWER, UPPER, BeamEngine, chord_square
 from kurbel.motion.evaluation import OUT, RETURN
 
 POINT, NUMBER = "point", "number"
@@ -78,18 +80,6 @@ _rod_acceleration = _either(
 _velocity = _either(
     _by_offset(kinematics.piston_velocity, kinematics.offset_velocity), _of_rocker(linkage.velocity)
 )
-
-
-def _centripetal(at: Placed) -> Any:
-    """Return c²/B."""
-    c = _velocity(at)
-    return abs(at.linked.arc.curvature) * c * c
-
-
-def _normal(at: Placed) -> Any:
-    """Return u²/L."""
-    turn = _rod_velocity(at)
-    return at.rod * turn * turn
 
 
 def _force(kernel: Callable[..., Numeric]) -> Callable[[Placed], Any]:
@@ -157,8 +147,6 @@ def _beam(value: Callable[[Any, Any], Any]) -> Callable[[Placed], Any]:
     """Return what the beam engine has in truth, from q²/r²."""
 
     def found(at: Placed) -> Any:
-        from kurbel.linkage.beam_engine import BeamEngine, chord_square
-
         engine = BeamEngine(at.drive.arm, at.drive.crank.ratio)
         return at.kind.enclosed(lambda: value(engine, chord_square(engine)))
 
@@ -168,24 +156,6 @@ def _beam(value: Callable[[Any, Any], Any]) -> Callable[[Placed], Any]:
 def _lean(side: int) -> Callable[[Placed], Any]:
     """Return by how much the rod leans at a dead centre, in radians."""
     return _beam(lambda engine, square: beam.lean_sine(square, *engine.numbers(side)).asin())
-
-
-def _sagitta(engine: Any, square: Any) -> Any:
-    from kurbel.exact.certify import ball
-
-    return beam.sagitta(square, ball(engine.arm))
-
-
-def _upper_lean(at: Placed) -> Any:
-    from kurbel.linkage.beam_engine import UPPER
-
-    return _lean(UPPER)(at)
-
-
-def _lower_lean(at: Placed) -> Any:
-    from kurbel.linkage.beam_engine import LOWER
-
-    return _lean(LOWER)(at)
 
 
 def _points(of: tuple[str, ...], **values: Callable[[Placed], Any]) -> dict[str, Known]:
@@ -247,7 +217,8 @@ KNOWN: Mapping[str, Known] = {
         ),
         # Of the rod's end about the crank pin.
         swing=lambda at: abs(at.rod * _rod_velocity(at)),
-        normal=_normal,
+        # u²/L.
+        normal=lambda at: at.rod * _rod_velocity(at) ** 2,
         tangential=lambda at: abs(at.rod * _rod_acceleration(at)),
         # The rod's acceleration in parts, and the masses in its ends that have their forces.
         common=_common,
@@ -266,10 +237,16 @@ KNOWN: Mapping[str, Known] = {
         curvature=lambda at: at.number(at.drive.curvature),
         chord=_of_rocker(linkage.chord),
         chord_return=_of_rocker(linkage.chord, RETURN),
-        centripetal=_centripetal,
+        # c²/B.
+        centripetal=lambda at: abs(at.linked.arc.curvature) * _velocity(at) ** 2,
     ),
     **_numbers(BEAM, arm=lambda at: at.number(at.drive.arm)),
-    **_numbers(BEAM, sagitta=_beam(_sagitta), upper_lean=_upper_lean, lower_lean=_lower_lean),
+    **_numbers(
+        BEAM,
+        sagitta=_beam(lambda engine, square: beam.sagitta(square, ball(engine.arm))),
+        upper_lean=_lean(UPPER),
+        lower_lean=_lean(LOWER),
+    ),
 }
 FUNCTIONS_OF_DRIVE: Mapping[str, OfDrive] = {
     "crosshead": OfDrive((POINT,), POINT, Placed.crosshead, CRANKS),

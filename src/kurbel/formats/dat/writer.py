@@ -28,7 +28,8 @@ class Writer(RecordsWriter):
                 if curve not in (None, row[0]):
                     yield "\n"
                 curve = row[0]
-            yield " ".join(map(_text, row)) + "\n"
+            texts = (number_text(one) if isinstance(one, Number) else _word(one or "nan") for one in row)
+            yield " ".join(texts) + "\n"
 
     def bulk(self, table: Table, names: Sequence[str], chunks: Chunks, decimal: str) -> Iterator[bytes]:
         """Yield the keys and the lines of each chunk."""
@@ -46,12 +47,6 @@ class Writer(RecordsWriter):
 
 # What parts columns, or is obeyed by TeX as it reads them.
 _OBEYED = re.compile(r"[\s#%{}\\\"$&~^]+")
-
-
-def _text(value: Value) -> str:
-    if isinstance(value, Number):
-        return number_text(value)
-    return _word(value) if value else "nan"
 
 
 @lru_cache

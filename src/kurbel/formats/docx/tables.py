@@ -153,17 +153,13 @@ def _in_sections(pieces: Iterator[_Piece]) -> Iterator[Element]:
     paper: _Paper | None = None
     for piece in pieces:
         # What is no text, such as the beginning of a place that links lead to, needs no page of its own.
-        if any(map(_is_text, piece.content)):
+        if any(one.tag in (f"{W}p", f"{W}tbl", f"{W}sdt") for one in piece.content):
             if paper is not None and paper is not piece.paper:
                 yield _with_section(paper)
             paper = piece.paper
         yield from piece.content
     if paper is not None:
         yield paper.section
-
-
-def _is_text(element: Element) -> bool:
-    return element.tag in (f"{W}p", f"{W}tbl", f"{W}sdt")
 
 
 def _with_section(paper: _Paper) -> Element:

@@ -40,16 +40,14 @@ class Writer(RecordsWriter):
         for fields in chunks("."):
             line: list[Field] = []
             for place, name in enumerate(names):
-                line += [f'{", " if place else "{"}"{name}": '.encode(), _quoted(fields[name])]
+                value = fields[name]
+                quoted = b'"' + value + b'"' if isinstance(value, bytes) else value
+                line += [f'{", " if place else "{"}"{name}": '.encode(), quoted]
             # Every line ends with the separator; the last one of the table must not.
             lines = csv_lines([*line, b"},"], b"")
             yield before.encode() + lines.removesuffix(_SEPARATOR.encode())
             before = _SEPARATOR
         yield _CLOSING.encode()
-
-
-def _quoted(value: Field) -> Field:
-    return b'"' + value + b'"' if isinstance(value, bytes) else value
 
 
 _SEPARATOR = ",\n"

@@ -164,7 +164,8 @@ class Looks:
             number__min_integer_digits=1,
         )
         language, country = LOCALES[mark]
-        behind = look.after + _spaces(look.blank)
+        # Spaces as wide as other characters.
+        behind = look.after + "".join(one if one.isspace() else RAISED for one in blank(look.blank))
         after = element("number:text", escape(behind)) if behind else ""
         return self.named(
             "nu",
@@ -173,12 +174,6 @@ class Looks:
             number__language=language,
             number__country=country,
         )
-
-
-def _spaces(characters: str) -> str:
-    """Return spaces as wide as these characters."""
-    spaces = blank(characters)
-    return "".join(one if one.isspace() else RAISED for one in spaces)
 
 
 def _properties(look: Look) -> str:

@@ -17,7 +17,7 @@ from kurbel.formats.page import Page, PagePanel
 from kurbel.formats.spacing import Span, shared
 from kurbel.formats.writer import PageWriter, Wishes
 from kurbel.page.formula import Formula
-from kurbel.page.table import HeadCell, Table
+from kurbel.page.table import Table
 
 
 class Writer(PageWriter):
@@ -110,15 +110,12 @@ class GridCell(NamedTuple):
 def grid_table(panel: PagePanel) -> list[str]:
     """Return the lines of a panel."""
     head = [
-        GridCell(row, cell.first, _head_lines(cell), cell.down, cell.across)
+        GridCell(row, cell.first, lines, cell.down, cell.across)
         for row, cells in enumerate(panel.head)
         for cell in cells
+        for lines in [(cell.text,) if cell.kind == "spanner" else _block(cell.lines)]
     ]
     return grid_lines([*head, *_body(panel)], len(panel.head))
-
-
-def _head_lines(cell: HeadCell) -> tuple[str, ...]:
-    return (cell.text,) if cell.kind == "spanner" else _block(cell.lines)
 
 
 def _block(lines: Sequence[str]) -> tuple[str, ...]:
