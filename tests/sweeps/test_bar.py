@@ -9,7 +9,8 @@ import sys
 import pytest
 from small_parts import SmallParts, Sweep, plan_of
 
-from kurbel.cli.sweep import SweepRequest, running
+from kurbel.cli.sweep import SweepOptions, running
+from kurbel.commands.part import Values
 
 
 class Screen(io.StringIO):
@@ -20,14 +21,14 @@ class Screen(io.StringIO):
 
 
 CODES = re.compile("\x1b\\[[?0-9]*[a-zA-Z]")
-ASKED = SweepRequest.of({"output": "delta.parquet"})
+ASKED = SweepOptions(Values({}, {}))
 
 
 def test_a_terminal_shows_how_far_a_sweep_is(monkeypatch: pytest.MonkeyPatch) -> None:
     screen, clock = Screen(), [0.0]
     monkeypatch.setattr(sys, "stderr", screen)
     monkeypatch.setattr("time.time", lambda: clock[0])
-    with running(ASKED, SmallParts(plan_of(400))) as how:
+    with running(ASKED, SmallParts(plan_of(400)), "delta.parquet") as how:
         for _ in range(3):
             clock[0] += 2.0
             how.watch(100)
@@ -39,10 +40,10 @@ def test_a_terminal_shows_how_far_a_sweep_is(monkeypatch: pytest.MonkeyPatch) ->
 def test_a_pipe_and_a_sweep_of_one_part_have_no_bar(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    with running(ASKED, SmallParts(plan_of(400))) as how:
+    with running(ASKED, SmallParts(plan_of(400)), "delta.parquet") as how:
         how.watch(100)
     assert capsys.readouterr() == ("", "")
     monkeypatch.setattr(sys, "stderr", screen := Screen())
-    with running(ASKED, Sweep(plan_of(400))) as how:
+    with running(ASKED, Sweep(plan_of(400)), "delta.parquet") as how:
         how.watch(1200)
     assert screen.getvalue() == ""

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -16,7 +16,8 @@ from kurbel.cli.manual.topics import topics_of
 from kurbel.cli.options import FileName, Option, Type, click_option, machine_option, output_option
 from kurbel.cli.tables import TableCommand
 from kurbel.commands import options as kinds
-from kurbel.commands.options import Count
+from kurbel.commands.options import Count, flag, word
+from kurbel.commands.part import Part
 from kurbel.commands.subject import Command
 from kurbel.exact.numerals import MOST_DIGITS
 from kurbel.sweeps.hands import MOST_JOBS
@@ -73,80 +74,66 @@ def _swept(option: kinds.Option[object]) -> click.Parameter:
     )
 
 
+class SweepOptions(Part):
+    """What is of sweeps alone: which combinations, what is known of each number, who computes."""
+
+    topic = "combinations"
+
+    format = word(
+        "parquet, arrow, csv, netcdf or zarr; default: by the suffix of -o, a folder such as out/ for Parquet"
+        " in partitions.",
+        "FORM", short="-f", topic="output",
+    )  # fmt: skip
+    zip = word(
+        "Options that go through their values together, not each with each: eps,back.", "NAMES", many=True
+    )
+    only = word(
+        "Combinations to compute, the others are left out: 'eps*back < 1', 'ratio < 1/4'.",
+        "CONDITION", many=True,
+    )  # fmt: skip
+    sample = word(
+        "Points between the ends of ranges in place of a grid: random:1000, sobol:1024, halton:1000, or"
+        " lhs:1000, the Latin hypercube.",
+        "DESIGN",
+    )
+    seed: kinds.Option[int | None] = kinds.Option(
+        "Of the sample: other points for another number; default 0.", "N",
+        Count("seed", 0, MOST_SEED, "is no seed"),
+    )  # fmt: skip
+    digits: kinds.Option[int | None] = kinds.Option(
+        "Certified decimals in place of floats, the very digits of the single command.", "N",
+        Count("digits", 0, MOST_DIGITS, "cannot be stored"), topic="page",
+    )  # fmt: skip
+    bounds = flag("Beside each float how far from the true value it may lie at the most.")
+    strict = flag("End at the first combination that is refused.")
+    dry_run = flag(
+        "Say how many rows, which columns, how large and how long, and write nothing.", topic="output"
+    )
+    scheduler = word(
+        "Dask cluster that computes: tcp://HOST:8786, tls://HOST:8786, or scheduler.json.",
+        "ADDRESS", topic="run",
+    )  # fmt: skip
+    jobs: kinds.Option[int | None] = kinds.Option(
+        "Processes or threads at once on this machine; default: one for each core.", "N",
+        Count("jobs", 1, MOST_JOBS), short="-j", topic="run",
+    )  # fmt: skip
+    resume = flag("Go on with the finished parts of a run that was ended.", topic="run")
+    restart = flag("Begin anew, and remove the finished parts of such a run.", topic="run")
+
+
 def sweep_options() -> list[click.Parameter]:
     """Return the options of sweeps alone."""
-    return [
-        Option(["format", "-f", "--format"], metavar="FORM",
-               help="parquet, arrow, csv, netcdf or zarr; default: by the suffix of -o, a folder such as out/"
-               " for Parquet in partitions."),
-        output_option("File to write, whole or not at all: sweep.parquet."),
-        Option(["zip_", "--zip"], topic="combinations", multiple=True, metavar="NAMES",
-               help="Options that go through their values together, not each with each: eps,back."),
-        Option(["--only"], topic="combinations", multiple=True, metavar="CONDITION",
-               help="Combinations to compute, the others are left out: 'eps*back < 1', 'ratio < 1/4'."),
-        Option(["--sample"], topic="combinations", metavar="DESIGN",
-               help="Points between the ends of ranges in place of a grid: random:1000, sobol:1024,"
-               " halton:1000, or lhs:1000, the Latin hypercube."),
-        Option(["--seed"], topic="combinations", type=Type(kinds.Count("seed", 0, MOST_SEED, "is no seed")),
-               metavar="N",
-               help="Of the sample: other points for another number; default 0."),
-        Option(["--digits"], topic="page", metavar="N",
-               type=Type(kinds.Count("digits", 0, MOST_DIGITS, "cannot be stored")),
-               help="Certified decimals in place of floats, the very digits of the single command."),
-        Option(["--bounds"], topic="combinations", is_flag=True,
-               help="Beside each float how far from the true value it may lie at the most."),
-        Option(["--strict"], topic="combinations", is_flag=True,
-               help="End at the first combination that is refused."),
-        Option(["--dry-run"], is_flag=True,
-               help="Say how many rows, which columns, how large and how long, and write nothing."),
-    ]  # fmt: skip
-
-
-def running_options() -> list[click.Parameter]:
-    """Return the options that say who computes, and what becomes of an earlier run."""
-    return [
-        Option(["--scheduler"], topic="run", metavar="ADDRESS",
-               help="Dask cluster that computes: tcp://HOST:8786, tls://HOST:8786, or scheduler.json."),
-        Option(["-j", "--jobs"], topic="run", type=Type(Count("jobs", 1, MOST_JOBS)), metavar="N",
-               help="Processes or threads at once on this machine; default: one for each core."),
-        Option(["--resume"], topic="run", is_flag=True,
-               help="Go on with the finished parts of a run that was ended."),
-        Option(["--restart"], topic="run", is_flag=True,
-               help="Begin anew, and remove the finished parts of such a run."),
-    ]  # fmt: skip
-
-
-class SweepRequest(NamedTuple):
-    """What the options of sweeps say, by their names."""
-
-    format: str | None
-    output: str | None
-    zip_: Sequence[str]
-    only: Sequence[str]
-    sample: str | None
-    seed: int | None
-    digits: int | None
-    bounds: bool
-    strict: bool
-    dry_run: bool
-    scheduler: str | None
-    jobs: int | None
-    resume: bool
-    restart: bool
-
-    @classmethod
-    def of(cls, values: Mapping[str, object]) -> SweepRequest:
-        """Return the request of the values that click read."""
-        return cls._make(map(values.get, cls._fields))
+    first, *others = map(click_option, SweepOptions.options().values())
+    return [first, output_option("File to write, whole or not at all: sweep.parquet."), *others]
 
 
 @contextmanager
-def running(asked: SweepRequest, sweep: Sweep) -> Iterator[Running]:
-    """Give how to run a sweep by these options; on a terminal a bar tells of it."""
+def running(asked: SweepOptions, sweep: Sweep, target: str) -> Iterator[Running]:
+    """Give how to run a sweep into a target by these options; on a terminal a bar tells of it."""
     from kurbel.sweeps.run import Running
 
     how = Running(asked.scheduler, asked.jobs, asked.resume, asked.restart)
-    with _bar(sweep, asked.output or "-") as watch:
+    with _bar(sweep, target) as watch:
         yield replace(how, watch=watch)
 
 
@@ -181,7 +168,7 @@ class _Commands(Group):
 
     def further(self) -> Mapping[str, Sequence[click.Option]]:
         """Return the options of every sweep, by the heads below which manuals have them."""
-        own = click.Command("sweep", params=[*sweep_options(), *running_options()], add_help_option=False)
+        own = click.Command("sweep", params=sweep_options(), add_help_option=False)
         return {topic.title: options for topic, options in topics_of(own)}
 
     def list_commands(self, ctx: click.Context) -> list[str]:

@@ -18,10 +18,9 @@ from kurbel.cli.options import FileName, Given, help_of
 from kurbel.cli.sweep import (
     MOST_SEED,
     TABLES,
-    SweepRequest,
+    SweepOptions,
     own_options,
     running,
-    running_options,
     sweep_options,
 )
 from kurbel.commands.options import FILE as A_FILE
@@ -189,7 +188,6 @@ def _of_sweeps(read: ReadFile) -> Iterator[tuple[str, Sequence[Any]]]:
         name: getattr(read.declared, name) for name in SweepFile.__struct_fields__[1:] if name not in SECTIONS
     }
     said |= {"columns": ",".join(said["columns"]), "seed": said["seed"] if said["sample"] else None}
-    said["zip_"] = said.pop("zip")
     for name, value in said.items():
         yield name, value if isinstance(value, tuple) else [] if value in (None, "") else [value]
 
@@ -206,7 +204,7 @@ class SweepCommand(TopicCommand):
     def __init__(self, name: str, place: str, command: Command) -> None:
         super().__init__(
             name,
-            params=[*own_options(command), *sweep_options(), *running_options()],
+            params=[*own_options(command), *sweep_options()],
             help=help_of(command),
             in_short=command.asks.in_short,
         )
@@ -229,8 +227,8 @@ class SweepCommand(TopicCommand):
         """Write the file, and return the exit code."""
         from kurbel.sweeps.rows import Sweep
 
-        asked = SweepRequest.of(given.values)
-        sweep, output, form = Sweep(self.plan(given, order)), asked.output, asked.format
+        asked = SweepOptions(given)
+        sweep, output, form = Sweep(self.plan(given, order)), given.text("output"), asked.format
         need("a file of columns", "scale", "pyarrow")
         if asked.dry_run:
             show_estimate(sweep, output, form)
@@ -241,7 +239,7 @@ class SweepCommand(TopicCommand):
             )
         from kurbel.sweeps.run import run
 
-        with running(asked, sweep) as how:
+        with running(asked, sweep, output) as how:
             outcome = run(sweep, output, how, form)
         if output != "-" or outcome.refused:
             say(_told(output, outcome))
@@ -251,7 +249,7 @@ class SweepCommand(TopicCommand):
         """Return the plan that the options make: in the order of the file, then of the command line, and
         behind them what comes from elsewhere. Raises KurbelError."""
         values, file = given.values, click.get_current_context().meta.get(FILE, {})
-        asked = SweepRequest.of(values)
+        asked = SweepOptions(given)
         flags = {name: several for name, several in file.items() if several}
         options = {
             name: flags.get(name, values[name])
@@ -263,11 +261,11 @@ class SweepCommand(TopicCommand):
         return planned(
             self.place,
             Values(options, given.origins | dict.fromkeys(flags, Origin.TYPED)),
-            linked=asked.zip_,
+            linked=asked.zip or (),
             digits=asked.digits,
             bounds=asked.bounds,
             strict=asked.strict,
-            only=joined(asked.only),
+            only=joined(asked.only or ()),
             sample=asked.sample or "",
             seed=asked.seed or 0,
         )

@@ -70,7 +70,7 @@ TOPICS = (
 MOST = 15
 # Of every command behind its own, of sweeps their own before.
 LAST = "lang output format"
-SWEEPS_LAST = "zip_ sample only dry_run output format"
+SWEEPS_LAST = "zip sample only dry_run output format"
 # Where the beginning of what an option says is too little, or too much, for `-h`.
 SHORTER: Mapping[str, str] = {
     "machine": "A machine in TOML; what is typed outdoes it",
