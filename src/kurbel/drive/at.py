@@ -38,7 +38,7 @@ def known(part: Part | None) -> Part:
     return part
 
 
-def framed(weight: Weight[Any] | None, stroke: int) -> Weight[Any] | None:
+def framed(weight: Weight[Numeric] | None, stroke: int) -> Weight[Any] | None:
     """Return weights in the frame of the stroke."""
     return on_return(weight) if stroke and weight is not None else weight
 
@@ -145,24 +145,26 @@ class CrankForce(NamedTuple):
     `magnitude` the direction is not said.
     """
 
-    bare: Callable[[Any, Any, Any], Any]
+    bare: Callable[[Circle[Numeric], Numeric, Numeric | None], Numeric]
     on: Callable[[Any], Numeric]
     framed: bool = False
     magnitude: bool = False
     on_shaft: bool = False
 
-    def loaded(self, circle: Any, ratio: Any, weights: Weights, offset: Any, net: Any) -> Any:
+    def loaded(
+        self, circle: Circle[Numeric], ratio: Numeric, weights: Weights, offset: Numeric | None, net: Numeric
+    ) -> Numeric:
         """Return the force in a straight or offset crank drive with these masses."""
         if self.on_shaft:
             return self.on(Loaded(circle, ratio, weights.on_shaft, offset, net))
         return self.on(Loaded(circle, ratio, weights.masses, offset, net, weights.reciprocating))
 
 
-def _unit(circle: Any, ratio: Numeric, offset: Numeric) -> Numeric:
+def _unit(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None) -> Numeric:
     return 1
 
 
-def _none(circle: Any, ratio: Numeric, offset: Numeric) -> Numeric:
+def _none(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None) -> Numeric:
     return 0
 
 
@@ -209,7 +211,7 @@ class At:
     is known for certain. Of other drives where the driven end stands, and the dead centre of one on an arc.
     """
 
-    circle: Any
+    circle: Circle[Numeric]
     drive: Any
     numbers: Kind
     stroke: int = 1
@@ -227,12 +229,12 @@ class At:
         return found
 
     @cached_property
-    def gain(self) -> Any:
+    def gain(self) -> Numeric | None:
         """α/ω² of a crank that is itself accelerated, else None."""
         return gain(self.crank, self.numbers) if self.crank.acceleration else None
 
     @cached_property
-    def by(self) -> Accelerations[Any]:
+    def by(self) -> Accelerations[Numeric]:
         """How the masses are accelerated."""
         return Accelerations(self.gain, self.first_order)
 
@@ -253,7 +255,7 @@ class At:
             return NOTHING
         return moving.weights(self.numbers, self.crank.pin_acceleration(self.numbers))
 
-    def _under_force(self, masses: Masses[Any], reciprocating: Any) -> Any:
+    def _under_force(self, masses: Masses[Numeric], reciprocating: Numeric) -> Any:
         crank = self.crank
         net = self.acting(self.numbers.of(crank.force.first if crank.force else Fraction(0)))
         if self.arc is not None:
@@ -265,7 +267,7 @@ class At:
         return Loaded(*drive, net, reciprocating, self.by, weight=own, friction=friction)
 
     @property
-    def share(self) -> Any:
+    def share(self) -> Numeric:
         """The share of the stroke that the piston has gone."""
         if self.offset is None:
             return kinematics.piston_path(self.circle, self.ratio) / 2
@@ -283,14 +285,14 @@ class At:
         # On the return stroke the cover lies the other way.
         return self.stroke * effort.pressures.force(self.numbers) if effort and effort.pressures else 0
 
-    def rubbing(self) -> Any:
+    def rubbing(self) -> Numeric | None:
         """Return the friction in newtons, in the direction of the stroke, None where there is none."""
         effort = self.crank.effort
         if effort is None or not effort.friction:
             return None
         return self.numbers.of(effort.friction) * (self._way() if self.way is None else self.way) * -1
 
-    def _way(self) -> Any:
+    def _way(self) -> Numeric:
         """Return 1 where the piston moves in the direction of the stroke, -1 where against it, of any kind of
         number: a float in a dead centre goes where it is drawn to, a ball about one holds both."""
         velocity: Any = forces.tangential_force(self.circle, self.ratio, self.offset)
@@ -325,7 +327,7 @@ class At:
         """
         return root(self.reverses()) / abs(self.loaded.inertia_force())
 
-    def net_torque(self) -> Any:
+    def net_torque(self) -> Numeric:
         """Return the torque on the shaft less what the friction of the pins takes, over R, in newtons."""
         crank = self.crank
         pins, radius = known(known(crank.effort).pins), known(crank.radius)

@@ -15,7 +15,7 @@ from kurbel.drive.rod import Moving, Rod
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel import kinematics
-from kurbel.kernel.circle import Numeric
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.reading import units
 from kurbel.reading.given import as_fraction, as_length, as_number, as_ratios, as_share, as_speed
 from kurbel.reading.notation import Progression, about, ratio_text
@@ -62,7 +62,9 @@ class Crank:
         """Return the drive with what else is known of its crank, as of other drives."""
         return crank
 
-    def at(self, stroke: int, circle: Any, numbers: Kind, method: str, of: str | None = None) -> At:
+    def at(
+        self, stroke: int, circle: Circle[Numeric], numbers: Kind, method: str, of: str | None = None
+    ) -> At:
         """Return a place of the drive, as other drives do."""
         ratio = numbers.of(stroke * (Fraction(0) if method == "infinite" else self.ratio))
         offset = numbers.of(stroke * self.offset) if self.offset else None

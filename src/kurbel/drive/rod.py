@@ -135,7 +135,7 @@ class Rod:
         """(k² - a b)/L²: 0 if two masses replace the rod exactly, below 0 for rods between their pins."""
         return self.gyration_square - self.centre * (1 - self.centre)
 
-    def masses(self, model: str, of: Callable[[Fraction], Any]) -> Masses[Any]:
+    def masses(self, model: str, of: Callable[[Fraction], Numeric]) -> Masses[Any]:
         """Return the masses that a model puts for a rod of mass 1, on the kind of number that `of` makes."""
         return Masses(*(of(Fraction(part)) for part in MODELS[model](self)))
 

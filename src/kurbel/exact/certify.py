@@ -25,7 +25,7 @@ from flint import arb
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Found
 from kurbel.exact.numerals import MOST_FIGURES
-from kurbel.kernel.circle import Circle
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.kinematics import rod_sine
 
 Kept = TypeVar("Kept")
@@ -99,7 +99,7 @@ NEVER_TIES = None
 """For arcs and multiples of π: no value of theirs is a rational number other than zero or a whole degree."""
 
 
-def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: TieBits | None) -> int:
+def rounded(value: Callable[[], Numeric], decimals: int, rounding: str, tie_bits: TieBits | None) -> int:
     """Return the true value times 10**decimals, rounded to the nearest integer.
 
     `value` computes a ball at the precision in force. `tie_bits` takes a boundary, an odd multiple of half
@@ -113,7 +113,7 @@ def rounded(value: Callable[[], arb], decimals: int, rounding: str, tie_bits: Ti
     while True:
         precision *= 2
         with at_bits(precision):
-            scaled = value() * unit
+            scaled: Any = value() * unit
             magnitude = abs(scaled)
             if magnitude > _ENDLESS:
                 raise ProblemError(f"a value has more than {MOST_FIGURES} figures, which are not printed")

@@ -21,7 +21,7 @@ import numpy as np
 from kurbel.exact.bulk import Integers
 from kurbel.exact.certify import at_bits
 from kurbel.exact.enclosure import GROWTH, SUBNORMAL, UNIT, Floats
-from kurbel.exact.kind import Kind
+from kurbel.exact.kind import Kind, unordered
 from kurbel.kernel.circle import Circle
 
 ADDED, MULTIPLIED = 4 * UNIT**2, 9 * UNIT**2
@@ -154,7 +154,7 @@ WHOLE = 2**53
 
 def numbers() -> Kind:
     """Return sums of two floats as a kind of number: without arcs."""
-    return Kind(Double.of, pi=_enclosed(flint.arb.pi), exponent=Fraction, enclosed=_enclosed)
+    return unordered(Double.of, pi=_enclosed(flint.arb.pi), exponent=Fraction, enclosed=_enclosed)
 
 
 def _enclosed(value: Callable[[], Any]) -> Double:

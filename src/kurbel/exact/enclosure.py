@@ -24,7 +24,7 @@ import numpy as np
 
 from kurbel.exact.bulk import Integers, nearest
 from kurbel.exact.certify import at_bits
-from kurbel.exact.kind import Kind
+from kurbel.exact.kind import unordered
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.kinematics import rod_sine
 
@@ -309,7 +309,7 @@ def _rod_angle(circle: Circle[Any], ratio: Any, offset: Any) -> Enclosure:
     return arc(sine)
 
 
-ENCLOSURES = Kind(Enclosure.of, _circle, arc, PI, _rod_angle, Enclosure.of, enclosed)
+ENCLOSURES = unordered(Enclosure.of, _circle, arc, PI, _rod_angle, Enclosure.of, enclosed)
 """Enclosures as a kind of number on which formulas run."""
 
 

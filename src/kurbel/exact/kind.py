@@ -15,7 +15,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from functools import lru_cache
 from math import floor
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Protocol
 
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel import circle as on_floats
@@ -31,6 +31,10 @@ if TYPE_CHECKING:
 _ROUNDED_BITS = 192
 
 
+def _missing(*_: object) -> NoReturn:
+    raise NotImplementedError("numbers of this kind have none")
+
+
 class Kind(NamedTuple):
     """A kind of number: how it is made of a rational number, the circle of an angle in degrees, the arcsine
     in degrees, π, the rod angle in degrees of circle, λ and e/R or None, what an exponent is to it, and how
@@ -40,14 +44,19 @@ class Kind(NamedTuple):
     Separation bounds have neither arcs nor π; functions of the crank angle come with their own circle.
     """
 
-    of: Callable[[Fraction], Any]
-    circle: Any = None
-    arc: Any = None
+    of: Callable[[Any], Numeric]
+    circle: Callable[[Any], Circle[Numeric]] = _missing
+    arc: Callable[[Any], Numeric] = _missing
     pi: Any = None
-    rod_angle: Any = None
-    exponent: Any = None
-    enclosed: Any = None
+    rod_angle: Callable[[Any, Any, Any], Numeric] = _missing
+    exponent: Callable[[Fraction], Any] = _missing
+    enclosed: Callable[[Callable[[], Any]], Numeric] = _missing
     bounded: bool = False
+
+
+def unordered(*numbers: Any, **more: Any) -> Kind:
+    """Return a kind of numbers that lack an order or a nearest float: formulas on them ask for none."""
+    return Kind(*numbers, **more)
 
 
 def balls() -> Kind:
@@ -70,10 +79,10 @@ def _itself(value: Callable[[], arb]) -> arb:
 
 def bounds() -> Kind:
     """Return separation bounds."""
-    return Kind(Separation.rational, circle_separation, exponent=Fraction, bounded=True)
+    return unordered(Separation.rational, circle_separation, exponent=Fraction, bounded=True)
 
 
-def settled(value: Callable[[Kind], Any], decimals: int, rounding: str = "half-away") -> int:
+def settled(value: Callable[[Kind], Numeric], decimals: int, rounding: str = "half-away") -> int:
     """Return what `rounded` does of a value on any kind of number; of what it is made its ties follow."""
     from kurbel.exact import certify
 
@@ -92,7 +101,7 @@ def floats() -> Kind:
     def angle(point: Circle[Numeric], ratio: Numeric, offset: Numeric | None) -> Numeric:
         return on_floats.rod_angle(point, ratio, offset or 0.0)
 
-    def circle(degrees: Any) -> Circle[Any]:
+    def circle(degrees: Any) -> Circle[Numeric]:
         return on_floats.circle(float(degrees) if isinstance(degrees, Fraction) else degrees)
 
     return Kind(float, circle, on_floats.arcsine, math.pi, angle, float, _rounded)
@@ -109,7 +118,7 @@ def surds(field: Field) -> Kind:
     """Return functions of the tangent in the field, with their slopes."""
     from kurbel.exact.search import Jet
 
-    return Kind(lambda number: Jet(field.of(number), field.of(0), field.of(0)), bounded=True)
+    return unordered(lambda number: Jet(field.of(number), field.of(0), field.of(0)), bounded=True)
 
 
 NEAR_BITS = 256

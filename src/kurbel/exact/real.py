@@ -24,6 +24,7 @@ from kurbel.exact.certify import at_bits
 from kurbel.exact.kind import Kind, balls, settled
 from kurbel.exact.numerals import Number, figures, given
 from kurbel.exact.terms import HALF, exact_root, terms, vanishes
+from kurbel.kernel.circle import Numeric
 
 EXACT_ZERO = Number(0, 0)
 """A value that is 0 by proof is printed as 0, one that is only small as 0.0000."""
@@ -75,7 +76,7 @@ class Real:
         return None if self.pi else self.share
 
     @classmethod
-    def transcendental(cls, value: Callable[[Kind], Any]) -> Real:
+    def transcendental(cls, value: Callable[[Kind], Numeric]) -> Real:
         """Return a number of which no rational multiple of a power of π is rational."""
         return cls(lambda kind: kind.enclosed(lambda: value(balls())))
 
@@ -125,7 +126,7 @@ _SHORT = 10**6
 
 
 # A positive number on any kind.
-Enclosed: TypeAlias = Callable[[Kind], object]
+Enclosed: TypeAlias = Callable[[Kind], Any]
 
 
 @dataclass(frozen=True, eq=False, slots=True)

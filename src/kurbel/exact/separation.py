@@ -23,7 +23,7 @@ from typing import Any, TypeAlias
 
 from kurbel.errors import NotationError
 from kurbel.exact.numerals import MOST_FIGURES
-from kurbel.kernel.circle import Circle
+from kurbel.kernel.circle import Circle, Numeric
 
 
 # Not frozen, which would be half the time of a product.
@@ -167,7 +167,7 @@ def _bounded(operation: Operation) -> Operation:
 plus, minus, times, over = map(_bounded, (operator.add, operator.sub, operator.mul, operator.truediv))
 
 
-def power(base: Any, exponent: int) -> Any:
+def power(base: Numeric, exponent: int) -> Any:
     """Return a whole power."""
     if isinstance(base, Fraction):
         size = Separation.rational(base)

@@ -24,7 +24,7 @@ from flint import acb, arb, arb_poly, arb_series
 
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, ball, pi
-from kurbel.exact.kind import Kind
+from kurbel.exact.kind import Kind, unordered
 from kurbel.exact.search import interval
 from kurbel.kernel.circle import Circle
 
@@ -132,7 +132,7 @@ class Continued:
 
 def continued() -> Kind:
     """Return these numbers as a kind, at the precision in force; exponents are balls of reals."""
-    return Kind(
+    return unordered(
         Continued.of,
         lambda degrees: half_turn_circle(degrees / 180),
         _degrees,

@@ -21,10 +21,10 @@ from flint import arb
 
 from kurbel.exact import certify
 from kurbel.exact.certify import at_bits
-from kurbel.exact.kind import Found, Kind, balls
+from kurbel.exact.kind import Found, Kind, balls, unordered
 from kurbel.exact.place import Place
 from kurbel.exact.separation import Separation, circle_separation
-from kurbel.kernel.circle import Circle
+from kurbel.kernel.circle import Circle, Numeric
 
 FIRST_BITS = 128
 # The logarithm of a longer fraction is one of its own, for its primes may take years to find.
@@ -350,7 +350,7 @@ def _undecided(*_: object) -> NoReturn:
 def _kind(precision: int) -> Kind:
     """Return the kind of number at a precision in force; arcs are transcendental but of a few sines."""
     pi = Terms({Unit(Fraction(1)): Algebraic.of(Fraction(1))})
-    return Kind(
+    return unordered(
         Terms.of, _circle, _undecided, pi, _undecided, exponent=Fraction, enclosed=_undecided, bounded=True
     )
 
@@ -380,14 +380,14 @@ def terms(value: Callable[[Kind], Any]) -> Parts | None:
     return None
 
 
-def vanishes(value: Callable[[Kind], Any]) -> bool:
+def vanishes(value: Callable[[Kind], Numeric]) -> bool:
     """Whether a number on any kind is 0, by proof."""
     with at_bits(FIRST_BITS):
-        near = value(balls())
+        near: Any = value(balls())
     return bool(near.contains(0)) and terms(value) == {}
 
 
-def tie_bits(value: Callable[[Kind], Any], boundary: Fraction) -> float:
+def tie_bits(value: Callable[[Kind], Numeric], boundary: Fraction) -> float:
     """Return how near a number on any kind can come to a rounding boundary, as `certify.rounded` asks."""
     # The boundary is that of the magnitude.
     left = terms(lambda kind: abs(Terms.of(value(kind))) - boundary)

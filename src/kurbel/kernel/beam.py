@@ -26,7 +26,7 @@ def approximate_lean(arm: Numeric, ratio: Numeric) -> Any:
     return abs(ratio) / (4 * arm * (1 + ratio))
 
 
-def approximate_path(half_sine: Numeric) -> Any:
+def approximate_path(half_sine: Numeric) -> Numeric:
     """Return 1 - cos μ from sin ½μ, the beam's path while the crank turns by μ. Source: § 149."""
     return 2 * half_sine * half_sine
 

@@ -138,7 +138,7 @@ class Law(NamedTuple):
             return share.piecewise(self.corners, every)
         return _either([value(index, self._within(index, share)) for index in self.around(share)])
 
-    def _of_array(self, share: Any, value: Callable[[int, Any], Any]) -> Numeric:
+    def _of_array(self, share: Any, value: Callable[[int, Numeric], Numeric]) -> Numeric:
         import numpy as np
 
         every = [value(index, self._within(index, share)) + 0 * share for index in range(len(self.pieces))]
@@ -196,7 +196,9 @@ class Cubics:
         first, last = (bisect_right(self._places, end, 1, len(self._places) - 1) - 1 for end in (low, high))
         return _either([self._piece(index, share, value) for index in range(first, last + 1)])
 
-    def _piece(self, index: int, share: Numeric, value: Callable[[Sequence[Any], Any], Any]) -> Numeric:
+    def _piece(
+        self, index: int, share: Numeric, value: Callable[[Sequence[Numeric], Numeric], Numeric]
+    ) -> Numeric:
         """Return the value on a piece, at the share as far as it lies on that."""
         begin, end = self._places[index : index + 2]
         return value(self._pieces[index], smaller(larger(share, begin), end) - begin)
@@ -204,17 +206,17 @@ class Cubics:
 
 # Of a cubic at a share since its knot. No coefficient is multiplied before: in floats that would be rounded,
 # and the slope would be that of another cubic.
-def _pressure(piece: Sequence[Any], at: Any) -> Any:
+def _pressure(piece: Sequence[Numeric], at: Numeric) -> Numeric:
     cube, square, line, level, _ = piece
     return ((cube * at + square) * at + line) * at + level
 
 
-def _slope(piece: Sequence[Any], at: Any) -> Any:
+def _slope(piece: Sequence[Numeric], at: Numeric) -> Any:
     cube, square, line, _, _ = piece
     return (3 * (cube * at) + 2 * square) * at + line
 
 
-def _work(piece: Sequence[Any], at: Any) -> Any:
+def _work(piece: Sequence[Numeric], at: Numeric) -> Any:
     cube, square, line, level, begun = piece
     return (((0.75 * (cube * at) + square) * at / 3 + line / 2) * at + level) * at + begun
 

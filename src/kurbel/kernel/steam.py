@@ -56,7 +56,7 @@ class Expansion(NamedTuple):
         """Return the work without that of the expansion."""
         return smaller(share, self.cut_off) - self.back * share
 
-    def slope(self, share: Any) -> Numeric:
+    def slope(self, share: Numeric) -> Numeric:
         """Return the change of the force with the share, a ball; over the cut-off it holds both sides."""
         if share < self.cut_off:
             return share * 0
@@ -179,6 +179,6 @@ def larger(one: Any, other: Any) -> Any:
     return np.maximum(one, other)
 
 
-def smaller(one: Any, other: Any) -> Any:
+def smaller(one: Numeric, other: Numeric) -> Any:
     """Return the smaller of two numbers of a kind; of balls that overlap, one that holds either."""
     return -larger(-one, -other)
