@@ -55,7 +55,7 @@ class FloatTurn(AnyTurn):
     def cylinders(self) -> tuple[Cylinder, ...]:
         return self.cylinders_on(floats(), _circle)
 
-    def total(self, value: Callable[[Cylinder, int, Any], Any], places: Floats, first: float) -> Floats:
+    def total(self, value: OnAngle, places: Floats, first: float) -> Floats:
         """Return the sum of a number and of what each crank has at an array of half turns."""
         total = np.full_like(places, first)
         for start, cylinder in self.cranks():
@@ -130,9 +130,7 @@ def at_angles(request: EngineRequest, quantity: Quantity, method: str, degrees: 
     ]
 
 
-def _on_strokes(
-    cylinder: Cylinder, start: Fraction, value: Callable[[Cylinder, int, Numeric], Numeric], places: Floats
-) -> Floats:
+def _on_strokes(cylinder: Cylinder, start: Fraction, value: OnAngle, places: Floats) -> Floats:
     """Return what a crank has that follows the first by so many half turns, at each of the places."""
     begins = [stroke + cylinder.drive.dead_centre(stroke % 2) for stroke in range(len(cylinder.strokes))]
     since = (places - float(start) - begins[0]) % len(begins) + begins[0]

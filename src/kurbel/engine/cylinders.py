@@ -43,7 +43,7 @@ def _mean(turn: AnyTurn, row: Member) -> Numeric:
     return turn.mean_force() if row.part is None else turn.cylinders[row.part].whole_mean
 
 
-def _of_part(value: Callable[[Engine], Any]) -> Callable[[AnyTurn, Member], Any]:
+def _of_part(value: Callable[[Engine], Any]) -> Callable[[AnyTurn, Member], Numeric]:
     """Return what a cylinder has by itself, and all together have not."""
 
     def of(turn: AnyTurn, row: Member) -> Any:

@@ -56,7 +56,7 @@ class _Pinned(NamedTuple):
     stroke: Stroke
     at: float
 
-    def force(self, share: Any) -> Any:
+    def force(self, share: Numeric) -> Any:
         """Return the force at a share of the stroke, of a jet as a jet."""
         pinned: Any = Continued(share, self.at)
         found = self.stroke.force(pinned)

@@ -19,7 +19,7 @@ from kurbel.kernel.circle import Numeric
 from kurbel.kernel.steam import Expansion
 
 
-def work(turn: AnyTurn, where: Any) -> Numeric:
+def work(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return the work of all cylinders in a turn, in Q R, positive as done on the cranks."""
     return (
         2 * turn.pi * turn.indicated_force()
@@ -28,12 +28,12 @@ def work(turn: AnyTurn, where: Any) -> Numeric:
     )
 
 
-def mean_pressure(turn: AnyTurn, where: Any) -> Numeric:
+def mean_pressure(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return the mean pressure of an end of a cylinder that works, in units of the pressure that Q is of."""
     return abs(_mean_pressure(turn.engine.parts[0], _own(turn)))
 
 
-def power(turn: AnyTurn, where: Any) -> Numeric:
+def power(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return the indicated power of all cylinders in Q R ω, positive."""
     return abs(turn.indicated_force())
 
@@ -52,19 +52,19 @@ def kilopascals(turn: AnyTurn) -> Numeric:
     return turn.of(pressure / 1000)
 
 
-def volumetric_efficiency(turn: AnyTurn, where: Any) -> Numeric:
+def volumetric_efficiency(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return the share of the stroke on which a compressor sucks air."""
     load: Any = turn.engine.steam
     return load.volumetric_efficiency(turn.cylinder.kind)
 
 
-def delivered(turn: AnyTurn, where: Any) -> Numeric:
+def delivered(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return the volume that a stroke delivers, in the state of suction, as a share of the swept one."""
     load: Any = turn.engine.steam
     return load.delivered(turn.cylinder.kind)
 
 
-def flow(turn: AnyTurn, where: Any) -> Numeric:
+def flow(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return what all cylinders deliver in m³/min, in the state of suction."""
     engine, speed = turn.engine.parts[0], turn.engine.crank.speed
     assert engine.load is not None
@@ -77,7 +77,7 @@ def flow(turn: AnyTurn, where: Any) -> Numeric:
     return delivered(turn, where) * swept * turns
 
 
-def efficiency(turn: AnyTurn, where: Any) -> Numeric:
+def efficiency(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return the share of the heat that becomes work in an ideal gas cycle."""
     load: Any = turn.engine.steam
     return load.efficiency(turn.cylinder.kind)
@@ -119,7 +119,7 @@ def mean_pressure_of(engine: Engine, kind: Kind) -> Numeric:
     return _mean_pressure(engine, (kind, 1))
 
 
-def stage_work(key: str, turn: AnyTurn, where: Any) -> Numeric:
+def stage_work(key: str, turn: AnyTurn, where: TurnPlace) -> Numeric:
     """Return the work of a stage in Q R, a fraction where it is rational; A₁ + A₂ - A₃ is that of a stroke.
 
     A₁ = 2/ε, A₂ = 2 ln ε/ε, A₃ = 2 b of a straight crank by Mariotte's law. Source: Weisbach-Herrmann,
@@ -148,7 +148,7 @@ _STAGES: dict[str, Callable[[Expansion, Numeric], Numeric]] = {
 }
 
 
-def mean_torque(turn: AnyTurn, where: TurnPlace) -> Any:
+def mean_torque(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """|P| r in N m: of the power, rational where the speed is given in radians, or of the load."""
     wheel = _flywheel(where)
     if wheel.power is None:
@@ -169,7 +169,7 @@ def turns_a_minute(turn: AnyTurn, where: TurnPlace) -> Numeric:
     return 60 * given.value if given.turns else turn.of(30 * given.value) / turn.pi
 
 
-def speed(turn: AnyTurn, where: TurnPlace) -> Any:
+def speed(turn: AnyTurn, where: TurnPlace) -> Numeric:
     """ω in 1/s."""
     given = _flywheel(where).speed
     return given.omega(turn) if given.turns else given.value

@@ -126,14 +126,14 @@ class Steady:
     def _half(self, kind: Kind) -> Numeric:
         return self.swinging.swing(kind) / (kind.of(2 * self.inertia) * self.mean(kind))
 
-    def at(self, energy: Any, kind: Kind) -> Any:
+    def at(self, energy: Numeric, kind: Kind) -> Any:
         """Return ω in 1/s where the excess energy is this, in J."""
         greatest = self.greatest(kind)
         lacking = self.swinging.extreme_energy(kind, greatest=True) - energy
         return (greatest * greatest - 2 * lacking / kind.of(self.inertia)) ** 0.5
 
 
-def shown(value: Callable[[Kind], Any]) -> str:
+def shown(value: Callable[[Kind], Numeric]) -> str:
     """Return a number to five figures, every digit of which is meant."""
     decimals = figures(float(value(floats())))
     return number_text(Number(settled(value, decimals), decimals))

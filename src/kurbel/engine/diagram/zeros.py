@@ -56,7 +56,7 @@ class Zero:
             return kind.of(self.exact)
         return kind.enclosed(self._ball)
 
-    def _ball(self) -> Any:
+    def _ball(self) -> Numeric:
         return self.root.place() * self.unit
 
     @property
@@ -81,7 +81,7 @@ class Zero:
         return (ray * turned + ray * turned) / 2
 
 
-def waves_at(waves: Waves, zero: Zero, of: Waves, kind: Kind) -> Any:
+def waves_at(waves: Waves, zero: Zero, of: Waves, kind: Kind) -> Numeric:
     """Return waves at a zero, of such waves, if it is not exact, where no lines are beside them."""
     if zero.exact is not None:
         return waves.at(zero.exact, kind)
@@ -121,12 +121,12 @@ def functions(excess: Torque, number: int, unit: int) -> tuple[Any, Any]:
     waves, line = excess.waves, excess.lines[number]
     slope_of = waves.slope
 
-    def torque(units: Any) -> Any:
+    def torque(units: Numeric) -> Any:
         kind, degrees = balls(), units * unit
         behind = degrees - kind.of(line.start)
         return waves.within(degrees) + kind.of(line.first) + kind.of(line.slope) * behind
 
-    def slope(units: Any) -> Any:
+    def slope(units: Numeric) -> Any:
         kind = balls()
         per_degree = slope_of.within(units * unit) * kind.pi / 180 + kind.of(line.slope)
         return per_degree * unit
@@ -193,11 +193,11 @@ def _on_line(
             yield zero if exact is None else Zero(exact)
 
 
-def _counted(torque: Callable[[Any], Numeric], waves: int) -> Callable[[Any], Any]:
+def _counted(torque: Callable[[Numeric], Numeric], waves: int) -> Callable[[Any], Any]:
     """Return the function of so many waves, which refuses to be asked without end."""
     calls = iter(range(min(MOST_CALLS, MOST_COSINES // max(waves, 1))))
 
-    def asked(units: Any) -> Numeric:
+    def asked(units: Numeric) -> Numeric:
         if next(calls, None) is None:
             raise ProblemError(
                 "the torque has too many places at which it is just its load; give a formula with smaller"

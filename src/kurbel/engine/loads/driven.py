@@ -151,12 +151,12 @@ class Compressor:
         that of the expansion."""
         return self._ends(kind, **found).sucked()
 
-    def delivered(self, kind: Kind, **found: Any) -> Numeric:
+    def delivered(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the volume that a stroke delivers, as a share of the swept one, at p₁ and the temperature
         of the air that is sucked, with `found` numbers in the place of ratio or clearance."""
         return self.volumetric_efficiency(kind, **found) * kind.of(1 - self.suction_loss)
 
-    def mean(self, kind: Kind, **found: Any) -> Numeric:
+    def mean(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the mean pressure that a stroke takes: η_v n/(n - 1) (Π'^((n - 1)/n) - 1), in the cylinder's
         suction pressure, of all stages on the piston of the first; with `found` numbers in the place of ratio
         or clearance. Of two exponents it is what the compression takes less what the expansion gives."""
@@ -167,7 +167,7 @@ class Compressor:
             return ends.suction * (ends.clearance * ends.regrowth * given - taken)
         return -ends.suction * ends.sucked() * ends.exponent * self._of_stages(kind, **found)
 
-    def _of_stages(self, kind: Kind, **found: Any) -> Numeric:
+    def _of_stages(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the work of all stages on what has the volume 1 at the first, without its exponent."""
         ends = self._ends(kind, **found)
         first = expansion_work(1 / ends.growth, ends.exponent)
@@ -176,7 +176,7 @@ class Compressor:
         later = expansion_work(1 / self._later(kind, **found), ends.exponent)
         return first + kind.of((self.stages - 1) * self.cooled) * later
 
-    def _later(self, kind: Kind, **found: Any) -> Numeric:
+    def _later(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return how much larger the volume is at which a later stage sucks than that which it delivers."""
         ends = self._ends(kind, **found)
         if self.between is None:
@@ -184,25 +184,25 @@ class Compressor:
         whole = found.get("ratio", kind.of(self.ratio)) * kind.of(self._inside)
         return power(whole / kind.of(self.between), self._exponent(kind, 1 / self.exponent))
 
-    def against_one_stage(self, kind: Kind, **found: Any) -> Numeric:
+    def against_one_stage(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the work of all stages in that of one, on the same air."""
         whole = found.get("ratio", kind.of(self.ratio)) * kind.of(self._inside)
         exponent = self._exponent(kind, self.exponent)
         grown = power(whole, self._exponent(kind, 1 / self.exponent))
         return self._of_stages(kind, **found) / expansion_work(1 / grown, exponent)
 
-    def against_perfect(self, kind: Kind, **found: Any) -> Numeric:
+    def against_perfect(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the same in that with perfect intercooling at the best pressures."""
         return self._of_stages(kind, **found) / self._best()._of_stages(kind, **found)
 
-    def perfect_against_one(self, kind: Kind, **found: Any) -> Numeric:
+    def perfect_against_one(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the work with perfect intercooling at the best pressures in that of one stage."""
         return self._best().against_one_stage(kind, **found)
 
     def _best(self) -> Compressor:
         return replace(self, cooled=Fraction(1), between=None)
 
-    def later_area(self, kind: Kind, **found: Any) -> Numeric:
+    def later_area(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the area of the second stage's piston in that of the first, by what each sucks."""
         ends, later = self._ends(kind, **found), self._later(kind, **found)
         sucks = 1 if self.between is None else ends.sucked() / (1 + ends.clearance * (1 - later))
@@ -213,25 +213,25 @@ class Compressor:
         """How many times the pressures in the cylinder are farther apart than outside."""
         return (1 + self.delivery_loss) / (1 - self.suction_loss)
 
-    def isothermal(self, kind: Kind, **found: Any) -> Numeric:
+    def isothermal(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the work at the temperature of suction on what a stroke delivers, over p₁ and the volume
         that it sweeps: v ln Π."""
         ratio = found.get("ratio", kind.of(self.ratio))
         return self.delivered(kind, **found) * logarithm(ratio)
 
-    def adiabatic(self, kind: Kind, **found: Any) -> Numeric:
+    def adiabatic(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the same without heat, in one stage: v γ/(γ - 1) (Π^((γ - 1)/γ) - 1) with γ = 1.4 of air."""
         ratio, part = found.get("ratio", kind.of(self.ratio)), 1 - 1 / AIR
         return self.delivered(kind, **found) * (ratio ** kind.exponent(part) - 1) / kind.of(part)
 
-    def stage_ratio(self, kind: Kind, **found: Any) -> Numeric:
+    def stage_ratio(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return by how many times the first stage raises the pressure."""
         if self.between is not None:
             return kind.of(self.between)
         ratio = found.get("ratio", kind.of(self.ratio))
         return power(ratio, 1 if self.stages == 1 else kind.exponent(Fraction(1, self.stages)))
 
-    def heated(self, kind: Kind, **found: Any) -> Numeric:
+    def heated(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the temperature at the end of the compression, of the last stage, in that of suction."""
         raised, exponent = self.stage_ratio(kind, **found), kind.exponent(1 - 1 / self.exponent)
         if self.between is not None:
@@ -239,12 +239,12 @@ class Compressor:
         hot = power(raised * kind.of(self._inside), exponent)
         return hot if self.cooled == 1 else kind.of(self.cooled) * hot
 
-    def delivered_hot(self, kind: Kind, **found: Any) -> Numeric:
+    def delivered_hot(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the volume of what a stroke delivers behind the compression, in the swept one."""
         ratio = found.get("ratio", kind.of(self.ratio))
         return self.delivered(kind, **found) * self.heated(kind, **found) / ratio
 
-    def compression_heat(self, kind: Kind, **found: Any) -> Numeric:
+    def compression_heat(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the heat that the first stage gives off as it compresses, over p₁ and the swept volume.
 
         The work less c_p (T₂ - T₁), c_p = γ/(γ - 1) R: v (n/(n - 1) - γ/(γ - 1)) (T₂/T₁ - 1). Above 0 for
@@ -253,12 +253,12 @@ class Compressor:
         share = 1 / (1 - 1 / self.exponent) - 1 / (1 - 1 / AIR)
         return self.delivered(kind, **found) * kind.of(share) * (self._first_heat(kind, **found) - 1)
 
-    def cooler_heat(self, kind: Kind, **found: Any) -> Numeric:
+    def cooler_heat(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the heat that the cooler behind the first stage takes, likewise."""
         left = self._first_heat(kind, **found) - kind.of(self.cooled)
         return self.delivered(kind, **found) * kind.of(1 / (1 - 1 / AIR)) * left
 
-    def _first_heat(self, kind: Kind, **found: Any) -> Numeric:
+    def _first_heat(self, kind: Kind, **found: Numeric) -> Numeric:
         raised = self.stage_ratio(kind, **found) * kind.of(self._inside)
         return power(raised, kind.exponent(1 - 1 / self.exponent))
 

@@ -91,7 +91,7 @@ class Steam:
         self._check_work()
 
     def numbers(
-        self, of: Callable[[Fraction], Any], exponent_of: Callable[[Fraction], Any] | None = None
+        self, of: Callable[[Fraction], Numeric], exponent_of: Callable[[Fraction], Numeric] | None = None
     ) -> Expansion:
         """Return the same in a kind of number, which may want its exponents in another."""
         cut_off, clearance = of(1 / self.expansion), of(self.clearance)
@@ -99,7 +99,7 @@ class Steam:
         back = best_back(cut_off, exponent, clearance) if self.back is None else of(self.back)
         return Expansion(cut_off, back, exponent, clearance)
 
-    def mean(self, kind: Kind, **found: Any) -> Any:
+    def mean(self, kind: Kind, **found: Numeric) -> Any:
         """Return the mean pressure on an end that works, with `found` numbers in the place of some."""
         known = self.numbers(kind.of, kind.exponent)._replace(**found)
         if self.back is None:
