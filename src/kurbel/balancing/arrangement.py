@@ -215,7 +215,7 @@ class Length(NamedTuple):
     """A magnitude of the residual: whether it is 0, its ball, and whether it is a rational number > 0."""
 
     vanishes: Callable[[Residual], bool]
-    value: Callable[[Residual, Kind], Numeric]
+    value: Callable[[Residual, Kind], Any]
     equals: Callable[[Residual, Fraction], bool]
 
 

@@ -16,6 +16,7 @@ from kurbel.exact.course import Course, Target, closed_forms, form_text
 from kurbel.exact.kind import balls
 from kurbel.exact.numerals import MOST_DIGITS, Number, exact_text, nearest, number_text
 from kurbel.exact.place import Place
+from kurbel.kernel.circle import Numeric
 from kurbel.motion.drives import Drive, condition_names
 from kurbel.motion.evaluation import OUT, RETURN, Needs
 from kurbel.motion.mechanism import mechanism
@@ -74,11 +75,10 @@ class Root:
         """Return the time since the dead centre where the stroke begins, at an irrational angle."""
         crank = self.drive.crank
 
-        def seconds() -> arb:
+        def seconds() -> Numeric:
             numbers = balls()
             beyond = turned(crank, self.stroke, 180 * self.place.half_turns(), numbers)
-            found: arb = beyond * turn_time(crank, numbers) * numbers.of(times)
-            return found
+            return beyond * turn_time(crank, numbers) * numbers.of(times)
 
         return Number(rounded(seconds, decimals, rounding, NEVER_TIES), decimals)
 

@@ -184,7 +184,7 @@ class Parallel(LinkageMechanism):
 
 
 def rod_ends(
-    drive: ParallelCrank, method: str, circle: Any, kind: Kind, beside: bool
+    drive: ParallelCrank, method: str, circle: Circle[Numeric], kind: Kind, beside: bool
 ) -> tuple[Rod[Numeric], None]:
     """Return the ends of the rod, which move alike, as all its points."""
     end = crank_pin(circle, circle.versine)

@@ -191,7 +191,7 @@ class MovedRocker(Moved):
     def torque_slope(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Numeric:
         return rocker.torque_slope(self._place(stroke, circle), self.arcs[stroke], masses)
 
-    def _place(self, stroke: int, circle: Circle[Any]) -> Place[Any]:
+    def _place(self, stroke: int, circle: Circle[Numeric]) -> Place[Numeric]:
         """Return where the rocker's end stands; a turn asks several things of one angle."""
         if self._last is None or self._last[0] != stroke or self._last[1] is not circle:
             arc = self.arcs[stroke]
@@ -200,7 +200,7 @@ class MovedRocker(Moved):
 
 
 def rod(
-    drive: RockerCrank, method: str, circle: Any, kind: Kind, beside: bool
+    drive: RockerCrank, method: str, circle: Circle[Numeric], kind: Kind, beside: bool
 ) -> tuple[Rod[Numeric], Reach[Numeric] | None]:
     """Return the ends of the rod at a crank angle, and its reach if points beside its axis are asked for."""
     at = drive.at(OUT, circle, kind, "exact", STROKE)

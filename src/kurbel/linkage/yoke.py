@@ -15,7 +15,7 @@ from typing import Any
 from kurbel.drive.crank import RODLESS, Crank, Described
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
-from kurbel.kernel.circle import Circle
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.linkage import Place
 from kurbel.linkage.arc_quantities import headed_entry, sized_entry
 from kurbel.linkage.linkage import (
@@ -61,7 +61,7 @@ class Yoke(Linkage):
         """Return the stroke in units of R."""
         return kind.of(Fraction(2))
 
-    def least_transmission(self, kind: Kind) -> Any:
+    def least_transmission(self, kind: Kind) -> Numeric:
         """Return the angle in degrees between the slot and the way of the yoke."""
         return kind.of(Fraction(90))
 

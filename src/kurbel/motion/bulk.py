@@ -182,7 +182,7 @@ class Sharp:
         return known(digits)
 
 
-def on_floats(column: Column, crank: Crank) -> Callable[[Circle[Any]], Numeric] | OfDegrees:
+def on_floats(column: Column, crank: Crank) -> Callable[[Circle[Numeric]], Numeric] | OfDegrees:
     """Return the column as a function of the circle of floats or arrays, a time as one of the angle."""
     if Needs.TIME in column.quantity.needs:
         from kurbel.exact.bulk import OfDegrees

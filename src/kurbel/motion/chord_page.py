@@ -63,7 +63,7 @@ def _at(crank: Crank, angle: Fraction, kind: Kind) -> tuple[Any, Any]:
 def _is_exactly(crank: Crank, angle: Fraction, value: Fraction) -> bool:
     """Whether GF is exactly a number, proved by the separation bound."""
 
-    def difference(kind: Kind) -> Any:
+    def difference(kind: Kind) -> Numeric:
         return kinematics.rod_versine(*_at(crank, angle, kind)) - kind.of(value)
 
     return vanishes(difference)

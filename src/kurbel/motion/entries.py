@@ -244,7 +244,7 @@ def _rod_versine_entries() -> Iterator[Quantity]:
         yield spanned(key, name, symbol, head, unit, decimals, ROD_VERSINE, scale=scale)
 
 
-def _of_stroke(times: int, crank: Crank, numbers: Any) -> Any:
+def _of_stroke(times: int, crank: Crank, numbers: Any) -> Numeric:
     return times / crank.stroke(numbers)
 
 

@@ -6,7 +6,6 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
-from typing import Any
 
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
@@ -52,7 +51,7 @@ WORDS = texts("motion")["inertia"]
 
 
 # A kernel call takes the peak of a force or of an error, that of the exact force, and a kind of number.
-def _itself(peak: Peak, whole: Peak, numbers: Kind) -> Any:
+def _itself(peak: Peak, whole: Peak, numbers: Kind) -> Numeric:
     return peak.on(numbers)
 
 

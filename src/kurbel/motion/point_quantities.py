@@ -17,7 +17,7 @@ from kurbel.exact.numerals import Label, nearest
 from kurbel.exact.terms import vanishes
 from kurbel.kernel import coupler as kernel
 from kurbel.kernel import kinematics
-from kurbel.kernel.circle import Numeric
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.coupler import Point, Reach, Rod, Vector, amount, first_order_reach, slide_reach, slide_rod
 from kurbel.motion.evaluation import OFFSET, Needs
 from kurbel.motion.points import RodPoint
@@ -197,7 +197,7 @@ def _in_units(
 
 
 # What makes a vector on a kind of number.
-Made = Callable[[Kind], Vector[Any]]
+Made = Callable[[Kind], Vector[Numeric]]
 TURN, QUARTER = 360, 90
 FIRST_BITS = 2 * GUARD_BITS
 
@@ -249,7 +249,7 @@ def _sector(made: Made) -> int | None:
     while True:
         precision *= 2
         with at_bits(precision):
-            one = made(balls())
+            one: Vector[Any] = made(balls())
             forth, up = -one.along, one.across
             level = abs(forth).mid() >= abs(up).mid()
             strong = forth if level else up
@@ -274,7 +274,7 @@ class Ends(Protocol):
     """What gives the rod of a drive, by a method, at a crank angle, with its reach if that is asked for."""
 
     def __call__(
-        self, drive: Drive, method: str, circle: Any, kind: Kind, beside: bool
+        self, drive: Drive, method: str, circle: Circle[Numeric], kind: Kind, beside: bool
     ) -> tuple[Rod[Numeric], Reach[Numeric] | None]: ...
 
 
@@ -292,7 +292,7 @@ class Moved:
         found: Crank = self.drive.crank
         return found
 
-    def at(self, circle: Any, kind: Kind) -> At:
+    def at(self, circle: Circle[Numeric], kind: Kind) -> At:
         """Return what the kernel calls of its quantities take."""
         rod, reach = self.ends(self.drive, self.method, circle, kind, bool(self.point.beside))
         return At(rod, self.point.on(kind), reach, kind, self._gain(kind))
@@ -339,7 +339,7 @@ class Moved:
 
 
 def rod(
-    drive: Crank, method: str, circle: Any, kind: Kind, beside: bool
+    drive: Crank, method: str, circle: Circle[Numeric], kind: Kind, beside: bool
 ) -> tuple[Rod[Any], Reach[Any] | None]:
     """Return the ends of the rod at a crank angle, and its reach if points beside its axis are asked for."""
     ratio = kind.of(drive.ratio)
