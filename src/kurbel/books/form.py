@@ -48,7 +48,7 @@ PRODUCTS = 3
 class Duals:
     """The algebra of such numbers on another one."""
 
-    def __init__(self, algebra: Any) -> None:
+    def __init__(self, algebra: Algebra) -> None:
         self.algebra = algebra
         self.pi = self.constant(algebra.pi)
 
@@ -70,12 +70,12 @@ class Duals:
         return Dual(found, _SLOPES[function](self.algebra, value.value, found) * value.slope)
 
 
-def _one(algebra: Any) -> Any:
+def _one(algebra: Algebra) -> Any:
     return algebra.of(Fraction(1))
 
 
 # Of an algebra, a value and what a function makes of it.
-_SLOPES: Mapping[str, Callable[[Any, Any, Any], Any]] = {
+_SLOPES: Mapping[str, Callable[[Algebra, Any, Any], Any]] = {
     "sin": lambda algebra, value, found: algebra.apply("cos", value),
     "cos": lambda algebra, value, found: -algebra.apply("sin", value),
     "tan": lambda algebra, value, found: _one(algebra) + found * found,

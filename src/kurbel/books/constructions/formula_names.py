@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from operator import attrgetter
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from kurbel.books.constructions.placed import Placed, Point
 from kurbel.exact.certify import ball
@@ -21,17 +21,25 @@ from kurbel.kernel.steam import logarithm
 from kurbel.linkage.beam_engine import LOWER, UPPER, BeamEngine, chord_square
 from kurbel.motion.evaluation import OUT, RETURN
 
+if TYPE_CHECKING:
+    from flint import arb
+
+    from kurbel.linkage.beam_engine import BeamEngine
+
 POINT, NUMBER = "point", "number"
 CRANKS = ("straight", "offset")
 ARC, BEAM = ("arc",), ("beam",)
 TURN = 360
 
 
+OfPlace: TypeAlias = Callable[[Placed], Numeric]
+
+
 class Known(NamedTuple):
     """What a name stands for: a point or a number, of which mechanisms, and how it is computed."""
 
     gives: str
-    value: Callable[[Placed], Any]
+    value: Callable[[Placed], Numeric | Point]
     of: tuple[str, ...] = ()
 
 
@@ -40,7 +48,7 @@ class OfDrive(NamedTuple):
 
     takes: tuple[str, ...]
     gives: str
-    apply: Callable[..., Any]
+    apply: Callable[..., Numeric | Point]
     of: tuple[str, ...]
 
 
@@ -49,7 +57,7 @@ def _by_offset(
 ) -> Callable[..., Numeric]:
     """Return a kernel formula of the crank, on the return stroke (-1) from its own dead centre."""
 
-    def found(at: Placed) -> Any:
+    def found(at: Placed) -> Numeric:
         if at.drive.offset:
             return offset(at.circle, way * at.ratio, way * at.offset)
         return straight(at.circle, way * at.ratio)
@@ -57,15 +65,15 @@ def _by_offset(
     return found
 
 
-def _of_rocker(kernel: Callable[..., Numeric], stroke: int = OUT) -> Callable[[Placed], Any]:
-    def found(at: Placed) -> Any:
+def _of_rocker(kernel: Callable[..., Numeric], stroke: int = OUT) -> OfPlace:
+    def found(at: Placed) -> Numeric:
         stands = at.linked if stroke == OUT else at.drive.at(stroke, at.circle, at.kind, "exact")
         return kernel(stands.place, stands.arc)
 
     return found
 
 
-def _either(crank: Callable[[Placed], Any], rocker: Callable[[Placed], Any]) -> Callable[[Placed], Any]:
+def _either(crank: OfPlace, rocker: OfPlace) -> OfPlace:
     return lambda at: rocker(at) if at.guided else crank(at)
 
 
@@ -87,7 +95,7 @@ def _force(kernel: Callable[..., Numeric]) -> Callable[[Placed], Any]:
     return lambda at: kernel(at.circle, at.ratio, at.offset if at.drive.offset else None)
 
 
-def _common(at: Placed) -> Any:
+def _common(at: Placed) -> Numeric:
     """Return p₂: along the slide with its sign, on the arc of a rocker its amount."""
     common = at.parted.common
     return common.size() if at.guided else common.along
@@ -100,7 +108,7 @@ def _stroke(at: Placed) -> int:
     return 0 if begin <= (float(at.angle) - begin) % TURN + begin < end else 1
 
 
-def _from_dead_centre(at: Placed) -> Any:
+def _from_dead_centre(at: Placed) -> Circle[Numeric]:
     return at.kind.circle(at.angle - 180 * _stroke(at))
 
 
@@ -110,7 +118,7 @@ def _share(at: Placed) -> Any:
     return moved.path(_stroke(at), _from_dead_centre(at)) / moved.length
 
 
-def _steam_force(at: Placed) -> Any:
+def _steam_force(at: Placed) -> Numeric:
     """Return P on the piston, over Q."""
     steam = at.beside.steam
     if steam is None:
@@ -143,7 +151,7 @@ def _work_over_turn(at: Placed) -> Any:
     return length / at.kind.pi * ((1 + logarithm(ratio)) / ratio - back)
 
 
-def _beam(value: Callable[[Any, Any], Any]) -> Callable[[Placed], Any]:
+def _beam(value: Callable[[BeamEngine, arb], Any]) -> OfPlace:
     """Return what the beam engine has in truth, from q²/r²."""
 
     def found(at: Placed) -> Any:
@@ -153,7 +161,7 @@ def _beam(value: Callable[[Any, Any], Any]) -> Callable[[Placed], Any]:
     return found
 
 
-def _lean(side: int) -> Callable[[Placed], Any]:
+def _lean(side: int) -> OfPlace:
     """Return by how much the rod leans at a dead centre, in radians."""
     return _beam(lambda engine, square: beam.lean_sine(square, *engine.numbers(side)).asin())
 
@@ -162,7 +170,7 @@ def _points(of: tuple[str, ...], **values: Callable[[Placed], Any]) -> dict[str,
     return {name: Known(POINT, value, of) for name, value in values.items()}
 
 
-def _numbers(of: tuple[str, ...], **values: Callable[[Placed], Any]) -> dict[str, Known]:
+def _numbers(of: tuple[str, ...], **values: OfPlace) -> dict[str, Known]:
     return {name: Known(NUMBER, value, of) for name, value in values.items()}
 
 

@@ -23,7 +23,7 @@ from kurbel.books.constructions.placed import Placed, Point
 from kurbel.errors import NotationError
 from kurbel.exact.kind import floats
 from kurbel.exact.separation import power
-from kurbel.kernel.circle import root
+from kurbel.kernel.circle import Numeric, root
 from kurbel.reading.arithmetic import OPERATIONS, POWERS, parsed, wrong_power
 from kurbel.reading.given import choose
 
@@ -40,7 +40,7 @@ class Function(NamedTuple):
 
     takes: tuple[str, ...]
     gives: str
-    apply: Callable[..., Any]
+    apply: Callable[..., Numeric | on.Point]
 
 
 FUNCTIONS: Mapping[str, Function] = {
@@ -60,7 +60,7 @@ FUNCTIONS: Mapping[str, Function] = {
 # In floats alone: what is found by them stands in near(...) or is compared.
 OF_FLOATS: Mapping[str, Callable[..., object]] = {"max": max, "min": min}
 NEAR = "near"
-COMPARED: Mapping[type, Callable[[Any, Any], bool]] = {
+COMPARED: Mapping[type, Callable[[Numeric, Numeric], bool]] = {
     ast.Lt: operator.lt,
     ast.LtE: operator.le,
     ast.Gt: operator.gt,
@@ -227,7 +227,7 @@ class _Reader:
     def rounded(self, number: Formula, steps: Formula) -> Formula:
         """Return a number in floats to the nearest of so many parts of 1, the same for every kind."""
 
-        def value(values: Values) -> Any:
+        def value(values: Values) -> Numeric:
             parts = round(steps.value(values.near))
             return values.at.kind.of(Fraction(round(parts * number.value(values.near)), parts))
 

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from kurbel.drive.rod import Rod
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, exact_text
-from kurbel.kernel.circle import Circle, root
+from kurbel.kernel.circle import Circle, Numeric, root
 from kurbel.kernel.parts import Parted, parted, parted_rocker
 from kurbel.motion.evaluation import OUT
 from kurbel.page.quantity import Words, words
@@ -28,11 +28,11 @@ if TYPE_CHECKING:
 class Point(NamedTuple):
     """A point, or a vector, across and up."""
 
-    x: Any
-    y: Any
+    x: Numeric
+    y: Numeric
 
 
-def plus(point: Point, vector: Point, times: Any = 1) -> Point:
+def plus(point: Point, vector: Point, times: Numeric = 1) -> Point:
     """Return a point moved by so many times a vector."""
     return Point(point.x + times * vector.x, point.y + times * vector.y)
 
@@ -47,16 +47,16 @@ def turned(vector: Point) -> Point:
     return Point(-vector.y, vector.x)
 
 
-def dot(one: Point, other: Point) -> Any:
+def dot(one: Point, other: Point) -> Numeric:
     return one.x * other.x + one.y * other.y
 
 
-def cross(one: Point, other: Point) -> Any:
+def cross(one: Point, other: Point) -> Numeric:
     """Return the area between two vectors, positive where the second is on the left of the first."""
     return one.x * other.y - one.y * other.x
 
 
-def distance(start: Point, end: Point) -> Any:
+def distance(start: Point, end: Point) -> Numeric:
     """Return the length between two points; positive, and 0 where they are the same."""
     vector = to(start, end)
     return root(dot(vector, vector))
@@ -73,7 +73,7 @@ def meet(start: Point, along: Point, other: Point, way: Point) -> Point:
     return plus(start, along, cross(to(start, other), way) / cross(along, way))
 
 
-def on_circle(start: Point, along: Point, centre: Point, radius: Any, side: int = 1) -> Point:
+def on_circle(start: Point, along: Point, centre: Point, radius: Numeric, side: int = 1) -> Point:
     """Return where a line meets a circle, the farther point along the vector (1) or the nearer (-1)."""
     back = to(centre, start)
     square, half = dot(along, along), dot(along, back)
@@ -81,7 +81,7 @@ def on_circle(start: Point, along: Point, centre: Point, radius: Any, side: int 
     return plus(start, along, (side * deep - half) / square)
 
 
-def circles(one: Point, radius: Any, other: Point, second: Any, side: int = 1) -> Point:
+def circles(one: Point, radius: Numeric, other: Point, second: Numeric, side: int = 1) -> Point:
     """Return where two circles meet, on the left (1) or the right (-1) of the way between their centres."""
     way = to(one, other)
     square = dot(way, way)
@@ -157,28 +157,28 @@ class Placed:
     beside: Beside = ALONE
 
     @cached_property
-    def circle(self) -> Any:
+    def circle(self) -> Circle[Numeric]:
         if self.position is None:
             return self.kind.circle(self.angle)
         pin = self.position.pin(self)
         return Circle(pin.y, pin.x, 1 - pin.x)
 
     @cached_property
-    def ratio(self) -> Any:
+    def ratio(self) -> Numeric:
         """λ."""
         return self.number(self.drive.crank.ratio)
 
     @cached_property
-    def rod(self) -> Any:
+    def rod(self) -> Numeric:
         """L."""
         return self.number(1 / self.drive.crank.ratio)
 
     @cached_property
-    def offset(self) -> Any:
+    def offset(self) -> Numeric:
         """e."""
         return self.number(self.drive.crank.offset)
 
-    def number(self, value: Fraction | int) -> Any:
+    def number(self, value: Fraction | int) -> Numeric:
         return self.kind.of(Fraction(value))
 
     @property
@@ -208,7 +208,7 @@ class Placed:
         drive = self.drive
         return Point(self.number(1 / drive.crank.ratio + drive.shift), self.number(drive.pivot_height))
 
-    def end_on_rocker(self, centre: Point, radius: Any) -> Point:
+    def end_on_rocker(self, centre: Point, radius: Numeric) -> Point:
         """Return where a circle cuts that of the rocker: seen from its centre right of the pivot, for a
         negative curvature left of it."""
         side = -1 if self.drive.curvature > 0 else 1
