@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -23,6 +23,7 @@ from kurbel.reading.notation import about
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.lines import Line2D
 
 # The scene of a drive, with its joints at these angles; nothing for one that cannot be drawn to scale.
 Staged = Callable[[Sequence[float]], Scene | None]
@@ -208,7 +209,7 @@ def _dots(chart: Chart, panel: int, at: float) -> Iterator[tuple[Part, Seen | No
         yield Part(name, (dot,), axes, way), seen
 
 
-def _dot(axes: Axes, x: float, y: float, colour: str) -> Any:
+def _dot(axes: Axes, x: float, y: float, colour: str) -> Line2D:
     (dot,) = axes.plot([x], [y], marker="o", markersize=2 * DOT * MM, zorder=7, clip_on=False)
     dot.set(color=colour, markeredgecolor=WHITE, markeredgewidth=MEDIUM)
     return dot

@@ -347,8 +347,11 @@ def construction_drawing(
     at = request.at(floats())
     # In units of R; a mirrored drive has the crosshead on the left.
     sign = -1 if shown.given.mirrored else 1
-    points = {letter: (sign * point.x, point.y) for letter, point in shown.points(at).items()}
-    curves = {name: [(sign * point.x, point.y) for point in shown.curve(name, at)] for name in shown.curves}
+    points = {letter: (sign * float(point.x), float(point.y)) for letter, point in shown.points(at).items()}
+    curves = {
+        name: [(sign * float(point.x), float(point.y)) for point in shown.curve(name, at)]
+        for name in shown.curves
+    }
     with style():
         board = _board(shown, points, curves, size, mark)
         for number, step in enumerate(shown.steps, 1):

@@ -23,6 +23,7 @@ from kurbel.engine.request import EngineRequest
 from kurbel.engine.turn import Turn, turn_of
 from kurbel.exact.kind import Kind, floats
 from kurbel.exact.numerals import Label, Number, degrees_text, number_text
+from kurbel.kernel.circle import Numeric
 from kurbel.page.quantity import Column, Formula, Quantity, bare, entry
 from kurbel.plot.drawings import (
     Picture,
@@ -75,7 +76,7 @@ class Swinging(NamedTuple):
 def engine_swing(turn: AnyTurn, energy: Column, request: EngineRequest) -> Swinging:
     """Return the swing of an engine's excess energy, a column of the request, as a share of its unit."""
 
-    def number(of: str, value: Callable[[AnyTurn], Any], decimals: int | None, unit: int = 1) -> str:
+    def number(of: str, value: Callable[[AnyTurn], Numeric], decimals: int | None, unit: int = 1) -> str:
         formulas = dict.fromkeys(ENGINE_METHODS, Formula(lambda turn, where: value(turn)))
         asked = entry("energy_swing", "", "", "", decimals, formulas, of=of, minutes=of in ENDS)
         column = bare(asked, turn.method, decimals)
@@ -123,7 +124,7 @@ def diagram_swing(request: TorquesRequest, panel: Panel) -> Panel:
     return panel._replace(spots=found.spots, swing=found.swing)
 
 
-def _degrees(half_turns: Any, turn: AnyTurn) -> Any:
+def _degrees(half_turns: Numeric, turn: AnyTurn) -> Numeric:
     return 180 * half_turns
 
 

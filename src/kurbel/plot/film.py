@@ -18,6 +18,7 @@ from itertools import chain, pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kurbel.plot.place import Chosen, Points
 from kurbel.plot.style import DOTS_PER_MM, LINES, MM, WHITE
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.lines import Line2D
+    from matplotlib.transforms import Transform
 
 # A turn in so many steps: between two of them a joint leaves a straight way by less than 0.001 mm.
 STEPS = 720
@@ -60,7 +63,7 @@ class Grown(NamedTuple):
     """A line of which a share from its beginning is seen."""
 
     name: str
-    line: Any
+    line: Line2D
     axes: Axes
     way: Way
 
@@ -330,7 +333,7 @@ def frame_delays(seconds: float) -> list[int]:
     return [later - earlier for earlier, later in pairwise(ends)]
 
 
-def frames(figure: Figure, film: Film, angles: Sequence[float]) -> Iterator[Any]:
+def frames(figure: Figure, film: Film, angles: Sequence[float]) -> Iterator[NDArray[np.uint8]]:
     """Yield the drawing at angles, as arrays of red, green and blue. What stands still is drawn once."""
     canvas: Any = figure.canvas
     with _coarse(figure), _put_apart(film) as movers:
@@ -383,14 +386,14 @@ def _put_apart(film: Film) -> Iterator[list[Callable[[float], None]]]:
             line.set_data(*points.T)
 
 
-def _artists(film: Film) -> list[Any]:
+def _artists(film: Film) -> list[Artist]:
     """Return what is drawn anew in each picture, what is before it last."""
     found = [one for part in film.parts for one in part.artists]
     found += [grown.line for grown in film.grown]
     return sorted([*found, *film.above], key=lambda one: one.get_zorder())
 
 
-def _mover(part: Part, transforms: Mapping[Any, Any], start: float) -> Callable[[float], None]:
+def _mover(part: Part, transforms: Mapping[Artist, Transform], start: float) -> Callable[[float], None]:
     from matplotlib.transforms import Affine2D
 
     def place(angle: float) -> tuple[Points, float]:

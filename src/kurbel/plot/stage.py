@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from itertools import count
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -54,6 +54,9 @@ from kurbel.plot.style import (
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+    from matplotlib.text import Text
 
 # The radius of a point of a link, in mm.
 POINT = 0.9
@@ -127,7 +130,12 @@ class _Stage:
         return np.broadcast_to(np.asarray(joint, float), (len(self.angles), 2))
 
     def part(
-        self, name: str, artists: Sequence[Any], places: Points, turns: Points | float = 0.0, reach: float = 0
+        self,
+        name: str,
+        artists: Sequence[Artist],
+        places: Points,
+        turns: Points | float = 0.0,
+        reach: float = 0,
     ) -> Part:
         """Return a part by the places of a point of it, and its turns; it reaches so far beyond the point."""
         for one in artists:
@@ -138,12 +146,12 @@ class _Stage:
             reach / self.mm,
         )  # fmt: skip
 
-    def line(self, points: Points, width: float, level: float) -> Any:
+    def line(self, points: Points, width: float, level: float) -> Line2D:
         line = self.sketch.line(*map(tuple, points), linewidth=width, zorder=level)
         line.set_clip_on(False)
         return line
 
-    def disc(self, centre: Point, radius: float, filling: str = WHITE, level: float = PINS) -> Any:
+    def disc(self, centre: Point, radius: float, filling: str = WHITE, level: float = PINS) -> Patch:
         from matplotlib.patches import Circle
 
         disc = Circle(centre, radius * self.mm, zorder=level, linewidth=MEDIUM)
@@ -151,16 +159,16 @@ class _Stage:
         self.axes.add_patch(disc)
         return disc
 
-    def letter(self, text: str, point: Points) -> Any:
+    def letter(self, text: str, point: Points) -> Text:
         x, y = point
         return self.axes.text(
             x, y, text, ha="center", va="center", fontsize=TEXT_SIZE, zorder=LETTERS, clip_on=False
         )
 
-    def head(self, tip: Points, way: Point) -> Any:
+    def head(self, tip: Points, way: Point) -> Patch:
         return arrowhead(self.axes, tip, way, self.mm, ARROW, level=DIMENSIONS)
 
-    def shafts(self, places: Sequence[Point]) -> Iterator[Any]:
+    def shafts(self, places: Sequence[Point]) -> Iterator[Patch]:
         """Draw the ends of shafts before the links, again: these are drawn over their bearings."""
         for place in places:
             yield self.disc(place, SHAFT, level=PINS + 0.1)

@@ -14,7 +14,7 @@ from functools import lru_cache
 from io import BytesIO
 from threading import RLock
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from kurbel.errors import ChoiceError
 from kurbel.exact.numerals import Label
@@ -26,6 +26,11 @@ from kurbel.reading.given import choose
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.patches import Patch
+    from matplotlib.typing import RcKeyType
+
+    from kurbel.page.steps import Point
+    from kurbel.plot.place import Points
 
 # The type area of a book of octavo or A5 size; a drawing is included at its own size.
 WIDTH = 120.0
@@ -47,6 +52,10 @@ LONG_DASH_DOT = (24.0, 3.0, 0.5, 3.0)
 LONG_DASH_DOUBLE_DOT = (24.0, 3.0, 0.5, 3.0, 0.5, 3.0)
 
 
+Dashes: TypeAlias = str | tuple[float, tuple[float, ...]]
+"""A pattern of a line: its name, or where it begins and the lengths of dashes and gaps in points."""
+
+
 class Size(NamedTuple):
     """Width and height of a drawing in mm; without a height it has the one that it needs. A drawing to scale
     may be narrower unless its width is `exact`."""
@@ -58,7 +67,7 @@ class Size(NamedTuple):
 
 USUAL = Size()
 
-STYLE: Mapping[Any, Any] = {
+STYLE: Mapping[RcKeyType, object] = {
     # matplotlib brings these fonts along: text and formulas match, and look the same on every machine.
     "font.family": ["STIXGeneral"],
     "mathtext.fontset": "stix",
@@ -78,7 +87,7 @@ STYLE: Mapping[Any, Any] = {
     # TrueType, which printers' checks accept and readers can search; by default it is Type 3.
     "pdf.fonttype": 42,
 }
-OWN_FONTS: Mapping[Any, Any] = {"svg.fonttype": "none"}
+OWN_FONTS: Mapping[RcKeyType, object] = {"svg.fonttype": "none"}
 # Settings of the process, not of a drawing: a change would have effects outside.
 _PROCESS = frozenset(("backend", "backend_fallback", "interactive", "toolbar", "timezone", "date.epoch"))
 
@@ -122,7 +131,7 @@ LINES = tuple(
 
 
 @contextmanager
-def style(more: Mapping[Any, Any] = MappingProxyType({})) -> Iterator[None]:
+def style(more: Mapping[RcKeyType, object] = MappingProxyType({})) -> Iterator[None]:
     """Draw in kurbel's style, whatever a matplotlibrc says; raise MissingExtraError without matplotlib.
 
     matplotlib's settings belong to the whole process: they are set for the time of the block, in one thread
@@ -160,7 +169,7 @@ def page(height: float, width: float = WIDTH) -> Figure:
     return figure
 
 
-def fitted(pattern: Sequence[float], widths: float, begun: float = 0, open: float = 0) -> Any:
+def fitted(pattern: Sequence[float], widths: float, begun: float = 0, open: float = 0) -> Dashes:
     """Return a chain for a line of so many widths that begins and ends with a dash, as ISO 128-2 has it.
 
     Of the first and of the last dash a share may be left out. The pattern is stretched; a line too short for
@@ -176,8 +185,14 @@ def fitted(pattern: Sequence[float], widths: float, begun: float = 0, open: floa
 
 
 def arrowhead(
-    axes: Axes, tip: Any, direction: Any, mm: float, size: float = 1.9, slim: float = 0.132, level: float = 6
-) -> Any:
+    axes: Axes,
+    tip: Points | Point,
+    direction: Points | Point,
+    mm: float,
+    size: float = 1.9,
+    slim: float = 0.132,
+    level: float = 6,
+) -> Patch:
     """Draw a filled arrowhead of a length in mm, of 15° as in ISO 129-1, and return it; mm is a millimetre of
     the axes."""
     import numpy as np
