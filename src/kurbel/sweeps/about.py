@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 import kurbel
 from kurbel.commands.sliders import Written
-from kurbel.exact.numerals import exact_text
+from kurbel.exact.numerals import Label, exact_text
 from kurbel.motion.captions import formula_lines
 from kurbel.motion.motion_page import Request
 from kurbel.page.labels import plain
@@ -95,7 +94,7 @@ class About:
         }
         return {name: text for name, text in said.items() if text}
 
-    def _common(self, lines: Any) -> list[str]:
+    def _common(self, lines: Callable[[Question], Iterable[Label]]) -> list[str]:
         """Return the lines that all questions say."""
         first, *others = ([plain(line) for line in lines(one) if line] for one in self.questions)
         return [line for line in first if all(line in other for other in others)]

@@ -84,7 +84,7 @@ class _Range(NamedTuple):
     unit: str
     rods: bool
 
-    def at(self, share: float) -> Any:
+    def at(self, share: float) -> object:
         decimals = max(0, STEPS - floor(log10(self.last - self.first)))
         value = Fraction(round((self.first + (self.last - self.first) * Fraction(share)) * 10**decimals))
         value = min(max(value / 10**decimals, self.first), self.last)
@@ -94,9 +94,9 @@ class _Range(NamedTuple):
 class _List(NamedTuple):
     """Values of which any may be taken."""
 
-    values: Sequence[Any]
+    values: Sequence[object]
 
-    def at(self, share: float) -> Any:
+    def at(self, share: float) -> object:
         return self.values[int(share * len(self.values))]
 
 
@@ -164,7 +164,7 @@ def _each(given: object) -> Sequence[object]:
     return given if isinstance(given, list | tuple) else [given]
 
 
-def values_of(option: Option[object], given: object) -> Sequence[Any]:
+def values_of(option: Option[object], given: object) -> Sequence[object]:
     """Return the values that an option was given, each as the command takes it. Raises NotationError."""
     if isinstance(given, bool) or not is_given(given):
         return (given,)

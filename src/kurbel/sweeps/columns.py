@@ -12,9 +12,9 @@ import numpy as np
 
 from kurbel.exact.numerals import Number
 from kurbel.page.labels import plain
-from kurbel.page.table import Field
+from kurbel.page.table import Field, Value
 from kurbel.sweeps.coordinates import Coordinates, into, measured
-from kurbel.sweeps.plan import Axis, Plan, Points
+from kurbel.sweeps.plan import Axis, Cell, Plan, Points
 
 Kind = Literal["number", "decimal", "words"]
 # What records call the axis of an option.
@@ -77,7 +77,7 @@ def key_of(option: str) -> str:
 
 
 def columns_of(
-    plan: Plan, fields: Sequence[Field], rows: Sequence[Sequence[Any]], needed: Collection[str]
+    plan: Plan, fields: Sequence[Field], rows: Sequence[Sequence[Value]], needed: Collection[str]
 ) -> tuple[Column, ...]:
     """Return the columns of a plan whose command has these records at a point: what varies, what the command
     says, and of floats their bounds. These keys are `needed` though they may be the same everywhere."""
@@ -105,7 +105,7 @@ def _axis(plan: Plan, axis: Axis, field: Field | None) -> Column:
     return Column(key, kind, name, symbol, unit, role="axis", option=axis.option)
 
 
-def _of_records(plan: Plan, field: Field, found: Sequence[Any], needed: bool) -> Iterator[Column]:
+def _of_records(plan: Plan, field: Field, found: Sequence[Value], needed: bool) -> Iterator[Column]:
     known = [one for one in found if one is not None]
     numbers = all(isinstance(one, Number) for one in known) and bool(known or field.method)
     about = (plain(field.name), plain(field.symbol), field.unit)
@@ -155,7 +155,7 @@ class Asked:
     fields: tuple[Field, ...]
     each: int
     columns: tuple[Column, ...]
-    apart: Mapping[str, Sequence[Any]]
+    apart: Mapping[str, Sequence[Value]]
 
     @cached_property
     def coordinates(self) -> Coordinates:
@@ -176,7 +176,7 @@ def columns_from(asked: Asked, found: Sequence[Record], reasons: dict[int, str])
     return Rows(values, reasons)
 
 
-def _values(column: Column, rows: Sequence[Record], reasons: dict[int, str] | None) -> Any:
+def _values(column: Column, rows: Sequence[Record], reasons: dict[int, str] | None) -> Cell:
     if column.kind == "words":
         texts = (row.get(column.key) for row in rows)
         return [plain(one) if isinstance(one, str) else None for one in texts]

@@ -19,7 +19,7 @@ from kurbel.reading import notation, units
 from kurbel.reading.amounts import plain_unit
 from kurbel.reading.given import as_fraction, as_share
 from kurbel.reading.notation import Progression
-from kurbel.sweeps.plan import Axis, Places, Plan, Points, text_of
+from kurbel.sweeps.plan import Axis, Cell, Floats, Places, Plan, Points, text_of
 
 # Units of the SI by what pint calls their dimension.
 SI: Mapping[str, str] = {
@@ -36,8 +36,8 @@ LARGEST = 10**300
 
 
 def measured(
-    parameter: Option[object], values: Sequence[Any], unit: str = ""
-) -> tuple[Sequence[Any], Any, str] | None:
+    parameter: Option[object], values: Sequence[object], unit: str = ""
+) -> tuple[Sequence[Fraction], Fraction | int, str] | None:
     """Return exact numbers, what they are to be multiplied by and their unit, nothing for what are no
     numbers.
 
@@ -68,7 +68,9 @@ def into(si: str, unit: str) -> Fraction | None:
     return next((1 / known[plain] for known in dimensions if plain in known), None)
 
 
-def _in_si(parameter: Option[object], values: Sequence[Any]) -> tuple[Sequence[Any], Any, str] | None:
+def _in_si(
+    parameter: Option[object], values: Sequence[Any]
+) -> tuple[Sequence[Fraction], Fraction | int, str] | None:
     if parameter.kind is not TEXT:
         return None
     if isinstance(values, Progression):
@@ -85,7 +87,7 @@ def _in_si(parameter: Option[object], values: Sequence[Any]) -> tuple[Sequence[A
     return [one[0] for one in found if one is not None], 1, known.pop()
 
 
-def _value(parameter: Option[object], given: object) -> tuple[Any, str] | None:
+def _value(parameter: Option[object], given: object) -> tuple[Fraction, str] | None:
     if isinstance(given, bool):
         return None
     if not isinstance(given, str):
@@ -111,7 +113,7 @@ def _own(parameter: Option[object]) -> str:
     return {"degrees": "°", "turns a second": TURNS}.get(parameter.unit, parameter.unit)
 
 
-def _factor(unit: str, parameter: Option[object]) -> tuple[Any, str]:
+def _factor(unit: str, parameter: Option[object]) -> tuple[Fraction | int, str]:
     """Return what the unit is in that of the SI, and this one; 0 for one that is not known."""
     if not unit:
         return 1, _own(parameter)
@@ -137,7 +139,7 @@ def is_readable(parameter: Option[object], text: str) -> bool:
     return is_written(text) or parted(text)[0] != text or _value(parameter, text) is not None
 
 
-def exact_at(plan: Plan, axis: Axis, place: int) -> Any:
+def exact_at(plan: Plan, axis: Axis, place: int) -> Fraction | str:
     """Return the value of an axis at a place as an exact number, or as text."""
     found = measured(plan.asking.options[axis.option], axis.values[place : place + 1])
     return text_of(axis.values[place]) if found is None else found[0][0] * found[1]
@@ -172,7 +174,7 @@ class Coordinates:
             repeated *= size
         return found
 
-    def _in_runs(self, axis: Axis, start: int, count: int, repeated: int) -> Any:
+    def _in_runs(self, axis: Axis, start: int, count: int, repeated: int) -> Cell:
         """Return the values of an axis on which so many rows stand at each place."""
         first, last = start // repeated, (start + count - 1) // repeated + 1
         places = np.arange(first, last) % len(axis.values)
@@ -203,8 +205,8 @@ class _Values:
     """The values of an axis: of a range they are made where they are wanted."""
 
     # A range, or an array of floats; None of texts.
-    numbers: Any
-    factor: object
+    numbers: Progression | Floats | None
+    factor: Fraction | int
     texts: Sequence[object]
 
     @classmethod
@@ -218,7 +220,7 @@ class _Values:
         exact = numbers if factor == 1 else [one * factor for one in numbers]
         return cls(np.array([float(one) for one in exact]), factor, ())
 
-    def at(self, places: Places) -> Any:
+    def at(self, places: Places) -> Cell:
         """Return the values at these places."""
         if self.numbers is None:
             return [text_of(self.texts[place]) for place in places.tolist()]

@@ -41,12 +41,14 @@ _BOOKS = frozenset(("collate", "example"))
 
 
 @overload
-def sweep(command: Callable[..., Any] | str, *, output: None = ..., **options: Any) -> Dataset: ...
+def sweep(command: Callable[..., object] | str, *, output: None = ..., **options: Any) -> Dataset: ...
 @overload
-def sweep(command: Callable[..., Any] | str, *, output: str | PathLike[str], **options: Any) -> Outcome: ...
+def sweep(
+    command: Callable[..., object] | str, *, output: str | PathLike[str], **options: Any
+) -> Outcome: ...
 @checks_keywords
 def sweep(
-    command: Callable[..., Any] | str,
+    command: Callable[..., object] | str,
     *,
     digits: int | None = None,
     bounds: bool = False,
@@ -60,7 +62,7 @@ def sweep(
     scheduler: str | None = None,
     resume: bool = False,
     restart: bool = False,
-    **options: Any,
+    **options: object,
 ) -> Dataset | Outcome:
     """Compute a command at every combination of what its options are given, as a dataset of xarray.
 
@@ -148,7 +150,7 @@ def _values_of(command: Command, machine: object, options: Mapping[str, object])
     return Values(typed | {name: value for name, value in found.items() if name not in typed}, origins)
 
 
-def _listed(option: Option[object], value: object) -> Any:
+def _listed(option: Option[object], value: object) -> object:
     if (dimensions := getattr(value, "ndim", 0)) > 1:
         raise NotationError(f"{option.name} is an array of {dimensions} dimensions; give a list of values")
     if hasattr(value, "tolist"):
@@ -203,7 +205,7 @@ def _at_once(sweep: Sweep) -> int:
     return FEW if sweep.rows_at_once == IN_BALLS else sweep.rows_at_once
 
 
-def _coordinates(grid: Grid) -> dict[str, object]:
+def _coordinates(grid: Grid) -> Mapping[str, object]:
     along = {
         array.key: (array.dims, values(0, array.sizes[0]), array.attributes)
         for array, values in grid.coordinates()
@@ -246,7 +248,7 @@ def _lazily(sweep: Sweep, columns: list[Column]) -> dict[str, object]:
     }
 
 
-def _block(sweep: Sweep, columns: tuple[Column, ...], block_info: Any) -> NDArray[Any]:
+def _block(sweep: Sweep, columns: tuple[Column, ...], block_info: Any) -> NDArray[np.void]:
     """Return the rows of a chunk, which is a run of them, at their places."""
     place = block_info[None]["array-location"]
     extent = tuple(stop - start for start, stop in place)
@@ -254,16 +256,16 @@ def _block(sweep: Sweep, columns: tuple[Column, ...], block_info: Any) -> NDArra
     return _structured(sweep.computed(first, first + prod(extent)), columns).reshape(extent)
 
 
-def _of(key: str, rows: NDArray[Any]) -> NDArray[Any]:
+def _of(key: str, rows: NDArray[np.void]) -> NDArray[np.generic]:
     return np.ascontiguousarray(rows[key])
 
 
-def _dtype(columns: list[Column] | tuple[Column, ...]) -> np.dtype[Any]:
+def _dtype(columns: list[Column] | tuple[Column, ...]) -> np.dtype[np.void]:
     kinds = [(one.key, "f8" if one.kind == "number" else "O") for one in columns]
     return np.dtype([*kinds, (REFUSED, "?")])
 
 
-def _structured(part: Part, columns: list[Column] | tuple[Column, ...]) -> NDArray[Any]:
+def _structured(part: Part, columns: list[Column] | tuple[Column, ...]) -> NDArray[np.void]:
     """Return the rows of a part, with a field for each column."""
     rows = np.zeros(part.rows, _dtype(columns))
     for column in columns:

@@ -23,6 +23,7 @@ from kurbel.page.axes import AngleAxis, shifted
 from kurbel.page.build import own_records
 from kurbel.page.quantity import Column
 from kurbel.page.subject import Question
+from kurbel.page.table import Records
 from kurbel.reading.notation import Progression
 from kurbel.sweeps.columns import BOUND, Asked, Cells, Record, Rows, columns_from
 from kurbel.sweeps.plan import Floats, Places, Plan, Points
@@ -89,7 +90,7 @@ class OverAngle:
             self.single(points, np.flatnonzero(odd), values, reasons)
         return Rows(values, reasons)
 
-    def _runs(self, points: Points) -> Iterator[tuple[int, Any, Any]]:
+    def _runs(self, points: Points) -> Iterator[tuple[int, slice | Places, slice | Places]]:
         """Yield each combination of the other options by its first point, with its rows and its angles."""
         size, after = self.size, self.after
         if points.first is not None and after == 1:
@@ -107,7 +108,7 @@ class OverAngle:
         for rows in np.split(order, ends):
             yield int(others[rows[0]]), rows, places[rows]
 
-    def _angles(self, places: Any) -> Sequence[Fraction]:
+    def _angles(self, places: slice | Places) -> Sequence[Fraction]:
         if isinstance(places, slice):
             return self.angles[places]
         return tuple(self.angles[place] for place in places.tolist())
@@ -174,13 +175,13 @@ def question_at(plan: Plan, point: int, angles: Sequence[Fraction], digits: int 
     return plan.question(point, digits, angle=ends).for_data
 
 
-def _curves(question: Any, degrees: Floats) -> list[Any]:
+def _curves(question: Any, degrees: Floats) -> list[Floats | float]:
     if isinstance(question, AngleQuestion):
         return [of_drives[0] for of_drives in question.curves(degrees)]
     from kurbel.engine.arrays import at_angles
 
     method = (question.methods or ("exact",))[0]
-    found: list[Any] = []
+    found: list[Floats | float] = []
     for column in question.page_columns:
         if column.quantity.of in OF_ANGLE:
             found.append(at_angles(question, column.quantity, method, degrees)[0])
@@ -255,7 +256,7 @@ class CertifiedOverAngle(OverAngle):
         return [dict(zip(there, row, strict=True)) for row in rows]
 
 
-def _records(plan: Plan, point: int, angles: Sequence[Fraction], digits: int) -> Any:
+def _records(plan: Plan, point: int, angles: Sequence[Fraction], digits: int) -> Records:
     question = question_at(plan, point, angles, digits)
     return own_records(replace(question, angles=shifted(angles, question.zero)))
 

@@ -9,7 +9,7 @@ from functools import cached_property
 from math import prod
 from pkgutil import resolve_name
 from shlex import quote
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 Places = NDArray[np.int64]
+# Values of a column: numbers, whole numbers of the last decimal, texts; None where there is nothing.
+Cell: TypeAlias = Floats | list[int | None] | list[str | None] | list[str]
 # More rows than these nobody waits for.
 MOST_ROWS = 10**12
 

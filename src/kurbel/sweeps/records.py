@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.exact.certify import BALLS
 from kurbel.exact.numerals import MOST_DIGITS, Number
 from kurbel.page.build import own_records
 from kurbel.page.subject import Question
-from kurbel.page.table import Field, Records
+from kurbel.page.table import Field, Records, Value
 from kurbel.sweeps.columns import MISSING, Asked, Record, Rows, columns_from
 from kurbel.sweeps.plan import Plan, Points
 
@@ -43,7 +43,7 @@ class First(NamedTuple):
     for or tell the records apart."""
 
     fields: tuple[Field, ...]
-    rows: list[Sequence[Any]]
+    rows: list[Sequence[Value]]
     needed: list[str]
 
 
@@ -141,7 +141,7 @@ def digits_of(plan: Plan) -> int:
     return DECIMALS if plan.digits is None else plan.digits
 
 
-def is_small(rows: Sequence[Sequence[Any]]) -> bool:
+def is_small(rows: Sequence[Sequence[Value]]) -> bool:
     """Whether a number has too few figures to be a float."""
     return any(
         isinstance(one, Number) and one.decimals == DECIMALS and 0 < abs(one.scaled) < FIGURES

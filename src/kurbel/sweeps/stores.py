@@ -20,6 +20,7 @@ from kurbel.sweeps.rows import Sweep
 
 if TYPE_CHECKING:
     import pyarrow as pa
+    from _typeshed import ReadableBuffer
 
 # What is longer has no room in an attribute, and becomes a variable without dimensions.
 LONGEST = 60_000
@@ -47,7 +48,7 @@ class _Disk(FileIO):
         super().__init__(path, "w+")
         self._error: OSError | None = None
 
-    def write(self, content: Any) -> int:
+    def write(self, content: ReadableBuffer) -> int:
         left = memoryview(content).cast("B")
         size = len(left)
         with self._remembered():
