@@ -20,13 +20,13 @@ from kurbel.cli.listing import Entry, Heading, Shell, plain_lines, set_list, sho
 from kurbel.cli.options import Option, Type, lang_option
 from kurbel.commands.options import Count
 from kurbel.errors import KurbelError
-from kurbel.handbook.build import Build, Handbook, chosen, part_from
+from kurbel.handbook.build import Bar, Build, Handbook, chosen, part_from
 from kurbel.handbook.build import build as built
 from kurbel.handbook.check import Checked, places
 from kurbel.handbook.check import check as checked
 from kurbel.handbook.folder import Folder, Seen, as_built, glance_at
 from kurbel.handbook.manifest import Manifest, Part, manifest_path, read_manifest, write_first_manifest
-from kurbel.handbook.pool import by_whom
+from kurbel.handbook.pool import Answer, by_whom
 from kurbel.page.labels import lines_of
 from kurbel.sweeps.hands import MOST_JOBS, cores
 
@@ -268,11 +268,11 @@ def _tell(options: Options, message: str) -> None:
         say(message)
 
 
-def _bar_of(options: Options) -> Callable[[Iterable[Any], int], Iterable[Any]]:
+def _bar_of(options: Options) -> Bar:
     return (lambda steps, _: steps) if options.quiet else _bar
 
 
-def _bar(steps: Iterable[object], count: int) -> Iterator[Any]:
+def _bar(steps: Iterable[Answer], count: int) -> Iterator[Answer]:
     """Pass the steps on and show on a terminal how many of them are done."""
     if count and sys.stderr.isatty():
         with click.progressbar(steps, count, f"{count} parts", file=sys.stderr) as bar:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sized
 from decimal import Decimal
 from fractions import Fraction
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from kurbel.exact.numerals import Number, number_text
 from kurbel.page.labels import plain
@@ -15,7 +15,13 @@ from kurbel.page.table import Field, Table, Value
 from kurbel.reading.given import allowed_name
 
 if TYPE_CHECKING:
+    from types import ModuleType
+
     import numpy as np
+    import pandas
+    from numpy.typing import NDArray
+
+    Column: TypeAlias = NDArray[np.float64] | NDArray[np.str_]
 
 
 class Frame(NamedTuple):
@@ -24,11 +30,11 @@ class Frame(NamedTuple):
 
     key: str
     numeric: bool
-    values: list[Any]
+    values: list[float | Decimal | str | None]
     about: dict[str, str]
 
 
-def frames(table: Table, number: Callable[[Number], Any]) -> list[Frame]:
+def frames(table: Table, number: Callable[[Number], float | Decimal]) -> list[Frame]:
     """Return the columns; one that holds any text holds text only, numbers as printed with a point."""
     columns = list(zip(*table.records.rows, strict=True)) or [() for _ in table.records.fields]
     return [
@@ -36,7 +42,7 @@ def frames(table: Table, number: Callable[[Number], Any]) -> list[Frame]:
     ]
 
 
-def _frame(field: Field, column: tuple[Value, ...], number: Callable[[Number], Any]) -> Frame:
+def _frame(field: Field, column: tuple[Value, ...], number: Callable[[Number], float | Decimal]) -> Frame:
     given = [value for value in column if value is not None]
     numeric = bool(given) and all(isinstance(value, Number) for value in given)
     about = {"name": field.name, "symbol": plain(field.symbol), "unit": field.unit, "method": field.method}
@@ -77,13 +83,13 @@ def rows(table: Table) -> Iterator[Any]:
     return map(row._make, zip(*(one.values for one in made), strict=True))
 
 
-def column(table: Table, key: str) -> np.ndarray[Any, Any]:
+def column(table: Table, key: str) -> Column:
     """Return one column, by its key or another word for it. Raises ChoiceError."""
     made = {one.key: one for one in frames(table, as_float)}
     return _array(made[allowed_name(key, made, "column")])
 
 
-def _array(frame: Frame) -> np.ndarray[Any, Any]:
+def _array(frame: Frame) -> Column:
     import numpy as np
 
     if frame.numeric:
@@ -91,7 +97,7 @@ def _array(frame: Frame) -> np.ndarray[Any, Any]:
     return np.array([one or "" for one in frame.values], dtype=np.str_)
 
 
-def to_numpy(table: Table) -> np.ndarray[Any, Any]:
+def to_numpy(table: Table) -> NDArray[np.void]:
     """Return the records as a structured array, whose fields are their keys; missing numbers are NaN."""
     import numpy as np
 
@@ -103,7 +109,7 @@ def to_numpy(table: Table) -> np.ndarray[Any, Any]:
     return made
 
 
-def to_pandas(table: Table, *, exact: bool = False) -> Any:
+def to_pandas(table: Table, *, exact: bool = False) -> pandas.DataFrame:
     """Return the records as a pandas DataFrame; what their columns mean is in its `attrs`."""
     pandas = library("pandas")
     made = frames(table, as_decimal if exact else as_float)
@@ -136,7 +142,7 @@ def to_arrow(table: Table) -> Any:
     )
 
 
-def library(name: str, extra: str = "") -> Any:
+def library(name: str, extra: str = "") -> ModuleType:
     """Import a library, or raise MissingExtraError with what installs it."""
     try:
         return import_module(name)

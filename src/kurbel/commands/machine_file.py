@@ -234,7 +234,7 @@ def _options(machine: NamedFile, given: Mapping[str, object]) -> dict[str, objec
     return {name: _option(machine, value) for name, value in given.items() if value is not None}
 
 
-def _option(machine: NamedFile, value: object) -> Any:
+def _option(machine: NamedFile, value: object) -> object:
     """Return a value as its option takes it; files beside the machine's."""
     if isinstance(value, Files):
         beside = [machine.beside(name) for name in value]

@@ -102,7 +102,7 @@ class Table(Page):
         return cls(**{field.name: getattr(page, field.name) for field in fields(page)}, asked=asked)
 
     @checks_keywords
-    def plot(self, *, decimal: str | None = None, **options: Any) -> Drawing:
+    def plot(self, *, decimal: str | None = None, **options: object) -> Drawing:
         """Return the page as a drawing: a panel a unit, both strokes as one turn.
 
         Options are width and height in mm, polar, over_path, infinite, animate and seconds, as the command

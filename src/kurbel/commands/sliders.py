@@ -56,7 +56,7 @@ class Choice(NamedTuple):
     """An option that is a slider: its values as the command takes them, and how each is written."""
 
     name: str
-    values: tuple[Any, ...]
+    values: tuple[object, ...]
     texts: tuple[Label, ...]
     start: int = 0
 
@@ -161,7 +161,7 @@ class Written(Sequence[str]):
         return f"{figures(self.numbers[index])}{self.unit}"
 
 
-def several(option: Option[object], texts: Iterable[Any]) -> Sequence[Any]:
+def several(option: Option[object], texts: Iterable[Any]) -> Sequence[object]:
     """Return the values that the texts list, each once, as the command takes them one at a time.
 
     A range is never written out. Raises NotationError.

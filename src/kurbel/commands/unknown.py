@@ -82,7 +82,7 @@ class Angle(NamedTuple):
         return condition_label(condition, asked.drives[0], lang)
 
 
-def angles_of(angle: Any) -> Sequence[Fraction | str]:
+def angles_of(angle: object) -> Sequence[Fraction | str]:
     """Return the crank angles, or conditions that hold there as they are written. Raises KurbelError."""
     if angle is None:
         raise ProblemError(
@@ -101,7 +101,7 @@ def angles_of(angle: Any) -> Sequence[Fraction | str]:
 class OfRatio:
     """The crank ratio of the straight or offset crank, its crosshead's motion known by formulas."""
 
-    def __init__(self, unknown: str, angle: Any, text: str, asked: SolveOptions) -> None:
+    def __init__(self, unknown: str, angle: Fraction | str, text: str, asked: SolveOptions) -> None:
         self.asked, self.place = (unknown, angle, text, asked), Angle.read(angle, unknown, asked)
         if asked.is_engine() or asked.says("force", "rod", *MASSES):
             raise ProblemError(
@@ -169,7 +169,7 @@ class OfRatio:
 class Sized:
     """A speed, a force, a pressure, a mass or a length that a force or the motion is a polynomial of."""
 
-    def __init__(self, unknown: str, angle: Any, text: str, asked: SolveOptions) -> None:
+    def __init__(self, unknown: str, angle: Fraction | str, text: str, asked: SolveOptions) -> None:
         self.asked = (unknown, angle, text, asked)
         self.place = Angle.read(angle, unknown, asked)
         self.unknown, self.values, self.about = unknown, asked.values, UNKNOWNS[unknown]

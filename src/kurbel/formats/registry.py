@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 import kurbel.formats
 from kurbel.errors import ChoiceError, FormatError
@@ -20,6 +20,8 @@ from kurbel.exact.numerals import DECIMAL_OF_LANGUAGE, DECIMALS
 from kurbel.reading.given import allowed_name, choose
 
 if TYPE_CHECKING:
+    from types import ModuleType
+
     from kurbel.documents.inject import Kind
     from kurbel.formats.writer import (
         CompiledWriter,
@@ -82,7 +84,7 @@ class Format:
         """The format's folder, where its templates stand in `base` if not among those of pages."""
         return os.path.dirname(str(self.module().__file__))
 
-    def module(self, name: str = "") -> Any:
+    def module(self, name: str = "") -> ModuleType:
         """Return a module of the format's folder.
 
         `writer` has a `Writer` of tables; where there are `figures`, `document` has a `Maker` of whole

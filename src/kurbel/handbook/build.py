@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from functools import cached_property, partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.errors import ChoiceError, HandbookError, KurbelError
 from kurbel.formats.registry import FORMATS, BytesFormat
@@ -24,7 +24,7 @@ from kurbel.handbook.folder import (
 from kurbel.handbook.manifest import Manifest, Part
 from kurbel.handbook.model import COMPILED
 from kurbel.handbook.pages import Failure, document_of, fragment_paths, make_document, make_pdf
-from kurbel.handbook.pool import KILLED, PDF_STOPPED, Made, Piece, Task, Worked, worked
+from kurbel.handbook.pool import KILLED, PDF_STOPPED, Answer, Made, Piece, Task, Worked, worked
 from kurbel.reading.given import check_inside, is_inside
 from kurbel.reading.names import did_you_mean
 from kurbel.sweeps.versions import content_of
@@ -34,7 +34,7 @@ WAITING = "another build of this handbook is under way; waiting for its end"
 # Makes a part; raises KurbelError if it cannot be made.
 Maker = Callable[[Task], Made]
 # Is given what comes of the steps and how many there are, and passes it on.
-Bar = Callable[[Iterable[Any], int], Iterable[Any]]
+Bar = Callable[[Iterator[Answer], int], Iterable[Answer]]
 
 
 class Handbook(NamedTuple):

@@ -14,7 +14,6 @@ import stat
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
-from typing import Any
 
 import msgspec
 
@@ -211,7 +210,7 @@ def digest(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()
 
 
-def key_of(*values: Any) -> str:
+def key_of(*values: object) -> str:
     """Return what tells these values from all others."""
     return digest(repr(values).encode())
 

@@ -108,7 +108,8 @@ class Piece(NamedTuple):
 
 
 # Works pieces by so many processes.
-Worked = Callable[[Iterable[Piece], int], Iterator[tuple[Piece, Made | str]]]
+Answer = tuple[Piece, Made | str]
+Worked = Callable[[Iterable[Piece], int], Iterator[Answer]]
 
 
 def by_whom(scheduler: str | None) -> Worked:
@@ -116,7 +117,7 @@ def by_whom(scheduler: str | None) -> Worked:
     return worked if scheduler is None else partial(worked_by, scheduler)
 
 
-def worked(pieces: Iterable[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
+def worked(pieces: Iterable[Piece], jobs: int) -> Iterator[Answer]:
     """Yield each piece with what it became, or a sentence why it became nothing, as they are done."""
     pieces = [*pieces]
     by_themselves = any(piece.apart for piece in pieces) or (jobs > 1 and len(pieces) >= WORTH_A_PROCESS)
@@ -154,7 +155,7 @@ def tried(make: Callable[[], Made]) -> Made | str:
         return f"{said} ({os.path.basename(place)}, line {line}), {FAULT}"
 
 
-def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
+def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[Answer]:
     # Later than most imports: a handbook without changes needs no processes.
     from kurbel.sweeps.hands import Processes
 
@@ -200,7 +201,7 @@ class Parts:
         return Elsewhere(made, () if isinstance(made, str) else _inputs(make, made))
 
 
-def worked_by(scheduler: str, pieces: Iterable[Piece], jobs: int) -> Iterator[tuple[Piece, Made | str]]:
+def worked_by(scheduler: str, pieces: Iterable[Piece], jobs: int) -> Iterator[Answer]:
     """Yield each piece with what it became, or a sentence why it became nothing, as they are done.
 
     Raises KurbelError where the cluster cannot be used.

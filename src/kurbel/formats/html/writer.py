@@ -7,7 +7,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 from zlib import crc32
 
 from kurbel.formats.formula import has_bar, mathml
@@ -28,6 +28,7 @@ from kurbel.page.formula import Formula
 from kurbel.page.table import HeadCell
 
 if TYPE_CHECKING:
+    from kurbel.formats.html.live import Live
     from kurbel.formats.page import Page, PageCell, PageGroup, PagePanel
     from kurbel.formats.writer import Place, Wishes
     from kurbel.page.table import Panel, Table
@@ -71,14 +72,14 @@ LIVE, FILM = 'class="live-data"', 'class="film-data"'
 RUNS = 'data-film="'
 
 
-def live_of(fragments: Iterable[str]) -> Any:
+def live_of(fragments: Iterable[str]) -> Live | None:
     """Return the same of a page that is made of these tables and of files of drawings."""
     texts = [*fragments]
     found = [mark for mark, begun in ((LIVE, LIVE), (FILM, RUNS)) if any(begun in one for one in texts)]
     return live_in(" ".join(found))
 
 
-def live_in(page: str) -> Any:
+def live_in(page: str) -> Live | None:
     """Return the script and the style of interactive tables and of drawings that move if there are any on a
     page."""
     kinds = tuple(name for name, mark in (("live", LIVE), ("film", FILM)) if mark in page)

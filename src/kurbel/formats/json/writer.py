@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kurbel.exact.numerals import Number, number_text
 from kurbel.formats.writer import Chunks, RecordsWriter
@@ -94,6 +94,6 @@ def _json(value: object) -> str:
     return json.dumps(value, ensure_ascii=False, default=_written)
 
 
-def _written(value: object) -> Any:
+def _written(value: object) -> object:
     """Return what JSON knows not: an array as a list, a fraction, a decimal, the name of a file as text."""
     return value.tolist() if hasattr(value, "tolist") else str(value)
