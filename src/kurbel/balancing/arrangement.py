@@ -24,7 +24,6 @@ from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Number
 from kurbel.exact.real import Known, Real
 from kurbel.kernel import harmonics as of_kernel
-from kurbel.kernel.circle import Numeric
 from kurbel.kernel.harmonics import Star
 from kurbel.reading.notation import about
 

@@ -56,7 +56,6 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
-    from matplotlib.text import Text
 
 # The radius of a point of a link, in mm.
 POINT = 0.9
@@ -159,7 +158,7 @@ class _Stage:
         self.axes.add_patch(disc)
         return disc
 
-    def letter(self, text: str, point: Points) -> Text:
+    def letter(self, text: str, point: Points) -> Artist:
         x, y = point
         return self.axes.text(
             x, y, text, ha="center", va="center", fontsize=TEXT_SIZE, zorder=LETTERS, clip_on=False

@@ -14,7 +14,7 @@ from kurbel.books.constructions.placed import Placed, Point
 from kurbel.exact.certify import ball
 from kurbel.exact.kind import floats
 from kurbel.kernel import beam, forces, kinematics, linkage
-from kurbel.kernel.circle import Numeric, root
+from kurbel.kernel.circle import Circle, Numeric, root
 from kurbel.kernel.forces import mean_force
 from kurbel.kernel.parts import COMMON, STRETCHING, TURNING
 from kurbel.kernel.steam import logarithm

@@ -140,7 +140,7 @@ def _differences(x: Points, y: Points, count: int) -> list[Points]:
     return table
 
 
-def _continued(table: Sequence[Points], x: Points, first: Any, at: Numeric) -> tuple[Any, Any]:
+def _continued(table: Sequence[Points], x: Points, first: Any, at: Any) -> tuple[Any, Any]:
     """Return value and slope of the polynomial through as many points as the table has orders (Newton)."""
     value, slope = table[-1][first], 0.0
     for order in range(len(table) - 2, -1, -1):

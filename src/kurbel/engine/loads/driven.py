@@ -146,7 +146,7 @@ class Compressor:
         other = steady(kind.of(self.other_side))
         return Between(ends.leaving(), other), Between(other, ends.coming())
 
-    def volumetric_efficiency(self, kind: Kind, **found: Any) -> Numeric:
+    def volumetric_efficiency(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the share of the stroke on which air is sucked: 1 + κ - κ Π'^(1/n), Π' in the cylinder and n
         that of the expansion."""
         return self._ends(kind, **found).sucked()
