@@ -24,8 +24,6 @@ from kurbel.motion.evaluation import OUT, RETURN
 if TYPE_CHECKING:
     from flint import arb
 
-    from kurbel.linkage.beam_engine import BeamEngine
-
 POINT, NUMBER = "point", "number"
 CRANKS = ("straight", "offset")
 ARC, BEAM = ("arc",), ("beam",)
@@ -90,7 +88,7 @@ _velocity = _either(
 )
 
 
-def _force(kernel: Callable[..., Numeric]) -> Callable[[Placed], Any]:
+def _force(kernel: Callable[..., Numeric]) -> OfPlace:
     """Return what computes a force by the kernel, in units of the piston force."""
     return lambda at: kernel(at.circle, at.ratio, at.offset if at.drive.offset else None)
 
@@ -154,7 +152,7 @@ def _work_over_turn(at: Placed) -> Any:
 def _beam(value: Callable[[BeamEngine, arb], Any]) -> OfPlace:
     """Return what the beam engine has in truth, from q²/r²."""
 
-    def found(at: Placed) -> Any:
+    def found(at: Placed) -> Numeric:
         engine = BeamEngine(at.drive.arm, at.drive.crank.ratio)
         return at.kind.enclosed(lambda: value(engine, chord_square(engine)))
 
@@ -166,7 +164,7 @@ def _lean(side: int) -> OfPlace:
     return _beam(lambda engine, square: beam.lean_sine(square, *engine.numbers(side)).asin())
 
 
-def _points(of: tuple[str, ...], **values: Callable[[Placed], Any]) -> dict[str, Known]:
+def _points(of: tuple[str, ...], **values: Callable[[Placed], Point]) -> dict[str, Known]:
     return {name: Known(POINT, value, of) for name, value in values.items()}
 
 
