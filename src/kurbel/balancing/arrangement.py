@@ -25,7 +25,7 @@ from kurbel.exact.numerals import Number
 from kurbel.exact.real import Known, Real
 from kurbel.kernel import harmonics as of_kernel
 from kurbel.kernel.harmonics import Star
-from kurbel.reading.notation import about
+from kurbel.reading.notation import about, check_bounds
 
 MOST_CYLINDERS = 24
 LARGEST_POSITION = 10**6
@@ -61,11 +61,10 @@ class Arrangement:
 
     def __post_init__(self) -> None:
         check_count(len(self.cylinders))
-        if not 0 <= self.share <= 1:
-            raise ProblemError(
-                f"share of the counterweights is {about(self.share)}; it must lie within 0..1,"
-                " for it is a share of the reciprocating mass"
-            )
+        check_bounds(
+            "share of the counterweights", self.share,
+            "lie within 0..1, for it is a share of the reciprocating mass",
+        )  # fmt: skip
         places: dict[tuple[Fraction, Fraction], int] = {}
         for number, cylinder in enumerate(self.cylinders, 1):
             _check_cylinder(number, cylinder)

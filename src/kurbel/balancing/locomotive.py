@@ -28,7 +28,7 @@ from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, texts
 from kurbel.page.subject import Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
-from kurbel.reading.notation import about
+from kurbel.reading.notation import about, check_bounds
 from kurbel.reading.units import Speed
 
 MOST_CYLINDERS = 8
@@ -256,11 +256,10 @@ class LocomotiveRequest(Question):
 
     def check(self) -> None:
         for share in self.shares:
-            if not 0 <= share <= 1:
-                raise ProblemError(
-                    f"share of the balanced masses is {about(share)}; it must lie within 0..1, for it is a"
-                    " share of the reciprocating mass"
-                )
+            check_bounds(
+                "share of the balanced masses", share,
+                "lie within 0..1, for it is a share of the reciprocating mass",
+            )  # fmt: skip
 
     def entry(self, key: str) -> Quantity:
         one = super().entry(key)

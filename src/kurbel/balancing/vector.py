@@ -33,7 +33,7 @@ from kurbel.kernel.harmonics import Star
 from kurbel.motion.notes import moving_notes, turns_label
 from kurbel.page.quantity import texts
 from kurbel.reading.amounts import Units, amount, digits, unit_of_page
-from kurbel.reading.notation import about
+from kurbel.reading.notation import check_bounds
 from kurbel.reading.units import Speed
 
 Point: TypeAlias = Callable[[Kind], tuple[Numeric, Numeric]]
@@ -194,11 +194,9 @@ class Weighed:
     units: Units | None = None
 
     def __post_init__(self) -> None:
-        if self.spacing is not None and self.spacing <= 0:
-            raise ProblemError(
-                f"the spacing of the cranks is {about(self.spacing)} m; it must be above 0, for it is the"
-                " unit of the positions"
-            )
+        check_bounds(
+            "the spacing of the cranks", self.spacing, "be above 0, for it is the unit of the positions", " m"
+        )
         if not self.mass:
             raise ProblemError(
                 "no mass goes to and fro; add that of piston and crosshead, --reciprocating 300kg"

@@ -18,7 +18,7 @@ from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.reading import units
 from kurbel.reading.given import as_fraction, as_length, as_number, as_ratios, as_share, as_speed
-from kurbel.reading.notation import Progression, about, ratio_text
+from kurbel.reading.notation import Progression, about, check_bounds, ratio_text
 from kurbel.reading.units import Speed
 
 LONGEST_ROD = 10**9
@@ -167,8 +167,7 @@ class Crank:
                 f" the crank turns only if |e| < L - R = {about(1 / self.ratio - 1)} R,"
                 f" {_where_stuck(self.ratio, self.offset)}"
             )
-        if self.radius is not None and self.radius <= 0:
-            raise ProblemError(f"the crank radius is {about(self.radius)} m; it must be above 0")
+        check_bounds("the crank radius", self.radius, "be above 0", " m")
         if self.speed is not None and self.radius is None and self.moving is None:
             raise ProblemError("a speed needs a length to give m/s; add --stroke, for example --stroke 600mm")
         if self.moving is not None and (self.radius is None or self.speed is None):
@@ -282,8 +281,7 @@ class Described(NamedTuple):
             raise ProblemError("--rod gives the rod a length, but --method infinite takes none; use --stroke")
         radius = self.radius
         length = None if self.rod is None else as_length(self.rod, "rod")
-        if length is not None and length <= 0:
-            raise ProblemError(f"the length of the rod is {about(length)} m; it must be above 0")
+        check_bounds("the length of the rod", length, "be above 0", " m")
         if radius is not None and length is not None:
             values: Sequence[Fraction] = (radius / length,)
             if self.ratio is not None:

@@ -18,7 +18,7 @@ from kurbel.kernel.circle import Numeric, root
 from kurbel.kernel.forces import Circles, Stroke
 from kurbel.reading.amounts import amount
 from kurbel.reading.given import as_signed_force, found_at
-from kurbel.reading.notation import about
+from kurbel.reading.notation import about, check_bounds
 
 LARGEST_FORCE = 10**12
 AGAINST = {"de": ", gegen die Richtung des Hubes", "en": ", against the direction of the stroke"}
@@ -133,7 +133,6 @@ class Load(Protocol):
 
 
 HIGHEST = 10**12
-LARGEST_FRICTION = 10**12
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,8 +145,7 @@ class Areas:
     tail: Fraction = Fraction(0)
 
     def __post_init__(self) -> None:
-        if self.bore <= 0:
-            raise ProblemError(f"the bore is {about(self.bore)} m; it must be above 0")
+        check_bounds("the bore", self.bore, "be above 0", " m")
         for name, diameter in (("piston rod", self.rod), ("tail rod", self.tail)):
             if not 0 <= diameter < self.bore:
                 raise ProblemError(
@@ -204,10 +202,7 @@ class Pins:
     shaft: Fraction = Fraction(0)
 
     def __post_init__(self) -> None:
-        if not 0 <= self.friction <= 1:
-            raise ProblemError(
-                f"the coefficient of friction of the pins is {about(self.friction)}; it must lie within 0..1"
-            )
+        check_bounds("the coefficient of friction of the pins", self.friction, "lie within 0..1")
 
     def check(self, radius: Fraction, ratio: Fraction) -> None:
         """Raise ProblemError for pins in which a crank of this radius in metres is stuck."""
@@ -235,11 +230,7 @@ class Shaft:
     power: Fraction = Fraction(0)
 
     def __post_init__(self) -> None:
-        if not 0 < self.inertia <= HIGHEST:
-            raise ProblemError(
-                f"the moment of inertia is {about(self.inertia)} kg m²; it must be above 0 and at most 10^12"
-                " kg m²"
-            )
+        check_bounds("the moment of inertia", self.inertia, "be above 0 and at most 10^12 kg m²", " kg m²")
 
 
 @dataclass(frozen=True, slots=True)
@@ -254,11 +245,9 @@ class Effort:
     shaft: Shaft | None = None
 
     def __post_init__(self) -> None:
-        if not 0 <= self.friction <= LARGEST_FRICTION:
-            raise ProblemError(
-                f"the friction is {about(self.friction)} N; it must lie within 0..10^12 N, for it acts"
-                " against the motion"
-            )
+        check_bounds(
+            "the friction", self.friction, "lie within 0..10^12 N, for it acts against the motion", " N"
+        )
 
     @property
     def greatest(self) -> Fraction:

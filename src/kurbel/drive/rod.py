@@ -14,7 +14,7 @@ from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.forces import Weight
 from kurbel.kernel.moving import Masses, joined, rod_masses, two_masses
-from kurbel.reading.notation import about
+from kurbel.reading.notation import about, check_bounds
 
 # By definition, of the third general conference on weights and measures, in m/s².
 STANDARD_GRAVITY = Fraction(980665, 100000)
@@ -34,16 +34,11 @@ class Slope:
     gravity: Fraction = STANDARD_GRAVITY
 
     def __post_init__(self) -> None:
-        if abs(self.angle) > STEEPEST:
-            raise ProblemError(
-                f"the slope is {about(self.angle)}°; it must lie within -180..180, for 90 is a cylinder above"
-                " the shaft and -90 one below it"
-            )
-        if not 0 < self.gravity <= GREATEST_GRAVITY:
-            raise ProblemError(
-                f"gravity is {about(self.gravity)} m/s²; it must be above 0 and at most 1000, on earth"
-                " 9.80665"
-            )
+        check_bounds(
+            "the slope", self.angle,
+            "lie within -180..180, for 90 is a cylinder above the shaft and -90 one below it", "°",
+        )  # fmt: skip
+        check_bounds("gravity", self.gravity, "be above 0 and at most 1000, on earth 9.80665", " m/s²")
 
     @property
     def upright(self) -> bool:
@@ -66,7 +61,6 @@ class Slope:
 
 # Sections end within half a rod's length of its pins.
 REACH = Fraction(1, 2)
-LARGEST_MASS = 10**9
 # The ends about which it may swing, in L from the crosshead pin.
 PINS = {"crosshead": Fraction(0), "crank": Fraction(1)}
 # The share of the rod that railway engineers count as reciprocating.
@@ -98,36 +92,31 @@ class Rod:
     swings: tuple[Swing, ...] = ()
 
     def __post_init__(self) -> None:
-        if not 0 <= self.centre <= 1:
-            raise ProblemError(
-                f"the rod's centre of mass is {about(self.centre)} L from the crank pin; it must lie within"
-                " 0..1, between the pins, for no rod has most of its mass beyond one"
-            )
-        if self.gyration_square <= 0:
-            raise ProblemError(
-                f"the rod's k² is {about(self.gyration_square)} L²; it must be above 0,"
-                " for no rod has all its mass in one point"
-            )
+        check_bounds(
+            "the rod's centre of mass", self.centre,
+            "lie within 0..1, between the pins, for no rod has most of its mass beyond one",
+            " L from the crank pin",
+        )  # fmt: skip
+        check_bounds(
+            "the rod's k²", self.gyration_square,
+            "be above 0, for no rod has all its mass in one point", " L²",
+        )  # fmt: skip
         if self.gyration_square > self._greatest_square():
             raise ProblemError(
                 f"the rod's k² is {about(self.gyration_square)} L²; with the centre of mass"
                 f" {about(self.centre)} L from the crank pin it must be at most"
                 f" {about(self._greatest_square())} L², for no rod reaches half its length beyond both pins"
             )
-        if self.mass is not None and not 0 < self.mass <= LARGEST_MASS:
-            raise ProblemError(
-                f"the rod's mass is {about(self.mass)} kg; it must be above 0 and at most 10^9 kg"
-            )
+        check_bounds("the rod's mass", self.mass, "be above 0 and at most 10^9 kg", " kg")
 
     @classmethod
     def from_crosshead(cls, centre: Fraction, gyration: Fraction, mass: Fraction | None = None) -> Rod:
         """Return the rod with this a/L and k/L, a counted from the crosshead pin as Ensslin does."""
         check_centre(centre)
-        if gyration <= 0:
-            raise ProblemError(
-                f"the rod's radius of gyration k is {about(gyration)} L; it must be above 0,"
-                " for no rod has all its mass in one point"
-            )
+        check_bounds(
+            "the rod's radius of gyration k", gyration,
+            "be above 0, for no rod has all its mass in one point", " L",
+        )  # fmt: skip
         return cls(1 - centre, gyration * gyration, mass)
 
     @property
@@ -145,11 +134,11 @@ class Rod:
 
 def check_centre(centre: Fraction) -> None:
     """Raise ProblemError where a centre of mass, in L from the crosshead pin, lies beyond a pin."""
-    if not 0 <= centre <= 1:
-        raise ProblemError(
-            f"the rod's centre of mass is {about(centre)} L from the crosshead pin; it must lie within"
-            " 0..1, between the pins, for no rod has most of its mass beyond one"
-        )
+    check_bounds(
+        "the rod's centre of mass", centre,
+        "lie within 0..1, between the pins, for no rod has most of its mass beyond one",
+        " L from the crosshead pin",
+    )  # fmt: skip
 
 
 # The rod itself, and the two masses that stand in for it.
@@ -221,21 +210,11 @@ class Moving:
     slope: Slope | None = None
 
     def __post_init__(self) -> None:
-        if not 0 <= self.rocker <= LARGEST_MASS:
-            raise ProblemError(
-                f"the rocker's moment of inertia is {about(self.rocker)} kg m²; it must lie within"
-                " 0..10^9 kg m²"
-            )
-        if not 0 <= self.reciprocating <= LARGEST_MASS:
-            raise ProblemError(
-                f"the reciprocating mass is {about(self.reciprocating)} kg; it must lie within 0..10^9 kg"
-            )
+        check_bounds("the rocker's moment of inertia", self.rocker, "lie within 0..10^9 kg m²", " kg m²")
+        check_bounds("the reciprocating mass", self.reciprocating, "lie within 0..10^9 kg", " kg")
         if self.rod is not None and self.rod.mass is None:
             raise ProblemError("the rod's masses are shares; add its mass in kg, --rod-mass")
-        if abs(self.rotating) > LARGEST_MASS:
-            raise ProblemError(
-                f"the rotating mass is {about(self.rotating)} kg; it must lie within -10^9..10^9 kg"
-            )
+        check_bounds("the rotating mass", self.rotating, "lie within -10^9..10^9 kg", " kg")
 
     @cached_property
     def joined(self) -> Masses[Fraction]:

@@ -16,7 +16,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import about, exact_text
 from kurbel.reading import units
 from kurbel.reading.given import as_length, as_ratios, as_share
-from kurbel.reading.notation import number
+from kurbel.reading.notation import check_bounds, number
 from kurbel.reading.units import split
 
 # How a stroke is written that is not 2R: crank:300mm is R, true:600mm the way of the piston.
@@ -46,8 +46,7 @@ def in_strokes(given: Mapping[str, object]) -> dict[str, object]:
 
 def _doubled(crank: str) -> str:
     radius = as_length(crank, "crank radius")
-    if radius <= 0:
-        raise ProblemError(f"the crank radius is {about(radius)} m; it must be above 0")
+    check_bounds("the crank radius", radius, "be above 0", " m")
     value, unit = split(crank)
     return f"{exact_text(2 * value)}{unit}"
 
@@ -80,8 +79,7 @@ def _sizes(given: Mapping[str, object]) -> tuple[Fraction, Fraction | None]:
         raise ProblemError(
             "a true stroke is that of the straight and the offset crank; write --stroke crank:300mm"
         )
-    if stroke <= 0:
-        raise ProblemError(f"the true stroke is {about(stroke)} m; it must be above 0")
+    check_bounds("the true stroke", stroke, "be above 0", " m")
     rod, ratios = given.get("rod"), given.get("ratio")
     if given.get("time_ratio") is not None:
         if rod is not None or ratios:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kurbel.errors import ProblemError
-from kurbel.reading.notation import about
+from kurbel.reading.notation import about, check_bounds
 from kurbel.reading.units import Speed
 
 # No engine is beyond these, and figures beyond them do not fit a page.
@@ -76,11 +76,10 @@ class Flywheel:
 
 def check_irregularity(irregularity: Fraction) -> None:
     """Raise ProblemError for a degree of irregularity that no flywheel can keep."""
-    if not LEAST <= irregularity < 2:
-        raise ProblemError(
-            f"degree of irregularity δ is {about(irregularity)}; it must be at least 10^-9 and below"
-            " 2, at which the flywheel would come to rest in every turn"
-        )
+    check_bounds(
+        "degree of irregularity δ", irregularity,
+        "be at least 10^-9 and below 2, at which the flywheel would come to rest in every turn",
+    )  # fmt: skip
 
 
 def _check(what: str, value: Fraction, unit: str = "") -> None:

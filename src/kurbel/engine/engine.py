@@ -21,7 +21,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.forces import Stroke
-from kurbel.reading.notation import about
+from kurbel.reading.notation import about, check_bounds
 
 # Nearer to 1 the piston of the exact motion stands still but for an instant.
 LARGEST_RATIO = 1 - Fraction(1, 10**12)
@@ -39,12 +39,8 @@ class Load:
     pressure: Fraction | None = None
 
     def __post_init__(self) -> None:
-        if self.bore <= 0:
-            raise ProblemError(f"the bore is {about(self.bore)} m; it must be above 0")
-        if self.pressure is not None and not 0 < self.pressure <= HIGHEST:
-            raise ProblemError(
-                f"the pressure is {about(self.pressure)} Pa; it must be above 0 and at most 10^12 Pa"
-            )
+        check_bounds("the bore", self.bore, "be above 0", " m")
+        check_bounds("the pressure", self.pressure, "be above 0 and at most 10^12 Pa", " Pa")
 
 
 class Scaled(NamedTuple):

@@ -37,7 +37,7 @@ from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, filled,
 from kurbel.page.subject import OVER_AXES, Question, Subject
 from kurbel.page.table import Field
 from kurbel.reading.amounts import amount
-from kurbel.reading.notation import about
+from kurbel.reading.notation import check_bounds
 
 PRESSED = texts("engine")["pressed"]
 
@@ -84,8 +84,7 @@ class Pressed:
                 "the pressure on the piston is not known in bar; add --bore and --pressure, or masses,"
                 " --reciprocating 300kg"
             )
-        if self.bore is not None and self.bore <= 0:
-            raise ProblemError(f"the bore is {about(self.bore)} m; it must be above 0")
+        check_bounds("the bore", self.bore, "be above 0", " m")
 
     @property
     def crank(self) -> Crank:
@@ -211,8 +210,7 @@ class PressuresRequest(Question):
         if self.layout.subject == OVER_STROKE and not self.shares:
             raise ProblemError("no share of the stroke was given; write them as '0;0.5;1' or 0..1:0.1")
         for share in self.shares:
-            if not 0 <= share <= 1:
-                raise ProblemError(f"share of the stroke is {about(share)}; it must lie within 0..1")
+            check_bounds("share of the stroke", share, "lie within 0..1")
 
     @property
     def ratios(self) -> list[Fraction]:

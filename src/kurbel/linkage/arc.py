@@ -26,7 +26,7 @@ from kurbel.linkage.rocker import STROKE, RockerCrank, direct
 from kurbel.motion.evaluation import OUT, STROKES
 from kurbel.motion.motion_quantities import registry
 from kurbel.page.quantity import Formula, Quantity, Words, words
-from kurbel.reading.notation import about
+from kurbel.reading.notation import about, check_bounds
 
 # Lengths in a message are multiples of 1/_STEPS R, rounded so that a length changed by as much will do.
 _STEPS = 10**6
@@ -135,11 +135,10 @@ class ArcCrank(RockerCrank):
     def _check_pivot(self) -> None:
         rod = 1 / self.crank.ratio
         distance = rod if self.distance is None else self.distance
-        if distance <= 0:
-            raise ProblemError(
-                f"the pivot's distance is {about(distance)} R; it must be above 0, counted along the slide"
-                " direction from the shaft towards the rod's end"
-            )
+        check_bounds(
+            "the pivot's distance", distance,
+            "be above 0, counted along the slide direction from the shaft towards the rod's end", " R",
+        )  # fmt: skip
         square = distance * distance + self.pivot_height * self.pivot_height
         _check_ground(square, rod, self.rocker)
 

@@ -38,7 +38,7 @@ from kurbel.motion.evaluation import OUT, RETURN, Needs
 from kurbel.motion.motion_quantities import FORCES, Force, force_entries, torque_entries
 from kurbel.page.quantity import Formula, Quantity, words
 from kurbel.reading.given import as_number
-from kurbel.reading.notation import about
+from kurbel.reading.notation import about, check_bounds
 
 TITLE = words("Kurbelschleife|Slotted lever")
 
@@ -61,11 +61,9 @@ class SlottedLever(Linkage):
 
     def __post_init__(self) -> None:
         for name, length in (("pivot", self.pivot), ("rocker", self.arm), ("rod", self.rod or Fraction(1))):
-            if not 0 < length <= LONGEST_ROD:
-                raise ProblemError(
-                    f"the {name} of the slotted lever is {about(length)} R; it must be above 0 and at most"
-                    f" {LONGEST_ROD} R"
-                )
+            check_bounds(
+                f"the {name} of the slotted lever", length, f"be above 0 and at most {LONGEST_ROD} R", " R"
+            )
         if self.pivot == 1:
             raise ProblemError(
                 "the pivot of the slotted lever is as far from the shaft as the crank is long, and the block"

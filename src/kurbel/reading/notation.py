@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import operator
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial
+from functools import lru_cache, partial
+from itertools import pairwise
 from typing import Any
 
 from kurbel.errors import NotationError, ProblemError
@@ -21,6 +23,11 @@ LONGEST_RANGE = 4 * LONGEST_NUMBER
 LONGEST_LIST = 10_000
 LONGEST_ANGLE_LIST = 10**6
 MOST_ROWS = 10**9
+
+# What a value is that is beyond a bound.
+_BEYOND: Mapping[str, Callable[[Any, Any], bool]] = {
+    "above": operator.le, "least": operator.lt, "below": operator.ge, "most": operator.gt
+}  # fmt: skip
 
 # Pages print U+2212 for minus, and what is copied from them is read back.
 _MINUS = ("-", "−")
@@ -61,6 +68,36 @@ class Progression(Sequence[Fraction]):
         if not -self.size <= index < self.size:
             raise IndexError(index)
         return self.start + (index % self.size) * self.step
+
+
+def check_bounds(what: str, value: Fraction | None, rule: str, unit: str = "") -> None:
+    """Raise ProblemError for a value beyond the bounds that its rule says before the first comma.
+
+    "lie within 0..1, for ...", "be 0 or more and below 1", "be above 0 and at most 10^12 Pa". None is not
+    known, and beyond nothing.
+    """
+    if value is not None and any(beyond(value, bound) for beyond, bound in _bounds(rule)):
+        raise ProblemError(f"{what} is {about(value)}{unit}; it must {rule}")
+
+
+@lru_cache(maxsize=256)
+def _bounds(rule: str) -> tuple[tuple[Callable[[Any, Any], bool], Fraction], ...]:
+    """Return the bounds of a rule, each with what is beyond it."""
+    found: list[tuple[Callable[[Any, Any], bool], Fraction]] = []
+    for word, number in pairwise(rule.partition(",")[0].split()):
+        if word == "within":
+            low, _, high = number.partition("..")
+            found += [(operator.lt, _bound(low)), (operator.gt, _bound(high))]
+        elif number == "or":
+            found.append((operator.lt, _bound(word)))
+        elif word in _BEYOND:
+            found.append((_BEYOND[word], _bound(number)))
+    return tuple(found)
+
+
+def _bound(text: str) -> Fraction:
+    base, _, power = text.partition("^")
+    return Fraction(base) ** int(power or 1)
 
 
 def number(text: str, what: str = "number") -> Fraction:

@@ -33,7 +33,7 @@ from kurbel.page.quantity import texts
 from kurbel.reading import notation, units
 from kurbel.reading.amounts import moved, unit_of_page
 from kurbel.reading.given import Given
-from kurbel.reading.notation import about
+from kurbel.reading.notation import about, check_bounds
 from kurbel.reading.units import Speed
 
 WORDS = texts("engine.diagram")["diagram"]
@@ -229,8 +229,7 @@ class Areas(Given):
             )
         if not any(self.areas):
             raise ProblemError("all areas are 0; the torque never leaves its mean")
-        if self.scale.energy <= 0:
-            raise ProblemError(f"the scale of the areas is {about(self.scale.energy)} J; it must be above 0")
+        check_bounds("the scale of the areas", self.scale.energy, "be above 0", " J")
 
     @cached_property
     def levels(self) -> tuple[Fraction, ...]:

@@ -23,7 +23,7 @@ from kurbel.kernel.circle import Numeric
 from kurbel.kernel.law import Between, Constant, Law, Polytrope, steady
 from kurbel.kernel.steam import expansion_work, logarithm, power
 from kurbel.reading.given import choose
-from kurbel.reading.notation import about, plain
+from kurbel.reading.notation import about, check_bounds, plain
 
 # A share of the stroke that is left for delivery, below which there is none.
 LEAST_DELIVERY = 1e-9
@@ -100,11 +100,9 @@ class Compressor:
     expansion_exponent: Fraction | None = None
 
     def __post_init__(self) -> None:
-        if self.ratio <= 1:
-            raise ProblemError(
-                f"pressure ratio Π is {about(self.ratio)}; it must be above 1,"
-                " for it is the delivery pressure in suction pressures"
-            )
+        check_bounds(
+            "pressure ratio Π", self.ratio, "be above 1, for it is the delivery pressure in suction pressures"
+        )
         if self.ratio > LARGEST_RATIO:
             raise ProblemError(f"pressure ratio Π is {about(self.ratio)}; at most {LARGEST_RATIO} is allowed")
         check_exponent(self.exponent, "exponent n")
@@ -116,16 +114,16 @@ class Compressor:
                 f"the intermediate pressure is {about(self.between)} times the suction pressure; it must be"
                 f" above 1 and below Π = {plain(self.ratio)}"
             )
-        if not 0 <= self.suction_loss < 1:
-            raise ProblemError(
-                f"suction loss is {about(self.suction_loss)}; it must be 0 or more and below 1,"
-                " for it is the share of the suction pressure that is lost in the valve"
-            )
-        if not 0 <= self.delivery_loss <= LARGEST_LOSS:
-            raise ProblemError(
-                f"delivery loss is {about(self.delivery_loss)}; it must lie within 0..{LARGEST_LOSS},"
-                " for it is the share of the delivery pressure by which the valve raises it"
-            )
+        check_bounds(
+            "suction loss", self.suction_loss,
+            "be 0 or more and below 1, for it is the share of the suction pressure that is lost in the "
+            "valve",
+        )  # fmt: skip
+        check_bounds(
+            "delivery loss", self.delivery_loss,
+            f"lie within 0..{LARGEST_LOSS}, for it is the share of the delivery pressure by which the "
+            "valve raises it",
+        )  # fmt: skip
         self._check_delivery()
 
     def _check_expansion(self, exponent: Fraction) -> None:
@@ -329,11 +327,10 @@ class Pump:
 
     def __post_init__(self) -> None:
         choose(self.kind, KINDS, "pump")
-        if not 0 < self.small_area < 1:
-            raise ProblemError(
-                f"the small area is {about(self.small_area)}; it must be above 0 and below 1,"
-                " for it is a share of the piston's area"
-            )
+        check_bounds(
+            "the small area", self.small_area,
+            "be above 0 and below 1, for it is a share of the piston's area",
+        )  # fmt: skip
         if abs(self.suction) > LARGEST_HEAD:
             raise ProblemError(
                 f"the suction pressure is {about(self.suction)} times what the pump makes, the delivery"

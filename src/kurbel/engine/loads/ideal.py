@@ -19,7 +19,7 @@ from kurbel.kernel.forces import Stroke
 from kurbel.kernel.law import Between, Constant, Law, Line, Piece, Polytrope, steady
 from kurbel.kernel.steam import Expansion, IdleStroke, best_back, power
 from kurbel.reading.given import choose
-from kurbel.reading.notation import about, plain, too_small
+from kurbel.reading.notation import about, check_bounds, plain, too_small
 
 LARGEST_EXPANSION = 10**6
 LARGEST_EXPONENT = 10
@@ -79,11 +79,10 @@ class Steam:
             raise ProblemError(
                 f"expansion ratio ε is {about(self.expansion)}; at most {LARGEST_EXPANSION} is allowed"
             )
-        if self.back is not None and not 0 <= self.back <= 1:
-            raise ProblemError(
-                f"back pressure b is {about(self.back)}; it must lie within 0..1,"
-                " for it is a share of the steam pressure before cut-off"
-            )
+        check_bounds(
+            "back pressure b", self.back,
+            "lie within 0..1, for it is a share of the steam pressure before cut-off",
+        )  # fmt: skip
         check_exponent(self.exponent, "exponent n", "falls as the steam expands")
         check_clearance(self.clearance)
         if not self.plain:
@@ -151,8 +150,7 @@ class Steam:
                 raise ProblemError(
                     f"{what} is at {about(share)} of the stroke; it must be above 0 and at most 1"
                 )
-        if not 0 <= self.lead < 1:
-            raise ProblemError(f"lead is {about(self.lead)} of the stroke; it must be 0 or more and below 1")
+        check_bounds("lead", self.lead, "be 0 or more and below 1", " of the stroke")
         if self.release * self.expansion < 1:
             raise ProblemError(
                 f"release at {about(self.release)} of the stroke comes before the cut-off at"
@@ -211,11 +209,7 @@ def _law(ends: list[tuple[Numeric, Piece]]) -> Law:
 
 def check_exponent(exponent: Fraction, what: str, how: str = "rises as the volume shrinks") -> None:
     """Raise ProblemError unless p V^n = const can have it."""
-    if not 0 < exponent <= LARGEST_EXPONENT:
-        raise ProblemError(
-            f"{what} is {about(exponent)}; it must be above 0 and at most {LARGEST_EXPONENT},"
-            f" for the pressure {how}"
-        )
+    check_bounds(f"{what}", exponent, f"be above 0 and at most {LARGEST_EXPONENT}, for the pressure {how}")
     if 0 < abs(exponent - 1) < LEAST_CURVE:
         raise ProblemError(
             f"{what} is {about(exponent)}, nearer to 1 than 10^-6; write 1, Mariotte's law,"
@@ -225,11 +219,10 @@ def check_exponent(exponent: Fraction, what: str, how: str = "rises as the volum
 
 def check_clearance(clearance: Fraction) -> None:
     """Raise ProblemError unless a cylinder can have it."""
-    if not 0 <= clearance <= LARGEST_CLEARANCE:
-        raise ProblemError(
-            f"clearance is {about(clearance)}; it must lie within 0..{LARGEST_CLEARANCE},"
-            " for it is a share of the volume swept in a stroke"
-        )
+    check_bounds(
+        "clearance", clearance,
+        f"lie within 0..{LARGEST_CLEARANCE}, for it is a share of the volume swept in a stroke",
+    )  # fmt: skip
 
 
 OTTO, DIESEL, DUAL = CYCLES = ("otto", "diesel", "dual")
@@ -280,20 +273,17 @@ class GasCycle:
     two_stroke: bool = False
 
     def __post_init__(self) -> None:
-        if not 1 < self.compression <= LARGEST_COMPRESSION:
-            raise ProblemError(
-                f"compression ratio ε is {about(self.compression)}; it must be above 1 and at most"
-                f" {LARGEST_COMPRESSION}, for it is the greatest volume in least ones"
-            )
+        check_bounds(
+            "compression ratio ε", self.compression,
+            f"be above 1 and at most {LARGEST_COMPRESSION}, for it is the greatest volume in least ones",
+        )  # fmt: skip
         choose(self.cycle, CYCLES, "cycle")
         check_exponent(self.exponent, "exponent n")
         if self.expansion_exponent is not None:
             check_exponent(self.expansion_exponent, "expansion exponent")
-        if not 0 < self.exhaust <= HIGHEST:
-            raise ProblemError(
-                f"exhaust pressure is {about(self.exhaust)} times the suction pressure; it must be above 0"
-                " and at most 10^9"
-            )
+        check_bounds(
+            "exhaust pressure", self.exhaust, "be above 0 and at most 10^9", " times the suction pressure"
+        )
         self._check_heat()
         self._check_points()
 
@@ -368,10 +358,7 @@ class GasCycle:
                     "--heat needs one exponent above 1, the gas's adiabatic one, for both curves; leave"
                     " --expansion-exponent out, or tell the cycle by its pressure and cut-off"
                 )
-            if not 0 < self.heat <= HIGHEST:
-                raise ProblemError(
-                    f"heat is {about(self.heat)}; it must be above 0 and at most 10^9, for it is q/(R T₁)"
-                )
+            check_bounds("heat", self.heat, "be above 0 and at most 10^9, for it is q/(R T₁)")
 
     def _check_points(self) -> None:
         points = self._points(floats())

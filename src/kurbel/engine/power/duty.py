@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from kurbel.engine.power.source import Acting, Compound, GivenPressure, whole, work_of
 from kurbel.errors import ProblemError
 from kurbel.exact.real import Product, Term, number, variable
-from kurbel.reading.notation import about
+from kurbel.reading.notation import about, check_bounds
 from kurbel.reading.units import MassFlow, Speed
 
 POWER, BORE, STROKE, SPEED, PRESSURE, FACTOR, EFFICIENCY, CONSUMED, HEAT, THERMAL = VARIABLES = (
@@ -91,14 +91,11 @@ class Duty:
             )
         shares = ("diagram_factor", "efficiency", "thermal_efficiency")
         for what, share in ((name.replace("_", " "), getattr(self, name)) for name in shares):
-            if share is not None and not 0 < share <= 1:
-                raise ProblemError(f"the {what} is {about(share)}; it must be above 0 and at most 1")
+            check_bounds(f"the {what}", share, "be above 0 and at most 1")
         for what, size in (("bore", self.bore), ("stroke", self.stroke)):
-            if size is not None and size <= 0:
-                raise ProblemError(f"the {what} is {about(size)} m; it must be above 0")
+            check_bounds(f"the {what}", size, "be above 0", " m")
         for what, value in (("stroke over bore", self.stroke_bore), ("piston speed", self.piston_speed)):
-            if value is not None and not 0 < value <= 1000:
-                raise ProblemError(f"the {what} is {about(value)}; it must be above 0 and at most 1000")
+            check_bounds(f"the {what}", value, "be above 0 and at most 1000")
         self._check_rods()
         self._check_states()
 
