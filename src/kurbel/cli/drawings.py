@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import click
@@ -33,8 +33,9 @@ def drawing_options() -> Iterator[click.Parameter]:
     return map(click_option, Pictured.options().values())
 
 
-def drawing_format(given: Given) -> str:
-    """Return the format of the drawing that is asked for by -f or by the file's suffix, nothing for a page.
+def drawing_format(given: Given, pages: Sequence[str] = ALSO_PAGES, of_pages: Sequence[str] = ()) -> str:
+    """Return the format of the drawing that is asked for by -f or by the file's suffix, nothing for a page;
+    `pages` are by themselves pages, and `of_pages` further options of these.
 
     Raises UsageError for what says nothing on the one or the other.
     """
@@ -48,16 +49,22 @@ def drawing_format(given: Given) -> str:
                 f"a drawing is no {suffix}; name a file such as -o kurbel.svg or -o kurbel.pdf"
             )
         name = suffix if suffix in (*DRAWINGS, *ALSO_PAGES) else "svg"
-    elif name not in DRAWINGS and not (moves and name == "html"):
-        _check_page(given, name)
+    elif (name in pages or name not in (*DRAWINGS, *ALSO_PAGES)) and not (moves and name == "html"):
+        check_page(given, name or "text")
         return ""
-    check_moving(name, moves)
-    for option in OF_PAGES:
-        if given.typed(option):
-            raise click.UsageError(f"--{option} is for pages, and {name} is a drawing; leave it out")
+    if pages:
+        check_moving(name, moves)
+    check_drawing(given, name, of_pages)
     if not given.in_document:
         check_terminal(output, name)
     return name
+
+
+def check_drawing(given: Given, name: str, of_pages: Sequence[str] = ()) -> None:
+    """Raise UsageError for options of pages that were typed beside a drawing."""
+    for option in (*OF_PAGES, *of_pages):
+        if given.typed(option):
+            raise click.UsageError(f"--{option} is for pages, and {name} is a drawing; leave it out")
 
 
 def suffix_of(given: Given) -> str:
@@ -92,14 +99,14 @@ def check_terminal(output: str, name: str) -> None:
         raise click.UsageError(f"a terminal shows no drawings; name a file, such as -o kurbel.{name}")
 
 
-def _check_page(given: Given, name: str) -> None:
+def check_page(given: Given, name: str) -> None:
     """Raise UsageError for options of drawings that were typed beside a page."""
-    typed = next((one.flag for one in Pictured.options().values() if given.typed(one.name)), "")
-    if typed == "--animate":
-        check_moving(name or "text", True)
+    typed = next((one for one in (*Pictured.options(), "steps") if given.typed(one)), "")
+    if typed == "animate":
+        check_moving(name, True)
     if typed:
         raise click.UsageError(
-            f"{typed} is for drawings, and {name or 'text'} is a page; name a file for one, such as"
+            f"--{typed.replace('_', '-')} is for drawings, and {name} is a page; name a file for one, such as"
             " -o kurbel.svg, or add -f drawing"
         )
 

@@ -3,17 +3,23 @@ where the file is one, else as the table of its lengths."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import click
 
 from kurbel.books.constructions.construction_page import construction, construction_names
 from kurbel.books.constructions.model import Construction
-from kurbel.cli.drawings import check_moving, check_terminal, suffix_of, write
+from kurbel.cli.drawings import (
+    check_drawing,
+    check_moving,
+    check_page,
+    check_terminal,
+    drawing_format,
+    write,
+)
 from kurbel.cli.listing import Listing, form_of_list, plain_lines, show_list
 from kurbel.cli.manual.command import with_examples
 from kurbel.cli.options import (
-    FormatName,
     Given,
     Option,
     Type,
@@ -28,12 +34,10 @@ from kurbel.commands.options import Choice
 from kurbel.commands.parts.drawing import Pictured
 from kurbel.commands.plot import plot_mechanism
 from kurbel.commands.shown import Drawing
-from kurbel.errors import ChoiceError, ProblemError
-from kurbel.formats.registry import DRAWN as DRAWING
-from kurbel.formats.registry import FORMATS
+from kurbel.errors import ProblemError
 from kurbel.page.layouts import Folder
 from kurbel.page.table import Table
-from kurbel.reading.given import File, allowed_name, choose, found_at
+from kurbel.reading.given import File
 
 HELP = """\
 Draw a construction of the books to scale, or print the lengths that it gives beside their true values.
@@ -51,33 +55,13 @@ kurbel construct roetscher-1047-line --offset 0.3 --ratio 1:4 -o abb1047.pgf
 kurbel construct forces --ratio 1:4 -o kraefte.pdf
 kurbel construct blau-9 --ratio 1:4 --angle 50 --table -o fig9.tex
 """
-DRAWN = "kurbel.plot.style:FORMATS"
-# What is for the table alone.
-OF_TABLES = (
-    "columns", "layout", "layouts", "digits", "rounding", "label", "units", "caption", "note", "source",
-    "templates", "interactive", "standalone", "longtable", "siunitx", "plain", "excel",
-)  # fmt: skip
-OF_DRAWINGS = ("steps", "width", "height", "text")
+# What is for the table alone, beside what is on no drawing.
+OF_TABLES = ("columns", "layout", "layouts", "units", "caption")
 HEADS: Mapping[str, Sequence[str]] = {
     "de": ("Konstruktion", "was sie zeigt", "Getriebe"),
     "en": ("construction", "what it shows", "mechanisms"),
 }
 LAST = ("animate", "seconds", "width", "height", "lang", "units", "decimal")
-
-
-class AnyFormat(FormatName):
-    """A format of tables or of drawings."""
-
-    def read(self, text: str, typed: Mapping[str, object]) -> str:
-        if text in (*found_at(DRAWN), DRAWING):
-            return text
-        try:
-            return super().read(text, typed)
-        except ChoiceError:
-            return allowed_name(text, self.known(typed), self.name)
-
-    def known(self, typed: Mapping[str, object]) -> Iterable[str]:
-        return dict.fromkeys((*super().known(typed), *found_at(DRAWN), DRAWING))
 
 
 class ConstructCommand(TableCommand):
@@ -86,9 +70,12 @@ class ConstructCommand(TableCommand):
     def __init__(self) -> None:
         super().__init__("construct", pages.construct.command)
         own = {one.name: click_option(one) for one in pages.plot_construction.command.parameters.values()}
-        for place, param in enumerate(self.params):
-            if param.name == "format":
-                self.params[place] = _format_option()
+        named = next(one for one in self.params if one.name == "format")
+        assert isinstance(named, click.Option)
+        named.help = (
+            "Format of the drawing, svg, png, pdf, pgf or html, or of the table; default: by the suffix of"
+            " -o, else text."
+        )
         self.params += [
             Option(
                 ["--table"], is_flag=True, topic="question", help="The table of the lengths, also as PDF."
@@ -105,65 +92,27 @@ class ConstructCommand(TableCommand):
             raise ProblemError('"construct" prints a list; a document needs the name of a construction')
         if given.values["table"]:
             return super().made(given)
+        check_drawing(given, "a construction", OF_TABLES)
         return self._drawn(given)
 
     def run(self, given: Given) -> int:
         if given.values["name"] is None:
             _print_list(given)
             return 0
-        name = _drawing_format(given)
-        if given.values["table"] or not name:
-            _check_table(given)
-            return super().run(given)
-        if name != "html":
-            check_terminal(given.text("output"), name)
-        write(self._drawn(given), name, given)
-        return 0
+        if given.values["table"]:
+            check_page(given, "the table")
+        elif name := drawing_format(given, (), OF_TABLES):
+            write(self._drawn(given), name, given)
+            return 0
+        return super().run(given)
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("The constructions"):
             formatter.write_dl([(key, one.given.title["en"]) for key, one in _constructions()], col_max=26)
 
     def _drawn(self, given: Given) -> Drawing:
-        for name in OF_TABLES:
-            if given.typed(name):
-                raise ProblemError(f"--{name} is for the table; add --table, or leave it out")
         drawing: Drawing = pages.plot_construction.command.ask(given)
         return drawing
-
-
-def _format_option() -> click.Option:
-    return Option(
-        ["format", "-f", "--format"], type=Type(AnyFormat("format", FORMATS)),
-        envvar=["KURBEL_CONSTRUCT_FORMAT", "KURBEL_FORMAT"],
-        help="Format of the drawing, svg, png, pdf, pgf or html, or of the table; default: by the suffix of"
-        " -o, else text.",
-    )  # fmt: skip
-
-
-def _drawing_format(given: Given) -> str:
-    """Return the format of a drawing that is asked for, nothing for a table."""
-    suffix = suffix_of(given)
-    by_name = given.typed("format") or given.text("output") == "-"
-    named = given.text("format") if by_name else suffix
-    drawn = (*found_at(DRAWN), "html")
-    known = [f".{one}" for one in drawn] + [one for form in FORMATS.values() for one in form.suffixes]
-    if not by_name and f".{suffix}" not in known:
-        raise ChoiceError(
-            f'the file name "{given.text("output")[-60:]}" names neither a drawing nor a table; its suffix'
-            f" must be one of {', '.join(dict.fromkeys(known))}"
-        )
-    if named == DRAWING:
-        return suffix if suffix in drawn else "svg"
-    return named if named in drawn else ""
-
-
-def _check_table(given: Given) -> None:
-    for name in OF_DRAWINGS:
-        if given.typed(name):
-            raise ProblemError(f"--{name} is for the drawing; name a file for it, such as -o kurbel.svg")
-    if given.text("format"):
-        choose(given.text("format"), FORMATS, "format")
 
 
 def _print_list(given: Given) -> None:

@@ -205,7 +205,6 @@ class Drawing:
         """The title without formulas' marks, for readers that do not see the drawing."""
         return labels.plain(self.title, self.mark)
 
-    @checks_keywords
     def image(self, format: str = "svg", *, text: bool = False) -> bytes:
         """Return the drawing as a file of the format svg, png, pdf or pgf; of SVG with `text` letters stay
         text. A construction in steps has html, too.
