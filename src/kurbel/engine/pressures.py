@@ -270,7 +270,7 @@ def _number(question: PressuresRequest, column: Column, place: Place, times: int
     """The printed number."""
     quantity, where, pressed = column.quantity, question.where(place), question.pressed
     kernel = quantity.formulas["exact"].kernel
-    if is_carded(pressed) and MASSES not in quantity.needs:
+    if is_carded(pressed) and not {GAS, BOTH}.isdisjoint(quantity.needs):
         return _measured(question, column, where)
     scaled = settled(lambda kind: times * kernel(pressed, where, kind), column.places, question.rounding)
     return Number(scaled, column.places)
