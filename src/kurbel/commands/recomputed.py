@@ -95,12 +95,7 @@ def _moved(second: Second, drive: verify.Drive, key: str, method: str, at: Degre
 def _heavy(
     second: Second, drive: verify.Drive, force: Fraction | Force, method: str, row: Row
 ) -> verify.Bodies:
-    found = second.bodies(drive, force, row)
-    if method == "exact":
-        return found
-    if found.rod[0] or method != "series":
-        raise ProblemError(f"moving rods, and masses by {method}, are not computed a second time")
-    return replace(found, series=True)
+    return replace(second.bodies(drive, force, row), method=method)
 
 
 def _of_engine(second: Second, key: str, method: str, at: Degrees, row: Row) -> Value:
@@ -415,21 +410,20 @@ def of_inertia(second: Second, key: str, method: str, row: Row) -> Value:
     """Forces of a rod, of two masses at its pins, and of 6/10 and 4/10 of it there."""
     if "force" in row:
         return _of_peak(second, key, row)
-    if method != "exact":
-        raise ProblemError("forces of a rod by a series are not computed a second time")
     drive = second.drive(row)
     if key == "inertia_arm_mm":
         return of_inertia(second, "inertia_arm", method, row) * (1000 * drive.radius / drive.ratio)
-    name, unit = key.removeprefix("inertia_"), next((one for one in ("_nm", "_n") if key.endswith(one)), "")
+    name = key.removeprefix("inertia_")
+    unit = next((one for one in ("_nm", "_n", "_mps2") if key.endswith(one)), "")
     name = name.removesuffix(unit)
     model = next((one for one in ("two_mass", "railway") if name.endswith(one)), "")
     force = _OF_ROD.get(name.removesuffix(f"_{model}").removesuffix(RETURN))
     if force is None or (not unit and "acceleration" in second.options):
         return drive.value(key, second.degrees(row), method)
-    rod = second.rod(drive, model, row, unit != "")
+    rod = second.rod(drive.rod_length, model, row, unit in ("_n", "_nm"))
     if not unit:
         drive = replace(drive, radius=Fraction(1), speed=Fraction(1), turns=False)
-    heavy = verify.bodies(drive, rod=tuple(rod), acceleration=second.gain if unit else 0)
+    heavy = replace(verify.bodies(drive, rod=rod, acceleration=second.gain if unit else 0), method=method)
     return heavy.value(f"{force}_n", second.degrees(row), stroke="return" if RETURN in key else None)
 
 
@@ -442,8 +436,11 @@ def _of_peak(second: Second, key: str, row: Row) -> Value:
     names = ["pin_x", "pin_y"] if name == "pin" else [_OF_ROD[name]]
 
     def found(*signed: tuple[str, int]) -> list[Summit]:
-        rods = [[one * sign for one in second.rod(drive, model, row)] for model, sign in signed]
-        heavy = verify.bodies(at_rest, rod=tuple(map(sum, zip(*rods, strict=True))))
+        def rod() -> Sequence[Number]:
+            rods = [[a * sign for a in second.rod(drive.rod_length, model, row)()] for model, sign in signed]
+            return [sum(one, exactly(0)) for one in zip(*rods, strict=True)]
+
+        heavy = verify.bodies(at_rest, rod=rod)
 
         def square(at: Place, order: int) -> Jet:
             forces = (heavy.course(one, at, 1, order) for one in names)
@@ -457,7 +454,7 @@ def _of_peak(second: Second, key: str, row: Row) -> Value:
         return largest([one.value for one in found(*signed)]).root()
 
     def newtons() -> Number:
-        mass = second.rod(drive, "", row, True)[0]
+        mass = second.rod(drive.rod_length, "", row, True)()[0]
         return drive.omega * drive.omega * (mass * drive.radius ** (2 if name == "torque" else 1))
 
     itself = row["model"].replace("exact", "").replace("-", "_"), 1
@@ -466,6 +463,7 @@ def _of_peak(second: Second, key: str, row: Row) -> Value:
         "greatest": lambda: value(itself),
         "greatest_n": lambda: value(itself) * newtons(),
         "greatest_phi": lambda: where(found(itself)),
+        "error": lambda: value(*error),
         "error_percent": lambda: 100 * value(*error) / value(("", 1)),
         "error_phi": lambda: where(found(*error)),
     }
@@ -512,6 +510,11 @@ _WAVE: Mapping[str, Callable[[Arrow], Number]] = {
 _OF_ROD = {
     "guide": "guide_force", "pin": "crank_pin_force", "pin_x": "pin_x", "pin_y": "pin_y", "torque": "torque",
     "resultant": "rod_inertia", "arm": "rod_arm",
+    **{
+        f"{one}_acceleration{part}": f"{one}_acceleration{part}"
+        for one in ("pin", "common", "replaced", "turning", "stretching")
+        for part in ("", "_along", "_across")
+    },
 }  # fmt: skip
 
 

@@ -455,31 +455,35 @@ def of_diagram(second: Second, key: str, method: str, row: Row) -> Value:
 def of_masses(second: Second, key: str, method: str, row: Row) -> Value:
     """Masses in place of the rod, with its mass and its centre; but for those at the pins with its moment of
     inertia. Of two about a pin at the distance a of the centre the other is (a² + k²)/a from there."""
-    rod, printed = (
-        second.question.rod,
-        [one.key for one in second.question.page_columns if one.key.startswith(key)],
-    )
+    question = second.question
+    printed = [one.key for one in question.page_columns if one.key.startswith(key)]
     if len(printed) != 1:
         raise ProblemError("shares beside kilograms are not told apart")
-    # A column without a unit of its own has shares of the rod's mass and length.
-    mass, long = (rod.mass, second.question.length) if printed != [key] else (Fraction(1), Fraction(1))
-    near, far, square = 1 - rod.centre, rod.centre, rod.gyration_square
-    places = {"crosshead": Fraction(0), "centre": near, "crank": Fraction(1)}
-    if row["model"] == "crosshead":
-        places["crank"] = near + square / near
-    elif row["model"] == "crank":
-        places["crosshead"] = near - square / far
-    span = places["crank"] - places["crosshead"]
-    masses = {"crosshead": (places["crank"] - near) / span, "crank": (near - places["crosshead"]) / span}
-    if row["model"] == "three":
-        masses = {"crosshead": square / near, "crank": square / far}
-        masses["centre"] = 1 - sum(masses.values())
     part, _, what = key.partition("_")
-    if part == "lacking":
-        spread = sum(mass * (places[one] - near) ** 2 for one, mass in masses.items())
-        return Value(lambda: number((square - spread) * mass * long**2))
-    found = masses[part] * mass if what == "mass" else places[part] * long
-    return Value(lambda: number(found))
+    # A column without a unit of its own has shares of the rod's mass and length.
+    whole, long = (printed != [key] or part == "correction"), question.length
+
+    def found() -> Number:
+        rod, first, second_moment = second.rod(long, "", row, whole)()
+        size, near = number(long if whole and long else 1), first / rod
+        square, far = second_moment / rod - near * near, 1 - near
+        places = {"crosshead": number(0), "centre": near, "crank": number(1)}
+        if row["model"] == "crosshead":
+            places["crank"] = near + square / near
+        elif row["model"] == "crank":
+            places["crosshead"] = near - square / far
+        span = places["crank"] - places["crosshead"]
+        masses = {"crosshead": (places["crank"] - near) / span, "crank": (near - places["crosshead"]) / span}
+        if row["model"] == "three":
+            masses = {"crosshead": square / near, "crank": square / far}
+            masses["centre"] = 1 - masses["crosshead"] - masses["crank"]
+        if part in ("lacking", "correction"):
+            for one, mass in masses.items():
+                square = square - mass * (places[one] - near) * (places[one] - near)
+            return square * rod * size * size * (1 if part == "lacking" else question.acceleration)
+        return masses[part] * rod if what == "mass" else places[part] * size
+
+    return Value(found)
 
 
 _TURNS = ("greatest_speed", "least_speed", "speed_drop")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
@@ -15,9 +15,11 @@ from kurbel.commands.options import Option
 from kurbel.commands.part import Values
 from kurbel.commands.parts.drive import Turning
 from kurbel.commands.parts.effort import PRESSING, Effort, PinFriction
-from kurbel.commands.parts.masses import each
+from kurbel.commands.parts.masses import each, place_on_rod
 from kurbel.commands.recomputed import Row, nearest
 from kurbel.drive.crank import Described, radii
+from kurbel.drive.rod import STANDARD_GRAVITY
+from kurbel.drive.rod_file import rod_sections
 from kurbel.engine.card.card import AngleCard
 from kurbel.engine.card.file import read_card
 from kurbel.errors import ProblemError
@@ -36,8 +38,10 @@ from kurbel.reading.given import (
     of_given,
 )
 from kurbel.reading.notation import number, ratio_text
-from kurbel.verify.bodies import Force
+from kurbel.verify.bodies import Force, lying, swung
 from kurbel.verify.loads import Stroke, constant, disc
+from kurbel.verify.numbers import Number
+from kurbel.verify.numbers import number as exactly
 from kurbel.verify.zeros import Spot
 
 # Of each load its options, which the second computation calls likewise.
@@ -47,6 +51,7 @@ GAS = ("cycle", "exponent", "expansion_exponent", "heat", "cut_off", "two_stroke
 # How near a point of a card its curve passes, in the greatest pressure.
 THROUGH = 1e-12
 # Columns that say which load a row is of.
+Moments = Callable[[], list[Number]]
 LOADED = ("epsilon", "pressure_ratio", "pump", "compression")
 
 
@@ -146,13 +151,14 @@ class Requested:
     def bodies(self, drive: verify.Drive, force: Fraction | Force, row: Row) -> verify.Bodies:
         key = (drive, *(str(row.get(name)) for name in LOADED))
         if key not in self._kept:
-            asked, rod = self.asked, drive.radius / drive.ratio if drive.ratio else None
+            asked = self.asked
             known: dict[str, object] = {
-                "reciprocating": asked.reciprocating, "rod_mass": asked.rod_mass, "rotating": asked.rotating,
+                "reciprocating": asked.reciprocating, "rotating": asked.rotating,
                 "inertia": asked.rocker_inertia, "friction": asked.friction, "gravity": asked.gravity,
-                "centre": _of_rod(asked.raw("centre"), rod), "gyration": _of_rod(asked.raw("gyration"), rod),
                 "slope": asked.slope, "acceleration": self.gain,
             }  # fmt: skip
+            if asked.says("rod_mass", "rod_file"):
+                known["rod"] = self.rod(drive.rod_length, "", row, True)
             if asked.pin_friction:
                 pins = asked.crosshead_pin, asked.crank_pin, asked.shaft
                 known["pins"] = tuple(one or Fraction(0) for one in pins)
@@ -160,19 +166,45 @@ class Requested:
             self._kept[key] = verify.bodies(drive, force=force, **known)
         return self._kept[key]
 
-    def rod(self, drive: verify.Drive, model: str, row: Row, weighed: bool = False) -> Sequence[Fraction]:
-        """The mass, its own or 1, and the moments of the rod of a row; of two masses at its pins both are
-        the same, and by the railways' rule 6/10 of it are at the crank pin."""
+    def rod(self, length: Fraction | None, model: str, row: Row, weighed: bool = False) -> Moments:
+        """What tells the mass, its own or 1, and the moments of the rod of a row, of so many metres; of two
+        masses at its pins both are the same, and by the railways' rule 6/10 of it are at the crank pin."""
+        asked = self.asked
 
         def given(name: str) -> Any:
-            values = each(self.asked.raw(name))
+            values = each(asked.raw(name))
             return values[(int(row.get("rod", "1")) - 1) % len(values)]
 
-        long = drive.radius / drive.ratio if drive.ratio else None
-        centre, gyration = (_of_rod(given(one), long) or Fraction(0) for one in ("centre", "gyration"))
-        centre = Fraction(3, 5) if model == "railway" else centre
-        mass = as_mass(given("rod_mass"), "rod") if weighed else Fraction(1)
-        return mass, mass * centre, mass * (centre if model else centre**2 + gyration**2)
+        mass = as_mass(given("rod_mass"), "rod") if asked.says("rod_mass") else None
+        centre, gyration = (_of_rod(given(one), length) for one in ("centre", "gyration"))
+        sections, in_kilograms = (
+            rod_sections(asked.rod_file, length) if asked.says("rod_file") else ((), False)
+        )
+
+        def described() -> tuple[Number, Number, Number]:
+            """The mass, its centre and k², in lengths of the rod."""
+            if sections:
+                whole, *found = lying([(1 - one.end, 1 - one.start, one.mass) for one in sections])
+                return (whole if in_kilograms and mass is None else exactly(mass or 1), *found)
+            if asked.says("pendulum"):
+                swings = [(exactly(one.place), one.time) for one in asked.swings(length)]
+                gravity = asked.gravity or STANDARD_GRAVITY
+                return exactly(mass or 1), *swung(swings, gravity / (length or 1), centre)
+            square = exactly(gyration or 0) * (gyration or 0)
+            if asked.says("rod_inertia"):
+                own = asked.rod_inertia / ((mass or 1) * (length or 1) ** 2)
+                about = asked.rod_inertia_about
+                apart = 0 if about is None else (centre or 0) - place_on_rod(about, length, "point")
+                square = exactly(own - apart * apart)
+            return exactly(mass or 1), exactly(centre or 0), square
+
+        def moments() -> list[Number]:
+            whole, at, square = described()
+            whole = whole if weighed else exactly(1)
+            at = exactly("3/5") if model == "railway" else at
+            return [whole, whole * at, whole * (at if model else at * at + square)]
+
+        return moments
 
     @cached_property
     def _layout(self) -> Layout:

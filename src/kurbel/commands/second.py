@@ -6,6 +6,7 @@ What it is `requested` says; which value a cell has, `recomputed` and `related`.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any, TypedDict
@@ -14,6 +15,7 @@ from kurbel import verify
 from kurbel.commands.part import Values, flag_of
 from kurbel.commands.parts.angles import in_degrees
 from kurbel.commands.parts.effort import PINNED, PRESSING
+from kurbel.commands.parts.masses import SWUNG, WEIGHED
 from kurbel.commands.recomputed import PAGES, Row, nearest
 from kurbel.commands.related import MODULES, SUMMED
 from kurbel.commands.requested import AIR, GAS, LOADED, STEAM, Requested
@@ -44,7 +46,7 @@ KNOWN = frozenset((
     "detail", "exact", "where", "flywheel", "inertia", "power", "resistance", "orders", "quantity",
     "engine", "positions", "banks", "share", "spacing", "angle", "from", "to", "step", "zero",
     "columns", "digits", "rounding", "units", "layout", "decimal", "templates",
-    *PRESSING, *PINNED, *STEAM, *AIR, *GAS,
+    "rod_file", "rod_acceleration", *SWUNG, *WEIGHED, *PRESSING, *PINNED, *STEAM, *AIR, *GAS,
 ))  # fmt: skip
 
 
@@ -175,8 +177,6 @@ class Second(Requested):
             if asked.says("cylinder"):
                 raise ProblemError("engines of unlike cylinders are not computed a second time")
             cranks = tuple(asked.cranks or (Fraction(0),))
-            if asked.is_heavy() and method != "exact" and not alone:
-                raise ProblemError("moving masses by a series are not computed a second time")
             if asked.says("friction") and not alone:
                 load = self.with_friction(load)
             if alone:
@@ -187,7 +187,7 @@ class Second(Requested):
                 bore, pressure = self.unit()
                 self._turns[key] = verify.turn(
                     drive, load, cranks=cranks, method=method, bore=bore, pressure=pressure,
-                    bodies=self.bodies(drive, Fraction(0), row),
+                    bodies=replace(self.bodies(drive, Fraction(0), row), method=method, friction=Fraction(0)),
                 )  # fmt: skip
         return self._turns[key]
 

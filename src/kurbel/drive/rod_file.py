@@ -64,8 +64,11 @@ BITS = 600
 _LONGEST = 5
 
 
-def read_rod(path: str | os.PathLike[str], length: Fraction | None = None) -> Rod:
-    """Return the rod in a CSV file; the text above says how it is written.
+def rod_sections(
+    path: str | os.PathLike[str], length: Fraction | None = None
+) -> tuple[Sequence[Section], bool]:
+    """Return the sections of the rod in a CSV file, and whether their masses are in kg; the text above says
+    how it is written.
 
     length is the rod's in metres, between the pins; positions with units need it. Raises RodError for a file
     that is none, with its name and line, and MissingExtraError without pint.
@@ -82,10 +85,16 @@ def read_rod(path: str | os.PathLike[str], length: Fraction | None = None) -> Ro
         if len(measured) > 1:
             raise RodError(f"{place(name, line)}: some masses have a unit and some have none; give all one")
         sections.append(section)
+    return sections, measured == {True}
+
+
+def read_rod(path: str | os.PathLike[str], length: Fraction | None = None) -> Rod:
+    """Return the rod of a file. Raises what `rod_sections` does."""
+    sections, in_kilograms = rod_sections(path, length)
     try:
-        return rod_of_sections(sections, measured == {True})
+        return rod_of_sections(sections, in_kilograms)
     except ProblemError as error:
-        raise RodError(f"{name}: {error}") from None
+        raise RodError(f"{shown(path)}: {error}") from None
 
 
 def _section(texts: Sequence[str], head: Head, length: Fraction | None) -> tuple[Section, bool]:

@@ -2,15 +2,17 @@
 
 What moves is the drive of `drives`; accelerations are the slopes of its places. A part of the rod at the
 share x of the way from B to A is accelerated by a_B + x (a_A - a_B), so forces and energies know of the rod
-its mass and the first and second moment of that about B, as sums over x, and are linear in these.
+its mass and the first and second moment of that about B, as sums over x, and are linear in these. By a
+series B and the rod's turn are accelerated to first order, λ sin φ in the place of ψ; the rod stands at its
+true angle.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import product
 from typing import Any
 
@@ -26,6 +28,8 @@ from kurbel.verify.zeros import Place
 
 # A force on B in N about a crank angle.
 Force = Callable[[Place], Jet | Number]
+# The mass of a rod and the moments of that, or what tells them with the working bits.
+Rod = tuple[Fraction, ...] | Callable[[], Sequence[Number]]
 
 
 @dataclass(frozen=True)
@@ -42,7 +46,7 @@ class Bodies:
 
     drive: Drive
     reciprocating: Fraction = Fraction(0)
-    rod: tuple[Fraction, ...] = (Fraction(0),) * 3
+    rod: Rod = (Fraction(0),) * 3
     rotating: Fraction = Fraction(0)
     inertia: Fraction = Fraction(0)
     slope: Fraction | None = None
@@ -52,8 +56,11 @@ class Bodies:
     acceleration: Fraction = Fraction(0)
     pin_friction: Fraction = Fraction(0)
     pins: tuple[Fraction, ...] = (Fraction(0),) * 3
-    # B, without a rod that has a mass, is accelerated as the series of first order says.
-    series: bool = False
+    method: str = "exact"
+
+    @property
+    def moments(self) -> Sequence[Number]:
+        return self.rod() if callable(self.rod) else [number(one) for one in self.rod]
 
     @property
     def weight(self) -> Arrow:
@@ -65,7 +72,7 @@ class Bodies:
 
     def knows(self, key: str) -> bool:
         name, _, unit = key.replace("_return", "").rpartition("_")
-        return unit in ("n", "nm", "j", "speed") and name in _FORCES
+        return unit in ("n", "nm", "j", "mps2", "speed") and name in _FORCES
 
     def value(self, key: str, degrees: Degrees, *, stroke: str | int | None = None) -> Value:
         """Return what kurbel's column of this key says, `guide_force_n` or `torque_return_nm`."""
@@ -101,17 +108,15 @@ class At:
         )
         self.pin, self.end = self.crank.times(self.radius), end.times(self.radius)
         self.line = self.crank.minus(end).times(number(self.drive.ratio))
+        if bodies.method == "infinite":
+            self.line = Arrow(self.crank.x * 0 - 1, self.crank.x * 0)
         self.way = self.drive.way(end, stroke)
         self.weight = bodies.weight
 
     @property
     def end_moved(self) -> Arrow:
         """How B moves, from anywhere."""
-        if not self.bodies.series:
-            return self.end_jet
-        order = len(self.end_jet.x.terms) - 1
-        path: Any = approximate("x", self.drive, self.place, OUT, 1, order)
-        return Arrow(-path, path * 0)
+        return moved_end(self.bodies, self.end_jet, self.place)
 
     def _by_time(self, first: Jet) -> Jet:
         """x'' ω² + x' α of the slope by the crank angle."""
@@ -141,18 +146,37 @@ class At:
     @cached_property
     def turned(self) -> Arrow:
         """How A is accelerated against B."""
-        return self.accelerated(self.pin_jet.minus(self.end_jet))
+        return self.turning.plus(self.stretching)
+
+    @cached_property
+    def turning(self) -> Arrow:
+        """The part of that square to the rod, by the slope of its angular velocity."""
+        if self.bodies.method == "exact":
+            across, square = self.line.right(), self.line.square()
+            whole = self.accelerated(self.pin_jet.minus(self.end_jet))
+            return across.times(whole.dot(across) / square)
+        return self.line.right().times(self._by_time(self.pin_jet.y.derived()) * self.radius)
+
+    @cached_property
+    def stretching(self) -> Arrow:
+        """The part along the rod, by the square of that velocity."""
+        if self.bodies.method == "exact":
+            return self.accelerated(self.pin_jet.minus(self.end_jet)).minus(self.turning)
+        slope, ratio = self.pin_jet.y.derived(), int(self.bodies.method == "series") * self.drive.ratio
+        omega = self.drive.omega
+        return self.line.times(slope * slope * (omega * omega) * (self.radius * -ratio))
 
     @cached_property
     def rod_inertia(self) -> Arrow:
         """What moves the centre of mass of the rod."""
-        mass, first, _ = map(number, self.bodies.rod)
-        return self.accelerated(self.end_jet).times(mass).plus(self.turned.times(first))
+        mass, first, _ = self.bodies.moments
+        end, pin = self.accelerated(self.end_moved), self.accelerated(self.pin_jet)
+        return end.times(mass - first).plus(pin.times(first))
 
     @property
     def rod_arm(self) -> Number:
         """How far that passes by the centre, in lengths of the rod: by the couple that turns the rod."""
-        mass, first, second = self.bodies.rod
+        mass, first, second = self.bodies.moments
         found: Number = abs((self.line.cross(self.turned) / self.rod_inertia.size()).value)
         return found * (second - first * first / mass)
 
@@ -160,11 +184,13 @@ class At:
     def forces(self) -> tuple[Arrow, Arrow, Arrow]:
         """The forces on the rod at A and at B, and that of the guide or the rocker on B.
 
-        What goes with B takes that at B along the way; across it follows from the moment about B.
+        What goes with B takes that at B along the way; across it follows from the moment about B. Two masses
+        at A and B have the rod's mass and first moment; of the second they lack what the rod's turn takes.
         """
-        mass, first, second = map(number, self.bodies.rod)
-        end = self.accelerated(self.end_moved).minus(self.weight)
-        whole, moment = (end.times(a).plus(self.turned.times(b)) for a, b in ((mass, first), (first, second)))
+        mass, first, second = self.bodies.moments
+        end, pin = (self.accelerated(one).minus(self.weight) for one in (self.end_moved, self.pin_jet))
+        whole = end.times(mass - first).plus(pin.times(first))
+        moment = pin.times(first).plus(self.turned.times(second - first))
         taken, pushed = end.times(number(self.bodies.reciprocating)), self.piston_force + self.friction_force
         along = self.way.times(pushed + self._held - taken.dot(self.way))
         square = self.line.cross(whole.minus(moment).minus(along)) / self.line.dot(self.way)
@@ -209,20 +235,38 @@ class At:
         return outward.plus(backward).minus(self.forces[0])
 
 
-def energies(bodies: Bodies, pin: Arrow) -> tuple[Jet, Jet]:
-    """Those of motion, over the crank angle at the drive's speed, and of height."""
-    drive, end = bodies.drive, bodies.drive.driven(pin)
-    mass, first, second = bodies.rod
-    turned, mass = pin.minus(end), mass + bodies.reciprocating
-    moved, spun = end.derived(), turned.derived()
-    total = moved.square() * mass + moved.dot(spun) * (2 * first) + spun.square() * second
+def moved_end(bodies: Bodies, end: Arrow, place: Place) -> Arrow:
+    """How B moves by the method, from anywhere, if it is exactly at its end."""
+    if bodies.method == "exact":
+        return end
+    series = int(bodies.method == "series")
+    path: Any = approximate("x", bodies.drive, place, OUT, series, len(end.x.terms) - 1)
+    return Arrow(-path, path * 0)
+
+
+def energies(bodies: Bodies, pin: Arrow, place: Place) -> tuple[Jet, Jet]:
+    """Those of motion, over the crank angle at the drive's speed, and of height.
+
+    The rod is two masses at A and B, and what it lacks of a second moment turns as it does.
+    """
+    drive, whole = bodies.drive, bodies.drive.driven(pin)
+    end, (mass, first, second) = moved_end(bodies, whole, place), bodies.moments
+    spun = pin.minus(whole).derived().square() if bodies.method == "exact" else pin.x * pin.x
+    total = end.derived().square() * (mass + bodies.reciprocating - first) + spun * (second - first)
     radius, omega = number(drive.radius), drive.omega
-    total = total * (radius * radius)
+    total = (total + pin.derived().square() * first) * (radius * radius)
     if drive.rocker is not None:
         swung = slope_of_angle(*end.minus(drive.bearing))
         total = total + swung * swung * bodies.inertia
-    places = end.times(number(mass)).plus(turned.times(number(first)))
+    places = end.times(mass + bodies.reciprocating - first).plus(pin.times(first))
     return total * (omega * omega / 2), places.dot(bodies.weight) * -radius
+
+
+def _of_arrow(name: str, part: str, at: At) -> Any:
+    arrow = at.turned if name == "replaced" else at.accelerated(at.pin_jet if name == "pin" else at.end_moved)
+    known = {"_along": -arrow.x, "_across": -arrow.y}
+    # What B has along its slide has a sign.
+    return arrow.size() if not part and name != "common" else known[part or "_along"]
 
 
 _FORCES: dict[str, Callable[[At], Any]] = {
@@ -248,13 +292,49 @@ _FORCES: dict[str, Callable[[At], Any]] = {
         (1 - _FORCES["crosshead_load"](at) / _FORCES["inertia_force"](at)).root()
         * (30 * at.drive.omega / pi())
     ),
+    # How A and B are accelerated, and A against B: towards the shaft and against the crank pin's side, and by
+    # its parts, square to the rod with that and along it towards B.
+    **{
+        f"{name}_acceleration{part}": partial(_of_arrow, name, part)
+        for name in ("pin", "common", "replaced")
+        for part in ("", "_along", "_across")
+    },
+    "turning_acceleration": lambda at: -at.turning.dot(at.line.right()),
+    "stretching_acceleration": lambda at: -at.stretching.dot(at.line),
     # Of the rod alone: its inertia force, and how far that passes by its centre, in its lengths.
     "rod_inertia": lambda at: at.rod_inertia.size(),
     "rod_arm": lambda at: at.rod_arm,
     # Of the rod, of what goes with B and of the rocker.
-    "kinetic_energy": lambda at: energies(at.bodies, at.pin_jet)[0],
+    "kinetic_energy": lambda at: energies(at.bodies, at.pin_jet, at.place)[0],
     "net_torque": lambda at: at.net_torque,
 }
+
+
+def lying(sections: Sequence[tuple[Fraction, Fraction, Fraction]]) -> tuple[Number, Number, Number]:
+    """The mass, the centre and the k² of a rod of masses that are spread evenly from one place to another, in
+    lengths of the rod from B: of x² the mean is (a² + a b + b²)/3."""
+    mass = sum(one for *_, one in sections)
+    first = sum(one * (a + b) / 2 for a, b, one in sections)
+    second = sum(one * (a * a + a * b + b * b) / 3 for a, b, one in sections)
+    return number(mass), number(first / mass), number(second / mass - (first / mass) ** 2)
+
+
+def swung(
+    swings: Sequence[tuple[Number, Fraction]], gravity: Fraction, centre: Fraction | None
+) -> tuple[Number, Number]:
+    """The centre of a rod and its k², by the times in which it swings to and fro about places, in lengths of
+    the rod: (T/2π)² g d = d² + k², d from the place to the centre. Of two on both sides of the centre the
+    difference, l₁ d₁ - l₂ d₂ = d₁² - d₂² with d₁ + d₂ = D, is linear in d₁."""
+    (place, time), *others = sorted(swings, key=lambda one: float(one[0]))
+    length = gravity * (time * time) / (4 * pi() * pi())
+    if not others:
+        at = number(centre or 0)
+    else:
+        apart = others[0][0] - place
+        other = gravity * (others[0][1] * others[0][1]) / (4 * pi() * pi())
+        at = place + apart * (other - apart) / (length + other - 2 * apart)
+    away = abs(at - place)
+    return at, away * (length - away)
 
 
 def bodies(drive: Drive, **given: Any) -> Bodies:

@@ -66,14 +66,9 @@ class Crank:
         found: Number = self.moved(pin, sense).value / self.size
         return found
 
-    def force(self, at: Place, order: int = 0, true: bool = False) -> Number:
-        """T at its own angle, or its slope over a cell; `true` with the rod's true angle on the path by first
-        order."""
-        found: Number = self.course(at, order, true).slope(order)
-        return found
-
     def course(self, at: Place, order: int, true: bool = False) -> Jet:
-        """T with as many slopes: F of the share of the stroke, times dx/dφ."""
+        """T at its own angle with as many slopes: F of the share of the stroke, times dx/dφ; `true` with the
+        rod's true angle on the path by first order."""
         pin, found = self.pin(at, order + 1), []
         for stroke, sense, _ in self.on(at):
             moved = self.moved(pin, sense)

@@ -68,6 +68,11 @@ class Drive(Places):
     def omega(self) -> Number:
         return number(self.speed) * (2 * pi() if self.turns else 1)
 
+    @property
+    def rod_length(self) -> Fraction | None:
+        """In m, None of an infinite rod."""
+        return self.radius / self.ratio if self.ratio else None
+
     def value(
         self,
         key: str,

@@ -36,6 +36,7 @@ from kurbel.verify.harmonics import Piece, pieces, wave
 from kurbel.verify.jets import Jet
 from kurbel.verify.loads import Load, disc
 from kurbel.verify.numbers import Number, Undecided, largest, number, pi, sine_cosine
+from kurbel.verify.places import OUT
 from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
 from kurbel.verify.zeros import TOO_WIDE, Place, between
@@ -109,18 +110,27 @@ class Known:
         """The energy of the masses of a crank in Q R, at its own angle."""
         if self.turn.bodies is None:
             return Jet([number(0)] * (order + 1))
-        unit = disc(self.turn.bore) * self.turn.pressure * self.drive.radius
-        moved, risen = energies(self.turn.bodies, self.crank.pin(at, order + 1, dead))
-        return (moved + risen) * (1 / unit)
+        moved, risen = energies(self.turn.bodies, self.crank.pin(at, order + 1, dead), at)
+        return (moved + risen) * (1 / self.unit)
 
-    def whole(self, of: Callable[[Place], Number], at: Place, order: int) -> Number:
-        """Of all cranks, less the slope of this order of the energy of their masses."""
-        own = (at.turned(-one) for one in self.turn.cranks)
-        return sum((of(one) - self.masses(one, max(order, 1)).slope(order) for one in own), number(0))
+    @property
+    def unit(self) -> Number:
+        """What Q R is in N m."""
+        return disc(self.turn.bore) * self.turn.pressure * self.drive.radius
+
+    def effort(self, at: Place, order: int, true: bool) -> Jet:
+        """The turning force of the masses of a crank: what their energy loses; `true` that of a series with
+        the rod's true angle."""
+        if true and self.turn.method == "series" and self.turn.bodies is not None:
+            found: Jet = self.turn.bodies.course("torque", at, OUT, order) * (1 / self.unit)
+            return found
+        return -self.masses(at, order + 1).derived()
 
     def force(self, at: Place, order: int = 0, true: bool = False) -> Number:
-        """T, or a slope of it over a cell."""
-        return self.whole(partial(self.crank.force, order=order, true=true), at, 1 + order)
+        """T of all cranks, or a slope of it over a cell."""
+        own = (at.turned(-one) for one in self.turn.cranks)
+        parts = (self.crank.course(one, order, true) + self.effort(one, order, true) for one in own)
+        return sum((one.slope(order) for one in parts), number(0))
 
     @by_bits
     def excess(self, at: Place) -> Number:
@@ -138,7 +148,8 @@ class Known:
     def energy(self, degrees: Fraction) -> Number:
         """W since that dead centre."""
         at = Place(degrees)
-        done = self.whole(self.crank.work, at, 0)
+        own = (at.turned(-one) for one in self.turn.cranks)
+        done = sum((self.crank.work(one) - self.masses(one, 1).value for one in own), number(0))
         return done - self.first - self.mean * (at.angle - self.crank.inner) * pi() / 180
 
     @cached_property
@@ -146,8 +157,7 @@ class Known:
         """T of one crank with its masses, by its own angle."""
 
         def course(at: Place, order: int) -> Jet:
-            found = self.crank.course(at, order, true=True)
-            return found - self.masses(at, order + 1).derived()
+            return self.crank.course(at, order, true=True) + self.effort(at, order, true=True)
 
         return list(pieces(course, self.crank.breaks))
 

@@ -64,7 +64,7 @@ def _swings(value: object, what: str) -> tuple[Fraction, ...]:
     return tuple(found)
 
 
-def _place(value: object, length: Fraction | None, what: str) -> Fraction:
+def place_on_rod(value: object, length: Fraction | None, what: str) -> Fraction:
     """Return a point of the rod, in its lengths from the crosshead pin. Raises KurbelError."""
     from kurbel.reading.units import is_measure
 
@@ -144,14 +144,14 @@ class MovingRod(Part):
             if self.says(name):
                 raise ProblemError(f"{flag_of(name)} and {way} say the same; leave one out")
         if way == "--pendulum":
-            return swung_rod(self._swings(length), centre, length, self.rod_mass)
+            return swung_rod(self.swings(length), centre, length, self.rod_mass)
         inertia, from_ = self.rod_inertia, self.rod_inertia_about
         if inertia is None:
             raise ProblemError("--rod-inertia-about is for --rod-inertia; add it, such as '0.35 kg m²'")
-        place = None if from_ is None else _place(from_, length, "point")
+        place = None if from_ is None else place_on_rod(from_, length, "point")
         return weighed_rod(inertia, place, centre, length, self.rod_mass)
 
-    def _swings(self, length: Fraction | None) -> list[Swing]:
+    def swings(self, length: Fraction | None) -> list[Swing]:
         """Return the swings that are described. Raises ProblemError where a time or a point is missing."""
         times, given = self.pendulum, self.pendulum_from
         if times is None:
@@ -165,7 +165,7 @@ class MovingRod(Part):
         gravity = self.as_part(Weight).gravity
         if gravity is not None and not 0 < gravity <= GREATEST_GRAVITY:
             raise ProblemError(f"gravity is {about(gravity)} m/s²; it must be above 0 and at most 1000")
-        places = [_place(one, length, "point of a swing") for one in each(given)]
+        places = [place_on_rod(one, length, "point of a swing") for one in each(given)]
         if len(times) > 2 or len(places) != len(times):
             raise ProblemError(
                 f"--pendulum has {len(times)} times, and --pendulum-from {len(places)} points; give a time"
