@@ -41,7 +41,8 @@ PAGES = {
     f"forces --eps 4 {MASSES} --rod-mass 50kg --centre 0.6 --gyration 30% --step 90": 5 * 9,
     "forces --pressure-ratio 4 --step 120": 4 * 5,
     "turning --eps 3 --back 0.1 --exponent 1.2 --clearance 5% --cranks 0;90 --step 120": 4 * 4,
-    f"turning --eps 4 {MASSES} --angle 100": 4,
+    f"turning --eps 4 {MASSES} --rod-mass 50kg --centre 0.6 --gyration 0.3 --slope 20 --method series"
+    " --angle 100": 4,
     "turning --compression 6 --peak-pressure 30 --angle 200": 4,
     "turning --pump single --suction-pressure -0.3bar --delivery-pressure 6bar --angle 30": 4,
     "delta --eps 3 --single-acting --detail": 6,
@@ -67,7 +68,10 @@ PAGES = {
     "pressures --eps 4 --bore 300mm --pressure 8bar --angle 0;210 --units imperial": 4,
     "delta --compression 14 --cycle dual --peak-pressure 60 --heat 9 --columns efficiency,mean_pressure": 2,
     "inertia --centre 0.65 --gyration 0.35 --angle 40;250": 2 * 6,
-    "inertia --centre 0.65 --gyration 0.35 --layout rod-masses": 21,
+    "inertia --rod 500mm --rod-mass 4kg --pendulum '1.35s;1.32s' --pendulum-from 'crosshead;crank'"
+    " --rod-acceleration 23000rad/s2 --layout rod-masses": 25,
+    "inertia --method series --rod-mass 9kg --stroke 60cm --rod 1.5m --speed 2/s --centre 0.6 --angle 40"
+    " --rod-inertia '6 kg m2' --rod-inertia-about crank --columns phi,inertia_pin_n,common_acceleration": 2,
     "inertia --mechanism arc --rocker 6 --centre 0.65 --gyration 0.35 --angle 40": 6,
     "harmonics --ratio '1:4.5;5:6' --orders 12 --digits 20": 14,
     "harmonics --quantity c --method exact": 4,
@@ -84,6 +88,10 @@ PAGES = {
     " --speed 250/min --efficiency 0.9 --diagram-factor 0.8 --specific-volume 0.24m3/kg": 14,
     "power --mean-pressure 5bar;4bar --working-strokes 2 --bore 300mm --piston-rod 5cm --stroke 450mm"
     " --piston-speed 3m/s": 6,
+    "power --pressure-ratio 8 --stages 2 --suction-pressure 1bar --exponent 1.3 --clearance 4% --bore 300mm"
+    " --stroke 300mm --speed 300/min --suction-temperature 20°C --intermediate-pressure 3bar --columns"
+    " second_bore,against_perfect,cooler_heat,compression_heat,isothermal_efficiency,delivered_volume": 6,
+    "power --eps 8 --pressure 8bar --compound 300mm --bore 50cm --columns high_bore,low_mean_pressure": 2,
     "flywheel --swing 56kJ --speed 110..120/min --rim-diameter 3m --density 7200kg/m3 --rim-section 2:1"
     " --columns inertia,delta,rim_mass,breadth,thickness,greatest_speed,stored": 7,
     f"flywheel --eps 4 {MASSES} --delta 1:80 --columns power,swing_share,swing,inertia": 4,
@@ -133,6 +141,13 @@ def test_every_number_is_confirmed(line: str, tmp_path: Path) -> None:
         ("turning --torque '5000 + 1500 sin(3φ)' --angle 30", '"excess_energy": 500.0',
          '"excess_energy": 500.1', "right is 500.0"),
         ("harmonics --quantity torque --eps 4 --orders 1", "0.03085", "0.03086", "right is 0.03085"),
+        ("inertia --method series --centre 0.6 --gyration 0.3 --angle 40 --columns stretching_acceleration",
+         "0.1174", "0.1175", "right is 0.1174"),
+        ("power --pressure-ratio 4 --exponent 1.3 --stages 2 --columns against_one_stage", "0.92019",
+         "0.92018", "right is 0.92019"),
+        ("inertia --rod 50cm --rod-mass 4kg --pendulum '1.35s;1.32s' --pendulum-from 'crosshead;crank'"
+         " --rod-acceleration 23000rad/s2 --layout rod-masses --columns model,correction_nm", "-1276.5",
+         "-1276.4", "right is -1276.5"),
         ("inertia --centre 0.6 --gyration 0.3 --layout inertia-errors", "63.6476", "63.6477", "is 63.6476"),
         ("delta --compression 6 --heat 10 --columns efficiency", "0.511", "0.512", "right is 0.511"),
         ("turning --eps 4 --angle 90", '"eps": "4"', '"eps": "4.01"', "tangential at"),

@@ -149,7 +149,7 @@ def test_what_cannot_be_verified_is_said() -> None:
     for ask in (
         lambda: turn.value("x"),
         lambda: turn.value("v_min", stroke="third"),
-        lambda: verify.turn(drive, steam, method="weisbach"),
+        lambda: verify.turn(drive, steam, method="guess"),
         lambda: opposite.value("v_min", stroke="return").digits(3),
         lambda: verify.pump("triple"),
     ):

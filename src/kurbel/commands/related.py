@@ -18,7 +18,7 @@ from kurbel.verify import Number, Value, drive, harmonics
 from kurbel.verify.diagram import Diagram, swing
 from kurbel.verify.numbers import heading, number, pi
 from kurbel.verify.plane import Arrow
-from kurbel.verify.relations import ENGINE, completed, flywheel
+from kurbel.verify.relations import ENGINE, completed, flywheel, staged
 from kurbel.verify.shaft import Pull, Slide, held, moment, parts, ray, together
 
 if TYPE_CHECKING:
@@ -262,8 +262,6 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
     request = second.question
     duty, asked = request.duty, second.asked
     source = request.sources[0]
-    if getattr(getattr(source, "load", None), "stages", 1) > 1:
-        raise ProblemError("compressors in several stages are not computed a second time")
     if source.sought is not None:
         raise ProblemError("numbers of a load that are asked for are not computed a second time")
 
@@ -276,7 +274,7 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
                 ("stroke_bore", duty.stroke_bore), ("piston_speed", duty.piston_speed),
                 ("specific_volume", duty.specific_volume), ("open", duty.open_area),
                 ("strokes", source.strokes * duty.cylinders), ("mean_torque", duty.brake_torque),
-                ("heating_value", duty.heating_value), ("swept", duty.swept_volume),
+                ("heating_value", duty.heating_value), ("swept_volume", duty.swept_volume),
                 ("brake_thermal" if duty.shafted else "indicated_thermal", duty.thermal_efficiency),
             )
             if value is not None
@@ -286,12 +284,15 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
         if isinstance(duty.delivery, MassFlow):
             known["air_mass"] = number(duty.delivery.mass)
         elif duty.delivery is not None:
-            known["delivery"] = number(duty.delivery)
+            known["free_delivery" if duty.free_air else "delivery"] = number(duty.delivery)
         if duty.consumption is not None:
             per = "_per_brake" if duty.shafted else "_per"
             known[f"consumption{per * duty.consumption.of_work}"] = number(duty.consumption.mass)
         if duty.suction_temperature is not None and duty.pressure is not None:
             known["density"] = number(duty.pressure / duty.suction_temperature / 287)
+            free, warm = duty.free_air or (duty.pressure, duty.suction_temperature)
+            known["freed"] = number(duty.pressure * warm / (free * duty.suction_temperature))
+            known["suction_temperature"] = number(duty.suction_temperature)
         if duty.speed is not None:
             known["speed"] = _omega(duty.speed) / (2 * pi())
         if duty.efficiency is not None:
@@ -305,19 +306,11 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
         if duty.ends and not acting:
             known["relative_pressure"] = number(1)
         else:
-            strokes = second.load(row)()
-            work = sum((one.work(number(1)) for one in strokes), number(0))
-            ends = source.strokes * Fraction(len(strokes), 2) * duty.open_area
-            known["relative_pressure"] = abs(work / ends)
+            known |= _of_load(second, source, duty.open_area, row)
             if asked.says("card"):
                 known["pressure"] = number(Fraction(second.card.admission))
-            if asked.says("eps"):
-                steam = strokes[0].sides[1][1].value(number(0))
-                room, power = asked.clearance or Fraction(0), asked.exponent or Fraction(1)
-                left = (1 - (asked.cushioned() or Fraction(1)) + room) * steam.power(1 / power)
-                known["taken"] = 1 / nearest(row["epsilon"], asked.eps or ()) + room - left
         if duty.compound is not None:
-            epsilon, back = nearest(row["epsilon"], asked.eps or ()), source.load.back
+            epsilon, back = second.of_row(row, "epsilon", asked.eps), source.load.back
             known |= _of_compound(duty, number(epsilon), number(1 if back is None else epsilon * back))
         found = completed(known, ENGINE)
         shaft = found.get("at_shaft", number(1))
@@ -329,6 +322,33 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
 
     stem = re.sub("_(mps|nm|mm)$", "", key)
     return Value(lambda: second.once(row, found)[stem])
+
+
+def _of_load(second: Second, source: Any, area: Fraction, row: Row) -> dict[str, Number]:
+    """The mean pressure that a load makes in its own, and what it takes of steam or delivers."""
+    asked, strokes = second.asked, second.load(row)()
+    work = abs(sum((one.work(number(1)) for one in strokes), number(0)))
+    known = {"relative_pressure": work / (source.strokes * Fraction(len(strokes), 2) * area)}
+    if asked.says("eps"):
+        steam = strokes[0].sides[1][1].value(number(0))
+        room, power = asked.clearance or Fraction(0), asked.exponent or Fraction(1)
+        left = (1 - (asked.cushioned() or Fraction(1)) + room) * steam.power(1 / power)
+        known["taken"] = 1 / second.of_row(row, "epsilon", asked.eps) + room - left
+    if asked.says("pump"):
+        known["delivered"] = number(1)
+    if asked.says("pressure_ratio"):
+        load, exponent, left = source.load, asked.exponent or Fraction(1), asked.expansion_exponent
+        inlet = 1 - (asked.suction_loss or Fraction(0))
+        ratio = number(second.of_row(row, "pressure_ratio", asked.pressure_ratio))
+        between = None if load.between is None else number(load.between)
+        apart, room = (1 + (asked.delivery_loss or 0)) / inlet, asked.clearance or Fraction(0)
+        known |= staged(ratio, exponent, load.stages, between, load.cooled, apart, room)
+        if load.stages > 1:
+            known["relative_pressure"] = known["whole_work"] * known["volumetric_efficiency"] * inlet
+        if left is not None:
+            known["volumetric_efficiency"] = 1 + room - (ratio * apart).power(1 / left) * room
+        known["inlet"] = number(inlet)
+    return known
 
 
 def _of_compound(duty: Any, epsilon: Number, lost: Number) -> dict[str, Number]:

@@ -281,24 +281,25 @@ class Requested:
 
         return less
 
+    def of_row(self, row: Row, key: str, given: Sequence[Fraction] | None) -> Fraction:
+        """What a row says of its load, or the one value that was asked for."""
+        if key in row:
+            return nearest(row[key], given or ())
+        listed = as_expansions(self._layout.expansions) if given is None else given
+        if len(listed) != 1:
+            raise ProblemError(f"the row does not say its load; add {key} to the columns")
+        return listed[0]
+
     def load(self, row: Row) -> verify.Load:
         asked, raw = self.asked, self.asked.raw
 
         def of(names: Sequence[str]) -> Mapping[str, object]:
             return {name: getattr(asked, name) for name in names if asked.says(name)}
 
-        def of_row(key: str, given: Sequence[Fraction] | None) -> Fraction:
-            if key in row:
-                return nearest(row[key], given or ())
-            listed = as_expansions(self._layout.expansions) if given is None else given
-            if len(listed) != 1:
-                raise ProblemError(f"the row does not say its load; add {key} to the columns")
-            return listed[0]
-
         if asked.says("card"):
             return self.measured()
         if asked.says("pressure_ratio"):
-            ratio = of_row("pressure_ratio", asked.pressure_ratio)
+            ratio = self.of_row(row, "pressure_ratio", asked.pressure_ratio)
             other = asked.other_side and asked.other_side / (asked.suction_pressure or 1)
             return of_given(verify.compressor, ratio, other=other, **of(AIR))
         if asked.says("pump"):
@@ -315,7 +316,7 @@ class Requested:
                 for name in ("peak", "exhaust")
                 if (given := raw(f"{name}_pressure")) is not None
             }
-            compression = of_row("compression", asked.compression)
+            compression = self.of_row(row, "compression", asked.compression)
             own = {**of(GAS), "cut_off": asked.cut_off_of(compression)}
             return of_given(verify.gas, compression, **peaks, **own)
         back = raw("back")
@@ -324,7 +325,7 @@ class Requested:
         # Of a bore that is found the mean pressure does not ask by how much rods lessen the area.
         sizes = () if raw("bore") is None else ("bore", "piston_rod", "tail_rod")
         own = {**of((*STEAM, *sizes)), "cushion": asked.cushioned(), "back": back}
-        return of_given(verify.steam, of_row("epsilon", asked.eps), **own)
+        return of_given(verify.steam, self.of_row(row, "epsilon", asked.eps), **own)
 
 
 def _of_rod(value: object, rod: Fraction | None) -> Fraction | None:

@@ -14,6 +14,8 @@ from kurbel.verify.plane import Arrow
 from kurbel.verify.zeros import Place, between
 
 STROKES = ("outstroke", "return")
+# By Weisbach angles of his own belong to the motion of first order.
+FIRST_ORDER = ("series", "weisbach")
 
 
 class Crank:
@@ -23,7 +25,7 @@ class Crank:
         self.drive, self.strokes = drive, load()
         self.cycle = 180 * len(self.strokes)
         # Straight of infinite or first-order rods, whose way is a formula.
-        self.flat = method == "series" or not drive.ratio
+        self.flat = method in FIRST_ORDER or not drive.ratio
         self.inner = number(0) if self.flat else drive.dead_degrees(OUT)
         self.lead = number(180) if self.flat else drive.dead_degrees(RETURN) - self.inner
         self.size = number(2) if self.flat else drive.stroke

@@ -14,12 +14,13 @@ from kurbel.verify.numbers import Number, number, pi
 
 # The indicated power of so many working strokes in a turn, of all cylinders.
 ENGINE = """
-    indicated_power = strokes mean_pressure swept speed; swept = 1/4 pi open bore^2 stroke;
+    indicated_power = strokes mean_pressure swept_volume speed;
+    swept_volume = 1/4 pi open bore^2 stroke;
     piston_speed = 2 stroke speed; stroke = bore stroke_bore;
-    theoretical_pressure = relative_pressure pressure; stroke_work = mean_pressure swept;
+    theoretical_pressure = relative_pressure pressure; stroke_work = mean_pressure swept_volume;
     mean_pressure = theoretical_pressure diagram_factor;
     brake_power = indicated_power at_shaft; brake_pressure = mean_pressure at_shaft;
-    brake_power = 2 pi speed mean_torque; steam = taken strokes swept speed specific_volume^-1;
+    brake_power = 2 pi speed mean_torque; steam = taken strokes swept_volume speed specific_volume^-1;
     steam = steam_per indicated_power; steam = steam_per_brake brake_power;
     receiver_pressure = pressure high_expansion^-1; high_bore = bore low_cut_off^1/2;
     high_power = indicated_power high_share; low_power = indicated_power low_share;
@@ -27,7 +28,15 @@ ENGINE = """
     indicated_power = consumption heating_value indicated_thermal;
     brake_power = consumption heating_value brake_thermal; consumption = consumption_per indicated_power;
     consumption = consumption_per_brake brake_power; air_mass = delivery density;
-    indicated_power = air_mass work_per_mass; delivery = delivered strokes swept speed"""
+    indicated_power = air_mass work_per_mass; delivery = delivered strokes swept_volume speed;
+    free_delivery = delivery freed; free_efficiency = delivered freed;
+    delivered = volumetric_efficiency inlet; end_temperature = suction_temperature heated;
+    delivered_volume = swept_volume delivered heated ratio^-1;
+    isothermal_power = isothermal pressure delivery;
+    isothermal_efficiency = isothermal pressure delivered mean_pressure^-1;
+    adiabatic_efficiency = adiabatic pressure delivered mean_pressure^-1;
+    compression_heat = compressed_heat pressure delivery; cooler_heat = cooled_heat pressure delivery;
+    intermediate_pressure = stage_ratio pressure; second_bore = bore second_area^1/2"""
 # Cycles a second of so many turns; a thin rim of mean diameter D, or a solid disc.
 FLYWHEEL = """
     swing = inertia omega^2 delta; inertia = mass radius^2; stored = 1/2 inertia omega^2;
@@ -42,6 +51,44 @@ DISC = """
     inertia = 1/8 mass disc_diameter^2; mass = 1/4 pi density disc_diameter^2 disc_thickness;
     disc_thickness = disc_share disc_diameter;
     disc_stress = 1/4 disc_bulge density omega^2 disc_diameter^2"""
+
+
+# The exponent of air without heat.
+AIR = Fraction(7, 5)
+
+
+def staged(
+    ratio: Number, exponent: Fraction, stages: int, between: Number | None, cooled: Fraction, apart: Fraction,
+    room: Fraction,
+) -> dict[str, Number]:  # fmt: skip
+    """What the stages of a compressor take, by air of volume and pressure 1 at suction that is cooled between
+    them to so many times its first temperature. The pressures in a cylinder are `apart` times as far apart as
+    outside; `between` is the first stage's ratio, else that of all alike.
+
+    The work of a stage is n/(n - 1) V (Π^((n - 1)/n) - 1), or V log Π; the heat of compression that less what
+    warms the air, and that of a cooler what cools it, both by c_p/R = γ/(γ - 1).
+    """
+    first = ratio.power(Fraction(1, stages)) if between is None else between
+    last = first if between is None else ratio / between
+
+    def work(times: Number, power: Fraction) -> Number:
+        return times.log() if power == 1 else (times.power(1 - 1 / power) - 1) / (1 - 1 / power)
+
+    def all_stages(one: Number, other: Number, warm: Fraction) -> Number:
+        return work(one * apart, exponent) + work(other * apart, exponent) * (warm * (stages - 1))
+
+    alike = ratio.power(Fraction(1, stages))
+    whole, best = all_stages(first, last, cooled), all_stages(alike, alike, Fraction(1))
+    single, hot = work(ratio * apart, exponent), (first * apart).power(1 - 1 / exponent)
+    sucked, later = (1 + room - (one * apart).power(1 / exponent) * room for one in (first, last))
+    return {
+        "ratio": ratio, "whole_work": whole, "volumetric_efficiency": sucked, "stage_ratio": first,
+        "against_one_stage": whole / single, "against_perfect": whole / best,
+        "perfect_against_one": best / single, "isothermal": ratio.log(), "adiabatic": work(ratio, AIR),
+        "heated": (last * apart).power(1 - 1 / exponent) * (cooled if stages > 1 else 1),
+        "compressed_heat": work(first * apart, exponent) - (hot - 1) / (1 - 1 / AIR),
+        "cooled_heat": (hot - cooled) / (1 - 1 / AIR), "second_area": cooled * sucked / (later * first),
+    }  # fmt: skip
 
 
 class Law(NamedTuple):

@@ -16,7 +16,8 @@ R, energies in Q R. What is proved, and how:
   period is looked at; of alike places the first counts.
 - The least and the greatest W are those of these places; a value is the hull of all that may be it.
 
-Nothing is known here of a speed that changes within the turn, and of the angles by Weisbach's own relations.
+By Weisbach the motion is that of first order, and the greatest speed where his cot ½α says, if it is beyond
+the cut-off. Nothing is known here of a speed that changes within the turn.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ from typing import Any, NamedTuple
 
 from kurbel.errors import ProblemError
 from kurbel.verify.bodies import Bodies, energies
-from kurbel.verify.crank import STROKES, Crank
+from kurbel.verify.crank import FIRST_ORDER, STROKES, Crank
 from kurbel.verify.drives import Degrees, Drive, place_of, typed
 from kurbel.verify.enclose import by_bits
 from kurbel.verify.harmonics import Piece, pieces, wave
@@ -39,7 +40,7 @@ from kurbel.verify.numbers import Number, Undecided, largest, number, pi, sine_c
 from kurbel.verify.places import OUT
 from kurbel.verify.plane import Arrow
 from kurbel.verify.value import Value
-from kurbel.verify.zeros import TOO_WIDE, Place, between
+from kurbel.verify.zeros import TOO_WIDE, Place, around, between
 
 # Where cells begin, away from what machines are given by, cells of a turn, and the least half of one, in
 # degrees.
@@ -194,8 +195,29 @@ class Known:
     def narrowed(self, one: Meeting) -> tuple[Number, Number]:
         """The angle of a place from the slide direction, and the energy there."""
         at = between(self.excess, *one.cell.ends)
+        if self.turn.method == "weisbach" and not one.rising:
+            at = self._of_cotangent(int(at.degrees // 180)) or at
         off = (self.excess(Place(at.degrees)) + self.force(at, 1) * at.arc) * at.arc
         return at.angle, self.energy(at.degrees) + off
+
+    def _of_cotangent(self, index: int) -> Place | None:
+        """Where on a stroke cot ½α = (1 + ln ε - ε b)/(π (1 ± λ sin² ½α - ε b sin² ½α (1 ∓ λ cos α))), upper
+        signs on the return, if that is beyond the cut-off (Weisbach-Herrmann, § 150)."""
+        (_, driving), (_, against) = self.crank.strokes[index % 2].sides
+        begin, epsilon = Fraction(180 * index), 1 / driving.pieces[0][0]
+        if self.excess(around(self.crank.cut_off(STROKES[index % 2]) + begin)).sign() < 0:
+            return None
+        lost, ratio = epsilon * against.value(number(0)), self.drive.ratio * (-1) ** index
+
+        def missed(at: Place) -> Number:
+            sine, cosine = sine_cosine(at.degrees / 2, at.reach / 2)
+            square = sine * sine
+            lever = 1 + (1 - 2 * square) * ratio
+            return (1 + epsilon.log() - lost) * sine - pi() * cosine * (
+                1 - square * ratio - lost * square * lever
+            )
+
+        return between(missed, ZERO, Fraction(180)).turned(begin)
 
     def extremes(self, stroke: str, greatest: bool) -> list[tuple[Number, Number]]:
         """Those that may be the greatest or the least: angles from the span's dead centre, energies."""
@@ -264,6 +286,8 @@ class Running:
     def times(self) -> Number:
         if self.number is not None:
             return number(self.number)
+        if self.turn.method == "weisbach":
+            raise ProblemError("a flywheel's number by Weisbach is not computed a second time")
         omega, mean = self.turn.drive.omega, abs(self.turn.known.mean)
         top, bottom = (self.turn.known.extreme_energy("turn", one) / mean for one in (True, False))
         unit = self.power / omega / self.inertia
@@ -271,7 +295,8 @@ class Running:
         return highest * highest / unit - top * 2
 
     def speed(self, energy: Number) -> Number:
-        return (1 + 2 * energy / (self.times * abs(self.turn.known.mean))).root()
+        gained = energy / (self.times * abs(self.turn.known.mean))
+        return 1 + gained if self.turn.method == "weisbach" else (1 + 2 * gained).root()
 
     def extreme(self, greatest: bool) -> Number:
         return self.speed(self.turn.known.extreme_energy("turn", greatest))
@@ -304,6 +329,6 @@ _EXTREMES: dict[str, Callable[[Known, str], Number]] = {
 
 def turn(drive: Drive, load: Load, *, method: str, **given: Any) -> Turn:
     """Return a drive under a load; `bore` in m and the pressure of Q in Pa weigh the bodies of each crank."""
-    if method not in ("exact", "series") or (method == "series" and (drive.offset or drive.rocker)):
+    if method not in ("exact", *FIRST_ORDER) or (method != "exact" and (drive.offset or drive.rocker)):
         raise ProblemError(f'no turn by the method "{method}" can be verified')
     return Turn(drive, load, method=method, **typed(given))

@@ -419,6 +419,10 @@ class Found(NamedTuple):
         """Return what a compressor knows by a name."""
         return Term(self.acting.of_load(name))
 
+    def in_work(self, name: str) -> Term:
+        """Return a work that a compressor knows by a name, in the indicated one."""
+        return self.of_load(name) / (self.mean() * self.of(FACTOR))
+
     def work_per_mass(self) -> Term:
         """Return the work in J for a kilogram that is delivered."""
         return self.of(POWER) / (self.delivery() * self.duty.mass_of_air())

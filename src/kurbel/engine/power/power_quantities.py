@@ -171,9 +171,9 @@ def _air_entries() -> Iterator[Quantity]:
     yield _entry("isothermal_power", "isothermische Leistung|Isothermal power", '$N_"is"$', "kW",
                  UNITS[POWER], lambda found: found.ideal("isothermal"), Needs.AIR)  # fmt: skip
     yield _entry("isothermal_efficiency", "isothermischer Wirkungsgrad|Isothermal efficiency", '$N_"is"/N_i$',
-                 "", 1, lambda found: found.of_load("isothermal") / found.mean(), Needs.AIR)  # fmt: skip
+                 "", 1, lambda found: found.in_work("isothermal"), Needs.AIR)  # fmt: skip
     yield _entry("adiabatic_efficiency", "adiabatischer Wirkungsgrad|Adiabatic efficiency", '$N_"ad"/N_i$',
-                 "", 1, lambda found: found.of_load("adiabatic") / found.mean(), Needs.AIR)  # fmt: skip
+                 "", 1, lambda found: found.in_work("adiabatic"), Needs.AIR)  # fmt: skip
     yield _entry("intermediate_pressure", "Zwischendruck|Intermediate pressure", "$p_z$", "bar",
                  UNITS[PRESSURE], lambda found: found.of(PRESSURE) * found.of_load("stage_ratio"),
                  Needs.STAGES)  # fmt: skip
