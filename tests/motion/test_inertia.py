@@ -237,7 +237,7 @@ def test_greatest_forces_and_errors_are_those_of_a_search_of_newton_s_reactions(
     turns = {
         model: turn_of(float(ratio), float(offset), centre, (second - centre**2) ** 0.5)
         for model, heavy in newton(slide(ratio).true, "0.65", "0.35").items()
-        for _, centre, second in [[float(one / heavy.rod[0]) for one in heavy.rod]]
+        for _, centre, second in [[float(one / heavy.moments[0]) for one in heavy.moments]]
     }
     for (force, model), row in errors(*about).items():
         samples, value = abs(turns[model][force]), float(row["greatest"])

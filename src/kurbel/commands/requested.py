@@ -177,26 +177,24 @@ class Requested:
 
         mass = as_mass(given("rod_mass"), "rod") if asked.says("rod_mass") else None
         centre, gyration = (_of_rod(given(one), length) for one in ("centre", "gyration"))
-        sections, in_kilograms = (
-            rod_sections(asked.rod_file, length) if asked.says("rod_file") else ((), False)
-        )
+        file = asked.rod_file
+        sections, in_kilograms = ((), False) if file is None else rod_sections(file, length)
 
         def described() -> tuple[Number, Number, Number]:
             """The mass, its centre and k², in lengths of the rod."""
+            own, at, square = exactly(mass or 1), exactly(centre or 0), exactly(gyration or 0)
             if sections:
-                whole, *found = lying([(1 - one.end, 1 - one.start, one.mass) for one in sections])
-                return (whole if in_kilograms and mass is None else exactly(mass or 1), *found)
+                whole, at, square = lying([(1 - one.end, 1 - one.start, one.mass) for one in sections])
+                return whole if in_kilograms and mass is None else own, at, square
             if asked.says("pendulum"):
                 swings = [(exactly(one.place), one.time) for one in asked.swings(length)]
-                gravity = asked.gravity or STANDARD_GRAVITY
-                return exactly(mass or 1), *swung(swings, gravity / (length or 1), centre)
-            square = exactly(gyration or 0) * (gyration or 0)
+                gravity = STANDARD_GRAVITY if asked.gravity is None else asked.gravity
+                return own, *swung(swings, gravity / (length or 1), centre)
             if asked.says("rod_inertia"):
-                own = asked.rod_inertia / ((mass or 1) * (length or 1) ** 2)
                 about = asked.rod_inertia_about
-                apart = 0 if about is None else (centre or 0) - place_on_rod(about, length, "point")
-                square = exactly(own - apart * apart)
-            return exactly(mass or 1), exactly(centre or 0), square
+                apart = at * 0 if about is None else at - place_on_rod(about, length, "point")
+                return own, at, (asked.rod_inertia or 0) / (own * (length or 1) ** 2) - apart * apart
+            return own, at, square * square
 
         def moments() -> list[Number]:
             whole, at, square = described()

@@ -313,9 +313,9 @@ _FORCES: dict[str, Callable[[At], Any]] = {
 def lying(sections: Sequence[tuple[Fraction, Fraction, Fraction]]) -> tuple[Number, Number, Number]:
     """The mass, the centre and the k² of a rod of masses that are spread evenly from one place to another, in
     lengths of the rod from B: of x² the mean is (a² + a b + b²)/3."""
-    mass = sum(one for *_, one in sections)
-    first = sum(one * (a + b) / 2 for a, b, one in sections)
-    second = sum(one * (a * a + a * b + b * b) / 3 for a, b, one in sections)
+    mass = sum((one for *_, one in sections), Fraction(0))
+    first = sum((one * (a + b) / 2 for a, b, one in sections), Fraction(0))
+    second = sum((one * (a * a + a * b + b * b) / 3 for a, b, one in sections), Fraction(0))
     return number(mass), number(first / mass), number(second / mass - (first / mass) ** 2)
 
 
