@@ -112,8 +112,7 @@ def test_every_option_stands_in_one_topic(words: tuple[str, ...]) -> None:
 
 def test_no_table_of_the_help_names_an_option_that_is_none() -> None:
     known = {words: {one[2:].replace("-", "_") for one in described(*words, "--")} for words in WITH_TOPICS}
-    # The names of Python's keywords are other ones on the command line.
-    every = {"zip_"} | {name for names in known.values() for name in names}
+    every = {name for names in known.values() for name in names}
     for topic in topics.TOPICS:
         for name in f"{topic.leading} {topic.also}".split():
             assert name.rpartition(".")[2] in every, (topic.name, name)

@@ -1,9 +1,12 @@
-"""The crank angles at which path, velocity, forces and the like fulfil a condition, or another number with
-which one holds."""
+"""The crank angles at which path, velocity, forces and the like fulfil a condition, as a page and for --angle
+'s=10%'; or another number with which one holds."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
 
 from kurbel.commands.forces import ForcesOptions
 from kurbel.commands.motion import some
@@ -20,9 +23,12 @@ from kurbel.conditions.solve import read_on
 from kurbel.conditions.solve_page import SolveRequest
 from kurbel.drive.moved import Drive
 from kurbel.errors import NotationError, ProblemError
+from kurbel.exact.kind import Found
+from kurbel.exact.place import Place
+from kurbel.motion.evaluation import RETURN
 from kurbel.motion.mechanism import Mechanism
 from kurbel.page.subject import Question
-from kurbel.reading.where import read_condition
+from kurbel.reading.where import ACCELERATIONS, read_condition
 
 # What conditions on the motion are about, of any crank drive.
 OF_MOTION = (
@@ -246,3 +252,67 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
 
 
 solve = function(SolveOptions, "solve")
+
+
+HALF_TURN, FULL_TURN = Fraction(180), Fraction(360)
+# What is asked for beside the angles, and where a condition is on the motion also what acts there.
+APART = ("unknown", "angle", "columns", "layout", "units", "digits")
+ACTING = ("force", "eps", *PRESSING)
+
+
+@dataclass(frozen=True)
+class Held:
+    """A place at which a condition holds, by its number among all of what was asked for."""
+
+    asked: object
+    number: int
+
+    def __call__(self) -> Place:
+        return places_of(self.asked)[self.number][0]
+
+
+def angles_of(text: str, values: Values, ratios: Sequence[str], cycle: Fraction) -> tuple[Fraction, ...]:
+    """Return the crank angles of the cycle at which a condition holds, in their order.
+
+    A drive that no option gives is one of these `ratios`. Raises KurbelError.
+    """
+    of_motion = text.partition("=")[0].strip() in OF_MOTION
+    own: dict[str, object] = {"where": (text,), **dict.fromkeys(APART)}
+    method = values.values.get("method")
+    if isinstance(method, Sequence) and not isinstance(method, str):
+        own["method"] = method[0] if method else None
+    if not values.says("ratio", "rod"):
+        own["ratio"] = tuple(ratios)
+    if of_motion:
+        own |= dict.fromkeys((*ACTING, "acceleration"))
+        # Without a unit such as m/s the speed says nothing here.
+        own["speed"] = values.values.get("speed") if "/s" in text else None
+    asked: Any = SolveOptions(values.instead(own, own=True)).question()
+    if len(asked.drives) != 1:
+        raise ProblemError(
+            f"--angle {text} is at other angles for each crank ratio, and {len(asked.drives)} were given;"
+            " give one, or kurbel sweep with the ratios"
+        )
+    if values.says("acceleration") and asked.conditions[0].quantity in ACCELERATIONS:
+        raise ProblemError(
+            f"--angle {text} is that of a crank that turns evenly; leave --acceleration out, or give the"
+            " angle in degrees"
+        )
+    found = [_turned(asked, number, *one) for number, one in enumerate(places_of(asked))]
+    turns = int(cycle // FULL_TURN) if of_motion else 1
+    return tuple(one + FULL_TURN * turn for turn in range(max(turns, 1)) for one in sorted(found))
+
+
+def places_of(asked: Any) -> list[tuple[Place, Fraction]]:
+    """Return all places that a question of conditions has, and by how many degrees each is to be turned."""
+    if isinstance(asked, SolveRequest):
+        roots = [root for found in asked.found.values() for root in found]
+        return [(one.place, HALF_TURN if one.stroke == RETURN else Fraction(0)) for one in roots]
+    roots = asked.roots({"expansion": 0, "ratio": 0, "condition": 0})
+    return [(one.place, Fraction(0)) for one in roots]
+
+
+def _turned(asked: object, number: int, place: Place, turned: Fraction) -> Fraction:
+    degrees = place.degrees
+    found = Found(Held(asked, number), HALF_TURN) if degrees is None else degrees
+    return found + turned

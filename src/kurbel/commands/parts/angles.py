@@ -66,7 +66,7 @@ def in_degrees(
     so much of it; a drive that no option gives is one of these ratios."""
     if isinstance(angles, Progression) or not any(isinstance(one, str) for one in angles):
         return shifted(angles, zero)
-    from kurbel.commands.found import angles_of
+    from kurbel.commands.solve import angles_of
 
     several = (
         angles_of(one, values, ratios, turn) if isinstance(one, str) else (one + zero,) for one in angles
