@@ -45,12 +45,16 @@ OTHERS: Mapping[str, Mapping[str, str]] = {
     "offset": {"offset": "-0.15"},
     "arc": {"rocker": "6"},
     "beam": {"beam": "3.7"},
+    "slotted": {"pivot": "1.6", "rocker": "2.9"},
+    "yoke": {},
 }
 ASKED = [
     *((name, "straight") for name in (*STRAIGHT, *OFFSET, *ANY)),
     *((name, "offset") for name in (*OFFSET, *ANY)),
     *((name, "arc") for name in ANY),
     ("weisbach-149", "beam"),
+    ("slotted-lever", "slotted"),
+    ("scotch-yoke", "yoke"),
 ]
 APPROXIMATE = ("kuhn", "weisbach-149")
 
@@ -66,7 +70,8 @@ def drives(name: str, mechanism: str, count: int = 1) -> Iterator[dict[str, Any]
     for _ in range(count):
         asked: dict[str, Any] = {"mechanism": mechanism, **OTHERS[mechanism]}
         # The crank of a beam engine turns with a longer rod alone.
-        asked["ratio"] = f"1:{dice.randint(200 if mechanism == 'beam' else 120, 600) / 100}"
+        if mechanism not in ("slotted", "yoke"):
+            asked["ratio"] = f"1:{dice.randint(200 if mechanism == 'beam' else 120, 600) / 100}"
         if mechanism != "beam":
             asked["angle"] = str(dice.randint(1, 3599) / 10)
         yield asked | {key: str(TAKEN[key](dice)) for key in TAKES.get(name, ())}

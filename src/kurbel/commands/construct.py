@@ -127,12 +127,13 @@ class Constructed(AnyDrive, CommandOptions):
                 f"a construction is of one drive, and {len(drives)} ratios were given; choose one"
             )
         (drive,) = drives
-        if not drive.crank.ratio:
+        if not drive.crank.ratio and "ratio" in chosen.takes:
             raise ProblemError("a rod of infinite length cannot be drawn; give a finite one, such as 1:5")
         shown = shown.of(chosen.name)
         request = ConstructionRequest(
             layout=page,
             construction=shown,
+            mechanism=chosen,
             drive=drive,
             angle=self._angle(shown, drive),
             beside=self._beside(shown, drive),

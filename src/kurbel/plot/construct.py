@@ -339,7 +339,7 @@ def construction_drawing(
     from kurbel.books.constructions.construction_page import caption
 
     shown = request.construction
-    if request.drive.crank.ratio * LONGEST_ROD < 1:
+    if 0 < request.drive.crank.ratio * LONGEST_ROD < 1:
         raise ProblemError(
             f"the rod is too long to be drawn; drawn to scale it may be at most {LONGEST_ROD} R, or the crank"
             " is too small to be seen"

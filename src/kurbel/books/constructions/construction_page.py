@@ -123,6 +123,7 @@ class ConstructionRequest(Question):
     """What is asked for: a construction of a drive at a crank angle, or in the position of its book."""
 
     construction: Construction
+    mechanism: Any
     drive: Any
     angle: Fraction | None
     beside: Beside = ALONE
@@ -229,12 +230,17 @@ def _written(length: Length) -> Label:
     return lettered(length.letters)
 
 
+def _has_ratio(request: ConstructionRequest) -> bool:
+    return "ratio" in request.mechanism.takes
+
+
 def caption(request: ConstructionRequest) -> Label:
     """Return what the construction is of."""
     lang = request.lang
+    ratio, symbol = request.drive.crank.ratio, request.construction.given.ratio_symbol
     parts = {
         "{construction}": request.construction.given.title[lang],
-        "{for_ratio}": for_ratio(request.drive.crank.ratio, lang, request.construction.given.ratio_symbol),
+        "{for_ratio}": for_ratio(ratio, lang, symbol) if _has_ratio(request) else "",
         "{place}": request.place,
     }
     return filled(request.layout.caption[lang], parts.items())
@@ -263,6 +269,8 @@ def _drive_notes(request: ConstructionRequest) -> Iterator[Label]:
     """Yield what is said of the dead centres where they do not lie at 0 and 180°."""
     if isinstance(request.drive, Crank):
         yield from offset_notes((request.drive,), request.lang)
+    elif not _has_ratio(request):
+        yield from filter(None, [", ".join(request.mechanism.lengths(request.drive))])
     elif request.drive.at_end:
         from kurbel.linkage.arc_mechanism import SPEECH
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 from kurbel.books.constructions.placed import Placed, Point
 from kurbel.exact.certify import ball
 from kurbel.exact.kind import floats
-from kurbel.kernel import beam, forces, kinematics, linkage
+from kurbel.kernel import beam, forces, kinematics, linkage, slotted
 from kurbel.kernel.circle import Circle, Numeric, root
 from kurbel.kernel.forces import mean_force
 from kurbel.kernel.parts import COMMON, STRETCHING, TURNING
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 POINT, NUMBER = "point", "number"
 CRANKS = ("straight", "offset")
-ARC, BEAM = ("arc",), ("beam",)
+ARC, BEAM, SLOTTED = ("arc",), ("beam",), ("slotted",)
 TURN = 360
 
 
@@ -182,6 +182,7 @@ KNOWN: Mapping[str, Known] = {
     ),
     **_points((*CRANKS, *ARC), end=attrgetter("end")),
     **_points(ARC, pivot=attrgetter("pivot")),
+    **_points(SLOTTED, bearing=attrgetter("bearing"), tip=attrgetter("tip")),
     **_numbers(
         (),
         rod=attrgetter("rod"),
@@ -246,7 +247,13 @@ KNOWN: Mapping[str, Known] = {
         # c²/B.
         centripetal=lambda at: abs(at.linked.arc.curvature) * _velocity(at) ** 2,
     ),
-    **_numbers(BEAM, arm=lambda at: at.number(at.drive.arm)),
+    **_numbers((*BEAM, *SLOTTED), arm=lambda at: at.number(at.drive.arm)),
+    **_numbers(
+        SLOTTED,
+        lever_velocity=lambda at: at.linked.place.turning,
+        block_velocity=lambda at: at.linked.place.slide,
+        coriolis=lambda at: slotted.coriolis(at.linked.place),
+    ),
     **_numbers(
         BEAM,
         sagitta=_beam(lambda engine, square: beam.sagitta(square, ball(engine.arm))),

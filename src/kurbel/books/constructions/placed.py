@@ -208,6 +208,17 @@ class Placed:
         drive = self.drive
         return Point(self.number(1 / drive.crank.ratio + drive.shift), self.number(drive.pivot_height))
 
+    @cached_property
+    def bearing(self) -> Point:
+        """That of a slotted lever, below the shaft."""
+        return Point(self.number(0), self.number(-self.drive.pivot))
+
+    @cached_property
+    def tip(self) -> Point:
+        """The end of that lever's arm."""
+        way = to(self.bearing, self.pin)
+        return plus(self.bearing, way, self.number(self.drive.arm) / root(dot(way, way)))
+
     def end_on_rocker(self, centre: Point, radius: Numeric) -> Point:
         """Return where a circle cuts that of the rocker: seen from its centre right of the pivot, for a
         negative curvature left of it."""
@@ -216,7 +227,7 @@ class Placed:
 
     @cached_property
     def linked(self) -> Any:
-        """What kernel calls of the rocker take."""
+        """What kernel calls of a linkage take."""
         return self.drive.at(OUT, self.circle, self.kind, "exact")
 
     @property
