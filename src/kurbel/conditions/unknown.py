@@ -168,7 +168,9 @@ def _chosen(polynomial: Polynomial, index: int) -> Callable[[], arb]:
     return root
 
 
-def of_ratio(formula: Callable[[Any], Any], target: Callable[[], arb], greatest: Fraction) -> list[Any]:
+def of_ratio(
+    formula: Callable[[Any], Any], target: Callable[[], arb], greatest: Fraction
+) -> list[Callable[[], arb]]:
     """Return all crank ratios above 0 and up to the greatest with which a formula, that takes numbers or jets
     over the ratio, has the target; each to be refined at the precision in force."""
 
@@ -225,7 +227,7 @@ class Sought(Protocol):
     place: Any
 
     @property
-    def found(self) -> Sequence[Callable[[], Any]]: ...
+    def found(self) -> Sequence[Callable[[], arb]]: ...
 
     def label(self, lang: str) -> Label: ...
 
@@ -262,11 +264,11 @@ class UnknownRequest(Question):
         return ("phi", "solution") if self.asked[1:] else ("solution",)
 
     @cached_property
-    def found(self) -> Sequence[Sequence[Callable[[], Any]]]:
+    def found(self) -> Sequence[Sequence[Callable[[], arb]]]:
         """The values at each angle."""
         return [one.found for one in self.asked]
 
-    def roots(self, place: Place) -> Sequence[Callable[[], Any]]:
+    def roots(self, place: Place) -> Sequence[Callable[[], arb]]:
         return self.found[place["phi"]]
 
     def missing(self, quantity: Quantity) -> str:

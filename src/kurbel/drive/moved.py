@@ -107,7 +107,7 @@ class Moved(ABC):
         own = on_return(weight) if stroke else weight
         return work(own, circle, self.path(stroke, circle), self.length, bool(stroke))
 
-    def bare(self, force: CrankForce, stroke: int, circle: Circle[Numeric]) -> Any:
+    def bare(self, force: CrankForce, stroke: int, circle: Circle[Numeric]) -> Numeric:
         """Return a force that a unit force on the piston calls up in the drive without masses."""
         return force.on(self.loaded(stroke, circle, Masses(0, 0), 1, 0, None, None))
 
@@ -194,7 +194,7 @@ class Slide(Moved):
         own = framed(weight, stroke)
         return Loaded(circle, ratio, masses, offset, net, reciprocating, by, weight=own, friction=friction)
 
-    def bare(self, force: CrankForce, stroke: int, circle: Circle[Numeric]) -> Any:
+    def bare(self, force: CrankForce, stroke: int, circle: Circle[Numeric]) -> Numeric:
         ratio, offset = (*self.numbers[stroke], None)[:2]
         return force.bare(circle, ratio, offset)
 

@@ -316,7 +316,7 @@ class Jet:
     def __rtruediv__(self, other: Jet | Numeric) -> Jet:
         return Jet(other, 0, 0) / self
 
-    def __pow__(self, exponent: Any) -> Jet:
+    def __pow__(self, exponent: Numeric) -> Jet:
         """Return the power to a number, of a positive value but for whole exponents."""
         if exponent == 0.5:
             return self.sqrt()

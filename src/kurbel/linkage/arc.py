@@ -232,7 +232,7 @@ class ArcDrive(LinkageDrive):
     def unclosed(self, quantity: Quantity, course: Course) -> Course:
         velocity = self.asked("velocity", quantity.stroke)
 
-        def rise(half_turns: arb) -> Any:
+        def rise(half_turns: arb) -> arb:
             return self.value(velocity, half_turn_circle(half_turns), balls()) * self._gauge(quantity)
 
         ends = {"path": (Fraction(0), None), PATH_SHARE: (Fraction(0), Fraction(1))}

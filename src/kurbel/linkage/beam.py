@@ -168,7 +168,7 @@ class BeamCrank(RockerCrank):
         """Return how far the pivot lies above the shaft, of a rod that is not infinite."""
         return kind.of(1 / self.crank.ratio) + kind.enclosed(self._shift)
 
-    def distance(self, kind: Kind) -> Any:
+    def distance(self, kind: Kind) -> Numeric:
         """Return how far it lies beside the shaft."""
         return kind.of(self.arm) + kind.enclosed(self._offset)
 

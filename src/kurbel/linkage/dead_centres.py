@@ -71,7 +71,7 @@ class Ends(NamedTuple):
         """Return φ_o in degrees."""
         return self.drive.dead_angle(RETURN, self.kind) + 180
 
-    def lead(self) -> Any:
+    def lead(self) -> Numeric:
         """Return Δ in degrees, by which the crank turns more than 180° during the outstroke."""
         # The dead centres of far-swinging links may lie more than a turn apart as they are counted.
         drive = self.drive
@@ -165,7 +165,7 @@ def registry() -> Mapping[str, Quantity]:
 
 
 def _entry(
-    key: str, name: str, letter: Label, unit: str, decimals: int, kernel: Callable[[Ends], Any],
+    key: str, name: str, letter: Label, unit: str, decimals: int, kernel: Callable[[Ends], Numeric],
     needs: tuple[Need, ...],
 ) -> Quantity:  # fmt: skip
     symbol = f"${letter}$"

@@ -49,15 +49,15 @@ class Yoke(Linkage):
         nothing, (sine, cosine, way) = circle.sine * 0, (circle.sine, circle.cosine, circle.versine)
         return Place(way, way, nothing, nothing, nothing + 1, sine, cosine, sine)
 
-    def dead_angle(self, stroke: int, kind: Kind) -> Any:
+    def dead_angle(self, stroke: int, kind: Kind) -> Numeric:
         """Return φ_i, or of the return φ_o - 180°, in degrees: 0."""
         return kind.of(Fraction(0))
 
-    def lead(self, kind: Kind) -> Any:
+    def lead(self, kind: Kind) -> Numeric:
         """Return by how many degrees the outstroke is longer than half a turn: 0."""
         return kind.of(Fraction(0))
 
-    def way(self, kind: Kind) -> Any:
+    def way(self, kind: Kind) -> Numeric:
         """Return the stroke in units of R."""
         return kind.of(Fraction(2))
 

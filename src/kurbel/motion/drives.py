@@ -145,7 +145,7 @@ class Drive(ABC):
             return self.certified(quantity, place.degrees, decimals, rounding)
         ties = ties_at(place, self._surd(column, stroke), times)
 
-        def at() -> Any:
+        def at() -> arb:
             return self.value(quantity, half_turn_circle(place.half_turns()), balls())
 
         return rounded(at, decimals, rounding, ties)
@@ -220,10 +220,10 @@ class Drive(ABC):
             return self.unclosed(one, Course(at, slope, begin, end))
         return Course(at, slope, begin, end, jet.value, jet.slope)
 
-    def _slopes(self, quantity: Quantity) -> tuple[Callable[[arb], Any], ...]:
+    def _slopes(self, quantity: Quantity) -> tuple[Callable[[arb], arb], ...]:
         """Return a quantity, its slope and the slope of that, over half turns in balls."""
 
-        def at(half_turns: arb) -> Any:
+        def at(half_turns: arb) -> arb:
             return self.value(quantity, half_turn_circle(half_turns), balls())
 
         def jet(half_turns: arb) -> Any:
@@ -292,7 +292,7 @@ class SlideDrive(Drive):
             return super().digits(column, stroke, place, decimals, rounding, times)
         quantity = multiplied(self.entries[column]._replace(stroke=stroke), times)
 
-        def at() -> Any:
+        def at() -> arb:
             circle = half_turn_circle(place.half_turns())
             return value(quantity, self.method, self.crank, circle, balls(), way=way)
 

@@ -156,7 +156,7 @@ def value(
     return _value_at(quantity, method, at)
 
 
-def _value_at(quantity: Quantity, method: str, at: At) -> Any:
+def _value_at(quantity: Quantity, method: str, at: At) -> Numeric:
     """Return the quantity at a place; of floats NaN where there is no such number."""
     if quantity.exists is None or at.numbers.of is not float:
         return _scaled_at(quantity, method, at)

@@ -159,10 +159,10 @@ class Peak:
             self._last = half_turns, flint.ctx.prec, jet
         return jet
 
-    def _slope(self, half_turns: arb) -> Any:
+    def _slope(self, half_turns: arb) -> arb:
         return self._smooth(half_turns).slope
 
-    def _bend(self, half_turns: arb) -> Any:
+    def _bend(self, half_turns: arb) -> arb:
         return self._smooth(half_turns).bend * pi()
 
     def _candidates(self) -> Iterator[Zero]:

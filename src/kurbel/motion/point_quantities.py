@@ -149,7 +149,7 @@ def _amounts(one: _Kind) -> list[Quantity]:
     # The crosshead's own have no index.
     letter, turn = f"{along[0]}_P", f"γ_{along[0]}"
 
-    def whole(at: At) -> Any:
+    def whole(at: At) -> Numeric:
         return kernel.amount(one.of(at))
 
     def direction(at: At) -> Numeric:
