@@ -14,6 +14,7 @@ from kurbel.engine.turn import turn_ties
 from kurbel.errors import CardError
 from kurbel.exact.certify import TieBits, at_bits, rounded
 from kurbel.exact.numerals import Number, figures, given, nearest
+from kurbel.kernel.circle import Numeric
 from kurbel.page.quantity import Column, Quantity, bare
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ def settled(asked: Asked, rounding: str) -> Number:
     return certified(asked.value, asked.column, rounding, ties)
 
 
-def certified(value: Callable[[], Any], column: Column, rounding: str, ties: TieBits | None) -> Number:
+def certified(value: Callable[[], Numeric], column: Column, rounding: str, ties: TieBits | None) -> Number:
     """Return a column's value, which balls or a fraction tell, rounded correctly."""
     decimals = column.decimals
     if column.quantity.decimals is None:

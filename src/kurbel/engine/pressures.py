@@ -137,7 +137,7 @@ class Pressed:
         acting = engine.steam.strokes(kind, engine.double)[where.stroke]
         return acting.force(self.share(where, kind)) * kind.of(Fraction(known(engine.pressure)) / PASCALS)
 
-    def masses(self, where: StrokePlace, kind: Kind) -> Any:
+    def masses(self, where: StrokePlace, kind: Kind) -> Numeric:
         """Return q = m p/A in bar."""
         moved, bore = self.drive.moved(kind, "exact"), known(self.bore)
         accelerated = moved.acceleration(where.stroke % 2, self._circle(moved, where, kind))

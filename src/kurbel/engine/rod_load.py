@@ -252,7 +252,7 @@ class CardRodLoad(AnyRodLoad):
         """The loads by the two cards that have every second point."""
         return tuple(CardRodLoad(half, self.force) for half in self.turn.coarser)
 
-    def load(self, stroke: int, angle: Any) -> Any:
+    def load(self, stroke: int, angle: Numeric) -> Any:
         """Return the load in Q on a stroke, of a float or an array of half turns."""
         return self.turn.cylinder.force(self.force, stroke, angle) + 0.0 * angle
 
@@ -326,7 +326,7 @@ class CardRodLoad(AnyRodLoad):
                 load = float(self.load(stroke, (low + high) / 2))
                 yield Span(0 if abs(load) < LEAST_LOAD else 1 if load > 0 else -1, high - low)
 
-    def error(self, kernel: Callable[[AnyRodLoad], Any], allowed: float) -> float:
+    def error(self, kernel: Callable[[AnyRodLoad], Numeric], allowed: float) -> float:
         """Return how far a number may be off: by what the coarser cards show, or what is allowed for."""
         best, others = kernel(self), [kernel(half) for half in self.coarser]
         return max(allowed, *(abs(float(best - other)) for other in others if other is not None))

@@ -28,6 +28,7 @@ from kurbel.engine.rod_load import (
 from kurbel.engine.turn import Turn, turn_ties
 from kurbel.exact.certify import NEVER_TIES, TieBits, rounded
 from kurbel.exact.numerals import Label, Number, nearest
+from kurbel.kernel.circle import Numeric
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, filled, texts
 from kurbel.page.subject import Subject
@@ -90,7 +91,7 @@ class _Asked(NamedTuple):
         return self.column.quantity.formulas[self.column.method].kernel
 
     @property
-    def scale(self) -> Any:
+    def scale(self) -> Numeric:
         """What makes the quantity's unit of the kernel's."""
         scale = self.column.quantity.scale
         return self.unit * (scale(self.load.turn) if scale else 1)

@@ -81,7 +81,7 @@ def _of_areas() -> Iterator[Quantity]:
 def _of_energy() -> Iterator[Quantity]:
     """Yield the energy and the speed that is by it."""
 
-    def energy(asked: TorquesRequest | AreasRequest, where: Fraction, kind: Kind) -> Any:
+    def energy(asked: TorquesRequest | AreasRequest, where: Fraction, kind: Kind) -> Numeric:
         return asked.swinging.energy(where, kind)
 
     def omega(asked: TorquesRequest | AreasRequest, where: Fraction, kind: Kind) -> Numeric:

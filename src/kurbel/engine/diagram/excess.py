@@ -105,11 +105,11 @@ class Excess(Given):
             return self.drive.mean.at(Fraction(0), kind) * kind.of(self.cycle)
         return work_of(self.mean_torque(kind), self.turns, kind)
 
-    def energy(self, degrees: Fraction, kind: Kind) -> Any:
+    def energy(self, degrees: Fraction, kind: Kind) -> Numeric:
         """Return the excess energy in J at a crank angle, from 0° on."""
         return self._energy(Zero(degrees), kind)
 
-    def swing(self, kind: Kind) -> Any:
+    def swing(self, kind: Kind) -> Numeric:
         return self.extreme_energy(kind, greatest=True) - self.extreme_energy(kind, greatest=False)
 
     def extreme_energy(self, kind: Kind, *, greatest: bool) -> Numeric:

@@ -66,7 +66,7 @@ class Fluctuation(Protocol):
     def turns(self) -> Fraction | None:
         """The turns of a cycle; None where they are not known."""
 
-    def swing(self, kind: Kind) -> Any:
+    def swing(self, kind: Kind) -> Numeric:
         """Return the greatest excess energy less the least, in J."""
 
     def mean_torque(self, kind: Kind) -> Any | None:
@@ -245,12 +245,12 @@ class Areas(Given):
     def letters(self) -> tuple[str, ...]:
         return tuple(letter_of(number) for number in range(len(self.levels)))
 
-    def energy(self, level: Fraction, kind: Kind) -> Any:
+    def energy(self, level: Fraction, kind: Kind) -> Numeric:
         """Return what an area stands for in J."""
         joules = kind.of(level * self.scale.energy)
         return joules * kind.pi if self.scale.of_pi else joules
 
-    def swing(self, kind: Kind) -> Any:
+    def swing(self, kind: Kind) -> Numeric:
         return self.energy(max(self.levels) - min(self.levels), kind)
 
     def extreme_energy(self, kind: Kind, *, greatest: bool) -> Numeric:

@@ -140,7 +140,7 @@ class Acting:
         """The mean pressure of an end that works, in units of the pressure that Q is of."""
         return Product.about(self._mean)
 
-    def _mean(self, kind: Kind) -> Any:
+    def _mean(self, kind: Kind) -> Numeric:
         if self.carded:
             return kind.of(Fraction(float(self._estimate.value)))
         if self.sought is not None or getattr(self.load, "stages", 1) > 1:
@@ -161,7 +161,7 @@ class Acting:
             return Product.of(1 / steam.expansion)
         return Product.about(self._steam_taken)
 
-    def _steam_taken(self, kind: Kind) -> Any:
+    def _steam_taken(self, kind: Kind) -> Numeric:
         steam = self.load.numbers(kind.of, kind.exponent)
         if self.sought is not None:
             steam = steam._replace(**self.sought.on(kind))
@@ -267,12 +267,12 @@ def _numbers(acting: Acting, kind: Kind) -> tuple[Numeric, Numeric]:
     return 1 / steam.cut_off, back / steam.cut_off
 
 
-def _by_work(epsilon: Any, lost: Any) -> Any:
+def _by_work(epsilon: Any, lost: Any) -> Numeric:
     """Return R of equal works: ln R = 1 + ln(ε/R) - b ε."""
     return epsilon.sqrt() * ((1 - lost) / 2).exp()
 
 
-def _by_load(epsilon: Numeric, lost: Any) -> Numeric:
+def _by_load(epsilon: Numeric, lost: Numeric) -> Numeric:
     """Return R of equal loads: (1 - 1/R) A_h = (1/R - b) A_l, with A_l/A_h = ε/R."""
     return (1 - lost + root((1 - lost) * (1 - lost) + 4 * epsilon)) / 2
 
