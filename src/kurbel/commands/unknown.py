@@ -137,7 +137,7 @@ class OfRatio:
         return GREATEST_RATIO / (1 + abs(self.drive.crank.offset))
 
     @cached_property
-    def found(self) -> list[Any]:
+    def found(self) -> list[Callable[[], flint.arb]]:
         drive, condition = self.drive, self.condition
         if condition.kind == MAX:
             # The acceleration is zero once on the outstroke, where the velocity is greatest.
@@ -265,7 +265,7 @@ class Sized:
         return at(column.quantity, column.method, question.cranks[0], kind.circle(self.place.degrees), kind)
 
     @cached_property
-    def found(self) -> list[Any]:
+    def found(self) -> list[Callable[[], flint.arb]]:
         square = self.condition.quantity in MAGNITUDES
         if square and self.condition.value < 0:
             raise ProblemError(f'condition "{self.condition}" is of a magnitude, which is not below 0')
@@ -279,7 +279,7 @@ class Sized:
             self._check(root)
         return found
 
-    def _check(self, root: Callable[[], Any]) -> None:
+    def _check(self, root: Callable[[], flint.arb]) -> None:
         """Raise ProblemError for a value that no drive has, or one with which the formula is another."""
         with at_bits(CHECKED_BITS):
             near = fraction(root().mid())
