@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache, partial
-from typing import Any, NamedTuple
+from typing import Any
 
 from kurbel.drive.at import CRANK_FORCES
 from kurbel.drive.load import COMPRESSOR
@@ -19,7 +19,8 @@ from kurbel.engine.cylinder import OUTSTROKE, RETURN_STROKE, WHOLE, AnyTurn, Tur
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Numeric
 from kurbel.motion.evaluation import Method
-from kurbel.page.quantity import Formula, Need, Quantity, Words, entry, words
+from kurbel.motion.motion_quantities import FORCES, Force
+from kurbel.page.quantity import Formula, Need, Quantity, Words, entry, texts, words
 
 _IDEAL = "an ideal card, with an expansion ratio"
 
@@ -244,83 +245,18 @@ _FLYWHEEL: tuple[tuple[str, str, str, str, int | None, Callable[..., Numeric], *
 )  # fmt: skip
 
 
-class _Force(NamedTuple):
-    """A force of CRANK_FORCES in print. A `framed` one counts in the frame of the outstroke."""
-
-    name: str
-    letter: str
-    direction: Words | None = None
-    framed: bool = False
-
-
-_BEARING = words(
-    "$H$ auf das Hauptlager, von dieser Kurbel allein|$H$ on the main bearing, of this crank alone"
-)
-
-
-# In the order in which pages say their directions. S is a thrust or a pull, which a direction in the frame
-# does not say.
-FORCES: Mapping[str, _Force] = {
-    "piston_force": _Force("Kolbenkraft|Piston force", "F", framed=True),
-    "inertia_force": _Force(
-        "Massenkraft|Inertia force", "F_m",
-        words("$F_m$ der hin- und hergehenden Massen, ohne die Stange"
-              "|$F_m$ of the reciprocating masses, without the rod"),
-        framed=True,
-    ),
-    "crosshead_load": _Force(
-        "Last am Kreuzkopfzapfen|Load at the crosshead pin", "F_B",
-        words("$F_B = F + F_m$ längs der Führung|$F_B = F + F_m$ along the slide"), framed=True,
-    ),
-    "guide_force": _Force(
-        "Führungsdruck|Guide force", "N", words("$N$ auf den Kreuzkopf|$N$ on the crosshead"), framed=True
-    ),
-    "rod_force": _Force(
-        "Stangenkraft|Rod force", "S",
-        words("$S$ am Kreuzkopf, positiv als Druck|$S$ at the crosshead, positive as thrust"),
-    ),
-    "pin_rod_force": _Force(
-        "Stangenkraft an der Kurbel|Rod force at the crank", "S_A",
-        words("$S_A$ am Kurbelzapfen, positiv als Druck|$S_A$ at the crank pin, positive as thrust"),
-    ),
-    "crosshead_pin_force": _Force(
-        "Kraft am Kreuzkopfzapfen|Crosshead-pin force", "B",
-        words("$B$ Betrag am Kreuzkopfzapfen|$B$ magnitude at the crosshead pin"),
-    ),
-    "crank_pin_force": _Force(
-        "Kraft am Kurbelzapfen|Crank-pin force", "K",
-        words("$K$ Betrag am Kurbelzapfen|$K$ magnitude at the crank pin"),
-    ),
-    "tangential_force": _Force(
-        "Tangentialkraft|Tangential force", "T", words("$T$ in der Drehrichtung|$T$ as the crank turns")
-    ),
-    "radial_force": _Force(
-        "Radialkraft|Radial force", "Z", words("$Z$ nach der Welle hin|$Z$ towards the shaft")
-    ),
-    "bearing_along": _Force("Lagerkraft längs|Bearing force along", "H_x", _BEARING, framed=True),
-    "bearing_across": _Force("Lagerkraft quer|Bearing force across", "H_y", _BEARING, framed=True),
-    "bearing_force": _Force("Lagerkraft|Bearing force", "H", _BEARING),
-    "weight_force": _Force(
-        "Gewicht|Weight", "F_G",
-        words("$F_G$ Gewicht von Kolben und Kreuzkopf längs der Führung"
-              "|$F_G$ weight of piston and crosshead along the slide"),
-        framed=True,
-    ),
-    "friction_force": _Force(
-        "Reibung|Friction", "F_R",
-        words("$F_R$ Reibung von Kolben und Kreuzkopf|$F_R$ friction of piston and crosshead"),
-        framed=True,
-    ),
-}  # fmt: skip
+# Of forces, in the order in which pages say them.
+DIRECTIONS = texts("engine")["directions"]
+AT_CRANK = Force("Stangenkraft an der Kurbel|Rod force at the crank", "S_A", "")
 
 
 def _force_entries() -> Iterator[Quantity]:
     for key, acting in CRANK_FORCES.items():
-        one = FORCES[key]
+        one = FORCES.get(key, AT_CRANK)
         in_steam = row(
             key, one.name, f"${one.letter}$", "$Q$", "crank", 4,
             lambda turn, where, force=acting: turn.crank_force(force, where.half_turns),
-            direction=one.direction,
+            direction=DIRECTIONS.get(key),
         )  # fmt: skip
         yield in_steam
         yield in_steam._replace(

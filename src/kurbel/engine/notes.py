@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import product
 
+from kurbel.drive.at import CRANK_FORCES
 from kurbel.engine.captions import (
     OF_RUNS,
     cylinder_notes,
@@ -13,7 +14,7 @@ from kurbel.engine.captions import (
     masses_notes,
     named_ratio,
 )
-from kurbel.engine.engine_quantities import AT_ANGLE, EXTREMES, FORCES, Needs
+from kurbel.engine.engine_quantities import AT_ANGLE, DIRECTIONS, EXTREMES, Needs
 from kurbel.engine.loads.words import engine_lines
 from kurbel.engine.request import BY_STROKE, OF_FORCES, OF_IRREGULARITY, OF_LOAD, OVER_ANGLE, EngineRequest
 from kurbel.exact.numerals import Label, Number, exact_text, number_text
@@ -199,7 +200,8 @@ def _directions(request: EngineRequest, shown: Sequence[Quantity]) -> Iterator[L
     yield from dict.fromkeys(
         one.direction[lang] for one in shown if one.of == "angle" and one.direction and one not in torques
     )
-    in_order = [*FORCES]
+    # The force on the piston, which has none, comes first.
+    in_order = ["piston_force", *DIRECTIONS]
     forces = sorted(
         (one for one in shown if one.of == "crank"),
         key=lambda one: in_order.index(one.key.removesuffix("_n")),
@@ -220,7 +222,9 @@ def _force_directions(
     request: EngineRequest, forces: Sequence[Quantity], torques: Sequence[Quantity]
 ) -> Iterator[Label]:
     lang, several = request.lang, len(request.cranks) > 1
-    framed = [one for one in forces if FORCES[one.key.removesuffix("_n")].framed]
+    # S is a thrust or a pull, which a direction in the frame does not say.
+    frame = {key for key, one in CRANK_FORCES.items() if one.framed} - {"rod_force", "pin_rod_force"}
+    framed = [one for one in forces if one.key.removesuffix("_n") in frame]
     if framed:
         ways = {one.key.removesuffix("_n") in ACROSS for one in framed}
         said = "framed" if len(ways) == 2 else "framed across" if ways == {True} else "framed along"
