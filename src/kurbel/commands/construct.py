@@ -219,6 +219,8 @@ class DrawnConstruction(Constructed, Sized):
 
     As SVG, PNG, PDF or PGF, or as an HTML page with steps to click through.
     \f
+    Lengths are in mm, angles in degrees. Source: the book's figure, in the title; of lines, ISO 128-2.
+
     >>> import kurbel
     >>> drawing = kurbel.plot_construction("blau-9", ratio="1:4", angle=50, lang="en")
     >>> drawing.plain_title

@@ -50,6 +50,7 @@ def certified(
     `quantity` is a key such as "x", "c_return", "psi" (units of R, v, v²/R; degrees); `ratio` is R:L and
     `angle` the crank angle in degrees from the inner dead centre, on the return stroke from the outer
     one; `offset` is e/R. Valid for 0 <= R:L < 1 and |e| < L - R. Raises KurbelError for anything else.
+    Source: Rötscher, eq. (285), of the exact motion; Blau, eqs. (22), (25) and (26), of x, c and p by series.
 
     >>> certified("c", "1:4,5", "22°30'", digits=6)
     Decimal('0.461536')
@@ -89,6 +90,7 @@ def compute(
     crank x, c and ψ are at most 2 units in the last place from the true value up to R:L = 1:3, and p at
     most 2 units of max(|p|, 1); `kurbel.kernel.kinematics` states the bounds beyond. At a dead centre, where
     a load changes sides, a value is that of the stroke that begins. Raises KurbelError.
+    Sources of x, c, p and ψ are those of `certified`; other columns have theirs in `kurbel.kernel`.
 
     >>> compute([0, 90, 180], "1:5")["p"].tolist()
     [1.2, -0.20412414523193154, -0.8]

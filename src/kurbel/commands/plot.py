@@ -50,6 +50,8 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
     kurbel plot --point 0.5 --ratio 1:5 -o coupler.svg  # the path of a point
     kurbel plot --animate --ratio 1:4 -o turn.html  # what moves
     kurbel plot --positions '30;90;150' --mechanism arc --rocker 6 -o bogenschubkurbel.pdf
+    \f
+    Lengths are in mm, angles in degrees. Source of lines and arrowheads: ISO 128-2 and ISO 129-1.
     """
 
     topic = "question"

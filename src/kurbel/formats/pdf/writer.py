@@ -192,7 +192,7 @@ def typeset_pdf(page: Table, *, decimal: str | None = None, standards: Sequence[
     `decimal` is "comma" or "point", by default the mark of the page's language; `standards` are what the
     file is to comply with: "a-2b" for archives, "ua-1" for readers who do not see it. The date of the file is
     SOURCE_DATE_EPOCH; without that variable it has none, or 1970-01-01 where PDF/A demands one. Raises
-    KurbelError.
+    KurbelError. Source of the standards: ISO 19005-2 (a-2b), ISO 14289-1 (ua-1).
     """
     if not isinstance(page, Table):
         raise ProblemError(f"a {type(page).__name__} cannot be set; make a page, such as kurbel.table()")
