@@ -129,7 +129,7 @@ class OfRatio:
         ):
             raise ProblemError("--unknown ratio takes a value, such as x=1.1 or psi=15, or c=max")
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return type(self), self.asked
 
     @property
@@ -202,7 +202,7 @@ class Sized:
         if (count := len(self._first())) != 1:
             raise ProblemError(f"--unknown is of one drive under one load, and {count} were given; give one")
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return type(self), self.asked
 
     def _first(self) -> Any:

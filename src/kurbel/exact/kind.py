@@ -152,7 +152,7 @@ class Found(Fraction):
         self.held, self.factor, self.rest = held, factor, rest
         return self
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return type(self), (self.held, self.factor, self.rest)
 
     def __copy__(self) -> Found:

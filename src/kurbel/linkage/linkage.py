@@ -303,7 +303,7 @@ class LinkageDrive(Drive):
         self.page = page
         self.has_rod = "ratio" in subject(layout(page).subject).axes
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return type(self), (self.drive, self.page)
 
     @staticmethod

@@ -266,7 +266,7 @@ class SlideDrive(Drive):
         super().__init__(crank, slide_columns())
         self.method = method
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return type(self), (self.crank, self.method)
 
     @property

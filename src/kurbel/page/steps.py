@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 from math import prod
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from kurbel.exact.numerals import Label
 
@@ -112,7 +112,7 @@ class Steps:
     columns: tuple[Shown, ...]
     make: Callable[[], Iterable[Step]]
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         """Return how the same are made with all pages."""
         return type(self), (self.sliders, self.cursor, self.columns, partial(tuple, tuple(self)))
 

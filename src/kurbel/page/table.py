@@ -14,7 +14,7 @@ from dataclasses import dataclass, fields, replace
 from enum import Enum
 from functools import partial
 from itertools import groupby
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Literal, NamedTuple, TypeAlias
 
 from kurbel.errors import LayoutError, ProblemError
 from kurbel.exact.numerals import Label, Number
@@ -183,7 +183,7 @@ class Table:
         if missing:
             raise ValueError(f"no note explains the mark {', '.join(missing)}")
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         """Return how the same is made with what it computes as it is asked for."""
         given = {field.name: getattr(self, field.name) for field in fields(self)}
         given["records"] = self.records._replace(rows=tuple(map(tuple, self.records.rows)))

@@ -299,7 +299,7 @@ class Construction(NamedTuple):
     scales: Mapping[str, Fraction]
     folder: Any = None
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return _named, (self.name, self.folder, self.mechanism)
 
     def of(self, mechanism: str) -> Construction:

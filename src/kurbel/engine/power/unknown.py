@@ -82,7 +82,7 @@ class Search:
         self.known = relation.known ** (1 / first)
         self.powers = {name: power / first for name, power in relation.powers.items()}
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         # What was found is found again elsewhere.
         return type(self), self.given
 
