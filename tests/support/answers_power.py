@@ -230,8 +230,9 @@ def free_air(
 
 @solution
 def two_stages(
-    ratio: mpf, suction: mpf, exponent: mpf, clearance: mpf, delivery: mpf, shape: mpf, speed: mpf, warm: mpf
-) -> Rows:
+    ratio: mpf, suction: mpf, exponent: mpf, clearance: mpf, own: mpf, delivery: mpf, shape: mpf, speed: mpf,
+    warm: mpf,
+) -> Rows:  # fmt: skip
     part = 1 - 1 / exponent
 
     def both(between: mpf) -> mpf:
@@ -241,12 +242,13 @@ def two_stages(
     least = findroot(lambda at: diff(both, at), ratio ** mpf("0.45"))
     high = ratio * suction
     work = raised(suction, least * suction, exponent) + raised(least * suction, high, exponent) / least
-    sucked = 1 + clearance - clearance * least ** (1 / exponent)
+    sucked, later = (1 + room - room * least ** (1 / exponent) for room in (clearance, own))
     sized = sizes(delivery / turns(speed) / sucked, shape)
     return [
         {
             "bore": sized["bore"],
-            "second_bore": sized["bore"] / least ** mpf("0.5"),
+            "second_bore": sized["bore"] * (sucked / later / least) ** mpf("0.5"),
+            "second_cylinder_volume": 1000 * (1 + own) * delivery / turns(speed) / least / later,
             "intermediate_pressure": least * suction / BAR,
             "indicated_power": work * delivery / 1000,
             "isothermal_efficiency": raised(suction, high, mpf(1)) / work,

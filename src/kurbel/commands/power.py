@@ -99,7 +99,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         " piston_rod tail_rod stroke speed power brake_power stroke_bore piston_speed cylinders"
         " diagram_factor efficiency specific_volume delivery unknown stages"
         " suction_temperature free_air brake_torque consumption heating_value thermal_efficiency"
-        " intercooling intermediate_pressure swept_volume"
+        " intercooling intermediate_pressure swept_volume second_clearance"
     )
     in_short = (
         "power mean_pressure eps pressure card bore stroke speed machine cylinders efficiency brake_power"
@@ -184,6 +184,10 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
         as_pressure, "Pressure between two stages, in the place of the best: 4bar.", "PRESSURE",
         topic="compressor",
     )  # fmt: skip
+    second_clearance = measure(
+        as_share, "Clearance of the second stage: 5%; default: that of the first.", "SHARE",
+        topic="compressor",
+    )  # fmt: skip
     suction_temperature = measure(
         as_temperature, "Temperature of suction of a compressor: 30°C, 303K.", "TEMPERATURE",
         topic="compressor",
@@ -244,7 +248,10 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             return (
                 f"{flag} is for the power, and nothing tells it; add --bore, --stroke and --speed, or --power"
             )
-        if name in ("stages", "intercooling", "intermediate_pressure", "suction_temperature", "free_air"):
+        if name in (
+            *("stages", "intercooling", "intermediate_pressure", "second_clearance"),
+            *("suction_temperature", "free_air"),
+        ):
             return f"{flag} is of a compressor; add --pressure-ratio"
         if name == "compound":
             return f"{flag} is of the steam of an ideal card in two cylinders; add --eps"
@@ -331,9 +338,15 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             )
         return {
             "stages": self.stages,
+            "later_clearance": self._second_clearance(),
             "cooled": None if cooled is None else cooled / (warm or 1),
             "between": None if between is None else between / _above_zero(suction, "suction pressure"),
         }
+
+    def _second_clearance(self) -> Fraction | None:
+        if self.second_clearance is not None and self.stages != 2:
+            raise ProblemError("--second-clearance is of the second of two stages; add --stages 2")
+        return self.second_clearance
 
     def _count(self) -> int:
         """Return how many cylinders there are, one for each crank where these are given."""

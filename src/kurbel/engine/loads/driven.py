@@ -98,6 +98,7 @@ class Compressor:
     cooled: Fraction = Fraction(1)
     between: Fraction | None = None
     expansion_exponent: Fraction | None = None
+    later_clearance: Fraction | None = None
 
     def __post_init__(self) -> None:
         check_bounds(
@@ -109,6 +110,8 @@ class Compressor:
         check_clearance(self.clearance)
         if self.expansion_exponent is not None:
             self._check_expansion(self.expansion_exponent)
+        if self.later_clearance is not None:
+            check_clearance(self.later_clearance)
         if self.between is not None and not 1 < self.between < self.ratio:
             raise ProblemError(
                 f"the intermediate pressure is {about(self.between)} times the suction pressure; it must be"
@@ -125,6 +128,8 @@ class Compressor:
             "valve raises it",
         )  # fmt: skip
         self._check_delivery()
+        if self.stages > 1:
+            self._check_later()
 
     def _check_expansion(self, exponent: Fraction) -> None:
         check_exponent(exponent, "exponent of the expansion")
@@ -203,8 +208,20 @@ class Compressor:
     def later_area(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the area of the second stage's piston in that of the first, by what each sucks."""
         ends, later = self._ends(kind, **found), self._later(kind, **found)
-        sucks = 1 if self.between is None else ends.sucked() / (1 + ends.clearance * (1 - later))
+        room = ends.clearance if self.later_clearance is None else kind.of(self.later_clearance)
+        own = self.between is not None or self.later_clearance is not None
+        sucks = ends.sucked() / (1 + room * (1 - later)) if own else 1
         return kind.of(self.cooled) * sucks / self.stage_ratio(kind, **found)
+
+    def filled(self, kind: Kind, **found: Any) -> Numeric:
+        """Return the volume of a cylinder with its clearance, in the swept one."""
+        return 1 + self._ends(kind, **found).clearance
+
+    def later_filled(self, kind: Kind, **found: Any) -> Numeric:
+        """Return the same of the second stage."""
+        return (
+            self.filled(kind, **found) if self.later_clearance is None else kind.of(1 + self.later_clearance)
+        )
 
     @property
     def _inside(self) -> Fraction:
@@ -293,6 +310,16 @@ class Compressor:
         if -self.strokes(floats(), True)[0].work(1.0) < LEAST_WORK:
             raise ProblemError(
                 f"pressure ratio Π = {about(self.ratio)} leaves no work; it must be farther above 1"
+            )
+
+    def _check_later(self) -> None:
+        """Raise ProblemError for a later stage that its clearance fills again."""
+        room = self.clearance if self.later_clearance is None else self.later_clearance
+        growth = float(self._later(floats()))
+        if 1 - float(room) * (growth - 1) < LEAST_DELIVERY:
+            raise ProblemError(
+                f"clearance {about(room)} leaves the second stage nothing to deliver; it must be below"
+                f" {_down(1 / (growth - 1))}"
             )
 
     def _largest_ratio(self) -> float:

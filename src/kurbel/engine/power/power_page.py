@@ -328,6 +328,8 @@ def _air_lines(source: Acting, duty: Duty, shown: set[str], lang: str) -> Iterat
         kelvin = load.cooled * (duty.suction_temperature or 1)
         cooled = POWER_TEXTS["as_sucked"][lang] if load.cooled == 1 else f'${figure(kelvin)} "K"$'
         yield "; ".join(POWER_TEXTS[key][lang].format(stages=stages, cooled=cooled) for key in said)
+        if load.later_clearance is not None:
+            yield POWER_TEXTS["second_room"][lang].format(share=figure(load.later_clearance))
     if not shown.isdisjoint(("compression_heat", "cooler_heat")):
         yield POWER_TEXTS["heats"][lang]
     if not shown.isdisjoint(("isothermal_power", "isothermal_efficiency", "adiabatic_efficiency")):

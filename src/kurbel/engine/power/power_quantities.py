@@ -180,6 +180,18 @@ def _air_entries() -> Iterator[Quantity]:
     yield _entry("second_bore", "Bohrung der zweiten Stufe|Bore of the second stage", "$d_2$", "mm",
                  UNITS[BORE], lambda found: found.of(BORE) * found.of_load("later_area") ** HALF,
                  Needs.STAGES)  # fmt: skip
+    for key, name, symbol, value, need in (
+        ("second_swept_volume", "Hubraum der zweiten Stufe|Swept volume of the second stage", '$V_"h2"$',
+         lambda found: found.swept() * found.of_load("later_area"), Needs.STAGES),
+        ("cylinder_volume",
+         "Zylinder mit schädlichem Raum|Cylinder with its clearance",
+         "$V_z$", lambda found: found.swept() * found.of_load("filled"), Needs.AIR),
+        ("second_cylinder_volume",
+         "Zylinder der zweiten Stufe mit diesem|Cylinder of the second stage, likewise", '$V_"z2"$',
+         lambda found: found.swept() * found.of_load("later_area") * found.of_load("later_filled"),
+         Needs.STAGES),
+    ):  # fmt: skip
+        yield _entry(key, name, symbol, "l", Fraction(1, 1000), value, need)
     yield _entry("delivered_volume", "Volumen hinter der Verdichtung, eines Hubes"
                  "|Volume of a stroke behind compression", "$V_2$", "l", Fraction(1, 1000),
                  lambda found: found.swept() * found.of_load("delivered_hot"), Needs.AIR)  # fmt: skip
