@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from math import acos, asin, cos, log, pi, sin, sqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from benchmarks.race import Race, Row, Run, Task
+from benchmarks.race import ALONE, Race, Row, Run, Task
 
 if TYPE_CHECKING:
     import numpy as np
@@ -114,19 +114,21 @@ def sum_of_chosen(result: Any) -> float:
 
 def races(quick: bool) -> Iterator[Race]:
     count, told = (10**5, "10⁵") if quick else (10**6, "10⁶")
-    yield _race(f"δ of {told} engines", (count, False), 1 / 1800)
-    yield _race(f"δ of {told} engines with clearance", (count, True))
-
-
-def _race(what: str, of: tuple[int, bool], aim: float | None = None) -> Race:
-    return Race(
-        {
-            "loop of brentq": Task(the_loop, of, sums=sum_of_chosen, share=SAMPLE / of[0]),
-            "without numba": Task(by_kurbel, of, ("numba",), sum_of_chosen),
-            "kurbel": Task(by_kurbel, of, sums=sum_of_chosen),
-        },
-        (
-            Row(what, "kurbel", "loop of brentq", aim, of[0]),
-            Row(f"{what}, without numba", "without numba", "loop of brentq", times=of[0]),
-        ),
-    )
+    for has_clearance in (False, True):
+        what, of = f"δ of {told} engines{' with clearance' * has_clearance}", (count, has_clearance)
+        yield Race(
+            {
+                "loop of brentq": Task(the_loop, of, sums=sum_of_chosen, share=SAMPLE / count, cores=1),
+                "without numba": Task(by_kurbel, of, ("numba",), sum_of_chosen, cores=1),
+                "kurbel": Task(by_kurbel, of, sums=sum_of_chosen, cores=1),
+            },
+            (
+                Row(f"{what}, on one core", "kurbel", "loop of brentq", 1 / 400, count),
+                Row(f"{what}, without numba, on one core", "without numba", "loop of brentq", times=count),
+            ),
+            clock="processor",
+        )
+        yield Race(
+            {"kurbel": Task(by_kurbel, of), ALONE: Task(by_kurbel, of, cores=1)},
+            [Row(what, "kurbel", ALONE, times=count)],
+        )

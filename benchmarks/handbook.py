@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from benchmarks.race import Race, Row, kurbel
+from benchmarks.race import ALONE, Race, Row, kurbel
 
 FORMATS = ("text", "markdown", "latex", "html")
 COLD = "`kurbel table --ratio 1:5`, cold"
@@ -26,8 +26,12 @@ def races(quick: bool) -> Iterator[Race]:
     what = f"handbook of {tables} tables in {len(FORMATS)} formats"
     cold = kurbel("table --ratio 1:5")
     yield Race(
-        {"anew": kurbel("handbook build .", files=files), COLD: cold},
-        [Row(f"{what}, built anew", "anew", COLD)],
+        {
+            "anew": kurbel("handbook build .", files=files),
+            ALONE: kurbel("handbook build .", files=files, cores=1),
+            COLD: cold,
+        },
+        [Row(f"{what}, built anew", "anew", one) for one in (COLD, ALONE)],
         rounds=2,
     )
     # Building nothing must not take twice a table.

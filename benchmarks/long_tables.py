@@ -96,15 +96,26 @@ def _ratio() -> Any:
 def races(quick: bool) -> Iterator[Race]:
     step, rows = ("0.005", 36_001) if quick else ("0.0005", 360_001)
     words = f"table --ratio 1:{RATIO} --step {step}"
+    longer = f"table --ratio 1:{RATIO} --step {step.replace('5', '05')} -f csv"
     yield Race(
         {
             "kurbel": kurbel(f"{words} -f csv -o table.csv"),
+            f"`kurbel {longer}`": kurbel(f"{longer} -o table.csv"),
             "textbook NumPy and polars": python(FLOATS.format(rows=rows, ratio=RATIO), needs="polars"),
             "each cell in flint's balls": Task(motion_in_balls, (rows,), share=1 / EVERY),
         },
         [
             Row(f"`kurbel {words} -f csv`", "kurbel", name, times=rows)
             for name in ("textbook NumPy and polars", "each cell in flint's balls")
+        ]
+        + [
+            Row(
+                f"`kurbel {words} -f csv`",
+                "kurbel",
+                f"`kurbel {longer}`",
+                times=rows,
+                its_times=10 * rows - 9,
+            )
         ],
     )
     step, rows = ("0.1", 3601) if quick else ("0.01", 36_001)

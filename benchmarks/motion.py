@@ -1,24 +1,25 @@
 """x, c and p at ten million angles: kurbel beside NumPy, numexpr, a numba loop, and writing the result.
 
 The peers compute the textbook formulas, as one would write them; one of them as one would write them who
-wants them fast: products for powers, blocks that fit a cache, arrays that are there, on all cores. How far
-kurbel and this one are off is compared, too.
+knows NumPy and the formulas: half angles, products for powers, blocks that fit a cache, arrays that are
+there, a thread for each core. How far kurbel and this one are off is compared, too.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache, partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
-from benchmarks.race import Race, Row, Run, Task
+from benchmarks.race import ALONE, Contestant, Race, Row, Run, Task, cores_here
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
     Columns = NDArray[np.float64]
+    Errors = Callable[[Any], Mapping[str, float]]
 
 RATIO = 0.2345
 CELLS = 100_000_000
@@ -28,7 +29,8 @@ LEAST = (0.0, 0.0, 1.0)
 # Cells whose true values are computed, and what is told of their errors.
 SAMPLES = 4000
 GREATEST, OF_MOST = "greatest error", "error of nine cells in ten at most"
-CAREFUL = "NumPy, with care"
+TEXTBOOK, CAREFUL = "NumPy, textbook", "NumPy, with care"
+BARE, BARE_ALONE = "without numba", "without numba, on one core"
 ORDERS = ("in order", "at random")
 
 
@@ -59,46 +61,50 @@ def textbook_numpy(order: str, count: int) -> Run:
 
 
 def careful_numpy(order: str, count: int) -> Run:
-    import os
     from concurrent.futures import ThreadPoolExecutor
 
     import numpy as np
 
-    given, cores = angles(order, count), os.cpu_count() or 1
+    given, cores = angles(order, count), cores_here()
 
     def fill(part: slice, out: Columns) -> None:
         room = np.empty((6, BLOCK))
         for start in range(part.start, part.stop, BLOCK):
             block = slice(start, min(start + BLOCK, part.stop))
-            phi, sine, cosine, slant, w, power = room[:, : block.stop - start]
+            half, sine, cosine, versine, w, slant = room[:, : block.stop - start]
             x, c, p = out[:, block]
-            np.multiply(given[block], np.pi / 180, out=phi)
-            np.sin(phi, out=sine)
-            np.cos(phi, out=cosine)
+            # sin φ, cos φ and 1 - cos φ by half the angle, of which the last keeps its digits
+            np.multiply(given[block], np.pi / 360, out=half)
+            np.sin(half, out=versine)
+            np.cos(half, out=sine)
+            sine *= versine
+            sine *= 2
+            versine *= versine
+            versine *= 2
+            np.subtract(1, versine, out=cosine)
             np.multiply(sine, RATIO, out=slant)
-            np.multiply(slant, slant, out=slant)
-            np.subtract(1, slant, out=w)
+            np.multiply(slant, slant, out=w)
+            np.subtract(1, w, out=w)
             np.sqrt(w, out=w)
-            # x = 1 - cos φ + (1 - w)/λ
-            np.subtract(1, w, out=x)
-            x /= RATIO
-            x += 1
-            x -= cosine
+            # x = 1 - cos φ + λ sin² φ/(1 + w)
+            slant *= sine
+            np.add(w, 1, out=x)
+            np.divide(slant, x, out=x)
+            x += versine
             # c = sin φ (1 + λ cos φ/w)
             np.divide(cosine, w, out=c)
             c *= RATIO
             c += 1
             c *= sine
-            # p = cos φ + λ (2 cos² φ - 1 + λ² sin⁴ φ)/w³
+            # p = cos φ + λ (2 cos² φ - 1 + (λ sin² φ)²)/w³
             np.multiply(cosine, cosine, out=p)
             p *= 2
             p -= 1
-            np.multiply(sine, sine, out=phi)
-            phi *= slant
-            p += phi
-            np.multiply(w, w, out=power)
-            power *= w
-            p /= power
+            slant *= slant
+            p += slant
+            np.multiply(w, w, out=half)
+            half *= w
+            p /= half
             p *= RATIO
             p += cosine
 
@@ -232,32 +238,69 @@ def truth(angle: float) -> tuple[Any, ...]:
 
 
 def races(quick: bool) -> Iterator[Race]:
-    count, told = (10**6, "10⁶") if quick else (10**7, "10⁷")
+    count, told, fewer = (10**6, "10⁶", "10⁵") if quick else (10**7, "10⁷", "10⁶")
     for order in ORDERS:
-        what = f"x, c and p at {told} angles {order}"
-        of, off = (order, count), partial(errors, order, count) if order == "at random" else None
-        yield Race(
-            {
-                "NumPy, textbook": Task(textbook_numpy, of, sums=total),
-                CAREFUL: Task(careful_numpy, of, sums=total, errors=off),
-                "numexpr, textbook": Task(textbook_numexpr, of, sums=total, needs="numexpr"),
-                "numba's loop, textbook": Task(textbook_numba, of, sums=total, needs="numba"),
-                "pure write of the result": Task(pure_write, of, needs="numba"),
-                "without numba": Task(by_kurbel, of, ("numba",), total, errors=off),
-                "kurbel": Task(by_kurbel, of, sums=total, errors=off),
-            },
-            (
-                Row(what, "kurbel", "NumPy, textbook", times=count),
-                Row(what, "kurbel", CAREFUL, times=count),
-                Row(what, "kurbel", "numexpr, textbook", times=count),
-                Row(what, "kurbel", "numba's loop, textbook", 1 / 5, count),
-                Row(what, "kurbel", "pure write of the result", 1 / 0.4, count),
-                Row(f"{what}, without numba", "without numba", "NumPy, textbook", times=count),
-                Row(f"{what}, without numba", "without numba", CAREFUL, times=count),
-                *(
-                    Row(f"{what}: {one}", "kurbel", CAREFUL, error=one)
-                    for one in ((GREATEST, OF_MOST) if off else ())
-                ),
+        what, of = f"x, c and p at {told} angles {order}", (order, count)
+        yield _on_one_core(what, of, partial(errors, *of) if order == "at random" else None)
+        yield _on_all_cores(what, of, fewer if order == "in order" else "")
+
+
+def _on_one_core(what: str, of: tuple[str, int], off: Errors | None) -> Race:
+    """Each on one core, where what else runs does not change how much processor time it takes."""
+    more: Any = {"sums": total, "errors": off, "cores": 1}
+    alone, bare = f"{what}, on one core", f"{what}, {BARE}, on one core"
+    return Race(
+        {
+            TEXTBOOK: Task(textbook_numpy, of, **more),
+            CAREFUL: Task(careful_numpy, of, **more),
+            BARE: Task(by_kurbel, of, ("numba",), **more),
+            "kurbel": Task(by_kurbel, of, **more),
+        },
+        [
+            *(
+                Row(name, mine, beside, times=of[1])
+                for name, mine in ((alone, "kurbel"), (bare, BARE))
+                for beside in (TEXTBOOK, CAREFUL)
             ),
-            rounds=9,
-        )
+            *(
+                Row(f"{what}: {one}", "kurbel", beside, error=one)
+                for beside in (TEXTBOOK, CAREFUL)
+                for one in (GREATEST, OF_MOST)
+                if off
+            ),
+        ],
+        rounds=9,
+        clock="processor",
+    )
+
+
+def _on_all_cores(what: str, of: tuple[str, int], fewer: str) -> Race:
+    count, bare = of[1], f"{what}, {BARE}"
+    few = f"kurbel, at {fewer} angles"
+    contestants: dict[str, Contestant] = {
+        CAREFUL: Task(careful_numpy, of, sums=total),
+        "numexpr, textbook": Task(textbook_numexpr, of, sums=total, needs="numexpr"),
+        "numba's loop, textbook": Task(textbook_numba, of, sums=total, needs="numba"),
+        "pure write of the result": Task(pure_write, of, needs="numba"),
+        BARE: Task(by_kurbel, of, ("numba",), total),
+        "kurbel": Task(by_kurbel, of, sums=total),
+    }
+    rows = [
+        Row(what, "kurbel", CAREFUL, times=count),
+        Row(bare, BARE, CAREFUL, times=count),
+        Row(what, "kurbel", "numexpr, textbook", times=count),
+        Row(what, "kurbel", "numba's loop, textbook", 1 / 3, count),
+        Row(what, "kurbel", "pure write of the result", 2.5, count),
+    ]
+    if fewer:
+        contestants |= {
+            ALONE: Task(by_kurbel, of, cores=1),
+            BARE_ALONE: Task(by_kurbel, of, ("numba",), cores=1),
+            few: Task(by_kurbel, (of[0], count // 10)),
+        }
+        rows += [
+            Row(what, "kurbel", ALONE, times=count),
+            Row(bare, BARE, BARE_ALONE, times=count),
+            Row(what, "kurbel", few, times=count, its_times=count // 10),
+        ]
+    return Race(contestants, rows, rounds=9)

@@ -59,6 +59,7 @@ class Page:
 
     name: str
     needs: str = "playwright"
+    cores: int = 0
 
     @contextmanager
     def ready(self) -> Iterator[Callable[[], Taken]]:

@@ -30,6 +30,8 @@ ENVIRONMENT = {
     if name != "PYTHONDONTWRITEBYTECODE" and not name.startswith("KURBEL_")
 }
 KURBEL = str(Path(sys.executable).with_name("kurbel"))
+# What beside kurbel is called that has one core.
+ALONE = "kurbel, on one core"
 # How far the sums of two contestants' results may lie apart.
 AGREEMENT = 1e-9
 Run = Callable[[], object]
@@ -54,6 +56,11 @@ class Contestant(Protocol):
         """The module without which it cannot, if any."""
         ...
 
+    @property
+    def cores(self) -> int:
+        """How many cores it may have, 0 for all."""
+        ...
+
     def ready(self) -> AbstractContextManager[Callable[[], Taken]]:
         """Be ready: each call does the work once."""
         ...
@@ -66,7 +73,7 @@ class Task:
     The modules named in `without` are missing there. `sums` adds up a result, so that all can be compared;
     `errors` tells how far it is off.
     A slow one does a `share` of the work, and its time is that of the whole. Memory is what the process has
-    at its peak beyond what it was prepared with.
+    at its peak beyond what it was prepared with. It may have so many `cores`, 0 for all.
     """
 
     prepare: Callable[..., Run]
@@ -76,12 +83,14 @@ class Task:
     share: float = 1
     needs: str = ""
     errors: Callable[[Any], Mapping[str, float]] | None = None
+    cores: int = 0
 
     @contextmanager
     def ready(self) -> Iterator[Callable[[], Taken]]:
         ours, theirs = (context := multiprocessing.get_context("spawn")).Pipe()
         process = context.Process(target=_serve, args=(theirs, self))
-        process.start()
+        with on_cores(self.cores):
+            process.start()
         theirs.close()
 
         def once() -> Taken:
@@ -120,6 +129,7 @@ class Program:
     """A whole process from a cold start, in a folder with `files`: a new one for each run, unless `kept`.
 
     A `bare` one finds nothing that Python has compiled before, as in many containers, and leaves nothing.
+    It may have so many `cores`, 0 for all.
     """
 
     words: Sequence[str]
@@ -127,6 +137,7 @@ class Program:
     kept: bool = False
     needs: str = ""
     bare: bool = False
+    cores: int = 0
 
     @contextmanager
     def ready(self) -> Iterator[Callable[[], Taken]]:
@@ -144,11 +155,31 @@ class Program:
 
     def _process(self, folder: str) -> Taken:
         bare = {"PYTHONDONTWRITEBYTECODE": "1", "PYTHONPYCACHEPREFIX": str(Path(folder, "nothing"))}
-        return _process(self.words, folder, ENVIRONMENT | (bare if self.bare else {}))
+        with on_cores(self.cores):
+            return _process(self.words, folder, ENVIRONMENT | (bare if self.bare else {}))
 
     def _furnish(self, folder: str) -> None:
         for name, text in self.files.items():
             Path(folder, name).write_text(text, encoding="utf-8")
+
+
+@contextmanager
+def on_cores(count: int) -> Iterator[None]:
+    """Let processes that are started here have so many cores, 0 for all."""
+    if not count:
+        yield
+        return
+    every = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, sorted(every)[:count])
+    try:
+        yield
+    finally:
+        os.sched_setaffinity(0, every)
+
+
+def cores_here() -> int:
+    """Return how many cores this process may have."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def kurbel(words: str, **more: Any) -> Program:
@@ -185,8 +216,8 @@ class Row(NamedTuple):
     """A row of the table: one of the contestants, kurbel, beside another.
 
     `aim` is how many times the other's figure it may be at most, `times` how many things were done, whose
-    rate is of interest, `limit` a peak of memory in MiB that the other's stands for. `error` is what is told
-    of the errors, where these are compared.
+    rate is of interest, `its_times` how many the other did, if not as many, `limit` a peak of memory in MiB
+    that the other's stands for. `error` is what is told of the errors, where these are compared.
     """
 
     what: str
@@ -196,6 +227,7 @@ class Row(NamedTuple):
     times: int = 0
     limit: float = 0
     error: str = ""
+    its_times: int = 0
 
 
 @dataclass(frozen=True)
@@ -213,12 +245,17 @@ def run(race: Race, rounds: int | None = None) -> dict[str, Taken]:
 
     The first round, which compiles and fills caches, does not count.
     """
-    there = {name: one for name, one in race.contestants.items() if not one.needs or find_spec(one.needs)}
+    there = {name: one for name, one in race.contestants.items() if _is_there(one)}
     with ExitStack() as stack:
         ready = {name: stack.enter_context(one.ready()) for name, one in there.items()}
         found = [{name: once() for name, once in ready.items()} for _ in range(1 + (rounds or race.rounds))]
     _agree(found[0])
     return {name: _least([one[name] for one in found[1:]]) for name in there}
+
+
+def _is_there(one: Contestant) -> bool:
+    can_have_fewer = hasattr(os, "sched_setaffinity")
+    return (not one.needs or find_spec(one.needs) is not None) and (not one.cores or can_have_fewer)
 
 
 def _least(taken: Sequence[Taken]) -> Taken:

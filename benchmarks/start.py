@@ -44,6 +44,7 @@ print(Template("""{% for row in rows %}
 '''
 FLOORS = {
     IMPORTS: python("import click, flint"),
+    IMPORTS + BARE: python("import click, flint", bare=True),
     FIGURE: python(EMPTY_FIGURE, needs="matplotlib"),
     EMPTY: python("pass"),
     SCRIPT: python(LEAST_SCRIPT),
@@ -62,15 +63,16 @@ class Start(NamedTuple):
 
 STARTS = (
     Start(TABLE, SCRIPT, 0.75),
-    Start(TABLE, SCRIPT + BARE, 0.75, bare=True),
+    Start(TABLE, SCRIPT + BARE, 1, bare=True),
+    Start(TABLE, IMPORTS + BARE, bare=True),
     Start(TABLE, IMPORTS),
     Start(f"{TABLE} -f html", IMPORTS, 2.8),
     Start(f"{TABLE} -f latex", IMPORTS, 2.8),
     Start("delta --eps 2..6", IMPORTS, 2.8),
     Start("solve --ratio 1:5 --where p=0", IMPORTS, 2.8),
     Start("harmonics", IMPORTS, 2.8),
-    Start("inertia --ratio 1:5 --centre 0.65 --gyration 0.35", IMPORTS, 2.8),
-    Start("inertia --ratio 1:5 --centre 0.65 --gyration 0.35 --layout inertia-errors", IMPORTS, 2.5),
+    Start("inertia --ratio 1:5 --centre 0.65 --gyration 0.35", IMPORTS),
+    Start("inertia --ratio 1:5 --centre 0.65 --gyration 0.35 --layout inertia-errors", IMPORTS),
     Start("table --stroke 100mm --rod 250mm", IMPORTS),
     Start("table --stroke 4in --rod 10in", IMPORTS),
     Start("table --ratio 1:5 -o motion.svg", FIGURE, 1.5),

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from benchmarks.race import ENVIRONMENT, KURBEL, Race, Row, Run, Task, kurbel
+from benchmarks.race import ALONE, ENVIRONMENT, KURBEL, Race, Row, Run, Task, kurbel
 
 READY = "pyarrow writing these columns ready-made"
 # Rows that pyarrow has in memory and writes again and again.
@@ -71,27 +71,31 @@ def loop_of_python() -> Run:
 
 
 def races(quick: bool) -> Iterator[Race]:
-    yield _of_motion(100 if quick else 1000, "10⁷" if quick else "10⁸")
+    yield _of_motion(100 if quick else 1000, *(("10⁷", "10⁶") if quick else ("10⁸", "10⁷")))
     yield _of_engines(100 if quick else 1000, "10⁵" if quick else "10⁶")
     yield _of_combinations()
 
 
-def _of_motion(ratios: int, told: str) -> Race:
+def _of_motion(ratios: int, told: str, fewer: str) -> Race:
     def words(count: int) -> str:
         return f"sweep table --ratio 0.2..{0.2 + (count - 1) / 10000:.4f}:0.0001 {OF_MOTION}"
 
     rows, some = ratios * 100_000, words(SOME // 100_000)
     what = f"`kurbel sweep table`, {told} rows of x, c and p to Parquet"
-    own = "pyarrow so, as it comes (dictionaries, snappy)"
+    own, few = "pyarrow so, as it comes (dictionaries, snappy)", f"kurbel, {fewer} rows"
     return Race(
         {
             "kurbel": kurbel(f"{words(ratios)} -o motion.parquet"),
+            ALONE: kurbel(f"{words(ratios)} -o motion.parquet", cores=1),
+            few: kurbel(f"{words(ratios // 10)} -o motion.parquet"),
             READY: Task(ready_made, (some, rows, False)),
             own: Task(ready_made, (some, rows, True)),
         },
         [
-            Row(what, "kurbel", READY, 2, rows),
+            Row(what, "kurbel", READY, 2.2, rows),
             Row(what, "kurbel", own, times=rows),
+            Row(what, "kurbel", ALONE, times=rows),
+            Row(what, "kurbel", few, times=rows, its_times=rows // 10),
             Row(f"{what}: peak of memory", "kurbel", "1 GiB", 1, limit=1024),
         ],
         rounds=2,
@@ -115,9 +119,13 @@ def _of_combinations() -> Race:
     return Race(
         {
             "kurbel": kurbel(f"{words} -o harmonics.parquet"),
+            ALONE: kurbel(f"{words} -o harmonics.parquet", cores=1),
             python: Task(loop_of_python, share=LOOPED / 501),
             shell: Task(loop_of_shell, share=LOOPED / 501),
         },
-        [Row(f"`kurbel {words}`, 501 combinations", "kurbel", one, times=501) for one in (python, shell)],
+        [
+            Row(f"`kurbel {words}`, 501 combinations", "kurbel", one, times=501)
+            for one in (python, shell, ALONE)
+        ],
         rounds=2,
     )

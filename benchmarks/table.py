@@ -42,7 +42,7 @@ def _cells(row: Row, race: Race, taken: Mapping[str, Taken]) -> Cells:
         shown = [f"{_three(one)} ulp" for one in figures]
     else:
         figures = (getattr(taken[row.kurbel], race.clock), getattr(taken[row.beside], race.clock))
-        shown = [time(one, row.times) for one in figures]
+        shown = [time(figures[0], row.times), time(figures[1], row.its_times or row.times)]
     share = figures[0] / figures[1]
     missed = ", missed" if row.aim and share > row.aim else ""
     return Cells(row.what, shown[0], row.beside, shown[1], ratio(share), asked + missed)
