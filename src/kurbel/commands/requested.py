@@ -109,12 +109,13 @@ class Requested:
             raise ProblemError("cards over the crank angle are not computed a second time")
         return found
 
-    def measured(self) -> verify.Load:
-        """The card as a load: kurbel's cubics, where they pass through the points of the file."""
+    def measured(self, card: Any = None) -> verify.Load:
+        """The card, or one of a part of its points, as a load: kurbel's cubics, where they pass through the
+        points, in the unit of the whole."""
         from kurbel.engine.card.force import curve
 
         asked, scale, courses = self.asked, self.card.admission, []
-        for shares, pressures in self.card.courses():
+        for shares, pressures in (card or self.card).courses():
             heights = [one / scale for one in pressures]
             cubics = curve(shares, heights)
             if any(abs(cubics.pressure(one) - p) > THROUGH for one, p in zip(shares, heights, strict=True)):

@@ -12,6 +12,7 @@ from functools import cached_property
 from typing import Any, TypedDict
 
 from kurbel import verify
+from kurbel.commands.card_errors import error_of
 from kurbel.commands.part import Values, flag_of
 from kurbel.commands.parts.angles import in_degrees
 from kurbel.commands.parts.effort import PINNED, PRESSING
@@ -63,7 +64,8 @@ class Second(Requested):
 
     def verdict(self, key: str, column: Head, row: Row) -> tuple[str, str]:
         """Return whether a cell is confirmed, and else its right digits, or why it is not computed."""
-        rounding = str(self.options.get("rounding", "half-away"))
+        error = key.endswith("_error") and self.asked.says("card")
+        rounding = "up" if error else str(self.options.get("rounding", "half-away"))
         printed = row[key]
         try:
             value = self.value(key, column, row)
@@ -83,8 +85,6 @@ class Second(Requested):
 
     def value(self, key: str, column: Head, row: Row) -> Value:
         """Return the value of a cell. Raises KurbelError for what is not computed a second time."""
-        if key.endswith("_error") and "card" in self.options:
-            raise ProblemError("how far a card lets a number be off is an estimate, not a number to enclose")
         if (name := self.command) in SUMMED or (name := self.key) in SUMMED:
             stem, times = in_si(key.removesuffix(f"_{column['method']}"), column["unit"])
             plain = stem.removesuffix("_nm").removesuffix("_n")
@@ -97,6 +97,8 @@ class Second(Requested):
         for name in self.options.keys() - KNOWN:
             raise ProblemError(f"{flag_of(name)} is not known to the second computation")
         own, times = in_own_unit(key.removesuffix(f"_{column['method']}"), column["unit"])
+        if own.endswith("_error") and "card" in self.options:
+            return error_of(self, own.removesuffix("_error"), column["method"], row) * times
         found = PAGES[self.command](self, own, column["method"], row)
         return found * times
 
@@ -169,10 +171,10 @@ class Second(Requested):
         given, zero = self.asked.angle or (), self.asked.zero_angle
         return shifted(in_degrees(given, self.asked.values, self._layout.ratios, zero=zero), -zero)
 
-    def turn(self, method: str, row: Row, alone: bool = False) -> verify.Turn:
-        """The turn of the page, or that of one crank `alone`, without its masses."""
-        asked, drive, load = self.asked, self.drive(row), self.load(row)
-        key = (drive, method, alone, *(str(row.get(name)) for name in LOADED))
+    def turn(self, method: str, row: Row, alone: bool = False, card: Any = None) -> verify.Turn:
+        """The turn of the page, that of one crank `alone`, without its masses, or that of part of a card."""
+        asked, drive, load = self.asked, self.drive(row), self.measured(card) if card else self.load(row)
+        key = (drive, method, alone, card, *(str(row.get(name)) for name in LOADED))
         if key not in self._turns:
             if asked.says("cylinder"):
                 raise ProblemError("engines of unlike cylinders are not computed a second time")

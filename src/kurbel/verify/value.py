@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from math import ceil
 from typing import Any
 
 from kurbel.errors import ProblemError
@@ -13,7 +14,7 @@ from kurbel.verify.enclose import working
 from kurbel.verify.numbers import Number, Undecided
 
 CONFIRMED, WRONG, UNDECIDED = "confirmed", "wrong", "undecided"
-ROUNDINGS = ("half-away", "half-even")
+ROUNDINGS = ("half-away", "half-even", "up")
 # Bits to begin with, and those at which a question is given up.
 FIRST, LAST = 90, 3000
 
@@ -100,7 +101,7 @@ def _rounded(found: Number, decimals: int, rounding: str) -> int:
 
 
 def _nearest(scaled: Fraction, rounding: str) -> int:
-    if rounding == "half-even":
-        return round(scaled)
+    if rounding != "half-away":
+        return ceil(scaled) if rounding == "up" else round(scaled)
     away = (2 * abs(scaled) + 1) // 2
     return int(away if scaled >= 0 else -away)
