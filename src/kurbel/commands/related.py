@@ -314,8 +314,10 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
             known |= _of_compound(duty, number(epsilon), number(1 if back is None else epsilon * back))
         found = completed(known, ENGINE)
         shaft = found.get("at_shaft", number(1))
-        if duty.bore is None and (
-            rods := [rod for rod in (duty.piston_rod, duty.tail_rod) if rod is not None]
+        if (
+            duty.bore is None
+            and "bore" in found
+            and (rods := [rod for rod in (duty.piston_rod, duty.tail_rod) if rod is not None])
         ):
             found["bore"] = (found["bore"] * found["bore"] + number(sum(rod**2 for rod in rods) / 2)).root()
         return {**found, "efficiency": 1 / shaft if source.driven else shaft}
