@@ -34,7 +34,7 @@ from same_bytes import kurbel, prepare
 from kurbel.cli.app import command_of
 from kurbel.cli.options import FileName, Type
 from kurbel.commands.options import Choice, Columns, Count, LayoutName
-from kurbel.commands.parts.drawing import Pictured
+from kurbel.commands.parts.drawing import DrawingOptions
 from kurbel.commands.parts.sheet import Layouts, Sheet
 from kurbel.errors import KurbelError
 
@@ -42,7 +42,7 @@ from kurbel.errors import KurbelError
 PAGES = ("json", "text", "latex", "csv", "html")
 DRAWING = ("svg",)
 NO_OPTIONS = frozenset(("format", "output", "machine", "short", "whole", "help"))
-OF_LOOKS = frozenset((*Pictured.options(), *Layouts.options(), *Sheet.options())) | {
+OF_LOOKS = frozenset((*DrawingOptions.options(), *Layouts.options(), *Sheet.options())) | {
     "decimal", "standalone", "interactive", "longtable", "siunitx", "plain", "excel",
 }  # fmt: skip
 # So many values are tried; of an option that is refused at first, fewer.

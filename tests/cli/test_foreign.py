@@ -25,7 +25,7 @@ HAVE = {name: flags(name) for name in COMMANDS}
 
 
 @pytest.mark.parametrize("row", foreign.OPTIONS, ids=lambda row: f"{row.option}-{row.words.split()[0]}")
-def test_every_word_leads_to_the_option_in_a_command_that_has_it(row: foreign.Ours) -> None:
+def test_every_word_leads_to_the_option_in_a_command_that_has_it(row: foreign.Alias) -> None:
     for word in row.words.split():
         flag = f"--{word.replace('_', '-')}"
         # Gas engines have a --cut-off, which is refused beside steam where it is read.

@@ -14,14 +14,14 @@ from mpmath import mp, mpf
 
 from kurbel.exact.certify import ball
 from kurbel.exact.search import crossing
-from kurbel.exact.taylor import Continued, Taylor, bounded, expanded, exponential, half_turn_circle
+from kurbel.exact.taylor import ComplexNumber, Taylor, bounded, expanded, exponential, half_turn_circle
 
 LOW, HIGH = Fraction(3, 10), Fraction(2, 5)
 PLACES = [LOW, Fraction(31, 100), Fraction(7, 20), HIGH]
 RADII = 4
 
 
-def rod(place: Continued) -> Continued:
+def rod(place: ComplexNumber) -> ComplexNumber:
     """√(1 - λ² sin² φ) and a logarithm, as steam has them."""
     return (1 - half_turn_circle(place).sine ** 2 / 9) ** 0.5 + (place + Fraction(1, 5)).log() * place
 
@@ -30,7 +30,7 @@ def true_rod(place: Any) -> Any:
     return mp.sqrt(1 - mp.sin(mp.pi * place) ** 2 / 9) + mp.log(place + mpf(1) / 5) * place
 
 
-def series(function: Callable[[Continued], Continued], bits: int) -> Taylor:
+def series(function: Callable[[ComplexNumber], ComplexNumber], bits: int) -> Taylor:
     bound = bounded(function, LOW, HIGH, RADII, 1e6)
     assert bound is not None
     with flint.ctx.workprec(bits):

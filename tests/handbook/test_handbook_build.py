@@ -29,7 +29,7 @@ from programs import Programs, is_alone, wait_until
 from tools import require_library
 
 from kurbel.formats.registry import FORMATS
-from kurbel.handbook.pool import Made, Piece, worked
+from kurbel.handbook.pool import BuiltFiles, WorkPiece, worked
 from kurbel.page import build as page
 
 MANIFEST = """\
@@ -422,11 +422,13 @@ def test_a_full_disk_leaves_the_old_files_and_no_halves(
 
 def test_a_process_that_ends_costs_its_own_part_and_after_three_the_rest_is_not_tried() -> None:
     ends: Any = partial(os._exit, 1)
-    pieces = [Piece(str(place), "", partial(Made, {}) if place == 1 else ends, None) for place in range(6)]
+    pieces = [
+        WorkPiece(str(place), "", partial(BuiltFiles, {}) if place == 1 else ends, None) for place in range(6)
+    ]
     ended = "its process was ended, for want of memory or from outside"
     untried = "not tried, for others like it were stopped"
     found = {piece.name: became for piece, became in worked(pieces, 2)}
-    assert found.pop("1") == Made({})
+    assert found.pop("1") == BuiltFiles({})
     # Which of two that run at once ends first, the system says.
     assert Counter(found.values()) == {ended: 3, untried: 2}
 

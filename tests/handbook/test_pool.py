@@ -8,17 +8,17 @@ from pathlib import Path
 
 from deadly import deadly, harmless
 
-from kurbel.handbook.pool import KILLED, NOT_TRIED, Made, Piece, worked
+from kurbel.handbook.pool import KILLED, NOT_TRIED, BuiltFiles, WorkPiece, worked
 
 
-def pieces(kinds: str, folder: Path) -> list[Piece]:
+def pieces(kinds: str, folder: Path) -> list[WorkPiece]:
     """Return pieces by their letters: one that dies always, one that dies once, one that is made."""
-    makes: dict[str, Callable[[], Made]] = {
+    makes: dict[str, Callable[[], BuiltFiles]] = {
         "d": deadly,
         "o": partial(deadly, str(folder / "once")),
         "m": harmless,
     }
-    return [Piece(f"{number}{kind}", "", makes[kind], None) for number, kind in enumerate(kinds)]
+    return [WorkPiece(f"{number}{kind}", "", makes[kind], None) for number, kind in enumerate(kinds)]
 
 
 def test_a_piece_that_ends_its_process_fails_alone(tmp_path: Path) -> None:

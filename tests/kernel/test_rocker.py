@@ -15,7 +15,7 @@ from kurbel.kernel import rocker, rod
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.moving import Masses, joined, rod_masses
 from kurbel.kernel.rocker import LoadedRocker
-from kurbel.kernel.rod import Loaded
+from kurbel.kernel.rod import LoadedCrank
 from kurbel.linkage.arc import ArcCrank
 
 # mpmath has no types.
@@ -89,7 +89,7 @@ def test_energy_and_slope_of_the_offset_crank_are_those_of_its_torque(ratio: str
     drive = mp.mpf(ratio), mp.mpf(offset)
 
     def torque(at: Real) -> Real:
-        return Loaded(on_circle(at), drive[0], masses(), drive[1]).torque()
+        return LoadedCrank(on_circle(at), drive[0], masses(), drive[1]).torque()
 
     for angle in (mp.mpf("0.7"), mp.mpf("3.9")):
         energy = mp.diff(lambda at: rod.kinetic_energy(on_circle(at), drive[0], masses(), drive[1]), angle)

@@ -20,12 +20,12 @@ from kurbel.kernel import forces
 from kurbel.kernel import rod as kernel
 from kurbel.kernel.circle import circle
 from kurbel.kernel.moving import Masses, rod_masses
-from kurbel.kernel.rod import Loaded
+from kurbel.kernel.rod import LoadedCrank
 
 
 def force(name: str) -> Callable[..., Any]:
     """Return a force of circle, ratio, masses, offset and piston force."""
-    return lambda *state: getattr(Loaded(*state), name)()
+    return lambda *state: getattr(LoadedCrank(*state), name)()
 
 
 FORCES: dict[str, Callable[..., Any]] = {
@@ -49,7 +49,7 @@ def digits() -> Iterator[None]:
 @pytest.mark.parametrize("offset", [None, 0.9])
 def test_inertia_does_no_work_in_a_whole_turn(offset: float | None) -> None:
     # Of a periodic function the mean of equal steps is the integral, but for harmonics above 720.
-    torque: Any = Loaded(circle(np.arange(720) / 2), 0.31, Masses(0.58, 0.42, -0.09), offset).torque()
+    torque: Any = LoadedCrank(circle(np.arange(720) / 2), 0.31, Masses(0.58, 0.42, -0.09), offset).torque()
     assert np.ptp(torque) > 0.3
     assert abs(torque.mean()) < 1e-14
 
@@ -58,7 +58,7 @@ def test_without_masses_the_piston_force_alone_acts() -> None:
     point, none = circle(np.arange(0.0, 360, 7)), Masses(0.0, 0.0, 0.0)
     for crank in ((0.23,), (-0.23,), (0.23, 0.8)):
         ratio, offset = crank[0], crank[1] if len(crank) > 1 else None
-        loaded: Any = Loaded(point, ratio, none, offset, 3.0)
+        loaded: Any = LoadedCrank(point, ratio, none, offset, 3.0)
         guide: Any = forces.guide_force(point, *crank)
         rod: Any = forces.rod_force(point, *crank)
         turning: Any = forces.tangential_force(point, *crank)
@@ -77,7 +77,7 @@ FLOATS = rod_masses(*map(float, ROD))
 
 def test_an_infinite_rod_swings_without_turning_the_force_along() -> None:
     point = circle(SAMPLED)
-    loaded: Any = Loaded(point, 0.0, FLOATS)
+    loaded: Any = LoadedCrank(point, 0.0, FLOATS)
     assert_allclose(loaded.pin_force_along(), -point.cosine, rtol=1e-15, atol=1e-16)
     share = 0.63 + float(FLOATS.couple)
     assert_allclose(loaded.pin_force_across(), -share * point.sine, rtol=1e-15, atol=1e-16)
@@ -116,7 +116,7 @@ def test_no_zero_has_a_sign() -> None:
         for ratio in (0.2, -0.2, 0.0):
             point = circle(degrees)
             values = [formula(point, ratio, FLOATS) for formula in FORCES.values()]
-            values += [Loaded(point, ratio, FLOATS).couple(), *kernel.parts(point, ratio)]
+            values += [LoadedCrank(point, ratio, FLOATS).couple(), *kernel.parts(point, ratio)]
             assert all(value or math.copysign(1, value) == 1 for value in values), (degrees, ratio)
 
 
@@ -124,7 +124,7 @@ def test_magnitude_of_balls_that_hold_zero_is_a_ball_about_zero() -> None:
     third = certify.ball(Fraction(1, 3))
     masses = Masses(third, third, 0)
     balanced = third + third * (1 + third)
-    value: Any = Loaded(certify.ball_circle(Fraction(0)), third, masses, None, balanced).pin_force()
+    value: Any = LoadedCrank(certify.ball_circle(Fraction(0)), third, masses, None, balanced).pin_force()
     assert value.contains(0)
     assert value < 1e-50
 

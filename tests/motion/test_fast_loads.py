@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import kurbel
-from kurbel.exact.bulk import OfDegrees, evaluate
+from kurbel.exact.bulk import AngleColumn, evaluate
 from kurbel.kernel.loops import traceable
 from kurbel.motion.bulk import on_floats
 
@@ -44,7 +44,7 @@ def columns_of(page: Any, given: dict[str, Any], columns: tuple[str, ...]) -> li
 @pytest.mark.parametrize(("page", "given", "columns"), DRIVES)
 def test_no_column_is_left_to_numpy(page: Any, given: dict[str, Any], columns: Any) -> None:
     for one in columns_of(page, given, columns):
-        assert not isinstance(one, OfDegrees)
+        assert not isinstance(one, AngleColumn)
         assert traceable(one)
 
 

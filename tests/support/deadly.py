@@ -6,10 +6,10 @@ import os
 import signal
 from pathlib import Path
 
-from kurbel.handbook.pool import Made
+from kurbel.handbook.pool import BuiltFiles
 
 
-def deadly(once: str = "") -> Made:
+def deadly(once: str = "") -> BuiltFiles:
     """Make a piece that ends its process: always, or if a file is there, which then is gone."""
     if once and not Path(once).exists():
         return harmless()
@@ -19,5 +19,5 @@ def deadly(once: str = "") -> Made:
     raise AssertionError
 
 
-def harmless() -> Made:
-    return Made({"x": b"x"})
+def harmless() -> BuiltFiles:
+    return BuiltFiles({"x": b"x"})

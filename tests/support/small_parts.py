@@ -14,7 +14,7 @@ from kurbel.sweeps.asked import planned
 from kurbel.sweeps.columns import Part
 from kurbel.sweeps.rows import Sweep as Sweep
 
-run, Running, StoppedError = runs.run, runs.Running, runs.StoppedError
+run, Running, StoppedError = runs.run, runs.SweepRunner, runs.StoppedError
 # Where a file of this name lies, a part ends its process; the file is gone before.
 KILLS = "kills"
 DEADLY = 10

@@ -29,7 +29,7 @@ from kurbel.balancing.harmonics import (
     harmonic_number,
     series_notes,
 )
-from kurbel.balancing.vector import IN_NEWTONS, Weighed
+from kurbel.balancing.vector import IN_NEWTONS, CrankWithMasses
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
@@ -116,7 +116,7 @@ class BalanceRequest(OrdersRequest):
 
     arrangement: Arrangement
     engine: str = ""
-    weighed: Weighed | None = None
+    weighed: CrankWithMasses | None = None
     about: Fraction | None = None
     metres: bool = False
 
@@ -136,7 +136,7 @@ class BalanceRequest(OrdersRequest):
         return any(one.key != FACTOR and not one.quantity.needs for one in self.page_columns)
 
     @property
-    def in_newtons(self) -> Weighed:
+    def in_newtons(self) -> CrankWithMasses:
         """The masses, whose forces are in the unit of the page."""
         weighed = known(self.weighed)
         spacing = 1 / self.of_page("m") if self.metres else weighed.spacing

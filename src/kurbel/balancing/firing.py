@@ -214,7 +214,7 @@ def _text(order: Order) -> str:
 WORDS = texts("balancing")["firing"]
 
 
-class Fired(NamedTuple):
+class FiringCylinder(NamedTuple):
     """A cylinder in a firing order: its number and angles, and when it fires.
 
     Its crank `follows` that of the first cylinder by an angle within the cycle: cylinders whose cranks follow
@@ -311,7 +311,7 @@ class FiringRequest(Question):
         return firings(cylinders, self.strokes)
 
     @cached_property
-    def fired(self) -> list[Fired]:
+    def fired(self) -> list[FiringCylinder]:
         """The cylinders of the first order as they fire."""
         firing, cylinders = self.firings[0], self.arrangement.cylinders
         groups = zip(firing.order, firing.angles, firing.intervals, strict=True)
@@ -324,10 +324,10 @@ class FiringRequest(Question):
 
 def _record(
     number: int, cylinders: Sequence[Cylinder], firing: Firing, angle: Fraction, interval: Fraction
-) -> Fired:
+) -> FiringCylinder:
     crank, bank = cylinders[number - 1].crank, cylinders[number - 1].bank
     follows = (angle - bank + cylinders[0].bank) % firing.period
-    return Fired(number, crank, follows, bank, angle, interval)
+    return FiringCylinder(number, crank, follows, bank, angle, interval)
 
 
 def asked(
@@ -370,7 +370,7 @@ def _of_cylinder(question: FiringRequest, column: Column, place: Place, times: i
     return _shown(column, question.fired[place["cylinder"]])
 
 
-def _shown(column: Column, about: Firing | Fired) -> Value:
+def _shown(column: Column, about: Firing | FiringCylinder) -> Value:
     found = column.quantity.formulas["exact"].kernel(about)
     if not isinstance(found, Fraction):
         return str(found)

@@ -15,7 +15,7 @@ from fractions import Fraction
 from functools import cache
 from typing import NamedTuple
 
-from kurbel.balancing.rotor import Mass, Placed, force, moment, shares
+from kurbel.balancing.rotor import Mass, PlacedMass, force, moment, shares
 from kurbel.balancing.rotor_page import number_of
 from kurbel.balancing.vector import Vector, omega
 from kurbel.drive.at import known
@@ -72,9 +72,9 @@ class Locomotive:
     def planes(self) -> tuple[Fraction, Fraction]:
         return -self.gauge / 2, self.gauge / 2
 
-    def _placed(self, masses: Iterable[Fraction]) -> list[Placed]:
+    def _placed(self, masses: Iterable[Fraction]) -> list[PlacedMass]:
         return [
-            Placed(Vector.ray(one.angle, mass * self.radius), Real.of(one.place), _UNKNOWN)
+            PlacedMass(Vector.ray(one.angle, mass * self.radius), Real.of(one.place), _UNKNOWN)
             for one, mass in zip(self.cranks, masses, strict=True)
         ]
 
@@ -93,7 +93,7 @@ class Locomotive:
         left, right = self.blows(share)
         return right if float(right.square()) > float(left.square()) else left
 
-    def left(self, share: Fraction) -> list[Placed]:
+    def left(self, share: Fraction) -> list[PlacedMass]:
         """Return what pulls along the slides at φ = 0; it turns with the axle."""
         return self._placed((1 - share) * one.reciprocating for one in self.cranks)
 

@@ -53,7 +53,7 @@ class Mass(NamedTuple):
         return known(self.mass) * known(self.radius)
 
 
-class Placed(NamedTuple):
+class PlacedMass(NamedTuple):
     """A mass as it is known or found: its unbalance in kg m, its plane in m; as it was given, if it was."""
 
     vector: Vector
@@ -72,7 +72,7 @@ class Placed(NamedTuple):
 
         return Vector(rest=((point, Fraction(1)),))
 
-    def second(self, ratio: Fraction) -> Placed:
+    def second(self, ratio: Fraction) -> PlacedMass:
         """Return the same as it acts in the second order where it goes to and fro, λ m r at the double angle.
 
         λ is the crank ratio; times ω² it is the greatest force. Source: the textbooks; the series of the
@@ -117,12 +117,12 @@ def _check(number: int, one: Mass) -> None:
         raise ProblemError(f"the plane of mass {number} lies beyond {LARGEST} m")
 
 
-def force(masses: Sequence[Placed]) -> Vector:
+def force(masses: Sequence[PlacedMass]) -> Vector:
     """Return the unbalance of all masses together, in kg m."""
     return sum((one.vector for one in masses), Vector())
 
 
-def moment(masses: Sequence[Placed], about: Fraction) -> Vector:
+def moment(masses: Sequence[PlacedMass], about: Fraction) -> Vector:
     """Return the moment of the unbalances in kg m², in the direction of the forces of the couple.
 
     Without an unbalance of all together it is the same about any point.
@@ -133,7 +133,7 @@ def moment(masses: Sequence[Placed], about: Fraction) -> Vector:
     return sum((one.moment(about) for one in masses), Vector())
 
 
-def shares(masses: Sequence[Placed], planes: Sequence[Fraction]) -> tuple[Vector, ...]:
+def shares(masses: Sequence[PlacedMass], planes: Sequence[Fraction]) -> tuple[Vector, ...]:
     """Return the unbalances in one or two planes that have the force and the moment of the masses.
 
     Times ω² they are the forces on bearings there; the opposite ones balance the masses. In one plane they
@@ -170,7 +170,7 @@ class Line(NamedTuple):
     angle: Fraction | Vector | None = None
 
 
-def lines(rotor: Rotor, standing: Sequence[Placed], places: Places) -> Iterator[Line]:
+def lines(rotor: Rotor, standing: Sequence[PlacedMass], places: Places) -> Iterator[Line]:
     """Yield the lines of a way in which the masses stand: these, what they leave, what balances them; of
     masses that go to and fro what they leave of the second order."""
     yield from _masses("mass", standing, rotor.about)
@@ -182,7 +182,7 @@ def lines(rotor: Rotor, standing: Sequence[Placed], places: Places) -> Iterator[
     if places.balance:
         found = zip(shares(standing, places.balance), places.balance, places.radii, strict=True)
         added = [
-            Placed(one * Fraction(-1), Real.of(plane), Mass(None, radius, None, plane))
+            PlacedMass(one * Fraction(-1), Real.of(plane), Mass(None, radius, None, plane))
             for one, plane, radius in found
         ]
         yield from _masses("balance", added, rotor.about)
@@ -194,7 +194,7 @@ def lines(rotor: Rotor, standing: Sequence[Placed], places: Places) -> Iterator[
             yield Line("bearing", number, plane=Real.of(plane), unbalance=one.length(), angle=one)
 
 
-def _masses(key: str, masses: Sequence[Placed], about: Fraction) -> Iterator[Line]:
+def _masses(key: str, masses: Sequence[PlacedMass], about: Fraction) -> Iterator[Line]:
     for number, (vector, plane, given) in enumerate(masses, 1):
         mass, radius, angle, _ = given
         of_radius = None if radius is None else Real.of(radius)
@@ -210,7 +210,7 @@ def _sums(before: str, rest: Vector, couple: Vector) -> Iterator[Line]:
     yield Line(f"{before}couple", moment=couple.length(), angle=couple)
 
 
-Solution = tuple[Placed, ...]
+Solution = tuple[PlacedMass, ...]
 Unknown = tuple[list[int], list[int], list[int]]
 SOLVABLE = (
     "for static balance a mass with its angle or two angles can be asked for; for complete balance two masses"
@@ -243,7 +243,7 @@ def _with(masses: Sequence[Mass], found: Mapping[int, Vector], left: Sequence[in
     """Return the masses with the vectors that were found, but for those that are left out."""
     # Where the forces alone are balanced the plane does not matter.
     return tuple(
-        Placed(found[place] if place in found else one.vector, Real.of(one.plane or 0), one)  # noqa: SIM401
+        PlacedMass(found[place] if place in found else one.vector, Real.of(one.plane or 0), one)  # noqa: SIM401
         for place, one in enumerate(masses)
         if place not in left
     )

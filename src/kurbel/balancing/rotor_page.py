@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any, NamedTuple
 
-from kurbel.balancing.rotor import Line, Placed, Places, Rotor, lines, solved
+from kurbel.balancing.rotor import Line, PlacedMass, Places, Rotor, lines, solved
 from kurbel.balancing.vector import Vector, omega
 from kurbel.drive.at import known
 from kurbel.exact.numerals import Label, Number, given
@@ -90,7 +90,7 @@ class RotorRequest(Question):
         _ = self.lines
 
     @cached_property
-    def solutions(self) -> tuple[tuple[Placed, ...], ...]:
+    def solutions(self) -> tuple[tuple[PlacedMass, ...], ...]:
         return solved(self.rotor.masses)
 
     @cached_property

@@ -175,7 +175,7 @@ WORDS = texts("balancing")["vector"]
 
 
 @dataclass(frozen=True, slots=True)
-class Weighed:
+class CrankWithMasses:
     """The crank of a cylinder with its masses, its radius and the speed; `spacing` is the unit of length
     of the positions in metres, None where it is not known.
 

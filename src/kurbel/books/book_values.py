@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 from flint import arb
 
 from kurbel.books.form import UNREAD
-from kurbel.books.printed_value import Printed, Units
+from kurbel.books.printed_value import PrintedValue, Units
 from kurbel.drive.crank import Crank
 from kurbel.engine.cylinder import TurnPlace
 from kurbel.engine.engine import Engine
@@ -162,7 +162,7 @@ FRACTIONS = Numbers(lambda value: value, irrational, irrational, irrational, fra
 BOUNDS = Numbers(Separation.rational, circle_separation, irrational, irrational)
 
 
-class Truth(NamedTuple):
+class TrueValue(NamedTuple):
     """What a cell is: its ball at the precision in force, its separation bound, None without one.
 
     `rational` is the value itself where it is known to be a fraction.
@@ -172,7 +172,7 @@ class Truth(NamedTuple):
     bound: Callable[[], Separation] | None = None
     rational: Fraction | None = None
 
-    def in_units(self, printed: Printed) -> Units | None:
+    def in_units(self, printed: PrintedValue) -> Units | None:
         """Return how many units of the printed value's last place it is, rounded half away from zero.
 
         A quotient has none, and is the value itself: None where that is irrational.
@@ -195,7 +195,7 @@ class Truth(NamedTuple):
         ties: TieBits | None = NEVER_TIES if self.bound is None else tie_bits
         return rounded(lambda: self.value() / ball(unit), 0, "half-away", ties)
 
-    def written_as(self, printed: Printed) -> Printed:
+    def written_as(self, printed: PrintedValue) -> PrintedValue:
         """Return the value as another is printed; one in place of a quotient is rational."""
         units = self.in_units(printed)
         assert units is not None
@@ -207,12 +207,12 @@ class Truth(NamedTuple):
         return vanishes(lambda: self.value() - ball(value), float(bits))
 
 
-def constant(value: Fraction) -> Truth:
+def constant(value: Fraction) -> TrueValue:
     """Return what is a rational number."""
-    return Truth(lambda: ball(value), lambda: Separation.rational(value), value)
+    return TrueValue(lambda: ball(value), lambda: Separation.rational(value), value)
 
 
-def formula_truth(formula: Expression, cells: Callable[[str], Truth]) -> Truth:
+def formula_truth(formula: Expression, cells: Callable[[str], TrueValue]) -> TrueValue:
     """Return what a formula makes of the cells that it names."""
     rational = _rational(formula, cells)
     if rational is not None:
@@ -224,13 +224,13 @@ def formula_truth(formula: Expression, cells: Callable[[str], Truth]) -> Truth:
         return found()
 
     algebraic = not formula.transcendental and all(cells(name).bound is not None for name in formula.names)
-    return Truth(
+    return TrueValue(
         lambda: formula.value(BALLS, lambda name: cells(name).value()),
         (lambda: formula.value(BOUNDS, bound)) if algebraic else None,
     )
 
 
-def _rational(formula: Expression, cells: Callable[[str], Truth]) -> Fraction | None:
+def _rational(formula: Expression, cells: Callable[[str], TrueValue]) -> Fraction | None:
     """Return the value if fractions and roots of squares alone make it."""
 
     def fraction(name: str) -> Fraction:
@@ -246,12 +246,12 @@ def _rational(formula: Expression, cells: Callable[[str], Truth]) -> Fraction | 
     return value
 
 
-def kept(truth: Truth) -> Truth:
+def kept(truth: TrueValue) -> TrueValue:
     """Return the same, computed once for each precision."""
     from flint import ctx
 
     at = cache(lambda precision: truth.value())
-    return Truth(lambda: at(ctx.prec), truth.bound and cache(truth.bound), truth.rational)
+    return TrueValue(lambda: at(ctx.prec), truth.bound and cache(truth.bound), truth.rational)
 
 
 STROKES = {
@@ -284,7 +284,7 @@ AXES: Mapping[str, Axis] = {
 }
 
 
-def _motion_truth(key: str, method: str, ratio: Fraction, phi: Fraction) -> Truth:
+def _motion_truth(key: str, method: str, ratio: Fraction, phi: Fraction) -> TrueValue:
     quantity, crank = motion_registry()[key], Crank(ratio)
     choose(method, evaluation.METHODS, "method")
     if not evaluation.is_known(quantity, crank):
@@ -296,7 +296,7 @@ def _motion_truth(key: str, method: str, ratio: Fraction, phi: Fraction) -> Trut
     # A method without a formula is told here, before anything is computed.
     evaluation.kernel_of(quantity, method, crank)
     algebraic = not evaluation.is_transcendental(quantity, crank)
-    return Truth(lambda: run(balls()), cache(lambda: run(bounds())) if algebraic else None)
+    return TrueValue(lambda: run(balls()), cache(lambda: run(bounds())) if algebraic else None)
 
 
 def _engine_truth(
@@ -306,7 +306,7 @@ def _engine_truth(
     epsilon: Fraction,
     back: Fraction | None = None,
     stroke: str = "turn",
-) -> Truth:
+) -> TrueValue:
     quantity, spans = engine_registry()[key], {name: span for span, (name, _) in SPANS.items()}
     where, turn = TurnPlace(spans[choose(stroke, spans, "stroke")]), engine_turn(ratio, epsilon, back, method)
     if not applies(quantity, where):
@@ -316,7 +316,7 @@ def _engine_truth(
         found = engine_value(quantity, turn, where)
         return ball(found) if isinstance(found, Fraction) else found
 
-    return Truth(value)
+    return TrueValue(value)
 
 
 @cache
@@ -326,27 +326,27 @@ def engine_turn(ratio: Fraction, epsilon: Fraction, back: Fraction | None, metho
     return turn_of(Engine(Crank(ratio), Steam(epsilon, back)), method)
 
 
-def _beam_truth(key: str, method: str, ratio: Fraction, arm: Fraction) -> Truth:
+def _beam_truth(key: str, method: str, ratio: Fraction, arm: Fraction) -> TrueValue:
     choose(method, FAMILIES["arm"].methods, "method")
     engine = beam.BeamEngine(arm, ratio)
-    return Truth(lambda: beam.value(beam.registry()[key], engine, method))
+    return TrueValue(lambda: beam.value(beam.registry()[key], engine, method))
 
 
-class Family(NamedTuple):
+class QuantityFamily(NamedTuple):
     """Quantities that go by one axis beside the crank ratio: their methods, and the truth of one from the
     numbers by axis, of which some may be left out."""
 
     registry: Callable[[], Mapping[str, Quantity]]
     methods: Iterable[str]
-    truth: Callable[..., Truth]
+    truth: Callable[..., TrueValue]
     free: tuple[str, ...] = ()
 
 
 # By the axis that they go by.
-FAMILIES: dict[str, Family] = {
-    "phi": Family(motion_registry, evaluation.METHODS, _motion_truth),
-    "epsilon": Family(engine_registry, ENGINE_METHODS, _engine_truth, ("back", "stroke")),
-    "arm": Family(beam.registry, ("exact", "approximate"), _beam_truth),
+FAMILIES: dict[str, QuantityFamily] = {
+    "phi": QuantityFamily(motion_registry, evaluation.METHODS, _motion_truth),
+    "epsilon": QuantityFamily(engine_registry, ENGINE_METHODS, _engine_truth, ("back", "stroke")),
+    "arm": QuantityFamily(beam.registry, ("exact", "approximate"), _beam_truth),
 }
 
 
@@ -362,7 +362,7 @@ def methods_of(quantity: str) -> tuple[str, ...]:
     return tuple(next(found, FAMILIES["phi"]).methods)
 
 
-def quantity_truth(quantity: str, method: str, at: Mapping[str, Any]) -> Truth:
+def quantity_truth(quantity: str, method: str, at: Mapping[str, Any]) -> TrueValue:
     """Return a quantity of the motion, of an engine or of a beam engine.
 
     `at` has the numbers by axis: ratio and phi; ratio and epsilon, perhaps the back pressure and the name of

@@ -13,7 +13,7 @@ from typing import Any, ClassVar
 
 from kurbel.books.collation import (
     WORDS,
-    Collated,
+    CollatedValue,
     filled_note,
     place_label,
     printed_cell,
@@ -109,10 +109,10 @@ class CollateRequest(BookQuestion):
     keys = KEYS
     words: ClassVar[Mapping[str, Words]] = {**WORDS, "ratio": RATIO, "phi": PHI}
     table: SourceTable
-    collated: Sequence[Collated] = field(repr=False)
+    collated: Sequence[CollatedValue] = field(repr=False)
 
     @cached_property
-    def deviations(self) -> list[Collated]:
+    def deviations(self) -> list[CollatedValue]:
         return [one for one in self.collated if one.verdict.kind != RIGHT]
 
     @property
@@ -126,7 +126,7 @@ class CollateRequest(BookQuestion):
         letters = (_letters(number) for number in count()) if self.as_printed else iter(())
         return {one.cell.place: mark for one, mark in zip(self.deviations, letters, strict=False)}
 
-    def record(self, one: Collated) -> Mapping[str, Value]:
+    def record(self, one: CollatedValue) -> Mapping[str, Value]:
         cell = one.cell
         return {
             "table": self.table.key,
@@ -157,7 +157,7 @@ def _printed_page(request: CollateRequest) -> tuple[Layout, Grid]:
     except ChoiceError as error:
         raise table.book.file.error(("tables", table.name, "layout"), error) from None
     shown = {column.quantity for column in page.columns}
-    by_place: dict[tuple[str, Fraction, Fraction], Collated] = {}
+    by_place: dict[tuple[str, Fraction, Fraction], CollatedValue] = {}
     for one in request.collated:
         where = _where(one.cell)
         if one.cell.quantity not in shown or where is None or where in by_place:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from kurbel.books.book_values import (
     AXES,
-    Truth,
+    TrueValue,
     formula_truth,
     kept,
     methods_of,
@@ -29,7 +29,7 @@ from kurbel.books.printed_value import (
     ROUNDINGS,
     VERDICTS,
     Evidence,
-    Printed,
+    PrintedValue,
     Units,
     Verdict,
     verdict,
@@ -41,14 +41,14 @@ from kurbel.page.quantity import Words, words
 from kurbel.reading.given import choose
 
 
-class Collated(NamedTuple):
+class CollatedValue(NamedTuple):
     """A printed value with what it should be, by how many units of the last place it is off, and why.
 
     `off` is None for a quotient that is not right, which has no last place.
     """
 
     cell: SourceCell
-    printed: Printed
+    printed: PrintedValue
     recomputed: str
     off: int | None
     verdict: Verdict
@@ -60,21 +60,21 @@ class Collation:
     def __init__(self, table: SourceTable) -> None:
         self.table = table
         self._by_place = {cell.place: cell for cell in table.cells}
-        self._done: dict[str, Collated] = {}
-        self._truths: dict[str, Truth] = {}
+        self._done: dict[str, CollatedValue] = {}
+        self._truths: dict[str, TrueValue] = {}
 
-    def __iter__(self) -> Iterator[Collated]:
+    def __iter__(self) -> Iterator[CollatedValue]:
         for cell in self.table.cells:
             if cell.printed is not None:
                 yield self.collated(cell.place)
 
-    def collated(self, name: str) -> Collated:
+    def collated(self, name: str) -> CollatedValue:
         """Return the cell of this place with its verdict."""
         if name not in self._done:
             self._done[name] = self._collate(self._by_place[name])
         return self._done[name]
 
-    def _collate(self, cell: SourceCell) -> Collated:
+    def _collate(self, cell: SourceCell) -> CollatedValue:
         try:
             return collate(cell, self.truth(cell), *self._way(cell))
         except KurbelError as error:
@@ -82,22 +82,22 @@ class Collation:
                 raise
             raise SourceError(f"{self.table.at(cell)}: {cell.place}: {error}") from None
 
-    def truth(self, cell: SourceCell) -> Truth:
+    def truth(self, cell: SourceCell) -> TrueValue:
         """Return what the cell is, by the book's method."""
         if cell.place not in self._truths:
             self._truths[cell.place] = kept(self._truth(cell))
         return self._truths[cell.place]
 
-    def _truth(self, cell: SourceCell) -> Truth:
+    def _truth(self, cell: SourceCell) -> TrueValue:
         if cell.quantity:
             return cell_truth(cell, cell.method)
         assert cell.formula is not None
         return formula_truth(cell.formula, self._truth_at)
 
-    def _truth_at(self, place: str) -> Truth:
+    def _truth_at(self, place: str) -> TrueValue:
         return self.truth(self._by_place[place])
 
-    def _way(self, cell: SourceCell) -> tuple[Truth | None, tuple[str, ...]]:
+    def _way(self, cell: SourceCell) -> tuple[TrueValue | None, tuple[str, ...]]:
         """Return the value from what was printed before, and what of that is neither right nor rounded."""
         way = cell.way or cell.formula
         if way is None or not way.names:
@@ -111,15 +111,15 @@ class Collation:
 
 
 def collate(
-    cell: SourceCell, truth: Truth, way: Truth | None = None, slips: tuple[str, ...] = ()
-) -> Collated:
+    cell: SourceCell, truth: TrueValue, way: TrueValue | None = None, slips: tuple[str, ...] = ()
+) -> CollatedValue:
     """Return a printed value with its verdict, from its true value and that of its way."""
     printed = cell.printed
     assert printed is not None
     right, on_the_way = truth.in_units(printed), way and way.in_units(printed)
     shown = ""
     if printed.exact and truth.rational is None and right != printed.scaled:
-        shown = truth.written_as(Printed("", 0, Fraction(1, 10**6), ",")).text
+        shown = truth.written_as(PrintedValue("", 0, Fraction(1, 10**6), ",")).text
     coarser = printed.coarser()
     return collated_units(cell, right, on_the_way, slips, shown, lambda: truth.in_units(coarser))
 
@@ -131,7 +131,7 @@ def collated_units(
     slips: tuple[str, ...] = (),
     shown: str = "",
     coarsely: Callable[[], Units | None] | None = None,
-) -> Collated:
+) -> CollatedValue:
     """Return a value that is so many units of its last place by rights, with its verdict.
 
     `shown` is what it should be where no quotient is known to be, `coarsely` the value in the coarser place.
@@ -146,10 +146,10 @@ def collated_units(
     found = verdict(Evidence(printed, right, others, on_the_way, slips, coarsely))
     in_places = right is not None and (not printed.exact or right == printed.scaled)
     off = int(printed.scaled - right) if right is not None and in_places else None
-    return Collated(cell, printed, shown or printed.standing_for(right or 0), off, found)
+    return CollatedValue(cell, printed, shown or printed.standing_for(right or 0), off, found)
 
 
-def _units_by(cell: SourceCell, method: str, like: Printed) -> Units | None:
+def _units_by(cell: SourceCell, method: str, like: PrintedValue) -> Units | None:
     """Return what the cell is by a method in the unit of `like`, None where that has no formula for it."""
     try:
         truth = cell_truth(cell, method)
@@ -158,7 +158,7 @@ def _units_by(cell: SourceCell, method: str, like: Printed) -> Units | None:
     return truth.in_units(like)
 
 
-def cell_truth(cell: SourceCell, method: str) -> Truth:
+def cell_truth(cell: SourceCell, method: str) -> TrueValue:
     """Return what the quantity of a cell is by a method."""
     at = {axis: AXES[axis].read(text) for axis, text in cell.axes.items()}
     return quantity_truth(cell.quantity, method, at)
@@ -200,7 +200,7 @@ METHOD_NAMES: Mapping[str, Mapping[str, str]] = {
 }
 
 
-def printed_cell(one: Collated) -> Number | Label:
+def printed_cell(one: CollatedValue) -> Number | Label:
     """Return the printed value for a table: a number where it is set as numbers are."""
     plainly = one.printed.standing_for(one.printed.scaled) if one.printed.form in (",", ".") else ""
     if plainly == one.printed.text.replace("−", "-"):
@@ -213,14 +213,14 @@ def _characters(text: str) -> Label:
     return f"${text.replace(',', '.').replace('−', '-')}$" if "½" not in text else text.replace("'", "′")
 
 
-def recomputed_cell(one: Collated) -> Number | Label:
+def recomputed_cell(one: CollatedValue) -> Number | Label:
     """Return what should be printed, in the same way."""
     if one.printed.form in (",", ".") and one.off is not None:
         return Number(one.printed.scaled - one.off, one.printed.decimals)
     return _characters(one.recomputed)
 
 
-def place_label(one: Collated, lang: str, beside: SourceCell | None = None) -> Label:
+def place_label(one: CollatedValue, lang: str, beside: SourceCell | None = None) -> Label:
     """Return where a value stands: "$x/R$, $R:L = 1:5$, 45°", without what the cell beside it shares."""
     cell, shared = one.cell, {} if beside is None else beside.axes
     parts = [cell.label or quantity_label(cell.quantity, lang)]
@@ -230,7 +230,7 @@ def place_label(one: Collated, lang: str, beside: SourceCell | None = None) -> L
     return ", ".join(parts)
 
 
-def filled_note(note: Label, collated: Iterable[Collated]) -> Label:
+def filled_note(note: Label, collated: Iterable[CollatedValue]) -> Label:
     """Return a note with its values: {place method} is what would be printed at a place by another method.
 
     Raises ChoiceError for a place or a method that is not there.
@@ -245,14 +245,14 @@ def filled_note(note: Label, collated: Iterable[Collated]) -> Label:
     return _VALUE.sub(value, note)
 
 
-def verdict_text(one: Collated, collated: Iterable[Collated], lang: str) -> Label:
+def verdict_text(one: CollatedValue, collated: Iterable[CollatedValue], lang: str) -> Label:
     """Return the verdict with what it is about."""
     said = VERDICTS[one.verdict.kind][lang]
     detail = _detail(one, collated, lang)
     return f"{said}: {detail}" if detail else said
 
 
-def _detail(one: Collated, collated: Iterable[Collated], lang: str) -> Label:
+def _detail(one: CollatedValue, collated: Iterable[CollatedValue], lang: str) -> Label:
     found = one.verdict
     if not found.detail:
         return ""

@@ -217,7 +217,7 @@ _OTHER = "other"
 _NOTHING = Form("0")
 
 
-class Works(NamedTuple):
+class StepWork(NamedTuple):
     """The work that is left of a step."""
 
     proofs: Work
@@ -226,7 +226,7 @@ class Works(NamedTuple):
 
 def found(step: Step) -> Finding:
     """Return what the step is; of both signs the worse. What takes too much work is not settled."""
-    works = Works(Work(MOST_OF_PROOFS), Work(MOST_AT_POINTS))
+    works = StepWork(Work(MOST_OF_PROOFS), Work(MOST_AT_POINTS))
     letters = step.letters()
     free = (letters | {_OTHER} if step.relation == SAME else letters) - {SIGN}
     if step.relation == ROOT:
@@ -235,7 +235,7 @@ def found(step: Step) -> Finding:
     return max((_found(step, free, sign, works) for sign in signs), key=lambda one: KINDS.index(one.kind))
 
 
-def _found(step: Step, free: frozenset[str], sign: int, works: Works) -> Finding:
+def _found(step: Step, free: frozenset[str], sign: int, works: StepWork) -> Finding:
     if _proved(step, free, sign, works.proofs):
         # Nothing is a multiple of every equation, and says none.
         nothing = (step._replace(before=_NOTHING, form=one, relation=EQUAL) for one in step[:2])
@@ -247,7 +247,7 @@ def _found(step: Step, free: frozenset[str], sign: int, works: Works) -> Finding
         return Finding(UNSETTLED)
 
 
-def _computed(step: Step, free: frozenset[str], sign: int, works: Works) -> Finding:
+def _computed(step: Step, free: frozenset[str], sign: int, works: StepWork) -> Finding:
     """Return what the step is by its values at points. Raises UnprovableError for too much work."""
     if step.relation == SAME:
         return Finding(OTHER if any(_other_roots(step, free - {_OTHER}, sign, works.points)) else UNSETTLED)
@@ -269,7 +269,7 @@ def _nearly(order: int | None) -> Finding:
     return Finding(ORDER, order=order) if order > 0 else Finding(FAR)
 
 
-def _unequal(step: Step, free: frozenset[str], sign: int, apart: Finding, works: Works) -> Finding:
+def _unequal(step: Step, free: frozenset[str], sign: int, apart: Finding, works: StepWork) -> Finding:
     """Return what is to be said of two sides that differ at a point."""
     order = _order(step, free - {step.letter}, sign, works.points) if step.letter else None
     if order is not None and order > 0:

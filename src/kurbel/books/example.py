@@ -23,8 +23,8 @@ from typing import Any, ClassVar, NamedTuple
 
 from msgspec import Struct
 
-from kurbel.books.book_values import FRACTIONS, Expression, Truth, formula_truth, kept, quantity_truth
-from kurbel.books.printed_value import Printed, printed_value
+from kurbel.books.book_values import FRACTIONS, Expression, TrueValue, formula_truth, kept, quantity_truth
+from kurbel.books.printed_value import PrintedValue, printed_value
 from kurbel.books.source import SOURCE, Book, SourceTable
 from kurbel.exact.numerals import Label, finite_decimals, nearest, number_text
 from kurbel.page.axes import angle_text
@@ -84,7 +84,7 @@ class Part(NamedTuple):
     letter: str
     given: Mapping[str, Fraction]
     lines: tuple[Line, ...]
-    printed: Mapping[str, Printed]
+    printed: Mapping[str, PrintedValue]
     remarks: Mapping[str, Words]
     title: Words | None = None
 
@@ -223,15 +223,15 @@ INDENT = "\u00a0\u00a0"
 CONTINUED = ("$=", "$- ")
 
 
-class Entry(NamedTuple):
+class WorkingRow(NamedTuple):
     """A row: the line of the working, and the step that it introduces, if it does."""
 
     line: Label
     begins: bool
     step: str = ""
     symbol: Label = ""
-    printed: Printed | None = None
-    recomputed: Printed | None = None
+    printed: PrintedValue | None = None
+    recomputed: PrintedValue | None = None
     remark: Label = ""
 
     @property
@@ -251,7 +251,7 @@ _SIGNS: Mapping[str, Callable[[Fraction, Fraction], bool]] = {
 }  # fmt: skip
 
 
-class Working:
+class WorkedPart:
     """A part worked out: its lines with their figures."""
 
     def __init__(self, example: Example, part: Part, lang: str) -> None:
@@ -264,12 +264,12 @@ class Working:
                 self.numbers.setdefault(name, one.value(FRACTIONS, str))
         steps = example.page.steps.items()
         self.formulas = {name: self._formula(step.formula) for name, step in steps if step.formula}
-        self.truths: dict[str, Truth] = {}
+        self.truths: dict[str, TrueValue] = {}
 
     def _formula(self, text: str) -> Expression:
         return Expression(text, self.numbers)
 
-    def entries(self) -> Iterator[Entry]:
+    def entries(self) -> Iterator[WorkingRow]:
         shown: set[str] = set()
         for line in self.part.lines:
             names = [*dict.fromkeys(match["name"] for match in _PLACE.finditer(line.line))]
@@ -278,7 +278,7 @@ class Working:
             new = [name for name in names if name in self.example.page.steps and name not in shown]
             shown.update(new)
             text = self._line(line)
-            yield self._entry(text, new[0]) if new else Entry(text, True)
+            yield self._entry(text, new[0]) if new else WorkingRow(text, True)
             for name in new[1:]:
                 yield self._entry(text, name)._replace(begins=False)
 
@@ -294,19 +294,19 @@ class Working:
         left, right = (self._formula(match[side]).value(FRACTIONS, str) for side in ("left", "right"))
         return _SIGNS[match["sign"]](left, right)
 
-    def _entry(self, text: Label, name: str) -> Entry:
+    def _entry(self, text: Label, name: str) -> WorkingRow:
         symbol = f"${filled(self.example.page.steps[name].symbol, self._figure)}$"
         value, printed = self._value(name), self.part.printed.get(name)
         remark = "" if printed is None or printed.value == value.value else self._remark(name, printed, value)
-        return Entry(text, True, name, symbol, printed, value, remark)
+        return WorkingRow(text, True, name, symbol, printed, value, remark)
 
-    def _value(self, name: str) -> Printed:
+    def _value(self, name: str) -> PrintedValue:
         """Return the true value of a step in the form in which it is printed."""
         return self._truth(name).written_as(
             self.part.printed.get(name) or printed_value(self.example.page.steps[name].form)
         )
 
-    def _truth(self, name: str) -> Truth:
+    def _truth(self, name: str) -> TrueValue:
         if name not in self.truths:
             step = self.example.page.steps[name]
             if step.formula:
@@ -332,7 +332,7 @@ class Working:
             return WORDS[name][self.lang]
         return exact_text(self.numbers[name])
 
-    def _remark(self, name: str, printed: Printed, value: Printed) -> Label:
+    def _remark(self, name: str, printed: PrintedValue, value: PrintedValue) -> Label:
         if name in self.part.remarks:
             return self.part.remarks[name][self.lang]
         if printed.exact:

@@ -11,8 +11,8 @@ from itertools import product
 from math import prod
 
 from kurbel.books.book_values import engine_turn
-from kurbel.books.example import WORDS, Entry, Example, Part, Working, exact_text, example
-from kurbel.books.printed_value import Printed
+from kurbel.books.example import WORDS, Example, Part, WorkedPart, WorkingRow, exact_text, example
+from kurbel.books.printed_value import PrintedValue
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.drive.load import PistonForce
 from kurbel.errors import ProblemError
@@ -150,7 +150,7 @@ def _check_steam(given: Mapping[str, Fraction]) -> None:
 def build_example(request: ExampleRequest) -> Table:
     """Return the table of the example that was asked for."""
     lang, example = request.lang, request.example
-    worked = [tuple(Working(example, part, lang).entries()) for part in request.parts]
+    worked = [tuple(WorkedPart(example, part, lang).entries()) for part in request.parts]
     remarks = dict.fromkeys(entry.remark for part in worked for entry in part if entry.remark)
     marks = {remark: MARKS[place] for place, remark in enumerate(remarks)}
     kind = _kind(request, worked)
@@ -173,13 +173,13 @@ def build_example(request: ExampleRequest) -> Table:
     return request.worded(page)
 
 
-def _kind(request: ExampleRequest, worked: Sequence[Sequence[Entry]]) -> str:
+def _kind(request: ExampleRequest, worked: Sequence[Sequence[WorkingRow]]) -> str:
     if any(part.printed for part in request.parts):
         return PRINTED
     return OWN if any(entry.step for part in worked for entry in part) else LETTERS
 
 
-def _row(entry: Entry, columns: Sequence[Column], marks: Mapping[Label, str]) -> Row:
+def _row(entry: WorkingRow, columns: Sequence[Column], marks: Mapping[Label, str]) -> Row:
     notes = (marks[entry.remark],) if entry.remark else ()
     cells = {
         "symbol": Cell(entry.symbol),
@@ -190,7 +190,7 @@ def _row(entry: Entry, columns: Sequence[Column], marks: Mapping[Label, str]) ->
     return Row((stub,), tuple(cells[column.key] for column in columns))
 
 
-def _cell(entry: Entry, figure: Printed | None, notes: tuple[str, ...] = ()) -> Cell:
+def _cell(entry: WorkingRow, figure: PrintedValue | None, notes: tuple[str, ...] = ()) -> Cell:
     """Return the cell of a figure: blank in a line without a new one, missing where it is not printed."""
     if not entry.step:
         return Cell("")
@@ -244,7 +244,7 @@ def _source(request: ExampleRequest, kind: str) -> Label:
     return f"{place}; {WORDS[kind + '_source'][lang]}."
 
 
-def _records(request: ExampleRequest, worked: Sequence[Sequence[Entry]]) -> Records:
+def _records(request: ExampleRequest, worked: Sequence[Sequence[WorkingRow]]) -> Records:
     lang = request.lang
     rows = [
         _record(part.letter or _part_label(request, part), entry)
@@ -254,7 +254,7 @@ def _records(request: ExampleRequest, worked: Sequence[Sequence[Entry]]) -> Reco
     return Records(tuple(Field(key, WORDS[key][lang]) for key in KEYS), rows)
 
 
-def _record(part: Label, entry: Entry) -> tuple[Value, ...]:
+def _record(part: Label, entry: WorkingRow) -> tuple[Value, ...]:
     printed, recomputed = (None if one is None else one.cell() for one in (entry.printed, entry.recomputed))
     difference = None if entry.difference is None else Number(entry.difference, 0)
     return part, entry.line.strip(), entry.step, entry.symbol, printed, recomputed, difference

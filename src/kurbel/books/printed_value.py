@@ -24,7 +24,7 @@ _QUOTIENT = re.compile(r"([-−]?)([0-9]+)/([0-9]+)")
 Units = int | Fraction
 
 
-class Printed(NamedTuple):
+class PrintedValue(NamedTuple):
     """A printed value: scaled · unit, where the unit is that of its last place.
 
     `form` says how it is written: with a decimal "," or ".", as "°", "'" (degrees and minutes), "½'" (half
@@ -60,12 +60,12 @@ class Printed(NamedTuple):
         minutes, half = divmod(rest, halves)
         return f"{sign}{degrees}°{minutes}{'½' if half else ''}'"
 
-    def with_units(self, scaled: Units) -> Printed:
+    def with_units(self, scaled: Units) -> PrintedValue:
         """Return the value of so many units, printed in its place."""
         text = self.standing_for(scaled)
         if self.exact:
             value = scaled * self.unit
-            return Printed(text, value.numerator, Fraction(1, value.denominator), self.form)
+            return PrintedValue(text, value.numerator, Fraction(1, value.denominator), self.form)
         return self._replace(text=text, scaled=int(scaled))
 
     @property
@@ -73,7 +73,7 @@ class Printed(NamedTuple):
         """Whether it may be meant to ten minutes: 79°20'. A decimal fraction promises all its places."""
         return self.form == "'" and self.scaled % NEXT_PLACE == 0
 
-    def coarser(self) -> Printed:
+    def coarser(self) -> PrintedValue:
         """Return the value in units ten times as great; one in tens is the same."""
         return self._replace(scaled=self.scaled // NEXT_PLACE, unit=self.unit * NEXT_PLACE)
 
@@ -95,7 +95,7 @@ class Printed(NamedTuple):
         return len(str(self.unit.denominator)) - 1 if self.form in (",", ".") else 0
 
 
-def printed_value(text: str) -> Printed:
+def printed_value(text: str) -> PrintedValue:
     """Return what the characters say: "0,981", "-0.025", "32°51½'", "77°", "1/72"."""
     stripped = text.strip()
     if len(stripped) > LONGEST:
@@ -106,20 +106,20 @@ def printed_value(text: str) -> Printed:
         sign, whole, mark, rest = match.groups()
         rest = rest or ""
         scaled = int(whole + rest) * (-1 if sign else 1)
-        return Printed(stripped, scaled, Fraction(1, 10 ** len(rest)), mark or ",")
+        return PrintedValue(stripped, scaled, Fraction(1, 10 ** len(rest)), mark or ",")
     if match := _ARC.fullmatch(stripped):
         sign, degrees, minutes, half = match.groups()
         if minutes is None:
-            return Printed(stripped, int(degrees) * (-1 if sign else 1), Fraction(1), "°")
+            return PrintedValue(stripped, int(degrees) * (-1 if sign else 1), Fraction(1), "°")
         halves = 2 if half else 1
         scaled = (int(degrees) * 60 + int(minutes)) * halves + bool(half)
         form = "½'" if half else "'"
-        return Printed(stripped, scaled * (-1 if sign else 1), Fraction(1, 60 * halves), form)
+        return PrintedValue(stripped, scaled * (-1 if sign else 1), Fraction(1, 60 * halves), form)
     if match := _QUOTIENT.fullmatch(stripped):
         sign, top, bottom = match.groups()
         if int(bottom):
             value = Fraction(int(top), int(bottom)) * (-1 if sign else 1)
-            return Printed(stripped, value.numerator, Fraction(1, value.denominator), "/")
+            return PrintedValue(stripped, value.numerator, Fraction(1, value.denominator), "/")
     raise NotationError(
         f'"{text[:40]}" is no printed value; write 0,981 or 0.981, an angle as 32°51\' or a quotient as 1/72'
     )
@@ -175,7 +175,7 @@ class Evidence(NamedTuple):
     rounded. `coarsely` is the value in units of 10'.
     """
 
-    printed: Printed
+    printed: PrintedValue
     right: Units | None
     others: Mapping[str, Callable[[], Units | None]]
     on_the_way: Units | None = None

@@ -29,7 +29,7 @@ from msgspec import Struct
 from kurbel.books.book_values import Expression
 from kurbel.books.equation import OF_LETTER, RELATIONS, STARTS, Finding, Step, found
 from kurbel.books.form import SLOPE, Form
-from kurbel.books.printed_value import Printed, printed_value
+from kurbel.books.printed_value import PrintedValue, printed_value
 from kurbel.errors import ChoiceError, LayoutError, NotationError, SourceError
 from kurbel.page.formula import GREEK
 from kurbel.page.labels import parse
@@ -49,7 +49,7 @@ class SourceCell(NamedTuple):
     """A printed value with what it is, in the words of the file."""
 
     place: str
-    printed: Printed | None
+    printed: PrintedValue | None
     quantity: str
     axes: Mapping[str, str]
     method: str

@@ -19,8 +19,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from kurbel.books.book_values import AXES, FAMILIES, keys_by, methods_of
-from kurbel.books.collation import Collated, Collation, cell_truth, collate, collated_units
-from kurbel.books.printed_value import Printed, printed_value
+from kurbel.books.collation import CollatedValue, Collation, cell_truth, collate, collated_units
+from kurbel.books.printed_value import PrintedValue, printed_value
 from kurbel.books.source import SourceCell, SourceTable, all_tables
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, KurbelError, NotationError, ProblemError, SourceError
@@ -65,7 +65,7 @@ class _Point(NamedTuple):
     line: int
     at: Fraction
     text: str
-    printed: Printed
+    printed: PrintedValue
 
 
 def collated_table(
@@ -94,7 +94,7 @@ def collated_table(
 
 def collated_file(
     path: str | os.PathLike[str], quantity: str | None, crank_ratio: str | None, method: str | None
-) -> tuple[Any, tuple[Collated, ...]]:
+) -> tuple[Any, tuple[CollatedValue, ...]]:
     """Return what stands for the table, and its collated values in the order of the file's columns."""
     chosen = choose("exact" if method is None else method, _METHODS, "method")
     asked = None if crank_ratio is None else ratio(crank_ratio)
@@ -106,7 +106,7 @@ def collated_file(
         pass
     for column in read.columns:
         choose(chosen, methods_of(column.quantity), "method")
-    collated: list[Collated] = []
+    collated: list[CollatedValue] = []
     for column, values in zip(read.columns, read.points, strict=True):
         collated += _collated(path, read.axis, column, values, chosen)
     if not collated:
@@ -116,7 +116,7 @@ def collated_file(
 
 def _collated(
     path: str | os.PathLike[str], axis: str, column: _Column, points: Sequence[_Point], method: str
-) -> Iterator[Collated]:
+) -> Iterator[CollatedValue]:
     rights = _rights(column, points, method) if axis == "phi" else {}
     for index, point in enumerate(points):
         at = {"ratio": ratio_text(column.ratio), axis: point.text}

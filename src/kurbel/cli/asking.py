@@ -16,7 +16,7 @@ from click.core import ParameterSource, augment_usage_errors
 from kurbel.cli import COMMANDS
 from kurbel.cli.app import command_of
 from kurbel.cli.misplaced import one_line
-from kurbel.cli.options import MACHINE, Document, FileName, Given, Type, defaults_by_machine
+from kurbel.cli.options import MACHINE, Document, FileName, Type, TypedOptions, defaults_by_machine
 from kurbel.cli.tables import MakingCommand
 from kurbel.errors import ChoiceError, FailedError, ProblemError
 from kurbel.formats.registry import (
@@ -32,7 +32,7 @@ from kurbel.formats.render import as_one_page, render
 from kurbel.formats.workbook import page_sheet
 from kurbel.handbook.matter import terse
 from kurbel.handbook.pages import INSIDE, PAGE, SHEET, kept
-from kurbel.handbook.pool import About, Made, Task, Verified
+from kurbel.handbook.pool import BuiltFiles, ListEntry, Task, Verified
 from kurbel.page.labels import plain, unprompted
 from kurbel.page.table import Note, Table
 from kurbel.reading.given import HANDBOOK, File, allowed_name
@@ -51,7 +51,7 @@ SET_ELSEWHERE = (*ONLY_PRINTING, "longtable", "siunitx", "plain", "label", "layo
 OF_THE_PAGE = frozenset(("lang", "decimal", "layouts"))
 
 
-class Asked(NamedTuple):
+class CommandLine(NamedTuple):
     """What the words ask for: a table or a drawing, its language and decimal mark, the files read for it.
 
     `longtable` tells that LaTeX may break the table over pages. With `siunitx` LaTeX leaves the numbers to
@@ -90,7 +90,7 @@ def asked(
     format: str | None = None,
     folder: str = "",
     inside: str = "",
-) -> Asked:
+) -> CommandLine:
     """Return what the words, a command and its options, ask for.
 
     `defaults` are options by their names, for those commands that have them; `machine` is a machine's file,
@@ -117,14 +117,14 @@ def asked(
             if context.get_parameter_source(one) is ParameterSource.COMMANDLINE and not drawn:
                 raise ProblemError(f"--{one} is for single tables; a document sets it by itself")
         with augment_usage_errors(context):
-            made = command.made(Given(context))
+            made = command.made(TypedOptions(context))
     except click.ClickException as error:
         raise ProblemError(one_line(error, words)) from None
     if isinstance(made, Table):
         made = _unprompted(made)
     values = context.params
     wishes = {one: values[one] for one in ("longtable", "siunitx", "plain", "rounding") if one in values}
-    return Asked(made, values["lang"], values["decimal"], _files(context, own), **wishes)
+    return CommandLine(made, values["lang"], values["decimal"], _files(context, own), **wishes)
 
 
 def _unprompted(table: Table) -> Table:
@@ -173,7 +173,7 @@ def _files(context: click.Context, machine: File | None) -> tuple[str, ...]:
     return tuple(dict.fromkeys(map(str, found)))
 
 
-def make_part(task: Task) -> Made:
+def make_part(task: Task) -> BuiltFiles:
     """Return the files of the part; raise KurbelError if it cannot be made.
 
     It is made in the manifest's folder, beside which the files lie that its command names.
@@ -186,7 +186,7 @@ def make_part(task: Task) -> Made:
     return _table(task, answer, made) if isinstance(made, Table) else _figure(task, answer, made)
 
 
-def _table(task: Task, answer: Asked, table: Table) -> Made:
+def _table(task: Task, answer: CommandLine, table: Table) -> BuiltFiles:
     part = task.part
     caption, layout = part.caption or table.caption, table.layout or table.key
     # Records are computed as they are run through: once for all formats.
@@ -205,10 +205,12 @@ def _table(task: Task, answer: Asked, table: Table) -> Made:
             if not isinstance(FORMATS[name], BytesFormat)
         }
         files |= _waiting(task, named, answer.decimal)
-    about = About("table", named.caption, named.lang, named.letters(), plain(named.source), answer.rounding)
+    about = ListEntry(
+        "table", named.caption, named.lang, named.letters(), plain(named.source), answer.rounding
+    )
     if task.verify:
         about = about._replace(verified=_verified(_text(data, "json", None, task.templates).decode()))
-    return Made(files, answer.files, about)
+    return BuiltFiles(files, answer.files, about)
 
 
 def _verified(page: str) -> Verified:
@@ -264,9 +266,9 @@ def _text(table: Table, name: str, decimal: str | None, templates: str | None) -
     return render(table, name, decimal=decimal, longtable=longtable, templates=templates).encode()
 
 
-def _figure(task: Task, answer: Asked, drawing: Drawing) -> Made:
+def _figure(task: Task, answer: CommandLine, drawing: Drawing) -> BuiltFiles:
     part = task.part
     caption = _caption(task, drawing.title, answer.lang)
     titled = replace(drawing, title=caption)
     files = {f"figures/{part.name}.{name}": titled.image(name) for name in task.figures}
-    return Made(files, answer.files, About("figure", caption, answer.lang))
+    return BuiltFiles(files, answer.files, ListEntry("figure", caption, answer.lang))

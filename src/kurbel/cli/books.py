@@ -19,8 +19,8 @@ from kurbel.cli.listing import (
     plain_lines,
     show_list,
 )
-from kurbel.cli.options import Given, Option, click_option, lang_option
-from kurbel.cli.tables import CollateCommand, Printing, TableCommand
+from kurbel.cli.options import Option, TypedOptions, click_option, lang_option
+from kurbel.cli.tables import CollateCommand, PrintOptions, TableCommand
 from kurbel.commands import books as pages
 from kurbel.commands import motion
 from kurbel.errors import ProblemError
@@ -67,7 +67,7 @@ def sources(sources: File | None, form: str, lang: str) -> None:
 class ExampleCommand(TableCommand):
     """`kurbel example`, which lists the examples where none is named."""
 
-    def run(self, given: Given) -> int:
+    def run(self, given: TypedOptions) -> int:
         if given.values["number"] is not None:
             return super().run(given)
         key, lang = given.text("book"), given.text("lang")
@@ -78,13 +78,13 @@ class ExampleCommand(TableCommand):
         show_list(Listing("examples", lang, own, rows, HEADS["example"][lang], rows), form, plain_lines(rows))
         return 0
 
-    def made(self, given: Given) -> Any:
+    def made(self, given: TypedOptions) -> Any:
         if given.values["number"] is None:
             words = " ".join(filter(None, ("example", given.text("book"))))
             raise ProblemError(f'"{words[:60]}" prints a list; a document needs a table')
         return super().made(given)
 
-    def print(self, question: Question, printing: Printing, given: Given) -> None:
+    def print(self, question: Question, printing: PrintOptions, given: TypedOptions) -> None:
         printing.print(self.made_by.built(question, given))
 
 

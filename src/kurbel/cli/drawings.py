@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from kurbel.cli.options import Given, click_option
-from kurbel.commands.parts.drawing import Pictured
+from kurbel.cli.options import TypedOptions, click_option
+from kurbel.commands.parts.drawing import DrawingOptions
 from kurbel.formats.registry import DRAWINGS, DRAWN, FORMATS
 from kurbel.page.subject import Question
 
@@ -30,10 +30,12 @@ OF_PAGES = (
 
 def drawing_options() -> Iterator[click.Parameter]:
     """Yield the options of drawings."""
-    return map(click_option, Pictured.options().values())
+    return map(click_option, DrawingOptions.options().values())
 
 
-def drawing_format(given: Given, pages: Sequence[str] = ALSO_PAGES, of_pages: Sequence[str] = ()) -> str:
+def drawing_format(
+    given: TypedOptions, pages: Sequence[str] = ALSO_PAGES, of_pages: Sequence[str] = ()
+) -> str:
     """Return the format of the drawing that is asked for by -f or by the file's suffix, nothing for a page;
     `pages` are by themselves pages, and `of_pages` further options of these.
 
@@ -60,20 +62,20 @@ def drawing_format(given: Given, pages: Sequence[str] = ALSO_PAGES, of_pages: Se
     return name
 
 
-def check_drawing(given: Given, name: str, of_pages: Sequence[str] = ()) -> None:
+def check_drawing(given: TypedOptions, name: str, of_pages: Sequence[str] = ()) -> None:
     """Raise UsageError for options of pages that were typed beside a drawing."""
     for option in (*OF_PAGES, *of_pages):
         if given.typed(option):
             raise click.UsageError(f"--{option} is for pages, and {name} is a drawing; leave it out")
 
 
-def suffix_of(given: Given) -> str:
+def suffix_of(given: TypedOptions) -> str:
     """Return the suffix of the file that is written, nothing for standard output."""
     suffix = os.path.splitext(given.text("output"))[1].lower()[1:]
     return "html" if suffix == "htm" else suffix
 
 
-def check_undrawn(given: Given) -> None:
+def check_undrawn(given: TypedOptions) -> None:
     """Raise UsageError for a drawing of a page that has none."""
     name = given.text("format") if given.typed("format") else suffix_of(given)
     if name in (*DRAWINGS, DRAWN):
@@ -99,9 +101,9 @@ def check_terminal(output: str, name: str) -> None:
         raise click.UsageError(f"a terminal shows no drawings; name a file, such as -o kurbel.{name}")
 
 
-def check_page(given: Given, name: str) -> None:
+def check_page(given: TypedOptions, name: str) -> None:
     """Raise UsageError for options of drawings that were typed beside a page."""
-    typed = next((one for one in (*Pictured.options(), "steps") if given.typed(one)), "")
+    typed = next((one for one in (*DrawingOptions.options(), "steps") if given.typed(one)), "")
     if typed == "animate":
         check_moving(name, True)
     if typed:
@@ -111,14 +113,14 @@ def check_page(given: Given, name: str) -> None:
         )
 
 
-def drawn(question: Question, given: Given) -> Drawing:
+def drawn(question: Question, given: TypedOptions) -> Drawing:
     """Return what is asked for as a drawing. Raises KurbelError."""
     from kurbel.commands.shown import drawing_of
 
-    return drawing_of(question, Pictured(given), given.text("decimal") or None)
+    return drawing_of(question, DrawingOptions(given), given.text("decimal") or None)
 
 
-def write(drawing: Drawing, name: str, given: Given) -> None:
+def write(drawing: Drawing, name: str, given: TypedOptions) -> None:
     """Write a drawing to the file, whole or not at all."""
     from kurbel.formats.render import whole_file
 

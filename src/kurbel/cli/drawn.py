@@ -20,9 +20,9 @@ from kurbel.cli.drawings import (
 from kurbel.cli.listing import Listing, form_of_list, plain_lines, show_list
 from kurbel.cli.manual.command import with_examples
 from kurbel.cli.options import (
-    Given,
     Option,
     Type,
+    TypedOptions,
     click_option,
     help_of,
     machine_option,
@@ -31,7 +31,7 @@ from kurbel.cli.options import (
 from kurbel.cli.tables import MakingCommand, TableCommand
 from kurbel.commands import construct as pages
 from kurbel.commands.options import Choice
-from kurbel.commands.parts.drawing import Pictured
+from kurbel.commands.parts.drawing import DrawingOptions
 from kurbel.commands.plot import plot_mechanism
 from kurbel.commands.shown import Drawing
 from kurbel.errors import ProblemError
@@ -80,14 +80,14 @@ class ConstructCommand(TableCommand):
             Option(
                 ["--table"], is_flag=True, topic="question", help="The table of the lengths, also as PDF."
             ),
-            click_option(Pictured.text),
+            click_option(DrawingOptions.text),
             own["steps"],
             own["width"],
             own["height"],
         ]
         self.help, self.examples = with_examples(HELP)
 
-    def made(self, given: Given) -> Table | Drawing:
+    def made(self, given: TypedOptions) -> Table | Drawing:
         if given.values["name"] is None:
             raise ProblemError('"construct" prints a list; a document needs the name of a construction')
         if given.values["table"]:
@@ -95,7 +95,7 @@ class ConstructCommand(TableCommand):
         check_drawing(given, "a construction", OF_TABLES)
         return self._drawn(given)
 
-    def run(self, given: Given) -> int:
+    def run(self, given: TypedOptions) -> int:
         if given.values["name"] is None:
             _print_list(given)
             return 0
@@ -110,12 +110,12 @@ class ConstructCommand(TableCommand):
         with formatter.section("The constructions"):
             formatter.write_dl([(key, one.given.title["en"]) for key, one in _constructions()], col_max=26)
 
-    def _drawn(self, given: Given) -> Drawing:
+    def _drawn(self, given: TypedOptions) -> Drawing:
         drawing: Drawing = pages.plot_construction.command.ask(given)
         return drawing
 
 
-def _print_list(given: Given) -> None:
+def _print_list(given: TypedOptions) -> None:
     """Print the constructions; raise an error for options that the list has no use for."""
     form = form_of_list(given, ("lang", "constructions"), "a construction", "blau-9")
     lang, folder = given.text("lang"), given.values["constructions"]
@@ -140,17 +140,17 @@ class PlotCommand(MakingCommand):
         command = plot_mechanism.command
         super().__init__("plot", params=_params(), help=help_of(command), in_short=command.asks.in_short)
 
-    def made(self, given: Given) -> Drawing:
+    def made(self, given: TypedOptions) -> Drawing:
         drawing: Drawing = plot_mechanism.command.ask(given)
         return drawing
 
-    def run(self, given: Given) -> int:
+    def run(self, given: TypedOptions) -> int:
         name = _format(given)
         write(self.made(given), name, given)
         return 0
 
 
-def _format(given: Given) -> str:
+def _format(given: TypedOptions) -> str:
     """Return the format of -f or of the file's suffix; raise an error for one that cannot move, or that is
     only for what moves, and for a terminal, which takes none."""
     name, output = given.text("format"), given.text("output")
@@ -177,7 +177,7 @@ def _params() -> list[click.Parameter]:
         output_option(
             "File to write, whole or not at all; - is standard output, unless a terminal.", default="-"
         ),
-        click_option(Pictured.text),
+        click_option(DrawingOptions.text),
     ]  # fmt: skip
     first = (param for name, param in own.items() if name not in LAST)
     return [machine_option(), *first, *output, *(own[name] for name in LAST)]

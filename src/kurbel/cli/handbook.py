@@ -22,7 +22,7 @@ from kurbel.commands.options import Count
 from kurbel.errors import KurbelError
 from kurbel.handbook.build import Bar, Build, Handbook, chosen, part_from
 from kurbel.handbook.build import build as built
-from kurbel.handbook.check import Checked, places
+from kurbel.handbook.check import CheckedHandbook, places
 from kurbel.handbook.check import check as checked
 from kurbel.handbook.folder import Folder, Seen, as_built, glance_at
 from kurbel.handbook.manifest import Manifest, Part, manifest_path, read_manifest, write_first_manifest
@@ -159,7 +159,7 @@ def check(options: Options) -> int:
     return int(wrong)
 
 
-def _checked(one: Checked, options: Options) -> bool:
+def _checked(one: CheckedHandbook, options: Options) -> bool:
     """Say where what is stale is made, and what failed, of a handbook; tell whether there is any."""
     folder = one.handbook.folder
     failed = _report(one.anew)

@@ -12,7 +12,7 @@ from kurbel.cli.app import HELP_OPTIONS, command_of
 from kurbel.cli.manual.command import TopicCommand, show_text
 from kurbel.cli.manual.help import short_text, topic_text, write_examples
 from kurbel.cli.manual.topics import TOPICS, topics_of
-from kurbel.cli.manual.wants import WANTS, Want
+from kurbel.cli.manual.wants import WANTS, Purpose
 from kurbel.reading.given import allowed_name
 
 MORE = (
@@ -106,7 +106,7 @@ def _write_word(word: str, formatter: click.HelpFormatter) -> None:
         _write_search(word, formatter)
 
 
-def _write_want(want: Want, formatter: click.HelpFormatter) -> None:
+def _write_want(want: Purpose, formatter: click.HelpFormatter) -> None:
     with formatter.section(want.sentence):
         write_examples([(f"kurbel {line}", what) for line, what in want.lines], formatter)
     names = dict.fromkeys(shlex.split(line)[0] for line, _ in want.lines)

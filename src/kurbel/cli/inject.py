@@ -13,7 +13,7 @@ import click
 
 from kurbel.cli import say
 from kurbel.cli.app import show
-from kurbel.cli.asking import Asked, asked
+from kurbel.cli.asking import CommandLine, asked
 from kurbel.documents.inject import Kind, Place, content, difference, filled, places
 from kurbel.errors import KurbelError, LayoutError, MarkerError
 from kurbel.formats.registry import PageFormat, kind_of
@@ -125,7 +125,7 @@ def _read(name: str) -> bytes:
         raise MarkerError(f"cannot read {name}: {getattr(error, 'strerror', None) or error}") from None
 
 
-def _asked(place: Place, form: PageFormat, name: str, inside: str) -> Asked:
+def _asked(place: Place, form: PageFormat, name: str, inside: str) -> CommandLine:
     where = f"{name}:{place.line}"
     try:
         words = shlex.split(place.words)
@@ -141,7 +141,7 @@ def _asked(place: Place, form: PageFormat, name: str, inside: str) -> Asked:
         raise MarkerError(f"{where}: {error}") from None
 
 
-def _labelled(found: Sequence[Place], made: Sequence[Asked], name: str) -> Iterator[Asked]:
+def _labelled(found: Sequence[Place], made: Sequence[CommandLine], name: str) -> Iterator[CommandLine]:
     """Yield what the places ask for, each table with a label of its own.
 
     Of several tables of one layout the one with its defaults, else the first, keeps the label of the layout.
@@ -164,7 +164,7 @@ def _labelled(found: Sequence[Place], made: Sequence[Asked], name: str) -> Itera
         yield one._replace(made=table)
 
 
-def _text(one: Asked, form: PageFormat, kind: Kind, number: int, place: Place, name: str) -> str:
+def _text(one: CommandLine, form: PageFormat, kind: Kind, number: int, place: Place, name: str) -> str:
     """Return a table as a fragment of the document, a drawing for HTML as SVG."""
     where = f"{name}:{place.line}"
     if isinstance(one.made, Table):

@@ -15,7 +15,7 @@ import click
 
 from kurbel.cli import say, screen
 from kurbel.cli.app import show
-from kurbel.cli.options import Given, Option, Type, click_option, lang_option
+from kurbel.cli.options import Option, Type, TypedOptions, click_option, lang_option
 from kurbel.commands.options import Choice
 from kurbel.commands.part import flag_of
 from kurbel.commands.parts.sheet import Layouts
@@ -93,7 +93,7 @@ def list_format() -> click.Parameter:
     )
 
 
-def form_of_list(given: Given, kept: Collection[str], page: str, example: str) -> str:
+def form_of_list(given: TypedOptions, kept: Collection[str], page: str, example: str) -> str:
     """Return the format of the list that a command prints where no page is named. Raises UsageError for
     another option than those `kept`, which the list has no use for."""
     form = given.values["format"] if given.typed("format") else DEFAULT

@@ -13,7 +13,7 @@ from click.core import ParameterSource
 
 from kurbel.commands import options as kinds
 from kurbel.commands.part import Origin, Values
-from kurbel.commands.parts.sheet import Plain
+from kurbel.commands.parts.sheet import PlainPrinting
 from kurbel.errors import KurbelError, NotationError
 from kurbel.exact.numerals import DECIMALS
 from kurbel.formats.registry import FORMATS, format_names
@@ -240,7 +240,7 @@ def _named(context: click.Context, parameter: click.Parameter, name: str | None)
 
 def lang_option(what: str) -> click.Parameter:
     """Return --lang of what is no page."""
-    return click_option(Plain.lang.but(help=f"Language of the {what}: de or en."))
+    return click_option(PlainPrinting.lang.but(help=f"Language of the {what}: de or en."))
 
 
 def help_of(command: Command) -> str:
@@ -248,7 +248,7 @@ def help_of(command: Command) -> str:
     return inspect.cleandoc(command.doc).partition("\f")[0]
 
 
-class Given(Values):
+class TypedOptions(Values):
     """What was given to a command of click."""
 
     def __init__(self, context: click.Context) -> None:

@@ -24,7 +24,7 @@ from kurbel.sweeps.hands import MOST_JOBS
 
 if TYPE_CHECKING:
     from kurbel.sweeps.rows import Sweep
-    from kurbel.sweeps.run import Running
+    from kurbel.sweeps.run import SweepRunner
 
 MOST_SEED = 9999
 # What says nothing of columns of numbers, or is another thing of sweeps.
@@ -128,11 +128,11 @@ def sweep_options() -> list[click.Parameter]:
 
 
 @contextmanager
-def running(asked: SweepOptions, sweep: Sweep, target: str) -> Iterator[Running]:
+def running(asked: SweepOptions, sweep: Sweep, target: str) -> Iterator[SweepRunner]:
     """Give how to run a sweep into a target by these options; on a terminal a bar tells of it."""
-    from kurbel.sweeps.run import Running
+    from kurbel.sweeps.run import SweepRunner
 
-    how = Running(asked.scheduler, asked.jobs, asked.resume, asked.restart)
+    how = SweepRunner(asked.scheduler, asked.jobs, asked.resume, asked.restart)
     with _bar(sweep, target) as watch:
         yield replace(how, watch=watch)
 

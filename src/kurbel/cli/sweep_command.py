@@ -14,7 +14,7 @@ from msgspec import Struct
 from kurbel.cli import say
 from kurbel.cli.manual.command import TopicCommand
 from kurbel.cli.manual.topics import SWEEPS
-from kurbel.cli.options import FileName, Given, help_of
+from kurbel.cli.options import FileName, TypedOptions, help_of
 from kurbel.cli.sweep import (
     MOST_SEED,
     TABLES,
@@ -31,7 +31,7 @@ from kurbel.errors import FailedError, KurbelError
 from kurbel.exact.numerals import MOST_DIGITS
 from kurbel.reading.environment import need
 from kurbel.reading.given import choose
-from kurbel.reading.toml_file import Choice, Fault, TomlFile, TomlKind, about, within
+from kurbel.reading.toml_file import Fault, TextChoice, TomlFile, TomlKind, about, within
 from kurbel.sweeps.asked import planned, values_of
 from kurbel.sweeps.hands import cores
 
@@ -51,7 +51,7 @@ SECTIONS = ("axes", "options")
 VALUE: Mapping[str, object] = {"type": ["string", "number", "boolean"]}
 
 
-class CommandName(Choice, what="command that can be swept", allowed=TABLES):
+class CommandName(TextChoice, what="command that can be swept", allowed=TABLES):
     """A command by its name."""
 
 
@@ -221,9 +221,9 @@ class SweepCommand(TopicCommand):
 
     def invoke(self, ctx: click.Context) -> int:
         with augment_usage_errors(ctx):
-            return self.run(Given(ctx), ctx.meta[ORDER])
+            return self.run(TypedOptions(ctx), ctx.meta[ORDER])
 
-    def run(self, given: Given, order: Sequence[str]) -> int:
+    def run(self, given: TypedOptions, order: Sequence[str]) -> int:
         """Write the file, and return the exit code."""
         from kurbel.sweeps.rows import Sweep
 
@@ -245,7 +245,7 @@ class SweepCommand(TopicCommand):
             say(_told(output, outcome))
         return 0
 
-    def plan(self, given: Given, order: Sequence[str]) -> Plan:
+    def plan(self, given: TypedOptions, order: Sequence[str]) -> Plan:
         """Return the plan that the options make: in the order of the file, then of the command line, and
         behind them what comes from elsewhere. Raises KurbelError."""
         values, file = given.values, click.get_current_context().meta.get(FILE, {})

@@ -20,7 +20,7 @@ from kurbel.cli.app import show
 from kurbel.cli.drawings import UNDRAWN, check_undrawn, drawing_format, drawing_options, drawn, write
 from kurbel.cli.manual.command import TopicCommand
 from kurbel.cli.options import (
-    Given,
+    TypedOptions,
     click_option,
     help_of,
     machine_option,
@@ -52,16 +52,16 @@ class MakingCommand(TopicCommand, ABC):
     """A command of which a document can ask what it makes."""
 
     @abstractmethod
-    def made(self, given: Given) -> Table | Drawing:
+    def made(self, given: TypedOptions) -> Table | Drawing:
         """Return the table or the drawing. Raises KurbelError, also where the command prints and fails."""
 
     @abstractmethod
-    def run(self, given: Given) -> int:
+    def run(self, given: TypedOptions) -> int:
         """Print what the options say, and return the exit code."""
 
     def invoke(self, ctx: click.Context) -> int:
         with augment_usage_errors(ctx):
-            return self.run(Given(ctx))
+            return self.run(TypedOptions(ctx))
 
 
 class TableCommand(MakingCommand):
@@ -82,25 +82,25 @@ class TableCommand(MakingCommand):
         )
         self.made_by = command
 
-    def question(self, given: Given) -> Any:
+    def question(self, given: TypedOptions) -> Any:
         """Return what is asked for. Raises KurbelError."""
         return self.made_by.ask(given)
 
-    def check(self, given: Given, question: Question) -> None:
+    def check(self, given: TypedOptions, question: Question) -> None:
         """Raise FailedError where the command fails once it has printed."""
 
-    def made(self, given: Given) -> Table | Drawing:
+    def made(self, given: TypedOptions) -> Table | Drawing:
         is_drawn = self.draws and drawing_format(given)
         if not is_drawn:
             # What cannot be printed so is refused, too.
-            Printing.chosen(given)
-            if Printing.interactive(given):
+            PrintOptions.chosen(given)
+            if PrintOptions.interactive(given):
                 return self.stepped(given)
         question = self.question(given)
         self.check(given, question)
         return drawn(question, given) if is_drawn else self.made_by.built(question, given)
 
-    def stepped(self, given: Given) -> Table:
+    def stepped(self, given: TypedOptions) -> Table:
         """Return the table of an interactive page, with those of its steps. Raises KurbelError."""
         from kurbel.commands.stepped import NOTHING, stepped
 
@@ -109,14 +109,14 @@ class TableCommand(MakingCommand):
             raise ProblemError(NOTHING)
         return page
 
-    def run(self, given: Given) -> int:
+    def run(self, given: TypedOptions) -> int:
         if self.draws and (name := drawing_format(given)):
             question = self.question(given)
             write(drawn(question, given), name, given)
             self.check(given, question)
             return 0
-        printing = Printing.chosen(given)
-        if Printing.interactive(given):
+        printing = PrintOptions.chosen(given)
+        if PrintOptions.interactive(given):
             page = self.stepped(given)
             with _counted(page) as counted:
                 printing._replace(standalone=True).print(counted)
@@ -126,7 +126,7 @@ class TableCommand(MakingCommand):
         self.check(given, question)
         return 0
 
-    def print(self, question: Question, printing: Printing, given: Given) -> None:
+    def print(self, question: Question, printing: PrintOptions, given: TypedOptions) -> None:
         """Write the table to the file, whole or not at all."""
         if isinstance(printing.format, RecordsFormat):
             from kurbel.commands.streams import record_chunks
@@ -144,7 +144,7 @@ class TableCommand(MakingCommand):
 class CollateCommand(TableCommand):
     """`kurbel collate`, which may fail, and takes neither digits nor rounding."""
 
-    def question(self, given: Given) -> Any:
+    def question(self, given: TypedOptions) -> Any:
         if given.values["digits"] is not None:
             raise ProblemError(
                 "--digits has no use here: a value is recomputed to as many places as are printed"
@@ -155,7 +155,7 @@ class CollateCommand(TableCommand):
             )
         return super().question(given)
 
-    def check(self, given: Given, question: Any) -> None:
+    def check(self, given: TypedOptions, question: Any) -> None:
         if given.says("strict") and question.deviations:
             raise FailedError(f"printed values deviate ({len(question.deviations)}), and --strict fails then")
 
@@ -172,7 +172,7 @@ def _params(
     return params + last
 
 
-class Printing(NamedTuple):
+class PrintOptions(NamedTuple):
     """How a table is to be printed: the options that all printing commands share."""
 
     format: Format
@@ -185,12 +185,12 @@ class Printing(NamedTuple):
     excel: bool
 
     @classmethod
-    def chosen(cls, given: Given) -> Printing:
+    def chosen(cls, given: TypedOptions) -> PrintOptions:
         """Return what the options say, checked."""
         return cls._make((_format(given), *(given.values[name] for name in cls._fields[1:])))
 
     @staticmethod
-    def interactive(given: Given) -> bool:
+    def interactive(given: TypedOptions) -> bool:
         """Whether an interactive page is asked for; of a default from elsewhere in one format alone."""
         if not given.values.get("interactive"):
             return False
@@ -219,7 +219,7 @@ class Printing(NamedTuple):
             say(remark)
 
 
-def _format(given: Given) -> Format:
+def _format(given: TypedOptions) -> Format:
     """Return the format named by -f, or by the file's suffix, or by the environment, or text."""
     named, output = given.text("format"), given.text("output")
     if not output:
@@ -247,7 +247,7 @@ def _format(given: Given) -> Format:
     return chosen
 
 
-def _check_interactive(given: Given, chosen: Format) -> None:
+def _check_interactive(given: TypedOptions, chosen: Format) -> None:
     """Raise UsageError for an interactive page that is no page by itself, nor part of a handbook."""
     if not given.typed("interactive"):
         return
@@ -260,7 +260,7 @@ def _check_interactive(given: Given, chosen: Format) -> None:
         _check_able(given, chosen, "interactive")
 
 
-def _check_able(given: Given, chosen: Format, option: str) -> None:
+def _check_able(given: TypedOptions, chosen: Format, option: str) -> None:
     """Raise UsageError for an option that was typed and is not for the format."""
     if given.typed(option) and option not in chosen.takes:
         able = ", ".join(name for name, entry in FORMATS.items() if option in entry.takes)

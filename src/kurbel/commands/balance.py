@@ -14,16 +14,16 @@ from kurbel.balancing.balance_page import BalanceRequest, arranged
 from kurbel.balancing.firing import FiringRequest, asked, read_order
 from kurbel.balancing.greatest import ExtremesRequest
 from kurbel.balancing.harmonics import MOST_ORDERS
-from kurbel.balancing.vector import Weighed
+from kurbel.balancing.vector import CrankWithMasses
 from kurbel.commands.options import Choice, Count, Option, alone, amount, measure, word
 from kurbel.commands.part import CommandOptions, Part, Rivals, Values, flag_of
 from kurbel.commands.parts.angles import Angles, in_degrees
-from kurbel.commands.parts.drive import Linked, OnMachine, Speed, settle_cranks
+from kurbel.commands.parts.drive import Linked, MachineKeys, Speed, settle_cranks
 from kurbel.commands.parts.masses import Masses, MovingRod
-from kurbel.commands.parts.sheet import Layouts, Plain, Sheet, columns_option, layout_option
+from kurbel.commands.parts.sheet import Layouts, PlainPrinting, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
 from kurbel.drive.at import known
-from kurbel.drive.crank import Crank, Described
+from kurbel.drive.crank import Crank, DescribedDrive
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import mechanism
 from kurbel.page.layouts import Layout
@@ -37,7 +37,7 @@ EXTREMES = "balance extremes"
 SUBJECTS = ("balance", AT_ANGLES, EXTREMES)
 
 
-class Arranged(Part):
+class CrankArrangement(Part):
     """An engine with several cranks."""
 
     topic = "cylinders"
@@ -61,7 +61,7 @@ class Arranged(Part):
         settle_cranks(values)
 
 
-class FiringOptions(Arranged, OnMachine, Layouts, Plain, CommandOptions):
+class FiringOptions(CrankArrangement, MachineKeys, Layouts, PlainPrinting, CommandOptions):
     """Print the firing orders that an engine's cranks allow; with --order the cranks that it needs.
 
     \b
@@ -136,7 +136,9 @@ class Revolving(Part):
     balance_radius = measure(as_length, "Radius of the counterweights, for their masses: 300mm.", "LENGTH")
 
 
-class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, Sheet, CommandOptions):
+class BalanceOptions(
+    CrankArrangement, MachineKeys, MovingRod, Revolving, Speed, Layouts, Sheet, CommandOptions
+):
     """Print the free forces and moments of an engine by orders.
 
     In units of m R ω²; with masses, --stroke and --speed in newtons, moments with --spacing or positions in
@@ -274,16 +276,16 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
     def _straight(self, page: Layout) -> tuple[Crank, ...]:
         """Return the cranks by their ratios, as given or of stroke and rod, or by the layout's own."""
         lengths = (self.stroke, self.rod) if self.says("rod") and self.says("stroke") else ()
-        return tuple(Described(self.ratio, *lengths).cranks(page.ratios))
+        return tuple(DescribedDrive(self.ratio, *lengths).cranks(page.ratios))
 
     def _is_heavy(self) -> bool:
         return self.as_part(Masses).is_heavy()
 
-    def _weighed(self, page: Layout, in_metres: bool) -> Weighed | None:
+    def _weighed(self, page: Layout, in_metres: bool) -> CrankWithMasses | None:
         """Return what makes newtons, None where what is given does not say enough."""
         if not self._is_heavy() or not all(map(self.says, NEWTONS)):
             return None
-        cranks = Described(self.ratio, self.stroke, self.rod).cranks(page.ratios)
+        cranks = DescribedDrive(self.ratio, self.stroke, self.rod).cranks(page.ratios)
         masses = self.reciprocating or ()
         first = Masses(self.values.instead({"reciprocating": masses[0] if masses else None}))
         crank, *_ = first.weighed(mechanism("straight"), cranks)
@@ -291,7 +293,7 @@ class BalanceOptions(Arranged, OnMachine, MovingRod, Revolving, Speed, Layouts, 
             raise ProblemError("the positions are lengths, and --spacing gives their unit; leave one out")
         unit = Fraction(1) if in_metres else self.spacing
         joined = known(crank.moving).joined
-        weighed = Weighed(crank, unit)
+        weighed = CrankWithMasses(crank, unit)
         if len(masses) > 1:
             share = joined.crosshead - masses[0]
             weighed = replace(weighed, each=tuple(mass + share for mass in masses))

@@ -15,7 +15,7 @@ from kurbel.commands.options import Choice, Columns, Kind, Option, alone, file, 
 from kurbel.commands.part import CommandOptions
 from kurbel.commands.parts.angles import Angles
 from kurbel.commands.parts.drive import Linked
-from kurbel.commands.parts.sheet import Layouts, Worded, layout_option
+from kurbel.commands.parts.sheet import Layouts, WordedPage, layout_option
 from kurbel.commands.subject import function
 from kurbel.errors import ProblemError
 from kurbel.page.layouts import layout_of
@@ -51,7 +51,7 @@ def as_ratio_text(given: object, what: str) -> str:
     return given if isinstance(given, str) else notation.ratio_text(as_fraction(given))
 
 
-class CollateOptions(Layouts, Worded, CommandOptions):
+class CollateOptions(Layouts, WordedPage, CommandOptions):
     """Print a table of a book, or your own transcription, with the values that it should have.
 
     Of formulas it prints whether each follows from the one before.
@@ -116,7 +116,7 @@ class CollateOptions(Layouts, Worded, CommandOptions):
 collate = function(CollateOptions, "collate")
 
 
-class ExampleOptions(Worded, CommandOptions):
+class ExampleOptions(WordedPage, CommandOptions):
     """Print a worked example of a book in its steps: each figure as printed, and what it should be.
 
     With numbers of one's own the same steps are worked with these. Without NUMBER the examples are listed.

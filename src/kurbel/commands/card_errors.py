@@ -20,7 +20,7 @@ from kurbel.verify.zeros import Place
 
 if TYPE_CHECKING:
     from kurbel.commands.recomputed import Row
-    from kurbel.commands.second import Second
+    from kurbel.commands.second import SecondComputation
 
 # Places of a stroke, and the most by which twice the points are nearer to the truth.
 SAMPLES, MOST_GAIN = 720, 8
@@ -29,7 +29,7 @@ BESIDE = Fraction(18, 100)
 ROUNDED = Fraction(1, 10**12)
 
 
-def error_of(second: Second, key: str, method: str, row: Row) -> Value:
+def error_of(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """Return how far a number of a turn may be off. Raises ProblemError for one that is none."""
     if key not in ("mean_force", "delta", *_ANGLES, *_OF_WORK):
         raise ProblemError(f"how far a card lets {key} be off is not computed a second time")
@@ -69,7 +69,7 @@ def _near(angle: Number, turn: Turn, stroke: str) -> Fraction:
     return (angle + begin).middle
 
 
-def _gained(second: Second) -> tuple[Number, Number]:
+def _gained(second: SecondComputation) -> tuple[Number, Number]:
     """The greatest difference of the work of a stroke from that by half the points, and how many times
     greater that of half the points is."""
     before = [one for half in second.card.halves() for one in _between(second, half, Stroke.work)]
@@ -79,7 +79,7 @@ def _gained(second: Second) -> tuple[Number, Number]:
     return apart, most if gain.low >= MOST_GAIN else largest([gain, number(1)])
 
 
-def _between(second: Second, card: Any, of: Callable[[Stroke, Number], Number]) -> list[Number]:
+def _between(second: SecondComputation, card: Any, of: Callable[[Stroke, Number], Number]) -> list[Number]:
     """The differences over the strokes from those of half its points; strokes that are alike count once."""
     shares, own = [number(Fraction(k, SAMPLES)) for k in range(SAMPLES + 1)], second.measured(card)()
     values = {stroke: [of(stroke, share) for share in shares] for stroke in own}

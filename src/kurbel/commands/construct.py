@@ -13,14 +13,14 @@ from kurbel.books.constructions.construction_page import (
     unfound,
 )
 from kurbel.books.constructions.model import Construction
-from kurbel.books.constructions.placed import ALONE, CENTRE, GYRATION, TAKEN, Beside
+from kurbel.books.constructions.placed import ALONE, CENTRE, GYRATION, TAKEN, BesideDrive
 from kurbel.commands.options import Count, Kind, Option, amount, file, measure, word
 from kurbel.commands.part import CommandOptions
-from kurbel.commands.parts.drawing import DECIMAL, Sized
+from kurbel.commands.parts.drawing import DECIMAL, DrawingSize
 from kurbel.commands.parts.drive import AnyDrive
 from kurbel.commands.parts.loads import Loads
 from kurbel.commands.parts.masses import MovingRod
-from kurbel.commands.parts.sheet import Layouts, Plain, Sheet, columns_option, layout_option
+from kurbel.commands.parts.sheet import Layouts, PlainPrinting, Sheet, columns_option, layout_option
 from kurbel.commands.shown import Drawing, mark_of
 from kurbel.commands.subject import function
 from kurbel.drive.moved import Drive
@@ -59,7 +59,7 @@ class _Name(Kind):
         return construction_names(folder if isinstance(folder, File) else None)
 
 
-class Constructed(AnyDrive, CommandOptions):
+class ConstructionAtAngle(AnyDrive, CommandOptions):
     """A construction of a crank drive at one crank angle, and what some take beside it."""
 
     topic = "question"
@@ -102,7 +102,7 @@ class Constructed(AnyDrive, CommandOptions):
         """The construction that is named."""
         return construction(self.name, self.constructions)
 
-    def held(self) -> Constructed:
+    def held(self) -> ConstructionAtAngle:
         """Return the same with the mechanism for which alone the construction holds, where none is named, and
         with what its book takes for it."""
         shown, own = self.chosen, {}
@@ -169,7 +169,7 @@ class Constructed(AnyDrive, CommandOptions):
             return Fraction(0)
         return as_angle(shown.given.angle if given is None else given, "angle") % 360
 
-    def _beside(self, shown: Construction, drive: Drive) -> Beside:
+    def _beside(self, shown: Construction, drive: Drive) -> BesideDrive:
         """Return what is given beside the drive, of what the construction takes."""
         takes = {name: self.raw(name) if name in shown.given.takes else None for name in TAKEN}
         point = ALONE.point if takes.get("point") is None else _point(takes["point"], drive)
@@ -179,7 +179,7 @@ class Constructed(AnyDrive, CommandOptions):
                 " at most a rod's length beyond its pins"
             )
         rod = _rod(takes.get("centre"), takes.get("gyration"), drive)
-        return Beside(point, rod, self._steam() if "eps" in shown.given.takes else None)
+        return BesideDrive(point, rod, self._steam() if "eps" in shown.given.takes else None)
 
     def _steam(self) -> Steam | None:
         if not self.says("eps"):
@@ -194,7 +194,7 @@ class Constructed(AnyDrive, CommandOptions):
         return Steam(ratios[0], self.back)
 
 
-class ConstructionOptions(Constructed, Layouts, Sheet):
+class ConstructionOptions(ConstructionAtAngle, Layouts, Sheet):
     """Print the lengths of a construction beside their true values, and its steps.
 
     \f
@@ -214,7 +214,7 @@ class ConstructionOptions(Constructed, Layouts, Sheet):
         return self.requested(page, columns=self.names("drawn,true"), **self.printed())
 
 
-class DrawnConstruction(Constructed, Sized):
+class DrawnConstruction(ConstructionAtAngle, DrawingSize):
     """Draw a construction to scale, with the letters of its book.
 
     As SVG, PNG, PDF or PGF, or as an HTML page with steps to click through.
@@ -236,7 +236,7 @@ class DrawnConstruction(Constructed, Sized):
         "N",
         Count("steps", 1, MOST_STEPS, "is no step"),
     )
-    lang = Plain.lang.but()
+    lang = PlainPrinting.lang.but()
     decimal = DECIMAL.but()
 
     def question(self) -> Drawing:

@@ -18,10 +18,10 @@ from kurbel.commands.subject import function
 from kurbel.drive.wheel import Flywheel, check_irregularity
 from kurbel.engine.captions import caption
 from kurbel.engine.cylinder import TurnPlace
-from kurbel.engine.diagram.excess import Excess
+from kurbel.engine.diagram.excess import ExcessTorque
 from kurbel.engine.diagram.fluctuation import Areas, Fluctuation
 from kurbel.engine.diagram.relations import SHOWN, registry
-from kurbel.engine.diagram.sizing import Known, Sizing, gathered, sized, told_by
+from kurbel.engine.diagram.sizing import Known, SizedFlywheel, gathered, sized, told_by
 from kurbel.engine.diagram.wheel_page import WheelRequest
 from kurbel.engine.engine_quantities import engine_registry, value
 from kurbel.engine.notes import engine_notes
@@ -213,7 +213,7 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
             **self.on_page(page, EXAMPLE),
         )
 
-    def _rim(self, engine: EngineRequest, wheel: Flywheel) -> Sizing:
+    def _rim(self, engine: EngineRequest, wheel: Flywheel) -> SizedFlywheel:
         sizes = [name for name in PLAIN if name in Rim.options()]
         given = self.figures("radius", *sizes, "speed", "rim_section")
         figures = gathered((*given, *_of_engine(engine, wheel)))
@@ -244,11 +244,11 @@ class FlywheelOptions(Engine, Diagram, Wheel, Layouts, Sheet, CommandOptions):
             known_from=self._source(),
             fluctuation=diagram,
             press=(share.working, share.rest) if share else None,
-            angle=self.angle if isinstance(diagram, Excess) else None,
+            angle=self.angle if isinstance(diagram, ExcessTorque) else None,
             **self.on_page(page, EXAMPLE),
         )
 
-    def _check_unknown(self, wheel: Sizing) -> None:
+    def _check_unknown(self, wheel: SizedFlywheel) -> None:
         """Raise ProblemError for what is asked for and does not follow, with what would tell it."""
         unknown = self.unknown
         if unknown is None or wheel.knows(unknown):

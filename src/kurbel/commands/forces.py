@@ -10,12 +10,12 @@ from kurbel.commands.part import CommandOptions, flag_of
 from kurbel.commands.parts.angles import ENDS, FORCES_OVER_PATH, FULL_TURN, OVER_PATH
 from kurbel.commands.parts.drive import OF_MASSES, Turning, with_pins
 from kurbel.commands.parts.effort import PINNED, PRESSING, Effort, PinFriction, TurningShaft
-from kurbel.commands.parts.engine import Engine, FromOne
+from kurbel.commands.parts.engine import Engine, ReferenceCylinder
 from kurbel.commands.parts.loads import FURTHER, KINDS
 from kurbel.commands.parts.masses import Masses
 from kurbel.commands.parts.sheet import columns_over_angle
 from kurbel.commands.subject import function
-from kurbel.drive.crank import Described
+from kurbel.drive.crank import DescribedDrive
 from kurbel.drive.mechanisms import LINKAGES, SUBJECTS
 from kurbel.drive.moved import Drive
 from kurbel.errors import ProblemError
@@ -28,7 +28,9 @@ OF_DRIVES = ("motion", "effort", "mass forces")
 OF_ENGINES = ("crank forces", "machine", ROD_LOAD)
 
 
-class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, TurningShaft, Turning, CommandOptions):
+class ForcesOptions(
+    OverPath, Engine, ReferenceCylinder, Effort, PinFriction, TurningShaft, Turning, CommandOptions
+):
     """Print the forces of the crank drive: rod, guide, tangential and radial force, torque.
 
     Per unit piston force, under a force of so many newtons and with moving masses, or over the turn of a
@@ -200,7 +202,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, TurningShaft
             return f"{flag} is for a given force or pressures; the turn of an engine with it is not computed"
         return ""
 
-    def _described(self) -> tuple[Mechanism, Described]:
+    def _described(self) -> tuple[Mechanism, DescribedDrive]:
         # A speed alone makes no force, and a method is that of masses.
         moving = ("speed", "acceleration", "method")
         taken = self.is_pushed() and self.accelerates() and self.says("power")
@@ -258,7 +260,7 @@ class ForcesOptions(OverPath, Engine, FromOne, Effort, PinFriction, TurningShaft
         names = self.names("epsilon,delta")
         return EngineRequest(**engines, angles=angles, columns=names, zero=self.zero_angle, **self.printed())
 
-    def _over_path(self, chosen: Mechanism, described: Described) -> Question:
+    def _over_path(self, chosen: Mechanism, described: DescribedDrive) -> Question:
         """Return what is asked for of the forces in drives over the piston's path, with their masses."""
         if self.is_heavy() and not chosen.crosshead:
             raise ProblemError(

@@ -10,7 +10,7 @@ from kurbel.commands.parts.drive import Speed
 from kurbel.commands.parts.engine import Engine
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
-from kurbel.drive.crank import Described
+from kurbel.drive.crank import DescribedDrive
 from kurbel.engine.torque_harmonics import TorqueRequest
 from kurbel.errors import ProblemError
 from kurbel.page.subject import Question
@@ -78,7 +78,7 @@ class HarmonicsOptions(Engine, Layouts, Sheet, CommandOptions):
         stroke, rod = (None, None) if self.lone_lengths() else (self.stroke, self.rod)
         return HarmonicsRequest(
             layout=page,
-            ratios=tuple(one.ratio for one in Described(self.ratio, stroke, rod).cranks(page.ratios)),
+            ratios=tuple(one.ratio for one in DescribedDrive(self.ratio, stroke, rod).cranks(page.ratios)),
             quantity=self.quantity or "",
             last_order=self.orders,
             method=self.method,

@@ -52,45 +52,45 @@ UNITS = {
 ONE: Mapping[str, object] = {"type": ["string", "number"]}
 
 
-class Several(tuple[str, ...]):
+class ValueList(tuple[str, ...]):
     """One value or several, as they would be typed."""
 
     MUST = 'text such as "600mm", a number or a list'
     SCHEMA: ClassVar[Mapping[str, object]] = {"anyOf": [ONE, {"type": "array", "items": ONE, "minItems": 1}]}
 
     @classmethod
-    def read(cls, given: object, _: str) -> Several:
+    def read(cls, given: object, _: str) -> ValueList:
         values = given if isinstance(given, list) else [given]
         if not values or not all(map(_is_value, values)):
             raise Fault(cls.MUST)
-        if len(values) > 1 and issubclass(cls, One):
+        if len(values) > 1 and issubclass(cls, SingleValue):
             raise Fault("one value")
         return cls(map(str, values))
 
 
-class One(Several):
+class SingleValue(ValueList):
     """One value."""
 
     MUST = 'text such as "600mm", a number'
     SCHEMA = ONE
 
 
-class Joined(Several):
+class JoinedValues(ValueList):
     """Several values, which their option takes in one text."""
 
 
-class Files(Several):
+class Files(ValueList):
     """Files beside the machine's."""
 
     @classmethod
-    def read(cls, given: object, name: str) -> Several:
+    def read(cls, given: object, name: str) -> ValueList:
         found = super().read(given, name)
         if any("\0" in one for one in found):
             raise Fault("the name of a file, and none has a NUL in it")
         return found
 
 
-class File(Files, One):
+class File(Files, SingleValue):
     """One of them."""
 
 
@@ -137,11 +137,11 @@ def _section(
     """Return a section by its keys and the options behind them; of a cylinder also what sets its place."""
     keys = {option.name: key for key, option in options.items()}
     fields: list[tuple[str, object, object]] = [
-        (place, _described(One, text), None) for place, text in (places or {}).items()
+        (place, _described(SingleValue, text), None) for place, text in (places or {}).items()
     ]
     for option in options.values():
         # [pump] by itself says which one; of a cylinder it is one of several loads.
-        usual = One((option.bare,)) if option.bare and places is None else None
+        usual = SingleValue((option.bare,)) if option.bare and places is None else None
         fields.append((option.name, _described(_kind(option), _help(option, keys)), usual))
     return defstruct(name, fields, bases=(Section,), rename=keys, module=__name__)
 
@@ -158,7 +158,7 @@ def _kind(option: Option[object]) -> type:
         return Files if option.many else File
     # A list whose numbers have a unit; another text has parts of its own, as a section of a rim.
     joined = option.whole and option.unit
-    return Several if option.many else Joined if joined else One
+    return ValueList if option.many else JoinedValues if joined else SingleValue
 
 
 def _help(option: Option[object], keys: Mapping[str, str]) -> str:
@@ -172,7 +172,7 @@ def _help(option: Option[object], keys: Mapping[str, str]) -> str:
     return f"{text} Its path counts from this file's folder." if option.kind is FILE else text
 
 
-class Listed(dict[str, object]):
+class CylinderEntries(dict[str, object]):
     """The entries of a cylinder by their names, and where its table stands, for the start of a sentence."""
 
     def __init__(self, entries: Mapping[str, object], where: str) -> None:
@@ -210,7 +210,7 @@ def read_machine(path: str | NamedFile) -> dict[str, object]:
                 ("cylinder",), "cylinder is empty; write a [[cylinder]] for each, or leave it out"
             )
         options["cylinder"] = [
-            Listed(_options(own, asdict(one)), where)
+            CylinderEntries(_options(own, asdict(one)), where)
             for number, one in enumerate(machine.cylinder)
             for where in [f"{file.path}, line {file.line(('cylinder', number))}"]
         ]
@@ -239,9 +239,9 @@ def _option(machine: NamedFile, value: object) -> object:
     if isinstance(value, Files):
         beside = [machine.beside(name) for name in value]
         return beside[0] if isinstance(value, File) else beside
-    if not isinstance(value, Several):
+    if not isinstance(value, ValueList):
         return value
-    return ";".join(value) if isinstance(value, One | Joined) else [*value]
+    return ";".join(value) if isinstance(value, SingleValue | JoinedValues) else [*value]
 
 
 def with_ratio(options: Mapping[str, object]) -> dict[str, object]:

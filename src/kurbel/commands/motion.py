@@ -22,7 +22,7 @@ from kurbel.commands.parts.drive import (
 )
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, columns_over_angle, layout_option
 from kurbel.commands.subject import function
-from kurbel.drive.crank import Described
+from kurbel.drive.crank import DescribedDrive
 from kurbel.drive.mechanisms import MOTIONS
 from kurbel.drive.moved import Drive
 from kurbel.errors import ProblemError
@@ -63,7 +63,7 @@ class OverPath(Angles, AnyDrive, Layouts, Sheet):
     def over_path(
         self,
         chosen: Mechanism,
-        described: Described,
+        described: DescribedDrive,
         page: Layout,
         method: str | None,
         drives: Sequence[Drive] = (),
@@ -160,7 +160,7 @@ class MotionOptions(OverPath, Turning, Series, PinSizes, CommandOptions):
         )
         return self.over_strokes(question)
 
-    def _points(self, chosen: Mechanism, described: Described) -> Question:
+    def _points(self, chosen: Mechanism, described: DescribedDrive) -> Question:
         """Return what is asked for of points of the rod at crank angles."""
         from kurbel.motion.points import points_of
         from kurbel.motion.points_page import SUBJECT, PointsRequest
@@ -180,7 +180,7 @@ class MotionOptions(OverPath, Turning, Series, PinSizes, CommandOptions):
             **self.on_page(page, "phi,path_along,path_across"),
         )
 
-    def _approximations(self, chosen: Mechanism, described: Described, page: Layout) -> Question:
+    def _approximations(self, chosen: Mechanism, described: DescribedDrive, page: Layout) -> Question:
         """Return what is asked for of the errors of series, or of Rötscher's steps."""
         if chosen.name != "straight":
             raise ProblemError(
@@ -294,7 +294,7 @@ class DeadCentresOptions(Linked, Speed, Layouts, Sheet, CommandOptions):
         lengths = map(self.raw, _LENGTHS) if known else ()
         return BeamRequest(
             arms=as_numbers(page.arms, "beam arm") if self.beam is None else tuple(self.beam),
-            ratios=tuple(one.ratio for one in Described(self.ratio, *lengths).cranks(page.ratios)),
+            ratios=tuple(one.ratio for one in DescribedDrive(self.ratio, *lengths).cranks(page.ratios)),
             exact=self.exact,
             **self.on_page(page, "mu,nu"),
         )

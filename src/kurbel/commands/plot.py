@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 from kurbel.commands.motion import some
 from kurbel.commands.options import Option, alone, measure
 from kurbel.commands.part import CommandOptions, flag_of
-from kurbel.commands.parts.drawing import DECIMAL, Filmed, Pictured, Sized
+from kurbel.commands.parts.drawing import DECIMAL, DrawingOptions, DrawingSize, FilmOptions
 from kurbel.commands.parts.drive import AnyDrive
-from kurbel.commands.parts.sheet import Plain, Sheet
+from kurbel.commands.parts.sheet import PlainPrinting, Sheet
 from kurbel.commands.shown import Drawing, carrying, drawing_of, mark_of, paged, spoken, staged
 from kurbel.commands.subject import function
 from kurbel.drive.moved import Drive
@@ -39,7 +39,7 @@ PAGES = (
 )
 
 
-class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
+class PlotOptions(AnyDrive, DrawingSize, FilmOptions, CommandOptions):
     """Draw a mechanism to scale, the paths of points of its rod, and how it moves.
 
     Curves of pages are a format of these: kurbel table --ratio 1:5 -o motion.svg, kurbel forces --eps 4 -o
@@ -68,7 +68,7 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
         "Draw the paths of points of the rod beside the mechanism: 0.5, 0.5,0.1, '0;0.5;1'.", "POINTS",
         many=True, numbers=False,
     )  # fmt: skip
-    lang: Option[str] = Plain.lang.but(help="Language of the labels: de or en.")
+    lang: Option[str] = PlainPrinting.lang.but(help="Language of the labels: de or en.")
     units = Sheet.units.but(
         help="Units of the numbers beside what moves: metric, imperial or a list, 'cm;kN'. Default: metric;"
         " of what is given in imperial units alone these."
@@ -84,7 +84,7 @@ class PlotOptions(AnyDrive, Sized, Filmed, CommandOptions):
         drives = some(chosen.drives(described, drawing_layout(chosen.layout).ratios))
         if not self.says("positions", "point"):
             question = replace(_motion(chosen, drives, self.lang), units=self.units)
-            return drawing_of(question, self.as_part(Pictured), self.decimal)
+            return drawing_of(question, self.as_part(DrawingOptions), self.decimal)
         if len(drives) > 1:
             flag = "positions" if self.says("positions") else "point"
             raise ProblemError(

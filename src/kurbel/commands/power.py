@@ -10,7 +10,7 @@ from typing import Any, TypeGuard
 
 from kurbel.commands.options import Choice, Count, Option, alone, measure, word
 from kurbel.commands.part import CommandOptions, Values, flag_of
-from kurbel.commands.parts.drive import Linked, OnMachine, settle_sizes
+from kurbel.commands.parts.drive import Linked, MachineKeys, settle_sizes
 from kurbel.commands.parts.engine import Cylinder
 from kurbel.commands.parts.engine import Engine as EnginePart
 from kurbel.commands.parts.loads import KINDS, Loads
@@ -23,9 +23,9 @@ from kurbel.drive.load import CARD, MASSES, PUMP
 from kurbel.engine.engine import Engine, Load
 from kurbel.engine.power.duty import Duty, equation
 from kurbel.engine.power.power_page import PowerRequest
-from kurbel.engine.power.source import Acting, GivenPressure, as_compound
+from kurbel.engine.power.source import ActingPressure, GivenPressure, as_compound
 from kurbel.engine.power.unknown import UNKNOWNS, sought
-from kurbel.engine.pressures import Pressed, PressuresRequest
+from kurbel.engine.pressures import PressureDrive, PressuresRequest
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import ProblemError
 from kurbel.motion.mechanism import uncomputed
@@ -68,7 +68,7 @@ GIVING = ("pressure_ratio", "pump")
 PRESSURES, ABOUT = ("pressures", "pressures-turn"), ("pressures", "pressures over the angle")
 
 
-class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
+class PowerOptions(MachineKeys, Loads, Losses, Layouts, Sheet, CommandOptions):
     """Print the mean effective pressure and the power of an engine, a compressor or a pump, or the bore,
     stroke or speed that a power asks for, and the steam taken.
 
@@ -371,7 +371,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             raise ProblemError("the specific volume of steam must be above 0")
         return volume
 
-    def _sources(self, page: Layout, duty: Duty) -> Sequence[Acting | GivenPressure]:
+    def _sources(self, page: Layout, duty: Duty) -> Sequence[ActingPressure | GivenPressure]:
         """Return where the mean pressures come from."""
         named = self.load_names()
         if self._is_sought(unknown := self.unknown):
@@ -419,7 +419,7 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             break
         return tried
 
-    def _sought(self, page: Layout, duty: Duty, unknown: str) -> Sequence[Acting]:
+    def _sought(self, page: Layout, duty: Duty, unknown: str) -> Sequence[ActingPressure]:
         """Return what acts on the piston with every number of it that does what is given."""
         over = as_pressure(self.raw("back"), "back pressure") if unknown == "pressure" else None
         [source] = self._probed(unknown)._acting(page, duty)
@@ -435,11 +435,11 @@ class PowerOptions(OnMachine, Loads, Losses, Layouts, Sheet, CommandOptions):
             for one in self._probed(unknown, found.near)._acting(page, duty)
         ]
 
-    def _acting(self, page: Layout, duty: Duty) -> Sequence[Acting]:
+    def _acting(self, page: Layout, duty: Duty) -> Sequence[ActingPressure]:
         loads = self.loads(page)
         double = getattr(loads[0], "double", None)
         double = not self.single_acting if double is None else double
-        return [Acting(self._engine(load, double, duty)) for load in loads]
+        return [ActingPressure(self._engine(load, double, duty)) for load in loads]
 
     def _engine(self, load: Any, double: bool, duty: Duty) -> Engine:
         """Return an engine on which the load acts; of work alone the crank ratio says nothing."""
@@ -548,7 +548,7 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
             **self.on_page(page, "share,inertia_pressure"),
         )
 
-    def _pressed(self, page: Layout) -> Pressed:
+    def _pressed(self, page: Layout) -> PressureDrive:
         """Return the one cylinder that is described, with its masses, its load or both."""
         if self.load_names():
             if self.says("card") and not self.is_heavy():
@@ -557,7 +557,7 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
             about = EngineRequest(layout=layout("engine-forces"), **engines)
             _check_one(about.steams, "loads")
             _check_one(about.drives, "crank ratios")
-            return Pressed(about.drives[0], self.bore, about.first.parts[0])
+            return PressureDrive(about.drives[0], self.bore, about.first.parts[0])
         chosen, described = self.described(
             beside=("stroke",), leaving=("speed", "method", *self.lone_lengths())
         )
@@ -565,7 +565,7 @@ class PressuresOptions(Cylinder, Layouts, Sheet, CommandOptions):
             raise ProblemError(sentence)
         drives = self.weighed(chosen, chosen.drives(described, page.ratios), "bore", even=True)
         _check_one(drives, "crank ratios")
-        return Pressed(drives[0], self.bore)
+        return PressureDrive(drives[0], self.bore)
 
     def unread(self, option: Option[object]) -> str:
         return f"--bore is for {Masses.title}; add {Masses.add}" if option.name == "bore" else ""

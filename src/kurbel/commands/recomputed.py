@@ -32,10 +32,10 @@ from kurbel.verify.numbers import degrees_of, largest, pi, sine_cosine
 from kurbel.verify.numbers import number as exactly
 from kurbel.verify.plane import Arrow
 from kurbel.verify.turn import Running, star
-from kurbel.verify.zeros import Place, Spot, around, between, root
+from kurbel.verify.zeros import FoundAngle, Place, around, between, root
 
 if TYPE_CHECKING:
-    from kurbel.commands.second import Second
+    from kurbel.commands.second import SecondComputation
 
 # A row without what it has nothing of.
 Row: TypeAlias = Mapping[str, str]
@@ -44,7 +44,7 @@ RETURN = "_return"
 FARTHEST = 10**12
 
 
-def of_drive(second: Second, key: str, method: str, row: Row) -> Value:
+def of_drive(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """Motion and forces at a crank angle, over the path, or where the rod is square to the crank."""
     asked = second.asked
     if asked.is_engine():
@@ -64,7 +64,9 @@ def of_drive(second: Second, key: str, method: str, row: Row) -> Value:
     return _moved(second, drive, key, method, place, row)
 
 
-def _moved(second: Second, drive: verify.Drive, key: str, method: str, at: Degrees, row: Row) -> Value:
+def _moved(
+    second: SecondComputation, drive: verify.Drive, key: str, method: str, at: Degrees, row: Row
+) -> Value:
     asked = second.asked
     if "rubbing" in key:
         pin, _, side = key.removesuffix("_mps").partition("_rubbing")
@@ -93,12 +95,12 @@ def _moved(second: Second, drive: verify.Drive, key: str, method: str, at: Degre
 
 
 def _heavy(
-    second: Second, drive: verify.Drive, force: Fraction | Force, method: str, row: Row
+    second: SecondComputation, drive: verify.Drive, force: Fraction | Force, method: str, row: Row
 ) -> verify.Bodies:
     return replace(second.bodies(drive, force, row), method=method)
 
 
-def _of_engine(second: Second, key: str, method: str, at: Degrees, row: Row) -> Value:
+def _of_engine(second: SecondComputation, key: str, method: str, at: Degrees, row: Row) -> Value:
     """A force where the load of an engine acts on the piston of the first crank."""
     if "end" in row:
         raise ProblemError("greatest loads of a rod over the turn are not computed a second time")
@@ -126,7 +128,7 @@ def _square(drive: verify.Drive, at: Place) -> Number:
     return found
 
 
-def _coupled(second: Second, drive: verify.Drive, key: str, row: Row) -> Value:
+def _coupled(second: SecondComputation, drive: verify.Drive, key: str, row: Row) -> Value:
     """Each axle takes its share; a coupling rod carries those of the axles beyond it."""
     weights = as_places(second.options.get("axles", "2"), "weight on an axle")
     weights = [Fraction(1)] * int(weights[0]) if len(weights) == 1 else weights
@@ -138,17 +140,19 @@ def _coupled(second: Second, drive: verify.Drive, key: str, row: Row) -> Value:
     return drive.value(key, second.degrees(row)) * (weights[axle - 1] / whole)
 
 
-def _at_share(second: Second, drive: verify.Drive, method: str, row: Row, back: bool) -> Spot:
+def _at_share(
+    second: SecondComputation, drive: verify.Drive, method: str, row: Row, back: bool
+) -> FoundAngle:
     """Where B has gone a share of a stroke, on which it goes one way."""
     shares = second.asked.shares() if second.command != "pressures" else second.shares
     share, key = nearest(row["share"], shares), "x_stroke" if drive.rocker is None else "path_stroke"
     course = Course(drive, key, method, back=back)
 
-    def found() -> Spot:
+    def found() -> FoundAngle:
         if share in (0, 1):
-            return Spot(lambda: around(_dead(drive, bool(share) != back, back)))
+            return FoundAngle(lambda: around(_dead(drive, bool(share) != back, back)))
         low, high = (Fraction(float(_dead(drive, outer, back))) for outer in (back, not back))
-        return Spot(lambda: between(lambda at: course.value(at) - share, low, high))
+        return FoundAngle(lambda: between(lambda at: course.value(at) - share, low, high))
 
     return second.spot((course, share), found)
 
@@ -163,7 +167,7 @@ def _off_vertical(ratio: Fraction, arm: Fraction, side: int) -> Number:
     return exactly(ratio / (4 * arm * (1 + side * ratio))) * 180 / pi()
 
 
-def of_dead_centres(second: Second, key: str, method: str, row: Row) -> Value:
+def of_dead_centres(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """Of a beam engine the angles at which its dead centres lie off the vertical, and the beam's paths from
     there; by Weisbach R²/(4 a (L ± R)) in radians, and R (1 - cos) of them."""
     name, _, number_of = key.partition("_")
@@ -188,7 +192,7 @@ def of_dead_centres(second: Second, key: str, method: str, row: Row) -> Value:
     return Value(lambda: 1 - sine_cosine(*around(angle.recipe()))[1])
 
 
-def of_condition(second: Second, key: str, method: str, row: Row) -> Value:
+def of_condition(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     listed = second.options.get("where")
     texts = list(map(str, listed)) if isinstance(listed, list | tuple) else [str(listed)]
     where = row.get("condition", texts[0] if len(texts) == 1 else "")
@@ -213,7 +217,7 @@ def of_condition(second: Second, key: str, method: str, row: Row) -> Value:
     def slope(at: Place) -> Number:
         return course.value(at, 1)
 
-    def found() -> Spot:
+    def found() -> FoundAngle:
         return root(slope, near) if extreme else root(lambda at: course.value(at) - target(), near, slope)
 
     place = second.spot((course, condition, near), found)
@@ -253,7 +257,7 @@ _MEASURED = {
 
 
 def _on_engine(
-    second: Second, key: str, method: str, condition: Condition, near: Fraction, row: Row
+    second: SecondComputation, key: str, method: str, condition: Condition, near: Fraction, row: Row
 ) -> Value:
     turn = second.turn(method, row)
     if condition.quantity not in ("tangential", "torque", "tangential_excess") or condition.unit:
@@ -273,7 +277,7 @@ def _on_engine(
     return _of_engine(second, key, method, place, row)
 
 
-def of_turn(second: Second, key: str, method: str, row: Row) -> Value:
+def of_turn(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     if " - " in method:
         one, other = (of_turn(second, "delta", each, row) for each in method.split(" - "))
         return one - other
@@ -291,7 +295,7 @@ def of_turn(second: Second, key: str, method: str, row: Row) -> Value:
     return turn.value(key, at, stroke=row.get("stroke", "turn"))
 
 
-def _ends(second: Second) -> int:
+def _ends(second: SecondComputation) -> int:
     """How many ends of a cylinder work."""
     asked = second.asked
     single = (
@@ -302,20 +306,20 @@ def _ends(second: Second) -> int:
     return 1 if single else 2
 
 
-def _mean_pressure(second: Second, strokes: Sequence[Stroke]) -> Number:
+def _mean_pressure(second: SecondComputation, strokes: Sequence[Stroke]) -> Number:
     if second.asked.says("piston_rod", "tail_rod"):
         raise ProblemError("mean pressures beside piston rods are not computed a second time")
     return abs(sum((one.work(exactly(1)) for one in strokes), exactly(0))) / _ends(second)
 
 
-def _pascals(second: Second) -> Fraction:
+def _pascals(second: SecondComputation) -> Fraction:
     _, pressure = second.unit()
     if pressure is None:
         raise ProblemError("pressures need what Q is in N")
     return pressure
 
 
-def _efficiency(second: Second, turn: verify.Turn, strokes: Sequence[Stroke]) -> Number:
+def _efficiency(second: SecondComputation, turn: verify.Turn, strokes: Sequence[Stroke]) -> Number:
     """Work over heat: at one volume V Δp/(γ - 1), at one pressure γ p ΔV/(γ - 1) of it."""
     power, pressures = second.asked.exponent or Fraction(7, 5), strokes[0].sides[0][1]
     expanding: Any = pressures.pieces[-1][1]
@@ -332,18 +336,18 @@ def _sucked(strokes: Sequence[Stroke]) -> Number:
     return 1 - leaving[0][0] if len(leaving) > 1 else exactly(1)
 
 
-def _delivered(second: Second, strokes: Sequence[Stroke]) -> Number:
+def _delivered(second: SecondComputation, strokes: Sequence[Stroke]) -> Number:
     return _sucked(strokes) * (1 - (second.asked.suction_loss or 0))
 
 
-def _delivery(second: Second, turn: verify.Turn, strokes: Sequence[Stroke]) -> Number:
+def _delivery(second: SecondComputation, turn: verify.Turn, strokes: Sequence[Stroke]) -> Number:
     drive, turns = turn.drive, turn.drive.omega / (2 * pi())
     swept = disc(second.asked.bore or 1) * drive.stroke * drive.radius
     return _delivered(second, strokes) * swept * turns * (_ends(second) * len(turn.cranks))
 
 
 # Of a turn under a load, by what was asked for, the turn and the strokes of its load.
-_OF_LOAD: Mapping[str, Callable[[Second, verify.Turn, Sequence[Stroke]], Number]] = {
+_OF_LOAD: Mapping[str, Callable[[SecondComputation, verify.Turn, Sequence[Stroke]], Number]] = {
     "back": lambda _, __, strokes: strokes[0].sides[1][1].value(exactly(0)),
     "work": lambda _, turn, __: turn.known.mean * 2 * pi(),
     "mean_pressure": lambda second, _, strokes: _mean_pressure(second, strokes),
@@ -372,7 +376,7 @@ _RUNNING: dict[str, Callable[[Any, Any], Number]] = {
 }
 
 
-def of_pressures(second: Second, key: str, method: str, row: Row) -> Value:
+def of_pressures(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """Over the stroke or the angle: what presses on the piston, and what the masses take, both per area."""
     drive, key = second.drive(row), key.removesuffix("_pa")
     if "phi" in row:
@@ -382,7 +386,7 @@ def of_pressures(second: Second, key: str, method: str, row: Row) -> Value:
             [exactly(0), exactly(180)] if method == "series" else [drive.dead_degrees(one) for one in (1, -1)]
         )
         index = sum(int((angle % 360 - one).sign() >= 0) for one in ends) - 1 + 2 * int(angle // 360)
-        place = Spot(lambda: Place(angle - 180 * (index % 2)))
+        place = FoundAngle(lambda: Place(angle - 180 * (index % 2)))
         share = drive.value("x_stroke", place, method, stroke="return" if index % 2 else None)
         if key == "x_stroke":
             return share
@@ -406,7 +410,7 @@ def of_pressures(second: Second, key: str, method: str, row: Row) -> Value:
     return Value(lambda: -heavy.at("inertia_force", place(), (-1) ** index) / disc(bore))
 
 
-def of_inertia(second: Second, key: str, method: str, row: Row) -> Value:
+def of_inertia(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """Forces of a rod, of two masses at its pins, and of 6/10 and 4/10 of it there."""
     if "force" in row:
         return _of_peak(second, key, row)
@@ -427,7 +431,7 @@ def of_inertia(second: Second, key: str, method: str, row: Row) -> Value:
     return heavy.value(f"{force}_n", second.degrees(row), stroke="return" if RETURN in key else None)
 
 
-def _of_peak(second: Second, key: str, row: Row) -> Value:
+def _of_peak(second: SecondComputation, key: str, row: Row) -> Value:
     """The greatest of a force over the turn and where it is; the same of its errors by other masses, in % of
     the greatest exact one. Of the straight crank half a turn is as the other."""
     drive, name = second.drive(row), row["force"]
@@ -470,7 +474,7 @@ def _of_peak(second: Second, key: str, row: Row) -> Value:
     return Value(known[key])
 
 
-def of_harmonics(second: Second, key: str, method: str, row: Row) -> Value:
+def of_harmonics(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """The harmonics of the straight crank: B_k of the acceleration, of which the velocity has 1/k and the
     path -1/k²; by first order B_1 = 1 and B_2 = λ."""
     if key not in ("value", "factor"):
@@ -487,7 +491,7 @@ def of_harmonics(second: Second, key: str, method: str, row: Row) -> Value:
     return Value(lambda: harmonics.of_acceleration(ratio, order) * by_order)
 
 
-def _of_wave(second: Second, key: str, method: str, row: Row) -> Value:
+def _of_wave(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """The harmonics of the torque T = P + Σ (a cos kφ + b sin kφ) = P + Σ c cos (kφ + ψ)."""
     turn, order, cylinder = second.turn(method, row), number(row["order"]), row.get("cylinder", "all")
     cranks = turn.cranks if cylinder == "all" else (turn.cranks[int(number(cylinder)) - 1],)
@@ -530,7 +534,7 @@ def nearest(printed: str, asked: Sequence[Fraction]) -> Fraction:
     return found.pop()
 
 
-PAGES: Mapping[str, Callable[[Second, str, str, Row], Value]] = {
+PAGES: Mapping[str, Callable[[SecondComputation, str, str, Row], Value]] = {
     "table": of_drive, "forces": of_drive, "deadcentres": of_dead_centres, "solve": of_condition,
     "turning": of_turn, "delta": of_turn, "pressures": of_pressures, "inertia": of_inertia,
     "harmonics": of_harmonics, "balance": of_harmonics,

@@ -19,11 +19,11 @@ from kurbel.verify.diagram import Diagram, swing
 from kurbel.verify.numbers import heading, number, pi
 from kurbel.verify.plane import Arrow
 from kurbel.verify.relations import ENGINE, completed, flywheel, staged
-from kurbel.verify.shaft import Pull, Slide, held, moment, parts, ray, together
+from kurbel.verify.shaft import PlanarVector, Slide, held, moment, parts, ray, together
 
 if TYPE_CHECKING:
     from kurbel.commands.recomputed import Row
-    from kurbel.commands.second import Second
+    from kurbel.commands.second import SecondComputation
 
 # What is printed of a vector.
 Printed = Callable[[Arrow], Number]
@@ -37,7 +37,7 @@ def _one() -> Number:
     return number(1)
 
 
-def of_rotor(second: Second, key: str, method: str, row: Row) -> Value:
+def of_rotor(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """A mass as it is given, what all leave together, and what balances or holds them in two planes."""
     request = second.question
     rotor, places, line = request.rotor, request.places, row["line"]
@@ -46,27 +46,30 @@ def of_rotor(second: Second, key: str, method: str, row: Row) -> Value:
     name, _, count = line.rpartition("_") if line[-1].isdigit() else (line, "", "0")
     index = int(count) - 1
 
-    def pulls() -> list[Pull]:
-        return [Pull(ray(one.mass * one.radius, one.angle), number(one.plane or 0)) for one in rotor.masses]
+    def pulls() -> list[PlanarVector]:
+        return [
+            PlanarVector(ray(one.mass * one.radius, one.angle), number(one.plane or 0))
+            for one in rotor.masses
+        ]
 
-    def pull() -> Pull:
+    def pull() -> PlanarVector:
         if name == "mass":
             return pulls()[index]
         planes = places.balance if name == "balance" else places.bearings
         found = held(_left(), planes)[index]
-        return Pull(found.times(number(-1 if name == "balance" else 1)), number(planes[index]))
+        return PlanarVector(found.times(number(-1 if name == "balance" else 1)), number(planes[index]))
 
-    def _left() -> list[Pull]:
+    def _left() -> list[PlanarVector]:
         if name.startswith("second"):
             # What goes to and fro turns twice as fast in the second order.
             return [
-                Pull(ray(one.mass * one.radius * rotor.ratio, 2 * one.angle), number(one.plane or 0))
+                PlanarVector(ray(one.mass * one.radius * rotor.ratio, 2 * one.angle), number(one.plane or 0))
                 for one in rotor.masses
             ]
         found = pulls()
         if places.balance and name != "balance":
             against = zip(held(found, places.balance), places.balance, strict=True)
-            found += [Pull(one.times(number(-1)), number(plane)) for one, plane in against]
+            found += [PlanarVector(one.times(number(-1)), number(plane)) for one, plane in against]
         return found
 
     def vector() -> Arrow:
@@ -103,15 +106,17 @@ def of_rotor(second: Second, key: str, method: str, row: Row) -> Value:
     )
 
 
-def of_locomotive(second: Second, key: str, method: str, row: Row) -> Value:
+def of_locomotive(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """Of the shares that are balanced the wheels' masses and blows; the rest pulls, and sways the frame."""
     request = second.question
     loco, run = request.engine, request.run
     share = nearest(row["share"], request.shares)
     planes = (-loco.gauge / 2, loco.gauge / 2)
 
-    def pulls(mass: Callable[[Any], Fraction]) -> list[Pull]:
-        return [Pull(ray(mass(one) * loco.radius, one.angle), number(one.place)) for one in loco.cranks]
+    def pulls(mass: Callable[[Any], Fraction]) -> list[PlanarVector]:
+        return [
+            PlanarVector(ray(mass(one) * loco.radius, one.angle), number(one.place)) for one in loco.cranks
+        ]
 
     def blows(part: Fraction) -> tuple[Arrow, ...]:
         return held(pulls(lambda one: part / loco.axles * one.reciprocating), planes)
@@ -123,7 +128,7 @@ def of_locomotive(second: Second, key: str, method: str, row: Row) -> Value:
         found = held(pulls(lambda one: one.revolving + share / loco.axles * one.reciprocating), planes)
         return found[side].times(number(-1))
 
-    def rest() -> list[Pull]:
+    def rest() -> list[PlanarVector]:
         return pulls(lambda one: (1 - share) * one.reciprocating)
 
     def omega() -> Number:
@@ -171,7 +176,7 @@ def of_locomotive(second: Second, key: str, method: str, row: Row) -> Value:
     raise LookupError(key)
 
 
-def of_balance(second: Second, key: str, method: str, row: Row) -> Value:
+def of_balance(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """Free forces and moments of an engine by orders: amplitudes, what turns, half axes of the ellipse; at
     angles, and the greatest over the turn."""
     request = second.question
@@ -257,7 +262,7 @@ _OF_ORDER: Mapping[str, Callable[[Arrow, Arrow], Number]] = {
 }
 
 
-def of_power(second: Second, key: str, method: str, row: Row) -> Value:
+def of_power(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """Mean pressure, size, power and steam: each follows from the others."""
     request = second.question
     duty, asked = request.duty, second.asked
@@ -326,7 +331,7 @@ def of_power(second: Second, key: str, method: str, row: Row) -> Value:
     return Value(lambda: second.once(row, found)[stem])
 
 
-def _of_load(second: Second, source: Any, area: Fraction, row: Row) -> dict[str, Number]:
+def _of_load(second: SecondComputation, source: Any, area: Fraction, row: Row) -> dict[str, Number]:
     """The mean pressure that a load makes in its own, and what it takes of steam or delivers."""
     asked, strokes = second.asked, second.load(row)()
     work = abs(sum((one.work(number(1)) for one in strokes), number(0)))
@@ -371,7 +376,7 @@ def _of_compound(duty: Any, epsilon: Number, lost: Number) -> dict[str, Number]:
     return {**found, "high_share": high, "low_share": 1 - high}
 
 
-def of_flywheel(second: Second, key: str, method: str, row: Row) -> Value:
+def of_flywheel(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """What is given of power, speed, swing, irregularity, wheel and rim finds the rest."""
     from kurbel.commands.flywheel import FlywheelOptions
 
@@ -452,7 +457,7 @@ def _torque(excess: Any, at: Fraction, *shares: int) -> Number:
     return total * 180 / pi() if excess.by_degree else total
 
 
-def of_diagram(second: Second, key: str, method: str, row: Row) -> Value:
+def of_diagram(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """Turning moment diagrams: torques, and the work above the mean since 0°, by closed antiderivatives."""
     request = second.question
     if "point" in row:
@@ -474,7 +479,7 @@ def of_diagram(second: Second, key: str, method: str, row: Row) -> Value:
     return Value(values[key.removesuffix("_nm")])
 
 
-def of_masses(second: Second, key: str, method: str, row: Row) -> Value:
+def of_masses(second: SecondComputation, key: str, method: str, row: Row) -> Value:
     """Masses in place of the rod, with its mass and its centre; but for those at the pins with its moment of
     inertia. Of two about a pin at the distance a of the centre the other is (a² + k²)/a from there."""
     question = second.question

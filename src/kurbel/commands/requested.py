@@ -17,7 +17,7 @@ from kurbel.commands.parts.drive import Turning
 from kurbel.commands.parts.effort import PRESSING, Effort, PinFriction
 from kurbel.commands.parts.masses import each, place_on_rod
 from kurbel.commands.recomputed import Row, nearest
-from kurbel.drive.crank import Described, radii
+from kurbel.drive.crank import DescribedDrive, radii
 from kurbel.drive.rod import STANDARD_GRAVITY
 from kurbel.drive.rod_file import rod_sections
 from kurbel.engine.card.card import AngleCard
@@ -42,7 +42,7 @@ from kurbel.verify.bodies import Force, lying, swung
 from kurbel.verify.loads import Stroke, constant, disc
 from kurbel.verify.numbers import Number
 from kurbel.verify.numbers import number as exactly
-from kurbel.verify.zeros import Spot
+from kurbel.verify.zeros import FoundAngle
 
 # Of each load its options, which the second computation calls likewise.
 AIR = ("exponent", "clearance", "single_acting", "suction_loss", "delivery_loss", "expansion_exponent")
@@ -59,31 +59,31 @@ class Figure(str):
     """A number of a file as it is written there."""
 
 
-class Asked(OverPath, EngineWithWheel, Effort, PinFriction, Turning):
+class KnownOptions(OverPath, EngineWithWheel, Effort, PinFriction, Turning):
     """All options that the second computation knows; by which method it computes each column says itself."""
 
     method: Option[Any] = EngineWithWheel.method
 
 
-class Requested:
+class RequestedPage:
     """What was asked for."""
 
     def __init__(self, command: str, options: Mapping[str, object], key: str) -> None:
         self.command, self.key = command, key
         self.written = {name: _given(value) for name, value in options.items()}
-        known = {one.name: one for one in Asked.options().values() if one.name != "method"}
+        known = {one.name: one for one in KnownOptions.options().values() if one.name != "method"}
         self.options = {
             name: known[name].taken(value) if name in known else value for name, value in self.written.items()
         }
         values = Values({**dict.fromkeys(known), **self.options}, {})
-        for part in Asked.parts():
+        for part in KnownOptions.parts():
             if "settle" in vars(part):
                 part.settle(values)
-        self.asked = Asked(values)
+        self.asked = KnownOptions(values)
         self._kept: dict[object, verify.Bodies] = {}
         self._turns: dict[object, verify.Turn] = {}
         self._found: dict[object, object] = {}
-        self._spots: dict[object, Spot] = {}
+        self._spots: dict[object, FoundAngle] = {}
 
     def unit(self) -> tuple[Fraction, Fraction | None]:
         """The bore, and the pressure that makes Q of its area, where both are known."""
@@ -218,7 +218,7 @@ class Requested:
         parallel = "parallel" in (self.asked.mechanism, raw("layout"))
         rodless = parallel or "yoke" in (self.asked.mechanism, self.key)
         printed = row.get("ratio", "1:∞" if rodless else "")
-        described = Described.of({name: raw(name) for name in ("stroke", "rod", "offset", "ratio")})
+        described = DescribedDrive.of({name: raw(name) for name in ("stroke", "rod", "offset", "ratio")})
         cranks = described.cranks((printed,) if printed else self._layout.ratios)
         found = [one for one in cranks if ratio_text(one.ratio) == printed] or cranks
         if len(found) != 1:
@@ -248,7 +248,7 @@ class Requested:
         """The slotted lever by its lengths."""
         raw = self.asked.raw
         names = ("stroke", "rod", "speed", "offset", "rocker", "pivot", "circuit")
-        (lever,) = mechanism("slotted").drives(Described.of({name: raw(name) for name in names}), ())
+        (lever,) = mechanism("slotted").drives(DescribedDrive.of({name: raw(name) for name in names}), ())
         speed = lever.crank.speed
         return of_given(
             verify.SlottedLever,

@@ -11,7 +11,7 @@ from kurbel.balancing.rotor import Mass, Places, Rotor
 from kurbel.balancing.rotor_page import RotorRequest
 from kurbel.commands.options import Count, Option, alone, measure
 from kurbel.commands.part import CommandOptions, Values, flag_of
-from kurbel.commands.parts.drive import Linked, OnMachine, Speed, settle_cranks, settle_sizes
+from kurbel.commands.parts.drive import Linked, MachineKeys, Speed, settle_cranks, settle_sizes
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.subject import function
 from kurbel.errors import NotationError, ProblemError
@@ -52,7 +52,7 @@ def _ratio(given: object) -> Fraction:
     return ratios[0]
 
 
-class RotorOptions(OnMachine, Speed, Layouts, Sheet, CommandOptions):
+class RotorOptions(MachineKeys, Speed, Layouts, Sheet, CommandOptions):
     """Print what rotating masses leave unbalanced, and what balances them.
 
     Balancing masses in one plane balance the forces, in two the couples too. What is asked for is a ?: a mass
@@ -191,7 +191,7 @@ def _for_all(values: Sequence[Fraction], count: int) -> Sequence[Fraction]:
     return (values[0],) * count if len(values) == 1 else values
 
 
-class LocomotiveOptions(OnMachine, Speed, Layouts, Sheet, CommandOptions):
+class LocomotiveOptions(MachineKeys, Speed, Layouts, Sheet, CommandOptions):
     """Print balancing masses in the wheels, hammer blow, swaying couple and variation of tractive force.
 
     By the share of the reciprocating masses that is balanced; with --wheel-load the speed at which wheels

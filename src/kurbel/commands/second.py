@@ -19,7 +19,7 @@ from kurbel.commands.parts.effort import PINNED, PRESSING
 from kurbel.commands.parts.masses import SWUNG, WEIGHED
 from kurbel.commands.recomputed import PAGES, Row, nearest
 from kurbel.commands.related import MODULES, SUMMED
-from kurbel.commands.requested import AIR, GAS, LOADED, STEAM, Requested
+from kurbel.commands.requested import AIR, GAS, LOADED, STEAM, RequestedPage
 from kurbel.errors import KurbelError, ProblemError
 from kurbel.page.axes import shifted
 from kurbel.reading.amounts import UNITS
@@ -31,7 +31,7 @@ from kurbel.reading.given import (
 from kurbel.verify import UNDECIDED, WRONG, Number, Value, enclose
 from kurbel.verify.loads import disc
 from kurbel.verify.turn import Running
-from kurbel.verify.zeros import TOO_WIDE, Spot
+from kurbel.verify.zeros import TOO_WIDE, FoundAngle
 
 # Unit of a key that is not one of the second computation, and that in which it computes.
 OWN = {"length": "mm", "velocity": "mps", "acceleration": "mps2", "force": "n", "torque": "nm"}
@@ -59,7 +59,7 @@ class Head(TypedDict):
     method: str
 
 
-class Second(Requested):
+class SecondComputation(RequestedPage):
     """What was asked for, computed a second time."""
 
     def verdict(self, key: str, column: Head, row: Row) -> tuple[str, str]:
@@ -119,7 +119,7 @@ class Second(Requested):
         command.settle(found)
         return found
 
-    def spot(self, key: Any, find: Callable[[], Spot]) -> Spot:
+    def spot(self, key: Any, find: Callable[[], FoundAngle]) -> FoundAngle:
         """A place, found once for all columns of a row."""
         if key not in self._spots:
             self._spots[key] = find()
@@ -127,7 +127,11 @@ class Second(Requested):
 
     def once(self, row: Row, find: Callable[[], object], *own: object) -> Any:
         """What is found of a row, once for all its columns with the working bits."""
-        place = *own, *(row.get(name) for name in (*LOADED, "ratio", "target", "rod")), enclose.Working.bits
+        place = (
+            *own,
+            *(row.get(name) for name in (*LOADED, "ratio", "target", "rod")),
+            enclose.WorkingPrecision.bits,
+        )
         if place not in self._found:
             self._found[place] = find()
         return self._found[place]

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kurbel.commands import frames
 from kurbel.commands.part import Origin, Values
-from kurbel.commands.parts.drawing import Pictured
+from kurbel.commands.parts.drawing import DrawingOptions
 from kurbel.drive.crank import Crank
 from kurbel.drive.moved import Drive
 from kurbel.errors import ChoiceError, ProblemError
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from kurbel.page.quantity import Column
     from kurbel.page.steps import Scene
     from kurbel.page.table import Value
-    from kurbel.plot.animated import Shot, Staged
+    from kurbel.plot.animated import FilmSettings, Staged
     from kurbel.plot.drawings import Drawing as Drawn
     from kurbel.plot.film import Film
 
@@ -266,7 +266,7 @@ def mark_of(lang: str, decimal: str | None) -> str:
     return DECIMALS[choose(decimal or DECIMAL_OF_LANGUAGE[lang], DECIMALS, "decimal mark")]
 
 
-class Spoken(NamedTuple):
+class SpokenQuantity(NamedTuple):
     """A quantity beside a drawing: its name, symbol and unit, and its printed numbers, degree by degree."""
 
     name: Label
@@ -275,7 +275,7 @@ class Spoken(NamedTuple):
     values: tuple[Value, ...]
 
 
-def drawing_of(question: Question, options: Pictured, decimal: str | None = None) -> Drawing:
+def drawing_of(question: Question, options: DrawingOptions, decimal: str | None = None) -> Drawing:
     """Return what is asked for as a drawing: the columns of its page over their axis. Raises KurbelError."""
     from kurbel.plot.drawings import drawn, picture
 
@@ -289,19 +289,21 @@ def drawing_of(question: Question, options: Pictured, decimal: str | None = None
 
 def plotted(question: Question, options: Mapping[str, object], decimal: str | None) -> Drawing:
     """Return the same by options in the words of Python. Raises KurbelError."""
-    known = Pictured.options()
+    known = DrawingOptions.options()
     for name in options:
         if name not in known:
             raise unknown("Table.plot", name, known, "kurbel forces --help drawing lists them")
     with spelling_keywords(dict):
         given = {name: known[name].taken(value) for name, value in options.items() if value is not None}
         values = {name: one.default for name, one in known.items()} | given
-        return drawing_of(question, Pictured(Values(values, dict.fromkeys(given, Origin.TYPED))), decimal)
+        return drawing_of(
+            question, DrawingOptions(Values(values, dict.fromkeys(given, Origin.TYPED))), decimal
+        )
 
 
-def shot_of(seconds: float, question: Any) -> Shot:
+def shot_of(seconds: float, question: Any) -> FilmSettings:
     """Return how the drawing of a question is to move, with the mechanism of a single drive."""
-    from kurbel.plot.animated import Shot
+    from kurbel.plot.animated import FilmSettings
 
     angles = getattr(question, "angles", ())
     if not angles:
@@ -316,8 +318,8 @@ def shot_of(seconds: float, question: Any) -> Shot:
     several = (getattr(question, "ratios", ()), getattr(question, "cranks", ()), getattr(first, "parts", ()))
     alone = all(len(one) < 2 for one in several)
     if moving is None or not alone:
-        return Shot(seconds)
-    return Shot(seconds, partial(carrying, question, staged(moving[0], moving[1])))
+        return FilmSettings(seconds)
+    return FilmSettings(seconds, partial(carrying, question, staged(moving[0], moving[1])))
 
 
 def staged(name: str, drive: Drive) -> Staged:
@@ -335,7 +337,7 @@ def carrying(question: Any, show: Staged, *angles: Sequence[float]) -> Scene | N
     return found
 
 
-def spoken(question: Any, columns: Sequence[Column] = ()) -> tuple[Spoken, ...]:
+def spoken(question: Any, columns: Sequence[Column] = ()) -> tuple[SpokenQuantity, ...]:
     """Return the printed numbers of a question at whole degrees of its run; none of several drives. Their
     names and units may be those of other columns, one for each of its own."""
     if any(axis.size > 1 for name, axis in question.axes.items() if name not in ("angle", "column")):
@@ -350,11 +352,11 @@ def spoken(question: Any, columns: Sequence[Column] = ()) -> tuple[Spoken, ...]:
         places = ({**none, "angle": place, "column": number} for place in range(len(angles)))
         values = tuple(shown_at(asked, column, place) for place in places)
         said = letter(one, asked.lang)
-        found.append(Spoken(said.name, said.symbol, one.unit_beside(asked.lang), values))
+        found.append(SpokenQuantity(said.name, said.symbol, one.unit_beside(asked.lang), values))
     return tuple(found)
 
 
-def paged(drawn: Drawn, lang: str, mark: str, numbers: tuple[Spoken, ...]) -> Callable[[str], str]:
+def paged(drawn: Drawn, lang: str, mark: str, numbers: tuple[SpokenQuantity, ...]) -> Callable[[str], str]:
     """Return what makes an HTML page of the SVG file of a drawing that moves, with numbers beside it."""
 
     def page(svg: str) -> str:

@@ -52,7 +52,7 @@ _MEASURE = re.compile(r"([-−+]?[\d.,]+(?:[eE][+-]?\d+)?(?:/\d+)?)\s*(.*)")
 _RANGE = re.compile(r"(.+?)\.\.([^:]+)(?::(.+))?")
 
 
-class Choice(NamedTuple):
+class SliderOption(NamedTuple):
     """An option that is a slider: its values as the command takes them, and how each is written."""
 
     name: str
@@ -66,7 +66,7 @@ class Choice(NamedTuple):
         return Slider(self.name, label, self.texts, self.start)
 
 
-def choices(options: Mapping[str, Option[object]], values: Mapping[str, object]) -> list[Choice]:
+def choices(options: Mapping[str, Option[object]], values: Mapping[str, object]) -> list[SliderOption]:
     """Return the sliders of a command's values: the options that have several. Raises KurbelError for what
     cannot be read.
 
@@ -76,7 +76,7 @@ def choices(options: Mapping[str, Option[object]], values: Mapping[str, object])
     return [choice for name in names if (choice := _choice(name, options, values[name]))]
 
 
-def usual_ratios(own: Sequence[Fraction], turns: Callable[[Fraction], bool]) -> Choice:
+def usual_ratios(own: Sequence[Fraction], turns: Callable[[Fraction], bool]) -> SliderOption:
     """Return the crank ratios of a page of which nothing is said: if it has one of its own, the usual ones
     around it with which the drive `turns`."""
     if len(own) > 1:
@@ -85,14 +85,14 @@ def usual_ratios(own: Sequence[Fraction], turns: Callable[[Fraction], bool]) -> 
     return _of_ratios(ratios)._replace(start=ratios.index(own[0]))
 
 
-def usual_cut_offs(own: Sequence[Fraction]) -> Choice:
+def usual_cut_offs(own: Sequence[Fraction]) -> SliderOption:
     """Return the expansion ratios of a page of which nothing is said, its own one among them."""
     numbers = own if len(own) > 1 else sorted({*own, *CUT_OFFS})
     texts = tuple(map(figures, numbers))
-    return Choice("eps", texts, tuple(map(_written, texts)), numbers.index(own[0]))
+    return SliderOption("eps", texts, tuple(map(_written, texts)), numbers.index(own[0]))
 
 
-def check_count(found: Sequence[Choice]) -> None:
+def check_count(found: Sequence[SliderOption]) -> None:
     """Raise ProblemError for too many steps."""
     if (count := prod(len(one.values) for one in found)) > MOST_STEPS:
         said = " x ".join(f"{len(one.values)} of --{one.name}" for one in found)
@@ -102,7 +102,7 @@ def check_count(found: Sequence[Choice]) -> None:
         )
 
 
-def check_numbers(numbers: int, found: Sequence[Choice]) -> None:
+def check_numbers(numbers: int, found: Sequence[SliderOption]) -> None:
     """Raise ProblemError for steps of so many numbers that no browser shows them at once."""
     if (count := prod([numbers, *(len(one.values) for one in found)])) > MOST_CELLS:
         raise ProblemError(
@@ -111,7 +111,7 @@ def check_numbers(numbers: int, found: Sequence[Choice]) -> None:
         )
 
 
-def steps(found: Sequence[Choice]) -> Iterator[tuple[dict[str, object], str]]:
+def steps(found: Sequence[SliderOption]) -> Iterator[tuple[dict[str, object], str]]:
     """Yield the values of each step by their options, and the step in words."""
     for places in product(*(range(len(one.values)) for one in found)):
         chosen = list(zip(found, places, strict=True))
@@ -119,11 +119,11 @@ def steps(found: Sequence[Choice]) -> Iterator[tuple[dict[str, object], str]]:
         yield {one.name: one.values[place] for one, place in chosen}, said
 
 
-def _of_ratios(ratios: Sequence[Fraction]) -> Choice:
-    return Choice("ratio", tuple(ratios), tuple(f"${ratio_text(one)}$" for one in ratios))
+def _of_ratios(ratios: Sequence[Fraction]) -> SliderOption:
+    return SliderOption("ratio", tuple(ratios), tuple(f"${ratio_text(one)}$" for one in ratios))
 
 
-def _choice(name: str, known: Mapping[str, Option[object]], given: object) -> Choice | None:
+def _choice(name: str, known: Mapping[str, Option[object]], given: object) -> SliderOption | None:
     """Return a slider, nothing for one value."""
     if name == "ratio":
         ratios = as_ratios(given)
@@ -133,7 +133,7 @@ def _choice(name: str, known: Mapping[str, Option[object]], given: object) -> Ch
     texts = [str(one) for one in given] if isinstance(given, list | tuple) else [str(given)]
     found = values_of(name, texts)
     check_length(len(found), MOST_STEPS, f"steps of --{name}")
-    return Choice(name, tuple(found), tuple(map(_written, found))) if len(found) > 1 else None
+    return SliderOption(name, tuple(found), tuple(map(_written, found))) if len(found) > 1 else None
 
 
 def _written(text: str) -> Label:
@@ -146,7 +146,7 @@ def _written(text: str) -> Label:
 
 
 @dataclass(frozen=True, slots=True)
-class Written(Sequence[str]):
+class SpacedValues(Sequence[str]):
     """Equally spaced numbers as one types them, with the unit of their range: 100/min, 120/min."""
 
     numbers: Progression
@@ -157,7 +157,7 @@ class Written(Sequence[str]):
 
     def __getitem__(self, index: object) -> Any:
         if isinstance(index, slice):
-            return Written(self.numbers[index], self.unit)
+            return SpacedValues(self.numbers[index], self.unit)
         return f"{figures(self.numbers[index])}{self.unit}"
 
 
@@ -210,7 +210,7 @@ def _in_one_unit(parts: list[str]) -> list[str]:
     return [*(f"{one}{unit}" for one in parts[:-1]), parts[-1]]
 
 
-def _range(text: str, name: str) -> Written:
+def _range(text: str, name: str) -> SpacedValues:
     """Return the values of a range, whose unit may stand at each of its parts or once: 100..140:20/min."""
     match = _RANGE.fullmatch(text)
     if match is None:
@@ -222,7 +222,7 @@ def _range(text: str, name: str) -> Written:
             f"{name} {quoted(text)} has the units {' and '.join(units)}; give its ends and its step in one"
         )
     first, last, step = (number(shown, name) for shown, _ in parts)
-    return Written(progression(first, last, step, name), next(iter(units), ""))
+    return SpacedValues(progression(first, last, step, name), next(iter(units), ""))
 
 
 def parted(text: str) -> tuple[str, str]:

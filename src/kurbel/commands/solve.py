@@ -14,7 +14,7 @@ from kurbel.commands.options import Choice, Option, amount, word
 from kurbel.commands.part import CommandOptions, Values, flag_of
 from kurbel.commands.parts.drive import Series, Turning
 from kurbel.commands.parts.effort import PRESSING, RODS, Effort
-from kurbel.commands.parts.engine import Engine, FromOne
+from kurbel.commands.parts.engine import Engine, ReferenceCylinder
 from kurbel.commands.parts.loads import KINDS
 from kurbel.commands.parts.masses import Masses, Weight
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
@@ -23,7 +23,7 @@ from kurbel.conditions.solve import read_on
 from kurbel.conditions.solve_page import SolveRequest
 from kurbel.drive.moved import Drive
 from kurbel.errors import NotationError, ProblemError
-from kurbel.exact.kind import Found
+from kurbel.exact.kind import FoundAngle
 from kurbel.exact.place import Place
 from kurbel.motion.evaluation import RETURN
 from kurbel.motion.mechanism import Mechanism
@@ -51,7 +51,7 @@ def as_conditions(where: object, what: str) -> tuple[str, ...]:
     return texts
 
 
-class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptions):
+class SolveOptions(Engine, ReferenceCylinder, Effort, Series, Layouts, Sheet, CommandOptions):
     """Print all crank angles of the turn at which a condition holds, on both strokes.
 
     Path, velocity and acceleration count on either stroke from the dead centre where it begins, in its
@@ -234,7 +234,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
 
     def _unknown(self, unknown: str) -> Question:
         """Return what is asked for: all values of the unknown by which the condition holds."""
-        from kurbel.commands.unknown import OfRatio, Sized, angles_of
+        from kurbel.commands.unknown import PolynomialUnknown, RatioUnknown, angles_of
         from kurbel.conditions.unknown import UnknownRequest
 
         page = self.page("solve-unknown", "unknown")
@@ -246,7 +246,7 @@ class SolveOptions(Engine, FromOne, Effort, Series, Layouts, Sheet, CommandOptio
             raise ProblemError(
                 f"--unknown takes one condition, and {len(self.conditions)} were given; write one --where"
             )
-        kind, condition = OfRatio if unknown == "ratio" else Sized, self.conditions[0]
+        kind, condition = RatioUnknown if unknown == "ratio" else PolynomialUnknown, self.conditions[0]
         asked = tuple(kind(unknown, angle, condition, self) for angle in angles_of(self.angle))
         return UnknownRequest(unknown=unknown, asked=asked, **self.on_page(page, "speed"))
 
@@ -261,7 +261,7 @@ ACTING = ("force", "eps", *PRESSING)
 
 
 @dataclass(frozen=True)
-class Held:
+class ConditionPlace:
     """A place at which a condition holds, by its number among all of what was asked for."""
 
     asked: object
@@ -314,5 +314,5 @@ def places_of(asked: Any) -> list[tuple[Place, Fraction]]:
 
 def _turned(asked: object, number: int, place: Place, turned: Fraction) -> Fraction:
     degrees = place.degrees
-    found = Found(Held(asked, number), HALF_TURN) if degrees is None else degrees
+    found = FoundAngle(ConditionPlace(asked, number), HALF_TURN) if degrees is None else degrees
     return found + turned

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from kurbel.commands.options import is_given
 from kurbel.commands.part import Values
 from kurbel.commands.sliders import (
-    Choice,
+    SliderOption,
     check_count,
     check_numbers,
     choices,
@@ -85,7 +85,7 @@ class _Asking:
 
     command: Command
     values: Values
-    choices: tuple[Choice, ...]
+    choices: tuple[SliderOption, ...]
 
     def question(self, chosen: Mapping[str, object]) -> Question:
         """Return what is asked for by these values."""
@@ -96,7 +96,7 @@ class _Asking:
         """Return what is asked for at the step that is shown first."""
         return self.question({one.name: one.values[one.start] for one in self.choices})
 
-    def usual(self, question: Question) -> Iterator[Choice]:
+    def usual(self, question: Question) -> Iterator[SliderOption]:
         """Yield what can be chosen where nothing is said of it: the crank ratio, and of steam ε."""
         said = {name for name, value in self.values.values.items() if is_given(value)}
         ratios = [ratio for ratio in getattr(question, "ratios", ()) if ratio]

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from kurbel.commands.options import FILE, TEXT, Choice, Option, alone_of, is_given
 from kurbel.commands.part import CommandOptions, Origin, Values, flag_of
-from kurbel.commands.parts.drawing import Pictured
+from kurbel.commands.parts.drawing import DrawingOptions
 from kurbel.errors import KurbelError, MachineError, ProblemError
 from kurbel.page.subject import Question
 from kurbel.page.table import Request, own_words
@@ -100,7 +100,7 @@ class Command:
             key: [*one.kind.names] if isinstance(one.kind, Choice) else []
             for key, one in self.parameters.items()
         }
-        return {**dict.fromkeys(Pictured.options(), ()), MACHINE: (), "interactive": (), **words}
+        return {**dict.fromkeys(DrawingOptions.options(), ()), MACHINE: (), "interactive": (), **words}
 
     @cached_property
     def defaults(self) -> Mapping[str, object]:

@@ -27,7 +27,7 @@ from kurbel.engine.engine_quantities import value
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.course import Target
-from kurbel.exact.kind import Found, balls
+from kurbel.exact.kind import FoundAngle, balls
 from kurbel.exact.numerals import exact_text, figures, nearest
 from kurbel.exact.place import fraction
 from kurbel.motion.evaluation import kernel_of
@@ -73,7 +73,7 @@ class Angle(NamedTuple):
 
     def label(self, lang: str) -> str:
         found = self.degrees
-        asked = found.held.asked if isinstance(found, Found) else None
+        asked = found.held.asked if isinstance(found, FoundAngle) else None
         if not isinstance(asked, SolveRequest):
             return f"$φ = {angle_text(found)}$"
         condition = asked.conditions[0]
@@ -98,7 +98,7 @@ def angles_of(angle: object) -> Sequence[Fraction | str]:
     return angles
 
 
-class OfRatio:
+class RatioUnknown:
     """The crank ratio of the straight or offset crank, its crosshead's motion known by formulas."""
 
     def __init__(self, unknown: str, angle: Fraction | str, text: str, asked: SolveOptions) -> None:
@@ -166,7 +166,7 @@ class OfRatio:
         return [WORDS["ratio"][lang].format(greatest=f"${figure(self.greatest)}$")]
 
 
-class Sized:
+class PolynomialUnknown:
     """A speed, a force, a pressure, a mass or a length that a force or the motion is a polynomial of."""
 
     def __init__(self, unknown: str, angle: Fraction | str, text: str, asked: SolveOptions) -> None:

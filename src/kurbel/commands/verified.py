@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypedDict, TypeGuard
 
 from kurbel.commands.requested import Figure
-from kurbel.commands.second import Head, Second
+from kurbel.commands.second import Head, SecondComputation
 from kurbel.errors import ProblemError
 
 SHAPE = {"request": dict, "columns": list, "rows": list}
@@ -100,7 +100,9 @@ def _is_whole(page: Mapping[str, Any]) -> TypeGuard[Page]:
 def checked(page: Page) -> Iterator[Cell]:
     """Yield the cells of a page with numbers, each computed a second time. Raises KurbelError."""
     options = page["request"]["options"]
-    second = Second(page["request"]["command"], options, str(options.get("layout", page.get("table"))))
+    second = SecondComputation(
+        page["request"]["command"], options, str(options.get("layout", page.get("table")))
+    )
     columns = {column["key"]: column for column in page["columns"]}
     for line, whole in enumerate(page["rows"], 1):
         row = {key: text for key in columns if (text := whole[key]) is not None}

@@ -58,7 +58,7 @@ RANGE_DECIMALS, UNIT_DECIMALS = 4, 1
 RANGE_BITS = 128
 
 
-class Asked(NamedTuple):
+class ConditionQuantity(NamedTuple):
     """What a condition can be about: the column that shows it in Q or Q r, the one in N or N m or nothing,
     and how a text in these is read."""
 
@@ -68,18 +68,18 @@ class Asked(NamedTuple):
 
 
 # By their names in conditions.
-ASKED: Mapping[str, Asked] = {
-    "torque": Asked("tangential", "torque_nm", units.signed_torque),
-    "tangential": Asked("tangential"),
-    "tangential_excess": Asked("tangential_excess"),
-    "energy": Asked("energy"),
-    **{key: Asked(key, f"{key}_n") for key in CRANK_FORCES},
+ASKED: Mapping[str, ConditionQuantity] = {
+    "torque": ConditionQuantity("tangential", "torque_nm", units.signed_torque),
+    "tangential": ConditionQuantity("tangential"),
+    "tangential_excess": ConditionQuantity("tangential_excess"),
+    "energy": ConditionQuantity("energy"),
+    **{key: ConditionQuantity(key, f"{key}_n") for key in CRANK_FORCES},
 }
 NAMES = {name: name for name in ASKED}
 MEASURED = tuple(name for name, asked in ASKED.items() if asked.measured)
 
 
-class Loaded:
+class TurnForces:
     """The forces of a turn as conditions see them."""
 
     def __init__(self, turn: Turn) -> None:
@@ -237,10 +237,10 @@ class LoadedRequest(RootsQuestion, EngineRequest):
             yield self.roots({"expansion": expansion, "ratio": ratio, "condition": condition})
 
     @cached_property
-    def loaded(self) -> Callable[[Any], Loaded]:
-        return lru_cache(KEPT)(lambda turn: Loaded(cast("Turn", turn)))
+    def loaded(self) -> Callable[[Any], TurnForces]:
+        return lru_cache(KEPT)(lambda turn: TurnForces(cast("Turn", turn)))
 
-    def at(self, place: Place) -> Loaded:
+    def at(self, place: Place) -> TurnForces:
         """Return the forces of the engine at a place."""
         return self.loaded(self.turn(place["expansion"], place["ratio"], self.method))
 

@@ -206,7 +206,7 @@ def _sine(degrees: Fraction) -> Target:
     return Target(lambda: ball_circle(degrees).sine, RATIONAL_SINES.get(degrees))
 
 
-class Measure(NamedTuple):
+class SizedQuantity(NamedTuple):
     """A quantity that may be asked for in mm, m/s or m/s²: R and ω to these powers make it one in R, v, v²/R.
 
     `column` shows it, in so many parts of a metre.
@@ -234,9 +234,9 @@ class Measure(NamedTuple):
 
 
 MEASURES = {
-    "x": Measure("x_mm", 1000, units.displacement, 0),
-    "c": Measure("c_mps", 1, units.velocity, 1),
-    "p": Measure("p_mps2", 1, units.acceleration, 2),
+    "x": SizedQuantity("x_mm", 1000, units.displacement, 0),
+    "c": SizedQuantity("c_mps", 1, units.velocity, 1),
+    "p": SizedQuantity("p_mps2", 1, units.acceleration, 2),
 }
 
 

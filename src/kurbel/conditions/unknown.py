@@ -219,7 +219,7 @@ def _in_unit(size: Fraction, found: Numeric) -> Numeric:
     return found / ball(size)
 
 
-class Sought(Protocol):
+class SoughtNumber(Protocol):
     """A number and the condition by which it is found, at an angle: its values in SI units, at the precision
     in force, the labels of condition and angle, and what else there is to say."""
 
@@ -239,7 +239,7 @@ class UnknownRequest(Question):
     """What is asked for: all values of an unknown, which `asked` finds, each at its angle."""
 
     unknown: str
-    asked: tuple[Sought, ...]
+    asked: tuple[SoughtNumber, ...]
 
     no_column = "there is no column beside the number; add one, such as speed"
     undrawn = "give several angles, --angle 0..90:15"

@@ -21,7 +21,7 @@ from kurbel.kernel.circle import Circle, Numeric, root
 from kurbel.kernel.forces import Weight, on_return
 from kurbel.kernel.forces import net_torque as pin_torque
 from kurbel.kernel.moving import Accelerations, Masses, with_crank
-from kurbel.kernel.rod import Loaded
+from kurbel.kernel.rod import LoadedCrank
 from kurbel.reading.given import as_angular_acceleration
 from kurbel.reading.units import Speed
 
@@ -156,8 +156,8 @@ class CrankForce(NamedTuple):
     ) -> Numeric:
         """Return the force in a straight or offset crank drive with these masses."""
         if self.on_shaft:
-            return self.on(Loaded(circle, ratio, weights.on_shaft, offset, net))
-        return self.on(Loaded(circle, ratio, weights.masses, offset, net, weights.reciprocating))
+            return self.on(LoadedCrank(circle, ratio, weights.on_shaft, offset, net))
+        return self.on(LoadedCrank(circle, ratio, weights.masses, offset, net, weights.reciprocating))
 
 
 def _unit(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None) -> Numeric:
@@ -168,7 +168,7 @@ def _none(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None) -> Nu
     return 0
 
 
-def _across(drive: Loaded) -> Numeric:
+def _across(drive: LoadedCrank) -> Numeric:
     return -1 * drive.pin_force_across()
 
 
@@ -264,7 +264,7 @@ class At:
         if crank.effort is not None:
             net, friction = net + self.pressed(), self.rubbing()
         own = framed(self._weights.weight, self.stroke == RETURN)
-        return Loaded(*drive, net, reciprocating, self.by, weight=own, friction=friction)
+        return LoadedCrank(*drive, net, reciprocating, self.by, weight=own, friction=friction)
 
     @property
     def share(self) -> Numeric:

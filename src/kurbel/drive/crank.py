@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from kurbel.drive.at import At, acceleration_of, known
 from kurbel.drive.load import Effort, PistonForce, read_force
 from kurbel.drive.moved import Moved, moved
-from kurbel.drive.rod import Moving, Rod
+from kurbel.drive.rod import MovingMasses, Rod
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel import kinematics
@@ -48,7 +48,7 @@ class Crank:
     speed: Speed | None = None
     force: PistonForce | None = None
     rod: Rod | None = None
-    moving: Moving | None = None
+    moving: MovingMasses | None = None
     acceleration: Fraction = Fraction(0)
     effort: Effort | None = None
     diameters: Diameters | None = None
@@ -234,7 +234,7 @@ def _given_twice(made: Fraction, said: Sequence[Fraction]) -> str:
     return f"--stroke and --rod give the ratio {ratio_text(made)}, and --ratio says {ratios}; leave one out"
 
 
-class Described(NamedTuple):
+class DescribedDrive(NamedTuple):
     """What was said of a crank drive, None where nothing was: its options as they were given, in the order
     in which one too many is refused; the force as it was read."""
 
@@ -253,7 +253,7 @@ class Described(NamedTuple):
     acceleration: object = None
 
     @classmethod
-    def of(cls, given: Mapping[str, object]) -> Described:
+    def of(cls, given: Mapping[str, object]) -> DescribedDrive:
         """Return what is given by the names of options. Raises KurbelError."""
         known = {name: given[name] for name in cls._fields if name in given}
         force, method = known.pop("force", None), known.pop("method", None)

@@ -47,7 +47,7 @@ LOADS: Mapping[str, Registered] = {
 }
 
 
-class OnStroke(Protocol):
+class PlaceOnStroke(Protocol):
     """A place on a stroke: the share of it that the piston has gone, on a kind of number."""
 
     @property
@@ -80,7 +80,7 @@ class PistonForce:
         """Return the load that is written so, None if none of these is."""
         return cls(as_signed_force(given, "force"))
 
-    def relative(self, place: OnStroke) -> Any:
+    def relative(self, place: PlaceOnStroke) -> Any:
         """Return the force at a place as a multiple of the first, on its kind of number; None for one."""
         return None
 

@@ -16,7 +16,7 @@ from kurbel.kernel import forces, kinematics, moving, rod
 from kurbel.kernel.circle import Circle, Numeric, root
 from kurbel.kernel.forces import Weight, on_return, tangential_force, torque_slope, work
 from kurbel.kernel.moving import EVEN, OF_FIRST_ORDER, Masses
-from kurbel.kernel.rod import Loaded
+from kurbel.kernel.rod import LoadedCrank
 
 if TYPE_CHECKING:
     from kurbel.drive.crank import Crank
@@ -188,11 +188,13 @@ class Slide(Moved):
         reciprocating: Numeric,
         weight: Weight[Numeric] | None,
         friction: Numeric | None,
-    ) -> Loaded:
+    ) -> LoadedCrank:
         ratio, offset = (*self.numbers[stroke], None)[:2]
         by = OF_FIRST_ORDER if self._is_first_order else EVEN
         own = framed(weight, stroke)
-        return Loaded(circle, ratio, masses, offset, net, reciprocating, by, weight=own, friction=friction)
+        return LoadedCrank(
+            circle, ratio, masses, offset, net, reciprocating, by, weight=own, friction=friction
+        )
 
     def bare(self, force: CrankForce, stroke: int, circle: Circle[Numeric]) -> Numeric:
         ratio, offset = (*self.numbers[stroke], None)[:2]

@@ -195,7 +195,7 @@ def check_section(section: Section) -> None:
 
 
 @dataclass(frozen=True)
-class Moving:
+class MovingMasses:
     """The moving masses of one crank drive in kg: piston and crosshead, the rod, and `rotating`, the crank's
     own at its pin, which is negative where counterweights outweigh it. `rocker` is the moment of inertia of a
     rocker about its pivot, in kg m², and `arm` its length in metres. What piston, crosshead and rod weigh

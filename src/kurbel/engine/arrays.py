@@ -14,7 +14,7 @@ import numpy as np
 
 from kurbel.drive.at import CrankForce
 from kurbel.drive.crank import Crank
-from kurbel.engine.cylinder import AnyTurn, Cylinder, Peak, Standing, TurnPlace
+from kurbel.engine.cylinder import AnyTurn, CrankPosition, Cylinder, Peak, TurnPlace
 from kurbel.engine.engine_quantities import value
 from kurbel.engine.irregularity import enclosed_delta
 from kurbel.engine.loads.ideal import Steam
@@ -70,7 +70,7 @@ class FloatTurn(AnyTurn):
         begun = stroke + self.cylinders[part].drive.dead_centre(stroke % 2)
         return bool(float(since) - begun >= -ZERO_TOLERANCE)
 
-    def begun(self) -> list[Standing]:
+    def begun(self) -> list[CrankPosition]:
         return [*self.positions(Fraction(self.cylinder.drive.dead_centre(0)))]
 
     @cached_property
@@ -147,7 +147,7 @@ def _circle(half_turns: Any) -> Circle[Any]:
     return circle(180.0 * (float(half_turns) if isinstance(half_turns, Fraction) else half_turns))
 
 
-class OnStroke(NamedTuple):
+class StrokeAngles(NamedTuple):
     """The angles at which a crank is in one of its strokes: which of the run, and the half turns there."""
 
     stroke: int
@@ -211,7 +211,7 @@ class EnclosedTurn(AnyTurn):
             found.value[rows], found.error[rows] = own.value, own.error
         return found
 
-    def _strokes(self, places: Places, part: int, start: Fraction) -> Iterator[OnStroke]:
+    def _strokes(self, places: Places, part: int, start: Fraction) -> Iterator[StrokeAngles]:
         one = self.cylinders[part]
         cycle = len(one.strokes)
         since, denominator = places.since(start, cycle)
@@ -223,7 +223,7 @@ class EnclosedTurn(AnyTurn):
             if len(rows):
                 angle = quotient(since[rows] - stroke * denominator, denominator)
                 error = np.where(doubtful[rows], np.inf, angle.error)
-                yield OnStroke(stroke, rows, Angle(angle.value, error))
+                yield StrokeAngles(stroke, rows, Angle(angle.value, error))
 
     def _beside_dead_centres(
         self, one: Cylinder, since: Integers, denominator: int
@@ -245,7 +245,7 @@ class EnclosedTurn(AnyTurn):
     def has_reached(self, since: Fraction, part: int, stroke: int) -> bool:
         return self.turn.has_reached(since, part, stroke)
 
-    def begun(self) -> Sequence[Standing]:
+    def begun(self) -> Sequence[CrankPosition]:
         return self.turn.begun()
 
     def peaks(self, greatest: bool, stroke: int | None = None) -> Sequence[Peak]:

@@ -100,7 +100,7 @@ def named_load(request: EngineRequest, index: int) -> Label:
 
 
 @dataclass(frozen=True)
-class Alone:
+class SingleCylinder:
     """A cylinder as a page of its own would know it."""
 
     first: Engine
@@ -153,7 +153,7 @@ def within(line: Label, lang: str) -> Label:
 
 
 def _said(part: Engine, first: int, lang: str) -> Iterator[Label]:
-    alone = Alone(part)
+    alone = SingleCylinder(part)
     if part.load is not None:
         yield alone.words.newtons(part.steam, part.load)
     sizes = f"$R:L = {ratio_text(part.crank.ratio)}$"

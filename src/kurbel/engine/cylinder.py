@@ -67,7 +67,7 @@ class Peak(NamedTuple):
     stroke: int
 
 
-class Standing(NamedTuple):
+class CrankPosition(NamedTuple):
     """Where a crank stands: which part of the engine it is of, the stroke that it is in, counted in its
     cycle, and the half turns φ less those of the strokes before."""
 
@@ -225,14 +225,14 @@ class AnyTurn(ABC):
         """The half turns after which everything comes again."""
         return max(len(one.strokes) for one in self.cylinders)
 
-    def standing(self, half_turns: Fraction, part: int, start: Fraction) -> Standing:
+    def standing(self, half_turns: Fraction, part: int, start: Fraction) -> CrankPosition:
         """Return where a crank of a part stands that follows the engine's by so many half turns."""
         one = self.cylinders[part]
         since = (half_turns - start) % len(one.strokes)
         stroke = int(since)
         if not one.drive.regular:
             stroke, since = self._irregular(since, part, len(one.strokes))
-        return Standing(part, stroke, since - stroke)
+        return CrankPosition(part, stroke, since - stroke)
 
     def _irregular(self, since: Fraction, part: int, cycle: int) -> tuple[int, Fraction]:
         """Return the stroke of a crank and its half turns, from the dead centre on where its cycle begins."""
@@ -246,7 +246,7 @@ class AnyTurn(ABC):
     def has_reached(self, since: Fraction, part: int, stroke: int) -> bool:
         """Whether a stroke of a part has begun at so many half turns of its φ; at its dead centre it has."""
 
-    def _positions(self, half_turns: Fraction) -> tuple[Standing, ...]:
+    def _positions(self, half_turns: Fraction) -> tuple[CrankPosition, ...]:
         """Return where each crank stands, the first one first."""
         return tuple(
             self.standing(half_turns, part, start)
@@ -340,12 +340,12 @@ class AnyTurn(ABC):
         _, *first = self.first(half_turns)
         return self.cylinder.force(force, *first)
 
-    def first(self, half_turns: Fraction) -> Standing:
+    def first(self, half_turns: Fraction) -> CrankPosition:
         """Return where the first crank stands."""
         return self.positions(half_turns)[0]
 
     @abstractmethod
-    def begun(self) -> Sequence[Standing]:
+    def begun(self) -> Sequence[CrankPosition]:
         """Return where the cranks stand as the first is in its inner dead centre."""
 
     def energy_at(self, half_turns: Fraction) -> Numeric:

@@ -10,7 +10,7 @@ from typing import Any
 
 from kurbel.engine.captions import caption
 from kurbel.engine.cylinder import AnyTurn, Member, TurnPlace, members_of
-from kurbel.engine.digits import Asked, printed
+from kurbel.engine.digits import CellValue, printed
 from kurbel.engine.engine import Engine
 from kurbel.engine.engine_page import errors_beside
 from kurbel.engine.engine_quantities import ENGINE_METHODS, Needs
@@ -132,7 +132,7 @@ def _number(request: CylindersRequest, column: Column, place: Place, times: int)
     if isinstance(found, Fraction) and quantity.scale is None:
         return given(found, column.decimals, request.rounding)
     formula = Formula(lambda one, where: kernel(one, row))
-    asked = Asked(
+    asked = CellValue(
         column._replace(quantity=quantity._replace(formulas={column.method: formula})), [turn], TurnPlace()
     )
     return printed(asked, request.rounding, request.carded)

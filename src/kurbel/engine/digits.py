@@ -34,7 +34,7 @@ OF_RUNS = ("speed", "evenness")
 SWINGS = ("swing_share", "swing", "inertia", "inertia_true", "mass")
 
 
-class Asked(NamedTuple):
+class CellValue(NamedTuple):
     """A column's value times `unit` at a place of a turn; of two turns their difference.
 
     The turns are all in balls, or all of cards.
@@ -50,7 +50,7 @@ class Asked(NamedTuple):
         return self.unit * (first - others[0] if others else first)
 
 
-def settled(asked: Asked, rounding: str) -> Number:
+def settled(asked: CellValue, rounding: str) -> Number:
     """Return the value, rounded correctly."""
 
     def ties(boundary: Fraction) -> float:
@@ -73,7 +73,7 @@ def certified(value: Callable[[], Numeric], column: Column, rounding: str, ties:
     return Number(rounded(value, decimals, rounding, ties), decimals)
 
 
-def printed(asked: Asked, rounding: str, carded: bool) -> Number | None:
+def printed(asked: CellValue, rounding: str, carded: bool) -> Number | None:
     """Return the number of a column, or the error that stands beside it; of a card None if not one figure."""
     if asked.column.key.endswith(ERROR):
         return error_number(estimate(asked).error)
@@ -87,7 +87,7 @@ class Estimate(NamedTuple):
     error: float
 
 
-def estimate(asked: Asked) -> Estimate:
+def estimate(asked: CellValue) -> Estimate:
     """Return the value from an indicator card; a fraction is exact."""
     best = asked.value()
     if isinstance(best, Fraction):
@@ -118,7 +118,7 @@ def estimate(asked: Asked) -> Estimate:
     return Estimate(best, error)
 
 
-def estimated(asked: Asked, rounding: str) -> Number | None:
+def estimated(asked: CellValue, rounding: str) -> Number | None:
     """Return the same to as many decimals as the card supports, None if not one figure."""
     best, error = estimate(asked)
     quantity, decimals = asked.column.quantity, asked.column.decimals
@@ -140,7 +140,7 @@ def supported(
 def check_card(turn: Any, rounding: str) -> None:
     """Raise CardError for a card, by its turn, that supports not one figure of the mean force."""
     mean = engine_registry()["mean_force"]
-    if estimated(Asked(bare(mean, turn.method, mean.decimals), (turn,), TurnPlace()), rounding) is None:
+    if estimated(CellValue(bare(mean, turn.method, mean.decimals), (turn,), TurnPlace()), rounding) is None:
         raise CardError(
             f"{turn.diagram.card.name}: the points are too few or scatter too much for one figure of the mean"
             " force; give a smoother card, or look for a mistyped pressure"

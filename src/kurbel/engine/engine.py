@@ -43,7 +43,7 @@ class Load:
         check_bounds("the pressure", self.pressure, "be above 0 and at most 10^12 Pa", " Pa")
 
 
-class Scaled(NamedTuple):
+class ScaledLoad(NamedTuple):
     """A stroke on a share of the area, with a force that does not change; a `share` of None is the whole."""
 
     stroke: Any
@@ -131,7 +131,7 @@ class Engine:
     def strokes(self, kind: Kind) -> Sequence[Stroke]:
         """Return the strokes of the load on the piston as it is, with its rods and its friction."""
         found, friction = self._pressed(kind), self.friction(kind)
-        return found if friction is None else tuple(Scaled(one, None, -friction) for one in found)
+        return found if friction is None else tuple(ScaledLoad(one, None, -friction) for one in found)
 
     def _pressed(self, kind: Kind) -> Sequence[Stroke]:
         """Return the strokes with the rods' areas alone."""
@@ -152,7 +152,7 @@ class Engine:
         # Steam presses on the side behind the piston, the back pressure on the other.
         back = self.ideal.numbers(kind.of, kind.exponent).back
         return tuple(
-            Scaled(one, kind.of(behind), back * kind.of(behind - before))
+            ScaledLoad(one, kind.of(behind), back * kind.of(behind - before))
             for one, (behind, before) in zip(strokes, sides, strict=True)
         )
 

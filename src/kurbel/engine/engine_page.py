@@ -8,7 +8,7 @@ from typing import Any
 
 from kurbel.engine.captions import caption, load_label, named_load
 from kurbel.engine.cylinder import WHOLE
-from kurbel.engine.digits import ERROR, Asked, printed
+from kurbel.engine.digits import ERROR, CellValue, printed
 from kurbel.engine.engine_quantities import EXTREMES, SPANS, applies, engine_registry
 from kurbel.engine.loads.ideal import Steam
 from kurbel.engine.notes import ERRORS, MAKES_DELTA, marks_delta, notes
@@ -95,7 +95,7 @@ def _number(request: EngineRequest, column: Column, place: Place, times: int) ->
     if not applies(column.quantity, where):
         return None
     turns = [request.turn(place["expansion"], place["ratio"], one) for one in column.methods]
-    return printed(Asked(column, turns, where, times), request.rounding, request.carded)
+    return printed(CellValue(column, turns, where, times), request.rounding, request.carded)
 
 
 def _marks(request: EngineRequest, column: Column, place: Place) -> tuple[str, ...]:

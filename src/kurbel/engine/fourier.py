@@ -33,7 +33,7 @@ from kurbel.engine.turn import Turn
 from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.kind import balls, floats
 from kurbel.exact.search import interval
-from kurbel.exact.taylor import Continued, continued, half_turn_circle
+from kurbel.exact.taylor import ComplexNumber, continued, half_turn_circle
 from kurbel.kernel.harmonics import Star
 
 if TYPE_CHECKING:
@@ -226,7 +226,7 @@ class Balls(Spectrum):
         middle, cylinder = float((span.start + span.end) / 2), self.turn.cylinders[part]
         return sampled(
             lambda place: cylinder.effort(stroke, place - ball(begun)),
-            lambda place: on_complex.effort(stroke, Continued(place, middle) - begun).ball,
+            lambda place: on_complex.effort(stroke, ComplexNumber(place, middle) - begun).ball,
             span.start,
             span.end,
             Fraction(MOST_ORDERS),

@@ -20,7 +20,7 @@ from kurbel.drive.at import known
 from kurbel.drive.crank import Crank, check_angles
 from kurbel.drive.load import figure
 from kurbel.drive.moved import Drive, Moved
-from kurbel.engine.captions import Alone, within
+from kurbel.engine.captions import SingleCylinder, within
 from kurbel.engine.card.card import Diagram
 from kurbel.engine.engine import Engine
 from kurbel.engine.loads.words import engine_lines, load_text
@@ -66,7 +66,7 @@ class StrokePlace(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Pressed:
+class PressureDrive:
     """A crank drive with its bore in metres, with moving masses or under the load of an engine, or both."""
 
     drive: Drive
@@ -171,7 +171,7 @@ class Pressed:
         return angle_at(moved, way, kind.of(share))
 
 
-def is_carded(pressed: Pressed) -> bool:
+def is_carded(pressed: PressureDrive) -> bool:
     """Whether the pressure comes from an indicator card."""
     return pressed.engine is not None and isinstance(pressed.engine.steam, Diagram)
 
@@ -182,11 +182,11 @@ def registry() -> Mapping[str, Quantity]:
     gas, masses = "Kolbendruck|Pressure on the piston", "Beschleunigungsdruck|Acceleration pressure"
     left = "verbleibender Druck|Remaining pressure"
     entries = (
-        entry("crank_angle", "Kurbelwinkel|Crank angle", "$φ$", "°", 3, _of(Pressed.degrees)),
-        entry("x_stroke", "Kolbenweg|Piston path", "$x$", "Hub|stroke", 4, _of(Pressed.share), "$x/S$"),
-        entry("gas_pressure", gas, "$p$", "bar", 3, _of(Pressed.gas), needs=(GAS,)),
-        entry("inertia_pressure", masses, "$q$", "bar", 3, _of(Pressed.masses), needs=(MASSES,)),
-        entry("left_pressure", left, "$p - q$", "bar", 3, _of(Pressed.left), needs=(BOTH,)),
+        entry("crank_angle", "Kurbelwinkel|Crank angle", "$φ$", "°", 3, _of(PressureDrive.degrees)),
+        entry("x_stroke", "Kolbenweg|Piston path", "$x$", "Hub|stroke", 4, _of(PressureDrive.share), "$x/S$"),
+        entry("gas_pressure", gas, "$p$", "bar", 3, _of(PressureDrive.gas), needs=(GAS,)),
+        entry("inertia_pressure", masses, "$q$", "bar", 3, _of(PressureDrive.masses), needs=(MASSES,)),
+        entry("left_pressure", left, "$p - q$", "bar", 3, _of(PressureDrive.left), needs=(BOTH,)),
     )
     return {one.key: one._replace(spanners=(one.name,)) for one in entries}
 
@@ -199,7 +199,7 @@ def _of(kernel: Callable[..., Numeric]) -> Mapping[str, Formula]:
 class PressuresRequest(Question):
     """What is asked for: the pressures in a cylinder at shares of its strokes, or at crank angles."""
 
-    pressed: Pressed
+    pressed: PressureDrive
     shares: Sequence[Fraction] = ()
     angles: Sequence[Fraction] = (Fraction(0),)
 
@@ -306,7 +306,7 @@ def _notes(question: PressuresRequest) -> Iterator[Label]:
     if pressed.engine is not None and getattr(pressed.engine.steam, "driven", False):
         yield PRESSED["driven"][lang]
     if pressed.engine is not None:
-        alone = Alone(pressed.engine)
+        alone = SingleCylinder(pressed.engine)
         lines = [*engine_lines(alone, lang)]
         if alone.words.captioned:
             lines = [load_text(pressed.engine.steam, lang), *(within(line, lang) for line in lines)]

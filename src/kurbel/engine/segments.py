@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 import flint
 from flint import arb
 
-from kurbel.engine.cylinder import Cylinder, Standing
+from kurbel.engine.cylinder import CrankPosition, Cylinder
 from kurbel.engine.turn import Turn, circle
 from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.place import PRECISIONS, Place, fraction, unsettled
@@ -34,7 +34,7 @@ from kurbel.exact.search import (
     greatest,
     slopes,
 )
-from kurbel.exact.taylor import Continued
+from kurbel.exact.taylor import ComplexNumber
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.forces import Stroke
 
@@ -58,12 +58,12 @@ class _Pinned(NamedTuple):
 
     def force(self, share: Numeric) -> Any:
         """Return the force at a share of the stroke, of a jet as a jet."""
-        pinned: Any = Continued(share, self.at)
+        pinned: Any = ComplexNumber(share, self.at)
         found = self.stroke.force(pinned)
-        return found.ball if isinstance(found, Continued) else found
+        return found.ball if isinstance(found, ComplexNumber) else found
 
 
-class Acting(NamedTuple):
+class CylinderOnJets(NamedTuple):
     """A crank's cylinder on jets at a place, its stroke, and the angle in that."""
 
     cylinder: Cylinder
@@ -82,7 +82,7 @@ class Segment:
     start: Place
     end: Place
     middle: Fraction
-    standing: tuple[Standing, ...]
+    standing: tuple[CrankPosition, ...]
 
     @property
     def stroke(self) -> int:
@@ -97,10 +97,10 @@ class Segment:
         """The cylinders on jets, each by the branch that its stroke has here."""
         return tuple(_on_jets(self.turn.cylinders[part], *where) for part, *where in self.standing)
 
-    def cranks(self, half_turns: arb) -> Iterator[Acting]:
+    def cranks(self, half_turns: arb) -> Iterator[CylinderOnJets]:
         """Yield what each crank does at a place, in or near the segment."""
         for cylinder, (_, stroke, angle) in zip(self._pinned(flint.ctx.prec), self.standing, strict=True):
-            yield Acting(cylinder, stroke, half_turns - ball(self.middle - angle))
+            yield CylinderOnJets(cylinder, stroke, half_turns - ball(self.middle - angle))
 
 
 def _on_jets(cylinder: Cylinder, stroke: int, angle: Fraction) -> Cylinder:

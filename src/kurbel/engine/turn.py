@@ -25,7 +25,7 @@ import flint
 from flint import arb
 
 from kurbel.drive.moved import Moved
-from kurbel.engine.cylinder import SIGNS, AnyTurn, Cylinder, Peak, Standing
+from kurbel.engine.cylinder import SIGNS, AnyTurn, CrankPosition, Cylinder, Peak
 from kurbel.engine.engine import Assembly, Engine
 from kurbel.engine.loads.ideal import Steam
 from kurbel.errors import ProblemError
@@ -42,7 +42,7 @@ GAP_BITS = 100
 Angle: TypeAlias = Fraction | arb
 
 
-class Piece(NamedTuple):
+class TurnPiece(NamedTuple):
     """What lies between two dead centres: of each crank its part of the engine, its stroke, and the half
     turns to take off for the angle in it."""
 
@@ -61,7 +61,7 @@ class Piece(NamedTuple):
 class Extremum(NamedTuple):
     """A place at which the speed is least or greatest."""
 
-    piece: Piece
+    piece: TurnPiece
     zero: Zero
 
 
@@ -91,15 +91,15 @@ class Turn(AnyTurn):
         return True
 
     @cached_property
-    def pieces(self) -> tuple[Piece, ...]:
+    def pieces(self) -> tuple[TurnPiece, ...]:
         return tuple(self._piece(low, high) for (_, low), (high, _) in pairwise(self._gaps))
 
-    def _piece(self, low: Fraction, high: Fraction) -> Piece:
+    def _piece(self, low: Fraction, high: Fraction) -> TurnPiece:
         middle = (low + high) / 2
         standing = self.positions(middle)
         strokes = tuple((part, stroke, middle - angle) for part, stroke, angle in standing)
         unlike = tuple((count, *one) for one, count in Counter(strokes).items())
-        return Piece(low, high, strokes, unlike)
+        return TurnPiece(low, high, strokes, unlike)
 
     @cached_property
     def _gaps(self) -> list[tuple[Fraction, Fraction]]:
@@ -129,11 +129,12 @@ class Turn(AnyTurn):
                         with at_bits(GAP_BITS):
                             yield _ends(self.cylinders[part].drive.dead_centre(stroke % 2), begun)
 
-    def begun(self) -> list[Standing]:
+    def begun(self) -> list[CrankPosition]:
         dead = self.cylinder.drive.dead_centre(0)
         place = dead if dead else Fraction(0)
         return [
-            Standing(part, stroke, _since(place, begun)) for part, stroke, begun in self.pieces[0].strokes
+            CrankPosition(part, stroke, _since(place, begun))
+            for part, stroke, begun in self.pieces[0].strokes
         ]
 
     def angle_of(self, part: int, stroke: int, share: Numeric) -> arb:
@@ -158,7 +159,7 @@ class Turn(AnyTurn):
             return flint.arb(1) * (end - begin)
         return self.angle_of(0, stroke, ball(1 / expansion)) - begin
 
-    def excess(self, piece: Piece, place: Angle) -> arb:
+    def excess(self, piece: TurnPiece, place: Angle) -> arb:
         cylinders = self.cylinders
         total = sum(
             count * cylinders[part].power(stroke, _since(place, begun))
@@ -166,14 +167,14 @@ class Turn(AnyTurn):
         )
         return total - self.mean_force()
 
-    def slope(self, piece: Piece, place: Angle) -> arb:
+    def slope(self, piece: TurnPiece, place: Angle) -> arb:
         cylinders = self.cylinders
         return sum(
             count * cylinders[part].slope(stroke, _since(place, begun))
             for count, part, stroke, begun in piece.unlike
         )
 
-    def energy(self, piece: Piece, place: Angle) -> arb:
+    def energy(self, piece: TurnPiece, place: Angle) -> arb:
         """The excess work W/(Q R) since the first crank's inner dead centre."""
         cylinders = self.cylinders
         since = sum(
@@ -196,7 +197,7 @@ class Turn(AnyTurn):
             self._check_gap(before, after)
         return tuple(extremum for piece in self.pieces for extremum in self._stationary(piece))
 
-    def _check_gap(self, before: Piece, after: Piece) -> None:
+    def _check_gap(self, before: TurnPiece, after: TurnPiece) -> None:
         """Raise ProblemError if the speed may turn so near to a dead centre that it is not told from it."""
         low, high = before.end, after.start
         if high < low:
@@ -208,7 +209,7 @@ class Turn(AnyTurn):
             if (self.excess(before, behind).union(self.excess(after, beyond))).contains(0):
                 raise ProblemError("the speed turns in a dead centre; its extremes cannot be told apart")
 
-    def _stationary(self, piece: Piece) -> list[Extremum]:
+    def _stationary(self, piece: TurnPiece) -> list[Extremum]:
         return stationary(piece, partial(self.excess, piece), partial(self.slope, piece))
 
     def peaks(self, greatest: bool, stroke: int | None = None) -> list[Peak]:
@@ -282,7 +283,7 @@ def _ends_of(drive: Moved, way: int) -> tuple[arb, arb]:
     return drive.dead_centre(way), 1 + drive.dead_centre(1 - way)
 
 
-def stationary(piece: Piece, function: Function, slope: Function) -> list[Extremum]:
+def stationary(piece: TurnPiece, function: Function, slope: Function) -> list[Extremum]:
     return [Extremum(piece, zero) for zero in isolate(function, slope, piece.start, piece.end)]
 
 
@@ -311,7 +312,7 @@ class WeisbachTurn(Turn):
     the cut-off, his simplified cot(α₂/2) may place α₂ shortly before. Source: § 150.
     """
 
-    def _stationary(self, piece: Piece) -> list[Extremum]:
+    def _stationary(self, piece: TurnPiece) -> list[Extremum]:
         zeros = super()._stationary(piece)
         if not self._turns_beyond_cut_off(piece):
             return zeros
@@ -323,12 +324,12 @@ class WeisbachTurn(Turn):
         """Whether on both strokes the speed is greatest beyond the cut-off, where his cot(α₂/2) holds."""
         return all(map(self._turns_beyond_cut_off, self.pieces))
 
-    def _turns_beyond_cut_off(self, piece: Piece) -> bool:
+    def _turns_beyond_cut_off(self, piece: TurnPiece) -> bool:
         (_, stroke, begun) = piece.strokes[0]
         with at_bits(EQUAL_BITS):
             return bool(self.excess(piece, self.cut_off(stroke) + ball(begun)) > 0)
 
-    def _relation(self, piece: Piece, part: int, at: arb) -> arb:
+    def _relation(self, piece: TurnPiece, part: int, at: arb) -> arb:
         """His equation for α₂ as a function with that zero, or its slope over the half turns."""
         (_, stroke, begun) = piece.strokes[0]
         angle = at - ball(begun)

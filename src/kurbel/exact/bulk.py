@@ -29,7 +29,7 @@ PRODUCT_ERROR = 1.2e-16
 LARGEST = 2.0**52
 
 
-class OfDegrees(NamedTuple):
+class AngleColumn(NamedTuple):
     """A column of the angle itself, in degrees, and not of its circle."""
 
     of: Callable[[NDArray[np.float64]], Any]
@@ -53,7 +53,7 @@ Column = Callable[..., Any]
 
 
 def evaluate(
-    functions: Sequence[Column | OfDegrees],
+    functions: Sequence[Column | AngleColumn],
     angles: NDArray[np.float64],
     *others: NDArray[np.float64],
     fast: bool | None = None,
@@ -68,7 +68,7 @@ def evaluate(
     `fast`: whether numba computes, where it is installed; None leaves that to `kernel/loops.py`.
     """
     out = np.empty((len(functions), len(angles)))
-    formulas = [None if isinstance(one, OfDegrees) else one for one in functions]
+    formulas = [None if isinstance(one, AngleColumn) else one for one in functions]
     loop = chosen(formulas, len(others), out.size, fast)
     done = [] if loop is None else loop[1]
     if loop is not None:
@@ -94,14 +94,14 @@ def evaluate(
 
 
 def _fill(
-    rows: Sequence[tuple[Column | OfDegrees, NDArray[np.float64]]],
+    rows: Sequence[tuple[Column | AngleColumn, NDArray[np.float64]]],
     block: slice,
     angles: NDArray[np.float64],
     others: Sequence[NDArray[np.float64]],
 ) -> None:
     point, more = None, [one[block] for one in others]
     for function, row in rows:
-        if isinstance(function, OfDegrees):
+        if isinstance(function, AngleColumn):
             row[block] = function.of(angles[block])
         else:
             point = circle(angles[block]) if point is None else point

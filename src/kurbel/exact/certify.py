@@ -23,7 +23,7 @@ import flint
 from flint import arb
 
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import Found
+from kurbel.exact.kind import FoundAngle
 from kurbel.exact.numerals import MOST_FIGURES
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.kinematics import rod_sine
@@ -56,7 +56,7 @@ def ball(value: Fraction | int) -> arb:
     """Return the ball around a rational number, or of one that is found, at the precision in force."""
     if isinstance(value, int):
         return flint.arb(value)
-    if isinstance(value, Found):
+    if isinstance(value, FoundAngle):
         return value.enclosed()
     return flint.arb(flint.fmpq(value.numerator, value.denominator))
 
@@ -69,7 +69,7 @@ def ball_circle(degrees: Fraction) -> Circle[arb]:
 @lru_cache(maxsize=512)
 def _ball_circle(degrees: Fraction, precision: int) -> Circle[arb]:
     half_turns = degrees / 180
-    if isinstance(half_turns, Found):
+    if isinstance(half_turns, FoundAngle):
         return half_turn_circle(half_turns.enclosed())
     turn = flint.fmpq(half_turns.numerator, half_turns.denominator)
     sine, cosine = flint.arb.sin_cos_pi_fmpq(turn)

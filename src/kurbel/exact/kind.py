@@ -124,7 +124,7 @@ def surds(field: Field) -> Kind:
 NEAR_BITS = 256
 
 
-class Held(Protocol):
+class PlaceSource(Protocol):
     """What gives a place, which is found again where it was lost, as by another process; it was asked for."""
 
     @property
@@ -133,16 +133,18 @@ class Held(Protocol):
     def __call__(self) -> Place: ...
 
 
-class Found(Fraction):
+class FoundAngle(Fraction):
     """A factor times the half turns of a place that is `held`, and a rational number."""
 
     __slots__ = ("factor", "held", "rest")
 
-    held: Held
+    held: PlaceSource
     factor: Fraction
     rest: Fraction
 
-    def __new__(cls, held: Held, factor: Fraction = Fraction(1), rest: Fraction = Fraction(0)) -> Found:
+    def __new__(
+        cls, held: PlaceSource, factor: Fraction = Fraction(1), rest: Fraction = Fraction(0)
+    ) -> FoundAngle:
         from kurbel.exact.certify import at_bits
 
         with at_bits(NEAR_BITS):
@@ -155,10 +157,10 @@ class Found(Fraction):
     def __reduce__(self) -> tuple[object, ...]:
         return type(self), (self.held, self.factor, self.rest)
 
-    def __copy__(self) -> Found:
+    def __copy__(self) -> FoundAngle:
         return self
 
-    def __deepcopy__(self, memo: object) -> Found:
+    def __deepcopy__(self, memo: object) -> FoundAngle:
         return self
 
     def enclosed(self) -> arb:
@@ -177,12 +179,12 @@ class Found(Fraction):
     def __add__(self, other: Any) -> Any:
         if not _is_rational(other):
             return self._near + other
-        return Found(self.held, self.factor, self.rest + other)
+        return FoundAngle(self.held, self.factor, self.rest + other)
 
     def __mul__(self, other: Any) -> Any:
         if not _is_rational(other):
             return self._near * other
-        return Found(self.held, self.factor * other, self.rest * other) if other else Fraction(0)
+        return FoundAngle(self.held, self.factor * other, self.rest * other) if other else Fraction(0)
 
     def __sub__(self, other: Any) -> Any:
         return self + -other
@@ -193,8 +195,8 @@ class Found(Fraction):
     def __truediv__(self, other: Any) -> Any:
         return self * (1 / Fraction(other)) if _is_rational(other) else self._near / other
 
-    def __neg__(self) -> Found:
-        return Found(self.held, -self.factor, -self.rest)
+    def __neg__(self) -> FoundAngle:
+        return FoundAngle(self.held, -self.factor, -self.rest)
 
     def __mod__(self, other: Any) -> Any:
         return self - floor(self._near / other) * other
@@ -208,4 +210,4 @@ class Found(Fraction):
 
 
 def _is_rational(other: Any) -> bool:
-    return isinstance(other, (int, Fraction)) and not isinstance(other, Found)
+    return isinstance(other, (int, Fraction)) and not isinstance(other, FoundAngle)

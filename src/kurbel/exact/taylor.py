@@ -32,7 +32,7 @@ from kurbel.kernel.circle import Circle
 NEAREST = 1e-13
 
 
-class Continued:
+class ComplexNumber:
     """A complex ball, a power series, a jet or, of a constant, a real ball, and the float that the same
     formula has at the point that stands for its piece."""
 
@@ -43,76 +43,76 @@ class Continued:
         self.at = at
 
     @classmethod
-    def of(cls, number: Continued | arb | Fraction | float) -> Continued:
+    def of(cls, number: ComplexNumber | arb | Fraction | float) -> ComplexNumber:
         """Return a number of another kind as a constant."""
-        if isinstance(number, Continued):
+        if isinstance(number, ComplexNumber):
             return number
         # Whole numbers first: of what is none, an abstract class such as Fraction is asked slowly.
         if not isinstance(number, int) and isinstance(number, Fraction):
             return cls(ball(number), float(number))
         return cls(arb(number), float(number))
 
-    def __neg__(self) -> Continued:
-        return Continued(-self.ball, -self.at)
+    def __neg__(self) -> ComplexNumber:
+        return ComplexNumber(-self.ball, -self.at)
 
-    def __add__(self, other: Continued | arb | Fraction | float) -> Continued:
-        other = Continued.of(other)
-        return Continued(self.ball + other.ball, self.at + other.at)
+    def __add__(self, other: ComplexNumber | arb | Fraction | float) -> ComplexNumber:
+        other = ComplexNumber.of(other)
+        return ComplexNumber(self.ball + other.ball, self.at + other.at)
 
-    def __sub__(self, other: Continued | arb | Fraction | float) -> Continued:
-        other = Continued.of(other)
-        return Continued(self.ball - other.ball, self.at - other.at)
+    def __sub__(self, other: ComplexNumber | arb | Fraction | float) -> ComplexNumber:
+        other = ComplexNumber.of(other)
+        return ComplexNumber(self.ball - other.ball, self.at - other.at)
 
-    def __mul__(self, other: Continued | arb | Fraction | float) -> Continued:
-        other = Continued.of(other)
-        return Continued(self.ball * other.ball, self.at * other.at)
+    def __mul__(self, other: ComplexNumber | arb | Fraction | float) -> ComplexNumber:
+        other = ComplexNumber.of(other)
+        return ComplexNumber(self.ball * other.ball, self.at * other.at)
 
-    def __truediv__(self, other: Continued | arb | Fraction | float) -> Continued:
-        other = Continued.of(other)
-        return Continued(self.ball / other.ball, self.at / other.at)
+    def __truediv__(self, other: ComplexNumber | arb | Fraction | float) -> ComplexNumber:
+        other = ComplexNumber.of(other)
+        return ComplexNumber(self.ball / other.ball, self.at / other.at)
 
-    def __rsub__(self, other: Continued | arb | Fraction | float) -> Continued:
-        return Continued.of(other) - self
+    def __rsub__(self, other: ComplexNumber | arb | Fraction | float) -> ComplexNumber:
+        return ComplexNumber.of(other) - self
 
-    def __rtruediv__(self, other: Continued | arb | Fraction | float) -> Continued:
-        return Continued.of(other) / self
+    def __rtruediv__(self, other: ComplexNumber | arb | Fraction | float) -> ComplexNumber:
+        return ComplexNumber.of(other) / self
 
-    def __abs__(self) -> Continued:
+    def __abs__(self) -> ComplexNumber:
         return self if self._above(0) >= 0 else -self
 
     __radd__ = __add__
     __rmul__ = __mul__
 
-    def __pow__(self, exponent: Any) -> Continued:
+    def __pow__(self, exponent: Any) -> ComplexNumber:
         if isinstance(exponent, int):
-            return Continued(self.ball**exponent, self.at**exponent)
+            return ComplexNumber(self.ball**exponent, self.at**exponent)
         if exponent == 0.5:
-            return Continued(self.ball.sqrt(**self._cuts), self.at**0.5)
-        other = Continued.of(exponent)
+            return ComplexNumber(self.ball.sqrt(**self._cuts), self.at**0.5)
+        other = ComplexNumber.of(exponent)
         raised = self.ball.pow(other.ball, analytic=True) if self._cuts else self.ball**other.ball
-        return Continued(raised, self.at**other.at)
+        return ComplexNumber(raised, self.at**other.at)
 
     @property
     def _cuts(self) -> dict[str, bool]:
         """What makes a complex function no number on its cut."""
         return {"analytic": True} if isinstance(self.ball, acb) else {}
 
-    def log(self) -> Continued:
-        return Continued(self.ball.log(**self._cuts), math.log(self.at))
+    def log(self) -> ComplexNumber:
+        return ComplexNumber(self.ball.log(**self._cuts), math.log(self.at))
 
     def __eq__(self, other: Any) -> bool:
-        return bool(self.ball == Continued.of(other).ball)
+        return bool(self.ball == ComplexNumber.of(other).ball)
 
-    def __lt__(self, other: Continued | arb | Fraction | float) -> bool:
+    def __lt__(self, other: ComplexNumber | arb | Fraction | float) -> bool:
         return self._above(other) < 0
 
-    def __gt__(self, other: Continued | arb | Fraction | float) -> bool:
+    def __gt__(self, other: ComplexNumber | arb | Fraction | float) -> bool:
         return self._above(other) > 0
 
-    def max(self, other: Continued | arb | Fraction | float) -> Continued:
-        return self if self._above(other) >= 0 else Continued.of(other)
+    def max(self, other: ComplexNumber | arb | Fraction | float) -> ComplexNumber:
+        return self if self._above(other) >= 0 else ComplexNumber.of(other)
 
-    def union(self, other: Continued | arb | Fraction | float) -> Continued:
+    def union(self, other: ComplexNumber | arb | Fraction | float) -> ComplexNumber:
         """Two shapes, of which a ball over a corner has both, do not meet here."""
         raise ProblemError("a corner lies where none was looked for; give slightly other numbers")
 
@@ -120,8 +120,8 @@ class Continued:
         """The radius, by which formulas know a ball."""
         return self.ball.rad()
 
-    def _above(self, other: Continued | arb | Fraction | float) -> float:
-        other = Continued.of(other)
+    def _above(self, other: ComplexNumber | arb | Fraction | float) -> float:
+        other = ComplexNumber.of(other)
         if self == other:
             return 0.0
         apart = self.at - other.at
@@ -133,38 +133,38 @@ class Continued:
 def continued() -> Kind:
     """Return these numbers as a kind, at the precision in force; exponents are balls of reals."""
     return unordered(
-        Continued.of,
+        ComplexNumber.of,
         lambda degrees: half_turn_circle(degrees / 180),
         _degrees,
-        Continued.of(pi()),
+        ComplexNumber.of(pi()),
         exponent=ball,
-        enclosed=lambda value: Continued.of(value()),
+        enclosed=lambda value: ComplexNumber.of(value()),
     )
 
 
-def _degrees(sine: Continued | arb | Fraction | float) -> Continued:
+def _degrees(sine: ComplexNumber | arb | Fraction | float) -> ComplexNumber:
     """Return the angle within -90°..90° that has this sine; on the cuts beyond -1 and 1 it is no number."""
-    place = Continued.of(sine)
+    place = ComplexNumber.of(sine)
     angle = place.ball.asin()
     if isinstance(place.ball, acb):
         cut = (1 - place.ball * place.ball).sqrt(analytic=True)
         angle = angle if cut.is_finite() else cut
-    return Continued(angle * 180 / arb.pi(), math.degrees(math.asin(place.at)))
+    return ComplexNumber(angle * 180 / arb.pi(), math.degrees(math.asin(place.at)))
 
 
-def half_turn_circle(half_turns: Continued | arb | Fraction | float) -> Circle[Continued]:
+def half_turn_circle(half_turns: ComplexNumber | arb | Fraction | float) -> Circle[ComplexNumber]:
     """Return sine, cosine and versine of half turns, exact ones or continued."""
-    place = Continued.of(half_turns)
+    place = ComplexNumber.of(half_turns)
     sine, cosine = place.ball.sin_cos_pi()
     half, angle = (place.ball / 2).sin_pi(), math.pi * place.at
     return Circle(
-        Continued(sine, math.sin(angle)),
-        Continued(cosine, math.cos(angle)),
-        Continued(2 * half * half, 2 * math.sin(angle / 2) ** 2),
+        ComplexNumber(sine, math.sin(angle)),
+        ComplexNumber(cosine, math.cos(angle)),
+        ComplexNumber(2 * half * half, 2 * math.sin(angle / 2) ** 2),
     )
 
 
-Formula = Callable[[Continued], Continued]
+Formula = Callable[[ComplexNumber], ComplexNumber]
 
 # Bits of a bound, and beyond those of the precision in force to which a series is taken.
 BOUND_BITS, GUARD_BITS = 64, 8
@@ -264,7 +264,7 @@ def bounded(function: Formula, low: Fraction, high: Fraction, radii: int, most: 
     middle, radius = (low + high) / 2, (high - low) / 2 * radii
     reference = float(middle)
     with at_bits(BOUND_BITS):
-        most *= max(1.0, abs(function(Continued(ball(middle), reference)).at))
+        most *= max(1.0, abs(function(ComplexNumber(ball(middle), reference)).at))
         # Of a real function the other half of the disk is a mirror image.
         return _bound(function, reference, (middle - radius, middle + radius), (Fraction(0), radius), most)
 
@@ -276,7 +276,7 @@ def expanded(function: Formula, low: Fraction, high: Fraction, radii: int, bound
     gain = log2(radii * SHRUNK**2 * Fraction(8, 9))
     count = ceil((flint.ctx.prec + GUARD_BITS + log2(float(bound) + 1)) / gain)
     with terms_kept(count):
-        found = function(Continued(arb_series([ball(middle), 1]), float(middle))).ball
+        found = function(ComplexNumber(arb_series([ball(middle), 1]), float(middle))).ball
     terms = arb_poly(found.coeffs()) if isinstance(found, arb_series) else arb_poly([found])
     return Taylor(middle, (high - low) / 2 * radii, terms, count, bound)
 
@@ -291,7 +291,7 @@ def _bound(
 ) -> arb | None:
     """Return a bound of a function on a rectangle of the complex plane, None if that is not below `most`."""
     place = acb(interval(*along), interval(*across))
-    found = abs(function(Continued(place, reference)).ball).upper()
+    found = abs(function(ComplexNumber(place, reference)).ball).upper()
     if found < most or not halvings:
         return found if found < most else None
     if along[1] - along[0] > across[1] - across[0]:

@@ -21,7 +21,7 @@ from flint import arb
 
 from kurbel.exact import certify
 from kurbel.exact.certify import at_bits
-from kurbel.exact.kind import Found, Kind, balls, unordered
+from kurbel.exact.kind import FoundAngle, Kind, balls, unordered
 from kurbel.exact.place import Place
 from kurbel.exact.separation import Separation, circle_separation
 from kurbel.kernel.circle import Circle, Numeric
@@ -136,7 +136,7 @@ class Terms:
         """Return a rational number; one that is known by its ball alone is undecided."""
         if isinstance(value, Terms):
             return value
-        if not isinstance(value, (int, float, Fraction)) or isinstance(value, Found):
+        if not isinstance(value, (int, float, Fraction)) or isinstance(value, FoundAngle):
             raise UndecidedError
         return cls({ONE: Algebraic.of(Fraction(value))})
 
@@ -291,12 +291,12 @@ def _primes(value: Fraction) -> dict[int | Algebraic, int] | None:
 def _circle(degrees: Fraction) -> Circle[Terms]:
     if not isinstance(degrees, (int, Fraction)):
         raise UndecidedError
-    if isinstance(degrees, Found):
+    if isinstance(degrees, FoundAngle):
         return _turned(_held_circle(degrees), _circle_at(degrees.rest, flint.ctx.prec))
     return _circle_at(Fraction(degrees), flint.ctx.prec)
 
 
-def _held_circle(degrees: Found) -> Circle[Terms]:
+def _held_circle(degrees: FoundAngle) -> Circle[Terms]:
     """Return the circle of a place whose tangent is algebraic."""
     place = degrees.held()
     if place.polynomial is None or degrees.factor != HALF_TURN:

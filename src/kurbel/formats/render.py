@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, BinaryIO, TypeAlias
 from kurbel.errors import ChoiceError, OutputError
 from kurbel.formats.page import blank, page
 from kurbel.formats.registry import BytesFormat, PageFormat, RecordsFormat, by_name
-from kurbel.formats.writer import Wishes
+from kurbel.formats.writer import WriteOptions
 from kurbel.page import labels
 from kurbel.page.layouts import template_folder
 from kurbel.page.table import Table
@@ -81,7 +81,7 @@ def render(
     if stepped:
         place = place or "step"
     ready = page(table, writer, mark)
-    wishes = Wishes(longtable, siunitx, plain, width, colours, place)
+    wishes = WriteOptions(longtable, siunitx, plain, width, colours, place)
     values = {"page": ready, **writer.values(table, ready, mark, wishes)}
 
     def filled(name: str, more: dict[str, object]) -> str:

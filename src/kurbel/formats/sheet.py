@@ -22,7 +22,7 @@ MOST_FIGURES, MOST_DECIMALS = 15, 30
 Rule: TypeAlias = Literal["", "thin", "heavy"]
 
 
-class Look(NamedTuple):
+class CellLook(NamedTuple):
     """How a cell looks: which part of the page it is, and what rules are above and below it.
 
     What is `indented` keeps clear of figures on its left; what `wraps` stands beside a text of several lines.
@@ -47,7 +47,7 @@ class SheetCell(NamedTuple):
     row: int
     column: int
     value: Number | str | None
-    look: Look
+    look: CellLook
     across: int = 1
     down: int = 1
     link: str = ""

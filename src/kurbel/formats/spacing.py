@@ -99,7 +99,7 @@ def _share(lacking: Length, across: int, step: int) -> Length:
     return max(-((step - lacking) // across) if isinstance(lacking, int) else lacking / across, 0)
 
 
-class Room(NamedTuple):
+class StretchableWidth(NamedTuple):
     """A width, of which `gaps` take a share that grows and shrinks with them."""
 
     em: float
@@ -115,13 +115,13 @@ class Room(NamedTuple):
 
 def overhangs(
     columns: Sequence[float], spans: Iterable[Span[float]], gaps: Sequence[float], unit: float = 1.0
-) -> tuple[list[Room], list[Room]]:
+) -> tuple[list[StretchableWidth], list[StretchableWidth]]:
     """Return how far spanners that are wider than what is below them reach over each column, left and right.
 
     Room there keeps the gaps between the columns below as they are, however wide the spanner is; of these, so
     many `unit`s serve the spanner.
     """
-    left, right = ([Room(0.0) for _ in columns] for _ in range(2))
+    left, right = ([StretchableWidth(0.0) for _ in columns] for _ in range(2))
     for first, across, width in spans:
         below, last = slice(first, first + across), first + across - 1
         hanging = [*left[below], *right[below]]
@@ -129,7 +129,7 @@ def overhangs(
         taken = added(gaps[below][1:]) + added(one.gaps for one in hanging)
         if em > unit * taken:
             for side, place in ((left, first), (right, last)):
-                side[place] = Room(side[place].em + em / 2, side[place].gaps - taken / 2)
+                side[place] = StretchableWidth(side[place].em + em / 2, side[place].gaps - taken / 2)
     return left, right
 
 

@@ -20,7 +20,7 @@ from kurbel.formats.sheet import (
     MOST_DECIMALS,
     MOST_FIGURES,
     MOST_ROWS,
-    Look,
+    CellLook,
     Rule,
     Sheet,
     SheetCell,
@@ -106,7 +106,7 @@ class _Draft:
         self.model = model
         self.ready = ready
         self.cells: list[SheetCell] = []
-        self.looks: dict[Look, Look] = {}
+        self.looks: dict[CellLook, CellLook] = {}
         self.heights: dict[int, float] = {}
         self.row = 0
         widths = widest(map(_widths, ready.panels))
@@ -124,7 +124,7 @@ class _Draft:
     def sheet(self, name: str) -> Sheet:
         ready = self.ready
         if ready.caption:
-            self.prose_row(ready.caption, Look("caption"), LARGE, CAPTION_LINE)
+            self.prose_row(ready.caption, CellLook("caption"), LARGE, CAPTION_LINE)
             self.heights[self.row] = LINE / 2
             self.row += 1
         head = (self.row, self.row)
@@ -148,7 +148,7 @@ class _Draft:
         )
 
     def put(
-        self, column: int, value: Number | str | None, look: Look, across: int = 1, down: int = 1
+        self, column: int, value: Number | str | None, look: CellLook, across: int = 1, down: int = 1
     ) -> None:
         content = (checked_text(value) or None) if isinstance(value, str) else value
         own = look._replace(indented=True) if look.align == "left" and column else look
@@ -156,7 +156,7 @@ class _Draft:
         own = self.looks.setdefault(own, own)
         self.cells.append(SheetCell(self.row, column, content, own, across, down))
 
-    def prose_row(self, text: str, look: Look, size: float, line: float) -> None:
+    def prose_row(self, text: str, look: CellLook, size: float, line: float) -> None:
         """Put a text over as many columns as it may have, in a row as high as it needs."""
         self.heights[self.row] = height_of_prose(text, self.widths, self.prose, size, line)
         self.put(0, text, look, self.prose)
@@ -176,28 +176,28 @@ class _Draft:
                 look = self.head_look(panel, cell, level)
                 self.put(first, "\n".join(cell.lines), look, last - first + 1, cell.down)
                 covered |= {*range(first, last + 1)}
-            rule = Look("head", above="" if level else "heavy", below="thin" if last_row else "")
+            rule = CellLook("head", above="" if level else "heavy", below="thin" if last_row else "")
             self.between(rule, covered)
             self.row += 1
 
-    def between(self, look: Look, covered: Container[int] = ()) -> None:
+    def between(self, look: CellLook, covered: Container[int] = ()) -> None:
         """Have rules go on through the columns that part spanners."""
         for gap in self.gaps if look.above or look.below else ():
             if gap not in covered:
                 self.put(gap, None, look)
 
-    def head_look(self, panel: PagePanel, cell: HeadCell, level: int) -> Look:
+    def head_look(self, panel: PagePanel, cell: HeadCell, level: int) -> CellLook:
         above: Rule = "" if level else "heavy"
         below: Rule = "thin" if cell.text or level + cell.down == len(panel.head) else ""
         align = "center" if cell.kind == "spanner" else panel.columns[cell.first].align
-        return Look("head", align, above, below)
+        return CellLook("head", align, above, below)
 
     def body(self, panel: PagePanel, model: Panel) -> None:
         columns = tuple(_figures(panel, model, place) for place in range(len(panel.columns)))
         for place, (group, own) in enumerate(zip(panel.groups, model.groups, strict=True)):
             if group.label:
                 self.heights[self.row] = LINE + APART
-                self.put(0, group.label, Look("group"), self.places[len(panel.columns) - 1] + 1)
+                self.put(0, group.label, CellLook("group"), self.places[len(panel.columns) - 1] + 1)
                 self.row += 1
             is_last = place == len(panel.groups) - 1
             for number, (row, cells) in enumerate(zip(group.rows, own.rows, strict=True)):
@@ -215,7 +215,7 @@ class _Draft:
         lines = max(self.lines(place, cell) for place, (cell, _) in enumerate(cells))
         for place, (cell, own) in enumerate(cells):
             column = columns[place]
-            look = Look("body", column.align, "", below, wraps=lines > 1)
+            look = CellLook("body", column.align, "", below, wraps=lines > 1)
             if not cell.down:
                 # What stands for several rows is not merged: rows can be sorted, and stand on one line.
                 self.put(self.places[place], None, look)
@@ -228,7 +228,7 @@ class _Draft:
                     cell.text + cell.marks,
                     look._replace(align="center") if centred else look,
                 )
-        self.between(Look("body", below=below))
+        self.between(CellLook("body", below=below))
         if space or lines > 1:
             self.heights[self.row] = lines * LINE + space
         self.row += 1
@@ -245,10 +245,10 @@ class _Draft:
         self.row += 1
         for note in self.ready.notes:
             text = f"{note.mark} {note.text}" if note.mark else note.text
-            self.prose_row(text, Look("note"), SMALL, SMALL_LINE)
+            self.prose_row(text, CellLook("note"), SMALL, SMALL_LINE)
         if self.ready.source:
             said = f"{self.ready.words['source']}: {self.ready.source}"
-            self.prose_row(said, Look("source"), SMALL, SMALL_LINE)
+            self.prose_row(said, CellLook("source"), SMALL, SMALL_LINE)
 
 
 def height_of_prose(text: str, widths: Sequence[float], across: int, size: float, line: float) -> float:
@@ -264,7 +264,7 @@ class _Figures(NamedTuple):
     align: Literal["left", "right"]
     hang: str
 
-    def of_number(self, look: Look, cell: PageCell, number: Number) -> Look:
+    def of_number(self, look: CellLook, cell: PageCell, number: Number) -> CellLook:
         """Return the look of a number of the column."""
         marks = bare(cell.marks)
         blank = f"{cell.tail}{self.hang[len(marks) :]}"
@@ -354,7 +354,7 @@ def records_sheet(records: Records, mark: str, name: str) -> Sheet:
     )
     figures = [any(isinstance(one, Number) for one in column) for column in columns]
     head = (
-        SheetCell(0, place, key, Look("key", "right" if figures[place] else "left"))
+        SheetCell(0, place, key, CellLook("key", "right" if figures[place] else "left"))
         for place, key in enumerate(keys)
     )
     body = _records(zip(*columns, strict=True))
@@ -379,8 +379,8 @@ def _shown(value: Number | str | None) -> str:
 
 
 def _records(rows: Iterator[Sequence[Number | str | None]]) -> Iterator[SheetCell]:
-    looks = [Look("body", "right", decimals=decimals) for decimals in range(MOST_DECIMALS + 1)]
-    words = Look("body", "left")
+    looks = [CellLook("body", "right", decimals=decimals) for decimals in range(MOST_DECIMALS + 1)]
+    words = CellLook("body", "left")
     for place, row in enumerate(rows, 1):
         for column, value in enumerate(row):
             if isinstance(value, Number):

@@ -82,7 +82,7 @@ class DocumentWriter(ABC):
 Place = Literal["", "document", "step", "handbook"]
 
 
-class Wishes(NamedTuple):
+class WriteOptions(NamedTuple):
     """How a page is to be written beside its decimal mark: whether it may break over pages, has numbers as
     they are typed, for siunitx, and is `plain` as an author writes it; on a terminal no wider than `width`
     characters, and in `colours`. `place` says where it stands: in a document of its author's, in one of ours,
@@ -140,7 +140,7 @@ class PageWriter:
         """Return the filters of its templates."""
         return {}
 
-    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, object]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: WriteOptions) -> dict[str, object]:
         """Return what its templates read beside the page, or in its place."""
         return {}
 

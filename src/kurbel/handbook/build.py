@@ -13,7 +13,7 @@ from kurbel.errors import ChoiceError, HandbookError, KurbelError
 from kurbel.formats.registry import FORMATS, BytesFormat
 from kurbel.handbook.folder import (
     UNKNOWN,
-    Done,
+    BuiltPart,
     Folder,
     digest,
     fingerprint,
@@ -24,7 +24,7 @@ from kurbel.handbook.folder import (
 from kurbel.handbook.manifest import Manifest, Part
 from kurbel.handbook.model import COMPILED
 from kurbel.handbook.pages import Failure, document_of, fragment_paths, make_document, make_pdf
-from kurbel.handbook.pool import KILLED, PDF_STOPPED, Answer, Made, Piece, Task, Worked, worked
+from kurbel.handbook.pool import KILLED, PDF_STOPPED, Answer, BuiltFiles, Task, Worked, WorkPiece, worked
 from kurbel.reading.given import check_inside, is_inside
 from kurbel.reading.names import did_you_mean
 from kurbel.sweeps.versions import content_of
@@ -32,7 +32,7 @@ from kurbel.sweeps.versions import content_of
 PDF = COMPILED.name
 WAITING = "another build of this handbook is under way; waiting for its end"
 # Makes a part; raises KurbelError if it cannot be made.
-Maker = Callable[[Task], Made]
+Maker = Callable[[Task], BuiltFiles]
 # Is given what comes of the steps and how many there are, and passes it on.
 Bar = Callable[[Iterator[Answer], int], Iterable[Answer]]
 
@@ -84,13 +84,13 @@ def build(
 
 def _work(
     builds: Iterable[Build],
-    pieces: Callable[[Build], list[Piece]],
+    pieces: Callable[[Build], list[WorkPiece]],
     jobs: int = 1,
     bar: Bar = lambda steps, _: steps,
     by: Worked = worked,
 ) -> None:
     """Have the pieces of the builds worked, and give each build its own."""
-    work: list[Piece] = []
+    work: list[WorkPiece] = []
     for one in builds:
         if not one.ended:
             with one.ending():
@@ -114,7 +114,7 @@ class Build:
         self.manifest = manifest
         self.folder = folder
         self.only = only
-        self.new: dict[str, Done] = {}
+        self.new: dict[str, BuiltPart] = {}
         self.started = time.time_ns()
         self.templates = manifest.templates and os.path.join(manifest.folder, manifest.templates)
         # Beside a layout there may be templates of its own.
@@ -128,7 +128,7 @@ class Build:
         self.outside = manifest.outside
 
     @cached_property
-    def old(self) -> dict[str, Done]:
+    def old(self) -> dict[str, BuiltPart]:
         """What the last build made; it is read once the folder is locked."""
         return self.folder.state()
 
@@ -179,18 +179,18 @@ class Build:
     def input(self, path: str) -> str:
         return os.path.join(self.manifest.folder, path)
 
-    def parts(self, make: Maker) -> list[Piece]:
+    def parts(self, make: Maker) -> list[WorkPiece]:
         """Return the parts that `make` must make."""
         given = self.manifest.folder, self.templates, *self.given, self.outside
         return [
-            Piece(part.name, key, partial(make, Task(part, *given)), self, part.line)
+            WorkPiece(part.name, key, partial(make, Task(part, *given)), self, part.line)
             for part in self.manifest.parts()
             if part.words
             and (self.only is None or part.name in self.only)
             and not self.is_made(part.name, key := self.part_key(part))
         ]
 
-    def take(self, piece: Piece, one: Made | str) -> None:
+    def take(self, piece: WorkPiece, one: BuiltFiles | str) -> None:
         """Write what was made of a part or a document, or note what kept it from being made."""
         try:
             if isinstance(one, str):
@@ -203,7 +203,7 @@ class Build:
             return
         files = {path: digest(content) for path, content in one.files.items()}
         inputs = {path: self.hash_of_input(path) for path in one.inputs}
-        self.new[piece.name] = Done(piece.key, inputs, files, one.about)
+        self.new[piece.name] = BuiltPart(piece.key, inputs, files, one.about)
 
     def hash_of_input(self, path: str) -> str:
         """Return the hash of a file that a part was made of, or nothing if it was saved since.
@@ -238,7 +238,7 @@ class Build:
         self.folder.list_contents(files)
         self.folder.keep_state(self.new)
 
-    def documents(self) -> list[Piece]:
+    def documents(self) -> list[WorkPiece]:
         """Return the documents whose contents changed, of the parts as they are now."""
         if self.only is not None:
             return []
@@ -257,7 +257,7 @@ class Build:
             if read is not None:
                 contents = {stem: read[path] for stem, path in paths.items()}
                 work = partial(make_document, document, name, contents, self.templates)
-                pieces.append(Piece(_named(name), key, work, self))
+                pieces.append(WorkPiece(_named(name), key, work, self))
         return pieces
 
     def read(self, name: str, paths: Collection[str]) -> dict[str, bytes] | None:
@@ -279,7 +279,7 @@ class Build:
             return None
         return read
 
-    def pdf(self, tell: Callable[[str], None]) -> list[Piece]:
+    def pdf(self, tell: Callable[[str], None]) -> list[WorkPiece]:
         """Return the PDF if anything that it is made of changed."""
         if PDF not in self.manifest.formats or self.only is not None:
             return []
@@ -299,10 +299,10 @@ class Build:
             tell(f"{self.folder.path}: {remark}")
         work = partial(make_pdf, self.folder.path, standards, self.apart)
         killed = PDF_STOPPED if self.apart else KILLED
-        return [Piece(name, key, work, self, 0, True, killed)]
+        return [WorkPiece(name, key, work, self, 0, True, killed)]
 
 
-def _hashes(state: Mapping[str, Done]) -> dict[str, str]:
+def _hashes(state: Mapping[str, BuiltPart]) -> dict[str, str]:
     return {path: hashed for done in state.values() for path, hashed in done.files.items()}
 
 

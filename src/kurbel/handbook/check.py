@@ -42,7 +42,7 @@ class Stale(NamedTuple):
     own: bool = False
 
 
-class Checked(NamedTuple):
+class CheckedHandbook(NamedTuple):
     """A handbook, what was built of it elsewhere, and its stale files."""
 
     handbook: Handbook
@@ -52,7 +52,7 @@ class Checked(NamedTuple):
 
 def check(
     handbooks: Sequence[Handbook], make: Maker, jobs: int, bar: Bar, by: Worked = worked
-) -> list[Checked]:
+) -> list[CheckedHandbook]:
     """Build all anew in folders of their own, and return what failed and which files are stale.
 
     Nothing that an earlier build knew is believed, and nothing of the folders is changed. Where a part fails,
@@ -65,7 +65,7 @@ def check(
         ]
         builds = build(elsewhere, make, jobs, bar, by=by)
         return [
-            Checked(one, anew, [] if anew.ended else _stale(one, anew))
+            CheckedHandbook(one, anew, [] if anew.ended else _stale(one, anew))
             for one, anew in zip(handbooks, builds, strict=True)
         ]
 
@@ -115,7 +115,7 @@ def _first_line(old: bytes, new: bytes) -> int:
     return max(1, min(1 + sum(1 for _ in same), old.count(b"\n")))
 
 
-def places(one: Checked) -> Iterator[str]:
+def places(one: CheckedHandbook) -> Iterator[str]:
     """Yield sentences of what is stale, each with the file and the line where one would look.
 
     That is the line of the manifest of which a table or a drawing is made. A file that is no longer as it was

@@ -21,7 +21,7 @@ from kurbel.errors import HandbookError, KurbelError, OutputError
 from kurbel.formats.registry import FORMATS, PageFormat
 from kurbel.formats.render import remove_left_over, whole_file
 from kurbel.handbook.manifest import manifest_path, read_manifest
-from kurbel.handbook.pool import About
+from kurbel.handbook.pool import ListEntry
 from kurbel.page.layouts import template_folder
 from kurbel.sweeps.hands import lock
 
@@ -36,13 +36,13 @@ CONTENTS = "contents.json"
 LARGEST = 1 << 28
 
 
-class Done(msgspec.Struct, frozen=True):
+class BuiltPart(msgspec.Struct, frozen=True):
     """A part or a document as it was made: from what, out of which files, and which files it became."""
 
     key: str
     inputs: dict[str, str]
     files: dict[str, str]
-    about: About | None = None
+    about: ListEntry | None = None
 
 
 class Folder:
@@ -163,15 +163,15 @@ class Folder:
                 self._check(f"{part}/" if part else "")
                 remove_left_over(self.at(part))
 
-    def state(self) -> dict[str, Done]:
+    def state(self) -> dict[str, BuiltPart]:
         """Return what the last build made, by name; nothing if there is none that can be read."""
         try:
-            return msgspec.json.decode(self.read(STATE) or b"{}", type=dict[str, Done])
+            return msgspec.json.decode(self.read(STATE) or b"{}", type=dict[str, BuiltPart])
         except (ValueError, RecursionError):
             # Not ours, or of another version: all is made anew.
             return {}
 
-    def keep_state(self, state: Mapping[str, Done]) -> None:
+    def keep_state(self, state: Mapping[str, BuiltPart]) -> None:
         # A caption is a kind of text.
         self.write(STATE, msgspec.json.encode(state, enc_hook=str))
 

@@ -23,7 +23,7 @@ from kurbel.reading.environment import source_date_epoch
 
 if TYPE_CHECKING:
     from kurbel.handbook.manifest import Manifest
-    from kurbel.handbook.pool import About, Verified
+    from kurbel.handbook.pool import ListEntry, Verified
 
 
 def inlines(label: Label) -> prose.Inlines:
@@ -371,7 +371,7 @@ FRONT, BACK = ("notation", "symbols"), ("index", "colophon")
 OF_BOOKS = ("example", "collate")
 
 
-def with_matter(document: Document, manifest: Manifest, made: Mapping[str, About]) -> Document:
+def with_matter(document: Document, manifest: Manifest, made: Mapping[str, ListEntry]) -> Document:
     """Return the document with its matter; `made` has what is to know of tables and figures by name."""
     of = _Matter(document, manifest, made)
     return document._replace(chapters=(*of.chapters_of(FRONT), *document.chapters, *of.chapters_of(BACK)))
@@ -380,7 +380,7 @@ def with_matter(document: Document, manifest: Manifest, made: Mapping[str, About
 class _Matter:
     """Makes what stands before and behind the chapters of a document."""
 
-    def __init__(self, document: Document, manifest: Manifest, made: Mapping[str, About]) -> None:
+    def __init__(self, document: Document, manifest: Manifest, made: Mapping[str, ListEntry]) -> None:
         self.document = document
         self.manifest = manifest
         self.lang = document.lang

@@ -19,7 +19,7 @@ from kurbel.exact.numerals import DECIMALS
 from kurbel.formats.registry import FORMATS, compiled_format
 from kurbel.page.labels import Mark, parse
 from kurbel.page.layouts import LANGUAGES
-from kurbel.reading.toml_file import A_TEXT, Choice, Fault, about, within
+from kurbel.reading.toml_file import A_TEXT, Fault, TextChoice, about, within
 
 SCHEMA = "handbook.schema.json"
 COMPILED = compiled_format()
@@ -42,22 +42,22 @@ FORMATS_OF_A_HANDBOOK = sorted(
 )
 
 
-class Lang(Choice, what="language", allowed=LANGUAGES):
+class Lang(TextChoice, what="language", allowed=LANGUAGES):
     """A language of a handbook or of a part of it."""
 
 
-class Decimal(Choice, what="decimal mark", allowed=DECIMALS):
+class Decimal(TextChoice, what="decimal mark", allowed=DECIMALS):
     """A decimal mark."""
 
 
 class Choices(tuple[str, ...]):
     """Texts that must be some of a few."""
 
-    one: ClassVar[type[Choice]]
+    one: ClassVar[type[TextChoice]]
     SCHEMA: ClassVar[Mapping[str, object]]
 
     def __init_subclass__(cls, what: str, allowed: Iterable[str]) -> None:
-        cls.one = type(what, (Choice,), {}, what=what, allowed=allowed)
+        cls.one = type(what, (TextChoice,), {}, what=what, allowed=allowed)
         cls.SCHEMA = {"type": "array", "items": cls.one.SCHEMA}
 
     @classmethod
@@ -76,7 +76,7 @@ class Standards(Choices, what="standard", allowed=COMPILED.standards):
     """What a PDF keeps."""
 
 
-class Shows(Choice, what="part of problems", allowed=("both", "problems", "solutions")):
+class ProblemContent(TextChoice, what="part of problems", allowed=("both", "problems", "solutions")):
     """What is printed of problems."""
 
 
@@ -122,13 +122,13 @@ class Heading(str):
         return cls(given)
 
 
-class Inside(str):
+class InnerPath(str):
     """A path to something in the manifest's folder."""
 
     SCHEMA: ClassVar[Mapping[str, object]] = {"type": "string"}
 
     @classmethod
-    def read(cls, given: object, name: str) -> Inside:
+    def read(cls, given: object, name: str) -> InnerPath:
         if not isinstance(given, str):
             raise Fault(A_TEXT)
         parts = given.replace("\\", "/").split("/")
@@ -159,9 +159,13 @@ class PartKeys(Struct, frozen=True, forbid_unknown_fields=True):
         about('a command that prints a table or draws: "table --ratio 1:5", "table --ratio 1:5 -f drawing"'),
     ] = None
     text: Annotated[str | None, about("a text in Markdown")] = None
-    file: Annotated[Inside | None, about("a file with a text in Markdown")] = None
-    problems: Annotated[Inside | None, about("a file of problems, with the commands that answer them")] = None
-    shows: Annotated[Shows | None, about("of problems: both, problems or solutions; default: both")] = None
+    file: Annotated[InnerPath | None, about("a file with a text in Markdown")] = None
+    problems: Annotated[InnerPath | None, about("a file of problems, with the commands that answer them")] = (
+        None
+    )
+    shows: Annotated[
+        ProblemContent | None, about("of problems: both, problems or solutions; default: both")
+    ] = None
     variant: Annotated[
         Annotated[int, within(1, 1000)] | None, about("of problems: which of their variants; default: 1")
     ] = None
@@ -219,12 +223,14 @@ class HandbookKeys(Struct, frozen=True, forbid_unknown_fields=True):
         about("compute the numbers of all tables a second time, as kurbel verify does; see the colophon"),
     ] = False
     formats: Annotated[Formats, about("what is built")] = Formats(FORMATS_OF_A_HANDBOOK)
-    output: Annotated[Inside, about("folder for what is built, inside of the manifest's folder")] = Inside(
-        "pages"
+    output: Annotated[InnerPath, about("folder for what is built, inside of the manifest's folder")] = (
+        InnerPath("pages")
     )
-    machine: Annotated[Inside | None, about("machine's file, for every command that takes --machine")] = None
-    templates: Annotated[Inside | None, about("folder with templates of one's own")] = None
-    layouts: Annotated[Inside | None, about("folder with layouts of one's own")] = None
+    machine: Annotated[InnerPath | None, about("machine's file, for every command that takes --machine")] = (
+        None
+    )
+    templates: Annotated[InnerPath | None, about("folder with templates of one's own")] = None
+    layouts: Annotated[InnerPath | None, about("folder with layouts of one's own")] = None
     pdf: Annotated[PdfKeys, about("how the PDF is made")] = PdfKeys()
     defaults: Defaults = {}
     chapter: Annotated[tuple[ChapterKeys, ...], about("chapters")] = ()

@@ -19,7 +19,7 @@ from kurbel.exact.numerals import Label
 from kurbel.formats.registry import FORMATS, DocumentFormat, PageFormat, WorkbookFormat
 from kurbel.formats.render import as_one_page
 from kurbel.formats.sheet import (
-    Look,
+    CellLook,
     Picture,
     Sheet,
     SheetCell,
@@ -34,7 +34,7 @@ from kurbel.handbook.folder import LARGEST, SHEETS
 from kurbel.handbook.manifest import ChapterPlan, Manifest, Part
 from kurbel.handbook.matter import with_matter
 from kurbel.handbook.model import COMPILED
-from kurbel.handbook.pool import PDF_PATIENCE, About, Made
+from kurbel.handbook.pool import PDF_PATIENCE, BuiltFiles, ListEntry
 from kurbel.page.labels import plain, primed, set_label
 from kurbel.reading.given import HANDBOOK, File
 from kurbel.reading.names import did_you_mean
@@ -52,7 +52,7 @@ class Failure(NamedTuple):
     sentence: str
 
 
-def document_of(manifest: Manifest, made: Mapping[str, About], failures: list[Failure]) -> Document:
+def document_of(manifest: Manifest, made: Mapping[str, ListEntry], failures: list[Failure]) -> Document:
     """Return the document with its tables and figures numbered; `made` has what is to know of them by name.
 
     A text that cannot be set is one failure more. What failed stands in the document as a text that nobody
@@ -70,7 +70,7 @@ def document_of(manifest: Manifest, made: Mapping[str, About], failures: list[Fa
 class _Items:
     """Makes the items of the chapters from their parts."""
 
-    def __init__(self, manifest: Manifest, made: Mapping[str, About], failures: list[Failure]) -> None:
+    def __init__(self, manifest: Manifest, made: Mapping[str, ListEntry], failures: list[Failure]) -> None:
         self.folder = manifest.folder
         self.outside = manifest.outside
         self.matter = manifest.matter
@@ -165,27 +165,29 @@ def fragment_paths(document: Document, name: str) -> dict[str, str]:
 
 def make_document(
     document: Document, format: str, fragments: Mapping[str, bytes], templates: str | None
-) -> Made:
+) -> BuiltFiles:
     """Return the files of the document in a format, of the fragments by their names."""
     form = FORMATS[format]
     if isinstance(form, WorkbookFormat):
-        return Made(
+        return BuiltFiles(
             {f"handbook{form.suffixes[0]}": form.writer.written(document_workbook(document, fragments))}
         )
     from kurbel.formats.documents import document_files
 
     if isinstance(form, DocumentFormat):
         with as_one_page(templates):
-            return Made({f"handbook{form.suffixes[0]}": form.writer.whole(document, fragments, templates)})
+            return BuiltFiles(
+                {f"handbook{form.suffixes[0]}": form.writer.whole(document, fragments, templates)}
+            )
 
     # Drawings in PDF are files beside the document and no text.
     texts = {name: content.decode("utf-8", "replace") for name, content in fragments.items()}
     with as_one_page(templates):
         files = document_files(document, format, texts, templates)
-    return Made({path: text.encode() for path, text in files.items()})
+    return BuiltFiles({path: text.encode() for path, text in files.items()})
 
 
-def make_pdf(folder: str, standards: tuple[str, ...], limited: bool) -> Made:
+def make_pdf(folder: str, standards: tuple[str, ...], limited: bool) -> BuiltFiles:
     """Return the PDF of the documents in a folder.
 
     It is `limited` where templates may have written its source, which is then not trusted.
@@ -195,7 +197,7 @@ def make_pdf(folder: str, standards: tuple[str, ...], limited: bool) -> Made:
         return _text_of(os.path.join(folder, name), LARGEST)
 
     with deadline(PDF_PATIENCE, None) if limited else nullcontext():
-        return Made({f"handbook.{COMPILED.name}": COMPILED.writer.whole(folder, standards, read)})
+        return BuiltFiles({f"handbook.{COMPILED.name}": COMPILED.writer.whole(folder, standards, read)})
 
 
 # What a sheet is called before its number and its name.
@@ -230,7 +232,7 @@ def document_workbook(document: Document, fragments: Mapping[str, bytes]) -> Wor
         names[item.name] = name
         made = _table if item.kind == "table" else _drawing
         sheet = made(document, item, name, fragments[item.name])
-        back = SheetCell(sheet.rows + 1, 0, contents, Look("entry"), link=contents)
+        back = SheetCell(sheet.rows + 1, 0, contents, CellLook("entry"), link=contents)
         sheets.append(sheet._replace(cells=(*sheet.cells, back)))
     first = _contents(document, contents, names)
     title, author = (plain(one, document.mark()) for one in (document.title, document.author))
@@ -252,11 +254,11 @@ def _drawing(document: Document, item: Item, name: str, content: bytes) -> Sheet
     caption = _said(document, item.caption, item.lang)
     text = f"{document.title_of(item, item.lang)}: {caption}"
     across, widths = 8, (10.0,) * 8
-    cell = SheetCell(0, 0, checked_text(text), Look("caption"), across)
+    cell = SheetCell(0, 0, checked_text(text), CellLook("caption"), across)
     picture = Picture(2, content, *_size(content), plain(item.caption, document.mark(item.lang)))
     rows = int(picture.height / LINE) + 3
     heights = {0: _height(text, widths, across)}
-    return Sheet(name, (cell, SheetCell(rows, 0, None, Look())), widths, heights, pictures=(picture,))
+    return Sheet(name, (cell, SheetCell(rows, 0, None, CellLook())), widths, heights, pictures=(picture,))
 
 
 def _height(text: str, widths: Sequence[float], across: int) -> float:
@@ -277,7 +279,9 @@ def _contents(document: Document, name: str, names: Mapping[str, str]) -> Sheet:
     widths = (NUMBERS, CAPTIONS)
     heads = [label for label in (document.title, document.subtitle, document.author) if label]
     texts = [checked_text(_said(document, label)) for label in heads]
-    cells = [SheetCell(row, 0, text, Look("note" if row else "caption"), 2) for row, text in enumerate(texts)]
+    cells = [
+        SheetCell(row, 0, text, CellLook("note" if row else "caption"), 2) for row, text in enumerate(texts)
+    ]
     heights = {
         row: height_of_prose(text, widths, 2, 1.0, LINE) if row else _height(text, widths, 2)
         for row, text in enumerate(texts)
@@ -289,12 +293,12 @@ def _contents(document: Document, name: str, names: Mapping[str, str]) -> Sheet:
             title = _said(document, chapter.title, chapter.lang)
             head = f"{chapter.number}  {title}" if chapter.number else title
             heights[row] = 2 * LINE
-            cells.append(SheetCell(row, 0, checked_text(head), Look("group"), 2))
+            cells.append(SheetCell(row, 0, checked_text(head), CellLook("group"), 2))
             row += 1
         for number, caption, target in lines:
             heights[row] = height_of_prose(caption, widths[1:], 1, 1.0, LINE)
-            cells.append(SheetCell(row, 0, number, Look("entry", wraps=True), link=target))
-            cells.append(SheetCell(row, 1, caption, Look("body", wraps=True)))
+            cells.append(SheetCell(row, 0, number, CellLook("entry", wraps=True), link=target))
+            cells.append(SheetCell(row, 1, caption, CellLook("body", wraps=True)))
             row += 1
     return Sheet(name, tuple(cells), widths, heights)
 

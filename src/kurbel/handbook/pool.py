@@ -66,7 +66,7 @@ class Verified(NamedTuple):
     cells: int
 
 
-class About(NamedTuple):
+class ListEntry(NamedTuple):
     """What documents say of a table or a figure; `letters` and `source` are for their lists, `rounding` is
     that of its numbers, and `verified` what a second computation says of them."""
 
@@ -79,7 +79,7 @@ class About(NamedTuple):
     verified: Verified | None = None
 
 
-class Made(NamedTuple):
+class BuiltFiles(NamedTuple):
     """What a part or a document became: its files by their paths in the output folder.
 
     `inputs` are the files that it was made of.
@@ -87,10 +87,10 @@ class Made(NamedTuple):
 
     files: Mapping[str, bytes]
     inputs: tuple[str, ...] = ()
-    about: About | None = None
+    about: ListEntry | None = None
 
 
-class Piece(NamedTuple):
+class WorkPiece(NamedTuple):
     """A piece of the work: a part, in its line of the manifest, or a document.
 
     `key` tells what it is made of; `make`, which goes to other processes, raises KurbelError if it cannot.
@@ -100,7 +100,7 @@ class Piece(NamedTuple):
 
     name: str
     key: str
-    make: Callable[[], Made]
+    make: Callable[[], BuiltFiles]
     owner: Any
     line: int = 0
     apart: bool = False
@@ -108,8 +108,8 @@ class Piece(NamedTuple):
 
 
 # Works pieces by so many processes.
-Answer = tuple[Piece, Made | str]
-Worked = Callable[[Iterable[Piece], int], Iterator[Answer]]
+Answer = tuple[WorkPiece, BuiltFiles | str]
+Worked = Callable[[Iterable[WorkPiece], int], Iterator[Answer]]
 
 
 def by_whom(scheduler: str | None) -> Worked:
@@ -117,7 +117,7 @@ def by_whom(scheduler: str | None) -> Worked:
     return worked if scheduler is None else partial(worked_by, scheduler)
 
 
-def worked(pieces: Iterable[Piece], jobs: int) -> Iterator[Answer]:
+def worked(pieces: Iterable[WorkPiece], jobs: int) -> Iterator[Answer]:
     """Yield each piece with what it became, or a sentence why it became nothing, as they are done."""
     pieces = [*pieces]
     by_themselves = any(piece.apart for piece in pieces) or (jobs > 1 and len(pieces) >= WORTH_A_PROCESS)
@@ -128,17 +128,17 @@ def worked(pieces: Iterable[Piece], jobs: int) -> Iterator[Answer]:
             yield piece, tried(piece.make)
 
 
-class Makes:
+class PieceMaker:
     """What makes pieces, by their numbers; it goes to other processes."""
 
-    def __init__(self, pieces: Iterable[Piece]) -> None:
+    def __init__(self, pieces: Iterable[WorkPiece]) -> None:
         self.makes = [piece.make for piece in pieces]
 
-    def __call__(self, number: int) -> Made | str:
+    def __call__(self, number: int) -> BuiltFiles | str:
         return tried(self.makes[number])
 
 
-def tried(make: Callable[[], Made]) -> Made | str:
+def tried(make: Callable[[], BuiltFiles]) -> BuiltFiles | str:
     """Return what is made, or why nothing is."""
     try:
         return make()
@@ -155,7 +155,7 @@ def tried(make: Callable[[], Made]) -> Made | str:
         return f"{said} ({os.path.basename(place)}, line {line}), {FAULT}"
 
 
-def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[Answer]:
+def _worked_apart(pieces: Sequence[WorkPiece], jobs: int) -> Iterator[Answer]:
     # Later than most imports: a handbook without changes needs no processes.
     from kurbel.sweeps.hands import Processes
 
@@ -163,7 +163,7 @@ def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[Answer]:
         return pieces[number].killed
 
     # One at a time to each, or it could not be told which of them ended its process.
-    hands = Processes(Makes(pieces), min(jobs, len(pieces)), ahead=1, tries=TRIES, ended=killed)
+    hands = Processes(PieceMaker(pieces), min(jobs, len(pieces)), ahead=1, tries=TRIES, ended=killed)
     left, count = dict(enumerate(pieces)), 0
     with closing(taken(hands, len(pieces))) as done:
         for number, made in done:
@@ -180,36 +180,36 @@ def _worked_apart(pieces: Sequence[Piece], jobs: int) -> Iterator[Answer]:
 OF_PAGES = ("jinja2", "markdown-it-py", "tabulate", "matplotlib", "xlsxwriter")
 
 
-class Elsewhere(NamedTuple):
+class WorkerResult(NamedTuple):
     """What a worker made, or why it could not, and what the files it was made of are there."""
 
-    made: Made | str
+    made: BuiltFiles | str
     inputs: tuple[str, ...] = ()
 
 
 class Parts:
     """The parts by their numbers; it goes to the workers."""
 
-    def __init__(self, pieces: Iterable[Piece]) -> None:
+    def __init__(self, pieces: Iterable[WorkPiece]) -> None:
         self.makes = [_absolute(piece) for piece in pieces]
 
-    def __call__(self, number: int) -> Elsewhere:
+    def __call__(self, number: int) -> WorkerResult:
         make = self.makes[number]
         # The precision of balls is that of the process.
         with BALLS:
             made = tried(make)
-        return Elsewhere(made, () if isinstance(made, str) else _inputs(make, made))
+        return WorkerResult(made, () if isinstance(made, str) else _inputs(make, made))
 
 
-def worked_by(scheduler: str, pieces: Iterable[Piece], jobs: int) -> Iterator[Answer]:
+def worked_by(scheduler: str, pieces: Iterable[WorkPiece], jobs: int) -> Iterator[Answer]:
     """Yield each piece with what it became, or a sentence why it became nothing, as they are done.
 
     Raises KurbelError where the cluster cannot be used.
     """
     from kurbel.sweeps.cluster import Cluster
 
-    here: list[Piece] = []
-    there: list[Piece] = []
+    here: list[WorkPiece] = []
+    there: list[WorkPiece] = []
     for piece in pieces:
         (here if _has_own_pages(piece) else there).append(piece)
     if there:
@@ -224,20 +224,20 @@ def worked_by(scheduler: str, pieces: Iterable[Piece], jobs: int) -> Iterator[An
     yield from worked(here, jobs)
 
 
-def _has_own_pages(piece: Piece) -> bool:
+def _has_own_pages(piece: WorkPiece) -> bool:
     make: Any = piece.make
     task: Task = make.args[0]
     options = task.part.options
     return bool(task.templates or options.get("layouts") or options.get("constructions"))
 
 
-def _absolute(piece: Piece) -> partial[Made]:
+def _absolute(piece: WorkPiece) -> partial[BuiltFiles]:
     """Return what makes a part, of files in the same folder wherever it is made."""
     make: Any = piece.make
     task: Task = make.args[0]
     return partial(make.func, task._replace(folder=os.path.abspath(task.folder)))
 
 
-def _inputs(make: partial[Made], made: Made) -> tuple[str, ...]:
+def _inputs(make: partial[BuiltFiles], made: BuiltFiles) -> tuple[str, ...]:
     folder = make.args[0].folder
     return tuple(content_of(os.path.join(folder, path)) for path in made.inputs)

@@ -41,19 +41,21 @@ from kurbel.kernel import kinematics, steam
 from kurbel.kernel.circle import Circle, Kind, Numeric, cosine_of, root
 
 
-class Slant(NamedTuple, Generic[Kind]):
+class RodDirection(NamedTuple, Generic[Kind]):
     """sin ψ and cos ψ of the rod angle ψ, of one kind of number."""
 
     sine: Kind
     cosine: Kind
 
 
-def rod_slant(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None) -> Slant[Numeric]:
+def rod_slant(
+    circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None
+) -> RodDirection[Numeric]:
     """Return the direction of the rod, ψ positive as in `kinematics.rod_sine`."""
     if offset is None:
-        return Slant(ratio * circle.sine, kinematics.rod_cosine(circle, ratio))
+        return RodDirection(ratio * circle.sine, kinematics.rod_cosine(circle, ratio))
     sine = kinematics.rod_sine(circle, ratio, offset)
-    return Slant(sine, cosine_of(sine))
+    return RodDirection(sine, cosine_of(sine))
 
 
 def rod_force(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None) -> Numeric:

@@ -225,7 +225,7 @@ Side: TypeAlias = Law | Cubics
 """What the pressure in one end of a cylinder is."""
 
 
-class Between(NamedTuple):
+class BothSides(NamedTuple):
     """A stroke of the piston between two ends of a cylinder: the law behind it less the law before it."""
 
     behind: Side

@@ -62,7 +62,7 @@ def _numba() -> Any:
 
 
 @lru_cache(maxsize=256)
-def compiled(text: Written) -> Callable[..., None]:
+def compiled(text: LoopSource) -> Callable[..., None]:
     """Return the loop as machine code, from numba's cache on disk if it is there."""
     numba = _numba()
     read, filled = (numba.types.Array(numba.float64, 1, "C", readonly=one) for one in (True, False))
@@ -77,7 +77,7 @@ def compiled(text: Written) -> Callable[..., None]:
     return found
 
 
-def _function(text: Written) -> FunctionType:
+def _function(text: LoopSource) -> FunctionType:
     import numpy as np
 
     # numba caches by file and name: this file stands for the lines, and the name has all of them in it.
@@ -92,7 +92,7 @@ def _function(text: Written) -> FunctionType:
     return function
 
 
-class Written(NamedTuple):
+class LoopSource(NamedTuple):
     """A loop as text: its name, its lines, how many arrays it reads and fills, and the floats it is given."""
 
     name: str
@@ -102,7 +102,7 @@ class Written(NamedTuple):
     constants: tuple[float, ...]
 
 
-def written(functions: Sequence[Callable[..., Any]], others: int = 0) -> Written:
+def written(functions: Sequence[Callable[..., Any]], others: int = 0) -> LoopSource:
     """Return the loop that fills an array with each function of a crank angle's circle and so many others.
 
     The function of the loop takes the constants, the arrays of angles in degrees and of the others, and the
@@ -115,7 +115,7 @@ def written(functions: Sequence[Callable[..., Any]], others: int = 0) -> Written
     return _loop(tape, len(inputs), [function(point, *inputs[1:]) for function in functions])
 
 
-def written_formula(formula: Callable[..., Sequence[Any]], reads: int) -> Written:
+def written_formula(formula: Callable[..., Sequence[Any]], reads: int) -> LoopSource:
     """Return the loop that fills an array with each result of a formula of so many numbers.
 
     Floats of the formula are numbers that never change. Raises UntraceableError.
@@ -125,7 +125,7 @@ def written_formula(formula: Callable[..., Sequence[Any]], reads: int) -> Writte
         return _loop(tape, reads, formula(*(tape.input(f"a{place}") for place in range(reads))))
 
 
-def _loop(tape: Tape, reads: int, results: Sequence[Any]) -> Written:
+def _loop(tape: Tape, reads: int, results: Sequence[Any]) -> LoopSource:
     inputs, found = [f"a{place}" for place in range(reads)], [tape.name(one) for one in results]
     rows = [f"row{place}" for place in range(len(found))]
     each = [f"{name} = of_{name}[i]" for name in inputs]
@@ -135,7 +135,7 @@ def _loop(tape: Tape, reads: int, results: Sequence[Any]) -> Written:
     lines = indent("\n".join(body), "    ")
     name = f"loop_{sha256(lines.encode()).hexdigest()[:24]}"
     arguments = ", ".join(["constants", *(f"of_{name}" for name in inputs), *rows])
-    return Written(name, f"def {name}({arguments}):\n{lines}\n", reads, len(rows), tuple(tape.constants))
+    return LoopSource(name, f"def {name}({arguments}):\n{lines}\n", reads, len(rows), tuple(tape.constants))
 
 
 def traceable(function: Callable[..., Any], others: int = 0) -> bool:

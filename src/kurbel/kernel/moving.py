@@ -22,7 +22,7 @@ from typing import Any, Generic, NamedTuple
 
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle, Kind, Numeric
-from kurbel.kernel.forces import Slant, Weight, pin_torque, tangential_force
+from kurbel.kernel.forces import RodDirection, Weight, pin_torque, tangential_force
 
 
 class Masses(NamedTuple, Generic[Kind]):
@@ -135,7 +135,7 @@ class Accelerations(NamedTuple, Generic[Kind]):
         return tangential_force(circle, ratio, offset)
 
     def turning(
-        self, circle: Circle[Numeric], ratio: Numeric, slant: Slant[Numeric], offset: Numeric | None
+        self, circle: Circle[Numeric], ratio: Numeric, slant: RodDirection[Numeric], offset: Numeric | None
     ) -> Numeric:
         """Return -L ψ̈, that of the crank-pin end about the other, square to the rod."""
         if self.first_order:
@@ -145,7 +145,7 @@ class Accelerations(NamedTuple, Generic[Kind]):
             turn = circle.cosine / slant.cosine
         return found if self.gain is None else found - self.gain * turn
 
-    def stretching(self, circle: Circle[Numeric], ratio: Numeric, slant: Slant[Numeric]) -> Numeric:
+    def stretching(self, circle: Circle[Numeric], ratio: Numeric, slant: RodDirection[Numeric]) -> Numeric:
         """Return L ψ̇², along the rod."""
         pull = circle.cosine if self.first_order else circle.cosine / slant.cosine
         return ratio * (pull * pull)

@@ -44,7 +44,7 @@ from dataclasses import dataclass
 from typing import Generic, NamedTuple
 
 from kurbel.kernel.circle import Circle, Kind, Numeric
-from kurbel.kernel.forces import Slant, rod_slant, tangential_force
+from kurbel.kernel.forces import RodDirection, rod_slant, tangential_force
 from kurbel.kernel.kinematics import offset_acceleration, piston_acceleration, rod_turning
 from kurbel.kernel.linkage import Arc, Place
 from kurbel.kernel.moving import EVEN, Accelerations, Masses
@@ -67,7 +67,7 @@ class Vector(NamedTuple, Generic[Kind]):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Parted:
+class AccelerationParts:
     """The rod at a crank angle, its acceleration in parts.
 
     `pin` is p₁ and `common` p₂; `turning` and `stretching` are p₄ and p₅. `slant` has the direction of the
@@ -79,7 +79,7 @@ class Parted:
     common: Vector[Numeric]
     turning: Numeric
     stretching: Numeric
-    slant: Slant[Numeric]
+    slant: RodDirection[Numeric]
     crank: Vector[Numeric]
     masses: Masses[Numeric]
     way: Vector[Numeric] | None = None
@@ -175,10 +175,10 @@ def parted(
     masses: Masses[Numeric],
     offset: Numeric | None = None,
     by: Accelerations[Numeric] = EVEN,
-) -> Parted:
+) -> AccelerationParts:
     """Return the rod of the straight or offset crank, its acceleration in parts."""
     common, turning, stretching = parts_of(circle, ratio, offset, by)
-    return Parted(
+    return AccelerationParts(
         Vector(by.pin_along(circle), by.pin_across(circle)),
         Vector(common, 0 * common),
         turning,
@@ -191,7 +191,7 @@ def parted(
 
 def parted_rocker(
     circle: Circle[Numeric], place: Place[Numeric], arc: Arc[Numeric], masses: Masses[Numeric]
-) -> Parted:
+) -> AccelerationParts:
     """Return the rod that moves a rocker, of which B is the end; the rocker is the guide.
 
     Along the slide and across it are as at the crank, not along the arc. The acceleration of B has a part
@@ -201,12 +201,12 @@ def parted_rocker(
     sine, cosine = loaded.lean
     along, draught = loaded.acceleration, loaded.draught
     pull = arc.ratio * (place.cosine / place.slant_cosine) ** 2
-    return Parted(
+    return AccelerationParts(
         Vector(circle.cosine, circle.sine),
         Vector(along * cosine + draught * sine, along * sine - draught * cosine),
         loaded.swing,
         pull + 0,
-        Slant(
+        RodDirection(
             place.slant * cosine - place.slant_cosine * sine,
             place.slant_cosine * cosine + place.slant * sine,
         ),

@@ -8,7 +8,7 @@ two masses exactly; a rod between its pins has k² < a b. For another rod these 
 couple M (k² - a b) ψ̈ and by nothing else: all forces along the slide stay as they are, for the guide, which
 holds the couple, makes forces across it only.
 
-A `Loaded` drive has the `Circle` of the crank angle, the ratio λ = R/L, the masses and, for an offset crank,
+A `LoadedCrank` has the `Circle` of the crank angle, the ratio λ = R/L, the masses and, for an offset crank,
 η = e/R (None is the straight crank); its forces are numbers of the circle's kind: floats, arrays, balls or
 separation bounds. Accelerations are in units of R ω². With masses in units of the rod's M, forces are in
 M R ω², torques in M R² ω². The crank turns evenly and accelerations are exact unless they come `by` others,
@@ -34,7 +34,7 @@ from typing import Any, Generic, NamedTuple, Self
 
 from kurbel.kernel import kinematics, moving
 from kurbel.kernel.circle import Circle, Kind, Numeric, root
-from kurbel.kernel.forces import Slant, Weight, pin_torque, rod_slant, tangential_force
+from kurbel.kernel.forces import RodDirection, Weight, pin_torque, rod_slant, tangential_force
 from kurbel.kernel.moving import EVEN, Accelerations, Link, Masses
 
 
@@ -65,7 +65,7 @@ def parts(
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Loaded:
+class LoadedCrank:
     """The crank drive at a crank angle: its masses, and the force F on the piston, positive against X.
 
     `masses` are those of the rod joined with the `reciprocating` one, which goes to and fro with the
@@ -91,7 +91,7 @@ class Loaded:
         return other
 
     @cached_property
-    def slant(self) -> Slant[Numeric]:
+    def slant(self) -> RodDirection[Numeric]:
         return rod_slant(self.circle, self.ratio, self.offset)
 
     @cached_property
@@ -246,7 +246,7 @@ def kinetic_energy(
 def torque_slope(
     circle: Circle[Numeric], ratio: Numeric, masses: Masses[Numeric], offset: Numeric | None = None
 ) -> Numeric:
-    """Return the change of `Loaded.torque` without F with the angle in radians. Re-derived."""
+    """Return the change of `LoadedCrank.torque` without F with the angle in radians. Re-derived."""
     sine, cosine = circle.sine, circle.cosine
     if offset is not None:
         slant = rod_slant(circle, ratio, offset)

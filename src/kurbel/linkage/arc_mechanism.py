@@ -9,7 +9,7 @@ from fractions import Fraction
 from functools import partial
 from typing import Any, ClassVar
 
-from kurbel.drive.crank import Crank, Described, radii
+from kurbel.drive.crank import Crank, DescribedDrive, radii
 from kurbel.drive.load import CARD, COMPRESSOR, FORCE, GAS, MASSES, PUMP, STEAM
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.kind import Kind
@@ -148,7 +148,7 @@ WORDS: Mapping[str, Words] = {
 
 
 @dataclass(frozen=True)
-class Speech:
+class MechanismWords:
     """What pages say of a crank that moves a rocker: by these words, and how its lengths are printed.
     `further` are the keys of lines that pages of its motion have at their end."""
 
@@ -278,7 +278,7 @@ def printed(value: Callable[[Kind], Numeric], decimals: int) -> str:
     return digits_text(value, decimals)
 
 
-SPEECH = Speech(WORDS, _lengths)
+SPEECH = MechanismWords(WORDS, _lengths)
 
 
 SUBJECT = linkage_subject(
@@ -300,10 +300,10 @@ class RockerMechanism(LinkageMechanism):
     drawing = "kurbel.plot.drawings:arc_drawing"
     moving = "kurbel.plot.moving:rocker_scene"
     rod = "kurbel.linkage.rocker:rod"
-    speech: ClassVar[Speech]
+    speech: ClassVar[MechanismWords]
     names: ClassVar[Mapping[str, str]]
 
-    def check_method(self, said: Described) -> None:
+    def check_method(self, said: DescribedDrive) -> None:
         """Raise ProblemError for a method other than the exact one."""
         if said.method not in (None, "exact"):
             raise ProblemError(
@@ -356,12 +356,12 @@ class Arc(RockerMechanism):
     speech = SPEECH
     names = NAMES
 
-    def lacking(self, said: Described) -> str:
+    def lacking(self, said: DescribedDrive) -> str:
         if said.rocker is not None:
             return ""
         return "the arc crank needs the length of its rocker; add --rocker, for example --rocker 6"
 
-    def drives(self, said: Described, ratios: Sequence[str]) -> tuple[ArcCrank, ...]:
+    def drives(self, said: DescribedDrive, ratios: Sequence[str]) -> tuple[ArcCrank, ...]:
         self.check_method(said)
         return tuple(_arc(said, crank) for crank in said._replace(offset=None).cranks(ratios))
 
@@ -372,7 +372,7 @@ class Arc(RockerMechanism):
         return arc_columns()
 
 
-def _arc(said: Described, crank: Crank) -> ArcCrank:
+def _arc(said: DescribedDrive, crank: Crank) -> ArcCrank:
     assert said.rocker is not None
     rocker, places = radii(said.rocker, "rocker", crank.radius), _pivot(said, crank.radius)
     if said.offset is not None:
@@ -383,7 +383,7 @@ def _arc(said: Described, crank: Crank) -> ArcCrank:
     return ArcCrank(crank, rocker, distance, height, circuit)
 
 
-def _pivot(said: Described, radius: Fraction | None) -> tuple[Fraction, Fraction] | tuple[()]:
+def _pivot(said: DescribedDrive, radius: Fraction | None) -> tuple[Fraction, Fraction] | tuple[()]:
     """D and H from "5;6" or a pair."""
     given = said.pivot
     if given is None:

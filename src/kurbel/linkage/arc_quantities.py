@@ -12,7 +12,7 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.kernel import linkage
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.parts import Parted, parted_rocker
+from kurbel.kernel.parts import AccelerationParts, parted_rocker
 from kurbel.kernel.rocker import LoadedRocker
 from kurbel.linkage.linkage import DECIMALS, LinkageRequest, force_entries, force_formula, linkage_subject
 from kurbel.linkage.rocker import STROKE, RockerCrank
@@ -227,7 +227,7 @@ def rocker_inertia_registry() -> Mapping[str, Quantity]:
     return {one.key: one for one in (*rod_entries(_kernel), *parts)}
 
 
-def _parted(at: At) -> Parted:
+def _parted(at: At) -> AccelerationParts:
     masses = known(at.drive.crank.rod).masses("exact", at.numbers.of)
     return parted_rocker(at.circle, at.place, at.arc, masses)
 

@@ -20,7 +20,7 @@ from typing import Any, ClassVar
 import flint
 from flint import arb
 
-from kurbel.drive.crank import LONGEST_ROD, Crank, Described, radii
+from kurbel.drive.crank import LONGEST_ROD, Crank, DescribedDrive, radii
 from kurbel.errors import ProblemError
 from kurbel.exact.course import Course
 from kurbel.exact.kind import Kind
@@ -31,7 +31,7 @@ from kurbel.kernel.circle import Numeric
 from kurbel.linkage.arc import ArcDrive, with_share
 from kurbel.linkage.arc_mechanism import NAMES as ARC_NAMES
 from kurbel.linkage.arc_mechanism import WORDS as ARC_WORDS
-from kurbel.linkage.arc_mechanism import RockerMechanism, Speech, named, printed
+from kurbel.linkage.arc_mechanism import MechanismWords, RockerMechanism, named, printed
 from kurbel.linkage.arc_quantities import OF_TURN, arc_registry
 from kurbel.linkage.beam_engine import BeamEngine, chord_square
 from kurbel.linkage.linkage import FORCES, linkage_subject
@@ -123,7 +123,7 @@ def _lengths(drive: BeamCrank) -> Mapping[str, Label | None]:
     return {"a": exact_text(drive.arm), "D": height, "H": printed(drive.distance, PLACES)}
 
 
-SPEECH = Speech(WORDS, _lengths, further=("piston", "swing"))
+SPEECH = MechanismWords(WORDS, _lengths, further=("piston", "swing"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -262,12 +262,12 @@ class Beam(RockerMechanism):
     speech = SPEECH
     names = NAMES
 
-    def lacking(self, said: Described) -> str:
+    def lacking(self, said: DescribedDrive) -> str:
         if said.beam is not None:
             return ""
         return "the beam engine needs the arm of its beam; add --beam, for example --beam 3"
 
-    def drives(self, said: Described, ratios: Sequence[str]) -> tuple[BeamCrank, ...]:
+    def drives(self, said: DescribedDrive, ratios: Sequence[str]) -> tuple[BeamCrank, ...]:
         self.check_method(said)
         assert said.beam is not None
         return tuple(

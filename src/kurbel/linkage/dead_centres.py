@@ -9,7 +9,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from kurbel.drive.at import turn_time
-from kurbel.drive.crank import Crank, Described
+from kurbel.drive.crank import Crank, DescribedDrive
 from kurbel.drive.load import figure
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
@@ -40,7 +40,7 @@ ROCKER = Need(lambda mechanism: mechanism in SWINGING)
 WORDS = texts("linkage")["dead_centres"]
 
 
-def drives_of(chosen: Mechanism, said: Described, ratios: Sequence[str]) -> tuple[Any, ...]:
+def drives_of(chosen: Mechanism, said: DescribedDrive, ratios: Sequence[str]) -> tuple[Any, ...]:
     """Return the drives that were described, with their speed.
 
     Raises ProblemError for a mechanism whose links have no dead centres.

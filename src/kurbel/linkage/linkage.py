@@ -35,7 +35,7 @@ from kurbel.page.subject import Subject, subject
 Point = tuple[float, float]
 
 
-class Stand(NamedTuple):
+class LinkagePosition(NamedTuple):
     """A drive at a crank angle, in units of R from the shaft: its links by their names, cranks called so, and
     the pins between them. `chains` are the same lines from joint to joint, `letters` those of links, each at
     a share of its length, `lengths` are from x to x along the line of shafts.
@@ -56,7 +56,7 @@ class Outline(NamedTuple):
     shafts: tuple[Point, ...]
     left: float
     right: float
-    stand: Callable[[Point], Stand]
+    stand: Callable[[Point], LinkagePosition]
     low: float = -1.0
     high: float = 1.0
     pivots: tuple[Point, ...] = ()

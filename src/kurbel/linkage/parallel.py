@@ -16,7 +16,7 @@ from functools import cache
 from typing import Any, NoReturn
 
 from kurbel.drive.at import At, known
-from kurbel.drive.crank import RODLESS, Crank, Described
+from kurbel.drive.crank import RODLESS, Crank, DescribedDrive
 from kurbel.drive.load import FORCE
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
@@ -28,10 +28,10 @@ from kurbel.linkage.linkage import (
     DECIMALS,
     Linkage,
     LinkageMechanism,
+    LinkagePosition,
     LinkageRequest,
     Outline,
     Point,
-    Stand,
     force_entries,
     force_formula,
     force_lines,
@@ -75,9 +75,9 @@ class ParallelCrank(Linkage):
         return Outline(TITLE, ((0, 0), (SHAFTS, 0)), -1, SHAFTS + 1, _stand)
 
 
-def _stand(pin: Point) -> Stand:
+def _stand(pin: Point) -> LinkagePosition:
     shaft, other, second = (0.0, 0.0), (SHAFTS, 0.0), (pin[0] + SHAFTS, pin[1])
-    return Stand(
+    return LinkagePosition(
         {"crank": (shaft, pin), "second_crank": (other, second), "rod": (pin, second)},
         (pin, second),
         ((shaft, pin, second, other),),
@@ -170,7 +170,7 @@ class Parallel(LinkageMechanism):
     heavy = False
     rod = "kurbel.linkage.parallel:rod_ends"
 
-    def drives(self, said: Described, ratios: Sequence[str]) -> tuple[ParallelCrank, ...]:
+    def drives(self, said: DescribedDrive, ratios: Sequence[str]) -> tuple[ParallelCrank, ...]:
         return (ParallelCrank(said.rodless),)
 
     def solved(self, drives: Sequence[Any], method: str | None) -> NoReturn:

@@ -9,7 +9,7 @@ from functools import cache, partial
 from typing import Any
 
 from kurbel.drive.at import At, angular_square, angular_velocity
-from kurbel.drive.crank import LONGEST_ROD, RODLESS, Crank, Described, radii
+from kurbel.drive.crank import LONGEST_ROD, RODLESS, Crank, DescribedDrive, radii
 from kurbel.drive.load import FORCE
 from kurbel.errors import ProblemError
 from kurbel.exact.course import Course
@@ -26,10 +26,10 @@ from kurbel.linkage.linkage import (
     Linkage,
     LinkageDrive,
     LinkageMechanism,
+    LinkagePosition,
     LinkageRequest,
     Outline,
     Point,
-    Stand,
     linkage_subject,
     plain_notes,
 )
@@ -176,7 +176,7 @@ class SlottedLever(Linkage):
         return Outline(TITLE, ((0, 0),), *sides, stand, min(low, -1.0), high, ((0.0, -pivot),))
 
 
-def _stand(pivot: float, arm: float, line: float, rod: float, pin: Point) -> Stand:
+def _stand(pivot: float, arm: float, line: float, rod: float, pin: Point) -> LinkagePosition:
     shaft, foot = (0.0, 0.0), (0.0, pivot)
     along, up = pin[0], pin[1] - pivot
     reach = (along * along + up * up) ** 0.5
@@ -193,7 +193,7 @@ def _stand(pivot: float, arm: float, line: float, rod: float, pin: Point) -> Sta
         ram = (end[0] + (way if rod > 0 else -way), line)
         links["rod"] = (end, ram)
         chains, pins, letters = (*chains, (end, ram)), (pin, end, ram), [*letters, ("rod", "$L$", 0.5)]
-    return Stand(links, pins, chains, tuple(letters))
+    return LinkagePosition(links, pins, chains, tuple(letters))
 
 
 # Lengths are in units of R; what letters stand for is printed once.
@@ -437,7 +437,7 @@ class Slotted(LinkageMechanism):
     takes = ("stroke", "rod", "speed", "offset", "rocker", "pivot", "circuit")
     motion = (("path", "path"), ("velocity", "velocity"), ("acceleration", "acceleration"))
 
-    def lacking(self, said: Described) -> str:
+    def lacking(self, said: DescribedDrive) -> str:
         if said.pivot is not None:
             return ""
         return "the slotted lever needs the place of its pivot; add --pivot, for example --pivot 2"
@@ -448,7 +448,7 @@ class Slotted(LinkageMechanism):
         known = [f"$D = {exact_text(drive.pivot)} R$", f"$B = {exact_text(drive.arm)} R$", f"$L = {rod}$"]
         return known if drive.rod is None else [*known, f"$h = {exact_text(drive.height)} R$"]
 
-    def drives(self, said: Described, ratios: Sequence[str]) -> tuple[SlottedLever, ...]:
+    def drives(self, said: DescribedDrive, ratios: Sequence[str]) -> tuple[SlottedLever, ...]:
         crank = said.rodless
 
         def length(name: str) -> Fraction | None:

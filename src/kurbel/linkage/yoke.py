@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from kurbel.drive.crank import RODLESS, Crank, Described
+from kurbel.drive.crank import RODLESS, Crank, DescribedDrive
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Circle, Numeric
@@ -22,9 +22,9 @@ from kurbel.linkage.linkage import (
     DECIMALS,
     Linkage,
     LinkageMechanism,
+    LinkagePosition,
     Outline,
     Point,
-    Stand,
     force_entries,
     force_formula,
     linkage_subject,
@@ -69,11 +69,11 @@ class Yoke(Linkage):
         return Outline(TITLE, ((0, 0),), -1, 1 + ROD, _stand)
 
 
-def _stand(pin: Point) -> Stand:
+def _stand(pin: Point) -> LinkagePosition:
     x, shaft = pin[0], (0.0, 0.0)
     slot, rod = ((x, -SLOT), (x, SLOT)), ((x, 0.0), (x + ROD, 0.0))
     links = {"crank": (shaft, pin), "slot": slot, "rod": rod}
-    return Stand(links, (pin,), ((shaft, pin), slot, rod), lengths=((1 + ROD, x + ROD, "$x$"),))
+    return LinkagePosition(links, (pin,), ((shaft, pin), slot, rod), lengths=((1 + ROD, x + ROD, "$x$"),))
 
 
 @cache
@@ -141,7 +141,7 @@ class ScotchYoke(LinkageMechanism):
         """Yield what was given of its lengths beside R: nothing."""
         yield from ()
 
-    def drives(self, said: Described, ratios: Sequence[str]) -> tuple[Yoke, ...]:
+    def drives(self, said: DescribedDrive, ratios: Sequence[str]) -> tuple[Yoke, ...]:
         return (Yoke(said.rodless),)
 
 

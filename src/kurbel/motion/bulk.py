@@ -21,7 +21,7 @@ from kurbel.reading.notation import Progression
 if TYPE_CHECKING:
     import numpy as np
 
-    from kurbel.exact.bulk import OfDegrees
+    from kurbel.exact.bulk import AngleColumn
 
 # Floats are worth their while as long as few of them are doubtful.
 DOUBTFUL_SHARE = 0.1
@@ -119,7 +119,7 @@ def columns_in_floats(
     values = evaluate(
         [on_floats(one, crank) for one, fit in zip(columns, rough, strict=True) if fit], degrees
     )
-    left, sharp = iter(values), Sharp(crank, angles, rounding)
+    left, sharp = iter(values), DoubtfulCells(crank, angles, rounding)
     return [
         sharp.settled(column, *_rounded(column, next(left), float_bound(column, crank, reach), rounding))
         if fit
@@ -136,7 +136,7 @@ def _rounded(column: Column, values: Any, bound: float, rounding: str) -> tuple[
     return scaled, doubtful.nonzero()[0]
 
 
-class Sharp:
+class DoubtfulCells:
     """Cells that floats do not settle: many of them in sums of two floats, what those leave in balls."""
 
     def __init__(self, crank: Crank, angles: Sequence[Fraction], rounding: str) -> None:
@@ -182,12 +182,12 @@ class Sharp:
         return known(digits)
 
 
-def on_floats(column: Column, crank: Crank) -> Callable[[Circle[Numeric]], Numeric] | OfDegrees:
+def on_floats(column: Column, crank: Crank) -> Callable[[Circle[Numeric]], Numeric] | AngleColumn:
     """Return the column as a function of the circle of floats or arrays, a time as one of the angle."""
     if Needs.TIME in column.quantity.needs:
-        from kurbel.exact.bulk import OfDegrees
+        from kurbel.exact.bulk import AngleColumn
 
-        return OfDegrees(
+        return AngleColumn(
             lambda degrees: value(column.quantity, column.method, crank, None, floats(), degrees)
         )
     return lambda circle: value(column.quantity, column.method, crank, circle, floats())

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from kurbel.motion.motion_page import AngleQuestion, Request
 
 
-class Formulated(Protocol):
+class FormulaContext(Protocol):
     """What formulas are printed for: cranks, on a page with its letters and its language."""
 
     @property
@@ -116,7 +116,7 @@ def direction_notes(question: AngleQuestion, columns: Sequence[Column]) -> Itera
         yield WORDS["outward"][question.lang]
 
 
-def formula_lines(page: Formulated, columns: Sequence[Column]) -> Iterator[Label]:
+def formula_lines(page: FormulaContext, columns: Sequence[Column]) -> Iterator[Label]:
     """Yield the formulas of the columns, each once, and what their signs mean."""
     finite = [crank for crank in page.cranks if crank.ratio]
     offset = any(crank.offset for crank in finite)
@@ -167,7 +167,7 @@ def _methods_of(method: str) -> tuple[str, ...]:
     return ("exact", "series") if method == DIFFERENCE else (method,)
 
 
-def signed(line: Label, page: Formulated, sign: str, rod_angle: bool) -> Label:
+def signed(line: Label, page: FormulaContext, sign: str, rod_angle: bool) -> Label:
     # A rod angle with a sign of its own needs none in the formulas that have it.
     signed = f"{sign} " if sign != "+" else ""
     parts = {

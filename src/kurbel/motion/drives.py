@@ -27,7 +27,7 @@ from kurbel.exact.search import Jet, ball_jets, between, jets, slopes
 from kurbel.exact.terms import vanishes
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle, Numeric
-from kurbel.motion.captions import Formulated, formula_lines
+from kurbel.motion.captions import FormulaContext, formula_lines
 from kurbel.motion.evaluation import LOADED, OUT, Needs, certified, is_known, is_transcendental, typed, value
 from kurbel.motion.motion_quantities import registry
 from kurbel.motion.notes import drive_notes
@@ -174,7 +174,7 @@ class Drive(ABC):
         begin, end = (Place(angle, self.centre, jet.value.norm()) for angle in angles)
         return begin, end
 
-    def formula_lines(self, question: Formulated, columns: Sequence[Column]) -> Iterator[Label]:
+    def formula_lines(self, question: FormulaContext, columns: Sequence[Column]) -> Iterator[Label]:
         """Yield the formulas that stand before what was found."""
         return iter(())
 
@@ -351,10 +351,10 @@ class SlideDrive(Drive):
         angles = (lambda: angle(stroke, balls()) / 180, lambda: 1 + angle(-stroke, balls()) / 180)
         return self.rests(self.asked("c", stroke), angles)
 
-    def formula_lines(self, question: Formulated, columns: Sequence[Column]) -> Iterator[Label]:
+    def formula_lines(self, question: FormulaContext, columns: Sequence[Column]) -> Iterator[Label]:
         return formula_lines(question, columns)
 
-    def closing_lines(self, question: Formulated) -> Iterable[Label]:
+    def closing_lines(self, question: FormulaContext) -> Iterable[Label]:
         return drive_notes(question.cranks, question.lang)
 
 

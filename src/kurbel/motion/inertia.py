@@ -14,7 +14,7 @@ from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.moving import Masses
-from kurbel.kernel.rod import Loaded, magnitude
+from kurbel.kernel.rod import LoadedCrank, magnitude
 from kurbel.motion.entries import OF_ROD
 from kurbel.motion.evaluation import OFFSET, ROD_MODELS, Needs
 from kurbel.motion.rod_accelerations import acceleration_entries
@@ -57,7 +57,7 @@ class RodForce(NamedTuple):
         return numbers.of(known(known(crank.rod).mass) * arm) * crank.pin_acceleration(numbers)
 
 
-def _pin_square(loaded: Loaded) -> Numeric:
+def _pin_square(loaded: LoadedCrank) -> Numeric:
     along, across = loaded.pin_force_along(), loaded.pin_force_across()
     return along * along + across * across
 
@@ -124,12 +124,12 @@ ROD_COUPLES: Mapping[str, RodForce] = {
 }  # fmt: skip
 
 
-def _resultant(loaded: Loaded) -> Numeric:
+def _resultant(loaded: LoadedCrank) -> Numeric:
     """Return the magnitude of M a_S, that of all forces of the pins and the guide on the rod."""
     return magnitude(loaded.pin_force_along(), loaded.pin_force_across() + loaded.guide_force())
 
 
-def _arm(loaded: Loaded) -> Any:
+def _arm(loaded: LoadedCrank) -> Any:
     """Return how far the line of the inertia force passes by the centre of mass, in L."""
     return abs(_couple(loaded)) / _resultant(loaded)
 
@@ -167,7 +167,7 @@ def inertia_registry() -> Mapping[str, Quantity]:
 def _of_slide(force: RodForce, model: str) -> Callable[[At], Numeric]:
     def kernel(at: At) -> Numeric:
         masses = known(at.crank.rod).masses(model, at.numbers.of)
-        return force.formula(Loaded(at.circle, at.ratio, masses, at.offset, by=at.by))
+        return force.formula(LoadedCrank(at.circle, at.ratio, masses, at.offset, by=at.by))
 
     return kernel
 

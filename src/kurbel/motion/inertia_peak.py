@@ -35,7 +35,7 @@ from kurbel.exact.separation import Separation, circle_separation
 from kurbel.exact.terms import algebraic
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.moving import Masses
-from kurbel.kernel.rod import Loaded
+from kurbel.kernel.rod import LoadedCrank
 from kurbel.motion.inertia import RodForce
 
 CONTENDING_BITS = 256
@@ -135,7 +135,7 @@ class Peak:
             masses = self._balls[precision] = Masses(*map(ball, map(Fraction, self.masses)))
         return formula(self._moving(circle, half_turns, precision).bearing(masses))
 
-    def _moving(self, circle: Callable[[Any], Circle[Any]], half_turns: Any, precision: int) -> Loaded:
+    def _moving(self, circle: Callable[[Any], Circle[Any]], half_turns: Any, precision: int) -> LoadedCrank:
         """Return the crank at a place, as all forces of the rod and the masses for it ask for it."""
         exact = isinstance(half_turns, Fraction)
         place = half_turns if exact else (half_turns.mid().man_exp(), half_turns.rad().man_exp())
@@ -221,15 +221,15 @@ class Peak:
 
 
 @lru_cache(maxsize=16)
-def _places(crank: Crank) -> dict[tuple[object, ...], Loaded]:
+def _places(crank: Crank) -> dict[tuple[object, ...], LoadedCrank]:
     """Return what is known of the crank's motion, for all forces of its rod."""
     return {}
 
 
-def _loaded(crank: Crank, circle: Circle[Any], of: Any) -> Loaded:
+def _loaded(crank: Crank, circle: Circle[Any], of: Any) -> LoadedCrank:
     """Return the crank's drive, without masses."""
     offset = of(crank.offset) if crank.offset else None
-    return Loaded(circle, of(crank.ratio), Masses(0, 0, 0), offset)
+    return LoadedCrank(circle, of(crank.ratio), Masses(0, 0, 0), offset)
 
 
 def _is_exact(place: Zero) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from kurbel.drive.crank import Crank, Described
+from kurbel.drive.crank import Crank, DescribedDrive
 from kurbel.drive.load import CARD, COMPRESSOR, FORCE, GAS, LOADS, MASSES, PUMP, STEAM
 from kurbel.drive.mechanisms import MECHANISMS
 from kurbel.errors import ProblemError
@@ -20,7 +20,7 @@ from kurbel.reading.given import found_at
 if TYPE_CHECKING:
     from kurbel.motion.drives import Drive, SlideDrive
     from kurbel.motion.motion_page import AngleQuestion, Request
-    from kurbel.motion.point_quantities import Ends
+    from kurbel.motion.point_quantities import RodEnds
 
 _LENGTHS = ("stroke", "rod", "speed")
 
@@ -58,18 +58,18 @@ class Mechanism(ABC):
     def subject(self) -> str:
         return MECHANISMS[self.name].subject
 
-    def check(self, said: Described) -> None:
+    def check(self, said: DescribedDrive) -> None:
         """Raise ProblemError for a description without what makes it this drive."""
         pushed = uncomputed(self, said.force.name) if said.force else ""
         if sentence := self.lacking(said) or pushed:
             raise ProblemError(sentence)
 
-    def lacking(self, said: Described) -> str:
+    def lacking(self, said: DescribedDrive) -> str:
         """Return the sentence that refuses such a description, nothing for others."""
         return ""
 
     @abstractmethod
-    def drives(self, said: Described, ratios: Sequence[str]) -> tuple[Any, ...]:
+    def drives(self, said: DescribedDrive, ratios: Sequence[str]) -> tuple[Any, ...]:
         """Return the drives that were described, of a layout's ratios if nothing gives one."""
 
     def crank(self, drive: Any) -> Crank:
@@ -96,13 +96,13 @@ class Mechanism(ABC):
         """Return a column of a page about engines under the heads of this drive."""
         return column
 
-    def rod_ends(self) -> Ends:
+    def rod_ends(self) -> RodEnds:
         """Return what finds the ends of its connecting rod, for points on that."""
         if not self.rod:
             raise ProblemError(
                 f"{self.title} has no connecting rod whose points are computed; leave --point out"
             )
-        found: Ends = found_at(self.rod)
+        found: RodEnds = found_at(self.rod)
         return found
 
     def rod_notes(self, drives: Sequence[Any], lang: str) -> Iterable[Label]:
@@ -152,7 +152,7 @@ class StraightCrank(Mechanism):
     crosshead = True
     rod = "kurbel.motion.point_quantities:rod"
 
-    def drives(self, said: Described, ratios: Sequence[str]) -> tuple[Crank, ...]:
+    def drives(self, said: DescribedDrive, ratios: Sequence[str]) -> tuple[Crank, ...]:
         return said.cranks(ratios)
 
     def crank(self, drive: Crank) -> Crank:
@@ -180,7 +180,7 @@ class OffsetCrank(StraightCrank):
     title = "the offset crank"
     takes = (*StraightCrank.takes, "offset")
 
-    def lacking(self, said: Described) -> str:
+    def lacking(self, said: DescribedDrive) -> str:
         if said.offset is not None:
             return ""
         return "the offset crank needs the offset e; add --offset, for example --offset 0.5"
@@ -207,7 +207,7 @@ def of_other_mechanisms(
     """Return the options among those given that describe other crank drives alone, each with the sentence
     that refuses it; those that all of them share in a command are not among them."""
     refused = {}
-    for option in Described._fields:
+    for option in DescribedDrive._fields:
         if option not in given or option in shared or option in chosen.takes:
             continue
         takers = [other for other in MECHANISMS if option in mechanism(other).takes]

@@ -10,7 +10,7 @@ from math import isqrt
 from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
 from kurbel.drive.load import Areas, Effort, figure
-from kurbel.drive.rod import STANDARD_GRAVITY, Moving, Rod, Slope
+from kurbel.drive.rod import STANDARD_GRAVITY, MovingMasses, Rod, Slope
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text
 from kurbel.kernel.circle import Numeric, root
@@ -180,7 +180,7 @@ def _root(square: Fraction) -> str:
 ACTING = texts("motion")["acting"]
 
 
-def weight_notes(moving: Moving, lang: str) -> Iterator[Label]:
+def weight_notes(moving: MovingMasses, lang: str) -> Iterator[Label]:
     """Yield the line about the weight of moving masses, if it counts."""
     if moving.slope is None:
         return

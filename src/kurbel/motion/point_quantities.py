@@ -270,7 +270,7 @@ def _in_sector(vector: Vector[Any], sector: int) -> Any:
     return QUARTER * sector + ball_degrees(aside / amount(vector))
 
 
-class Ends(Protocol):
+class RodEnds(Protocol):
     """What gives the rod of a drive, by a method, at a crank angle, with its reach if that is asked for."""
 
     def __call__(
@@ -279,10 +279,10 @@ class Ends(Protocol):
 
 
 @dataclass(frozen=True)
-class Moved:
+class MovedPoint:
     """A point on the rod of a drive: how its ends are found, by a method."""
 
-    ends: Ends
+    ends: RodEnds
     drive: Drive
     method: str
     point: RodPoint

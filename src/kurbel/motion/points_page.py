@@ -22,8 +22,8 @@ from kurbel.motion.motion_quantities import registry
 from kurbel.motion.point_quantities import (
     BESIDE,
     DIRECTION,
-    Ends,
-    Moved,
+    MovedPoint,
+    RodEnds,
     Vectorial,
     acceleration,
     continued,
@@ -228,10 +228,10 @@ class PointsRequest(AngleQuestion):
     def too_long(self) -> str:
         return f"{len(self.points)} points at {len(self.angles)} angles make a table of {len(self)} rows"
 
-    def moved(self, place: Mapping[str, int]) -> Moved:
+    def moved(self, place: Mapping[str, int]) -> MovedPoint:
         """Return the point at a place on its drive."""
-        ends: Ends = self.mechanism.rod_ends()
-        return Moved(
+        ends: RodEnds = self.mechanism.rod_ends()
+        return MovedPoint(
             ends, self.drives[place.get(RATIO, 0)], self.method or "exact", self.points[place["point"]]
         )
 
@@ -290,7 +290,7 @@ class PointAxis(ListAxis):
         return point.label
 
 
-def _curve(quantity: Quantity, moved: Moved, at: Any, kind: Kind) -> Numeric:
+def _curve(quantity: Quantity, moved: MovedPoint, at: Any, kind: Kind) -> Numeric:
     """Return a column over the crank angle, as floats; a direction has gaps where the point rests."""
     values = moved.value(quantity, at, kind)
     if quantity.of != DIRECTION:

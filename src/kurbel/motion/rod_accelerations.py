@@ -10,7 +10,7 @@ from kurbel.drive.crank import Crank
 from kurbel.kernel import rod
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.moving import Masses
-from kurbel.kernel.parts import Parted, Vector, parted
+from kurbel.kernel.parts import AccelerationParts, Vector, parted
 from kurbel.motion.evaluation import OFFSET, Needs
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
@@ -61,7 +61,7 @@ class Component(NamedTuple):
     end: str
     mark: str
     part: Words
-    kernel: Callable[[Parted], Numeric]
+    kernel: Callable[[AccelerationParts], Numeric]
 
 
 OF_A, REPLACING = (
@@ -71,7 +71,7 @@ OF_A, REPLACING = (
 AMOUNT, ALONG, ACROSS = words("Betrag|magnitude"), words("längs|along"), words("quer|across")
 
 
-def _components(of: Callable[[Parted], Vector[Numeric]]) -> tuple[Component, Component]:
+def _components(of: Callable[[AccelerationParts], Vector[Numeric]]) -> tuple[Component, Component]:
     return (
         Component("_along", "^x", ALONG, lambda rod: of(rod).along),
         Component("_across", "^y", ACROSS, lambda rod: of(rod).across),
@@ -95,7 +95,7 @@ _OTHERS: tuple[tuple[str, str, Words, str, tuple[Component, ...]], ...] = (
 )  # fmt: skip
 
 
-def moved(at: At) -> Parted:
+def moved(at: At) -> AccelerationParts:
     """Return the rod at a place by its motion alone."""
     return parted(at.circle, at.ratio, NOTHING, at.offset, at.by)
 
@@ -106,7 +106,7 @@ def acceleration_entries() -> Iterator[Quantity]:
     yield from (*own, *component_entries(moved), *map(in_seconds, own))
 
 
-def component_entries(parted_of: Callable[[Any], Parted]) -> Iterator[Quantity]:
+def component_entries(parted_of: Callable[[Any], AccelerationParts]) -> Iterator[Quantity]:
     """Yield the amounts and components of the rod at a place."""
     for key, letter, name, printed, components in _OTHERS:
         for component in components:
@@ -114,7 +114,7 @@ def component_entries(parted_of: Callable[[Any], Parted]) -> Iterator[Quantity]:
             yield from (share, in_seconds(share))
 
 
-def rocker_entries(parted_of: Callable[[Any], Parted]) -> Iterator[Quantity]:
+def rocker_entries(parted_of: Callable[[Any], AccelerationParts]) -> Iterator[Quantity]:
     """Yield the accelerations of a rod whose end B does not slide."""
     yield from component_entries(parted_of)
     for part in PARTS[1:]:
@@ -123,7 +123,7 @@ def rocker_entries(parted_of: Callable[[Any], Parted]) -> Iterator[Quantity]:
         yield from (share, in_seconds(share))
 
 
-def _of_rod(key: str, parted_of: Callable[[At], Parted]) -> Callable[[At], Numeric]:
+def _of_rod(key: str, parted_of: Callable[[At], AccelerationParts]) -> Callable[[At], Numeric]:
     return lambda at: getattr(parted_of(at), key)
 
 
@@ -139,7 +139,12 @@ def _part(part: Part) -> Quantity:
 
 
 def _component(
-    key: str, letter: str, name: Words, printed: str, one: Component, parted_of: Callable[[At], Parted]
+    key: str,
+    letter: str,
+    name: Words,
+    printed: str,
+    one: Component,
+    parted_of: Callable[[At], AccelerationParts],
 ) -> Quantity:
     def kernel(at: Any) -> Any:
         return one.kernel(parted_of(at)) + 0

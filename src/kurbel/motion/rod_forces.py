@@ -12,7 +12,7 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.parts import Parted, moving_force, parted
+from kurbel.kernel.parts import AccelerationParts, moving_force, parted
 from kurbel.kernel.rod import Parts
 from kurbel.motion.evaluation import OFFSET, Needs
 from kurbel.motion.rod_accelerations import ACROSS, ALONG, entry_of_rod
@@ -32,7 +32,7 @@ NAMES: Mapping[str, Words] = {
 _IN = "Kraft in {0}|Force in {0}"
 
 # Of the rod at a place, in parts.
-Kernel = Callable[[Parted], Any]
+Kernel = Callable[[AccelerationParts], Any]
 
 
 class Share(NamedTuple):
@@ -76,14 +76,14 @@ def _components(key: str, letter: str, name: Words, part: str) -> Iterator[Share
         yield Share(f"{stem}_{mark}", of, name, _joined(NAMES[part], said), _component(key, part, index))
 
 
-def _end(key: str, rod: Parted, part: str = "") -> Any:
+def _end(key: str, rod: AccelerationParts, part: str = "") -> Any:
     return rod.in_pin(part) if key == "a" else rod.in_crosshead(part)
 
 
 def _own(key: str, part: str) -> Kernel:
     """A part's force in its own direction: with X, square to the rod with Y, along the rod with X."""
 
-    def kernel(rod: Parted) -> Any:
+    def kernel(rod: AccelerationParts) -> Any:
         mass = rod.mass_in_pin(part) if key == "a" else rod.mass_in_crosshead(part)
         if part == STRETCHING:
             return mass * rod.stretching + 0
@@ -115,21 +115,21 @@ def _drive() -> Iterator[Share]:
             )
 
 
-def _of_part(formula: Callable[[Parted, str], Any], part: str) -> Kernel:
+def _of_part(formula: Callable[[AccelerationParts, str], Any], part: str) -> Kernel:
     return lambda rod: formula(rod, part)
 
 
-def part_entries(parted_of: Callable[[At], Parted], slide: bool = True) -> Iterator[Quantity]:
+def part_entries(parted_of: Callable[[At], AccelerationParts], slide: bool = True) -> Iterator[Quantity]:
     """Yield every force of a part in units of the rod's mass and in newtons, of the rod at a place."""
     for share in (*_ends(slide), *_drive()):
         yield from _in_both_units(_entry(share, _of_rod(share.kernel, parted_of), EXACT))
 
 
-def _of_rod(kernel: Kernel, parted_of: Callable[[At], Parted]) -> Callable[[At], Numeric]:
+def _of_rod(kernel: Kernel, parted_of: Callable[[At], AccelerationParts]) -> Callable[[At], Numeric]:
     return lambda at: kernel(parted_of(at))
 
 
-def held(at: At) -> Parted:
+def held(at: At) -> AccelerationParts:
     """Return the rod between crank and crosshead at a place, with its masses."""
     masses = known(at.crank.rod).masses(EXACT, at.numbers.of)
     return parted(at.circle, at.ratio, masses, at.offset, at.by)

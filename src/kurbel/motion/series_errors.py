@@ -97,7 +97,7 @@ DEGREE_DECIMALS = 4
 WORDS = texts("motion")["series_errors"]
 
 
-class Erring(NamedTuple):
+class ErringQuantity(NamedTuple):
     """What errs: its letter, name, share and unit, and the same in a unit of its own, with its scale."""
 
     letter: str
@@ -111,12 +111,12 @@ class Erring(NamedTuple):
 
 
 ERRING = (
-    Erring("x", "Kolbenweg|Piston path", "x/R", "R", "mm", "mm", Needs.LENGTH, Crank.millimetres),
-    Erring(
+    ErringQuantity("x", "Kolbenweg|Piston path", "x/R", "R", "mm", "mm", Needs.LENGTH, Crank.millimetres),
+    ErringQuantity(
         "c", "Kolbengeschwindigkeit|Piston velocity", "c/v", "v", "m/s", "mps", Needs.SPEED,
         Crank.pin_velocity,
     ),
-    Erring(
+    ErringQuantity(
         "p", "Kolbenbeschleunigung|Piston acceleration", "(p R)/v^2", "v^2/R", "m/s²", "mps2", Needs.SPEED,
         Crank.pin_acceleration,
     ),
@@ -131,7 +131,7 @@ def error_columns() -> Mapping[str, Quantity]:
     return {one.key: one for erring in ERRING for one in _entries(erring)}
 
 
-def _entries(one: Erring) -> Iterator[Quantity]:
+def _entries(one: ErringQuantity) -> Iterator[Quantity]:
     symbol, formulas, heads = f"${one.letter}$", {"exact": Formula(_of(one.letter))}, (words(one.name),)
     key, error = f"error_{one.letter}", _named(one, _ERROR)
     yield entry(key, error, symbol, f"${one.of}$", None, formulas, f"${one.share}$", spanners=heads)
@@ -146,7 +146,7 @@ def _entries(one: Erring) -> Iterator[Quantity]:
     )  # fmt: skip
 
 
-def _named(one: Erring, said: tuple[str, str]) -> str:
+def _named(one: ErringQuantity, said: tuple[str, str]) -> str:
     """Return what is said of it, "German|English"."""
     return "|".join(text.format(name) for text, name in zip(said, one.name.split("|"), strict=True))
 

@@ -11,7 +11,7 @@ from itertools import product
 from typing import Any, TypeAlias
 
 from kurbel.errors import ProblemError
-from kurbel.exact.kind import Found
+from kurbel.exact.kind import FoundAngle
 from kurbel.exact.numerals import Label, Number, degrees_text, finite_decimals, nearest, number_text
 from kurbel.page.quantity import words
 from kurbel.page.table import Cell, Ditto, Field, Value
@@ -267,7 +267,7 @@ def shifted(angles: Sequence[Fraction], by: Fraction) -> Sequence[Fraction]:
 
 def angle_text(angle: Fraction) -> str:
     """Return an angle for a formula: 45°, 22.5°, 0°20'."""
-    if isinstance(angle, Found):
+    if isinstance(angle, FoundAngle):
         return f"{number_text(angle_number(angle, None))}°"
     return degrees_text(angle) if finite_decimals(angle) is None else f"{plain(angle)}°"
 
@@ -279,7 +279,7 @@ def irregularity_label(irregularity: Fraction) -> Label:
 
 
 def _angle_label(angle: Fraction) -> Label:
-    if isinstance(angle, Found):
+    if isinstance(angle, FoundAngle):
         return f"${number_text(angle_number(angle, None))}$"
     return f"${plain(angle) if finite_decimals(angle) is not None else degrees_text(angle)}$"
 
@@ -294,7 +294,7 @@ def angle_decimals(angles: Sequence[Fraction]) -> int | None:
 
 def method_of(angles: Sequence[Fraction]) -> str:
     """Return by which formulas angles are computed at which something holds; those that are given are not."""
-    given = isinstance(angles, Progression) or not any(isinstance(one, Found) for one in angles)
+    given = isinstance(angles, Progression) or not any(isinstance(one, FoundAngle) for one in angles)
     return "" if given else "exact"
 
 
@@ -302,14 +302,14 @@ def angle_number(angle: Fraction, decimals: int | None) -> Number:
     """Return the angle to the decimals of its column, or to its own where the column has no common ones."""
     if decimals is None:
         decimals = _decimals(angle)
-    if isinstance(angle, Found):
+    if isinstance(angle, FoundAngle):
         places = FOUND_DECIMALS if decimals is None else decimals
         return Number(angle.rounded(places), places)
     return nearest(angle, ANGLE_DECIMALS if decimals is None else decimals)
 
 
 def _decimals(angle: Fraction) -> int | None:
-    if isinstance(angle, Found):
+    if isinstance(angle, FoundAngle):
         return FOUND_DECIMALS
     count = finite_decimals(angle)
     return None if count is None or count > MOST_ANGLE_DECIMALS else count

@@ -14,7 +14,7 @@ from kurbel.drive.mechanisms import Pages
 from kurbel.errors import ChoiceError, LayoutError
 from kurbel.exact.numerals import MOST_DIGITS, Label
 from kurbel.reading.given import File, choose
-from kurbel.reading.toml_file import Choice, Fault, Place, TomlFile, TomlKind, about, within
+from kurbel.reading.toml_file import Fault, Place, TextChoice, TomlFile, TomlKind, about, within
 
 _INERTIA = "inertia --centre 0.65 --gyration 0.35"
 _MACHINE = "forces --eps 4 --bore 300mm --pressure 8bar --stroke 600mm --speed 120/min --reciprocating 300kg"
@@ -150,7 +150,7 @@ class Notes(tuple[Words, ...]):
         return cls(Words(zip(LANGUAGES, texts, strict=True)) for texts in zip(*lists, strict=True))
 
 
-class Subject(Choice, what="subject", allowed=SUBJECTS):
+class Subject(TextChoice, what="subject", allowed=SUBJECTS):
     """What a page is about."""
 
 

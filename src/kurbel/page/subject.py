@@ -16,7 +16,7 @@ from kurbel.page.labels import plain
 from kurbel.page.layouts import SUBJECTS, Layout, LayoutColumn
 from kurbel.page.quantity import Column, Known, Need, Quantity, is_short, known_at
 from kurbel.page.table import Field, Note, Records, Tone, Value, Worded, check_label
-from kurbel.reading.given import Given, allowed_name, choose, found_at
+from kurbel.reading.given import FrozenValue, allowed_name, choose, found_at
 from kurbel.reading.names import others, otherwise
 from kurbel.reading.notation import MOST_ROWS
 
@@ -115,7 +115,7 @@ def subject(key: str) -> Subject:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Question(Worded, Given):
+class Question(Worded, FrozenValue):
     """A layout that is asked for, with the digits, the language and the columns of its page.
 
     `digits` None leaves the decimals to the layout and the quantities, no `columns` the columns to the

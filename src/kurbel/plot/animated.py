@@ -10,13 +10,13 @@ import numpy as np
 
 from kurbel.errors import ProblemError
 from kurbel.page.steps import Joint, Scene
-from kurbel.plot.film import STEPS, Film, Part, Seen, Way, named, straight_way, toggled
-from kurbel.plot.panel import NOTHING_AROUND, Around, Panel, PinForce, degrees
+from kurbel.plot.film import STEPS, Film, Part, VisibleArtists, Way, named, straight_way, toggled
+from kurbel.plot.panel import NOTHING_AROUND, Panel, PanelFrame, PinForce, degrees
 from kurbel.plot.place import Chosen, Points
 from kurbel.plot.plan import SPOT, Course, Plan
 from kurbel.plot.plotting import Chart, charted
 from kurbel.plot.sketch import Sketch, laid_out, page_fitted, sketch_in
-from kurbel.plot.stage import GROUNDS, Moving, corners, draw_scene
+from kurbel.plot.stage import GROUNDS, MovingScene, corners, draw_scene
 from kurbel.plot.style import LINES, MEDIUM, MM, MM_PER_INCH, USUAL, WHITE, WIDTH, Size, style
 from kurbel.reading.notation import about
 
@@ -111,10 +111,10 @@ RADIUS, MOST_ABOVE, LEAST_RADIUS, DOT = 18.0, 75.0, 4.0, 1.6 * SPOT
 BEGIN = 60.0
 # The colour of the line at the crank angle, and of dots on black curves: that of no curve but a third one.
 RUNNING = LINES[2].colour
-NOTHING = Moving((), (), (), ())
+NOTHING = MovingScene((), (), (), ())
 
 
-class Shot(NamedTuple):
+class FilmSettings(NamedTuple):
     """How a film is made: in so many seconds a run, and with the mechanism where there is one."""
 
     seconds: float
@@ -125,8 +125,8 @@ def curves_film(
     panels: Sequence[Panel],
     lang: str,
     mark: str,
-    shot: Shot,
-    around: Around = NOTHING_AROUND,
+    shot: FilmSettings,
+    around: PanelFrame = NOTHING_AROUND,
     size: Size = USUAL,
 ) -> tuple[Chart, Film]:
     """Return curves with dots that run along them, and above them the mechanism if it can be drawn to scale.
@@ -181,7 +181,7 @@ def _height(scene: Scene, width: float) -> float:
     return (scene.high[1] - scene.low[1]) * radius + 2 * MARGIN
 
 
-def _above(chart: Chart, scene: Scene, height: float, width: float, run: np.ndarray, at: int) -> Moving:
+def _above(chart: Chart, scene: Scene, height: float, width: float, run: np.ndarray, at: int) -> MovingScene:
     """Draw the mechanism at the top of the page, in the middle."""
     mm = 1 / _radius(scene, width)
     low, high = corners(scene, MARGIN, mm)
@@ -197,7 +197,7 @@ def _line(axes: Axes, number: int, span: tuple[float, float], at: float) -> Part
     return Part(f"at-{number}", (line,), axes, straight_way(*span, ((span[0], low, 0), (span[1], low, 0))))
 
 
-def _dots(chart: Chart, panel: int, at: float) -> Iterator[tuple[Part, Seen | None]]:
+def _dots(chart: Chart, panel: int, at: float) -> Iterator[tuple[Part, VisibleArtists | None]]:
     """Draw a dot on each curve of a panel."""
     axes, plan = chart.axes[panel], chart.plans[panel]
     for number, course in enumerate(plan.courses):
@@ -205,7 +205,7 @@ def _dots(chart: Chart, panel: int, at: float) -> Iterator[tuple[Part, Seen | No
         way, gaps = _course(course)
         x, y, _ = way.at(at)
         dot = _dot(axes, x, y, _colour(plan, number))
-        seen = Seen(f"{name}-seen", (dot,), gaps) if gaps is not None else None
+        seen = VisibleArtists(f"{name}-seen", (dot,), gaps) if gaps is not None else None
         yield Part(name, (dot,), axes, way), seen
 
 
@@ -248,7 +248,7 @@ def polar_film(figure: Figure, force: PinForce, seconds: float) -> Film:
     with style():
         x, y, _ = way.at(at)
         dot = _dot(axes, x, y, RUNNING)
-    seen = () if known.all() else (Seen("dot-seen", (dot,), toggled(angles, known)),)
+    seen = () if known.all() else (VisibleArtists("dot-seen", (dot,), toggled(angles, known)),)
     film = Film(first, last, at, seconds, (Part("dot", (dot,), axes, way),), seen=seen)
     named(film)
     return film

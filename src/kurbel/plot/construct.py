@@ -69,7 +69,7 @@ class Board(NamedTuple):
     points: Mapping[str, Point]
     curves: Mapping[str, Sequence[Point]]
     lengths: Mapping[str, Length]
-    measures: Sequence[model.Measure]
+    measures: Sequence[model.Dimension]
     low: float
     high: float
     mark: str
@@ -216,7 +216,7 @@ def _scale(board: Board, one: model.Scale) -> None:
     board.sketch.beside((start, end), board.text(one.symbol), 0.5, 1, led=True)
 
 
-def _measure(board: Board, one: model.Measure) -> None:
+def _measure(board: Board, one: model.Dimension) -> None:
     """Draw the dimension of a length: in its place, or on a row, where lines lead to its ends."""
     sketch, length = board.sketch, board.lengths[one.letters]
     start, end = (board.points[letter] for letter in length.ends)
@@ -238,7 +238,7 @@ def _measure(board: Board, one: model.Measure) -> None:
     sketch.dimension(left, right, said, (_beside(board, one, left[0]), _beside(board, one, right[0])))
 
 
-def _beside(board: Board, one: model.Measure, end: float) -> float:
+def _beside(board: Board, one: model.Dimension, end: float) -> float:
     """Return how long the dimension is that shares an end with one in its row, in R, 0 where none does."""
     for other in board.measures:
         xs = sorted(board.points[letter][0] for letter in board.lengths[other.letters].ends)
@@ -269,7 +269,7 @@ DRAW: Mapping[type, Callable[[Board, Any], object]] = {
         [(board.points[one.at], (0.0, 1.0), board.text(one.text))], CORNER
     ),
     model.Scale: _scale,
-    model.Measure: _measure,
+    model.Dimension: _measure,
 }
 
 
@@ -312,7 +312,7 @@ def _lengths(shown: Construction) -> Iterator[tuple[str, int]]:
     ends = {one.ends: one.letters for one in shown.lengths}
     for number, step in enumerate(shown.steps, 1):
         for one in step.drawn:
-            if isinstance(one, model.Measure):
+            if isinstance(one, model.Dimension):
                 yield f"length-{one.letters}", number
             elif isinstance(one, model.Arrow | model.Line) and (one.start, one.end) in ends:
                 yield f"length-{ends[one.start, one.end]}", number
@@ -380,7 +380,7 @@ def _board(
     mark: str,
 ) -> Board:
     low, high = extent(shown, points, curves)
-    measures = [one for step in shown.steps for one in step.drawn if isinstance(one, model.Measure)]
+    measures = [one for step in shown.steps for one in step.drawn if isinstance(one, model.Dimension)]
     levels = [one.level for one in measures]
     below, above = -min((0, *levels)) * ROW, max((0, *levels)) * ROW
     margin = (MARGIN, MARGIN)

@@ -22,13 +22,13 @@ from kurbel.motion.mechanism import STRAIGHT, Mechanism, mechanism
 from kurbel.motion.motion_page import AngleQuestion
 from kurbel.page.quantity import Quantity, words
 from kurbel.page.subject import subject
-from kurbel.plot.drawings import Picture, Wish, asked_of, check_one, columns_of, smooth
+from kurbel.plot.drawings import DrawingWish, Picture, asked_of, check_one, columns_of, smooth
 from kurbel.plot.panel import (
     PIN_FORCE,
-    Around,
+    MarkedPoint,
     Panel,
+    PanelFrame,
     PinForce,
-    Spot,
     Strokes,
     Trace,
     check_drawn,
@@ -70,7 +70,7 @@ def spots(
     power: int,
     lang: str,
     times: Fraction = Fraction(1),
-) -> list[Spot]:
+) -> list[MarkedPoint]:
     """Return where a quantity is greatest and least over the turn, with certified values and angles.
 
     The values are in the units of its axis, those of its page divided by a power of ten; they are so many
@@ -86,7 +86,7 @@ def spots(
         return []
     found = [one for root in roots for one in _on_curve(root, quantity, values, times)]
     near = NEAR * max((abs(one.value) for one in found), default=0.0)
-    named: list[Spot] = []
+    named: list[MarkedPoint] = []
     for end in dict.fromkeys(choose(one.value for one in found) for choose in (max, min) if found):
         alike = [one for one in found if abs(one.value - end) <= near < abs(end)]
         apart = {round(one.angle, 6) % TURN: one for one in reversed(alike)}
@@ -94,7 +94,7 @@ def spots(
     return named
 
 
-def zeros(drive: Drive, quantity: Quantity, span: tuple[float, float], lang: str) -> list[Spot]:
+def zeros(drive: Drive, quantity: Quantity, span: tuple[float, float], lang: str) -> list[MarkedPoint]:
     """Return where a quantity is zero over the turn, with certified angles."""
     asked = _conditions(drive).get(quantity.key)
     if asked is None or not _is_solved(drive, asked):
@@ -106,7 +106,7 @@ def zeros(drive: Drive, quantity: Quantity, span: tuple[float, float], lang: str
     number = f"${quantity.symbol.strip('$')} = 0$"
     found = [(_float(root.angle(True, 1, DECIMALS, ROUNDING)), root) for root in roots]
     return [
-        Spot(angle, 0.0, AT[lang].format(number=number, angle=_degrees(root, 0)))
+        MarkedPoint(angle, 0.0, AT[lang].format(number=number, angle=_degrees(root, 0)))
         for angle, root in found
         if span[0] <= angle <= span[1]
     ]
@@ -147,7 +147,7 @@ def _on_curve(root: Root, quantity: Quantity, values: Values, times: Fraction) -
 
 def _named(
     found: Iterable[_Found], quantity: Quantity, span: tuple[float, float], times: Fraction, lang: str
-) -> Iterator[Spot]:
+) -> Iterator[MarkedPoint]:
     """Yield the marks of places; of one that comes again after a turn, the first has the text."""
     for one in found:
         number = _number(one.root, quantity, times)
@@ -192,7 +192,7 @@ def _known_keys(chosen: Mechanism, pairs: Sequence[tuple[str, str]], crank: Cran
     return tuple(known if is_known(own[known], crank) else share for share, known in pairs if share in own)
 
 
-def over_angle(question: AngleQuestion, wish: Wish) -> Picture:
+def over_angle(question: AngleQuestion, wish: DrawingWish) -> Picture:
     """Return what is drawn of drives over the crank angle: the columns of the page, both strokes as one turn.
 
     Beside the infinite rod its curves are dotted. Raises ProblemError.
@@ -283,13 +283,15 @@ def _traces(question: AngleQuestion, drive: Drive | None = None, dotted: bool = 
             yield Trace(one, (*telling, stroke, again), angles, values.tolist(), dotted, named)
 
 
-def around(question: AngleQuestion, drives: Sequence[Drive], beside: AngleQuestion | None = None) -> Around:
+def around(
+    question: AngleQuestion, drives: Sequence[Drive], beside: AngleQuestion | None = None
+) -> PanelFrame:
     """Return what a drawing says of its drives, and their strokes where all have the same."""
     span = float(question.angles[0]), float(question.angles[-1])
     strokes = [strokes_of(drive, span, question.lang) for drive in drives]
     said = drive_label(drives[0], question) if len(drives) == 1 and beside is None else ""
     alike = strokes and all(one == strokes[0] for one in strokes)
-    return Around(said, strokes[0] if alike else None)
+    return PanelFrame(said, strokes[0] if alike else None)
 
 
 def drive_label(drive: Drive, question: AngleQuestion) -> Label:
@@ -300,7 +302,7 @@ def drive_label(drive: Drive, question: AngleQuestion) -> Label:
     return ", ".join(parts)
 
 
-def _spots(question: AngleQuestion, place: int, drive: Drive, power: int) -> Sequence[Spot]:
+def _spots(question: AngleQuestion, place: int, drive: Drive, power: int) -> Sequence[MarkedPoint]:
     """Return where the column at a place is greatest and least."""
 
     def value(angle: float) -> float:

@@ -7,7 +7,7 @@ from itertools import chain
 from typing import Any
 
 from kurbel.engine.diagram.diagram_page import TorquesRequest
-from kurbel.engine.diagram.excess import Excess
+from kurbel.engine.diagram.excess import ExcessTorque
 from kurbel.engine.diagram.fluctuation import shown
 from kurbel.engine.diagram.torque import Torque
 from kurbel.engine.diagram.wheel_page import WheelRequest
@@ -17,7 +17,7 @@ from kurbel.engine.speed.solved import run_of
 from kurbel.engine.speed.speed_page import speed_registry
 from kurbel.exact.kind import Kind, floats
 from kurbel.page.quantity import words
-from kurbel.plot.drawings import Picture, Wish, asked_of, drawing_layout, refuse, smooth
+from kurbel.plot.drawings import DrawingWish, Picture, asked_of, drawing_layout, refuse, smooth
 from kurbel.plot.engine import across_path, diagram_swing, over_path, turns_of
 from kurbel.plot.pages import over_axes
 from kurbel.plot.panel import Curve, Panel, again, amount, axis_name, check_drawn, in_floats, power_of_curves
@@ -64,7 +64,7 @@ MEAN, ENERGY = "$T_m$", "excess_energy"
 TORQUES = words("Drehmomente|Torques")
 
 
-def torques(request: TorquesRequest, wish: Wish) -> Picture:
+def torques(request: TorquesRequest, wish: DrawingWish) -> Picture:
     """Return what is drawn of a turning-moment diagram: unless columns are named the torques, hatched, the
     excess energy and, of a flywheel, its speed."""
     refuse(wish, infinite="--infinite is for the motion of a crank drive; leave it out")
@@ -80,11 +80,11 @@ def torques(request: TorquesRequest, wish: Wish) -> Picture:
     return found._replace(panels=over_path(found.panels), around=beside)
 
 
-def sizing(request: WheelRequest, wish: Wish) -> Picture:
+def sizing(request: WheelRequest, wish: DrawingWish) -> Picture:
     """Return what is drawn of a flywheel without an engine: the diagram that it evens out, else what is
     printed over the irregularities to keep."""
     excess = request.fluctuation
-    if not isinstance(excess, Excess) or request.columns:
+    if not isinstance(excess, ExcessTorque) or request.columns:
         return over_axes(request, wish)
     even = {name: not (one.waves.orders or one.jumps or any(line.slope for line in one.lines))
             for name, one in (("load", excess.load), ("drive", excess.drive))}  # fmt: skip

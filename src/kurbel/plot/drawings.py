@@ -20,13 +20,13 @@ from kurbel.page.axes import PHI
 from kurbel.page.layouts import Layout, layout
 from kurbel.page.quantity import Column, for_ratio, words
 from kurbel.page.subject import Question
-from kurbel.plot.animated import Shot, curves_film, polar_film
+from kurbel.plot.animated import FilmSettings, curves_film, polar_film
 from kurbel.plot.film import Film
-from kurbel.plot.panel import NOTHING_AROUND, Around, Panel, PinForce, axis_label, degrees
+from kurbel.plot.panel import NOTHING_AROUND, Panel, PanelFrame, PinForce, axis_label, degrees
 from kurbel.plot.plotting import curves
 from kurbel.plot.polar import polar
-from kurbel.plot.stage import Coupled
-from kurbel.plot.standing import LinksStanding, RockerStanding, SlideStanding, Standing
+from kurbel.plot.stage import RodPointPath
+from kurbel.plot.standing import LinksStanding, RockerStanding, SlideStanding, StandingDrawing
 from kurbel.plot.style import USUAL, Size
 from kurbel.reading import notation
 from kurbel.reading.given import found_at
@@ -46,7 +46,7 @@ MOST_PANELS = 4
 KNOWN = ("_mm", "_mps", "_mps2", "_n", "_nm")
 
 
-class Wish(NamedTuple):
+class DrawingWish(NamedTuple):
     """How a page is drawn, if not in its usual way: as a polar diagram, over the path, beside the rod of
     infinite length."""
 
@@ -64,13 +64,13 @@ class Picture(NamedTuple):
 
     question: Question
     panels: Sequence[Panel] = ()
-    around: Around = NOTHING_AROUND
+    around: PanelFrame = NOTHING_AROUND
     force: PinForce | None = None
     columns: Sequence[Column] = ()
     title: Label = ""
 
 
-def picture(question: Question, wish: Wish) -> Picture:
+def picture(question: Question, wish: DrawingWish) -> Picture:
     """Return what is drawn of a question. Raises ProblemError for what has no such drawing."""
     with at_bits(FLOAT_BITS):
         found: Picture = found_at(question.subject.drawn)(question, wish)
@@ -88,7 +88,7 @@ def picture(question: Question, wish: Wish) -> Picture:
     return found
 
 
-def drawn(found: Picture, mark: str, size: Size, run: Shot | None = None) -> Drawing:
+def drawn(found: Picture, mark: str, size: Size, run: FilmSettings | None = None) -> Drawing:
     """Return the drawing of a picture; with a shot it is run through."""
     if found.force is not None:
         made = polar_drawing(found.question, found.force, mark, size, run)
@@ -98,7 +98,7 @@ def drawn(found: Picture, mark: str, size: Size, run: Shot | None = None) -> Dra
     return made._replace(title=title) if title else made
 
 
-def refuse(wish: Wish, **sentences: str) -> None:
+def refuse(wish: DrawingWish, **sentences: str) -> None:
     """Raise ProblemError for a wish that what is drawn cannot fulfil, each with its sentence."""
     for name, sentence in sentences.items():
         if getattr(wish, name):
@@ -180,9 +180,9 @@ def curves_drawing(
     question: Question,
     panels: Sequence[Panel],
     mark: str,
-    around: Around = NOTHING_AROUND,
+    around: PanelFrame = NOTHING_AROUND,
     size: Size = USUAL,
-    shot: Shot | None = None,
+    shot: FilmSettings | None = None,
 ) -> Drawing:
     """Return the curves of what was asked for over the crank angle, or over another axis; with a shot they
     are run through."""
@@ -204,7 +204,7 @@ def _about(panels: Sequence[Panel]) -> Iterator[Label]:
 
 
 def polar_drawing(
-    question: Question, force: PinForce, mark: str, size: Size = USUAL, shot: Shot | None = None
+    question: Question, force: PinForce, mark: str, size: Size = USUAL, shot: FilmSettings | None = None
 ) -> Drawing:
     """Return the polar diagram of the force on the crank pin, of which names and unit are given; with a shot
     a dot runs along it."""
@@ -247,13 +247,13 @@ def links_drawing(drive: Linkage, angles: Sequence[Fraction], lang: str, *look: 
 
 
 def _standing(
-    standing: Standing,
+    standing: StandingDrawing,
     title: Label,
     angles: Sequence[Fraction],
     lang: str,
     mark: str,
     size: Size = USUAL,
-    paths: Sequence[Coupled] = (),
+    paths: Sequence[RodPointPath] = (),
 ) -> Drawing:
     if len(angles) > MOST_POSITIONS:
         raise ProblemError(
@@ -266,7 +266,7 @@ def _standing(
     return Drawing(figure, title + _of_paths(paths, lang), f"{PHI[lang]} {at}")
 
 
-def _of_paths(paths: Sequence[Coupled], lang: str) -> Label:
+def _of_paths(paths: Sequence[RodPointPath], lang: str) -> Label:
     """Return what the title says of the paths of points of the rod."""
     if not paths:
         return ""

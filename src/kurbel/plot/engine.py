@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from kurbel.engine.captions import common, inner, named_load
 from kurbel.engine.cylinder import TurnPlace
 from kurbel.engine.diagram.fluctuation import place_text, shown
-from kurbel.engine.digits import Asked, estimated, settled
+from kurbel.engine.digits import CellValue, estimated, settled
 from kurbel.engine.engine_quantities import ENGINE_METHODS, engine_registry, value
 from kurbel.engine.pressures import stroke_names
 from kurbel.engine.request import EngineRequest
@@ -26,8 +26,8 @@ from kurbel.exact.numerals import Label, Number, degrees_text, number_text
 from kurbel.kernel.circle import Numeric
 from kurbel.page.quantity import Column, Formula, Quantity, bare, entry
 from kurbel.plot.drawings import (
+    DrawingWish,
     Picture,
-    Wish,
     asked_of,
     check_one,
     columns_of,
@@ -37,12 +37,12 @@ from kurbel.plot.drawings import (
 )
 from kurbel.plot.panel import (
     PIN_FORCE,
-    Across,
-    Around,
     Curve,
+    HorizontalAxis,
+    MarkedPoint,
     Panel,
+    PanelFrame,
     PinForce,
-    Spot,
     Strokes,
     Swing,
     Trace,
@@ -69,7 +69,7 @@ ENDS = {"least": False, "greatest": True}
 class Swinging(NamedTuple):
     """The swing with its ends as they are drawn; none of part of a cycle that lacks one of them."""
 
-    spots: list[Spot]
+    spots: list[MarkedPoint]
     swing: Swing | None
 
 
@@ -81,11 +81,11 @@ def engine_swing(turn: AnyTurn, energy: Column, request: EngineRequest) -> Swing
         asked = entry("energy_swing", "", "", "", decimals, formulas, of=of, minutes=of in ENDS)
         column = bare(asked, turn.method, decimals)
         settle = estimated if request.carded else settled
-        found = settle(Asked(column, (turn,), TurnPlace(), unit), request.rounding)
+        found = settle(CellValue(column, (turn,), TurnPlace(), unit), request.rounding)
         # A card may leave no figure, and a swing is never 0.
         return _text(found, unit) if found is not None and (found.scaled or of in ENDS) else ""
 
-    spots: list[Spot] = []
+    spots: list[MarkedPoint] = []
     cycle, span = 180 * turn.cycle, _span(request)
     for of, greatest in ENDS.items():
         peaks = turn.peaks(greatest)
@@ -106,7 +106,7 @@ def engine_swing(turn: AnyTurn, energy: Column, request: EngineRequest) -> Swing
 def diagram_swing(request: TorquesRequest, panel: Panel) -> Panel:
     """Return the panel of the excess energy of a diagram with its swing."""
     excess, power, times = request.excess, panel.power, request.of_page("J")
-    spots: list[Spot] = []
+    spots: list[MarkedPoint] = []
     span = _span(request)
 
     def swing(kind: Kind) -> Any:
@@ -137,7 +137,7 @@ def _text(number: Number, unit: int) -> Label:
     )
 
 
-def _swinging(spots: list[Spot], text: Label) -> Swinging:
+def _swinging(spots: list[MarkedPoint], text: Label) -> Swinging:
     levels = {one.value for one in spots}
     if len(levels) < len(ENDS):
         return Swinging(spots, None)
@@ -162,7 +162,7 @@ class Course(NamedTuple):
     values: list[list[float]]
 
 
-def forces(request: EngineRequest, wish: Wish) -> Picture:
+def forces(request: EngineRequest, wish: DrawingWish) -> Picture:
     """Return what is drawn of the forces of an engine, those of the first crank: the columns of the page."""
     refuse(wish, infinite=INFINITE)
     if wish.polar:
@@ -181,7 +181,7 @@ def forces(request: EngineRequest, wish: Wish) -> Picture:
     return Picture(asked, force_panels(asked), around(asked, strokes=True), columns=lettered(asked))
 
 
-def effort(request: EngineRequest, wish: Wish) -> Picture:
+def effort(request: EngineRequest, wish: DrawingWish) -> Picture:
     """Return what is drawn of the turning effort: unless columns are named its mean and the excess energy,
     hatched, and with a flywheel the speed."""
     refuse(wish, infinite=INFINITE)
@@ -278,16 +278,16 @@ def over_path(panels: Sequence[Panel]) -> list[Panel]:
     ]
 
 
-def around(request: EngineRequest, strokes: bool) -> Around:
+def around(request: EngineRequest, strokes: bool) -> PanelFrame:
     """Return what the engines have in common: expansion or the like, and the crank ratio; of a single one
     also the strokes of its first cylinder."""
     turns = turns_of(request) if strokes else []
-    return Around(", ".join(common(request)), _strokes(turns[0][1], request) if len(turns) == 1 else None)
+    return PanelFrame(", ".join(common(request)), _strokes(turns[0][1], request) if len(turns) == 1 else None)
 
 
-def across_path(lang: str) -> Across:
+def across_path(lang: str) -> HorizontalAxis:
     """Return the axis of that path, in the letters of all drawings."""
-    return Across(f"{engine_registry()['pin_path'].name[lang]} $s/R$", plain_ticks)
+    return HorizontalAxis(f"{engine_registry()['pin_path'].name[lang]} $s/R$", plain_ticks)
 
 
 def engine_pin_force(request: EngineRequest) -> PinForce:

@@ -59,7 +59,7 @@ class Part(NamedTuple):
     reach: float = 0.0
 
 
-class Grown(NamedTuple):
+class GrowingLine(NamedTuple):
     """A line of which a share from its beginning is seen."""
 
     name: str
@@ -76,7 +76,7 @@ class Grown(NamedTuple):
         return np.vstack((points[lengths < end], tip))
 
 
-class Seen(NamedTuple):
+class VisibleArtists(NamedTuple):
     """Artists that are seen where their way is 1 and not where it is 0, which it becomes by jumps alone."""
 
     name: str
@@ -95,8 +95,8 @@ class Film(NamedTuple):
     at: float
     seconds: float
     parts: tuple[Part, ...] = ()
-    grown: tuple[Grown, ...] = ()
-    seen: tuple[Seen, ...] = ()
+    grown: tuple[GrowingLine, ...] = ()
+    seen: tuple[VisibleArtists, ...] = ()
     above: tuple[Artist, ...] = ()
 
     def share(self, angle: float) -> float:
@@ -244,7 +244,7 @@ def _moved(part: Part, film: Film, height: float) -> Rule:
     return Rule(f"{PREFIX}{part.name}", _ids(part.name, len(part.artists)), _frames(rows, film, pose), origin)
 
 
-def _grown(grown: Grown, film: Film) -> Rule:
+def _grown(grown: GrowingLine, film: Film) -> Rule:
     points = grown.axes.transData.transform(np.asarray(grown.line.get_xydata())) / DOTS_PER_MM
     length = float(np.hypot(*np.diff(points, axis=0).T).sum()) * MM
     rows = keyframes(grown.way, np.asarray((length / MM,)), TOLERANCE)
@@ -411,7 +411,7 @@ def _mover(part: Part, transforms: Mapping[Artist, Transform], start: float) -> 
     return move
 
 
-def _grower(grown: Grown) -> Callable[[float], None]:
+def _grower(grown: GrowingLine) -> Callable[[float], None]:
     whole = copy(grown.line)
 
     def grow(angle: float) -> None:

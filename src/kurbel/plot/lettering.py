@@ -14,8 +14,8 @@ from kurbel.plot.place import (
     Chosen,
     Ink,
     Labelled,
+    LabelPlace,
     Points,
-    Spot,
     beside,
     box_points,
     densely,
@@ -236,7 +236,7 @@ class Lettering:
                     drawn = self.axes.plot(*self.on_axes(leader).T, color=BLACK, linewidth=THIN, zorder=3)
                     drawn[0].set_gid(f"{one.name}-leader" if one.name else None)
 
-    def _set(self, one: Text, place: Spot) -> None:
+    def _set(self, one: Text, place: LabelPlace) -> None:
         """Set letters; those that cover a line have a ground before it, unless it is a strong one."""
         letters = one.letters
         x, y = map(float, self.on_axes((place.centre - letters.middle)[None])[0])

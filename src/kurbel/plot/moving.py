@@ -15,7 +15,7 @@ from kurbel.exact.kind import floats
 from kurbel.kernel.circle import circle
 from kurbel.kernel.kinematics import dead_centre_sine, rod_sine
 from kurbel.linkage.arc_quantities import arc_registry
-from kurbel.linkage.linkage import Linkage, Outline, Stand
+from kurbel.linkage.linkage import Linkage, LinkagePosition, Outline
 from kurbel.linkage.rocker import RockerCrank
 from kurbel.motion.evaluation import OUT, RETURN, value
 from kurbel.page.steps import Joint, Line, Link, Point, Scene
@@ -52,7 +52,7 @@ def polar_point(centre: Point, radius: float, turn: float) -> Point:
     return centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle)
 
 
-class Reach(NamedTuple):
+class FixedExtent(NamedTuple):
     """How far goes what does not move: centre lines from a shaft, the one through it up to the right, guides
     and arcs beyond the dead centres; half the height between guides."""
 
@@ -62,7 +62,7 @@ class Reach(NamedTuple):
     guide: float = 0.0
 
 
-class Swung(ABC):
+class RockingDrive(ABC):
     """A drive whose rod leads its head to and fro between two dead centres, `inner` and `outer`."""
 
     inner: Position
@@ -73,14 +73,14 @@ class Swung(ABC):
         """Return where the drive stands at a crank angle in degrees."""
 
     @abstractmethod
-    def placed(self, one: Position) -> Stand:
+    def placed(self, one: Position) -> LinkagePosition:
         """Return its links and pins where it stands."""
 
     @abstractmethod
-    def fixed(self, reach: Reach) -> tuple[Line, ...]:
+    def fixed(self, reach: FixedExtent) -> tuple[Line, ...]:
         """Return the lines that do not move, but for dead centres and bearings."""
 
-    def stand(self, angle: float) -> Stand:
+    def stand(self, angle: float) -> LinkagePosition:
         return self.placed(self.at(angle))
 
     @property
@@ -89,7 +89,7 @@ class Swung(ABC):
         return tuple(Line("dead", (place,)) for place in places)
 
 
-class Slide(Swung):
+class Slide(RockingDrive):
     """The straight or the offset crank; the rod's angle is ψ."""
 
     def __init__(self, ratio: float, offset: float) -> None:
@@ -103,12 +103,12 @@ class Slide(Swung):
         along = pin[0] + math.sqrt((1 - sine) * (1 + sine)) / self.ratio
         return Position(angle, pin, (along, self.offset), math.degrees(math.asin(sine)))
 
-    def placed(self, one: Position) -> Stand:
+    def placed(self, one: Position) -> LinkagePosition:
         links = {"crank": (SHAFT, one.pin), "rod": (one.pin, one.head)}
         letters = (("crank", "$R$", 0.68), ("rod", "$L$", 0.4))
-        return Stand(links, (one.pin, one.head), ((SHAFT, one.pin, one.head),), letters)
+        return LinkagePosition(links, (one.pin, one.head), ((SHAFT, one.pin, one.head),), letters)
 
-    def fixed(self, reach: Reach) -> tuple[Line, ...]:
+    def fixed(self, reach: FixedExtent) -> tuple[Line, ...]:
         level, beyond = self.offset, reach.shaft
         low, high = level - reach.guide, level + reach.guide
         start, end = self.outer.head[0] - reach.overrun, self.inner.head[0] + reach.overrun
@@ -121,7 +121,7 @@ class Slide(Swung):
         )
 
 
-class Rocker(Swung):
+class Rocker(RockingDrive):
     """A crank that moves a rocker, or a beam, whose other arm reaches beyond its pivot; the angle is that of
     the rocker, θ."""
 
@@ -140,14 +140,14 @@ class Rocker(Swung):
         head = (x + side * self.length * across, y - side * self.length * along)
         return Position(angle, crank_pin(angle), head, turn)
 
-    def placed(self, one: Position) -> Stand:
+    def placed(self, one: Position) -> LinkagePosition:
         end = self.end(one.head)
         links = {"crank": (SHAFT, one.pin), "rod": (one.pin, one.head), "rocker": (one.head, end)}
         pins = (one.pin, one.head, end) if self.is_beam else (one.pin, one.head)
         letters = (("crank", "$R$", 0.68), ("rod", "$L$", 0.45), ("rocker", f"${self.crank.letter}$", 0.45))
-        return Stand(links, pins, ((SHAFT, one.pin, one.head, end),), letters)
+        return LinkagePosition(links, pins, ((SHAFT, one.pin, one.head, end),), letters)
 
-    def fixed(self, reach: Reach) -> tuple[Line, ...]:
+    def fixed(self, reach: FixedExtent) -> tuple[Line, ...]:
         level = Line("centre", ((-reach.shaft, 0), (reach.right, 0)))
         return (*_crossed(SHAFT, reach.shaft), level, Line("centre", self.arc(reach.overrun)))
 
@@ -183,7 +183,11 @@ def slide_scene(crank: Crank, angles: Sequence[float] = TURN) -> Scene | None:
     return Scene(
         low=(-BEYOND, min(-BEYOND, level - 0.2)),
         high=(right, max(BEYOND, offset + GUIDE + 0.2)),
-        fixed=(*drive.fixed(Reach(BEYOND, right, 2 * HEAD, GUIDE)), Line("bearing", (SHAFT,)), *drive.dead),
+        fixed=(
+            *drive.fixed(FixedExtent(BEYOND, right, 2 * HEAD, GUIDE)),
+            Line("bearing", (SHAFT,)),
+            *drive.dead,
+        ),
         **joints,
         heads=joints["pins"][1:],
         path=(last, level),
@@ -205,7 +209,7 @@ def rocker_scene(crank: RockerCrank, angles: Sequence[float] = TURN) -> Scene | 
         low=(min(xs) - ROOM, min(ys) - ROOM),
         high=high,
         fixed=(
-            *drive.fixed(Reach(BEYOND, high[0])),
+            *drive.fixed(FixedExtent(BEYOND, high[0])),
             Line("bearing", (SHAFT,)),
             Line(bearing, (pivot,)),
             *drive.dead,
@@ -238,7 +242,7 @@ def links_scene(drive: Linkage, angles: Sequence[float] = TURN) -> Scene | None:
     )
 
 
-def _joints(stand: Callable[[float], Stand], angles: Sequence[float]) -> dict[str, Any]:
+def _joints(stand: Callable[[float], LinkagePosition], angles: Sequence[float]) -> dict[str, Any]:
     """Return the links and the pins of a scene over these angles."""
     stands = [stand(angle) for angle in angles]
     letters = {name: letter.strip("$") for name, letter, _ in stands[0].letters}

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from kurbel.conditions.over import ANGLES, WORDS, PathRequest
 from kurbel.engine.captions import inner
-from kurbel.engine.pressures import Pressed, PressuresRequest, StrokePlace, is_carded, stroke_names
+from kurbel.engine.pressures import PressureDrive, PressuresRequest, StrokePlace, is_carded, stroke_names
 from kurbel.engine.request import EngineRequest
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats
@@ -30,15 +30,15 @@ from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import AngleQuestion
 from kurbel.page.quantity import Column, Quantity, enumerated, filled, for_ratio, texts, words
 from kurbel.plot.curves import drive_label, infinite, ratio_label, spots, unfolded, zeros
-from kurbel.plot.drawings import Picture, Wish, asked_of, columns_of, drawing_layout, refuse, smooth
+from kurbel.plot.drawings import DrawingWish, Picture, asked_of, columns_of, drawing_layout, refuse, smooth
 from kurbel.plot.engine import around, course_of, lettered, turns_of
 from kurbel.plot.panel import (
     DEAD_CENTRES,
-    Across,
-    Around,
     Curve,
+    HorizontalAxis,
+    MarkedPoint,
     Panel,
-    Spot,
+    PanelFrame,
     Strokes,
     Ticks,
     Trace,
@@ -67,7 +67,7 @@ STROKE = words("Hub|Stroke")
 EQUAL = words("$R$, $v$ und $v^2/R$ gleich lang|$R$, $v$ and $v^2/R$ of one length")
 
 
-def over_path(question: PathRequest, wish: Wish) -> Picture:
+def over_path(question: PathRequest, wish: DrawingWish) -> Picture:
     """Return what is drawn of drives over the path of the piston: the columns of the page, each as one curve
     of both strokes."""
     refuse(wish, polar="a polar diagram is over the turn; leave --polar out")
@@ -87,7 +87,7 @@ def over_path(question: PathRequest, wish: Wish) -> Picture:
     return _picture(asked, wish)
 
 
-def of_turn(question: AngleQuestion, wish: Wish) -> Picture:
+def of_turn(question: AngleQuestion, wish: DrawingWish) -> Picture:
     """Return the same of drives over the crank angle, with the columns of their page."""
     chosen, asked = mechanism(question.moving[0] if question.moving else "straight"), unfolded(question)
     if not (chosen.conditions() and asked.solved()):
@@ -96,7 +96,7 @@ def of_turn(question: AngleQuestion, wish: Wish) -> Picture:
     return _picture(replace(asked, columns=keys), wish)
 
 
-def _picture(asked: AngleQuestion, wish: Wish) -> Picture:
+def _picture(asked: AngleQuestion, wish: DrawingWish) -> Picture:
     drawing = PathDrawing(asked, asked.solved(), infinite(asked) if wish.infinite else None)
     return Picture(asked, drawing.panels(), drawing.around(), title=drawing.title)
 
@@ -151,7 +151,7 @@ class PathDrawing:
         scales = {titled(name, heading): scale for (name, heading, _), scale in named}
         return [panel._replace(scale=scales.get(panel.label)) for panel in found]
 
-    def around(self) -> Around:
+    def around(self) -> PanelFrame:
         """Return the axis of the path, the dead centres, and what is drawn."""
         name, heading, unit = axis_name(self._columns[0].quantity, self.lang)
         known = bool(unit) and any(self._scale(one.quantity) for one in self._columns[1:])
@@ -161,7 +161,7 @@ class PathDrawing:
         ends = (min(paths), max(paths))
         if known:
             label += f" ({EQUAL[self.lang]})"
-        return Around(said, self._strokes(ends), Across(label, partial(_ticks, ends)))
+        return PanelFrame(said, self._strokes(ends), HorizontalAxis(label, partial(_ticks, ends)))
 
     @property
     def _columns(self) -> Sequence[Column]:
@@ -209,7 +209,7 @@ class PathDrawing:
         )
         return one / path
 
-    def _spots(self, place: int, power: int) -> Sequence[Spot]:
+    def _spots(self, place: int, power: int) -> Sequence[MarkedPoint]:
         """Return what is named in the curve of a column: extremes, zeros, angles, strokes."""
         drive, quantity = self.drives[0], self._columns[place].quantity
         span = float(self.angles[0]), float(self.angles[-1])
@@ -224,14 +224,14 @@ class PathDrawing:
             found += zeros(drive, quantity, span, self.lang)
         if key in VELOCITY:
             found += [
-                Spot(float(mark), value(mark), f"$φ = {mark}°$" if mark == MARKS[1] else f"{mark}°")
+                MarkedPoint(float(mark), value(mark), f"$φ = {mark}°$" if mark == MARKS[1] else f"{mark}°")
                 for mark in MARKS
                 if _within(mark, span)
             ]
         over = [one._replace(angle=self._at(one.angle, place)[0]) for one in found]
         return [*_apart(over), *self._ways(place, span)]
 
-    def _ways(self, place: int, span: tuple[float, float]) -> Iterator[Spot]:
+    def _ways(self, place: int, span: tuple[float, float]) -> Iterator[MarkedPoint]:
         """Yield arrowheads with the names of the strokes, where these have curves of their own."""
         apart = np.abs(np.subtract(self._at(105, place), self._at(255, place)))
         if apart.max() < NOTHING * max(1.0, *np.abs(self._at(105, place))):
@@ -240,7 +240,7 @@ class PathDrawing:
             if _within(angle, span):
                 here, there = (np.asarray(self._at(one, place)) for one in (angle, angle + NEAR_BY))
                 across, up = (there - here) / NEAR_BY
-                yield Spot(
+                yield MarkedPoint(
                     float(here[0]), float(here[1]), STROKES[stroke][self.lang], (float(across), float(up))
                 )
 
@@ -282,10 +282,10 @@ def _within(angle: float, span: tuple[float, float]) -> bool:
     return span[0] <= angle <= span[1]
 
 
-def _apart(found: Sequence[Spot]) -> list[Spot]:
+def _apart(found: Sequence[MarkedPoint]) -> list[MarkedPoint]:
     """Return the spots without those where another one is: the strokes of a straight crank share a curve."""
     near = NOTHING * max((abs(one.value) for one in found), default=nan)
-    kept: list[Spot] = []
+    kept: list[MarkedPoint] = []
     for one in found:
         if all(max(abs(one.angle - other.angle), abs(one.value - other.value)) > near for other in kept):
             kept.append(one)
@@ -296,7 +296,7 @@ def _apart(found: Sequence[Spot]) -> list[Spot]:
 STEPS = 120
 
 
-def over_stroke(request: PressuresRequest, wish: Wish) -> Picture:
+def over_stroke(request: PressuresRequest, wish: DrawingWish) -> Picture:
     """Return what is drawn of the pressures: those of the page, over each stroke."""
     sentence = "pressures are drawn over the strokes; leave {} out"
     refuse(wish, infinite=sentence.format("--infinite"), over_path=sentence.format("--over-path"))
@@ -304,7 +304,7 @@ def over_stroke(request: PressuresRequest, wish: Wish) -> Picture:
     if not keys:
         raise ProblemError("there is no pressure to draw; name one, such as --columns gas_pressure")
     asked = asked_of(request, columns=keys)
-    return Picture(asked, pressure_panels(asked), Around(across=across_stroke(request.lang)))
+    return Picture(asked, pressure_panels(asked), PanelFrame(across=across_stroke(request.lang)))
 
 
 def pressure_panels(request: PressuresRequest) -> list[Panel]:
@@ -336,12 +336,12 @@ def pressure_panels(request: PressuresRequest) -> list[Panel]:
     return panels
 
 
-def across_stroke(lang: str) -> Across:
+def across_stroke(lang: str) -> HorizontalAxis:
     """Return the axis of the share of the stroke."""
-    return Across(f"{PRESSED['share'][lang]} $x/S$", plain_ticks)
+    return HorizontalAxis(f"{PRESSED['share'][lang]} $x/S$", plain_ticks)
 
 
-def _shares(pressed: Pressed, stroke: int) -> list[Fraction]:
+def _shares(pressed: PressureDrive, stroke: int) -> list[Fraction]:
     """Return rising shares of a stroke, the corners of the force among them."""
     even = [Fraction(1 - cos(pi * step / STEPS)) / 2 for step in range(STEPS + 1)]
     corners: list[Fraction] = []
@@ -353,7 +353,7 @@ def _shares(pressed: Pressed, stroke: int) -> list[Fraction]:
     return [share for share, _ in groupby(within)]
 
 
-def _value(pressed: Pressed, key: str, where: StrokePlace) -> float:
+def _value(pressed: PressureDrive, key: str, where: StrokePlace) -> float:
     carded = is_carded(pressed)
     masses = 0.0 if key == "gas_pressure" else float(pressed.masses(where, balls()))
     if key == "inertia_pressure":
@@ -373,7 +373,7 @@ def force_panels_over_path(request: EngineRequest) -> list[Panel]:
     return panels_of(traces, request.lang, apart=len(turns) > 1)
 
 
-def around_path(request: EngineRequest) -> Around:
+def around_path(request: EngineRequest) -> PanelFrame:
     """Return what stands around them: what the engines have in common, the stroke, the axis."""
     dead = [DEAD_CENTRES[which][request.lang] for which in ("inner", "outer")]
     whole = Strokes((0.0, 1.0), dead, [STROKE[request.lang]])

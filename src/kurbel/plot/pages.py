@@ -17,8 +17,8 @@ from kurbel.page.axes import RATIO, Axis, ListAxis, PageAxis, Place, places
 from kurbel.page.quantity import Column, Quantity, entry, words
 from kurbel.page.subject import Question
 from kurbel.plot.drawings import (
+    DrawingWish,
     Picture,
-    Wish,
     asked_of,
     check_one,
     columns_of,
@@ -27,8 +27,8 @@ from kurbel.plot.drawings import (
     smooth,
 )
 from kurbel.plot.panel import (
-    Across,
-    Around,
+    HorizontalAxis,
+    PanelFrame,
     PinForce,
     Ticks,
     Trace,
@@ -63,10 +63,10 @@ class _Across(NamedTuple):
 
     name: str
     places: Sequence[float]
-    axis: Across | None
+    axis: HorizontalAxis | None
 
 
-def over_axes(question: Question, wish: Wish) -> Picture:
+def over_axes(question: Question, wish: DrawingWish) -> Picture:
     """Return what is drawn of a page over the axis that has several places. Raises ProblemError for a page
     without one."""
     keys = tuple(one.key for one in columns_of(question) if one.key not in DOUBLED)
@@ -77,14 +77,14 @@ def over_axes(question: Question, wish: Wish) -> Picture:
     return _drawn(asked_of(question, columns=keys, **angles), wish)
 
 
-def deviations(question: Question, wish: Wish) -> Picture:
+def deviations(question: Question, wish: DrawingWish) -> Picture:
     """Return what is drawn of a collation: the differences of the printed values, place by place."""
     if question.columns:
         raise ProblemError("a drawing of a collation has its deviations; leave --columns out")
     return _drawn(question, wish, ("difference",))
 
 
-def _drawn(asked: Question, wish: Wish, keys: Sequence[str] = ()) -> Picture:
+def _drawn(asked: Question, wish: DrawingWish, keys: Sequence[str] = ()) -> Picture:
     sentence = "this page is drawn over an axis of its own; leave {} out"
     refuse(wish, infinite=sentence.format("--infinite"), over_path=sentence.format("--over-path"))
     across = _across(asked)
@@ -95,7 +95,7 @@ def _drawn(asked: Question, wish: Wish, keys: Sequence[str] = ()) -> Picture:
     if across.name in APART:
         traces = [*_stems(traces)]
     several = len({one.telling for one in traces}) > 1
-    return Picture(asked, panels_of(traces, asked.lang, apart=several), Around(across=across.axis))
+    return Picture(asked, panels_of(traces, asked.lang, apart=several), PanelFrame(across=across.axis))
 
 
 def _across(asked: Question) -> _Across:
@@ -117,7 +117,7 @@ def _across(asked: Question) -> _Across:
     else:
         field = axis.field() if isinstance(axis, Axis) else None
         label = axis_label(f"{field.name} {field.symbol}", field.unit) if field else axis.stub_heading()
-    return _Across(name, known[name], Across(label, _whole_ticks if name in APART else plain_ticks))
+    return _Across(name, known[name], HorizontalAxis(label, _whole_ticks if name in APART else plain_ticks))
 
 
 def _loads(asked: Question) -> Iterator[str]:
@@ -211,7 +211,7 @@ ALONG, ACROSS = "along", "across"
 TITLE = words("Polardiagramm: {residual}, {caption}|Polar diagram: {residual}, {caption}")
 
 
-def unbalanced(request: BalanceRequest, wish: Wish) -> Picture:
+def unbalanced(request: BalanceRequest, wish: DrawingWish) -> Picture:
     """Return the free force over the turn, of an engine without one the free moment, of all orders together.
 
     Raises ProblemError where both are balanced.

@@ -46,7 +46,7 @@ class Ticks(NamedTuple):
     texts: tuple[str, ...]
 
 
-class Across(NamedTuple):
+class HorizontalAxis(NamedTuple):
     """An axis from left to right: its name, and its ticks between two values with a decimal mark, at most so
     many steps of them."""
 
@@ -84,9 +84,9 @@ def angle_ticks(low: float, high: float, mark: str, most: int = MOST_STEPS) -> T
     return Ticks(ticks.places, tuple(f"{text}°" for text in ticks.texts))
 
 
-def over_angle(lang: str) -> Across:
+def over_angle(lang: str) -> HorizontalAxis:
     """Return the axis of the crank angle."""
-    return Across(f"{PHI[lang]} $φ$", angle_ticks)
+    return HorizontalAxis(f"{PHI[lang]} $φ$", angle_ticks)
 
 
 def plain_ticks(low: float, high: float, mark: str, most: int = MOST_STEPS) -> Ticks:
@@ -150,7 +150,7 @@ class Curve(NamedTuple):
     dotted: bool = False
 
 
-class Spot(NamedTuple):
+class MarkedPoint(NamedTuple):
     """A point of a curve that is marked, by a dot or by an arrowhead that points a way, and what is written
     beside it."""
 
@@ -179,7 +179,7 @@ class Panel(NamedTuple):
     label: Label
     unit: Label = ""
     areas: bool = False
-    spots: Sequence[Spot] = ()
+    spots: Sequence[MarkedPoint] = ()
     swing: Swing | None = None
     scale: float | None = None
 
@@ -197,7 +197,7 @@ class Strokes(NamedTuple):
     names: Sequence[Label]
 
 
-class Around(NamedTuple):
+class PanelFrame(NamedTuple):
     """What stands around the panels: what is drawn in a few letters, the strokes, the axis below.
 
     Without an axis it is that of the crank angle.
@@ -205,10 +205,10 @@ class Around(NamedTuple):
 
     said: Label = ""
     strokes: Strokes | None = None
-    across: Across | None = None
+    across: HorizontalAxis | None = None
 
 
-NOTHING_AROUND = Around()
+NOTHING_AROUND = PanelFrame()
 
 
 def again(place: Angle, cycle: int, first: Angle, last: Angle) -> Iterator[Angle]:
@@ -217,10 +217,12 @@ def again(place: Angle, cycle: int, first: Angle, last: Angle) -> Iterator[Angle
     yield from (place + cycle * turn for turn in turns)
 
 
-def named_again(angle: float, value: float, cycle: int, span: tuple[float, float], text: Label) -> list[Spot]:
+def named_again(
+    angle: float, value: float, cycle: int, span: tuple[float, float], text: Label
+) -> list[MarkedPoint]:
     """Return the spots of a place that comes again after a cycle, of which the first has the text."""
     places = again(angle, cycle, *span)
-    return [Spot(place, value, "" if number else text) for number, place in enumerate(places)]
+    return [MarkedPoint(place, value, "" if number else text) for number, place in enumerate(places)]
 
 
 def strokes_between(
@@ -332,7 +334,7 @@ class Trace(NamedTuple):
     angles: Sequence[float]
     values: Sequence[float]
     dotted: bool = False
-    named: Callable[[int], Sequence[Spot]] | None = None
+    named: Callable[[int], Sequence[MarkedPoint]] | None = None
 
 
 def axis_name(quantity: Quantity, lang: str) -> tuple[str, Label, Label]:

@@ -20,7 +20,7 @@ Box: TypeAlias = tuple[float, float, float, float]
 GAP, CLEAR = 0.8, 0.6
 
 
-class Wish(NamedTuple):
+class Clearance(NamedTuple):
     """The least distance from what is not a label's own; and so much that more is not better."""
 
     least: float
@@ -28,7 +28,7 @@ class Wish(NamedTuple):
 
 
 # Beside a line its label must be nearer to it than to any other; around a point no other can be meant.
-BESIDE, AROUND = Wish(GAP + CLEAR, 5.0), Wish(CLEAR, 1.2)
+BESIDE, AROUND = Clearance(GAP + CLEAR, 5.0), Clearance(CLEAR, 1.2)
 # Where a label may be around a point: in so many directions, and so much farther than touching it.
 DIRECTIONS, DISTANCES = 32, (0.0, 0.8, 1.6, 3.0)
 # Degrees of free room around a label, and so much that it covers nothing but that from a line.
@@ -66,7 +66,7 @@ class Labelled(NamedTuple):
         return Ink(ink.points[kept], ink.weights[kept])
 
 
-class Spot(NamedTuple):
+class LabelPlace(NamedTuple):
     """The centre of a label, the group of places it is from, and whether its box covers a line there."""
 
     centre: Points
@@ -133,7 +133,7 @@ def _reach(direction: Points, size: tuple[float, float]) -> Points:
 
 
 def freest(
-    centres: Points, size: tuple[float, float], own: Points, others: Points, frame: Box, wish: Wish
+    centres: Points, size: tuple[float, float], own: Points, others: Points, frame: Box, wish: Clearance
 ) -> Points | None:
     """Return the centre whose box has most room, the first of several, or None if none has enough.
 
@@ -162,7 +162,7 @@ def spot(
     ink: Ink,
     frame: Box,
     allowed: Callable[[Points], Chosen],
-) -> Spot | None:
+) -> LabelPlace | None:
     """Return where a label stands: at the first free place of the first group that has one.
 
     Of the allowed places of a group those with more room are better, by the degrees of ROOMY. Where no group
@@ -173,7 +173,7 @@ def spot(
     for number, centres in enumerate(map(search.possible, groups)):
         place = search.free(centres)
         if place is not None:
-            return Spot(place, number, False)
+            return LabelPlace(place, number, False)
         if len(centres):
             weight, place = search.least(centres)
             crowded.append((weight, number, place))
@@ -181,7 +181,7 @@ def spot(
         return None
     weight, number, centre = min(crowded, key=lambda one: one[:2])
     place = search.free(search.possible(centre + _AROUND))
-    return Spot(centre, number, weight > 0) if place is None else Spot(place, number, False)
+    return LabelPlace(centre, number, weight > 0) if place is None else LabelPlace(place, number, False)
 
 
 class _Search(NamedTuple):

@@ -102,7 +102,7 @@ EDGE = 0.045
 NEAR = 1e-9
 
 
-class Room(NamedTuple):
+class PanelRoom(NamedTuple):
     """What a panel has: its width and height in mm, what stands between it and its heading, and beside this
     at the right, and the angles at which lines lead through it; where they are settled, the ends of the
     axis of values."""
@@ -115,7 +115,7 @@ class Room(NamedTuple):
     limits: tuple[float, float] | None = None
 
 
-class Written(NamedTuple):
+class PlacedText(NamedTuple):
     """A text in the panel with its centre in mm from the lower left."""
 
     text: str
@@ -136,11 +136,11 @@ class Plan(NamedTuple):
     courses: Sequence[Course]
     span: tuple[float, float]
     limits: tuple[float, float]
-    room: Room
+    room: PanelRoom
     heading: str
     texts: tuple[str, ...]
-    labels: Sequence[Written] | None
-    spots: Sequence[Written]
+    labels: Sequence[PlacedText] | None
+    spots: Sequence[PlacedText]
     columns: int
     # Whether the legend stands above the heading, not beside it.
     apart: bool = False
@@ -180,7 +180,7 @@ class Plan(NamedTuple):
         )
 
 
-def plan_of(panel: Panel, span: tuple[float, float], room: Room, mark: str) -> Plan:
+def plan_of(panel: Panel, span: tuple[float, float], room: PanelRoom, mark: str) -> Plan:
     courses = [Course.of(curve) for curve in panel.curves]
     heading = in_rows(text_of(axis_label(panel.label, panel.unit, panel.power), mark), room.width)
     texts = tuple(text_of(curve.label, mark) for curve in panel.curves)
@@ -228,7 +228,7 @@ def with_legend(plan: Plan) -> Plan:
     return plan._replace(labels=None, columns=columns, apart=not beside)
 
 
-def _labels(plan: Plan) -> Sequence[Written] | None:
+def _labels(plan: Plan) -> Sequence[PlacedText] | None:
     """Return where labels beside the curves have room, or None unless all have."""
     lines = _lines(plan)
     jumps = (densely(plan.on_paper(course.jumps())) for course in plan.courses)
@@ -242,7 +242,7 @@ def _labels(plan: Plan) -> Sequence[Written] | None:
         place = freest(beside(line, size), size, line, others, (0, 0, *plan.size), BESIDE)
         if place is None:
             return None
-        written.append(Written(text, place, TEXT_SIZE))
+        written.append(PlacedText(text, place, TEXT_SIZE))
         taken.append(box_points(place, size))
     return written
 
@@ -250,7 +250,7 @@ def _labels(plan: Plan) -> Sequence[Written] | None:
 def with_spots(plan: Plan, mark: str) -> Plan:
     """Return the plan with the texts of its spots, as far as these have room."""
     lines = [*_lines(plan), _zero(plan)]
-    written: list[Written] = []
+    written: list[PlacedText] = []
     taken = [*_dots(plan), *_ends(plan), *_levels(plan), *(_box(one) for one in plan.labels or ())]
     for spot in plan.panel.spots:
         text = text_of(spot.text, mark)
@@ -263,7 +263,7 @@ def with_spots(plan: Plan, mark: str) -> Plan:
         others = others[np.hypot(*(others - at).T) > 2 * SPOT]
         place = freest(around(at, size, outward), size, line, others, (0, 0, *plan.size), AROUND)
         if place is not None:
-            written.append(Written(text, place, SMALL_TEXT))
+            written.append(PlacedText(text, place, SMALL_TEXT))
             taken.append(_box(written[-1]))
     return plan._replace(spots=tuple(written))
 
@@ -295,7 +295,7 @@ def _dots(plan: Plan) -> Iterable[Points]:
         yield box_points(at, (2 * SPOT, 2 * SPOT))
 
 
-def _box(one: Written) -> Points:
+def _box(one: PlacedText) -> Points:
     left, bottom, right, top = one.box
     return box_points(one.place, (right - left, top - bottom))
 
@@ -305,7 +305,7 @@ def _box(one: Written) -> Points:
 SIDE, SCALE_EDGE, MOST_HEIGHT, PLAIN, LEAST = 5.0, 7.0, 185.0, 38.0, 25.0
 
 # From panels, the ends of the axis and the room of each to their plans.
-Planned = Callable[[tuple[float, float], Sequence[Room]], list[Plan]]
+Planned = Callable[[tuple[float, float], Sequence[PanelRoom]], list[Plan]]
 
 
 class _Extent(NamedTuple):
@@ -325,7 +325,7 @@ class _Extent(NamedTuple):
         """Return its height in units of the axis, 0 without a scale."""
         return (self.high - self.low) / self.scale if self.scale else 0.0
 
-    def room(self, room: Room, mm: float, more: float) -> Room:
+    def room(self, room: PanelRoom, mm: float, more: float) -> PanelRoom:
         """Return the room of the panel with so many mm for a unit of the axis, and so much more height."""
         if not self.scale:
             return room._replace(height=PLAIN)
@@ -335,7 +335,11 @@ class _Extent(NamedTuple):
 
 
 def plans_to_scale(
-    panels: Sequence[Panel], span: tuple[float, float], rooms: Sequence[Room], size: Size, planned: Planned
+    panels: Sequence[Panel],
+    span: tuple[float, float],
+    rooms: Sequence[PanelRoom],
+    size: Size,
+    planned: Planned,
 ) -> list[Plan]:
     """Return the panels as large as the size allows, or as a page of usual height does; what is wider than
     the curves need is theirs on both sides."""
@@ -364,7 +368,7 @@ def plans_to_scale(
 def _planned(
     extents: Sequence[_Extent],
     span: tuple[float, float],
-    rooms: Sequence[Room],
+    rooms: Sequence[PanelRoom],
     mm: float,
     size: Size,
     planned: Planned,

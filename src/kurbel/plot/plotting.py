@@ -18,8 +18,8 @@ from kurbel.plot.marks import (
 from kurbel.plot.panel import (
     MOST_STEPS,
     NOTHING_AROUND,
-    Around,
     Panel,
+    PanelFrame,
     check_panel,
     over_angle,
     round_step,
@@ -31,8 +31,8 @@ from kurbel.plot.plan import (
     LEFT,
     LEGEND_ROW,
     RIGHT,
+    PanelRoom,
     Plan,
-    Room,
     draw_legend,
     lined,
     plan_of,
@@ -72,7 +72,7 @@ LEAST_HEIGHT, LEAST_WIDTH = 15.0, 30.0
 
 
 def curves(
-    panels: Sequence[Panel], lang: str, mark: str, around: Around = NOTHING_AROUND, size: Size = USUAL
+    panels: Sequence[Panel], lang: str, mark: str, around: PanelFrame = NOTHING_AROUND, size: Size = USUAL
 ) -> Figure:
     """Return a drawing of panels above each other that share an axis, by default the angle's.
 
@@ -95,7 +95,7 @@ class Chart(NamedTuple):
 
 
 def charted(
-    panels: Sequence[Panel], lang: str, mark: str, around: Around, size: Size, above: float = 0.0
+    panels: Sequence[Panel], lang: str, mark: str, around: PanelFrame, size: Size, above: float = 0.0
 ) -> Chart:
     """Return such a drawing, with so many mm free above it. Only inside `style`."""
     for panel in panels:
@@ -135,7 +135,7 @@ def _span(panels: Sequence[Panel]) -> tuple[float, float]:
 def _plans(
     panels: Sequence[Panel],
     span: tuple[float, float],
-    around: Around,
+    around: PanelFrame,
     size: Size,
     mark: str,
     above: float,
@@ -148,13 +148,13 @@ def _plans(
             f"the width is {size.width:.6g} mm; these curves need {LEAST_WIDTH + LEFT + beside:.6g} mm"
         )
     ends = tuple(end for end in (around.strokes.ends if around.strokes else ()) if span[0] <= end <= span[1])
-    room = Room(width, HEIGHTS.get(len(panels), LOWEST), 0.0, "", ends)
+    room = PanelRoom(width, HEIGHTS.get(len(panels), LOWEST), 0.0, "", ends)
     strip = strip_of(around.strokes, span, width, mark) if around.strokes else 0.0
     first = room._replace(strip=strip, said=text_of(around.said, mark))
 
     rooms = [first, *[room] * (len(panels) - 1)]
 
-    def planned(ends: tuple[float, float], rooms: Sequence[Room]) -> list[Plan]:
+    def planned(ends: tuple[float, float], rooms: Sequence[PanelRoom]) -> list[Plan]:
         each = zip(panels, rooms, strict=True)
         return with_one_legend([plan_of(one, ends, has, mark) for one, has in each])
 

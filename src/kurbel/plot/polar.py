@@ -63,7 +63,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-class Looks(NamedTuple):
+class StrokeStyles(NamedTuple):
     """The names of strokes from the one that begins nearest to 0° on, each of which has its line, and the
     rows and columns of their legend."""
 
@@ -72,9 +72,9 @@ class Looks(NamedTuple):
     columns: int = 1
 
 
-def looks_of(strokes: Strokes | None, width: float, mark: str) -> Looks:
+def looks_of(strokes: Strokes | None, width: float, mark: str) -> StrokeStyles:
     if strokes is None or not strokes.names:
-        return Looks()
+        return StrokeStyles()
     count = len(strokes.names)
     first = min(range(count), key=lambda number: abs(strokes.ends[number]))
     order = (*strokes.names[first:], *strokes.names[:first])
@@ -82,10 +82,10 @@ def looks_of(strokes: Strokes | None, width: float, mark: str) -> Looks:
     each = max(size_of(name)[0] for name in names) + SAMPLE + SAMPLE_GAP + LEGEND_GAP
     most = max(1, min(len(names), int((width + LEGEND_GAP) / each)))
     rows = ceil(len(names) / most)
-    return Looks(names, rows, ceil(len(names) / rows))
+    return StrokeStyles(names, rows, ceil(len(names) / rows))
 
 
-def draw_strokes(axes: Axes, pieces: Sequence[Piece], strokes: Strokes | None, looks: Looks) -> None:
+def draw_strokes(axes: Axes, pieces: Sequence[Piece], strokes: Strokes | None, looks: StrokeStyles) -> None:
     """Draw the path of the force, stroke by stroke in its own line."""
     if strokes is None:
         curve = axes.plot(*with_gaps([piece.path for piece in pieces]).T, color=BLACK, linewidth=STRONG)

@@ -18,7 +18,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.motion.points import RodPoint, carried, paths_of
 from kurbel.page.steps import Joint, Line, Link, Point, Scene
-from kurbel.plot.film import Grown, Part, Seen, Way, crossing, toggled
+from kurbel.plot.film import GrowingLine, Part, VisibleArtists, Way, crossing, toggled
 from kurbel.plot.moving import GUIDE, HEAD, PLACES, polar_point
 from kurbel.plot.panel import degrees
 from kurbel.plot.place import Points
@@ -73,16 +73,16 @@ LEVEL = 1e-9
 GROUNDS = {"bearing": DOWN, "below": DOWN, "hung": UP, "beside": LEFTWARD}
 
 
-class Moving(NamedTuple):
+class MovingScene(NamedTuple):
     """What moves of a mechanism, and what stands still before it."""
 
     parts: tuple[Part, ...]
-    grown: tuple[Grown, ...]
-    seen: tuple[Seen, ...]
+    grown: tuple[GrowingLine, ...]
+    seen: tuple[VisibleArtists, ...]
     above: tuple[Artist, ...]
 
 
-def draw_scene(sketch: Sketch, scene: Scene, angles: Points, at: int) -> Moving:
+def draw_scene(sketch: Sketch, scene: Scene, angles: Points, at: int) -> MovingScene:
     """Draw a mechanism as it stands at one of the angles, for which its scene has all joints."""
     shafts = [line.points[0] for line in scene.fixed if line.kind in GROUNDS]
     draw_fixed(sketch, scene.fixed, shafts)
@@ -94,7 +94,7 @@ def draw_scene(sketch: Sketch, scene: Scene, angles: Points, at: int) -> Moving:
     if scene.path is not None:
         moving, path, shown = stage.reached(scene.path, scene.heads[0])
         parts, grown, seen = [*parts, *moving], [*grown, *path], [*seen, *shown]
-    return Moving(tuple(parts), tuple(grown), tuple(seen), tuple(stage.shafts(shafts)))
+    return MovingScene(tuple(parts), tuple(grown), tuple(seen), tuple(stage.shafts(shafts)))
 
 
 def draw_fixed(sketch: Sketch, lines: Sequence[Line], shafts: Sequence[Point]) -> None:
@@ -244,7 +244,7 @@ class _Stage:
                 boxes.append(self.axes.add_patch(box))
             yield self.part(f"head-{number}" if number > 1 else "head", boxes, places)
 
-    def turned(self) -> tuple[list[Part], list[Grown], list[Seen]]:
+    def turned(self) -> tuple[list[Part], list[GrowingLine], list[VisibleArtists]]:
         """Draw the crank angle φ, within the crank circle or around a small one."""
         mm, turns = self.mm, self.angles % 360
         turns = np.where((turns == 0) & (self.angles > self.angles[0]), 360.0, turns)
@@ -275,10 +275,12 @@ class _Stage:
             Part("phi", (letter,), self.axes, Way(angles, rows)),
         ]
         shown = toggled(angles, ends > LEAST_TURN)
-        seen = [Seen("phi-seen", (tip, letter), shown)]
-        return parts, [Grown("arc", arc, self.axes, Way(angles, ends[:, None] / 360))], seen
+        seen = [VisibleArtists("phi-seen", (tip, letter), shown)]
+        return parts, [GrowingLine("arc", arc, self.axes, Way(angles, ends[:, None] / 360))], seen
 
-    def reached(self, path: Point, joint: Joint) -> tuple[list[Part], list[Grown], list[Seen]]:
+    def reached(
+        self, path: Point, joint: Joint
+    ) -> tuple[list[Part], list[GrowingLine], list[VisibleArtists]]:
         """Draw the path x of the crosshead from its inner dead centre."""
         mm, (start, level), heads = self.mm, path, self.places(joint)
         beyond = math.copysign(mm, level - heads[0][1])
@@ -300,11 +302,11 @@ class _Stage:
             self.part("path-letter", [letter], middle),
         ]
         grown = [
-            Grown(
+            GrowingLine(
                 "reach", line, self.axes, Way(self.angles, ((start - far[:, 0]) / (start - least))[:, None])
             )
         ]
-        return parts, grown, [Seen("path-seen", (tip, still, letter), shown)]
+        return parts, grown, [VisibleArtists("path-seen", (tip, still, letter), shown)]
 
 
 def corners(scene: Scene, margin: float, mm: float) -> tuple[Point, Point]:
@@ -326,7 +328,7 @@ LEAST_HEIGHT = 0.05
 FRONT = 7
 
 
-class Coupled(NamedTuple):
+class RodPointPath(NamedTuple):
     """A point of the rod, its label and what a drawing calls it, and where it is at equal steps of a turn."""
 
     share: float
@@ -340,7 +342,7 @@ class Coupled(NamedTuple):
         return carried(pin, end, self.share, self.beside)
 
 
-def coupled(points: Sequence[RodPoint], scene: Scene | None) -> tuple[Coupled, ...]:
+def coupled(points: Sequence[RodPoint], scene: Scene | None) -> tuple[RodPointPath, ...]:
     """Return the points on the rod of what moves; a drive too long to be drawn has none."""
     if len(points) > MOST_POINTS:
         raise ProblemError(
@@ -349,13 +351,13 @@ def coupled(points: Sequence[RodPoint], scene: Scene | None) -> tuple[Coupled, .
     return tuple(_coupled(points, scene)) if scene else ()
 
 
-def _coupled(points: Sequence[RodPoint], scene: Scene) -> Iterator[Coupled]:
+def _coupled(points: Sequence[RodPoint], scene: Scene) -> Iterator[RodPointPath]:
     for one, path in zip(points, paths_of(points, scene), strict=True):
         share, beside = float(one.share), float(one.beside)
-        yield Coupled(share, beside, one.label, "$P$" if len(points) == 1 else one.label, path)
+        yield RodPointPath(share, beside, one.label, "$P$" if len(points) == 1 else one.label, path)
 
 
-def around(corners: Corners, paths: Sequence[Coupled]) -> Corners:
+def around(corners: Corners, paths: Sequence[RodPointPath]) -> Corners:
     """Return the corners of a page that has room for the paths, too."""
     if not paths:
         return corners
@@ -372,7 +374,7 @@ def around(corners: Corners, paths: Sequence[Coupled]) -> Corners:
     return reaching
 
 
-def usual_scale(corners: Corners, usual: float, paths: Sequence[Coupled]) -> float:
+def usual_scale(corners: Corners, usual: float, paths: Sequence[RodPointPath]) -> float:
     """Return how many mm a unit is by itself, so that a drawing with paths is no larger than others."""
     if not paths:
         return usual
@@ -389,7 +391,7 @@ def usual_scale(corners: Corners, usual: float, paths: Sequence[Coupled]) -> flo
     return scale
 
 
-def draw_paths(sketch: Sketch, paths: Sequence[Coupled], pin: Point, end: Point, mark: str) -> None:
+def draw_paths(sketch: Sketch, paths: Sequence[RodPointPath], pin: Point, end: Point, mark: str) -> None:
     """Draw the paths with their marks, the points at the first position, and what joins these to the rod."""
     first = next((one for one in paths if _is_open(one)), None)
     for number, one in enumerate(paths):
@@ -404,20 +406,20 @@ def draw_paths(sketch: Sketch, paths: Sequence[Coupled], pin: Point, end: Point,
         sketch.beside_points([(place, _outward(one, place), text_of(one.name, mark))], POINT + 0.5)
 
 
-def _is_open(one: Coupled) -> bool:
+def _is_open(one: RodPointPath) -> bool:
     """Whether the path is more than a line."""
     heights = [up for _, up in one.path]
     return max(heights) - min(heights) > LEAST_HEIGHT
 
 
-def _joined(one: Coupled, pin: Point, end: Point) -> tuple[Point, ...]:
+def _joined(one: RodPointPath, pin: Point, end: Point) -> tuple[Point, ...]:
     """Return the ends of the rod to which a line leads from a point that is not on it."""
     if one.beside:
         return pin, end
     return () if 0 <= one.share <= 1 else (pin if one.share > 1 else end,)
 
 
-def _marks(sketch: Sketch, one: Coupled, mark: str, told: bool) -> None:
+def _marks(sketch: Sketch, one: RodPointPath, mark: str, told: bool) -> None:
     """Mark crank angles on a path; of many paths they are told on one."""
     step = PLACES * MARKED // 360
     texts: list[Text] = []
@@ -429,7 +431,7 @@ def _marks(sketch: Sketch, one: Coupled, mark: str, told: bool) -> None:
     sketch.beside_points(texts, MARK + 0.5)
 
 
-def _outward(one: Coupled, place: Point) -> Point:
+def _outward(one: RodPointPath, place: Point) -> Point:
     """Return the direction from the middle of a path."""
     xs, ys = zip(*one.path, strict=True)
     middle = (min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2

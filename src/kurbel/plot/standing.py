@@ -13,16 +13,16 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from kurbel.errors import ProblemError
-from kurbel.linkage.linkage import Outline, Stand
+from kurbel.linkage.linkage import LinkagePosition, Outline
 from kurbel.linkage.rocker import RockerCrank
 from kurbel.plot.moving import (
     LONGEST_ROD,
     SHAFT,
+    FixedExtent,
     Position,
-    Reach,
     Rocker,
+    RockingDrive,
     Slide,
-    Swung,
     crank_pin,
     links_fixed,
     polar_point,
@@ -42,7 +42,7 @@ from kurbel.plot.sketch import (
     laid_out,
     page_fitted,
 )
-from kurbel.plot.stage import Coupled, around, draw_fixed, draw_paths, usual_scale
+from kurbel.plot.stage import RodPointPath, around, draw_fixed, draw_paths, usual_scale
 from kurbel.plot.style import BLACK, MEDIUM, PALE, WIDTH, Size, arrowhead, style, text_of
 from kurbel.reading.notation import about
 
@@ -64,7 +64,7 @@ ROCKER_RIGHT, ARC_OVERRUN, OUTWARD, LEADER = 17.0, 4.0, 4.5, 7.0
 PSI, THETA = text_of("$ψ$", "."), text_of("$θ$", ".")
 
 
-class Standing(ABC):
+class StandingDrawing(ABC):
     """A mechanism with its shafts, and by itself so many mm for a unit."""
 
     shafts: tuple[Point, ...] = (SHAFT,)
@@ -73,7 +73,7 @@ class Standing(ABC):
     lang: str = "de"
 
     @abstractmethod
-    def stand(self, angle: float) -> Stand:
+    def stand(self, angle: float) -> LinkagePosition:
         """Return its links and pins at a crank angle in degrees."""
 
     def side(self, pin: Point) -> int:
@@ -96,7 +96,7 @@ class Standing(ABC):
         """Return in which direction the ground of a shaft is; a crank that hangs down would hide it."""
         return UP if pin[1] < -HANGING else DOWN
 
-    def strong(self, sketch: Sketch, first: Stand, pin: Point) -> None:
+    def strong(self, sketch: Sketch, first: LinkagePosition, pin: Point) -> None:
         sketch.strong_links(**first.links)
         for shaft in self.shafts:
             sketch.bearing(shaft, self.ground(pin, shaft))
@@ -107,7 +107,12 @@ class Standing(ABC):
         return ()
 
     def drawn(
-        self, angles: Sequence[float | Fraction], lang: str, mark: str, size: Size, paths: Sequence[Coupled]
+        self,
+        angles: Sequence[float | Fraction],
+        lang: str,
+        mark: str,
+        size: Size,
+        paths: Sequence[RodPointPath],
     ) -> Figure:
         """Return the drawing; raises ProblemError for a page that is too small."""
         self.lang = lang
@@ -133,12 +138,12 @@ class Standing(ABC):
         return sketch.figure
 
 
-class SwungStanding(Standing):
+class SwungStanding(StandingDrawing):
     """One whose rod has two dead centres."""
 
-    drive: Swung
+    drive: RockingDrive
 
-    def stand(self, angle: float) -> Stand:
+    def stand(self, angle: float) -> LinkagePosition:
         return self.drive.stand(angle)
 
 
@@ -175,10 +180,10 @@ class SlideStanding(SwungStanding):
     def fixed(self, sketch: Sketch) -> None:
         overrun, mm = HEAD_LENGTH / 2 + OVERRUN, sketch.mm
         right = self.end + (overrun + 2) * mm
-        reach = Reach(1 + SHAFT_OVERRUN * mm, right, overrun * mm, HEAD_HEIGHT / 2 * mm)
+        reach = FixedExtent(1 + SHAFT_OVERRUN * mm, right, overrun * mm, HEAD_HEIGHT / 2 * mm)
         draw_fixed(sketch, (*self.drive.fixed(reach), *self.drive.dead), self.shafts)
 
-    def strong(self, sketch: Sketch, first: Stand, pin: Point) -> None:
+    def strong(self, sketch: Sketch, first: LinkagePosition, pin: Point) -> None:
         from matplotlib.patches import Rectangle
 
         (x, y), mm = first.pins[1], sketch.mm
@@ -278,7 +283,7 @@ class RockerStanding(SwungStanding):
 
     def fixed(self, sketch: Sketch) -> None:
         mm, drive, (x, y) = sketch.mm, self.drive, self.pivot
-        reach = Reach(1 + SHAFT_OVERRUN * mm, self.high[0] + 4 * mm, ARC_OVERRUN * mm)
+        reach = FixedExtent(1 + SHAFT_OVERRUN * mm, self.high[0] + 4 * mm, ARC_OVERRUN * mm)
         draw_fixed(sketch, (*drive.fixed(reach), *drive.dead), self.shafts)
         sketch.centre_line((x, y + sketch.side * 4 * mm), (x, y), (x, self._lowest(sketch)))
         for dead in (drive.inner, drive.outer):
@@ -339,14 +344,14 @@ class RockerStanding(SwungStanding):
         ]
 
 
-class LinksStanding(Standing):
+class LinksStanding(StandingDrawing):
     """A drive by what it says of its outline: cranks turn from the line of shafts."""
 
     def __init__(self, outline: Outline) -> None:
         self.outline, self.shafts = outline, (*outline.shafts, *outline.pivots)
         self.usual = (WIDTH - 2 * BESIDE) / (outline.right - outline.left)
 
-    def stand(self, angle: float) -> Stand:
+    def stand(self, angle: float) -> LinkagePosition:
         return self.outline.stand(crank_pin(angle))
 
     def corners(self, side: int, mm: float) -> tuple[Point, Point]:

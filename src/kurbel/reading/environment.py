@@ -73,7 +73,7 @@ def _wanted(extra: str) -> list[str]:
     ]
 
 
-class Noted(TypedDict, total=False):
+class InstallNote(TypedDict, total=False):
     """What pip notes of a library that came from a checkout or from a repository."""
 
     url: str
@@ -81,7 +81,7 @@ class Noted(TypedDict, total=False):
     dir_info: Mapping[str, bool]
 
 
-def _from_source(noted: Noted, extra: str) -> list[str]:
+def _from_source(noted: InstallNote, extra: str) -> list[str]:
     url = noted["url"]
     if "vcs_info" in noted:
         vcs = noted["vcs_info"]

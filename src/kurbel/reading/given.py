@@ -37,7 +37,7 @@ _LISTED = 20
 _EITHER_WAY = r"\s*(?:±|\+/?[-−])\s*(?=[\d.,])"
 
 
-class Given:
+class FrozenValue:
     """A frozen dataclass that is pickled and copied as what was given; what it found since is found again."""
 
     def __getstate__(self) -> dict[str, object]:

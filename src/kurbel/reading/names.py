@@ -83,7 +83,7 @@ _RETURN = "return"
 WRITING = frozenset(("format", "decimal", "output", "standalone", "longtable", "siunitx", "plain", "excel"))
 # Annotations, with what a value must be.
 _KINDS: Mapping[str, tuple[Any, str]] = {
-    "str": (str, "text"),
+    "str": ((str, NoneType), "text"),
     "str | None": ((str, NoneType), "text"),
     "str | os.PathLike[str]": ((str, PathLike), "the name of a file"),
 }

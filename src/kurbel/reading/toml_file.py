@@ -51,7 +51,7 @@ def within(least: int, most: int) -> Meta:
     return Meta(ge=least, le=most)
 
 
-class Choice(str):
+class TextChoice(str):
     """A text that must be one of a few."""
 
     what: ClassVar[str]

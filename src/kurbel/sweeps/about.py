@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import kurbel
-from kurbel.commands.sliders import Written
+from kurbel.commands.sliders import SpacedValues
 from kurbel.exact.numerals import Label, exact_text
 from kurbel.motion.captions import formula_lines
 from kurbel.motion.motion_page import Request
@@ -27,7 +27,7 @@ DECIMALS = "each digit is certified: the exact value, correctly rounded to {} de
 
 
 @dataclass(frozen=True)
-class About:
+class SweepDescription:
     """What is known of a sweep: `questions` are those of two combinations, or of one.
 
     What they both say holds everywhere.
@@ -37,7 +37,7 @@ class About:
     questions: tuple[Question, ...]
 
     @classmethod
-    def of(cls, sweep: Sweep) -> About:
+    def of(cls, sweep: Sweep) -> SweepDescription:
         # Of sweeps of which all of these are refused one that is asked elsewhere.
         found = [*questions(sweep.plan, 0, 8)] or [next(questions(sweep.plan, 0))]
         return cls(sweep, (*found[:1], *found[1:][-1:]))
@@ -129,7 +129,7 @@ def _note(column: Column) -> str:
 
 def _text(value: object) -> object:
     """Return a value, or several, as text that can be typed."""
-    if isinstance(value, Written):
+    if isinstance(value, SpacedValues):
         return f"{_range(value.numbers)}{value.unit}"
     if isinstance(value, Progression):
         return _range(value)
@@ -159,7 +159,7 @@ _POWERS = str.maketrans("⁻¹²³", "-123")
 _UNIT = re.compile(r"(?P<letters>[^\d\s⁻¹²³]+)(?P<power>[⁻¹²³]*)")
 
 
-def cf_of_file(about: About) -> dict[str, str]:
+def cf_of_file(about: SweepDescription) -> dict[str, str]:
     """Return the attributes of a file."""
     said = about.file()
     return {
@@ -170,7 +170,7 @@ def cf_of_file(about: About) -> dict[str, str]:
     }
 
 
-def cf_of(about: About, column: Column) -> dict[str, str]:
+def cf_of(about: SweepDescription, column: Column) -> dict[str, str]:
     """Return the attributes of an array. `units` are those of udunits, "1" where the unit is one of the drive
     itself, such as R; `unit` is that as pages print it."""
     said = about.column(column)

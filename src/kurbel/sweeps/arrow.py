@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from kurbel.errors import OutputError
 from kurbel.formats.render import whole_file
-from kurbel.sweeps.about import About
+from kurbel.sweeps.about import SweepDescription
 from kurbel.sweeps.columns import Cells, Column, Part
 from kurbel.sweeps.rows import Sweep
 
@@ -73,7 +73,7 @@ REASON = "reason"
 
 def schema_of(sweep: Sweep) -> pa.Schema:
     """Return the schema of a file; each field has what is known of its column."""
-    about = About.of(sweep)
+    about = SweepDescription.of(sweep)
     bare = bare_schema(sweep)
     fields = [bare.field(one.key).with_metadata(about.column(one)) for one in sweep.columns]
     said = json.dumps(about.file(), ensure_ascii=False)

@@ -147,7 +147,7 @@ class Way(Protocol):
 
 
 @dataclass(frozen=True)
-class Asked:
+class AnsweredPlan:
     """A plan with what the command answers at one of its points: the fields of its records, their number,
     and what tells them apart, by its keys."""
 
@@ -168,7 +168,7 @@ class Asked:
         return [column for column in self.columns if not column.option]
 
 
-def columns_from(asked: Asked, found: Sequence[Record], reasons: dict[int, str]) -> Rows:
+def columns_from(asked: AnsweredPlan, found: Sequence[Record], reasons: dict[int, str]) -> Rows:
     """Return rows from records by the keys of the fields; one that was refused is empty."""
     # Of an indicator card a number has as many decimals as are known; of others what is exact has few.
     told = reasons if asked.plan.carded else None

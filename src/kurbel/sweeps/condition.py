@@ -265,7 +265,7 @@ FIXED = -1
 
 
 @dataclass(frozen=True)
-class Kept:
+class KeptPlaces:
     """The places on the axes up to the last one of the condition, and how many points each of them has."""
 
     places: Places
@@ -280,7 +280,7 @@ class Kept:
         return self.places[places] * self.each + within
 
 
-def kept_of(plan: Plan) -> Kept:
+def kept_of(plan: Plan) -> KeptPlaces:
     """Return the points at which the condition of the plan holds. Raises KurbelError."""
     condition = Condition(plan.only)
     axes = named_axes(plan, condition)
@@ -299,7 +299,7 @@ def kept_of(plan: Plan) -> Kept:
     kept = np.concatenate(found)
     if not len(kept):
         raise ProblemError(f"the condition {plan.only} holds at no combination; nothing is left to compute")
-    return Kept(kept, prod(plan.sizes[last + 1 :]))
+    return KeptPlaces(kept, prod(plan.sizes[last + 1 :]))
 
 
 def named_axes(plan: Plan, condition: Condition) -> Mapping[str, tuple[int, Axis]]:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from kurbel.commands.options import TEXT, Option
-from kurbel.commands.sliders import Written, parted
+from kurbel.commands.sliders import SpacedValues, parted
 from kurbel.drive.size import is_written
 from kurbel.errors import KurbelError, NotationError
 from kurbel.motion.bulk import float_angles
@@ -75,7 +75,7 @@ def _in_si(
         return None
     if isinstance(values, Progression):
         return values, 1, _own(parameter)
-    if isinstance(values, Written):
+    if isinstance(values, SpacedValues):
         factor, unit = _factor(values.unit, parameter)
         return (values.numbers, factor, unit) if factor else None
     if all(type(one) is Fraction for one in values):

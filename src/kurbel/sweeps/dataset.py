@@ -113,9 +113,9 @@ def sweep(
         )
         if output is not None:
             need("a file of columns", "scale", "pyarrow")
-            from kurbel.sweeps.run import Running, run
+            from kurbel.sweeps.run import SweepRunner, run
 
-            return run(Sweep(plan), str(output), Running(scheduler, jobs, resume, restart))
+            return run(Sweep(plan), str(output), SweepRunner(scheduler, jobs, resume, restart))
     return dataset_of(Sweep(plan))
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kurbel.errors import ProblemError
-from kurbel.sweeps.about import About, cf_of, cf_of_file
+from kurbel.sweeps.about import SweepDescription, cf_of, cf_of_file
 from kurbel.sweeps.columns import Column, Part
 from kurbel.sweeps.coordinates import values_at
 from kurbel.sweeps.plan import Axis
@@ -73,7 +73,7 @@ class Grid:
     """The dimensions of a sweep, and which columns are coordinates on which of them."""
 
     def __init__(self, sweep: Sweep) -> None:
-        self.sweep, self.about = sweep, About.of(sweep)
+        self.sweep, self.about = sweep, SweepDescription.of(sweep)
         self.columns = {column.option: column for column in sweep.columns if column.option}
         self.dims = tuple(self._dims())
         self.sizes = sweep.shape

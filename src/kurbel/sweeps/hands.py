@@ -33,14 +33,14 @@ FOR_EACH = 2
 _thread = local()
 
 
-class LetGoError(FailedError):
+class AbandonedError(FailedError):
     """A part that nobody waits for any longer."""
 
 
 def check_wanted() -> None:
     """Raise LetGoError in a thread that was let go."""
     if (let_go := getattr(_thread, "let_go", None)) and let_go.is_set():
-        raise LetGoError("the run was stopped")
+        raise AbandonedError("the run was stopped")
 
 
 def cores() -> int:
@@ -72,7 +72,7 @@ def lock(handle: int, wait: bool = False) -> bool:
     return True
 
 
-class Hands(Protocol[Taken]):
+class Workers(Protocol[Taken]):
     """Who computes parts: some at once are given, and each is taken as it is done."""
 
     @property
@@ -89,7 +89,7 @@ class Hands(Protocol[Taken]):
         """Let all go; `at_once` without what they are computing."""
 
 
-def taken(hands: Hands[Made], count: int) -> Generator[tuple[int, Made], None, None]:
+def taken(hands: Workers[Made], count: int) -> Generator[tuple[int, Made], None, None]:
     """Yield so many parts as they are done, and let all go then, or where nobody takes them any longer."""
     given = 0
     try:
@@ -104,7 +104,7 @@ def taken(hands: Hands[Made], count: int) -> Generator[tuple[int, Made], None, N
     hands.end(at_once=False)
 
 
-class Here:
+class CallingThread:
     """The thread itself, for a sweep that is done before a process has started."""
 
     most = 1

@@ -25,7 +25,7 @@ from kurbel.page.quantity import Column
 from kurbel.page.subject import Question
 from kurbel.page.table import Records
 from kurbel.reading.notation import Progression
-from kurbel.sweeps.columns import BOUND, Asked, Cells, Record, Rows, columns_from
+from kurbel.sweeps.columns import BOUND, AnsweredPlan, Cells, Record, Rows, columns_from
 from kurbel.sweeps.plan import Floats, Places, Plan, Points
 from kurbel.sweeps.records import (
     DECIMALS,
@@ -47,7 +47,7 @@ OF_TURN, OF_ANGLE = ("turn",), ("angle", "crank")
 class OverAngle:
     """Floats in arrays, where these are proved or no bounds are asked for."""
 
-    asked: Asked
+    asked: AnsweredPlan
     in_threads: bool = False
 
     @property

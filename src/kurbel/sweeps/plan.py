@@ -22,7 +22,7 @@ from kurbel.page.subject import Question
 
 if TYPE_CHECKING:
     from kurbel.commands.subject import Command
-    from kurbel.sweeps.condition import Kept
+    from kurbel.sweeps.condition import KeptPlaces
 
 Floats = NDArray[np.float64]
 Places = NDArray[np.int64]
@@ -123,7 +123,7 @@ class Plan:
         return place if self.kept is None else int(self.kept.points(np.array([place]))[0])
 
     @cached_property
-    def kept(self) -> Kept | None:
+    def kept(self) -> KeptPlaces | None:
         """The points that are left, where not all are."""
         if not self.only:
             return None

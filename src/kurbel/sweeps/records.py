@@ -13,7 +13,7 @@ from kurbel.exact.numerals import MOST_DIGITS, Number
 from kurbel.page.build import own_records
 from kurbel.page.subject import Question
 from kurbel.page.table import Field, Records, Value
-from kurbel.sweeps.columns import MISSING, Asked, Record, Rows, columns_from
+from kurbel.sweeps.columns import MISSING, AnsweredPlan, Record, Rows, columns_from
 from kurbel.sweeps.plan import Plan, Points
 
 # Decimals of which a float is made; what is small has more.
@@ -38,7 +38,7 @@ def records_at(plan: Plan, point: int, digits: int, keys: Sequence[str]) -> Reco
     return records
 
 
-class First(NamedTuple):
+class FirstAnswer(NamedTuple):
     """What a command answers at a combination: fields, records, and the keys of those fields that were asked
     for or tell the records apart."""
 
@@ -47,13 +47,13 @@ class First(NamedTuple):
     needed: list[str]
 
 
-def first_of(plan: Plan) -> First:
+def first_of(plan: Plan) -> FirstAnswer:
     """Return what is answered at a combination, of some that are not refused the one with most records.
 
     Raises the error of the first one where all are refused.
     """
     refused: list[KurbelError] = []
-    found: list[First] = []
+    found: list[FirstAnswer] = []
     points = tried(plan)
     # Those first that lie far from each other, the first of all in front.
     for point in (point for start in range(MIXED) for point in points[start::MIXED]):
@@ -61,7 +61,7 @@ def first_of(plan: Plan) -> First:
             question = plan.question(point, digits_of(plan)).for_data
             records = own_records(question)
             needed = [*question.columns, *question.apart]
-            found.append(First(records.fields, [*records.rows], needed))
+            found.append(FirstAnswer(records.fields, [*records.rows], needed))
         except KurbelError as error:
             refused.append(error)
         if len(found) == COUNTED:
@@ -158,7 +158,7 @@ IN_BALLS = 1 << 9
 class Pointwise:
     """Every point is a question; a second of them at once, or less."""
 
-    asked: Asked
+    asked: AnsweredPlan
     rows_at_once: int = IN_BALLS
     in_threads: bool = False
 

@@ -28,12 +28,12 @@ from kurbel.motion.evaluation import MOST_DECIMALS
 from kurbel.motion.long import motion
 from kurbel.motion.motion_page import MOTION, Request
 from kurbel.page.subject import Question
-from kurbel.sweeps.columns import BOUND, GIVEN, Asked, Cells, Column, Part, Rows, Way, columns_of
+from kurbel.sweeps.columns import BOUND, GIVEN, AnsweredPlan, Cells, Column, Part, Rows, Way, columns_of
 from kurbel.sweeps.coordinates import Coordinates
 from kurbel.sweeps.hands import check_wanted
 from kurbel.sweeps.over_angle import CertifiedOverAngle, OverAngle, has_arrays, is_over_angle
 from kurbel.sweeps.plan import Floats, Places, Plan, Points
-from kurbel.sweeps.records import First, Pointwise, first_of, questions
+from kurbel.sweeps.records import FirstAnswer, Pointwise, first_of, questions
 
 OF_MOTION = frozenset(("ratio", "angle"))
 # Columns of so few rows stay near the processor, which saves a quarter of the time; of a long sweep the parts
@@ -45,7 +45,7 @@ FEW, MANY, LONG = 1 << 18, 1 << 20, 1 << 32
 class Motion:
     """Floats of a kernel that takes arrays of both."""
 
-    asked: Asked
+    asked: AnsweredPlan
     question: Request
     in_threads: bool = True
 
@@ -121,7 +121,7 @@ KEYS = ("eps", "back", *FURTHER)
 class Irregularities:
     """Floats of `kurbel.compute_delta`; what it would refuse is asked of the single command."""
 
-    asked: Asked
+    asked: AnsweredPlan
     question: EngineRequest
     rows_at_once: int = 1 << 20
     in_threads: bool = True
@@ -201,7 +201,7 @@ def is_irregularity(plan: Plan, question: Question) -> bool:
     return few and one and single and plain_steam(question, columns[0].method) is not None
 
 
-def way_of(asked: Asked) -> Way:
+def way_of(asked: AnsweredPlan) -> Way:
     """Return how the rows of a plan are computed."""
     plan, found = asked.plan, [*questions(asked.plan)]
     if plan.held or any(column.role == GIVEN for column in asked.columns):
@@ -304,8 +304,8 @@ class Sweep:
         apart = {
             field.key: [row[place] for row in rows] for place, field in enumerate(fields) if field.key in keys
         }
-        return way_of(Asked(self.plan, fields, self.each, self.columns, apart))
+        return way_of(AnsweredPlan(self.plan, fields, self.each, self.columns, apart))
 
     @cached_property
-    def _first(self) -> First:
+    def _first(self) -> FirstAnswer:
         return first_of(self.plan)

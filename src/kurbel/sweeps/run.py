@@ -24,7 +24,7 @@ from kurbel.errors import ChoiceError, FailedError, OutputError
 from kurbel.sweeps.arrow import batch_of
 from kurbel.sweeps.cluster import Cluster
 from kurbel.sweeps.folder import Work, files_of, grounded, identity_of, working
-from kurbel.sweeps.hands import Hands, Here, Processes, Result, Threads, cores
+from kurbel.sweeps.hands import CallingThread, Processes, Result, Threads, Workers, cores
 from kurbel.sweeps.parts import Form, Unit, form_of, is_device, joined, kept, made, unit_of
 from kurbel.sweeps.records import TRIED
 from kurbel.sweeps.rows import Sweep
@@ -47,7 +47,7 @@ class StoppedError(FailedError):
 
 
 @dataclass(frozen=True)
-class Running:
+class SweepRunner:
     """How a sweep is run: by so many `jobs` on this machine, or by the cluster of a `scheduler`.
 
     `resume` goes on with the parts of an earlier run, `restart` removes them. `watch` is told of rows that
@@ -75,7 +75,9 @@ class Running:
             )
 
 
-def run(sweep: Sweep, target: str, running: Running = Running(), format: str | None = None) -> Outcome:
+def run(
+    sweep: Sweep, target: str, running: SweepRunner = SweepRunner(), format: str | None = None
+) -> Outcome:
     """Write the sweep to a file, in the form of its suffix unless its `format` is said.
 
     Raises KurbelError; then parts that are done are kept for `resume`.
@@ -97,7 +99,7 @@ def run(sweep: Sweep, target: str, running: Running = Running(), format: str | N
 
 
 @contextmanager
-def _beside(target: str, running: Running) -> Iterator[str]:
+def _beside(target: str, running: SweepRunner) -> Iterator[str]:
     """Give the file beside which parts lie: the target, or one that nobody keeps if it is a stream."""
     if target != "-" and not is_device(target):
         yield target
@@ -108,7 +110,7 @@ def _beside(target: str, running: Running) -> Iterator[str]:
         yield os.path.join(folder, "sweep")
 
 
-def _parts(unit: Unit, work: Work, hands: Hands[Result], watch: Callable[[int], None]) -> Iterator[str]:
+def _parts(unit: Unit, work: Work, hands: Workers[Result], watch: Callable[[int], None]) -> Iterator[str]:
     """Yield the files of all parts, in order."""
     count, coming, given = unit.count, 0, 0
     ready: dict[int, str] = {}
@@ -134,7 +136,7 @@ def _parts(unit: Unit, work: Work, hands: Hands[Result], watch: Callable[[int], 
 
 
 @contextmanager
-def _hands(unit: Unit, work: Work, running: Running) -> Iterator[Hands[Result]]:
+def _hands(unit: Unit, work: Work, running: SweepRunner) -> Iterator[Workers[Result]]:
     """Give who computes the parts; they end with the block."""
     hands = _hired(unit, work, running)
     try:
@@ -148,13 +150,13 @@ def _hands(unit: Unit, work: Work, running: Running) -> Iterator[Hands[Result]]:
     hands.end(at_once=False)
 
 
-def _hired(unit: Unit, work: Work, running: Running) -> Hands[Result]:
+def _hired(unit: Unit, work: Work, running: SweepRunner) -> Workers[Result]:
     make = partial(made, unit, work.place)
     if running.scheduler:
         return Cluster(running.scheduler, make, work.place.word, files_of(unit.sweep.plan))
     count = min(running.jobs or cores(), unit.count)
     if count == 1:
-        return Here(make)
+        return CallingThread(make)
     return Threads(make, count) if unit.sweep.in_threads else Processes(make, count)
 
 

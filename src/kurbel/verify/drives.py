@@ -38,7 +38,7 @@ def typed(given: Mapping[str, Any]) -> dict[str, Any]:
     return {name: exact(one) for name, one in given.items() if one is not None}
 
 
-class Held(NamedTuple):
+class PinForces(NamedTuple):
     """The crank pin, the force on it, that in the rod, and what guide and sliding block hold."""
 
     pin: Arrow
@@ -159,7 +159,7 @@ class Drive(Places):
         path: Jet = moved.size() if name == "chord" else moved.x if name == "slide_path" else -moved.y
         return path
 
-    def held(self, place: Place, stroke: int, method: str, more: int) -> Held:
+    def held(self, place: Place, stroke: int, method: str, more: int) -> PinForces:
         """What a force of 1 on B in the direction of the stroke does, which rod and guide hold."""
         if method == "infinite":
             crank, line = self.pin(place.degrees, more, place.reach), Arrow(number(-1), number(0))
@@ -170,7 +170,7 @@ class Drive(Places):
         # Along the path the rod alone holds it.
         thrust: Jet | Number = 1 / line.dot(way)
         on_pin = line.times(thrust)
-        return Held(crank, on_pin, thrust * number(stroke), on_pin.dot(way.right()))
+        return PinForces(crank, on_pin, thrust * number(stroke), on_pin.dot(way.right()))
 
     @property
     def transmission(self) -> Number:

@@ -25,7 +25,7 @@ Found = TypeVar("Found")
 GUARD, SPARE = 20, 10
 
 
-class Working:
+class WorkingPrecision:
     """The precision in force, in bits."""
 
     bits = 53
@@ -34,12 +34,12 @@ class Working:
 @contextmanager
 def working(bits: int) -> Iterator[None]:
     """Compute with so many bits and some guard bits."""
-    before = Working.bits
-    Working.bits = bits + GUARD
+    before = WorkingPrecision.bits
+    WorkingPrecision.bits = bits + GUARD
     try:
         yield
     finally:
-        Working.bits = before
+        WorkingPrecision.bits = before
 
 
 def by_bits(function: Callable[P, Found]) -> Callable[P, Found]:
@@ -51,7 +51,7 @@ def by_bits(function: Callable[P, Found]) -> Callable[P, Found]:
 
     @wraps(function)
     def found(*given: P.args, **named: P.kwargs) -> Found:
-        return kept(Working.bits, *given, **named)  # type: ignore[arg-type]
+        return kept(WorkingPrecision.bits, *given, **named)  # type: ignore[arg-type]
 
     return found
 
@@ -69,22 +69,22 @@ class Interval:
         self.ends = a, b
 
     def __add__(self, other: Interval | int) -> Interval:
-        return Interval(*libmp.mpi_add(self.ends, _ends(other), Working.bits))
+        return Interval(*libmp.mpi_add(self.ends, _ends(other), WorkingPrecision.bits))
 
     def __sub__(self, other: Interval | int) -> Interval:
-        return Interval(*libmp.mpi_sub(self.ends, _ends(other), Working.bits))
+        return Interval(*libmp.mpi_sub(self.ends, _ends(other), WorkingPrecision.bits))
 
     def __rsub__(self, other: int) -> Interval:
-        return Interval(*libmp.mpi_sub(_ends(other), self.ends, Working.bits))
+        return Interval(*libmp.mpi_sub(_ends(other), self.ends, WorkingPrecision.bits))
 
     def __mul__(self, other: Interval | int) -> Interval:
-        return Interval(*libmp.mpi_mul(self.ends, _ends(other), Working.bits))
+        return Interval(*libmp.mpi_mul(self.ends, _ends(other), WorkingPrecision.bits))
 
     def __truediv__(self, other: Interval | int) -> Interval:
-        return Interval(*libmp.mpi_div(self.ends, _ends(other), Working.bits))
+        return Interval(*libmp.mpi_div(self.ends, _ends(other), WorkingPrecision.bits))
 
     def __rtruediv__(self, other: int) -> Interval:
-        return Interval(*libmp.mpi_div(_ends(other), self.ends, Working.bits))
+        return Interval(*libmp.mpi_div(_ends(other), self.ends, WorkingPrecision.bits))
 
     __radd__, __rmul__ = __add__, __mul__
 
@@ -92,7 +92,7 @@ class Interval:
         return Interval(*libmp.mpi_neg(self.ends))
 
     def __abs__(self) -> Interval:
-        return Interval(*libmp.mpi_abs(self.ends, Working.bits))
+        return Interval(*libmp.mpi_abs(self.ends, WorkingPrecision.bits))
 
 
 def _ends(one: Interval | int) -> tuple[End, End]:
@@ -105,8 +105,8 @@ def of(number: Fraction | int) -> Interval:
 
 def between(low: Fraction | int, high: Fraction | int) -> Interval:
     return Interval(
-        libmp.from_rational(low.numerator, low.denominator, Working.bits, libmp.round_floor),
-        libmp.from_rational(high.numerator, high.denominator, Working.bits, libmp.round_ceiling),
+        libmp.from_rational(low.numerator, low.denominator, WorkingPrecision.bits, libmp.round_floor),
+        libmp.from_rational(high.numerator, high.denominator, WorkingPrecision.bits, libmp.round_ceiling),
     )
 
 
@@ -128,7 +128,7 @@ def _fraction(raw: End) -> Fraction:
 
 def middle(one: Interval) -> tuple[Interval, Interval]:
     """Return a point m of the interval and [-r, r] with every x of it in m + [-r, r]."""
-    inside = libmp.mpi_mid(one.ends, Working.bits)
+    inside = libmp.mpi_mid(one.ends, WorkingPrecision.bits)
     centre = Interval(inside, inside)
     return centre, sized(abs(one - centre))
 
@@ -153,7 +153,7 @@ def log_two() -> Interval:
 
 def _units(point: Interval, spare: int = SPARE) -> tuple[int, int]:
     """Return m and w of a point cut off to m 2^-w; the cut is less than a unit."""
-    bits = Working.bits + spare
+    bits = WorkingPrecision.bits + spare
     return int(low(point) * 2**bits), bits
 
 
@@ -270,4 +270,4 @@ def root(x: Interval) -> Interval:
         if high(x) < 0:
             raise ZeroDivisionError("the root of a negative number")
         x = Interval(libmp.fzero, x.ends[1])
-    return Interval(*libmp.mpi_sqrt(x.ends, Working.bits))
+    return Interval(*libmp.mpi_sqrt(x.ends, WorkingPrecision.bits))

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from kurbel.verify.enclose import Working
+from kurbel.verify.enclose import WorkingPrecision
 from kurbel.verify.jets import Jet
 from kurbel.verify.numbers import Number, Undecided, hull, number, pi, spread
 from kurbel.verify.zeros import TOO_WIDE, Place, between
@@ -29,7 +29,7 @@ Smooth = Callable[[Place, int], Jet]
 
 def greatest(function: Sloping, low: Fraction, high: Fraction) -> Number:
     cells = Place((low + high) / 2, (high - low) / 2).parts(CELLS)
-    reached, fine, tried = -WIDEST, Fraction(1, 2 ** (Working.bits // 3)), 0
+    reached, fine, tried = -WIDEST, Fraction(1, 2 ** (WorkingPrecision.bits // 3)), 0
     while tried < MOST:
         bounds: list[tuple[Fraction, Place]] = []
         tried += len(cells)
@@ -102,6 +102,6 @@ def _of(function: Smooth, cell: Place, over: Jet, low: Fraction, high: Fraction)
 def where(found: Sequence[Summit]) -> Number:
     """The place of the greatest value; the first of those that so many bits do not tell apart."""
     first = [one.angle for one in found if one.angle.low - found[0].angle.high < NEAR]
-    if len(first) < len(found) and Working.bits < ALIKE:
+    if len(first) < len(found) and WorkingPrecision.bits < ALIKE:
         raise Undecided("which place has the extreme")
     return hull(first)

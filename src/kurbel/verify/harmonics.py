@@ -21,7 +21,7 @@ from itertools import pairwise
 from math import comb
 from typing import NamedTuple
 
-from kurbel.verify.enclose import Working
+from kurbel.verify.enclose import WorkingPrecision
 from kurbel.verify.jets import Jet, turning
 from kurbel.verify.numbers import Number, Undecided, number, spread
 from kurbel.verify.plane import Arrow
@@ -44,7 +44,12 @@ def of_acceleration(ratio: Fraction, order: int) -> Number:
     if order % 2 or not ratio:
         return number(int(order == 1))
     m, square = order // 2, ratio * ratio
-    least, total, binomial, power = Fraction(1, 2**Working.bits), Fraction(0), Fraction(1), Fraction(1)
+    least, total, binomial, power = (
+        Fraction(1, 2**WorkingPrecision.bits),
+        Fraction(0),
+        Fraction(1),
+        Fraction(1),
+    )
     j = 0
     while j <= m or power / (1 - square) > least:
         if j >= m:
@@ -61,7 +66,7 @@ def pieces(course: Callable[[Place, int], Jet], breaks: Sequence[Number]) -> Ite
     for one in breaks[1:]:
         if one.exact is None:
             yield Piece(around(one), course(around(one), 0), course(around(one), 0))
-    cells, order, tried = list[Place](), Working.bits // 16 * 2, 0
+    cells, order, tried = list[Place](), WorkingPrecision.bits // 16 * 2, 0
     for begin, end in pairwise(breaks):
         reach = (end.low - begin.high) / 2
         cells += Place(begin.high + reach, reach).parts(int(2 * reach // WIDEST) + 1)
@@ -70,7 +75,7 @@ def pieces(course: Callable[[Place, int], Jet], breaks: Sequence[Number]) -> Ite
         with suppress(*TOO_WIDE):
             over = course(cell, order)
             if abs(over.terms[order] * cell.half.power(Fraction(order))).high < Fraction(
-                1, 2 ** (Working.bits // 3)
+                1, 2 ** (WorkingPrecision.bits // 3)
             ):
                 yield Piece(cell, course(Place(cell.degrees), order), over)
                 continue

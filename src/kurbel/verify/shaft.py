@@ -16,7 +16,7 @@ from kurbel.verify.numbers import Number, number, sine_cosine
 from kurbel.verify.plane import Arrow
 
 
-class Pull(NamedTuple):
+class PlanarVector(NamedTuple):
     """A vector in a plane across the shaft, at a place along it."""
 
     arrow: Arrow
@@ -43,12 +43,12 @@ def together(arrows: Iterable[Arrow]) -> Arrow:
     return reduce(Arrow.plus, arrows, Arrow(number(0), number(0)))
 
 
-def moment(pulls: Sequence[Pull], about: Number | Fraction = Fraction(0)) -> Arrow:
+def moment(pulls: Sequence[PlanarVector], about: Number | Fraction = Fraction(0)) -> Arrow:
     """In the direction of the forces of the couple."""
     return together([one.arrow.times(one.place - about) for one in pulls])
 
 
-def held(pulls: Sequence[Pull], planes: Sequence[Fraction]) -> tuple[Arrow, ...]:
+def held(pulls: Sequence[PlanarVector], planes: Sequence[Fraction]) -> tuple[Arrow, ...]:
     """Vectors in two planes with the sum and the moment of all, or the sum in one plane."""
     whole = together([one.arrow for one in pulls])
     if len(planes) == 1:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kurbel.errors import ProblemError
-from kurbel.verify.drives import FORCES, OF_DRIVE, Drive, Held
+from kurbel.verify.drives import FORCES, OF_DRIVE, Drive, PinForces
 from kurbel.verify.jets import Jet, direction, slope_of_angle
 from kurbel.verify.numbers import Number, arccosine, degrees_of, heading, largest, number
 from kurbel.verify.places import OUT, RETURN
@@ -118,7 +118,7 @@ class SlottedLever(Drive):
         }
         return known[name]()
 
-    def held(self, place: Place, stroke: int, method: str, more: int) -> Held:
+    def held(self, place: Place, stroke: int, method: str, more: int) -> PinForces:
         """What a force of 1 on the ram in the direction of the stroke does, by statics.
 
         The lever turns freely about its pivot: what the rod does there the block takes, square to the lever.
@@ -134,7 +134,7 @@ class SlottedLever(Drive):
         block = end.minus(self.foot).cross(on_end) / reach
         on_pin = Arrow(-along.y, along.x).times(block / reach)
         # With the lever upright a push on the block in the direction of the stroke.
-        return Held(pin, on_pin, on_end.size(), rise, block * stroke)
+        return PinForces(pin, on_pin, on_end.size(), rise, block * stroke)
 
     @property
     def transmission(self) -> Number:

@@ -48,7 +48,7 @@ START, COUNT, LEAST = Fraction(-13, 89), 48, Fraction(1, 2**40)
 ZERO = Fraction(0)
 
 
-class Meeting(NamedTuple):
+class SpeedExtreme(NamedTuple):
     """A cell in which T meets P exactly once; the speed is least where T rises."""
 
     cell: Place
@@ -83,7 +83,7 @@ class Turn:
         kept = [one for one in self.meetings if rising in (None, one.rising)]
         return [Value(partial(self._angle, one)) for one in kept]
 
-    def _angle(self, one: Meeting) -> Number:
+    def _angle(self, one: SpeedExtreme) -> Number:
         return self.known.narrowed(one)[0]
 
     @property
@@ -93,7 +93,7 @@ class Turn:
         return Known(self)
 
     @cached_property
-    def meetings(self) -> list[Meeting]:
+    def meetings(self) -> list[SpeedExtreme]:
         return sorted(Value(lambda: number(0)).decided(lambda _: list(self.known.told_apart())))
 
 
@@ -170,7 +170,7 @@ class Known:
 
     # Where the speed is least and greatest.
 
-    def told_apart(self) -> Iterator[Meeting]:
+    def told_apart(self) -> Iterator[SpeedExtreme]:
         """All places of a period at which T meets P, each in a cell of its own."""
         half = self.period / 2
         cells = Place(START + half, half).parts(int(max(self.period * COUNT // 360, 1)))
@@ -183,7 +183,7 @@ class Known:
                 if ZERO not in slope:
                     before, after = (self.excess(Place(end)).sign() for end in cell.ends)
                     if before != after:
-                        yield Meeting(cell, after > 0)
+                        yield SpeedExtreme(cell, after > 0)
                     continue
             except TOO_WIDE:
                 pass
@@ -192,7 +192,7 @@ class Known:
             cells += cell.parts()
 
     @by_bits
-    def narrowed(self, one: Meeting) -> tuple[Number, Number]:
+    def narrowed(self, one: SpeedExtreme) -> tuple[Number, Number]:
         """The angle of a place from the slide direction, and the energy there."""
         at = between(self.excess, *one.cell.ends)
         if self.turn.method == "weisbach" and not one.rising:

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import cache
 from typing import NamedTuple
 
-from kurbel.verify.enclose import Working, by_bits
+from kurbel.verify.enclose import WorkingPrecision, by_bits
 from kurbel.verify.numbers import Number, Undecided, number, pi, spread
 from kurbel.verify.value import Value
 
@@ -60,7 +60,7 @@ class Place(NamedTuple):
 Function = Callable[[Place], Number]
 
 
-class Spot:
+class FoundAngle:
     """A crank angle that is found anew with more bits, as narrow as they say."""
 
     def __init__(self, found: Callable[[], Place]) -> None:
@@ -81,7 +81,7 @@ def around(angle: Number) -> Place:
     return Place(angle.middle, angle.high - angle.middle) if exact is None else Place(exact)
 
 
-def root(function: Function, near: Fraction, slope: Function | None = None) -> Spot:
+def root(function: Function, near: Fraction, slope: Function | None = None) -> FoundAngle:
     """Return where a function over the crank angle is zero near an angle.
 
     With its `slope` also where it only touches zero: where the slope changes its sign, and no enclosure of
@@ -99,7 +99,7 @@ def root(function: Function, near: Fraction, slope: Function | None = None) -> S
                 raise
             return place
 
-    return Spot(found)
+    return FoundAngle(found)
 
 
 def _nearest(function: Function, near: Fraction) -> Place:
@@ -119,7 +119,7 @@ def between(function: Function, low: Fraction, high: Fraction) -> Place:
 
     To two thirds of the bits it must have signs; beyond, the zero gets as narrow as there are any.
     """
-    bits, at = Working.bits, cache(lambda degrees: function(Place(degrees)))
+    bits, at = WorkingPrecision.bits, cache(lambda degrees: function(Place(degrees)))
     before = at(low).sign()
     if before == at(high).sign():
         raise Undecided("no change of sign")

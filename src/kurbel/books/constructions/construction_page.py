@@ -16,7 +16,7 @@ from kurbel.books.constructions.file import HOUSE, read_construction
 from kurbel.books.constructions.formulas import Formula as Read
 from kurbel.books.constructions.formulas import Values
 from kurbel.books.constructions.model import Construction, Length, lettered
-from kurbel.books.constructions.placed import ALONE, Beside, Placed, beside_labels
+from kurbel.books.constructions.placed import ALONE, BesideDrive, PlacedDrive, beside_labels
 from kurbel.drive.crank import Crank
 from kurbel.errors import ChoiceError, ConstructionError
 from kurbel.exact.kind import Kind, floats, settled
@@ -126,7 +126,7 @@ class ConstructionRequest(Question):
     mechanism: Any
     drive: Any
     angle: Fraction | None
-    beside: Beside = ALONE
+    beside: BesideDrive = ALONE
 
     @cached_property
     def ratios(self) -> tuple[Fraction, ...]:
@@ -140,16 +140,16 @@ class ConstructionRequest(Question):
     def key(self) -> str:
         return self.label or self.construction.name
 
-    def at(self, kind: Kind) -> Placed:
+    def at(self, kind: Kind) -> PlacedDrive:
         if self.angle is not None:
-            return Placed(self.drive, self.angle, kind, beside=self.beside)
-        return Placed(self.drive, self._near, kind, self.construction.position, self.beside)
+            return PlacedDrive(self.drive, self.angle, kind, beside=self.beside)
+        return PlacedDrive(self.drive, self._near, kind, self.construction.position, self.beside)
 
     @cached_property
     def _near(self) -> Fraction:
         """The angle of the position, to a float."""
         assert self.construction.position
-        pin = Placed(self.drive, Fraction(0), floats(), self.construction.position).pin
+        pin = PlacedDrive(self.drive, Fraction(0), floats(), self.construction.position).pin
         return Fraction(math.degrees(math.atan2(pin.y, pin.x)))
 
     @property

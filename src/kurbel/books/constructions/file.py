@@ -24,7 +24,7 @@ from kurbel.books.constructions.model import (
     ConstructionFile,
     CurveFile,
     Element,
-    Fails,
+    FailureRule,
     Length,
     LengthFile,
     Points,
@@ -52,7 +52,7 @@ LOOKS = (model.LINK, model.GIVEN, model.AID, model.CENTRE, model.HIDDEN, model.R
 TABLES = {"of": 'arc = { formula = "" }', "letters": 'pin = "C"'}
 
 
-class Shape(NamedTuple):
+class ElementKind(NamedTuple):
     """An element: what it is made as, of how many names of points, a length or a curve, and the field that a
     number is of."""
 
@@ -62,17 +62,17 @@ class Shape(NamedTuple):
     of: str = "point"
 
 
-SHAPES: Mapping[str, Shape] = {
-    "line": Shape(model.Line, 2, "beyond"),
-    "arrow": Shape(model.Arrow, 2),
-    "arc": Shape(model.Arc, 3, "beyond"),
-    "circle": Shape(model.Circle, 2),
-    "square": Shape(model.RightAngle, 3),
-    "angle": Shape(model.Angle, 3, "at"),
-    "curve": Shape(model.Curve, 1, of="curve"),
-    "text": Shape(model.Text, 1),
-    "scale": Shape(model.Scale, 2),
-    "measure": Shape(model.Measure, 1, "level", of="length"),
+SHAPES: Mapping[str, ElementKind] = {
+    "line": ElementKind(model.Line, 2, "beyond"),
+    "arrow": ElementKind(model.Arrow, 2),
+    "arc": ElementKind(model.Arc, 3, "beyond"),
+    "circle": ElementKind(model.Circle, 2),
+    "square": ElementKind(model.RightAngle, 3),
+    "angle": ElementKind(model.Angle, 3, "at"),
+    "curve": ElementKind(model.Curve, 1, of="curve"),
+    "text": ElementKind(model.Text, 1),
+    "scale": ElementKind(model.Scale, 2),
+    "measure": ElementKind(model.Dimension, 1, "level", of="length"),
 }
 # Words that say more of an element: the field, and its value.
 FLAGS: Mapping[str, tuple[str, object]] = {
@@ -224,7 +224,7 @@ class _Maker:
         if given.angle:
             self.trying(("angle",), angle, given.angle)
         fails = [
-            Fails(self.formula(("fails", index, "where"), one.where, (TRUTH,)), one.why)
+            FailureRule(self.formula(("fails", index, "where"), one.where, (TRUTH,)), one.why)
             for index, one in enumerate(given.fails)
         ]
         position = self.position(given.position) if given.position else None

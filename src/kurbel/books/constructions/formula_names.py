@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from kurbel.books.constructions.placed import Placed, Point
+from kurbel.books.constructions.placed import PlacedDrive, Point
 from kurbel.exact.certify import ball
 from kurbel.exact.kind import floats
 from kurbel.kernel import beam, forces, kinematics, linkage, slotted
@@ -30,18 +30,18 @@ ARC, BEAM, SLOTTED = ("arc",), ("beam",), ("slotted",)
 TURN = 360
 
 
-OfPlace: TypeAlias = Callable[[Placed], Numeric]
+OfPlace: TypeAlias = Callable[[PlacedDrive], Numeric]
 
 
 class Known(NamedTuple):
     """What a name stands for: a point or a number, of which mechanisms, and how it is computed."""
 
     gives: str
-    value: Callable[[Placed], Numeric | Point]
+    value: Callable[[PlacedDrive], Numeric | Point]
     of: tuple[str, ...] = ()
 
 
-class OfDrive(NamedTuple):
+class DriveFunction(NamedTuple):
     """A function of the drive: what it takes and gives, and how it is computed."""
 
     takes: tuple[str, ...]
@@ -55,7 +55,7 @@ def _by_offset(
 ) -> Callable[..., Numeric]:
     """Return a kernel formula of the crank, on the return stroke (-1) from its own dead centre."""
 
-    def found(at: Placed) -> Numeric:
+    def found(at: PlacedDrive) -> Numeric:
         if at.drive.offset:
             return offset(at.circle, way * at.ratio, way * at.offset)
         return straight(at.circle, way * at.ratio)
@@ -64,7 +64,7 @@ def _by_offset(
 
 
 def _of_rocker(kernel: Callable[..., Numeric], stroke: int = OUT) -> OfPlace:
-    def found(at: Placed) -> Numeric:
+    def found(at: PlacedDrive) -> Numeric:
         stands = at.linked if stroke == OUT else at.drive.at(stroke, at.circle, at.kind, "exact")
         return kernel(stands.place, stands.arc)
 
@@ -93,30 +93,30 @@ def _force(kernel: Callable[..., Numeric]) -> OfPlace:
     return lambda at: kernel(at.circle, at.ratio, at.offset if at.drive.offset else None)
 
 
-def _common(at: Placed) -> Numeric:
+def _common(at: PlacedDrive) -> Numeric:
     """Return p₂: along the slide with its sign, on the arc of a rocker its amount."""
     common = at.parted.common
     return common.size() if at.guided else common.along
 
 
-def _stroke(at: Placed) -> int:
+def _stroke(at: PlacedDrive) -> int:
     """Return 0 on the outstroke and 1 on the return."""
     moved = at.drive.moved(floats(), "exact")
     begin, end = (180 * (stroke + float(moved.dead_centre(stroke))) for stroke in (0, 1))
     return 0 if begin <= (float(at.angle) - begin) % TURN + begin < end else 1
 
 
-def _from_dead_centre(at: Placed) -> Circle[Numeric]:
+def _from_dead_centre(at: PlacedDrive) -> Circle[Numeric]:
     return at.kind.circle(at.angle - 180 * _stroke(at))
 
 
-def _share(at: Placed) -> Any:
+def _share(at: PlacedDrive) -> Any:
     """Return the share of the stroke that the piston has gone."""
     moved = at.drive.moved(at.kind, "exact")
     return moved.path(_stroke(at), _from_dead_centre(at)) / moved.length
 
 
-def _steam_force(at: Placed) -> Numeric:
+def _steam_force(at: PlacedDrive) -> Numeric:
     """Return P on the piston, over Q."""
     steam = at.beside.steam
     if steam is None:
@@ -125,13 +125,13 @@ def _steam_force(at: Placed) -> Numeric:
     return acting.force(_share(at))
 
 
-def _tangential(at: Placed) -> Any:
+def _tangential(at: PlacedDrive) -> Any:
     """Return T of the stroke, over Q."""
     moved = at.drive.moved(at.kind, "exact")
     return _steam_force(at) * moved.velocity(_stroke(at), _from_dead_centre(at))
 
 
-def _mean(at: Placed) -> Any:
+def _mean(at: PlacedDrive) -> Any:
     """Return the constant tangential pressure that does as much work, by the kernel."""
     length = at.drive.moved(at.kind, "exact").length
     if at.beside.steam is None:
@@ -139,7 +139,7 @@ def _mean(at: Placed) -> Any:
     return mean_force(at.beside.steam.strokes(at.kind, True), at.kind.pi, length)
 
 
-def _work_over_turn(at: Placed) -> Any:
+def _work_over_turn(at: PlacedDrive) -> Any:
     """Return the same by Weisbach's P, with the work of the stroke over that of the half circle."""
     length, steam = at.drive.moved(at.kind, "exact").length, at.beside.steam
     if steam is None:
@@ -152,7 +152,7 @@ def _work_over_turn(at: Placed) -> Any:
 def _beam(value: Callable[[BeamEngine, arb], Any]) -> OfPlace:
     """Return what the beam engine has in truth, from q²/r²."""
 
-    def found(at: Placed) -> Numeric:
+    def found(at: PlacedDrive) -> Numeric:
         engine = BeamEngine(at.drive.arm, at.drive.crank.ratio)
         return at.kind.enclosed(lambda: value(engine, chord_square(engine)))
 
@@ -164,7 +164,7 @@ def _lean(side: int) -> OfPlace:
     return _beam(lambda engine, square: beam.lean_sine(square, *engine.numbers(side)).asin())
 
 
-def _points(of: tuple[str, ...], **values: Callable[[Placed], Point]) -> dict[str, Known]:
+def _points(of: tuple[str, ...], **values: Callable[[PlacedDrive], Point]) -> dict[str, Known]:
     return {name: Known(POINT, value, of) for name, value in values.items()}
 
 
@@ -261,11 +261,11 @@ KNOWN: Mapping[str, Known] = {
         lower_lean=_lean(LOWER),
     ),
 }
-FUNCTIONS_OF_DRIVE: Mapping[str, OfDrive] = {
-    "crosshead": OfDrive((POINT,), POINT, Placed.crosshead, CRANKS),
-    "end_on_rocker": OfDrive((POINT, NUMBER), POINT, Placed.end_on_rocker, ARC),
+FUNCTIONS_OF_DRIVE: Mapping[str, DriveFunction] = {
+    "crosshead": DriveFunction((POINT,), POINT, PlacedDrive.crosshead, CRANKS),
+    "end_on_rocker": DriveFunction((POINT, NUMBER), POINT, PlacedDrive.end_on_rocker, ARC),
     # The acceleration of a point of the rod, by its share from the end on.
-    "accelerated": OfDrive(
+    "accelerated": DriveFunction(
         (NUMBER,), NUMBER, lambda at, share: at.parted.at_point(share).size(), (*CRANKS, *ARC)
     ),
 }

@@ -18,8 +18,8 @@ from functools import cached_property, partial
 from typing import Any, NamedTuple, TypeAlias
 
 from kurbel.books.constructions import placed as on
-from kurbel.books.constructions.formula_names import FUNCTIONS_OF_DRIVE, KNOWN, NUMBER, POINT, OfDrive
-from kurbel.books.constructions.placed import Placed, Point
+from kurbel.books.constructions.formula_names import FUNCTIONS_OF_DRIVE, KNOWN, NUMBER, POINT, DriveFunction
+from kurbel.books.constructions.placed import PlacedDrive, Point
 from kurbel.errors import NotationError
 from kurbel.exact.kind import floats
 from kurbel.exact.separation import power
@@ -87,7 +87,7 @@ class Formula(NamedTuple):
 class Values:
     """The points and numbers of a construction at one place, each computed where it is first asked for."""
 
-    def __init__(self, at: Placed, formulas: Mapping[str, Formula], **numbers: Any) -> None:
+    def __init__(self, at: PlacedDrive, formulas: Mapping[str, Formula], **numbers: Any) -> None:
         self.at, self._formulas, self._numbers = at, formulas, numbers
         self._found: dict[str, object] = dict(numbers)
 
@@ -127,7 +127,7 @@ class _Reader:
         self.text, self.known = text, known
         self.of_drive = {name: one for name, one in KNOWN.items() if mechanism in one.of or not one.of}
         own = {name: one for name, one in FUNCTIONS_OF_DRIVE.items() if mechanism in one.of}
-        self.functions: dict[str, Function | OfDrive] = {**FUNCTIONS, **own}
+        self.functions: dict[str, Function | DriveFunction] = {**FUNCTIONS, **own}
 
     def of(self, tree: ast.expr) -> Formula:
         match tree:
@@ -220,7 +220,7 @@ class _Reader:
             return self.combined(NUMBER, OF_FLOATS[name], *numbers)._replace(in_floats=True)
         function = self.functions[name]
         found = self.called(name, function.takes, args)
-        if isinstance(function, OfDrive):
+        if isinstance(function, DriveFunction):
             found.insert(0, Formula(NUMBER, operator.attrgetter("at")))
         return self.combined(function.gives, function.apply, *found)
 

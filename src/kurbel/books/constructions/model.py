@@ -11,7 +11,7 @@ from typing import Annotated, Any, ClassVar, NamedTuple, TypeAlias
 
 from kurbel.books.constructions.formula_names import POINT
 from kurbel.books.constructions.formulas import Formula, Values
-from kurbel.books.constructions.placed import Placed, Point, Position
+from kurbel.books.constructions.placed import PlacedDrive, Point, Position
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label
 from kurbel.page.layouts import Head
@@ -116,7 +116,7 @@ class Scale(NamedTuple):
     symbol: Label
 
 
-class Measure(NamedTuple):
+class Dimension(NamedTuple):
     """The dimension of a length: where it lies (level 0), or on a row below (-1, -2) or above (1, 2) all that
     is drawn. One that is not `written` has its line alone."""
 
@@ -126,7 +126,7 @@ class Measure(NamedTuple):
     written: bool = True
 
 
-Element: TypeAlias = Line | Arrow | Arc | Circle | RightAngle | Angle | Curve | Text | Scale | Measure
+Element: TypeAlias = Line | Arrow | Arc | Circle | RightAngle | Angle | Curve | Text | Scale | Dimension
 
 
 class Step(NamedTuple):
@@ -179,7 +179,7 @@ class Points(NamedTuple):
     down_to: Formula | None = None
 
 
-class Fails(NamedTuple):
+class FailureRule(NamedTuple):
     """Where a construction has no points, and the sentence that says so."""
 
     where: Formula
@@ -294,7 +294,7 @@ class Construction(NamedTuple):
     steps: Sequence[Step]
     lengths: Sequence[Length]
     curves: Mapping[str, Points]
-    fails: Sequence[Fails]
+    fails: Sequence[FailureRule]
     position: Position | None
     scales: Mapping[str, Fraction]
     folder: Any = None
@@ -310,7 +310,7 @@ class Construction(NamedTuple):
         """Return a label in which two letters of points beside each other are the length between them."""
         return overlined(label, (letter.rstrip("*") for step in self.steps for letter in step.points))
 
-    def fault(self, at: Placed) -> str:
+    def fault(self, at: PlacedDrive) -> str:
         """Return the sentence that says why the construction has no points there, in floats; nothing where it
         has."""
         values = Values(at, self.formulas)
@@ -330,12 +330,12 @@ class Construction(NamedTuple):
             " a negative number; take another angle or other lengths"
         )
 
-    def points(self, at: Placed) -> Mapping[str, Point]:
+    def points(self, at: PlacedDrive) -> Mapping[str, Point]:
         """Return the points by their letters, as the book writes them: "C", "d'"."""
         values = Values(at, self.formulas)
         return {name: values[name] for name in self.formulas if not name.startswith("_")}
 
-    def curve(self, name: str, at: Placed) -> list[Point]:
+    def curve(self, name: str, at: PlacedDrive) -> list[Point]:
         """Return the points of one of its curves, in floats."""
         curve, here = self.curves[name], Values(at, self.formulas)
         numbers = (

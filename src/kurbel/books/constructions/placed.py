@@ -17,7 +17,7 @@ from kurbel.drive.rod import Rod
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, exact_text
 from kurbel.kernel.circle import Circle, Numeric, root
-from kurbel.kernel.parts import Parted, parted, parted_rocker
+from kurbel.kernel.parts import AccelerationParts, parted, parted_rocker
 from kurbel.motion.evaluation import OUT
 from kurbel.page.quantity import Words, words
 
@@ -94,7 +94,7 @@ def circles(one: Point, radius: Numeric, other: Point, second: Numeric, side: in
 CENTRE, GYRATION = Fraction(65, 100), Fraction(35, 100)
 
 
-class Beside(NamedTuple):
+class BesideDrive(NamedTuple):
     """The share of the rod from the crosshead pin at which a point of it lies, the rod and the steam, where
     they are given."""
 
@@ -103,7 +103,7 @@ class Beside(NamedTuple):
     steam: Steam | None = None
 
 
-ALONE = Beside()
+ALONE = BesideDrive()
 # The options.
 TAKEN = ("point", "centre", "gyration", "eps", "back")
 WORDS: Mapping[str, Words] = {
@@ -117,7 +117,7 @@ WORDS: Mapping[str, Words] = {
 }
 
 
-def beside_labels(beside: Beside, takes: Collection[str], lang: str) -> Iterator[Label]:
+def beside_labels(beside: BesideDrive, takes: Collection[str], lang: str) -> Iterator[Label]:
     """Yield what pages say of what stands beside the drive."""
     if "point" in takes:
         yield WORDS["point"][lang].format(x=exact_text(beside.point))
@@ -136,12 +136,12 @@ USUAL = Rod.from_crosshead(CENTRE, GYRATION)
 class Position(NamedTuple):
     """A position of the straight crank that no angle in degrees says: where its pin is, and in words."""
 
-    pin: Callable[[Placed], Point]
+    pin: Callable[[PlacedDrive], Point]
     words: Words
 
 
 @dataclass(frozen=True)
-class Placed:
+class PlacedDrive:
     """A drive, a Crank or one that has its crank, at a crank angle φ in degrees, on a kind of number. Of a
     Crank φ counts from the slide direction, as of the straight one from the inner dead centre.
 
@@ -154,7 +154,7 @@ class Placed:
     angle: Fraction
     kind: Kind
     position: Position | None = None
-    beside: Beside = ALONE
+    beside: BesideDrive = ALONE
 
     @cached_property
     def circle(self) -> Circle[Numeric]:
@@ -236,7 +236,7 @@ class Placed:
         return self.beside.rod or USUAL
 
     @cached_property
-    def parted(self) -> Parted:
+    def parted(self) -> AccelerationParts:
         """What the kernel knows of the rod's acceleration."""
         masses = self.mass.masses("exact", self.kind.of)
         if self.guided:

@@ -113,7 +113,7 @@ _LISTED = re.compile(r"(?<=\d); (?=[+-]?\d)")
 _ENDING = re.compile(r"(?<=\w{4})(?:ings?|ed)$|(?<=\w{3})(?:es|(?<!s)s)$")
 
 
-class Found(NamedTuple):
+class SearchHit(NamedTuple):
     """What there is: its kind, its name, what is said of it, the line that tells more, other words for it,
     and the commands that have it as well."""
 
@@ -125,7 +125,7 @@ class Found(NamedTuple):
     others: str = ""
 
 
-def search(text: str) -> tuple[str, Mapping[str, Sequence[Found]]]:
+def search(text: str) -> tuple[str, Mapping[str, Sequence[SearchHit]]]:
     """Return in a sentence how it was searched, and what was found by its kind, the nearest first.
 
     Where nothing has all the words, or what they are called here, that is found which has most of them.
@@ -146,13 +146,15 @@ def search(text: str) -> tuple[str, Mapping[str, Sequence[Found]]]:
         raise ChoiceError(f'nothing is said of "{text[:60]}"{near}; kurbel help lists what one may want')
     # What has this very name is meant, of whatever kind.
     exact = {"Tasks", *(entries[place].kind for rank, place in ranked if rank == -len(ways))}
-    found: dict[str, list[Found]] = {kind: [] for kind in sorted(KINDS, key=lambda kind: kind not in exact)}
+    found: dict[str, list[SearchHit]] = {
+        kind: [] for kind in sorted(KINDS, key=lambda kind: kind not in exact)
+    }
     for _, place in ranked:
         found[entries[place].kind].append(entries[place])
     return told, {kind: listed for kind, listed in found.items() if listed}
 
 
-def _partly(asked: str, entries: Sequence[Found]) -> Sequence[float | None]:
+def _partly(asked: str, entries: Sequence[SearchHit]) -> Sequence[float | None]:
     """Return ranks of the entries that have most of the words, in whatever ending; None of those that have
     less, or not half."""
     stems = [_ENDING.sub("", word) for word in asked.split() if word not in _SMALL]
@@ -189,7 +191,7 @@ def _words(text: str) -> list[str]:
     return re.findall(r"[^\W_]+", text.lower())
 
 
-def _rank(one: Found, ways: Sequence[str]) -> int | None:
+def _rank(one: SearchHit, ways: Sequence[str]) -> int | None:
     """Return how near an entry is, of the least rank the nearest; None for one that is not meant."""
     for rank, text in enumerate((one.name, f"{one.name} {one.told}", f"{one.name} {one.words}")):
         there = _words(text)
@@ -206,19 +208,19 @@ def _begins(known: str, word: str) -> bool:
     return known.startswith(word) or (len(word) > 3 and known == word.removesuffix("s"))
 
 
-def _commands() -> Iterator[Found]:
+def _commands() -> Iterator[SearchHit]:
     for name, (_, line) in COMMANDS.items():
         about = inspect.cleandoc(command_of(name).help or "").partition("\b")[0]
-        yield Found("Commands", name, line, f"kurbel {name} -h", about)
+        yield SearchHit("Commands", name, line, f"kurbel {name} -h", about)
 
 
-def _wants() -> Iterator[Found]:
+def _wants() -> Iterator[SearchHit]:
     for want in WANTS:
         lines = " ".join(what for _, what in want.lines)
-        yield Found("Tasks", want.name, want.sentence, f"kurbel help {want.name}", lines)
+        yield SearchHit("Tasks", want.name, want.sentence, f"kurbel help {want.name}", lines)
 
 
-def _options() -> Iterator[Found]:
+def _options() -> Iterator[SearchHit]:
     """Yield the options, of those that commands share the first."""
     homes: dict[tuple[str, str], list[str]] = {}
     told: dict[tuple[str, str], str] = {}
@@ -235,44 +237,44 @@ def _options() -> Iterator[Found]:
                 told.setdefault((flag_of(one), ""), one.help or "")
     for (flag, home), names in homes.items():
         where = f"kurbel {names[0]} --help {home}".rstrip()
-        yield Found("Options", flag, told[flag, home], where, home, ", ".join(names[1:]))
+        yield SearchHit("Options", flag, told[flag, home], where, home, ", ".join(names[1:]))
 
 
-def _quantities() -> Iterator[Found]:
+def _quantities() -> Iterator[SearchHit]:
     for about in map(subject, SUBJECTS):
         for one, command in about.entries():
             unit = one.plain_unit("en")
             told = f"{about.name_of(one, 'en')}{f', {unit}' if unit else ''}"
-            yield Found("Quantities", one.key, told, f"kurbel {command}", about.name_of(one, "de"))
+            yield SearchHit("Quantities", one.key, told, f"kurbel {command}", about.name_of(one, "de"))
 
 
-def _layouts() -> Iterator[Found]:
+def _layouts() -> Iterator[SearchHit]:
     for one in map(layout, layout_names()):
-        yield Found("Layouts", one.key, one.title["en"], printing(one, None), one.title["de"])
+        yield SearchHit("Layouts", one.key, one.title["en"], printing(one, None), one.title["de"])
 
 
-def _problems() -> Iterator[Found]:
+def _problems() -> Iterator[SearchHit]:
     for one, german in zip(*map(problems, ("en", "de")), strict=True):
-        yield Found("Problems", one.name, one.text, f"kurbel help {one.name}", german.text)
+        yield SearchHit("Problems", one.name, one.text, f"kurbel help {one.name}", german.text)
 
 
-def _constructions() -> Iterator[Found]:
+def _constructions() -> Iterator[SearchHit]:
     for name in construction_names():
         title = construction(name).given.title
-        yield Found("Constructions", name, title["en"], f"kurbel construct {name}", title["de"])
+        yield SearchHit("Constructions", name, title["en"], f"kurbel construct {name}", title["de"])
 
 
-def _pages() -> Iterator[Found]:
+def _pages() -> Iterator[SearchHit]:
     for name in page_names():
         # Without what stands in blocks, where lines begin with # as well.
         title, *blocks = re.sub(r"```.*?```", "", page_text(name), flags=re.DOTALL).split("\n\n")
         heads = [one.strip("# ") for one in blocks if one.startswith("#")]
         first = next((one for one in blocks if one and not one.startswith("#")), "")
         told = "; ".join((title.strip("# "), *heads))
-        yield Found("Pages", name, told, f"kurbel help {name}", first)
+        yield SearchHit("Pages", name, told, f"kurbel help {name}", first)
 
 
-KINDS: Mapping[str, Callable[[], Iterator[Found]]] = {
+KINDS: Mapping[str, Callable[[], Iterator[SearchHit]]] = {
     "Tasks": _wants,
     "Commands": _commands,
     "Problems": _problems,
@@ -284,7 +286,7 @@ KINDS: Mapping[str, Callable[[], Iterator[Found]]] = {
 }
 
 
-def _all() -> Iterable[Found]:
+def _all() -> Iterable[SearchHit]:
     seen = set()
     for entries in KINDS.values():
         for one in entries():
@@ -324,7 +326,7 @@ def problems(lang: str = "en") -> Iterator[Problem]:
                 yield one._replace(text=_LISTED.sub(";", one.text.replace("$", "")))
 
 
-def write_found(found: Mapping[str, Sequence[Found]], formatter: click.HelpFormatter) -> None:
+def write_found(found: Mapping[str, Sequence[SearchHit]], formatter: click.HelpFormatter) -> None:
     """Write what was found below the heads of its kinds, of each the nearest."""
     for kind, listed in found.items():
         near, more = listed[: MOST[kind]], len(listed) - MOST[kind]

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 
-class Want(NamedTuple):
+class Purpose(NamedTuple):
     """A want by its name, which is no command's: a sentence, lines with what each is, and pages to read."""
 
     name: str
@@ -16,7 +16,7 @@ class Want(NamedTuple):
 
 
 WANTS = (
-    Want(
+    Purpose(
         "motion",
         "I want the motion of a piston",
         (
@@ -28,7 +28,7 @@ WANTS = (
         ),
         "subjects/motion subjects/points subjects/approximations",
     ),
-    Want(
+    Purpose(
         "linkage",
         "I have an offset crank, a four-bar, a beam engine or coupled axles",
         (
@@ -46,7 +46,7 @@ WANTS = (
         ),
         "subjects/motion subjects/forces",
     ),
-    Want(
+    Purpose(
         "condition",
         "I want the angle, or the number, at which something holds",
         (
@@ -66,7 +66,7 @@ WANTS = (
         ),
         "subjects/solve",
     ),
-    Want(
+    Purpose(
         "piston",
         "I have a force, a pressure or a weight on a piston",
         (
@@ -81,7 +81,7 @@ WANTS = (
         ),
         "subjects/forces subjects/effort",
     ),
-    Want(
+    Purpose(
         "masses",
         "I have masses that move: a piston, a rod, their weight",
         (
@@ -98,7 +98,7 @@ WANTS = (
         ),
         "subjects/forces subjects/effort",
     ),
-    Want(
+    Purpose(
         "steam",
         "I have a steam engine",
         (
@@ -111,7 +111,7 @@ WANTS = (
         ),
         "subjects/engines subjects/irregularity",
     ),
-    Want(
+    Purpose(
         "card",
         "I have an indicator card",
         (
@@ -122,7 +122,7 @@ WANTS = (
         ),
         "subjects/cards",
     ),
-    Want(
+    Purpose(
         "gas",
         "I have a gas engine",
         (
@@ -137,7 +137,7 @@ WANTS = (
         ),
         "subjects/engines subjects/loads",
     ),
-    Want(
+    Purpose(
         "compressor",
         "I have a compressor",
         (
@@ -150,7 +150,7 @@ WANTS = (
         ),
         "subjects/engines subjects/loads",
     ),
-    Want(
+    Purpose(
         "pump",
         "I have a pump",
         (
@@ -159,7 +159,7 @@ WANTS = (
         ),
         "subjects/engines subjects/loads",
     ),
-    Want(
+    Purpose(
         "work",
         "I want a mean pressure, a power, or the size of a cylinder",
         (
@@ -169,7 +169,7 @@ WANTS = (
         ),
         "subjects/power",
     ),
-    Want(
+    Purpose(
         "diagram",
         "I have a diagram of turning moments",
         (
@@ -188,7 +188,7 @@ WANTS = (
         ),
         "subjects/diagrams subjects/flywheels",
     ),
-    Want(
+    Purpose(
         "wheel",
         "I want a flywheel, or its rim",
         (
@@ -205,7 +205,7 @@ WANTS = (
         ),
         "subjects/flywheels",
     ),
-    Want(
+    Purpose(
         "press",
         "I have a press, a punch or a riveting machine",
         (
@@ -226,7 +226,7 @@ WANTS = (
         ),
         "subjects/flywheels",
     ),
-    Want(
+    Purpose(
         "counterweights",
         "I have an engine, a rotor or a locomotive to balance",
         (
@@ -244,13 +244,13 @@ WANTS = (
         ),
         "subjects/balance subjects/rotors subjects/locomotives",
     ),
-    Want(
+    Purpose(
         "vibration",
         "I want the harmonics of a torque",
         (("harmonics --quantity torque --eps 4", "by orders"),),
         "subjects/excitation",
     ),
-    Want(
+    Purpose(
         "book",
         "I want a table for my book",
         (
@@ -262,7 +262,7 @@ WANTS = (
         ),
         "howto/formats howto/latex howto/word howto/layouts howto/layout-list howto/handbook",
     ),
-    Want(
+    Purpose(
         "printed",
         "I have a printed table, or a worked example, to check",
         (
@@ -273,7 +273,7 @@ WANTS = (
         ),
         "howto/sources books/others",
     ),
-    Want(
+    Purpose(
         "drawing",
         "I want a drawing",
         (
@@ -285,7 +285,7 @@ WANTS = (
         ),
         "subjects/drawings subjects/constructions subjects/construction-list",
     ),
-    Want(
+    Purpose(
         "combinations",
         "I want the numbers of many machines at once",
         (
@@ -295,7 +295,7 @@ WANTS = (
         ),
         "howto/sweeps howto/interactive howto/columns",
     ),
-    Want(
+    Purpose(
         "programs",
         "I want it in Python, a notebook or a spreadsheet",
         (
@@ -305,7 +305,7 @@ WANTS = (
         ),
         "howto/python howto/notebooks howto/spreadsheets",
     ),
-    Want(
+    Purpose(
         "english",
         "I want English words, inches, or more digits",
         (

@@ -13,7 +13,7 @@ from kurbel.reading.given import as_crank_angles, as_energy, as_fraction, as_pow
 from kurbel.reading.notation import about, each_number
 
 if TYPE_CHECKING:
-    from kurbel.engine.diagram.excess import Excess
+    from kurbel.engine.diagram.excess import ExcessTorque
     from kurbel.engine.diagram.fluctuation import Areas, Fluctuation
     from kurbel.engine.diagram.torque import Torque
 
@@ -81,9 +81,9 @@ class Diagram(Part):
             raise ProblemError("no areas were given; add --areas '+52;-124;+72' with --area-scale 52.36J")
         return given_areas(self.areas, self.area_scale, turns)
 
-    def excess(self) -> Excess:
+    def excess(self) -> ExcessTorque:
         """Return the excess of the drive's torque over that of the load. Raises KurbelError."""
-        from kurbel.engine.diagram.excess import Excess
+        from kurbel.engine.diagram.excess import ExcessTorque
 
         turns = self.turns
         drive, load = self._torque(DRIVES, turns, "torque"), self._torque(LOADS, turns, "torque of the load")
@@ -91,7 +91,7 @@ class Diagram(Part):
             if drive is None:
                 raise ProblemError("--cranks are those of the drive; add its --torque, or leave them out")
             drive = drive.superposed(cranks)
-        return Excess.between(drive, load, self.says("triangles"))
+        return ExcessTorque.between(drive, load, self.says("triangles"))
 
     def crank_angles(self) -> Sequence[Fraction]:
         """Return the angles of the cranks that have the torque, none where these were not given."""

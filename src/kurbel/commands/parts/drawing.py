@@ -12,7 +12,7 @@ from kurbel.exact.numerals import DECIMALS
 from kurbel.reading.given import as_length, as_number
 
 if TYPE_CHECKING:
-    from kurbel.plot.drawings import Wish
+    from kurbel.plot.drawings import DrawingWish
     from kurbel.plot.style import Size
 
 # In mm.
@@ -53,7 +53,7 @@ DECIMAL = word(
 flag = partial(Option, kind=FLAG, default=False, last=True)
 
 
-class Sized(Part):
+class DrawingSize(Part):
     """How large a drawing is."""
 
     topic = "drawing"
@@ -79,7 +79,7 @@ class Sized(Part):
         return Size(width or USUAL.width, height, width is not None)
 
 
-class Filmed(Part):
+class FilmOptions(Part):
     """Whether a drawing moves, and how fast."""
 
     topic = "drawing"
@@ -104,7 +104,7 @@ class Filmed(Part):
         return None
 
 
-class Pictured(Sized, Filmed):
+class DrawingOptions(DrawingSize, FilmOptions):
     """A page as a drawing: its size, whether it moves, and how its curves are shown."""
 
     topic = "drawing"
@@ -121,12 +121,12 @@ class Pictured(Sized, Filmed):
     )
 
     @property
-    def wish(self) -> Wish:
+    def wish(self) -> DrawingWish:
         """How the page is drawn, if not in its usual way."""
-        from kurbel.plot.drawings import Wish
+        from kurbel.plot.drawings import DrawingWish
 
         if self.animate and self.over_path:
             raise ProblemError(
                 "--animate runs through the crank angle, and --over-path is another axis; leave one out"
             )
-        return Wish(self.polar, self.over_path, self.infinite)
+        return DrawingWish(self.polar, self.over_path, self.infinite)

@@ -11,7 +11,7 @@ from kurbel.commands.part import Origin, Part, Values
 from kurbel.commands.parts.angles import OVER_PATH
 from kurbel.commands.parts.sheet import Layouts
 from kurbel.drive import mechanisms as registered
-from kurbel.drive.crank import Described, Diameters
+from kurbel.drive.crank import DescribedDrive, Diameters
 from kurbel.drive.mechanisms import MECHANISMS, MOTIONS
 from kurbel.drive.moved import Drive
 from kurbel.drive.size import in_strokes, is_written
@@ -30,7 +30,7 @@ HIGHEST = max(REACH.values())
 LENGTHS = ("ratio", "stroke", "rod")
 
 
-class OnMachine(Part):
+class MachineKeys(Part):
     """What a machine's file may say."""
 
     machine = file(
@@ -39,7 +39,7 @@ class OnMachine(Part):
     )  # fmt: skip
 
 
-class Linked(OnMachine):
+class Linked(MachineKeys):
     """A crank drive."""
 
     topic = "crank"
@@ -113,19 +113,19 @@ class Linked(OnMachine):
 
     def described(
         self, layout: str | None = None, beside: Collection[str] = (), leaving: Collection[str] = ()
-    ) -> tuple[Mechanism, Described]:
+    ) -> tuple[Mechanism, DescribedDrive]:
         """Return which crank drive is described, and how: what describes it on its pages of motion, and what
         stands `beside` that, but for what is `leaving` it. Raises ProblemError if that is not enough."""
         chosen = self.drive(layout)
         taken = {*chosen.takes, *beside}.difference(leaving)
         # The inertia of a rocker is one of the masses.
         known = self.values.values.keys() & taken - {"rocker_inertia"}
-        names = [name for name in Described._fields if name in known]
+        names = [name for name in DescribedDrive._fields if name in known]
         typed = [name for name in self.values.values if self.values.typed(name) and self.says(name)]
         foreign = of_other_mechanisms(chosen, [one for one in typed if one not in taken], self.shared())
         for sentence in foreign.values():
             raise ProblemError(sentence)
-        described = Described.of({name: self.raw(name) for name in names})
+        described = DescribedDrive.of({name: self.raw(name) for name in names})
         chosen.check(described)
         return chosen, described
 

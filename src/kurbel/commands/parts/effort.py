@@ -63,7 +63,7 @@ class Friction(Part):
     )
 
 
-class Pressing(Part):
+class PistonPressures(Part):
     """The pressures on both sides of the piston."""
 
     title, add = "pressures on both sides of the piston", "--head-pressure 0.3bar"
@@ -145,7 +145,7 @@ class TurningShaft(Part):
         return Shaft(inertia, self.power or Fraction(0))
 
 
-class Effort(Piston, Friction, Pressing, Masses, Rotating):
+class Effort(Piston, Friction, PistonPressures, Masses, Rotating):
     """All that acts on piston and crosshead where no engine does: a force, pressures, friction, masses."""
 
     force = amount(

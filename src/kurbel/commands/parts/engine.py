@@ -258,7 +258,7 @@ class Engine(Cylinder):
 
         if not self.says("of"):
             return assembly, ()
-        parts, number = assembly.parts, self.as_part(FromOne).of or Fraction(0)
+        parts, number = assembly.parts, self.as_part(ReferenceCylinder).of or Fraction(0)
         if number not in range(1, len(parts) + 1):
             raise ProblemError(f"cylinder {about(number)} was asked for, and the engine has {len(parts)}")
         index = int(number) - 1
@@ -267,7 +267,7 @@ class Engine(Cylinder):
         turned = (replace(parts[one], lag=(parts[one].lag - parts[index].lag) % cycle) for one in order)
         return Assembly(tuple(turned)), tuple(one + 1 for one in order)
 
-    def _merged(self, own: Mapping[str, object]) -> OfSeveral:
+    def _merged(self, own: Mapping[str, object]) -> UnlikeCylinder:
         """Return a cylinder: what all have in common, without what its own entries outdo, and these."""
         dropped = [*self._other_loads(own), *self._other_lengths(own)]
         if "rod_file" in own:
@@ -277,7 +277,7 @@ class Engine(Cylinder):
         left = dict.fromkeys((*dropped, "cylinder", "cranks"))
         kept = {name: value for name, value in own.items() if name not in PLACE}
         # By its bank the weight of a cylinder has another direction.
-        return OfSeveral(self.values.instead({**left, **kept, "bank": own.get("bank")}, own=True))
+        return UnlikeCylinder(self.values.instead({**left, **kept, "bank": own.get("bank")}, own=True))
 
     def _other_loads(self, own: Mapping[str, object]) -> list[str]:
         """Return the options of loads that are not the cylinder's."""
@@ -304,7 +304,7 @@ class Engine(Cylinder):
         return ""
 
 
-class OfSeveral(Cylinder):
+class UnlikeCylinder(Cylinder):
     """A cylinder of an engine of unlike ones."""
 
     def made(self, title: str, page: Layout, own: Mapping[str, object]) -> Part_:
@@ -328,7 +328,7 @@ class OfSeveral(Cylinder):
             raise type(error)(f"{title}: {error}") from None
 
 
-class FromOne(Part):
+class ReferenceCylinder(Part):
     """From which of several cylinders an engine is seen."""
 
     topic = "cylinders"

@@ -43,25 +43,25 @@ def _share(help: str, load: str) -> Option[Fraction | None]:
     return measure(as_share, help, "SHARE", machine=load, topic=load)
 
 
-class Reached(NamedTuple):
+class CushionPressure(NamedTuple):
     """The pressure at the end of cushioning, as it was written, in the place of a share of the stroke."""
 
     pressure: str
 
 
-def _cushion(given: object, what: str) -> Fraction | Reached:
-    return Reached(str(given)) if _is_measure(given) else as_share(given, what)
+def _cushion(given: object, what: str) -> Fraction | CushionPressure:
+    return CushionPressure(str(given)) if _is_measure(given) else as_share(given, what)
 
 
-class OfStroke(NamedTuple):
+class ClearanceShare(NamedTuple):
     """A share of the stroke, in the place of a volume in least volumes."""
 
     share: Fraction
 
 
-def _cut_off(given: object, what: str) -> Fraction | OfStroke:
+def _cut_off(given: object, what: str) -> Fraction | ClearanceShare:
     shared = isinstance(given, str) and given.strip().endswith("%")
-    return OfStroke(as_share(given, what)) if shared else as_number(given, what)
+    return ClearanceShare(as_share(given, what)) if shared else as_number(given, what)
 
 
 def _in_units_of_suction(help: str) -> Option[object]:
@@ -274,7 +274,7 @@ class Loads(Piston):
         to 150 decimals, so that 50 are printed right. Raises KurbelError.
         """
         found = self.cushion
-        if not isinstance(found, Reached):
+        if not isinstance(found, CushionPressure):
             return found
         if (back := self.back) is None:
             raise ProblemError(f"--cushion {found.pressure} is reached from the back pressure; add --back")
@@ -384,7 +384,7 @@ class Loads(Piston):
     def cut_off_of(self, compression: Fraction) -> Fraction | None:
         """Return the volume when the heat is supplied in the least one, also of a share of the stroke."""
         given = self.cut_off
-        return 1 + given.share * (compression - 1) if isinstance(given, OfStroke) else given
+        return 1 + given.share * (compression - 1) if isinstance(given, ClearanceShare) else given
 
     def _in_suctions(self, name: str) -> Fraction | None:
         """Return a pressure in suction pressures, which is given so or as a measure."""

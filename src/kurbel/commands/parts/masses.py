@@ -17,7 +17,7 @@ from kurbel.drive.rod import (
     PINS,
     STANDARD_GRAVITY,
     VERTICAL,
-    Moving,
+    MovingMasses,
     Rod,
     Slope,
     Swing,
@@ -303,7 +303,7 @@ class Masses(MovingRod, Weight):
         # One rod for all ratios has a length of its own only if there is one ratio.
         length = cranks[0].rod_length if len(cranks) == 1 else None
         slope = self.slope_of_slide()
-        moving = Moving(
+        moving = MovingMasses(
             self.reciprocating or Fraction(0),
             self.moving_rod(length) if self.says(*OF_ROD) else None,
             self.as_part(Rotating).rotating or Fraction(0),

@@ -60,7 +60,7 @@ class Words(TypedDict, total=False):
     templates: str | PathLike[str] | None
 
 
-class Printed(Words, total=False):
+class PagePrinting(Words, total=False):
     """How a question has its page printed, by the fields of `kurbel.page.subject:Question`."""
 
     digits: int | None
@@ -68,7 +68,7 @@ class Printed(Words, total=False):
     units: Units | None
 
 
-class OnPage(Printed):
+class ColumnPrinting(PagePrinting):
     """The same, with the layout and the columns of the question."""
 
     layout: Layout
@@ -97,7 +97,7 @@ class Layouts(Part):
         return layout(name, self.layouts).subject if name else ""
 
 
-class Worded(Part):
+class WordedPage(Part):
     """The words of a page, and its look."""
 
     topic = "page"
@@ -145,7 +145,7 @@ class Worded(Part):
         }  # fmt: skip
 
 
-class Plain(Worded):
+class PlainPrinting(WordedPage):
     """How a page is printed."""
 
     topic = "page"
@@ -165,16 +165,16 @@ class Plain(Worded):
         """Return the columns that are asked for."""
         return as_names(self.columns, example)
 
-    def printed(self) -> Printed:
+    def printed(self) -> PagePrinting:
         """Return how the page is to be printed."""
         return {**self.worded(), "digits": self.digits, "rounding": self.rounding, "units": None}
 
-    def on_page(self, page: Layout, example: str) -> OnPage:
+    def on_page(self, page: Layout, example: str) -> ColumnPrinting:
         """Return the same with the layout and the columns that are asked for."""
         return {"layout": page, "columns": self.names(example), **self.printed()}
 
 
-class Sheet(Plain):
+class Sheet(PlainPrinting):
     """The same of one whose columns have units."""
 
     topic = "page"
@@ -187,7 +187,7 @@ class Sheet(Plain):
         last=True,
     )
 
-    def printed(self) -> Printed:
+    def printed(self) -> PagePrinting:
         if self.values.typed("units") and not self.says(*self._measured()):
             raise ProblemError(
                 "--units are those of lengths, forces and speeds, and without any the page is in units of its"

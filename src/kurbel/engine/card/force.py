@@ -34,7 +34,7 @@ from kurbel.engine.arrays import FloatTurn
 from kurbel.engine.card.card import Card, CycleCard, Diagram
 from kurbel.engine.engine import Assembly, Engine
 from kurbel.errors import CardError, ProblemError
-from kurbel.kernel.law import Between, Cubics, steady
+from kurbel.kernel.law import BothSides, Cubics, steady
 
 Points: TypeAlias = NDArray[np.float64]
 
@@ -57,7 +57,7 @@ NEAR = 1e-4
 @lru_cache(KEPT)
 def card_strokes(
     card: Card | CycleCard, double_acting: bool, other_side: float | None = None, unit: float | None = None
-) -> tuple[Between, ...]:
+) -> tuple[BothSides, ...]:
     """Return the strokes of a piston whose cylinder end gave the card, two or four.
 
     Double-acting: both ends give this card, each from its own dead centre, so that the pressure before the
@@ -74,7 +74,7 @@ def card_strokes(
                 f"{card.name} is over two turns, and its cylinder works on one side of the piston; add"
                 " --single-acting and, for the other face, --other-side, for example 1bar"
             )
-        both = Between(*curves)
+        both = BothSides(*curves)
         return both, both
     if other_side is None:
         raise ProblemError(
@@ -83,14 +83,14 @@ def card_strokes(
         )
     other = steady(other_side / scale)
     return tuple(
-        Between(other, one) if index % 2 else Between(one, other) for index, one in enumerate(curves)
+        BothSides(other, one) if index % 2 else BothSides(one, other) for index, one in enumerate(curves)
     )
 
 
-def on_areas(stroke: Between, behind: float, before: float) -> Between:
+def on_areas(stroke: BothSides, behind: float, before: float) -> BothSides:
     """Return the stroke of a piston with these shares of the bore's area behind and before it."""
     sides: Any = stroke
-    return Between(sides.behind.times(behind), sides.before.times(before))
+    return BothSides(sides.behind.times(behind), sides.before.times(before))
 
 
 class _Corner(NamedTuple):

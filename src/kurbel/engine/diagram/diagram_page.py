@@ -16,7 +16,7 @@ from typing import Any
 from kurbel.drive.at import known
 from kurbel.drive.crank import check_angles
 from kurbel.drive.load import figure
-from kurbel.engine.diagram.excess import Excess, acceleration_line
+from kurbel.engine.diagram.excess import ExcessTorque, acceleration_line
 from kurbel.engine.diagram.fluctuation import Areas, Steady, outcome
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats, settled
@@ -144,7 +144,7 @@ class DiagramRequest(Question, ABC):
 class TorquesRequest(DiagramRequest):
     """What is asked for of torques at crank angles."""
 
-    excess: Excess
+    excess: ExcessTorque
     angles: Sequence[Fraction] = (Fraction(0),)
     # What was not given and is the mean of the other, "load" or "drive"; and the cranks of one diagram.
     constant: str = ""
@@ -156,7 +156,7 @@ class TorquesRequest(DiagramRequest):
         check_angles(self.angles)
 
     @property
-    def swinging(self) -> Excess:
+    def swinging(self) -> ExcessTorque:
         return self.excess
 
 

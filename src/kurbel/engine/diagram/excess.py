@@ -24,14 +24,14 @@ from kurbel.exact.real import Product
 from kurbel.exact.search import greatest as greatest_of
 from kurbel.kernel.circle import Numeric
 from kurbel.page.quantity import texts
-from kurbel.reading.given import Given
+from kurbel.reading.given import FrozenValue
 from kurbel.reading.notation import about
 
 WORDS = texts("engine.diagram")["diagram"]
 
 
 @dataclass(frozen=True)
-class Excess(Given):
+class ExcessTorque(FrozenValue):
     """A driving torque and that of the load, whose means are the same; in J per degree if `by_degree`.
 
     So diagrams are whose areas are given: those are rational, and the torques have 1/π.
@@ -58,7 +58,7 @@ class Excess(Given):
             )
 
     @classmethod
-    def between(cls, drive: Torque | None, load: Torque | None, by_degree: bool) -> Excess:
+    def between(cls, drive: Torque | None, load: Torque | None, by_degree: bool) -> ExcessTorque:
         """Return the excess, where one of both is missing over the mean of the other."""
         if drive is None and load is None:
             raise ProblemError(
@@ -198,7 +198,7 @@ class Peak(NamedTuple):
 
 
 def acceleration_line(
-    excess: Excess, inertias: Sequence[Product], rounding: str, lang: str
+    excess: ExcessTorque, inertias: Sequence[Product], rounding: str, lang: str
 ) -> Iterator[Label]:
     """Yield what is said of the acceleration of flywheels of these moments of inertia in kg m²."""
     peaks = [peak_of(excess, greatest=greatest) for greatest in (True, False)]
@@ -215,7 +215,7 @@ def acceleration_line(
     yield WORDS["acceleration"][lang].format(most=figures[0], least=figures[1], high=listed[0], low=listed[1])
 
 
-def peak_of(excess: Excess, *, greatest: bool) -> Peak | None:
+def peak_of(excess: ExcessTorque, *, greatest: bool) -> Peak | None:
     """Return the greatest or the least excess torque, None where it is not sought."""
     own, sign = excess.excess, 1 if greatest else -1
     if not own.waves:
@@ -223,7 +223,7 @@ def peak_of(excess: Excess, *, greatest: bool) -> Peak | None:
     return _of_waves(own.waves, sign, excess.cycle) if is_plain(own) else None
 
 
-def _of_lines(lines: Sequence[Line], sign: int, excess: Excess) -> Peak:
+def _of_lines(lines: Sequence[Line], sign: int, excess: ExcessTorque) -> Peak:
     most = max(sign * value for one in lines for value in (one.first, one.last))
     spans: list[tuple[Fraction, Fraction]] = []
     for one in lines:

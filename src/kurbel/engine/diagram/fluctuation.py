@@ -32,7 +32,7 @@ from kurbel.page.axes import angle_decimals
 from kurbel.page.quantity import texts
 from kurbel.reading import notation, units
 from kurbel.reading.amounts import moved, unit_of_page
-from kurbel.reading.given import Given
+from kurbel.reading.given import FrozenValue
 from kurbel.reading.notation import about, check_bounds
 from kurbel.reading.units import Speed
 
@@ -204,7 +204,7 @@ class Scale(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Areas(Given):
+class Areas(FrozenValue):
     """The signed areas of a cycle, above the mean line positive, and their scale; `turns` of the cycle where
     they are known. They are `measured` where they are energies themselves."""
 

@@ -51,7 +51,7 @@ Figures = Mapping[str, Known]
 
 
 @dataclass(frozen=True, eq=False)
-class Sizing:
+class SizedFlywheel:
     """A flywheel with all its figures that are known, and what was taken without being given."""
 
     figures: Figures
@@ -62,7 +62,7 @@ class Sizing:
         return SHOWN[key].figure in self.figures
 
 
-def sized(given: Figures, limit: Known | None = None) -> Sizing:
+def sized(given: Figures, limit: Known | None = None) -> SizedFlywheel:
     """Return the flywheel of what is given, with the hoop stress to which its rim is limited if it is.
 
     Raises ProblemError where that contradicts itself or says too little.
@@ -98,7 +98,7 @@ def sized(given: Figures, limit: Known | None = None) -> Sizing:
             )
     _check_rim(figures)
     _check_answered(given, figures)
-    return Sizing(figures, tuple(taken))
+    return SizedFlywheel(figures, tuple(taken))
 
 
 def gathered(pairs: Iterable[tuple[str, Known]]) -> dict[str, Known]:

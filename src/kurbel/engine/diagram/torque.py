@@ -27,7 +27,7 @@ from kurbel.exact.certify import MOST_BITS, ball, vanishes
 from kurbel.exact.kind import Kind, balls, bounds
 from kurbel.exact.separation import plus, times
 from kurbel.kernel.circle import Numeric
-from kurbel.reading.given import Given
+from kurbel.reading.given import FrozenValue
 from kurbel.reading.notation import about
 
 TURN = 360
@@ -57,7 +57,7 @@ class Line(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Torque(Given):
+class Torque(FrozenValue):
     """A sum of waves and the lines beside it, one behind the other over the whole cycle."""
 
     waves: Waves
@@ -228,7 +228,7 @@ HALF_TURN, QUARTER = Fraction(180), Fraction(90)
 
 
 @dataclass(frozen=True)
-class Waves(Given):
+class Waves(FrozenValue):
     """A sum of waves by their amplitudes, each of which is not zero."""
 
     amplitudes: Mapping[Wave, Fraction]

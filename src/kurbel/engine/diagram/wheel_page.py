@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kurbel.engine.diagram.excess import Excess, acceleration_line
+from kurbel.engine.diagram.excess import ExcessTorque, acceleration_line
 from kurbel.engine.diagram.fluctuation import Extreme, Fluctuation, place_text
 from kurbel.engine.diagram.relations import ACCELERATION, SHOWN, registry
-from kurbel.engine.diagram.sizing import LIMIT, ONE_TURN, RIM_ALONE, Sizing
+from kurbel.engine.diagram.sizing import LIMIT, ONE_TURN, RIM_ALONE, SizedFlywheel
 from kurbel.exact.numerals import Label, Number, figure, finite_decimals, number_text
 from kurbel.exact.real import Product, Real
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, angle_number, irregularity_label
@@ -118,7 +118,7 @@ def _places(question: WheelRequest) -> Iterator[Label]:
 def _accelerated(question: WheelRequest) -> Iterator[Label]:
     """Yield the greatest and the least angular acceleration, where torques are known."""
     inertias = [wheel.figures["inertia"].value for wheel in question.wheels if "inertia" in wheel.figures]
-    if isinstance(question.fluctuation, Excess) and inertias:
+    if isinstance(question.fluctuation, ExcessTorque) and inertias:
         yield from acceleration_line(question.fluctuation, inertias, question.rounding, question.lang)
 
 
@@ -150,7 +150,7 @@ class WheelRequest(Question):
     where on the diagram the angular acceleration is asked for, in degrees.
     """
 
-    wheels: tuple[Sizing, ...]
+    wheels: tuple[SizedFlywheel, ...]
     targets: tuple[Fraction, ...] = ()
     known_from: str = ""
     fluctuation: Fluctuation | None = None
@@ -207,7 +207,7 @@ def _number(question: WheelRequest, column: Column, place: Place, times: int) ->
 def _acceleration(question: WheelRequest, column: Column, inertia: Product) -> Real:
     """Return α in rad/s² at the angle, of a diagram over the crank angle."""
     excess, angle = question.fluctuation, question.angle
-    assert isinstance(excess, Excess) and angle is not None
+    assert isinstance(excess, ExcessTorque) and angle is not None
     kernel = column.quantity.formulas["exact"].kernel
     return Real(lambda kind: kernel(lambda kind: excess.torque(excess.excess, angle, kind), inertia, kind))
 

@@ -20,7 +20,7 @@ from kurbel.engine.loads.ideal import (
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.law import Between, Constant, Law, Polytrope, steady
+from kurbel.kernel.law import BothSides, Constant, Law, Polytrope, steady
 from kurbel.kernel.steam import expansion_work, logarithm, power
 from kurbel.reading.given import choose
 from kurbel.reading.notation import about, check_bounds, plain
@@ -140,14 +140,14 @@ class Compressor:
                 f"--expansion-exponent is computed for one stage, and {self.stages} were given; leave it out"
             )
 
-    def strokes(self, kind: Kind, double: bool) -> tuple[Between, Between]:
+    def strokes(self, kind: Kind, double: bool) -> tuple[BothSides, BothSides]:
         """Return both strokes; single-acting, air is sucked on the outstroke and compressed on the return."""
         ends = self._ends(kind)
         if double:
-            both = Between(ends.leaving(), ends.coming())
+            both = BothSides(ends.leaving(), ends.coming())
             return both, both
         other = steady(kind.of(self.other_side))
-        return Between(ends.leaving(), other), Between(other, ends.coming())
+        return BothSides(ends.leaving(), other), BothSides(other, ends.coming())
 
     def volumetric_efficiency(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the share of the stroke on which air is sucked: 1 + κ - κ Π'^(1/n), Π' in the cylinder and n
@@ -373,13 +373,13 @@ class Pump:
         """Whether both strokes do the same."""
         return self.kind == DOUBLE
 
-    def strokes(self, kind: Kind, double: bool) -> tuple[Between, Between]:
+    def strokes(self, kind: Kind, double: bool) -> tuple[BothSides, BothSides]:
         """Return both strokes; but for the double-acting pump the outstroke sucks, the return delivers."""
         filling, other = steady(kind.of(self.suction)), steady(kind.of(Fraction(0)))
         emptying = steady(kind.of(self.suction + 1))
         if self.kind == DOUBLE:
-            return Between(filling, emptying), Between(filling, emptying)
+            return BothSides(filling, emptying), BothSides(filling, emptying)
         if self.kind == DIFFERENTIAL:
             # The ring has the delivery pressure on both strokes.
             other = steady(kind.of(self.small_area * (self.suction + 1)))
-        return Between(filling, other), Between(other, emptying)
+        return BothSides(filling, other), BothSides(other, emptying)

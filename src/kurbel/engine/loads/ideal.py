@@ -16,7 +16,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.forces import Stroke
-from kurbel.kernel.law import Between, Constant, Law, Line, Piece, Polytrope, steady
+from kurbel.kernel.law import BothSides, Constant, Law, Line, Piece, Polytrope, steady
 from kurbel.kernel.steam import Expansion, IdleStroke, best_back, power
 from kurbel.reading.given import choose
 from kurbel.reading.notation import about, check_bounds, plain, too_small
@@ -64,11 +64,11 @@ class Steam:
         compresses."""
         if not self.plain:
             behind, before = self._laws(self.numbers(kind.of, kind.exponent), kind)
-            both = Between(behind, before)
+            both = BothSides(behind, before)
             if double:
                 return both, both
             other = steady(self.numbers(kind.of, kind.exponent).back)
-            return Between(behind, other), Between(other, before)
+            return BothSides(behind, other), BothSides(other, before)
         acting: Stroke = self.numbers(kind.of, kind.exponent)
         return acting, acting if double else IdleStroke()
 
@@ -292,18 +292,18 @@ class GasCycle:
         """How many strokes a cycle has."""
         return 2 if self.two_stroke else 4
 
-    def strokes(self, kind: Kind, double: bool) -> tuple[Between, ...]:
+    def strokes(self, kind: Kind, double: bool) -> tuple[BothSides, ...]:
         """Return the expansion, the exhaust, the suction and the compression; of two strokes the first and
         the last."""
         points, atmosphere = self._points(kind), steady(kind.of(Fraction(1)))
         whole = 1 + points.clearance
         compressed = Polytrope(kind.of(Fraction(1)), whole, points.compression, whole, -1)
-        expansion = Between(self._expansion(points), atmosphere)
-        compression = Between(atmosphere, Law((compressed,)))
+        expansion = BothSides(self._expansion(points), atmosphere)
+        compression = BothSides(atmosphere, Law((compressed,)))
         if self.two_stroke:
             return expansion, compression
-        exhaust = Between(atmosphere, steady(kind.of(self.exhaust)))
-        return expansion, exhaust, Between(atmosphere, atmosphere), compression
+        exhaust = BothSides(atmosphere, steady(kind.of(self.exhaust)))
+        return expansion, exhaust, BothSides(atmosphere, atmosphere), compression
 
     def efficiency(self, kind: Kind) -> Numeric:
         """Return the share of the heat that becomes work, the change of the charge not counted.

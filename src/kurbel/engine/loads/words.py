@@ -26,7 +26,7 @@ PUMPS = texts("engine.loads")["pumps"]
 CYLINDERS = texts("engine")["cylinders"]
 
 
-class Loaded(Protocol):
+class LoadFacts(Protocol):
     """What is under a load, as words about that know it."""
 
     @property
@@ -113,7 +113,7 @@ def kilopascals(load: Load, times: Fraction = Fraction(1)) -> Label:
     return amount(load.pressure * times, "kPa", exact_text)
 
 
-def _steam_lines(request: Loaded, lang: str) -> Iterator[Label]:
+def _steam_lines(request: LoadFacts, lang: str) -> Iterator[Label]:
     steam: Any = request.steams[0]
     if all(request.words.number(one) == 1 for one in request.steams):
         yield OF_STEAM["uncut"][lang]
@@ -145,7 +145,7 @@ def best_back(steam: Any, back: Label, full: Label, lang: str) -> Label:
     return OF_STEAM[said][lang].format(back=back, full=full)
 
 
-def engine_lines(request: Loaded, lang: str) -> Iterator[Label]:
+def engine_lines(request: LoadFacts, lang: str) -> Iterator[Label]:
     """Yield what there is to be said of an engine: of its load, its sides and its cranks."""
     yield from request.words.lines(request, lang)
     engine = request.first
@@ -190,7 +190,7 @@ CARD_WORDS = LoadWords(
 )
 
 
-def _compressor_lines(request: Loaded, lang: str) -> Iterator[Label]:
+def _compressor_lines(request: LoadFacts, lang: str) -> Iterator[Label]:
     load: Compressor = request.steams[0]
     if load.expansion_exponent is not None:
         yield _apart(load.exponent, load.expansion_exponent, lang)
@@ -217,7 +217,7 @@ def _apart(compression: Fraction, expansion: Fraction, lang: str) -> Label:
     return OTHERS["apart"][lang].format(compression=figure(compression), expansion=figure(expansion))
 
 
-def _pump_lines(request: Loaded, lang: str) -> Iterator[Label]:
+def _pump_lines(request: LoadFacts, lang: str) -> Iterator[Label]:
     load: Pump = request.steams[0]
     yield PUMPS[load.kind][lang]
     if load.kind == DIFFERENTIAL:
@@ -236,7 +236,7 @@ def _suction(pump: Pump, known: Load | None, lang: str) -> Label:
     return OTHERS["above" if pump.suction > 0 else "below"][lang].format(head=said)
 
 
-def _gas_lines(request: Loaded, lang: str) -> Iterator[Label]:
+def _gas_lines(request: LoadFacts, lang: str) -> Iterator[Label]:
     load: GasCycle = request.steams[0]
     yield CYCLES[load.cycle][lang]
     yield OTHERS["two" if load.two_stroke else "four"][lang]

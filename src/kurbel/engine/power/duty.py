@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from kurbel.engine.power.source import Acting, Compound, GivenPressure, whole, work_of
+from kurbel.engine.power.source import ActingPressure, Compound, GivenPressure, whole, work_of
 from kurbel.errors import ProblemError
 from kurbel.exact.real import Product, Term, number, variable
 from kurbel.reading.notation import about, check_bounds
@@ -173,7 +173,7 @@ class Duty:
         names = ("power", "brake_power", "brake_torque", *sizes, "delivery")
         return any(getattr(self, name) is not None for name in names)
 
-    def given(self, source: Acting | GivenPressure) -> dict[str, Term]:
+    def given(self, source: ActingPressure | GivenPressure) -> dict[str, Term]:
         """Return what is given, by the names of variables."""
         found = {
             name: getattr(self, name) for name in (POWER, BORE, STROKE, PRESSURE, EFFICIENCY, HEAT, THERMAL)
@@ -221,7 +221,9 @@ class Duty:
         """Return what times the indicated power is that which consumption counts in."""
         return self.to_brake(driven) if self.shafted else number(1)
 
-    def relations(self, source: Acting | GivenPressure, opened: bool = False) -> dict[str, tuple[Term, str]]:
+    def relations(
+        self, source: ActingPressure | GivenPressure, opened: bool = False
+    ) -> dict[str, tuple[Term, str]]:
         """Return terms that are 1, by the option that errors name, each with the variable it tells first.
 
         N = z k p_i A S n, A the mean area of both ends, with k working strokes of a cylinder in a turn;
@@ -241,9 +243,9 @@ class Duty:
         swept = number(times / 4, pi=1) * bore * bore * stroke * speed
         mean = variable(MEAN) if opened else Term(source.mean)
         made = mean * variable(FACTOR) * variable(PRESSURE)
-        if self.ends and isinstance(source, Acting):
+        if self.ends and isinstance(source, ActingPressure):
             found["--mean-pressure"] = made / number(self._of_ends() or 1), FACTOR
-        if (delivery := self.delivery) is not None and isinstance(source, Acting):
+        if (delivery := self.delivery) is not None and isinstance(source, ActingPressure):
             moved = (variable(DELIVERED) if opened else Term(source.delivered)) * swept
             if isinstance(delivery, MassFlow):
                 found["--delivery"] = moved * self.mass_of_air() / number(delivery.mass), BORE
@@ -266,7 +268,7 @@ class Duty:
         return found
 
 
-def solved(duty: Duty, source: Acting | GivenPressure) -> Mapping[str, Term]:
+def solved(duty: Duty, source: ActingPressure | GivenPressure) -> Mapping[str, Term]:
     """Return the variables, each in terms of what is given and of those that are not known.
 
     Raises ProblemError where what is given contradicts itself.
@@ -274,7 +276,7 @@ def solved(duty: Duty, source: Acting | GivenPressure) -> Mapping[str, Term]:
     return _eliminated(duty, source)[0]
 
 
-def equation(duty: Duty, source: Acting, opened_pressure: bool) -> tuple[Term | None, list[str]]:
+def equation(duty: Duty, source: ActingPressure, opened_pressure: bool) -> tuple[Term | None, list[str]]:
     """Return what must be 1 for a number of the load that is sought: a product of what the load makes of it,
     and of its pressure where that is `opened_pressure`; None where too little is given, with the options that
     are missing."""
@@ -283,7 +285,7 @@ def equation(duty: Duty, source: Acting, opened_pressure: bool) -> tuple[Term | 
 
 
 def _eliminated(
-    duty: Duty, source: Acting | GivenPressure, opened: bool = False, open_pressure: bool = False
+    duty: Duty, source: ActingPressure | GivenPressure, opened: bool = False, open_pressure: bool = False
 ) -> tuple[Mapping[str, Term], list[Term]]:
     """Return the variables, and of what the load makes the relations that are left."""
     known, left = duty.given(source), []
@@ -360,16 +362,16 @@ def _check(option: str, relation: Term, duty: Duty, known: Mapping[str, Term]) -
     )
 
 
-class Found(NamedTuple):
+class Results(NamedTuple):
     """What is found of a source: the variables, in terms of what is given."""
 
     duty: Duty
-    source: Acting | GivenPressure
+    source: ActingPressure | GivenPressure
     variables: Mapping[str, Term]
 
     @property
-    def acting(self) -> Acting:
-        assert isinstance(self.source, Acting)
+    def acting(self) -> ActingPressure:
+        assert isinstance(self.source, ActingPressure)
         return self.source
 
     def mean(self) -> Term:

@@ -21,13 +21,13 @@ from kurbel.engine.power.duty import (
     PRESSURE,
     THERMAL,
     Duty,
-    Found,
+    Results,
     lacking,
     option_of,
     solved,
 )
 from kurbel.engine.power.power_quantities import Needs, registry
-from kurbel.engine.power.source import Acting, Compound, GivenPressure, whole
+from kurbel.engine.power.source import ActingPressure, Compound, GivenPressure, whole
 from kurbel.engine.power.unknown import UNKNOWNS
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number
@@ -65,7 +65,7 @@ class PowerRequest(Question):
     """What is asked for: the power of what acts on a piston, each of the `sources`, as far as `duty` tells
     it, or the sizes that it needs."""
 
-    sources: Sequence[Acting | GivenPressure]
+    sources: Sequence[ActingPressure | GivenPressure]
     duty: Duty
 
     no_column = "there is no column beside the axes; add one, such as mean_pressure"
@@ -131,7 +131,7 @@ class PowerRequest(Question):
     def _check_compound(self, compound: Compound) -> None:
         """Raise ProblemError where the high-pressure cylinder would not be the smaller one."""
         for index, source in enumerate(self.sources):
-            assert isinstance(source, Acting)
+            assert isinstance(source, ActingPressure)
             compound.check(source.load)
             own, all_ = self.found(index).expanded(), whole(source)
             if own.powers or (own.known.exceeds(Product.of(1)) and all_.exceeds(own.known)):
@@ -145,7 +145,7 @@ class PowerRequest(Question):
     def _check_factor(self) -> None:
         """Raise ProblemError where the diagram factor does not follow, or would be above 1."""
         for index, source in enumerate(self.sources):
-            if not isinstance(source, Acting) or not source.steamed:
+            if not isinstance(source, ActingPressure) or not source.steamed:
                 raise ProblemError("--unknown diagram_factor is that of the ideal card of steam; add --eps")
             found = self.found(index).variables
             factor, free = found[FACTOR].known, [name for name, one in found.items() if one.powers]
@@ -169,13 +169,13 @@ class PowerRequest(Question):
     @property
     def steams(self) -> list[Any]:
         """What acts on the pistons, for the words about it."""
-        return [one.load if isinstance(one, Acting) else one for one in self.sources]
+        return [one.load if isinstance(one, ActingPressure) else one for one in self.sources]
 
     @property
     def first(self) -> Engine:
         """The engine that the words are about."""
         source = self.sources[0]
-        assert isinstance(source, Acting)
+        assert isinstance(source, ActingPressure)
         return source.engine
 
     @property
@@ -185,7 +185,7 @@ class PowerRequest(Question):
     @cached_property
     def words(self) -> LoadWords:
         source = self.sources[0]
-        return words_of(source.name) if isinstance(source, Acting) else GIVEN_WORDS
+        return words_of(source.name) if isinstance(source, ActingPressure) else GIVEN_WORDS
 
     @cached_property
     def driven(self) -> bool:
@@ -196,19 +196,19 @@ class PowerRequest(Question):
         """Return what is found of a source, by its index."""
         return lru_cache(None)(self._found)
 
-    def _found(self, index: int) -> Found:
+    def _found(self, index: int) -> Results:
         source = self.sources[index]
-        return Found(self.duty, source, solved(self.duty, source))
+        return Results(self.duty, source, solved(self.duty, source))
 
     @property
     def axis_keys(self) -> tuple[str, ...]:
         return (self.words.key,)
 
     @property
-    def acting(self) -> Acting | None:
+    def acting(self) -> ActingPressure | None:
         """What acts on the piston, where its pressure is not given."""
         source = self.sources[0]
-        return source if isinstance(source, Acting) else None
+        return source if isinstance(source, ActingPressure) else None
 
     @property
     def machine(self) -> Any:
@@ -270,7 +270,7 @@ def notes(request: PowerRequest) -> Iterator[Label]:
     lang, duty, source = request.lang, request.duty, request.sources[0]
     shown = {column.key for column in request.page_columns}
     yield from (note[lang] for note in request.layout.notes)
-    if isinstance(source, Acting) and "relative_pressure" in shown:
+    if isinstance(source, ActingPressure) and "relative_pressure" in shown:
         yield f"$p$ {COUNTED_IN[source.name][lang]}"
     if given := ", ".join(_given(duty, source)):
         yield POWER_TEXTS["given"][lang].format(given=given)
@@ -299,7 +299,7 @@ def notes(request: PowerRequest) -> Iterator[Label]:
         yield POWER_TEXTS["burnt_at_shaft" if duty.shafted else "burnt"][lang]
     if not shown.isdisjoint(("air_mass", "work_per_mass")) or isinstance(duty.delivery, MassFlow):
         yield POWER_TEXTS["air"][lang]
-    if not isinstance(source, Acting):
+    if not isinstance(source, ActingPressure):
         return
     if duty.specific_volume is not None and not shown.isdisjoint(("steam", "steam_per_kwh")):
         yield _steam_taken(source, duty, lang)
@@ -313,7 +313,7 @@ def notes(request: PowerRequest) -> Iterator[Label]:
         yield POWER_TEXTS["supplied"][lang]
 
 
-def _air_lines(source: Acting, duty: Duty, shown: set[str], lang: str) -> Iterator[Label]:
+def _air_lines(source: ActingPressure, duty: Duty, shown: set[str], lang: str) -> Iterator[Label]:
     if duty.suction_temperature is not None:
         yield POWER_TEXTS["warm"][lang].format(temperature=figure(duty.suction_temperature))
     if duty.free_air is not None:
@@ -336,7 +336,7 @@ def _air_lines(source: Acting, duty: Duty, shown: set[str], lang: str) -> Iterat
         yield POWER_TEXTS["ideal_air"][lang]
 
 
-def _given(duty: Duty, source: Acting | GivenPressure) -> Iterator[Label]:
+def _given(duty: Duty, source: ActingPressure | GivenPressure) -> Iterator[Label]:
     """Yield what is given as it stands in formulas, but for what the table has."""
     if duty.pressure is not None and not isinstance(source, GivenPressure):
         yield f"$p = {amount(duty.pressure, 'bar')}$"
@@ -362,7 +362,7 @@ def _area(duty: Duty) -> Iterator[str]:
     yield f"π/4 (d^2 - {taken})"
 
 
-def _steam_taken(source: Acting, duty: Duty, lang: str) -> Label:
+def _steam_taken(source: ActingPressure, duty: Duty, lang: str) -> Label:
     steam, volume = source.load, duty.specific_volume
     assert volume is not None
     kept = "p_b/p" if steam.exponent == 1 else f"(p_b/p)^(1/{figure(steam.exponent)})"
@@ -373,7 +373,7 @@ def _steam_taken(source: Acting, duty: Duty, lang: str) -> Label:
     return said + (POWER_TEXTS["kept"][lang] if steam.clearance else "")
 
 
-def _steam_lines(source: Acting, lang: str) -> Iterator[Label]:
+def _steam_lines(source: ActingPressure, lang: str) -> Iterator[Label]:
     steam = source.load
     if steam.expansion == 1:
         yield OF_STEAM["uncut"][lang]

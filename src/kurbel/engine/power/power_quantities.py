@@ -22,7 +22,7 @@ from kurbel.engine.power.duty import (
     THERMAL,
     UNITS,
     Duty,
-    Found,
+    Results,
 )
 from kurbel.exact.real import Term, number
 from kurbel.page.quantity import Formula, Need, Quantity, entry, with_symbol
@@ -80,17 +80,19 @@ def _entries() -> Iterator[Quantity]:
     theory = "theoretischer mittlerer Druck|Theoretical mean pressure"
     yield _entry("expansion", "Expansionsverhältnis|Expansion ratio", "$ε$", "", 1,
                  lambda found: number(1) / found.sought(), _sought("eps"))  # fmt: skip
-    yield _entry("cut_off", "Füllung|Cut-off", "$1/ε$", "", 1, Found.sought, _sought("eps"))
+    yield _entry("cut_off", "Füllung|Cut-off", "$1/ε$", "", 1, Results.sought, _sought("eps"))
     yield _entry(
-        "ratio", "Druckverhältnis|Pressure ratio", "$Π$", "", 1, Found.sought, _sought("pressure_ratio")
+        "ratio", "Druckverhältnis|Pressure ratio", "$Π$", "", 1, Results.sought, _sought("pressure_ratio")
     )
     yield _entry("steam_pressure", "Dampfdruck|Steam pressure", "$p$", "bar", UNITS[PRESSURE],
                  partial(_variable, PRESSURE), _sought("pressure"))  # fmt: skip
     yield _entry("back", "Gegendruck|Back pressure", "$p_b$", "bar", UNITS[PRESSURE],
                  lambda found: found.sought() * found.of(PRESSURE), _sought("back"))  # fmt: skip
-    yield _entry("back_share", "Gegendruck, bezogen|Relative back pressure", "$p_b/p$", "", 1, Found.sought,
+    yield _entry("back_share", "Gegendruck, bezogen|Relative back pressure", "$p_b/p$", "", 1, Results.sought,
                  _sought("back"))  # fmt: skip
-    yield _entry("clearance", "schädlicher Raum|Clearance", "$κ$", "", 1, Found.sought, _sought("clearance"))
+    yield _entry(
+        "clearance", "schädlicher Raum|Clearance", "$κ$", "", 1, Results.sought, _sought("clearance")
+    )
     yield _entry("relative_pressure", "bezogener mittlerer Druck|Relative mean pressure", "$p_m/p$", "",
                  1, lambda found: found.mean(), Needs.ACTING)  # fmt: skip
     yield _entry("theoretical_pressure", theory, "$p_m$", "bar", UNITS[PRESSURE],
@@ -98,7 +100,7 @@ def _entries() -> Iterator[Quantity]:
     yield _entry("diagram_factor", "Völligkeitsgrad des Diagramms|Diagram factor", "$φ_d$", "", 1,
                  partial(_variable, FACTOR), Needs.ASKED)  # fmt: skip
     yield _entry("mean_pressure", "mittlerer indizierter Druck|Mean effective pressure", "$p_i$", "bar",
-                 UNITS[PRESSURE], Found.pressure)  # fmt: skip
+                 UNITS[PRESSURE], Results.pressure)  # fmt: skip
     for key, name, symbol, unit in (
         (PRESSURE, "Druck|Pressure", "$p$", "bar"),
         (BORE, "Bohrung|Bore", "$d$", "mm"),
@@ -139,15 +141,15 @@ def _entries() -> Iterator[Quantity]:
     yield _entry("brake_thermal", "thermischer Wirkungsgrad an der Welle|Brake thermal efficiency", "$η_e$",
                  "", 1, lambda found: found.of(THERMAL) * found.brake() / found.of_work(),
                  Needs.FUEL, Needs.EFFICIENCY)  # fmt: skip
-    yield _entry("steam", "Dampfverbrauch|Steam taken", "$D$", "kg/h", Fraction(1, 3600), Found.steam,
+    yield _entry("steam", "Dampfverbrauch|Steam taken", "$D$", "kg/h", Fraction(1, 3600), Results.steam,
                  Needs.STEAM)  # fmt: skip
     yield _entry("steam_per_kwh", "Dampf je kWh, indiziert|Steam per kWh, indicated", "$D/N_i$", "kg/kWh",
-                 kwh, Found.steam_of_work, Needs.STEAM)  # fmt: skip
+                 kwh, Results.steam_of_work, Needs.STEAM)  # fmt: skip
     yield _entry("steam_per_brake_kwh", "Dampf je kWh an der Welle|Steam per kWh at the shaft", "$D/N_e$",
                  "kg/kWh", kwh, lambda found: found.steam_of_work() / found.brake(),
                  Needs.STEAM, Needs.EFFICIENCY)  # fmt: skip
     yield _entry("swept_volume", "Hubraum eines Zylinders|Swept volume of a cylinder", "$V_h$", "l",
-                 Fraction(1, 1000), Found.swept)  # fmt: skip
+                 Fraction(1, 1000), Results.swept)  # fmt: skip
     yield from _air_entries()
     yield from _compound_entries()
 
@@ -157,10 +159,10 @@ def _air_entries() -> Iterator[Quantity]:
     yield _entry("air_mass", "geförderte Masse|Mass delivered", '$"ṁ"$', "kg/min", Fraction(1, 60),
                  lambda found: found.delivery() * found.duty.mass_of_air(), Needs.WARM,
                  Needs.SUCTION)  # fmt: skip
-    yield _entry("work_per_mass", "Arbeit je kg|Work per kg", "$w$", "kJ/kg", 1000, Found.work_per_mass,
+    yield _entry("work_per_mass", "Arbeit je kg|Work per kg", "$w$", "kJ/kg", 1000, Results.work_per_mass,
                  Needs.WARM, Needs.SUCTION)  # fmt: skip
     yield _entry("delivery", "Fördermenge|Delivery", "$V$", "m³/min", Fraction(1, 60),
-                 Found.delivery, Needs.DELIVERY)  # fmt: skip
+                 Results.delivery, Needs.DELIVERY)  # fmt: skip
     yield _entry("free_delivery", "Fördermenge, freie Luft|Delivery of free air", "$V_f$", "m³/min",
                  Fraction(1, 60), lambda found: found.delivery() * found.duty.freed(),
                  Needs.FREE)  # fmt: skip
@@ -217,9 +219,9 @@ def _air_entries() -> Iterator[Quantity]:
 def _compound_entries() -> Iterator[Quantity]:
     """Yield what is of the two cylinders of a compound engine."""
     yield _entry("high_expansion", "Expansion im Hochdruckzylinder|Expansion in the high-pressure cylinder",
-                 "$ε_h$", "", 1, Found.expanded, Needs.COMPOUND)  # fmt: skip
+                 "$ε_h$", "", 1, Results.expanded, Needs.COMPOUND)  # fmt: skip
     yield _entry("low_cut_off", "Füllung des Niederdruckzylinders|Cut-off of the low-pressure cylinder",
-                 "$V_h/V_n$", "", 1, Found.filled, Needs.COMPOUND)  # fmt: skip
+                 "$V_h/V_n$", "", 1, Results.filled, Needs.COMPOUND)  # fmt: skip
     yield _entry("receiver_pressure", "Druck im Aufnehmer|Receiver pressure", "$p_a$", "bar", UNITS[PRESSURE],
                  lambda found: found.of(PRESSURE) / found.expanded(), Needs.COMPOUND)  # fmt: skip
     yield _entry("high_bore", "Bohrung des Hochdruckzylinders|High-pressure bore", "$d_h$", "mm", UNITS[BORE],
@@ -230,24 +232,24 @@ def _compound_entries() -> Iterator[Quantity]:
     ):
         german, english = name.split("|")
         yield _entry(f"{key}_share", f"Arbeitsanteil {german}|Share {english} in the work", f"$A_{letter}$",
-                     "", 1, partial(Found.shared, high=high), Needs.COMPOUND)  # fmt: skip
+                     "", 1, partial(Results.shared, high=high), Needs.COMPOUND)  # fmt: skip
         yield _entry(f"{key}_mean_pressure", f"mittlerer Druck {german}|Mean pressure {english}",
-                     f'$p_"i{letter}"$', "bar", UNITS[PRESSURE], partial(Found.pressed, high=high),
+                     f'$p_"i{letter}"$', "bar", UNITS[PRESSURE], partial(Results.pressed, high=high),
                      Needs.COMPOUND)  # fmt: skip
         yield _entry(f"{key}_power", f"Leistung {german}|Power {english}", f"$N_{letter}$", "kW",
-                     UNITS[POWER], partial(Found.worked_in, high=high), Needs.COMPOUND)  # fmt: skip
+                     UNITS[POWER], partial(Results.worked_in, high=high), Needs.COMPOUND)  # fmt: skip
 
 
-def _variable(name: str, found: Found) -> Term:
+def _variable(name: str, found: Results) -> Term:
     return found.duty.whole_bore(found.of(name)) if name == BORE else found.of(name)
 
 
-def _of_load(name: str, found: Found) -> Term:
+def _of_load(name: str, found: Results) -> Term:
     return found.of_load(name)
 
 
 def _entry(
-    key: str, name: str, symbol: str, unit: str, size: Fraction | int, kernel: Callable[[Found], Term],
+    key: str, name: str, symbol: str, unit: str, size: Fraction | int, kernel: Callable[[Results], Term],
     *needs: Need,
 ) -> Quantity:  # fmt: skip
     formula = Formula(lambda found: kernel(found) / number(size))

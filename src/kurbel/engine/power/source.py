@@ -18,7 +18,7 @@ from typing import Any, ClassVar, NamedTuple
 
 from kurbel.drive.load import CARD, STEAM
 from kurbel.engine.cylinder import TurnPlace
-from kurbel.engine.digits import Asked, Estimate, check_card, estimate
+from kurbel.engine.digits import CellValue, Estimate, check_card, estimate
 from kurbel.engine.engine import Engine
 from kurbel.engine.engine_quantities import engine_registry
 from kurbel.engine.turn import turn_of
@@ -41,7 +41,7 @@ NEAR_BITS = 120
 HEADS, DECIMALS = ("cut_off", "ratio"), 4
 
 
-class Sought(NamedTuple):
+class SoughtLoadNumber(NamedTuple):
     """A number of a load that was asked for, by the name that the load has for it, and the option that has
     it; `place` encloses it at the precision in force. Of the steam pressure the number is the share that the
     back pressure in Pa, `over` it, is of that."""
@@ -97,12 +97,12 @@ class GivenPressure:
 
 
 @dataclass(frozen=True)
-class Acting:
+class ActingPressure:
     """What acts on the piston of an engine: its mean pressure counts in the pressure that Q is of. A number
     of it that is `sought` is near to that of the load of the engine."""
 
     engine: Engine
-    sought: Sought | None = None
+    sought: SoughtLoadNumber | None = None
 
     @property
     def load(self) -> Any:
@@ -193,7 +193,7 @@ class Acting:
     def _estimate(self) -> Estimate:
         """The mean pressure of an indicator card, and how far it may be off."""
         quantity = engine_registry()["mean_pressure"]
-        return estimate(Asked(bare(quantity, "exact", None), (self._turn,), TurnPlace()))
+        return estimate(CellValue(bare(quantity, "exact", None), (self._turn,), TurnPlace()))
 
     @cached_property
     def _turn(self) -> Any:
@@ -223,7 +223,7 @@ class Compound(NamedTuple):
                 " --exponent, --clearance, --release, --cushion and --lead out"
             )
 
-    def expansion(self, acting: Acting, pressure: Term, bore: Term) -> Term:
+    def expansion(self, acting: ActingPressure, pressure: Term, bore: Term) -> Term:
         """Return how many times the steam expands in the high-pressure cylinder, R, of the pressure in Pa and
         the low-pressure bore in metres."""
         if self.way == EXPANSION:
@@ -240,14 +240,14 @@ class Compound(NamedTuple):
         return Term(Product.about(lambda kind: kind.enclosed(lambda: _by_work(*_numbers(acting, balls())))))
 
 
-def whole(acting: Acting) -> Product:
+def whole(acting: ActingPressure) -> Product:
     """Return the whole expansion ε."""
     if acting.sought is None:
         return Product.of(acting.load.expansion)
     return Product.about(lambda kind: _numbers(acting, kind)[0])
 
 
-def work_of(compound: Compound | None, acting: Acting, expansion: Term, high: bool) -> Term:
+def work_of(compound: Compound | None, acting: ActingPressure, expansion: Term, high: bool) -> Term:
     """Return the share of a cylinder in the work, the high-pressure one or the other."""
     if compound is not None and compound.way == WORK:
         return number(HALF)
@@ -260,7 +260,7 @@ def work_of(compound: Compound | None, acting: Acting, expansion: Term, high: bo
     return Term(Product.about(part), expansion.powers)
 
 
-def _numbers(acting: Acting, kind: Kind) -> tuple[Numeric, Numeric]:
+def _numbers(acting: ActingPressure, kind: Kind) -> tuple[Numeric, Numeric]:
     """Return ε and b ε on a kind of number."""
     steam = acting.load.numbers(kind.of, kind.exponent)._replace(**acting.found(kind))
     back = steam.cut_off if acting.load.back is None else steam.back

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from flint import arb
 
 from kurbel.engine.power.duty import FACTOR, MEAN, OPEN_PRESSURE, VARIABLES
-from kurbel.engine.power.source import Sought
+from kurbel.engine.power.source import SoughtLoadNumber
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.kind import balls
 from kurbel.exact.real import Term
@@ -148,8 +148,11 @@ class Root:
         return self.search.zeros[self.index].place()
 
 
-def sought(load: Any, option: str, relation: Term, over: Fraction | None) -> list[Sought]:
+def sought(load: Any, option: str, relation: Term, over: Fraction | None) -> list[SoughtLoadNumber]:
     """Return all numbers between the bounds with which the relation is 1. Raises ProblemError where two of
     them cannot be told apart, and NoRootError where there is none."""
     search = Search(load, option, relation, over)
-    return [Sought(option, UNKNOWNS[option].name, Root(search, at), over) for at in range(len(search.zeros))]
+    return [
+        SoughtLoadNumber(option, UNKNOWNS[option].name, Root(search, at), over)
+        for at in range(len(search.zeros))
+    ]

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from kurbel.drive.wheel import Wheel
 from kurbel.engine.card.force import CardTurn
 from kurbel.engine.cylinder import Cylinder
-from kurbel.engine.speed.run import SAMPLES, AnyRun, Run, Sampled, top
+from kurbel.engine.speed.run import SAMPLES, AnyRun, Run, SampledRun, top
 from kurbel.kernel.circle import Numeric
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -109,7 +109,7 @@ class HeavyCardRun(CardRun):
         self._degrees = 180 * float(turn.cylinder.drive.dead_centre(0))
         places = self._degrees / 180 + 2 * np.arange(turn.cycle // 2 * SAMPLES) / SAMPLES
         works, energies = self._courses(places)
-        self._sampled = Sampled(works.tolist(), energies.tolist(), half, first, wheel.number is not None)
+        self._sampled = SampledRun(works.tolist(), energies.tolist(), half, first, wheel.number is not None)
 
     @cached_property
     def start(self) -> float:

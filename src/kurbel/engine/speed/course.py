@@ -17,12 +17,12 @@ from typing import Any, NamedTuple
 import flint
 from flint import arb
 
-from kurbel.engine.turn import Piece, Turn
+from kurbel.engine.turn import Turn, TurnPiece
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.place import fraction
 from kurbel.exact.search import interval
-from kurbel.exact.taylor import Continued, Formula, Taylor, bounded, continued, expanded, half_turn_circle
+from kurbel.exact.taylor import ComplexNumber, Formula, Taylor, bounded, continued, expanded, half_turn_circle
 
 # Bits to which a corner is known, or so many beyond the precision in force if that is more: up to there all
 # precisions have the same sections.
@@ -42,7 +42,7 @@ class Span(NamedTuple):
 
     start: Fraction
     end: Fraction
-    pieces: tuple[Piece, ...]
+    pieces: tuple[TurnPiece, ...]
     smooth: bool = False
 
 
@@ -147,11 +147,11 @@ def energies(turn: Turn, bounds: Bounds) -> tuple[Course, Course]:
     still = [one.still for one in cylinders]
     begun = sum(turn.cylinders[part].still.energy(*one) for part, *one in turn.begun())
 
-    def work(piece: Piece, place: Continued) -> Continued:
-        return Continued.of(_sum(piece, place, [one.energy for one in still]) - begun)
+    def work(piece: TurnPiece, place: ComplexNumber) -> ComplexNumber:
+        return ComplexNumber.of(_sum(piece, place, [one.energy for one in still]) - begun)
 
-    def energy(piece: Piece, place: Continued) -> Continued:
-        return Continued.of(_sum(piece, place, [one.kinetic_energy for one in cylinders]))
+    def energy(piece: TurnPiece, place: ComplexNumber) -> ComplexNumber:
+        return ComplexNumber.of(_sum(piece, place, [one.kinetic_energy for one in cylinders]))
 
     found: list[tuple[Section, Section]] = []
     smooth = [one for one in spans(turn) if one.smooth]
@@ -184,7 +184,7 @@ def _sections(
     yield from _sections(formulas, bounds, middle, high, ball(middle), end)
 
 
-def _sum(piece: Piece, place: Continued, formulas: Sequence[Callable[[int, Any], Any]]) -> Any:
+def _sum(piece: TurnPiece, place: ComplexNumber, formulas: Sequence[Callable[[int, Any], Any]]) -> Any:
     return sum(
         count * formulas[part](stroke, place - ball(begun)) for count, part, stroke, begun in piece.unlike
     )
@@ -207,7 +207,7 @@ def spans(turn: Turn) -> Iterator[Span]:
             yield Span(piece.end, following.start, (piece, first if following is last else following))
 
 
-def _corners(turn: Turn, piece: Piece) -> list[tuple[Fraction, Fraction]]:
+def _corners(turn: Turn, piece: TurnPiece) -> list[tuple[Fraction, Fraction]]:
     """Return where the corners of the force lie within a piece, each between two places."""
     with at_bits(max(CORNER_BITS, flint.ctx.prec + NARROWER)):
         found = [

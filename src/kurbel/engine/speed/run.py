@@ -237,7 +237,7 @@ def above(bound: Numeric) -> str:
     return plain(Fraction(ceil(Fraction(value) * scale)) / scale)
 
 
-class Sampled(NamedTuple):
+class SampledRun(NamedTuple):
     """Samples of W and k over a cycle, ½ I where u is 1, k₀, and whether the flywheel goes by its number."""
 
     works: Sequence[float]

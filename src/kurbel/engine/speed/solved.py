@@ -35,7 +35,7 @@ from kurbel.engine.speed.run import (
     STEP,
     AnyRun,
     Run,
-    Sampled,
+    SampledRun,
     above,
     given_of,
     hit,
@@ -60,7 +60,7 @@ LEAST_LAG, MOST_LAG = 0.15, 1e6
 KEPT = 512
 
 
-class Stationary(NamedTuple):
+class SpeedExtreme(NamedTuple):
     """Where the speed is least or greatest: within the section about a place."""
 
     middle: Fraction
@@ -156,14 +156,14 @@ def _slopes(section: Section) -> tuple[Function, Function]:
     return partial(section.function.at, order=1), partial(section.function.at, order=2)
 
 
-def _stationary(squares: Course) -> Iterator[Stationary]:
+def _stationary(squares: Course) -> Iterator[SpeedExtreme]:
     """Yield where the speed is least or greatest, for all squares that the balls hold."""
     for before, one in pairwise((squares.sections[-1], *squares.sections)):
         if before.function.at(before.end, 1) * one.function.at(one.start, 1) < 0:
             raise ProblemError("the speed turns in a dead centre; its extremes cannot be told apart")
         more = (one.high - one.low) * BEYOND
         for zero in isolate(*_slopes(one), one.low - more, one.high + more):
-            yield Stationary(one.function.middle, zero)
+            yield SpeedExtreme(one.function.middle, zero)
 
 
 class HeavyRun(SolvedRun):
@@ -174,7 +174,7 @@ class HeavyRun(SolvedRun):
             works, moved = (_sampled(one, Fraction(0)) for one in self.energies())
             half, _ = map(float, self.level(arb(1)))
             first = float(self.turn.kinetic_energy_begun())
-        return Fraction(Sampled(works, moved, half, first, self.wheel.number is not None).start(self, 0.0))
+        return Fraction(SampledRun(works, moved, half, first, self.wheel.number is not None).start(self, 0.0))
 
     def squares(self, number: arb) -> Course:
         half, energy = self.level(number)

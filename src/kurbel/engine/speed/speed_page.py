@@ -12,7 +12,7 @@ from typing import TypeAlias
 
 from kurbel.drive.wheel import SQUARE, Wheel
 from kurbel.engine import notes
-from kurbel.engine.digits import Asked, printed
+from kurbel.engine.digits import CellValue, printed
 from kurbel.engine.engine_page import IRREGULARITY, TURNING
 from kurbel.engine.engine_quantities import EXTREMES, Needs, engine_registry, row
 from kurbel.engine.request import EngineRequest
@@ -143,7 +143,7 @@ def _number(request: EngineRequest, column: Column, place: Place, times: int) ->
         return TURNING.number(request, column, place, times)
     assert request.wheel is not None
     turns = [request.turn(place["expansion"], place["ratio"], method) for method in column.methods]
-    asked = Asked(column, [run_of(turn, request.wheel) for turn in turns], request.where(place), times)
+    asked = CellValue(column, [run_of(turn, request.wheel) for turn in turns], request.where(place), times)
     return printed(asked, request.rounding, request.carded)
 
 

@@ -13,7 +13,7 @@ from zlib import crc32
 from kurbel.formats.formula import has_bar, mathml
 from kurbel.formats.page import Setter, page
 from kurbel.formats.spacing import (
-    Room,
+    StretchableWidth,
     added,
     bodies,
     headings,
@@ -30,7 +30,7 @@ from kurbel.page.table import HeadCell
 if TYPE_CHECKING:
     from kurbel.formats.html.live import Live
     from kurbel.formats.page import Page, PageCell, PageGroup, PagePanel
-    from kurbel.formats.writer import Place, Wishes
+    from kurbel.formats.writer import Place, WriteOptions
     from kurbel.page.table import Panel, Table
 
 WORDS: Mapping[str, str] = {
@@ -116,7 +116,7 @@ class Writer(PageWriter):
             "live": live_in,
         }
 
-    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, object]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: WriteOptions) -> dict[str, object]:
         setter = Setter(table, self, mark)
         return {"views": [*views(setter, ready, wishes.place)], "remark": "" if wishes.place else REMARK}
 
@@ -263,14 +263,14 @@ class Widths(NamedTuple):
     gaps: tuple[float, ...]
     shifts: tuple[float, ...]
     mores: tuple[float, ...]
-    left: Sequence[Room]
-    right: Sequence[Room]
+    left: Sequence[StretchableWidth]
+    right: Sequence[StretchableWidth]
 
     def of(self, columns: Sequence[int]) -> Widths:
         """Return those of some of the columns, of which no whole heads are known."""
         every = (self.leasts, self.gaps, self.shifts, self.mores)
         leasts, gaps, shifts, mores = (tuple(one[place] for place in columns) for one in every)
-        beside = [Room(0.0)] * len(leasts)
+        beside = [StretchableWidth(0.0)] * len(leasts)
         return Widths(added(leasts), leasts, gaps, shifts, mores, beside, beside)
 
     @property

@@ -16,7 +16,7 @@ from typing import NamedTuple, Self
 from kurbel.formats.formula import TEX_OBEYED, TexMath, has_bar
 from kurbel.formats.page import Page, PageCell, PagePanel, page
 from kurbel.formats.spacing import WITHIN, added, bodies, em, headings, overhangs, spans, widest
-from kurbel.formats.writer import PERCENT_DELIMITERS, PLAIN, PageWriter, Wishes
+from kurbel.formats.writer import PERCENT_DELIMITERS, PLAIN, PageWriter, WriteOptions
 from kurbel.page.formula import GREEK, SIGNS, SYMBOLS, Formula
 from kurbel.page.table import HeadCell, Table
 
@@ -47,7 +47,7 @@ class Writer(PageWriter):
     def filters(self) -> Mapping[str, Callable[..., object]]:
         return {"spanner_lines": spanner_lines}
 
-    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, object]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: WriteOptions) -> dict[str, object]:
         writer = PlainWriter() if wishes.plain else self
         if wishes.plain:
             ready = page(table, writer, mark)

@@ -16,7 +16,7 @@ from html import escape
 
 from kurbel.exact.numerals import Number, number_text
 from kurbel.formats.page import blank
-from kurbel.formats.sheet import Look, Picture, Run, Sheet, SheetCell, Workbook, bare, quoted, runs
+from kurbel.formats.sheet import CellLook, Picture, Run, Sheet, SheetCell, Workbook, bare, quoted, runs
 from kurbel.formats.workbook import zipped
 from kurbel.formats.writer import WorkbookWriter
 
@@ -76,7 +76,7 @@ RAISED = "\u2004"
 LOCALES = {",": ("de", "DE"), ".": ("en", "GB")}
 
 
-class Looks:
+class CellStyles:
     """Gives each look its name, and knows the styles of all that were named.
 
     Numbers have the decimal mark of the page, whatever the language of the program that shows them.
@@ -84,7 +84,7 @@ class Looks:
 
     def __init__(self) -> None:
         self.names: dict[tuple[object, ...], str] = {}
-        self.cells: dict[tuple[Look, str], str] = {}
+        self.cells: dict[tuple[CellLook, str], str] = {}
         self.styles: list[str] = []
         self.text = self.named("nt", "number:text-style", element("number:text-content"))
 
@@ -141,7 +141,7 @@ class Looks:
         own = element("style:table-properties", table__display="true")
         return self.style("ta", "table", own, style__master_page_name=master)
 
-    def cell(self, look: Look, mark: str) -> str:
+    def cell(self, look: CellLook, mark: str) -> str:
         """Return the name of the style of a cell; the mark is that of its number, or nothing of a text."""
         key = look, mark
         if key not in self.cells:
@@ -155,7 +155,7 @@ class Looks:
             )
         return self.cells[key]
 
-    def number(self, look: Look, mark: str) -> str:
+    def number(self, look: CellLook, mark: str) -> str:
         """Return the name of the style of a number: its decimals, and what stands behind it."""
         figures = element(
             "number:number",
@@ -176,7 +176,7 @@ class Looks:
         )
 
 
-def _properties(look: Look) -> str:
+def _properties(look: CellLook) -> str:
     cell = element(
         "style:table-cell-properties",
         fo__border_top=RULES.get(look.above),
@@ -252,7 +252,7 @@ def _name_of(picture: Picture) -> str:
 
 def _content(book: Workbook) -> Iterator[bytes]:
     """Yield the sheets in pieces: as one text a long table takes ten times the memory of its file."""
-    looks = Looks()
+    looks = CellStyles()
     for sheet in book.sheets:
         looks.meet(sheet)
     begin, end = around("document-content")
@@ -269,7 +269,7 @@ def _content(book: Workbook) -> Iterator[bytes]:
 class _Table:
     """A sheet as a table of OpenDocument."""
 
-    def __init__(self, sheet: Sheet, looks: Looks) -> None:
+    def __init__(self, sheet: Sheet, looks: CellStyles) -> None:
         self.looks = looks
         self.mark = sheet.mark
         # What cells above cover, by rows and columns.

@@ -15,7 +15,7 @@ from unicodedata import combining, east_asian_width
 from kurbel.formats.formula import TEX_OBEYED, TexMath, has_bar
 from kurbel.formats.page import Page, PagePanel
 from kurbel.formats.spacing import Span, shared
-from kurbel.formats.writer import PageWriter, Wishes
+from kurbel.formats.writer import PageWriter, WriteOptions
 from kurbel.page.formula import Formula
 from kurbel.page.table import Table
 
@@ -44,7 +44,7 @@ class Writer(PageWriter):
     def filters(self) -> Mapping[str, Callable[..., object]]:
         return {"finish": finish, "grid_table": grid_table, "left_columns": left_columns}
 
-    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, object]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: WriteOptions) -> dict[str, object]:
         # The value of an option is no prose.
         return {"name": table.key}
 

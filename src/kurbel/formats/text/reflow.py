@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from kurbel.formats.page import Page, PageCell, PageGroup, PageNote, PagePanel
 from kurbel.formats.spacing import partings, widest
-from kurbel.formats.text.writer import TIGHTEST, Measure, grid_with, grids_of, measured
+from kurbel.formats.text.writer import TIGHTEST, ColumnWidths, grid_with, grids_of, measured
 from kurbel.page.labels import fitted, lines_of, longest_word, mark_text
 from kurbel.page.table import Table
 
@@ -99,7 +99,7 @@ def _rooms(page: Page, width: int) -> _Rooms:
     )
 
 
-def _least(panel: PagePanel, measures: Sequence[Measure]) -> list[int]:
+def _least(panel: PagePanel, measures: Sequence[ColumnWidths]) -> list[int]:
     """Return the least room of the cells of each column: that of figures, or of the longest word."""
     rooms = []
     for place, (column, own) in enumerate(zip(panel.columns, measures, strict=True)):

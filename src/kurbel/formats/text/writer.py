@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from kurbel.formats.page import Page, PageCell, PagePanel, page
 from kurbel.formats.spacing import shared, spans, widest
-from kurbel.formats.writer import PageWriter, Wishes
+from kurbel.formats.writer import PageWriter, WriteOptions
 from kurbel.page.table import HeadCell, Table, Tone
 
 # A table is no wider than the first, or else the second of these if closer columns are a help.
@@ -45,7 +45,7 @@ class Writer(PageWriter):
             "wrapped": wrapped,
         }
 
-    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, object]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: WriteOptions) -> dict[str, object]:
         width = wishes.width
         if width is not None and grid_of(ready, width).total > width:
             from kurbel.formats.text.reflow import narrowed
@@ -181,7 +181,7 @@ def grid_of(page: Page, width: int | None = None) -> Grid:
     return next(grid for grid in grids if grid.closer)
 
 
-def _grids_with(page: Page, measures: Sequence[Sequence[Measure]], closer: int) -> Iterator[Grid]:
+def _grids_with(page: Page, measures: Sequence[Sequence[ColumnWidths]], closer: int) -> Iterator[Grid]:
     """Yield the grids with such gaps, that with symbols beside the names first."""
     stacked = grid_with(page, measures, closer)
     flat = grid_with(page, measures, closer, is_flat=True)
@@ -190,7 +190,9 @@ def _grids_with(page: Page, measures: Sequence[Sequence[Measure]], closer: int) 
     yield stacked
 
 
-def grid_with(page: Page, measures: Sequence[Sequence[Measure]], closer: int, is_flat: bool = False) -> Grid:
+def grid_with(
+    page: Page, measures: Sequence[Sequence[ColumnWidths]], closer: int, is_flat: bool = False
+) -> Grid:
     """Return the grid with gaps in one of the steps by which they become closer."""
     gaps = widest(map(partial(_gaps, closer), page.panels, measures))
     widths = widest(
@@ -205,22 +207,22 @@ def grid_with(page: Page, measures: Sequence[Sequence[Measure]], closer: int, is
     return Grid(lefts, tuple(widths), tuple(figures), closer, is_flat)
 
 
-class Measure(NamedTuple):
+class ColumnWidths(NamedTuple):
     """The widths of a column: of its heading and of its cells."""
 
     heading: int
     body: int
 
 
-def measured(panel: PagePanel) -> list[Measure]:
+def measured(panel: PagePanel) -> list[ColumnWidths]:
     """Return the widths of each column by itself."""
     return [
-        Measure(max(map(len, column.heading), default=0), min(map(len, _block(panel, place)), default=0))
+        ColumnWidths(max(map(len, column.heading), default=0), min(map(len, _block(panel, place)), default=0))
         for place, column in enumerate(panel.columns)
     ]
 
 
-def _gaps(closer: int, panel: PagePanel, measures: Sequence[Measure]) -> list[int]:
+def _gaps(closer: int, panel: PagePanel, measures: Sequence[ColumnWidths]) -> list[int]:
     """Return the space before each column, one character at the edge."""
     full = [one.heading >= one.body for one in measures]
     less, least = CLOSER[closer]
@@ -232,7 +234,9 @@ def _gaps(closer: int, panel: PagePanel, measures: Sequence[Measure]) -> list[in
     return gaps
 
 
-def _widths(panel: PagePanel, measures: Sequence[Measure], gaps: Sequence[int], is_flat: bool) -> list[int]:
+def _widths(
+    panel: PagePanel, measures: Sequence[ColumnWidths], gaps: Sequence[int], is_flat: bool
+) -> list[int]:
     """Return the width of each column: its cells, its heading, and its share of the spanners above it."""
     above = spans(panel, lambda cell: len(cell.text) if is_flat else max(map(len, cell.lines)))
     return shared([max(one) for one in measures], above, gaps)

@@ -19,9 +19,9 @@ from kurbel.exact.numerals import Label
 from kurbel.formats.formula import has_bar, has_stroke, is_seen
 from kurbel.formats.page import Page, PageCell, PagePanel
 from kurbel.formats.page import page as plain_page
-from kurbel.formats.spacing import Room, Span, added, bodies, headings, overhangs, spans, widest
+from kurbel.formats.spacing import Span, StretchableWidth, added, bodies, headings, overhangs, spans, widest
 from kurbel.formats.spacing import em as computer_modern
-from kurbel.formats.writer import PERCENT_DELIMITERS, PLAIN, PageWriter, Wishes
+from kurbel.formats.writer import PERCENT_DELIMITERS, PLAIN, PageWriter, WriteOptions
 from kurbel.page import formula as tree
 from kurbel.page.formula import Formula
 from kurbel.page.labels import formula_plain, parse
@@ -171,7 +171,7 @@ def _sides(left: float, right: float) -> str:
 
 def _overhangs(
     page: Page, columns: Sequence[float], gaps: Sequence[float], stacked: Set[tuple[int, int, int]]
-) -> tuple[list[Room], list[Room]]:
+) -> tuple[list[StretchableWidth], list[StretchableWidth]]:
     """Return what spanners of any panel are wider than their columns, which stay together."""
 
     def width(number: int, cell: HeadCell) -> float:
@@ -287,7 +287,7 @@ class Writer(PageWriter):
             content = f"display({content})#box(height: 2.9em, baseline: 1.12em)"
         return f"#math.equation(alt: {alternative}, ${content}$);"
 
-    def values(self, table: Table, ready: Page, mark: str, wishes: Wishes) -> dict[str, object]:
+    def values(self, table: Table, ready: Page, mark: str, wishes: WriteOptions) -> dict[str, object]:
         return {"typst": typst_layout(table, mark, ready)}
 
 

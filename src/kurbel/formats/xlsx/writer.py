@@ -11,7 +11,7 @@ from io import BytesIO
 from typing import TYPE_CHECKING
 
 from kurbel.exact.numerals import Number, number_text
-from kurbel.formats.sheet import Look, Sheet, SheetCell, Workbook, bare, quoted, runs
+from kurbel.formats.sheet import CellLook, Sheet, SheetCell, Workbook, bare, quoted, runs
 from kurbel.formats.writer import WorkbookWriter
 from kurbel.reading.environment import missing_extra
 
@@ -56,7 +56,7 @@ class _Written:
         stream = BytesIO()
         never = dict.fromkeys(("strings_to_formulas", "strings_to_urls", "strings_to_numbers"), False)
         self.file: File = xlsxwriter.Workbook(stream, {"in_memory": True, **never})
-        self.formats: dict[tuple[Look, bool, bool, bool], Format] = {}
+        self.formats: dict[tuple[CellLook, bool, bool, bool], Format] = {}
         day = datetime.fromtimestamp(book.epoch, UTC).replace(tzinfo=None)
         self.file.set_properties({"title": bare(book.title), "author": bare(book.author), "created": day})
         for sheet in book.sheets:
@@ -97,7 +97,7 @@ class _Written:
             case None:
                 to.write_blank(row, column, None, form)
 
-    def text(self, to: Worksheet, row: int, column: int, text: str, look: Look) -> None:
+    def text(self, to: Worksheet, row: int, column: int, text: str, look: CellLook) -> None:
         pieces = runs(text)
         forms = [self.form(look, True, one.italic, one.low) for one in pieces]
         if len(pieces) > 1:
@@ -106,7 +106,7 @@ class _Written:
         else:
             to.write_string(row, column, pieces[0].text, forms[0])
 
-    def form(self, look: Look, is_text: bool, italic: bool = False, low: bool = False) -> Format:
+    def form(self, look: CellLook, is_text: bool, italic: bool = False, low: bool = False) -> Format:
         """Return the format of the file for a look; each is there once."""
         key = look, is_text, italic, low
         if key not in self.formats:
@@ -116,7 +116,7 @@ class _Written:
         return self.formats[key]
 
 
-def _properties(look: Look, is_text: bool) -> dict[str, object]:
+def _properties(look: CellLook, is_text: bool) -> dict[str, object]:
     own: dict[str, object] = {"align": look.align, **PARTS[look.part]}
     own |= {side: LINES[rule] for side, rule in (("top", look.above), ("bottom", look.below)) if rule}
     own |= {"indent": 1} if look.indented else {}
@@ -125,7 +125,7 @@ def _properties(look: Look, is_text: bool) -> dict[str, object]:
     return own
 
 
-def _number_format(look: Look) -> str:
+def _number_format(look: CellLook) -> str:
     """Return 0.000, with a mark behind it as text and room as wide as other characters."""
     decimals = f".{'0' * look.decimals}" if look.decimals else ""
     after = f'"{look.after}"' if look.after else ""
