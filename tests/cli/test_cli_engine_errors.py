@@ -35,8 +35,7 @@ def test_without_pint_a_flywheel_says_what_to_install(monkeypatch: pytest.Monkey
 
 
 @pytest.mark.parametrize(
-    ("words", "form"),
-    [*((WRONG[0], form) for form in FORMATS), *((words, "text") for words in WRONG[1:])],
+    ("words", "form"), [*((WRONG[0], form) for form in FORMATS), *((words, "text") for words in WRONG[1:])]
 )
 def test_nothing_is_written_on_an_error(words: tuple[str, ...], form: str, tmp_path: Path) -> None:
     old, new = tmp_path / "old", tmp_path / "new"

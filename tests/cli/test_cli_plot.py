@@ -250,8 +250,7 @@ def test_a_terminal_gets_a_sentence_instead_of_a_drawing(words: tuple[str, ...])
 
 
 @pytest.mark.parametrize(
-    "words",
-    ["table", "forces --polar", "turning --eps=4", "delta --eps=2..6", "plot --positions=30"],
+    "words", ["table", "forces --polar", "turning --eps=4", "delta --eps=2..6", "plot --positions=30"]
 )
 def test_without_matplotlib_the_extra_is_named(
     words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -131,9 +131,7 @@ def test_units_of_pressure_are_what_they_are_defined_as(unit: str, pascals: floa
     st.permutations([("position [%]", 2, 100), ("p_forward [kPa]", 0, 100), ("p_return/MPa", 1, 0.1)]),
 )
 def test_columns_stand_in_any_order_and_each_has_its_unit(
-    tmp_path_factory: pytest.TempPathFactory,
-    style: tuple[str, str],
-    columns: list[tuple[str, int, float]],
+    tmp_path_factory: pytest.TempPathFactory, style: tuple[str, str], columns: list[tuple[str, int, float]]
 ) -> None:
     delimiter, mark = style
     lines = [delimiter.join(head for head, _, _ in columns)]

@@ -81,10 +81,7 @@ def test_indicated_power_is_that_of_the_steam_and_the_mean_torque_is_less() -> N
     }  # fmt: skip
     values = [
         [float(one) for one in kurbel.typeset(page, "csv").split()[-1].split(",")[-2:]]
-        for page in (
-            kurbel.delta(**asked, digits=6),
-            kurbel.delta(**asked, digits=6, friction="2kN"),
-        )
+        for page in (kurbel.delta(**asked, digits=6), kurbel.delta(**asked, digits=6, friction="2kN"))
     ]
     assert values[0][0] == values[1][0]
     # Friction takes 2 kN over four crank radii in a turn.

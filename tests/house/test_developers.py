@@ -351,9 +351,7 @@ def double(house: House, tmp_path_factory: pytest.TempPathFactory) -> Iterator[H
             "def drives(": 'takes = ("ratio",)\n\n    def drives(',
             "return (Gear(said.rodless),)": "return tuple(map(Gear, said.cranks(ratios)))",
         },
-        "templates/cardan/layout.toml": {
-            'down = ["angle"]': 'ratios = ["1:5"]\ndown = ["ratio", "angle"]',
-        },
+        "templates/cardan/layout.toml": {'down = ["angle"]': 'ratios = ["1:5"]\ndown = ["ratio", "angle"]'},
     }
     for path, parts in changed.items():
         for old, new in parts.items():

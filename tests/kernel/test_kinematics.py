@@ -270,8 +270,7 @@ def test_no_angles_give_no_columns() -> None:
 
 
 @pytest.mark.parametrize(
-    ("quantity", "angle", "ratio"),
-    [("c", 180.95213232, 0.9990974744), ("x", 357.33954, 0.94514826)],
+    ("quantity", "angle", "ratio"), [("c", 180.95213232, 0.9990974744), ("x", 357.33954, 0.94514826)]
 )
 def test_the_worst_cases_of_a_long_search_keep_the_bound(quantity: str, angle: float, ratio: float) -> None:
     formula, textbook, floor, _, larger = STRAIGHT[quantity]

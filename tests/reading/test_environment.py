@@ -28,10 +28,7 @@ class Installed:
 @pytest.mark.parametrize(
     ("noted", "words"),
     [
-        (
-            {"url": "file:///books/kurbel", "dir_info": {"editable": True}},
-            "--editable '/books/kurbel[pdf]'",
-        ),
+        ({"url": "file:///books/kurbel", "dir_info": {"editable": True}}, "--editable '/books/kurbel[pdf]'"),
         ({"url": "file:///my%20books/kurbel", "dir_info": {}}, "'/my books/kurbel[pdf]'"),
         (
             {"url": "https://host/kurbel.git", "vcs_info": {"vcs": "git", "commit_id": "4e1d"}},

@@ -212,12 +212,7 @@ def test_any_text_is_read_or_answered_with_one_sentence(text: str) -> None:
             assert 0 < len(str(error)) < 300
 
 
-@given(
-    start=st.fractions(max_denominator=60),
-    step=positive,
-    size=st.integers(0, 40),
-    cut=st.slices(45),
-)
+@given(start=st.fractions(max_denominator=60), step=positive, size=st.integers(0, 40), cut=st.slices(45))
 def test_a_progression_is_the_list_of_its_numbers(
     start: Fraction, step: Fraction, size: int, cut: slice
 ) -> None:

@@ -23,10 +23,7 @@ def everything(key: str = "everything", lang: str = "de", caption: str = "") -> 
         Column("psi", ("Ausschlag", "$ψ$"), ("Genaue Werte[^a]",)),
         Column("remark", ("Formel",)),
     )
-    forces = (
-        Column("t", ("0", "360")),
-        Column("u", ("10", "350")),
-    )
+    forces = (Column("t", ("0", "360")), Column("u", ("10", "350")))
     formula = Cell("$(sin(φ±ψ))/(cos ψ)$")
     first = Group(
         (

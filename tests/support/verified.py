@@ -15,10 +15,7 @@ UNITS = {
 }  # fmt: skip
 # Kurbel's options, and what `kurbel.verify` calls them.
 STEAM = ("back", "exponent", "clearance", "single_acting", "bore", "piston_rod", "tail_rod")
-AIR = (
-    *("exponent", "clearance", "suction_loss", "delivery_loss", "single_acting"),
-    "expansion_exponent",
-)
+AIR = (*("exponent", "clearance", "suction_loss", "delivery_loss", "single_acting"), "expansion_exponent")
 GAS = {
     "cycle": "cycle", "exponent": "exponent", "expansion_exponent": "expansion_exponent", "heat": "heat",
     "peak_pressure": "peak", "cut_off": "cut_off", "exhaust_pressure": "exhaust", "two_stroke": "two_stroke",

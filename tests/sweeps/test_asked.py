@@ -81,9 +81,7 @@ def test_an_axis_is_in_the_unit_of_the_commands_own_column(speeds: str, own: lis
 @pytest.mark.parametrize("digits", [(), ("--digits=9",)], ids=["floats", "certified"])
 def test_angles_typed_one_by_one_are_numbers(digits: Sequence[str]) -> None:
     rows = swept("table", "--ratio=1:4;1:5", "--angle=30", "--angle=82°30'", "--columns=x", *digits)
-    assert [(float(row["ratio"]), float(row["phi"])) for row in rows] == [
-        *product((0.25, 0.2), (30, 82.5)),
-    ]
+    assert [(float(row["ratio"]), float(row["phi"])) for row in rows] == [*product((0.25, 0.2), (30, 82.5))]
     for row in rows:
         share, angle = float(row["ratio"]), radians(float(row["phi"]))
         path = 1 - cos(angle) + (1 - sqrt(1 - (share * sin(angle)) ** 2)) / share
