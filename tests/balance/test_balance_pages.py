@@ -57,8 +57,7 @@ def test_what_is_zero_by_proof_has_no_decimals() -> None:
     assert values(kurbel.harmonics("1:∞")) == ["1.000000", "0", "0", "0"]
     single = kurbel.balance("inline-1", ratio="1:∞", columns="greatest")
     assert values(single) == ["1.0000", "0", "0", "0"]
-    tiny = values(kurbel.harmonics("1:100"))
-    assert tiny == ["1.000000", "0.010000", "0.000000", "0.000000"]
+    assert values(kurbel.harmonics("1:100")) == ["1.000000", "0.010000", "0.000000", "0.000000"]
 
 
 def values(page: Table, column: int = -1) -> list[str]:

@@ -169,8 +169,7 @@ def test_commands_of_layouts_are_whole_for_the_shell(width: int, monkeypatch: py
     monkeypatch.setattr(screen, "width", lambda: width)
     lines = printed("layouts").out.splitlines()
     left, room = lines[0].index("Seite"), max(len(one) for one in lines if one.startswith("─"))
-    commands = "\n".join(line[left:] for line in lines)
-    joined = commands.replace("\\\n", " ").splitlines()
+    joined = "\n".join(line[left:] for line in lines).replace("\\\n", " ").splitlines()
     asked = [shlex.split(line) for line in joined if line.startswith("kurbel ")]
     rows = json.loads(printed("layouts", "-f", "json").out)["rows"]
     assert asked == [shlex.split(row["command"]) for row in rows]

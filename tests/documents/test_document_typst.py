@@ -124,8 +124,7 @@ def test_the_columns_of_an_index_end_alike_on_its_last_page(tmp_path: Path) -> N
     marked = " ".join(f"[{word}](index:)" for word in words)
     pdf = pdf_of(tmp_path, chapter("Kapitel", text(marked)), top=f'{TOP}matter = ["index"]\n')
     assert {*words} == {*re.findall(r"\wwort\d+(?=, \d)", read(pdf, "-raw"))}
-    last = len(pages_of(pdf))
-    boxes = told("pdftotext", pdf, "-bbox", "-f", str(last))
+    boxes = told("pdftotext", pdf, "-bbox", "-f", str(len(pages_of(pdf))))
     places = re.findall(r'xMin="([\d.]+)".* yMax="([\d.]+)">\wwort', boxes)
     left, right = (
         max(float(bottom) for at, bottom in places if (float(at) > 210 / 25.4 * 36) == side)

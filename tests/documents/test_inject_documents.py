@@ -108,8 +108,7 @@ def test_check_shows_nothing_of_places_that_are_as_they_should_be(tmp_path: Path
         around = [f"{'-' if line == 'old' else ' '}{line}" for line in lines[number - 3 : number + 4]]
         expected += [f"@@ -{number - 2},7 +{number - 2 - shift},6 @@", *around]
     written(tmp_path, "".join(f"{line}\n" for line in lines))
-    result = kurbel("inject", "--check", str(path))
-    assert result.out.splitlines()[2:] == expected
+    assert kurbel("inject", "--check", str(path)).out.splitlines()[2:] == expected
 
 
 def test_check_names_all_stale_documents(tmp_path: Path) -> None:

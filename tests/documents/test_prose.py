@@ -223,8 +223,7 @@ def rendered(page: str) -> str:
 def test_markdown_is_shown_as_its_source(text: str) -> None:
     text = text.replace("$", "").replace("\t", " ")
     if parsed(text):
-        page = set_in("markdown", text, 0)
-        assert rendered(_RENDERER.render(page)) == rendered(source(text))
+        assert rendered(_RENDERER.render(set_in("markdown", text, 0))) == rendered(source(text))
 
 
 def test_line_that_ends_before_its_first_word_is_one_in_latex() -> None:

@@ -53,8 +53,7 @@ def characters(text: str) -> str:
 
 def paper(folder: Path) -> str:
     """Return the text of page.pdf."""
-    program = require("pdftotext")
-    subprocess.run([program, "-layout", "page.pdf"], cwd=folder, check=True)
+    subprocess.run([require("pdftotext"), "-layout", "page.pdf"], cwd=folder, check=True)
     return (folder / "page.txt").read_text(encoding="utf-8")
 
 

@@ -89,8 +89,7 @@ def options(gas: Gas, card: str) -> Sequence[str]:
 def check(record: dict[str, str], key: str, truth: float) -> None:
     """Check that the error covers the truth, and that not all is given up."""
     value, error = float(record[key]), float(record[f"{key}_error"])
-    decimals = len(record[key].partition(".")[2])
-    assert abs(value - truth) <= error + 0.5 * 10.0**-decimals
+    assert abs(value - truth) <= error + 0.5 * 10.0 ** -len(record[key].partition(".")[2])
     assert error < 0.02 * max(abs(truth), 0.05)
 
 

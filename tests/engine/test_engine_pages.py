@@ -231,8 +231,7 @@ def expected(name: str, lang: str, table: Table) -> dict[Address, str]:
         for key, heads in HEADS[name].items():
             value = record[key]
             if key.startswith(("alpha", "phi_")) and value is not None:
-                degrees = Fraction(shown(value))
-                text = f"${degrees_text(Fraction(round(60 * degrees), 60))}$"
+                text = f"${degrees_text(Fraction(round(60 * Fraction(shown(value))), 60))}$"
             else:
                 text = shown(value)
             found[ADDRESSES[name](at, getattr(heads, lang), heads.unit, lang)] = text

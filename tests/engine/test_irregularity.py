@@ -123,8 +123,7 @@ class Cylinder(Paper):
         super().__init__(eps, ratio, back, method)
         self.cut, self.dead = 1 / self.eps, mp.mpf(clearance)
         self.exponent = mp.mpf(exponent)
-        end = self.pressure(mp.mpf(1))
-        self.back = end if back is None else mp.mpf(back)
+        self.back = self.pressure(mp.mpf(1)) if back is None else mp.mpf(back)
         self.gained = self.steam(mp.mpf(1))
         self.mean = 2 / mp.pi * (self.gained - self.back)
 
@@ -147,8 +146,7 @@ class Cylinder(Paper):
 
             def excess(angle: Real, rod: Real = rod) -> Real:
                 share = self.path(angle, rod) / 2
-                speed = self.velocity(angle, rod)
-                return (self.pressure(share) - self.back) * speed - self.mean
+                return (self.pressure(share) - self.back) * self.velocity(angle, rod) - self.mean
 
             def energy(angle: Real, rod: Real = rod) -> Real:
                 share = self.path(angle, rod) / 2

@@ -58,8 +58,7 @@ def test_extremes_of_the_turn_and_of_each_stroke_are_those_of_quadrature(options
     turn = machine(**options).turn
     # An engine that hardly works loses digits of δ.
     assume(turn.mean > 1e-3 and turn.delta < 100)
-    page = kurbel.delta(**options, detail=True, digits=8)
-    *strokes, whole = rows_of(page)
+    *strokes, whole = rows_of(kurbel.delta(**options, detail=True, digits=8))
     assert float(whole["mean_force"]) == pytest.approx(turn.mean, abs=6e-9)
     assert float(whole["delta"]) == pytest.approx(turn.delta, abs=2e-8)
     for end, least in (("min", True), ("max", False)):

@@ -113,8 +113,7 @@ def test_long_csv_meets_the_ties_of_the_short_one(rounding: str, last: int) -> N
     short = records("table", *run, "--step=30")
     assert (len(long), len(short)) == (4 * (10 * last + 1), 4 * (last // 30 + 1))
     for row in short:
-        same = long[row["ratio"], Fraction(row["phi"])]
-        assert {**same, "phi": ""} == {**row, "phi": ""}
+        assert {**long[row["ratio"], Fraction(row["phi"])], "phi": ""} == {**row, "phi": ""}
     at_60 = [row["x"] for row in short if row["phi"] == "60"]
     # 1/2 + 3/8 λ: 0.575, 0.545, 0.605, 0.635.
     assert at_60 == (

@@ -77,8 +77,7 @@ def test_degrees_are_rounded_once_and_then_carried(angle: Fraction, text: str) -
 
 @given(st.fractions(min_value=-720, max_value=720))
 def test_minutes_and_seconds_never_reach_sixty(angle: Fraction) -> None:
-    text = degrees_text(angle)
-    degrees, rest = text.split("°")
+    degrees, rest = degrees_text(angle).split("°")
     minutes, seconds = rest.split("'")
     assert 0 <= int(minutes) < 60
     assert 0 <= Fraction(seconds.removesuffix('"') or 0) < 60

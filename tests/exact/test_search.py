@@ -72,8 +72,7 @@ def holds(root: Zero, zero: Fraction) -> bool:
 @pytest.mark.parametrize("count", [1, 7, 40])
 def test_every_zero_of_a_wave_is_found_in_order(count: int) -> None:
     flint.ctx.prec = 200
-    pair = waves(count)
-    roots = found(pair)
+    roots = found(waves(count))
     assert [root.rising for root in roots] == [index % 2 == 0 for index in range(count)]
     for index, root in enumerate(roots):
         assert root.place().overlaps((1 / arb.pi() + index) / count)
@@ -188,8 +187,7 @@ def broken(x: Ball) -> Ball:
 
 @pytest.mark.parametrize("bits", [53, 64, 200, 500, 3000])
 def test_refined_zero_is_held_as_narrowly_as_the_precision_allows(bits: int) -> None:
-    pair = waves(3)
-    roots = found(pair)
+    roots = found(waves(3))
     flint.ctx.prec = bits
     for index, root in enumerate(roots):
         zero = root.place()

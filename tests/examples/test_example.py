@@ -265,8 +265,7 @@ RATIOS = st.fractions(Fraction(1, 60), Fraction(59, 60), max_denominator=83)
 @settings(max_examples=15, deadline=None)
 @given(RATIOS, st.sampled_from(["33", "34", "35"]))
 def test_any_ratio_is_worked(ratio: Fraction, number: str) -> None:
-    table = kurbel.example("blau", number, ratio=ratio)
-    text = kurbel.typeset(table, "csv")
+    text = kurbel.typeset(kurbel.example("blau", number, ratio=ratio), "csv")
     rows = [row for row in csv.DictReader(text.splitlines())]
     with mp.workprec(640):
         assert_true(("blau", number), {"ratio": ratio}, rows)

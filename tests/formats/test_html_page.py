@@ -14,8 +14,7 @@ from kurbel.formats.render import render
 
 def motion() -> str:
     """Return the page of six columns in three pairs, in two groups of 19 rows."""
-    page = kurbel.table(ratio="1:5;1:4", step=10, to=180)
-    return render(page, "html", standalone=True)
+    return render(kurbel.table(ratio="1:5;1:4", step=10, to=180), "html", standalone=True)
 
 
 # What belongs together ------------------------------------------------------------------------------------

@@ -47,8 +47,7 @@ def test_table_longer_than_a_page_breaks_and_repeats_its_head(tmp_path: Path) ->
 def test_a_table_has_a_heavy_rule_on_each_side_and_a_thin_one_below_its_heads(
     wishes: dict[str, Any], tmp_path: Path
 ) -> None:
-    table = replace(tall(6), panels=tall(6).panels[:1])
-    text = render(table, "latex", **wishes)
+    text = render(replace(tall(6), panels=tall(6).panels[:1]), "latex", **wishes)
     compiled("pdflatex", f"{PREAMBLE}\\pagestyle{{empty}}{text}\\end{{document}}\n", tmp_path, runs=2)
     command = [require("pdftoppm"), "-gray", "-r", "600", "-l", "1", "page.pdf"]
     made = subprocess.run(command, cwd=tmp_path, capture_output=True, check=True).stdout

@@ -88,8 +88,7 @@ def test_the_keyboard_chooses_and_the_table_is_what_is_printed_for_that_step(
     assert page.evaluate(ROWS) == shown
     assert [page.evaluate(VALUES)] == records(*chosen, "--angle=40", "--columns=x,c,p")
     assert page.evaluate(MARKED) == "30"
-    slider = page.locator("input[id$=-offset]")
-    assert slider.get_attribute("aria-valuetext") == "0,3"
+    assert page.locator("input[id$=-offset]").get_attribute("aria-valuetext") == "0,3"
     assert page.get_by_label("Kurbelverhältnis").count() == 1
     # What is chosen stands in the address, and opens the page again.
     assert page.evaluate("location.hash") == "#ratio=1:5&offset=0,3&phi=40"

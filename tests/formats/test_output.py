@@ -218,8 +218,7 @@ def test_the_format_is_that_of_the_suffix_unless_it_is_typed(folder: Path) -> No
 
 def test_a_file_has_the_bytes_of_standard_output(folder: Path) -> None:
     words = ("table", "-f", "csv", "--step", "0.01")
-    result = printed(*words, "-o", str(folder / "old.csv"))
-    assert result.out == ""
+    assert printed(*words, "-o", str(folder / "old.csv")).out == ""
     assert (folder / "old.csv").read_bytes() == printed(*words, "-o", "-").out.encode()
 
 

@@ -82,8 +82,7 @@ def test_page_with_every_part_complies_with_every_standard() -> None:
 
 
 def test_python_and_the_command_line_make_the_same_file(tmp_path: Path) -> None:
-    page = kurbel.table("1:5", angle="0..90:30")
-    assert kurbel.typeset_pdf(page) == in_pipe(tmp_path)
+    assert kurbel.typeset_pdf(kurbel.table("1:5", angle="0..90:30")) == in_pipe(tmp_path)
 
 
 @pytest.mark.parametrize(

@@ -163,8 +163,7 @@ def test_grid_of_cells_of_any_extent(wide: str) -> None:
 @pytest.mark.parametrize(("place", "name"), [*enumerate(layout_names()[::2])])
 def test_cells_and_spans_are_those_of_the_model(place: int, name: str) -> None:
     table = default_page(name, LANGUAGES[place % 2])
-    document = read(render(table, "rst", decimal="comma"))
-    groups = [*document.findall(nodes.tgroup)]
+    groups = [*read(render(table, "rst", decimal="comma")).findall(nodes.tgroup)]
     assert len(groups) == len(table.panels)
     for panel, group in zip(table.panels, groups, strict=True):
         head, body = (next(group.findall(kind)) for kind in (nodes.thead, nodes.tbody))

@@ -73,8 +73,7 @@ def test_heads_are_merged_and_every_formula_is_an_equation() -> None:
         if (span := cell.find(f"{W}tcPr/{W}gridSpan")) is not None and span.get(f"{W}val") != "1"
     ]
     assert spans == [[("Genaue Wertea)", 4)], [("Kolbenweg", 2)]]
-    merged = of(first, "vMerge")
-    assert merged.count("restart") == 3 + 1 + 2
+    assert of(first, "vMerge").count("restart") == 3 + 1 + 2
     equations = [text(one) for one in made.iter(f"{M}oMath")]
     assert [one for one in ("R:L", "φ", "x/R", "c/v", "ψ", "λ=1/5") if one not in equations] == []
     assert len(head) == 3

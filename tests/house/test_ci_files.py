@@ -241,8 +241,7 @@ def test_the_job_for_gitlab_runs_and_keeps_what_differs(job: Path) -> None:
 
 def test_the_workflow_of_the_guide_uses_inputs_that_there_are() -> None:
     (work,) = yaml.safe_load(snippet("GitHub", "yaml"))["jobs"].values()
-    given = work["steps"][-1]["with"]
-    assert set(given) <= set(ACTION["inputs"])
+    assert set(work["steps"][-1]["with"]) <= set(ACTION["inputs"])
     hooks = yaml.safe_load(snippet("pre-commit", "yaml"))["repos"][0]["hooks"]
     assert {hook["id"] for hook in hooks} <= {hook["id"] for hook in HOOKS}
 

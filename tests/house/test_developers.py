@@ -295,8 +295,7 @@ def test_the_rod_turns_about_the_centre_of_a_new_construction(house: House) -> N
 def test_the_page_of_constructions_has_every_name_that_formulas_know() -> None:
     text = (DOCS / "construction.md").read_text(encoding="utf-8")
     rows = "".join(line.split("|")[1] for line in text.splitlines() if line.startswith("| `"))
-    written = set(re.findall(r"\w+", rows))
-    assert {*KNOWN, *FUNCTIONS, *FUNCTIONS_OF_DRIVE, *SHAPES} <= written
+    assert {*KNOWN, *FUNCTIONS, *FUNCTIONS_OF_DRIVE, *SHAPES} <= set(re.findall(r"\w+", rows))
 
 
 def simpson(values: list[float], step: float) -> float:

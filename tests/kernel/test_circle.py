@@ -25,8 +25,7 @@ def rational(number: float) -> fmpq:
 
 def ulps(value: float, true: arb) -> float:
     """Return how many units in the last place of the true value lie between the two."""
-    nearest = abs(float(true.mid()))
-    return float(abs(arb(value) - true).mid()) / math.ulp(nearest)
+    return float(abs(arb(value) - true).mid()) / math.ulp(abs(float(true.mid())))
 
 
 def sampled_angles() -> NDArray[np.float64]:

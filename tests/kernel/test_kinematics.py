@@ -171,8 +171,7 @@ def assert_within(
 @pytest.mark.parametrize("ratio", [1 / 3, 0.3101, 0.25, 1 / 4.5, 0.2, 0.1234, 0.01, 1e-6])
 @pytest.mark.parametrize("quantity", STRAIGHT)
 def test_usual_ratios_are_within_two_ulp_of_the_textbook(quantity: str, ratio: float) -> None:
-    bound = STRAIGHT[quantity][3]
-    assert_within(bound, quantity, STRAIGHT[quantity], ratio, 0.0, ratio)
+    assert_within(STRAIGHT[quantity][3], quantity, STRAIGHT[quantity], ratio, 0.0, ratio)
 
 
 @pytest.mark.parametrize(("quantity", "ratio"), [("x", 0.258), ("c", 0.28)])
@@ -188,8 +187,7 @@ def test_the_bound_holds_where_the_rod_takes_most_away(quantity: str, ratio: flo
 @pytest.mark.parametrize("ratio", [0.4, 0.55, 0.7, 0.9, 0.98, 0.99])
 @pytest.mark.parametrize("quantity", STRAIGHT)
 def test_short_rods_are_within_the_stated_bound(quantity: str, ratio: float) -> None:
-    bound = STRAIGHT[quantity][4](ratio)
-    assert_within(bound, quantity, STRAIGHT[quantity], ratio, 0.0, ratio)
+    assert_within(STRAIGHT[quantity][4](ratio), quantity, STRAIGHT[quantity], ratio, 0.0, ratio)
 
 
 @pytest.mark.parametrize(

@@ -87,8 +87,7 @@ def test_the_whole_stroke_is_one_ball() -> None:
 
 def test_a_cubic_has_the_slope_and_the_area_of_itself_beyond_the_bits_of_its_coefficients() -> None:
     random = np.random.default_rng(7)
-    knots = np.array([0.0, 0.3, 1.0])
-    cubics = Cubics(knots, random.uniform(-1, 1, (4, 2)))
+    cubics = Cubics(np.array([0.0, 0.3, 1.0]), random.uniform(-1, 1, (4, 2)))
     with at_bits(400):
         near = arb(10) ** -30
         for place in map(arb, (0.1, 0.25, 0.4, 0.9)):

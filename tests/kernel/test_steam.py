@@ -74,8 +74,7 @@ def test_best_back_pressure_is_the_steam_at_the_end_of_the_stroke(case: tuple[Fr
     with enclose.working(80):
         end = true_of((case[0], Fraction(0), *case[2:])).force(number(1))
     assert math.isclose(best, float(end), rel_tol=1e-15)
-    at_end = expansion(case, float)._replace(back=best)
-    assert abs(at_end.force(1.0)) < 1e-15
+    assert abs(expansion(case, float)._replace(back=best).force(1.0)) < 1e-15
 
 
 FORMULAS = ("pressure", "force", "expansion_slope", "work")
@@ -131,9 +130,8 @@ PATHS: dict[str, Any] = {
 def test_cut_off_versine_inverts_the_path(name: str, degrees: float, ratio: float) -> None:
     versine_of, path_of = PATHS[name]
     at = circle(degrees)
-    path = path_of(at, ratio)
     # As the ratio nears 1 the versine changes 1/(1 - |λ|) times as fast as the path.
-    assert math.isclose(versine_of(path, ratio), at.versine, rel_tol=1e-13)
+    assert math.isclose(versine_of(path_of(at, ratio), ratio), at.versine, rel_tol=1e-13)
 
 
 @pytest.mark.parametrize("name", PATHS)

@@ -176,8 +176,7 @@ def test_jets_are_derivatives(values: list[float], time: float) -> None:
     def formula(sine: Any, cosine: Any, versine: Any, root: Callable[[Any], Any]) -> Any:
         return 1 - (one * sine + two) / root(three + versine) * cosine + 2 / (4 + sine) - (3 - cosine) * -sine
 
-    circle = ball_jets(flint.arb(time) / flint.arb.pi())
-    found = formula(*circle[:3], lambda number: number**0.5)
+    found = formula(*ball_jets(flint.arb(time) / flint.arb.pi())[:3], lambda number: number**0.5)
     assert isinstance(found, Jet)
     one, two, three = map(mp.mpf, values)
 
@@ -215,8 +214,7 @@ def turn_of(ratio: float, offset: float, centre: float, gyration: float) -> dict
 
 
 def second_derivative(places: Any) -> Any:
-    orders = np.fft.fftfreq(SAMPLES, 1 / SAMPLES)
-    return np.fft.ifft(-(orders**2) * np.fft.fft(places))
+    return np.fft.ifft(-(np.fft.fftfreq(SAMPLES, 1 / SAMPLES) ** 2) * np.fft.fft(places))
 
 
 # From half a step beside its greatest value a sample lacks a few millionths.

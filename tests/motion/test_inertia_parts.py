@@ -183,8 +183,7 @@ def test_every_cell_is_the_force_that_holds_point_masses_under_a_part(
     ratio: Fraction, share: Fraction, centre: str, gyration: str, angle: str
 ) -> None:
     assert len(SHARES) == 22 + 12 + 3 + 11
-    drive = slide(ratio, share * (1 / ratio - 1))
-    assert_true(drive, [*SHARES, *WHOLE], angle, centre, gyration)
+    assert_true(slide(ratio, share * (1 / ratio - 1)), [*SHARES, *WHOLE], angle, centre, gyration)
 
 
 @pytest.mark.parametrize("drive", [*ARCS, *BEAMS], ids=str)

@@ -57,8 +57,7 @@ def test_rod_and_crosshead_are_where_the_crank_leads_them_at_any_time(rod: float
         assert abs(ends[1] - ends[0]) == pytest.approx(rod * radius, abs=EXACT)
         assert abs(ends[0] - shaft - radius * turned) < TOLERANCE
         assert abs(ends[1] - shaft - radius * true) < TOLERANCE
-        crank = film.at("crank", angle)
-        assert abs(crank[1] - shaft - radius * turned) < EXACT
+        assert abs(film.at("crank", angle)[1] - shaft - radius * turned) < EXACT
         (corner, *_) = film.at("head", angle)
         corners.append(corner - radius * true)
     # What does not turn is not turned in its style sheet.
@@ -168,8 +167,7 @@ def test_a_gif_has_the_pictures_of_a_turn_and_links_of_their_length(tmp_path: Pa
     assert content == drawing.image("gif")
     with Image.open(BytesIO(content)) as picture:
         assert (getattr(picture, "n_frames", 1), picture.info["loop"]) == (20, 0)
-        film = Film(drawing.image("svg"))
-        shaft, pin = still(film, "crank")
+        shaft, pin = still(Film(drawing.image("svg")), "crank")
         # Dots per mm.
         scale = 150 / 25.4
         times = 0

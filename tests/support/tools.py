@@ -12,8 +12,7 @@ import pytest
 
 def require(tool: str) -> str:
     """Return the path of a program; without it skip the test, or fail it where nothing may be missing."""
-    path = shutil.which(tool)
-    return path or missing(tool)
+    return shutil.which(tool) or missing(tool)
 
 
 def require_library(name: str) -> None:

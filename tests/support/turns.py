@@ -162,8 +162,7 @@ def _range(speeds: Grid) -> tuple[float, float]:
 
 def _top(values: Grid) -> float:
     part = PARTS @ values[np.unravel_index(values.argmax(), values.shape)[0]]
-    inside = np.linspace(-1, 1, 2001)
-    heights = legendre.legval(inside, part)
+    heights = legendre.legval(np.linspace(-1, 1, 2001), part)
     place = int(heights.argmax())
     if not 0 < place < 2000:
         return float(heights[place])

@@ -60,8 +60,7 @@ def test_a_press_between_two_speeds_gives_motor_and_flywheel() -> None:
     agree(found, power=mpf(5000), swing=mpf(7500), delta=mpf(25) / mpf("212.5"))
     assert figures("--work 10kJ --strokes 30/min --share 25% --speed 225/min..200/min") == found
     agree(found, inertia=2 * 7500 / (rate(225) ** 2 - rate(200) ** 2))
-    slow = figures("--power 3kW --work 9kJ --share 0")
-    agree(slow, strokes=mpf(20))
+    agree(figures("--power 3kW --work 9kJ --share 0"), strokes=mpf(20))
 
 
 def test_a_stroke_that_takes_its_time_leaves_the_flywheel_what_the_motor_does_not_give() -> None:
@@ -117,8 +116,7 @@ def test_the_flywheel_of_an_engine_has_a_rim(tmp_path: Path) -> None:
     rim = 'rim_diameter = "3m"\ndensity = "7200kg/m3"\nrim_section = "2:1"\ndelta = "1:50"\n'
     crank = '[crank]\nratio = "1:4"\nspeed = "120/min"\n'
     path.write_text(f"{crank}[flywheel]\n{rim}", encoding="utf-8")
-    words = "--eps 3 --power 50kW --delta 1:100"
-    assert figures(words, "--machine", str(path)) == found
+    assert figures("--eps 3 --power 50kW --delta 1:100", "--machine", str(path)) == found
     alone = figures("--swing 5kJ --inertia 100kgm2", "--machine", str(path))
     agree(alone, delta=5000 / (100 * rate(120) ** 2), rim_mass=100 / mpf("2.25"))
 
