@@ -6,7 +6,7 @@
 
 The base is the last release, and `make same` does all of this. By hand:
 
-    git worktree add ../base v0.2.0               # without the tag, the commit that dated it in CHANGELOG.md
+    git worktree add ../base v0.3.0               # without the tag, the commit that dated it in CHANGELOG.md
     PYTHONPATH=$(realpath ../base)/src .venv/bin/python scripts/same_bytes.py record build/base.jsonl
     .venv/bin/python scripts/same_bytes.py record build/now.jsonl
     .venv/bin/python scripts/same_bytes.py compare build/base.jsonl build/now.jsonl
