@@ -49,7 +49,7 @@ def rod_load(turn: AnyTurn, end: str) -> Any:
     """Return the load of the rod at an end, one of ENDS, over a turn."""
     force = CRANK_FORCES[ENDS[end][0]]
     if turn.engine.carded:
-        from kurbel.engine.rod_load import CardRodLoad
+        from kurbel.engine.rod_load_card import CardRodLoad
 
         return CardRodLoad(cast("CardTurn", turn), force)
     return RodLoad(cast("Turn", turn), force)

@@ -22,7 +22,6 @@ import pyarrow as pa
 
 from kurbel.errors import ChoiceError, FailedError, OutputError
 from kurbel.sweeps.arrow import batch_of
-from kurbel.sweeps.cluster import Cluster
 from kurbel.sweeps.folder import Work, files_of, grounded, identity_of, working
 from kurbel.sweeps.hands import CallingThread, Processes, Result, Threads, Workers, cores
 from kurbel.sweeps.parts import Form, Unit, form_of, is_device, joined, kept, made, unit_of
@@ -153,6 +152,8 @@ def _hands(unit: Unit, work: Work, running: SweepRunner) -> Iterator[Workers[Res
 def _hired(unit: Unit, work: Work, running: SweepRunner) -> Workers[Result]:
     make = partial(made, unit, work.place)
     if running.scheduler:
+        from kurbel.sweeps.cluster import Cluster
+
         return Cluster(running.scheduler, make, work.place.word, files_of(unit.sweep.plan))
     count = min(running.jobs or cores(), unit.count)
     if count == 1:
