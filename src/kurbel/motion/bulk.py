@@ -14,7 +14,6 @@ from kurbel.drive.crank import Crank, largest
 from kurbel.exact.kind import floats
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion.evaluation import LOADED, MOST_DECIMALS, Needs, columns_in_balls, fits_page, value
-from kurbel.motion.rod_forces import has_poles
 from kurbel.page.quantity import Column
 from kurbel.reading.notation import Progression
 
@@ -88,8 +87,12 @@ def float_bound(column: Column, crank: Crank, largest_angle: float) -> float:
 
 def greatest_value(column: Column, crank: Crank) -> float:
     """Return what no value of the column, nor its slopes over λ and the angle, exceeds by much."""
-    if Needs.EVEN in column.quantity.needs and has_poles(column.quantity, crank):
-        return inf
+    if Needs.EVEN in column.quantity.needs:
+        # Most tables have no forces of a rod.
+        from kurbel.motion.rod_forces import has_poles
+
+        if has_poles(column.quantity, crank):
+            return inf
     if Needs.ARM in column.quantity.needs:
         # Over a force that nearly vanishes.
         return inf

@@ -30,7 +30,6 @@ from kurbel.motion.evaluation import (
     value,
 )
 from kurbel.motion.motion_quantities import effort_keys, registry
-from kurbel.motion.rod_forces import check_poles
 from kurbel.page.axes import (
     AngleAxis,
     ColumnAxis,
@@ -249,6 +248,8 @@ class Request(CrankQuestion, AngleQuestion):
         check_pairs(self.layout, "offset cranks")
         if any(Needs.EVEN in column.quantity.needs for column in self.page_columns):
             # Its module is large, and few pages have such a force.
+            from kurbel.motion.rod_forces import check_poles
+
             check_poles(self.page_columns, self.cranks, self.angles)
 
     def too_long(self) -> str:

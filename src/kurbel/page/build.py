@@ -13,7 +13,6 @@ from math import prod
 
 from kurbel.errors import ProblemError
 from kurbel.exact.numerals import Label, Number, degrees_text
-from kurbel.page import units
 from kurbel.page.axes import Axis, Grid, Place, angle_text, places
 from kurbel.page.layouts import Layout
 from kurbel.page.quantity import Column, letter
@@ -52,6 +51,8 @@ def enlarged(question: Question) -> Question:
     """Return the question with larger units where its page has long numbers."""
     if not any(column.quantity.unit["en"].partition(",")[0] in LARGER for column in question.page_columns):
         return question
+    from kurbel.page import units
+
     return units.enlarged(question)
 
 

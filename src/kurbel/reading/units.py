@@ -15,7 +15,6 @@ from typing import Any, NamedTuple
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import exact_text
 from kurbel.reading.amounts import FOOT, INCH, POUND, POUND_FORCE, plain_unit
-from kurbel.reading.environment import missing_extra
 from kurbel.reading.given import as_angle, as_crank_angles, as_fraction
 from kurbel.reading.names import did_you_mean
 from kurbel.reading.notation import about, in_shell, number, quoted, share
@@ -482,6 +481,8 @@ def registry() -> Any:
     try:
         import pint
     except ImportError:
+        from kurbel.reading.environment import missing_extra
+
         raise missing_extra("quantities with units need pint", "units") from None
     return pint.UnitRegistry(non_int_type=Fraction)
 

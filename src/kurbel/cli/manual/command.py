@@ -11,7 +11,6 @@ import click
 from click.core import augment_usage_errors
 
 from kurbel.cli.app import show
-from kurbel.cli.manual.topics import topics_of
 from kurbel.cli.options import Document
 from kurbel.errors import ProblemError
 
@@ -32,6 +31,8 @@ class TopicName(click.ParamType):  # type: ignore[type-arg]
         self, ctx: click.Context, param: click.Parameter, incomplete: str
     ) -> list[CompletionItem]:
         from click.shell_completion import CompletionItem
+
+        from kurbel.cli.manual.topics import topics_of
 
         return [
             CompletionItem(topic.name, help=topic.title)
