@@ -327,7 +327,10 @@ def _air_lines(source: ActingPressure, duty: Duty, shown: set[str], lang: str) -
         said = [best, *(["further_stages"] if stages > 2 else [])]
         kelvin = load.cooled * (duty.suction_temperature or 1)
         cooled = POWER_TEXTS["as_sucked"][lang] if load.cooled == 1 else f'${figure(kelvin)} "K"$'
-        yield "; ".join(POWER_TEXTS[key][lang].format(stages=stages, cooled=cooled) for key in said)
+        room = POWER_TEXTS["own_room"][lang] if load.later_clearance is None else ""
+        yield "; ".join(
+            POWER_TEXTS[key][lang].format(stages=stages, cooled=cooled, room=room) for key in said
+        )
         if load.later_clearance is not None:
             yield POWER_TEXTS["second_room"][lang].format(share=figure(load.later_clearance))
     if not shown.isdisjoint(("compression_heat", "cooler_heat")):
