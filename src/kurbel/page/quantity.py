@@ -82,8 +82,7 @@ class Quantity(NamedTuple):
     can lie from the true value, in units of the subject's own bound. `needs` are what must be known of the
     drive or the load, `of` is what it is a number of: a turn, a stroke, an angle. `names` are those under
     which conditions know it; `rises` tells that between the dead centres it only rises or only falls.
-    `direction` says in which direction it counts. Where
-    `exists` is not above 0 there is no such number.
+    `direction` says in which direction it counts. Where `exists` is not above 0 there is no such number.
     """
 
     key: str
