@@ -17,7 +17,7 @@ from strokes import number, pressure_of
 import kurbel
 from kurbel.kernel.circle import circle
 from kurbel.kernel.moving import Masses
-from kurbel.kernel.rod import LoadedCrank, kinetic_energy, torque_slope
+from kurbel.kernel.rod import LoadedCrank
 
 SIZES = {"stroke": "600mm", "bore": "300mm", "speed": "120/min", "reciprocating": "300kg"}
 ROD = {"rod_mass": "150kg", "centre": "0.6", "gyration": "0.3"}
@@ -92,14 +92,12 @@ def test_torque_takes_the_energy_and_its_slope_is_right(degrees: float, ratio: f
     masses, step = Masses(0.3, 0.7, couple), 1e-3
     at = [circle(degrees + offset * math.degrees(step)) for offset in (-2, -1, 1, 2)]
     weights = np.array([1, -8, 8, -1]) / (12 * step)
-    energy: Any = [kinetic_energy(one, ratio, masses) for one in at]
+    energy: Any = [LoadedCrank(one, ratio, masses).kinetic_energy() for one in at]
     torque: Any = [LoadedCrank(one, ratio, masses).torque() for one in at]
-    here = circle(degrees)
+    here: Any = LoadedCrank(circle(degrees), ratio, masses)
     scale = (1 - abs(ratio)) ** -3
-    assert_allclose(
-        float(LoadedCrank(here, ratio, masses).torque()), -weights @ energy, rtol=0, atol=1e-8 * scale
-    )
-    assert_allclose(float(torque_slope(here, ratio, masses)), weights @ torque, rtol=0, atol=1e-7 * scale)
+    assert_allclose(float(here.torque()), -weights @ energy, rtol=0, atol=1e-8 * scale)
+    assert_allclose(float(here.torque_slope()), weights @ torque, rtol=0, atol=1e-7 * scale)
 
 
 def test_every_extreme_of_a_heavy_engine_is_found() -> None:

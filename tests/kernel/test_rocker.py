@@ -11,7 +11,6 @@ from mpmath import mp
 
 from kurbel.drive.crank import Crank
 from kurbel.exact.kind import Kind
-from kurbel.kernel import rocker, rod
 from kurbel.kernel.circle import Circle
 from kurbel.kernel.moving import Masses, joined, rod_masses
 from kurbel.kernel.rocker import LoadedRocker
@@ -59,18 +58,16 @@ def masses() -> Masses[Real]:
 def loaded(crank: ArcCrank, stroke: int, angle: Real, force: Real = FORCE) -> LoadedRocker:
     """The kernel's, at an angle that counts as those of the stroke do."""
     at = crank.at(stroke, on_circle(angle), NUMBERS, "exact")
-    return LoadedRocker(at.circle, at.place, at.arc, masses()._replace(rocker=ROCKER), force, RECIPROCATING)
+    whole = masses()._replace(rocker=ROCKER)
+    own = {"place": at.place, "arc": at.arc}
+    return LoadedRocker(at.circle, at.arc.ratio, whole, None, force, RECIPROCATING, **own)
 
 
 @STROKES
 @EACH
 def test_the_masses_take_the_torque_that_their_energy_gains(crank: ArcCrank, stroke: int) -> None:
-    def energy(at: Real) -> Real:
-        here = loaded(crank, stroke, at, 0 * FORCE)
-        return rocker.kinetic_energy(here.place, here.masses)
-
     for angle in (mp.mpf("1.1"), mp.mpf("4.9")):
-        gain = mp.diff(energy, angle)
+        gain = mp.diff(lambda at: loaded(crank, stroke, at).kinetic_energy(), angle)
         assert abs(loaded(crank, stroke, angle, 0 * FORCE).torque() + gain) < 1e-14
 
 
@@ -78,24 +75,20 @@ def test_the_masses_take_the_torque_that_their_energy_gains(crank: ArcCrank, str
 @EACH
 def test_torque_slope_is_the_slope_of_the_torque(crank: ArcCrank, stroke: int) -> None:
     for angle in (mp.mpf("0.4"), mp.mpf("3.6")):
-        here = loaded(crank, stroke, angle)
-        found = rocker.torque_slope(here.place, here.arc, here.masses)
+        found: Real = loaded(crank, stroke, angle).torque_slope()
         expected = mp.diff(lambda at: loaded(crank, stroke, at, 0 * FORCE).torque(), angle)
         assert abs(found - expected) < 1e-18 * (1 + abs(expected))
 
 
 @pytest.mark.parametrize(("ratio", "offset"), [("0.28", "0.9"), ("-0.31", "-1.2")])
 def test_energy_and_slope_of_the_offset_crank_are_those_of_its_torque(ratio: str, offset: str) -> None:
-    drive = mp.mpf(ratio), mp.mpf(offset)
-
-    def torque(at: Real) -> Real:
-        return LoadedCrank(on_circle(at), drive[0], masses(), drive[1]).torque()
+    def at(angle: Real, offset: str | None = offset) -> Any:
+        return LoadedCrank(
+            on_circle(angle), mp.mpf(ratio), masses(), None if offset is None else mp.mpf(offset)
+        )
 
     for angle in (mp.mpf("0.7"), mp.mpf("3.9")):
-        energy = mp.diff(lambda at: rod.kinetic_energy(on_circle(at), drive[0], masses(), drive[1]), angle)
-        assert abs(energy + torque(angle)) < 1e-18
-        slope = rod.torque_slope(on_circle(angle), drive[0], masses(), drive[1])
-        assert abs(slope - mp.diff(torque, angle)) < 1e-18
-        # Without an offset it is what the straight crank has formulas of its own for.
-        level = rod.torque_slope(on_circle(angle), drive[0], masses(), mp.mpf(0))
-        assert abs(level - rod.torque_slope(on_circle(angle), drive[0], masses())) < 1e-45
+        assert abs(mp.diff(lambda one: at(one).kinetic_energy(), angle) + at(angle).torque()) < 1e-18
+        assert abs(at(angle).torque_slope() - mp.diff(lambda one: at(one).torque(), angle)) < 1e-18
+        # The straight crank, without one, has formulas of its own.
+        assert abs(at(angle, "0").torque_slope() - at(angle, None).torque_slope()) < 1e-45

@@ -151,14 +151,6 @@ class CrankForce(NamedTuple):
     magnitude: bool = False
     on_shaft: bool = False
 
-    def loaded(
-        self, circle: Circle[Numeric], ratio: Numeric, weights: Weights, offset: Numeric | None, net: Numeric
-    ) -> Numeric:
-        """Return the force in a straight or offset crank drive with these masses."""
-        if self.on_shaft:
-            return self.on(LoadedCrank(circle, ratio, weights.on_shaft, offset, net))
-        return self.on(LoadedCrank(circle, ratio, weights.masses, offset, net, weights.reciprocating))
-
 
 def _unit(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None) -> Numeric:
     return 1

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from kurbel.drive.at import At, CrankForce, Weights, framed
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
-from kurbel.kernel import forces, kinematics, moving, rod
+from kurbel.kernel import forces, kinematics
 from kurbel.kernel.circle import Circle, Numeric, root
 from kurbel.kernel.forces import Weight, on_return, tangential_force, torque_slope, work
 from kurbel.kernel.moving import EVEN, OF_FIRST_ORDER, Masses
@@ -78,24 +78,23 @@ class Moved(ABC):
         reciprocating: Numeric,
         weight: Weight[Numeric] | None,
         friction: Numeric | None,
-    ) -> Any:
-        """Return the drive with its masses under a force on the piston, or what knows the same forces."""
+    ) -> LoadedCrank:
+        """Return the drive with its masses under a force on the piston."""
 
     def power(
         self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric], weight: Weight[Numeric] | None
     ) -> Numeric:
         """Return what inertia and weight of the masses do over the angle in radians, less what they take:
         the torque that they make."""
-        found: Any = self.loaded(stroke, circle, masses, 0, 0, weight, None).torque()
-        return found
+        return self.loaded(stroke, circle, masses, 0, 0, weight, None).power()
 
-    @abstractmethod
     def kinetic_energy(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Numeric:
         """Return the part of the masses' energy that changes, in units of m R² ω²."""
+        return self.loaded(stroke, circle, masses, 0, 0, None, None).kinetic_energy()
 
-    @abstractmethod
     def torque_slope(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Numeric:
         """Return the change of the power of the masses' inertia with the angle in radians."""
+        return self.loaded(stroke, circle, masses, 0, 0, None, None).torque_slope()
 
     def weight_slope(self, stroke: int, circle: Circle[Numeric], weight: Weight[Numeric]) -> Numeric:
         """Return the change of the torque of weights with the angle in radians."""
@@ -199,25 +198,6 @@ class Slide(Moved):
     def bare(self, force: CrankForce, stroke: int, circle: Circle[Numeric]) -> Numeric:
         ratio, offset = (*self.numbers[stroke], None)[:2]
         return force.bare(circle, ratio, offset)
-
-    def power(
-        self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric], weight: Weight[Numeric] | None
-    ) -> Numeric:
-        if self._is_first_order:
-            return moving.power_first_order(circle, self.numbers[stroke][0], masses, framed(weight, stroke))
-        return super().power(stroke, circle, masses, weight)
-
-    def kinetic_energy(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Numeric:
-        ratio, *offset = self.numbers[stroke]
-        if self._is_first_order:
-            return moving.kinetic_energy_first_order(circle, ratio, masses)
-        return rod.kinetic_energy(circle, ratio, masses, *offset)
-
-    def torque_slope(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Numeric:
-        ratio, *offset = self.numbers[stroke]
-        if self._is_first_order:
-            return moving.torque_slope_first_order(circle, ratio, masses)
-        return rod.torque_slope(circle, ratio, masses, *offset)
 
     def angle_at(self, stroke: int, share: Numeric) -> Any:
         if not self.motion.versine_at:

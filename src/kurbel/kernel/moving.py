@@ -22,7 +22,7 @@ from typing import Any, Generic, NamedTuple
 
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle, Kind, Numeric
-from kurbel.kernel.forces import RodDirection, Weight, pin_torque, tangential_force
+from kurbel.kernel.forces import RodDirection, tangential_force
 
 
 class Masses(NamedTuple, Generic[Kind]):
@@ -82,11 +82,6 @@ class Link(NamedTuple, Generic[Kind]):
     slant_cosine: Kind
     ratio: Kind
     curvature: Kind | int = 0
-
-
-def kinetic_energy(velocity: Numeric, turning: Numeric, driven: Numeric, couple: Numeric) -> Numeric:
-    """Return the part of the energy that changes, from c, u, m_B and the rod's couple m q."""
-    return (driven * velocity * velocity + couple * turning * turning) / 2
 
 
 def torque_slope(link: Link[Numeric], driven: Numeric, couple: Numeric) -> Numeric:
@@ -161,24 +156,6 @@ class Accelerations(NamedTuple, Generic[Kind]):
 
 EVEN: Accelerations[Numeric] = Accelerations()
 OF_FIRST_ORDER: Accelerations[Numeric] = Accelerations(first_order=True)
-
-
-def kinetic_energy_first_order(circle: Circle[Numeric], ratio: Numeric, masses: Masses[Numeric]) -> Numeric:
-    """Return the part of the masses' energy that changes, in units of m R² ω²."""
-    velocity = kinematics.piston_velocity_first_order(circle, ratio)
-    return kinetic_energy(velocity, circle.cosine, masses.crosshead, masses.couple)
-
-
-def power_first_order(
-    circle: Circle[Numeric], ratio: Numeric, masses: Masses[Numeric], weight: Weight[Numeric] | None
-) -> Numeric:
-    """Return what inertia and weight of the masses do over the angle in radians, less what they take."""
-    velocity = kinematics.piston_velocity_first_order(circle, ratio)
-    push = 0 - masses.crosshead * kinematics.piston_acceleration_first_order(circle, ratio)
-    turning = masses.couple * (circle.sine * circle.cosine)
-    if weight is None:
-        return push * velocity + turning
-    return (push + weight.crosshead * weight.along) * velocity + turning + pin_torque(weight, circle)
 
 
 def torque_slope_first_order(circle: Circle[Numeric], ratio: Numeric, masses: Masses[Numeric]) -> Numeric:

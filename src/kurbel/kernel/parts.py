@@ -197,7 +197,7 @@ def parted_rocker(
     Along the slide and across it are as at the crank, not along the arc. The acceleration of B has a part
     towards the pivot, and p₂ is both together. Re-derived.
     """
-    loaded = LoadedRocker(circle, place, arc, masses)
+    loaded = LoadedRocker(circle, arc.ratio, masses, place=place, arc=arc)
     sine, cosine = loaded.lean
     along, draught = loaded.acceleration, loaded.draught
     pull = arc.ratio * (place.cosine / place.slant_cosine) ** 2

@@ -32,7 +32,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Generic, NamedTuple, Self
 
-from kurbel.kernel import kinematics, moving
+from kurbel.kernel import moving
 from kurbel.kernel.circle import Circle, Kind, Numeric, root
 from kurbel.kernel.forces import RodDirection, Weight, pin_torque, rod_slant, tangential_force
 from kurbel.kernel.moving import EVEN, Accelerations, Link, Masses
@@ -70,7 +70,8 @@ class LoadedCrank:
 
     `masses` are those of the rod joined with the `reciprocating` one, which goes to and fro with the
     crosshead and has no part of the rod; `weight` is what they weigh, None where that does not count.
-    `friction` of piston and crosshead counts as F does.
+    `friction` of piston and crosshead counts as F does. Of a drive that guides B otherwise, X and Y are along
+    its way and square to it, and what differs is overridden.
     """
 
     circle: Circle[Numeric]
@@ -90,9 +91,41 @@ class LoadedCrank:
         vars(other).update(vars(self), masses=masses, **{name: getattr(self, name) for name in moving})
         return other
 
+    @property
+    def pin(self) -> Circle[Numeric]:
+        """The circle of the crank angle from X."""
+        return self.circle
+
     @cached_property
     def slant(self) -> RodDirection[Numeric]:
         return rod_slant(self.circle, self.ratio, self.offset)
+
+    @cached_property
+    def velocity(self) -> Numeric:
+        """That of B by exact formulas, c, which is the torque of a unit force."""
+        return tangential_force(self.circle, self.ratio, self.offset)
+
+    @property
+    def motion(self) -> tuple[Numeric, Numeric]:
+        """The velocity of B and L ψ̇, as the masses are accelerated."""
+        if self.by.first_order:
+            return self.by.velocity(self.circle, self.ratio, self.offset), self.circle.cosine
+        return self.velocity, self.spin
+
+    @property
+    def spin(self) -> Numeric:
+        """L ψ̇ by exact formulas."""
+        return self.pin.cosine / self.slant.cosine
+
+    @property
+    def driven(self) -> Numeric:
+        """All that is accelerated with B along its way, m_B."""
+        return self.masses.crosshead
+
+    @property
+    def going(self) -> Numeric:
+        """What of this has no part of the rod."""
+        return self.reciprocating
 
     @cached_property
     def acceleration(self) -> Numeric:
@@ -112,7 +145,7 @@ class LoadedCrank:
     @cached_property
     def push(self) -> Numeric:
         """F - m_B p, with friction and weight along the slide."""
-        push = self.effort - self.masses.crosshead * self.acceleration
+        push = self.effort - self.driven * self.acceleration
         weight = self.weight
         return push if weight is None else push + weight.crosshead * weight.along
 
@@ -148,29 +181,35 @@ class LoadedCrank:
 
         The couple is not in it. The rod presses on the pin the other way.
         """
-        masses, weight = self.masses, self.weight
-        pin = masses.pin * self.by.pin_along(self.circle)
-        along = self.effort - (masses.crosshead * self.acceleration + pin)
-        return along if weight is None else along + (weight.crosshead + weight.pin) * weight.along
+        return self.pin_force_parts()[0]
 
     def pin_force_across(self) -> Numeric:
         """Return the force of the crank pin on the rod across the slide, positive with Y: -m_A sin φ - N."""
-        across, weight = 0 - (self.masses.pin * self.by.pin_across(self.circle) + self.side), self.weight
-        return across if weight is None else across + weight.pin * weight.across
+        return self.pin_force_parts()[1]
+
+    def pin_force_parts(self) -> tuple[Numeric, Numeric]:
+        """Return both along and across the way of B."""
+        pin, weight = self.masses.pin, self.weight
+        along = self.effort - (self.driven * self.acceleration + pin * self.by.pin_along(self.pin))
+        across = 0 - (pin * self.by.pin_across(self.pin) + self.side)
+        if weight is None:
+            return along, across
+        both = weight.crosshead + weight.pin
+        return along + both * weight.along, across + weight.pin * weight.across
 
     def pin_force(self) -> Numeric:
         """Return the magnitude of the force between crank pin and rod."""
-        return magnitude(self.pin_force_along(), self.pin_force_across())
+        return magnitude(*self.pin_force_parts())
 
     def thrust(self) -> Numeric:
         """Return the force of the crosshead on the rod along the slide, positive against X: F - m p, with
         friction and weight."""
-        thrust = self.effort - self.reciprocating * self.acceleration
+        thrust = self.effort - self.going * self.acceleration
         return thrust if self.weight is None else thrust + self.weight_force()
 
     def inertia_force(self) -> Numeric:
         """Return the inertia force of the reciprocating mass, positive against X: -m p."""
-        return 0 - self.reciprocating * self.acceleration
+        return 0 - self.going * self.acceleration
 
     def weight_force(self) -> Numeric:
         """Return the weight of the reciprocating mass along the slide, positive against X."""
@@ -203,8 +242,8 @@ class LoadedCrank:
         The rod's own inertia makes it another one than `rod_force`. Re-derived, from `pin_force_along` and
         `pin_force_across`.
         """
-        slant = self.slant
-        return self.pin_force_along() * slant.cosine - self.pin_force_across() * slant.sine
+        slant, (along, across) = self.slant, self.pin_force_parts()
+        return along * slant.cosine - across * slant.sine
 
     def crosshead_pin_force(self) -> Numeric:
         """Return the magnitude of the force between crosshead pin and rod."""
@@ -215,7 +254,8 @@ class LoadedCrank:
 
         The force across the crank is `torque`, in units of R. Re-derived: the pin force turned by φ.
         """
-        return self.pin_force_along() * self.circle.cosine + self.pin_force_across() * self.circle.sine
+        along, across = self.pin_force_parts()
+        return along * self.pin.cosine + across * self.pin.sine
 
     def torque(self) -> Numeric:
         """Return the torque on the shaft, positive as the crank turns: (F - m_B p) c, and the couple's.
@@ -223,48 +263,36 @@ class LoadedCrank:
         Times ω it is the work of F less the gain of kinetic energy in unit time. It has what speeds up the
         rod's mass at the pin, if the crank does not turn evenly, but nothing of the crank's own. Re-derived.
         """
-        # The couple's part is its force on the guide times cos φ, the share of R across the slide.
-        work = self.push * tangential_force(self.circle, self.ratio, self.offset)
-        found = work + self.turning * (self.circle.cosine / self.slant.cosine) + 0
-        if self.weight is not None:
-            found = found + pin_torque(self.weight, self.circle)
+        found = self._work(self.velocity, self.spin)
         return found if self.by.gain is None else found - self.by.gain * self.masses.pin
 
+    def power(self) -> Numeric:
+        """Return what all does over the angle in radians, less what the masses take: the torque, but for the
+        first order, whose motion is its own."""
+        return self._work(*self.motion)
 
-def kinetic_energy(
-    circle: Circle[Numeric], ratio: Numeric, masses: Masses[Numeric], offset: Numeric | None = None
-) -> Numeric:
-    """Return ½ m_B c² + ½ m q (cos φ/cos ψ)², the part of the masses' energy that changes.
+    def _work(self, velocity: Numeric, spin: Numeric) -> Numeric:
+        # The couple's part is its force on the guide times cos φ, the share of R across the slide.
+        work = self.push * velocity + self.turning * spin + 0
+        return work if self.weight is None else work + pin_torque(self.weight, self.circle)
 
-    In units of m R² ω²; q is the couple. The mass at the crank pin turns evenly. Re-derived.
-    """
-    velocity = tangential_force(circle, ratio, offset)
-    turning = circle.cosine / rod_slant(circle, ratio, offset).cosine
-    return moving.kinetic_energy(velocity, turning, masses.crosshead, masses.couple)
+    def kinetic_energy(self) -> Numeric:
+        """Return ½ m_B c² + ½ m q (cos φ/cos ψ)², the part of the masses' energy that changes.
 
+        In units of m R² ω²; q is the couple. The mass at the crank pin turns evenly. Re-derived.
+        """
+        velocity, spin = self.motion
+        return (self.driven * velocity * velocity + self.masses.couple * spin * spin) / 2
 
-def torque_slope(
-    circle: Circle[Numeric], ratio: Numeric, masses: Masses[Numeric], offset: Numeric | None = None
-) -> Numeric:
-    """Return the change of `LoadedCrank.torque` without F with the angle in radians. Re-derived."""
-    sine, cosine = circle.sine, circle.cosine
-    if offset is not None:
-        slant = rod_slant(circle, ratio, offset)
-        link = Link(sine, cosine, slant.sine, slant.cosine, ratio)
-        return moving.torque_slope(link, masses.crosshead, masses.couple)
-    w = kinematics.rod_cosine(circle, ratio)
-    velocity = kinematics.piston_velocity(circle, ratio)
-    acceleration = kinematics.piston_acceleration(circle, ratio)
-    # tan ψ and its slopes.
-    lean, steeper = ratio * sine / w, ratio * cosine / (w * w * w)
-    bend = ratio * sine * (3 * (ratio * cosine / w) ** 2 - 1) / (w * w * w)
-    jerk = cosine * (bend - lean) - sine * (1 + 2 * steeper)
-    # cos φ/cos ψ and its slopes.
-    turning = cosine / w
-    slower = -sine * (1 - ratio) * (1 + ratio) / (w * w * w)
-    curved = -cosine * (1 - ratio) * (1 + ratio) / (w * w * w) * (1 + 3 * (ratio * sine / w) ** 2)
-    driven = acceleration * acceleration + velocity * jerk
-    return -(masses.crosshead * driven + masses.couple * (slower * slower + turning * curved))
+    def torque_slope(self) -> Numeric:
+        """Return the change of what the inertia of the masses does, `power`, with the angle in radians."""
+        if self.by.first_order:
+            return moving.torque_slope_first_order(self.circle, self.ratio, self.masses)
+        return moving.torque_slope(self.link, self.driven, self.masses.couple)
+
+    @property
+    def link(self) -> Link[Numeric]:
+        return Link(self.pin.sine, self.pin.cosine, *self.slant, self.ratio)
 
 
 def magnitude(along: Any, across: Any) -> Any:

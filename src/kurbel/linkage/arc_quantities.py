@@ -235,7 +235,7 @@ def _parted(at: At) -> AccelerationParts:
 def _kernel(force: RodForce, model: str) -> Callable[[At], Numeric]:
     def kernel(at: At) -> Any:
         masses = known(at.drive.crank.rod).masses(model, at.numbers.of)
-        return force.formula(LoadedRocker(at.circle, at.place, at.arc, masses))
+        return force.formula(LoadedRocker(at.circle, at.arc.ratio, masses, place=at.place, arc=at.arc))
 
     return kernel
 

@@ -21,7 +21,7 @@ from kurbel.drive.crank import Crank
 from kurbel.drive.moved import Moved
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
-from kurbel.kernel import linkage, rocker
+from kurbel.kernel import linkage
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.coupler import Reach, Rod, rocker_reach, rocker_rod
 from kurbel.kernel.forces import Weight
@@ -142,7 +142,7 @@ class RockerCrank(Linkage):
             # The other arm bears what draws it to the pivot.
             masses = masses._replace(crosshead=masses.crosshead - own, rocker=masses.rocker + own)
             own = 0
-        return LoadedRocker(circle, place, arc, masses, net, own)
+        return LoadedRocker(circle, arc.ratio, masses, None, net, own, place=place, arc=arc)
 
 
 class MovedRocker(Moved):
@@ -184,12 +184,6 @@ class MovedRocker(Moved):
         assert friction is None
         place = self._place(stroke, circle)
         return self.drive.under(circle, place, self.arcs[stroke], masses, net, reciprocating)
-
-    def kinetic_energy(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Numeric:
-        return rocker.kinetic_energy(self._place(stroke, circle), masses)
-
-    def torque_slope(self, stroke: int, circle: Circle[Numeric], masses: Masses[Numeric]) -> Numeric:
-        return rocker.torque_slope(self._place(stroke, circle), self.arcs[stroke], masses)
 
     def _place(self, stroke: int, circle: Circle[Numeric]) -> Place[Numeric]:
         """Return where the rocker's end stands; a turn asks several things of one angle."""
