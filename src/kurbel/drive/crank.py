@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.at import At, acceleration_of, known
 from kurbel.drive.load import Effort, PistonForce, read_force
-from kurbel.drive.moved import Moved, moved
+from kurbel.drive.moved import DeadCentres, Moved, moved
 from kurbel.drive.rod import MovingMasses, Rod
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.kind import Kind
@@ -34,7 +34,7 @@ class Diameters(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Crank:
+class Crank(DeadCentres):
     """A crank drive: ratio λ = R/L, offset e/R, crank radius R in metres, speed, piston force,
     connecting rod, moving masses and what else acts on piston and crosshead, where they are known; its
     angular acceleration in rad/s²; the diameters of its pins.
@@ -104,17 +104,21 @@ class Crank:
         """L in metres, None if it is not known or infinite."""
         return self.radius / self.ratio if self.radius is not None and self.ratio else None
 
-    def stroke(self, numbers: Kind) -> Any:
+    def way(self, numbers: Kind) -> Any:
         """Return the stroke in units of R."""
         if not self.offset:
             return numbers.of(Fraction(2))
         return kinematics.stroke(numbers.of(self.ratio), numbers.of(self.offset))
 
-    def dead_angle(self, stroke: int, numbers: Kind) -> Any:
-        """Return φ_i, or for a stroke of -1, the return, φ_o - 180°, in degrees."""
-        return numbers.arc(
-            kinematics.dead_centre_sine(numbers.of(stroke * self.ratio), numbers.of(stroke * self.offset))
+    def dead_angle(self, stroke: int, kind: Kind) -> Any:
+        if not self.offset:
+            return super(Crank, self).dead_angle(stroke, kind)
+        return kind.arc(
+            kinematics.dead_centre_sine(kind.of(stroke * self.ratio), kind.of(stroke * self.offset))
         )
+
+    def least_transmission(self, kind: Kind) -> Any:
+        return 90 - kind.arc(kind.of(self.ratio * (1 + abs(self.offset))))
 
     def pin_velocity(self, numbers: Kind) -> Numeric:
         """Return v = R ω of the crank pin in m/s."""
@@ -123,20 +127,20 @@ class Crank:
             return numbers.of(radius * speed.value)
         return numbers.of(2 * radius * speed.value) * numbers.pi
 
-    def mean_velocity(self, numbers: Kind) -> Numeric:
+    def mean_velocity(self, numbers: Kind, way: Any = None) -> Numeric:
         """Return c_m of the piston in m/s. Of turns it is S n/30, without the π of the crank-pin velocity.
 
-        Source: Blau, eq. (23), (24); S is the drive's own stroke.
+        Source: Blau, eq. (23), (24); S is the drive's own stroke, or another `way`.
         """
-        speed = known(self.speed)
+        speed, stroke = known(self.speed), self.way(numbers) if way is None else way
         if speed.turns:
-            stroke = self.stroke(numbers) * numbers.of(known(self.radius))
-            return kinematics.mean_piston_speed(stroke, numbers.of(60 * speed.value))
-        return self.pin_velocity(numbers) * kinematics.mean_piston_velocity(self.stroke(numbers), numbers.pi)
+            metres = stroke * numbers.of(known(self.radius))
+            return kinematics.mean_piston_speed(metres, numbers.of(60 * speed.value))
+        return self.pin_velocity(numbers) * kinematics.mean_piston_velocity(stroke, numbers.pi)
 
     def pin_to_mean(self, numbers: Kind) -> Numeric:
         """Return v : c_m = π R : S. Source: Blau, eq. (24), for any stroke."""
-        return numbers.pi / self.stroke(numbers)
+        return numbers.pi / self.way(numbers)
 
     def pin_acceleration(self, numbers: Kind) -> Numeric:
         """Return v²/R of the crank pin in m/s²."""

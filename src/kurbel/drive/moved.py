@@ -7,6 +7,7 @@ and in its direction. The circle is that of the crank angle φ, on the return of
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Protocol
 
 from kurbel.drive.at import At, CrankForce, Weights, framed
@@ -22,6 +23,37 @@ if TYPE_CHECKING:
     from kurbel.drive.crank import Crank
 
 MOTIONS = {"exact": forces.EXACT, "series": forces.FIRST_ORDER, "weisbach": forces.FIRST_ORDER}
+
+
+class DeadCentres:
+    """A drive between its dead centres, at 0° and 180° unless it says otherwise; degrees and units of R."""
+
+    __slots__ = ()
+
+    def dead_angle(self, stroke: int, kind: Kind) -> Any:
+        """Return φ_i, or for a stroke of -1, the return, φ_o - 180°, within ±180°."""
+        return kind.of(Fraction(0))
+
+    def inner(self, kind: Kind) -> Any:
+        """Return φ_i."""
+        return self.dead_angle(1, kind)
+
+    def outer(self, kind: Kind) -> Any:
+        """Return φ_o."""
+        return self.dead_angle(-1, kind) + 180
+
+    def lead(self, kind: Kind) -> Any:
+        """Return Δ, by which the crank turns more than 180° during the outstroke."""
+        return self.dead_angle(-1, kind) - self.dead_angle(1, kind)
+
+    def time_ratio(self, kind: Kind) -> Any:
+        """Return the time of the outstroke over that of the return, the crank turning uniformly."""
+        more = self.lead(kind)
+        return (180 + more) / (180 - more)
+
+    def least_transmission(self, kind: Kind) -> Any:
+        """Return the least angle between the rod and what guides its end, square where there is no rod."""
+        return kind.of(Fraction(90))
 
 
 class Drive(Protocol):

@@ -21,11 +21,10 @@ from kurbel.exact.kind import Kind, balls
 from kurbel.exact.place import SQUARE, Centre, Place
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.linkage.arc_quantities import arc_registry
-from kurbel.linkage.linkage import LinkageDrive
+from kurbel.linkage.linkage import LinkageDrive, in_strokes
 from kurbel.linkage.rocker import STROKE, RockerCrank, direct
 from kurbel.motion.evaluation import OUT, STROKES
-from kurbel.motion.motion_quantities import registry
-from kurbel.page.quantity import Formula, Quantity, Words, words
+from kurbel.page.quantity import Quantity, Words, words
 from kurbel.reading.notation import about, check_bounds
 
 # Lengths in a message are multiples of 1/_STEPS R, rounded so that a length changed by as much will do.
@@ -186,16 +185,7 @@ def arc_columns() -> Mapping[str, Quantity]:
 
 def with_share(own: Mapping[str, Quantity]) -> Mapping[str, Quantity]:
     """Return the quantities with the path's share of the stroke."""
-    path, share = own["path"], registry()["x_stroke"]
-    kernel = path.formulas["exact"].kernel
-    part = path._replace(
-        key=PATH_SHARE,
-        heading=share.heading,
-        unit=share.unit,
-        names=share.names,
-        formulas={"exact": Formula(lambda at: kernel(at) / at.drive.way(at.numbers))},
-    )
-    return {"path": path, PATH_SHARE: part, **own}
+    return {"path": own["path"], PATH_SHARE: in_strokes(own["path"]), **own}
 
 
 class ArcDrive(LinkageDrive):

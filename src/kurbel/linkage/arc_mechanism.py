@@ -6,7 +6,6 @@ import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
 from typing import Any, ClassVar
 
 from kurbel.drive.crank import Crank, DescribedDrive, radii
@@ -192,13 +191,10 @@ class MechanismWords:
         """Return the line with what a drive does between its dead centres."""
         angle, share = 3, 4
 
-        def outer(kind: Kind) -> Numeric:
-            return drive.dead_angle(RETURN, kind) + 180
-
         return self.words["dead_centres"][lang].format(
             drive=", ".join(self.links(drive)),
-            inner=printed(partial(drive.dead_angle, OUT), angle),
-            outer=printed(outer, angle),
+            inner=printed(drive.inner, angle),
+            outer=printed(drive.outer, angle),
             swing=printed(drive.swing, angle),
             stroke=printed(drive.way, share),
             times=printed(drive.time_ratio, share),

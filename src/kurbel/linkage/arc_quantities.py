@@ -7,25 +7,22 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from kurbel.drive.at import At, angular_square, angular_velocity, known
-from kurbel.drive.crank import Crank
+from kurbel.drive.at import At, known
 from kurbel.exact.numerals import Label
 from kurbel.kernel import linkage
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.parts import AccelerationParts, parted_rocker
 from kurbel.kernel.rocker import LoadedRocker
-from kurbel.linkage.linkage import DECIMALS, LinkageRequest, force_entries, force_formula, linkage_subject
+from kurbel.linkage.linkage import LinkageRequest, force_entries, force_formula, linkage_subject
 from kurbel.linkage.rocker import STROKE, RockerCrank
-from kurbel.motion.entries import OF_ROD, on_strokes, spanned
-from kurbel.motion.evaluation import Needs
+from kurbel.motion.entries import OF_ROD, headed, in_units, measured, on_strokes
 from kurbel.motion.inertia import RodForce, rod_entries
 from kurbel.motion.mechanism import mechanism
 from kurbel.motion.notes import connecting_rod, size_notes, turns_label
 from kurbel.motion.rod_accelerations import rocker_entries
 from kurbel.motion.rod_forces import part_entries
-from kurbel.page.quantity import Formula, Need, Quantity, words
+from kurbel.page.quantity import Formula, Quantity, words
 
-ANGLE_DECIMALS = 3
 # A further formula, as it is printed where the pivot lies on the left of the end's way.
 LEFT = "left"
 Formulas = Mapping[str, Formula]
@@ -103,43 +100,26 @@ def arc_registry() -> Mapping[str, Quantity]:
 
 
 def _arc_entries() -> Iterator[Quantity]:
-    yield headed_entry(
-        "path", "Weg auf dem Bogen|Path along the arc", "x", "R", Formula(_path),
-        of=STROKE, names=("path", "x"), rises=True,
-    )  # fmt: skip
-    yield sized_entry(
-        "path_mm", "Weg auf dem Bogen|Path along the arc", "x", "mm", Formula(_path), Crank.millimetres,
-        needs=Needs.LENGTH, of=STROKE,
-    )  # fmt: skip
-    yield headed_entry("velocity", "Geschwindigkeit|Velocity", "c", "v", _VELOCITY, names=("velocity", "c"))
-    yield sized_entry("velocity_mps", "Geschwindigkeit|Velocity", "c", "m/s", _VELOCITY, Crank.pin_velocity)
-    yield sized_entry(
-        "acceleration_mps2", "Beschleunigung|Acceleration", "p", "m/s²", _ACCELERATION, Crank.pin_acceleration
-    )
-    yield headed_entry(
-        "acceleration", "Beschleunigung|Acceleration", "p", "v²/R", _ACCELERATION, "$(p R)/v^2$",
-        names=("acceleration", "p"),
-    )  # fmt: skip
-    yield headed_entry(
-        "rocker",
-        "Schwingenwinkel|Rocker angle",
-        "θ",
-        "°",
-        Formula(_rocker),
-        names=("rocker", "θ"),
-        rises=True,
-    )
-    yield headed_entry(
+    name = "Weg auf dem Bogen|Path along the arc"
+    yield from in_units("path", name, "x", "R", Formula(_path), of=STROKE, names=("path", "x"), rises=True)
+    name = "Geschwindigkeit|Velocity"
+    yield from in_units("velocity", name, "c", "v", _VELOCITY, names=("velocity", "c"))
+    name, names = "Beschleunigung|Acceleration", ("acceleration", "p")
+    gained = headed("acceleration", name, "p", "v²/R", _ACCELERATION, names=names)
+    yield from (measured(gained), gained)
+    name, names = "Schwingenwinkel|Rocker angle", ("rocker", "θ")
+    yield headed("rocker", name, "θ", "°", Formula(_rocker), names=names, rises=True)
+    yield headed(
         "rod", "Schubstangenwinkel|Rod angle", "ψ", "°", Formula(lambda at: _slant(at) - _rocker(at))
     )
-    yield headed_entry("slant", "Stange gegen Bogen|Rod against arc", "τ", "°", Formula(_slant, "", (_TAU,)))
+    yield headed("slant", "Stange gegen Bogen|Rod against arc", "τ", "°", Formula(_slant, "", (_TAU,)))
     for key, name, letter, kernel in (
         ("chord", "Sehne des Weges|Chord of the path", "q", linkage.chord),
         ("slide_path", "Weg längs der Schubrichtung|Path along the slide", "x_s", linkage.slide_path),
         ("rise", "Weg quer zur Schubrichtung|Path across the slide", "y_s", linkage.rise),
     ):
-        yield headed_entry(key, name, letter, "R", _of(kernel), of=STROKE)
-    yield headed_entry(
+        yield headed(key, name, letter, "R", _of(kernel), of=STROKE)
+    yield headed(
         "turn", "Drehung der Schwinge|Turn of the rocker", "ϑ", "°", Formula(lambda at: abs(_turned(at)))
     )
     for key, name, letter, velocity, acceleration, said in (
@@ -154,49 +134,15 @@ def _arc_entries() -> Iterator[Quantity]:
     ):  # fmt: skip
         de, en = name.split("|")
         speed = f"Winkelgeschwindigkeit {de}|Angular velocity {en}"
-        yield headed_entry(
-            f"{key}_velocity", speed, f"ω_{letter}", "ω", velocity, names=(f"{key}_velocity",), direction=said
-        )
-        gain, acceleration = (
-            f"Winkelbeschleunigung {de}|Angular acceleration {en}",
-            _gaining(acceleration, velocity),
-        )
-        yield headed_entry(
-            f"{key}_acceleration", gain, f"ε_{letter}", "ω²", acceleration,
-            names=(f"{key}_acceleration",), direction=said,
-        )  # fmt: skip
-        turning, twice = angular_velocity, angular_square
-        yield sized_entry(
-            f"{key}_velocity_radps", speed, f"ω_{letter}", "rad/s", velocity, turning, direction=said
-        )
-        yield sized_entry(
-            f"{key}_acceleration_radps2", gain, f"ε_{letter}", "rad/s²", acceleration, twice, direction=said
-        )
-
-
-def headed_entry(
-    key: str, name: str, letter: str, unit: str, formula: Formula, heading: str = "", **rest: Any
-) -> Quantity:
-    """An entry, headed by letter and unit unless another head is given."""
-    symbol = f"${letter}$"
-    decimals = ANGLE_DECIMALS if unit == "°" else DECIMALS
-    if unit != "°":
-        # The unit is a quantity of the drive.
-        own = unit.replace("²", "^2")
-        heading, unit = heading or f"${letter}/{own}$", f"${own}$"
-    return spanned(key, name, symbol, heading, unit, decimals, {"exact": formula}, **rest)
-
-
-def sized_entry(
-    key: str, name: str, letter: str, unit: str, formula: Formula, scale: Callable[..., Numeric],
-    needs: Need = Needs.SPEED, **rest: Any,
-) -> Quantity:  # fmt: skip
-    """An entry in a unit that the crank's length or its speed makes."""
-    symbol, decimals = f"${letter}$", 2 if unit in ("mm", "m/s²") else 3
-    heading, formulas = f"{symbol} in {unit}", {"exact": formula}
-    return spanned(
-        key, name, symbol, heading, unit, decimals, formulas, scale=scale, needs=(needs,), **rest
-    )  # fmt: skip
+        gain = f"Winkelbeschleunigung {de}|Angular acceleration {en}"
+        own = [
+            headed(key, name, letter, unit, formula, names=(key,), direction=said)
+            for key, name, letter, unit, formula in (
+                (f"{key}_velocity", speed, f"ω_{letter}", "ω", velocity),
+                (f"{key}_acceleration", gain, f"ε_{letter}", "ω²", _gaining(acceleration, velocity)),
+            )
+        ]
+        yield from (*own, *map(measured, own))
 
 
 def _arc_forces() -> Iterator[Quantity]:

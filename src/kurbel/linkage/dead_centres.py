@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
-from functools import cache
-from typing import Any, NamedTuple
+from functools import cache, partial
+from typing import Any
 
 from kurbel.drive.at import turn_time
 from kurbel.drive.crank import Crank, DescribedDrive
@@ -14,9 +13,7 @@ from kurbel.drive.load import figure
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
-from kurbel.kernel import kinematics
-from kurbel.kernel.circle import Numeric
-from kurbel.motion.evaluation import OUT, RETURN, Needs
+from kurbel.motion.evaluation import Needs
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import DriveQuestion
 from kurbel.motion.notes import size_notes, turns_label
@@ -57,115 +54,52 @@ def drives_of(chosen: Mechanism, said: DescribedDrive, ratios: Sequence[str]) ->
     return tuple(replace(drive, crank=replace(drive.crank, speed=turns)) for drive in drives)
 
 
-class Ends(NamedTuple):
-    """A drive and the dead centres between which it moves, on a kind of number."""
-
-    drive: Any
-    kind: Kind
-
-    def inner(self) -> Numeric:
-        """Return φ_i in degrees, from the slide direction as the crank turns."""
-        return self.drive.dead_angle(OUT, self.kind)
-
-    def outer(self) -> Numeric:
-        """Return φ_o in degrees."""
-        return self.drive.dead_angle(RETURN, self.kind) + 180
-
-    def lead(self) -> Numeric:
-        """Return Δ in degrees, by which the crank turns more than 180° during the outstroke."""
-        # The dead centres of far-swinging links may lie more than a turn apart as they are counted.
-        drive = self.drive
-        return self.outer() - self.inner() - 180 if isinstance(drive, Crank) else drive.lead(self.kind)
-
-    def time_ratio(self) -> Numeric:
-        """Return the time of the outstroke over that of the return, the crank turning uniformly."""
-        lead = self.lead()
-        return (180 + lead) / (180 - lead)
-
-    def outstroke_time(self) -> Numeric:
-        """Return the time of the outstroke in seconds, the crank turning uniformly."""
-        return self._time(1)
-
-    def return_time(self) -> Numeric:
-        """Return that of the return stroke."""
-        return self._time(-1)
-
-    def _time(self, sign: int) -> Numeric:
-        crank = self.drive.crank
-        even = isinstance(self.drive, Crank) and not crank.offset
-        lead = self.kind.of(Fraction(0)) if even else self.lead()
-        return (180 + sign * lead) / 360 * turn_time(crank, self.kind)
-
-    def stroke(self) -> Any:
-        """Return the way between the dead centres in units of R: of an arc crank along its arc."""
-        drive = self.drive
-        return drive.stroke(self.kind) if isinstance(drive, Crank) else drive.way(self.kind)
-
-    def stroke_mm(self) -> Numeric:
-        """Return the same in millimetres."""
-        return self.stroke() * self.drive.crank.millimetres(self.kind)
-
-    def swing(self) -> Numeric:
-        """Return the angle in degrees through which the rocker of an arc crank swings."""
-        return self.drive.swing(self.kind)
-
-    def transmission(self) -> Numeric:
-        """Return the least angle in degrees between the rod and what guides its end."""
-        if not isinstance(self.drive, Crank):
-            return self.drive.least_transmission(self.kind)
-        crank = self.drive
-        return 90 - self.kind.arc(self.kind.of(crank.ratio * (1 + abs(crank.offset))))
-
-    def pin_velocity(self) -> Numeric:
-        """Return v in m/s."""
-        return self.drive.crank.pin_velocity(self.kind)
-
-    def mean_velocity(self) -> Numeric:
-        """Return c_m = S n/30 in m/s, the way being this drive's own."""
-        if isinstance(self.drive, Crank):
-            return self.drive.mean_velocity(self.kind)
-        return self.pin_velocity() * kinematics.mean_piston_velocity(self.stroke(), self.kind.pi)
-
-    def pin_to_mean(self) -> Numeric:
-        """Return v : c_m."""
-        return self.kind.pi / self.stroke()
+def _time(sign: int, drive: Any, kind: Kind) -> Any:
+    """Return the time of the outstroke (1) or of the return (-1) in seconds, the crank turning uniformly."""
+    return (180 + sign * drive.lead(kind)) / 360 * turn_time(drive.crank, kind)
 
 
-Row = tuple[str, str, Label, str, int, Callable[[Ends], Numeric], tuple[Need, ...]]
+# Of a drive and a kind of number.
+Kernel = Callable[[Any, Kind], Any]
+Row = tuple[str, str, Label, str, int, Kernel, tuple[Need, ...]]
 _ROWS: tuple[Row, ...] = (
-    ("phi_i", "innere Totlage|Inner dead centre", "φ_i", "°", ANGLES, Ends.inner, ()),
-    ("phi_o", "äußere Totlage|Outer dead centre", "φ_o", "°", ANGLES, Ends.outer, ()),
+    ("phi_i", "innere Totlage|Inner dead centre", "φ_i", "°", ANGLES,
+     lambda drive, kind: drive.inner(kind), ()),
+    ("phi_o", "äußere Totlage|Outer dead centre", "φ_o", "°", ANGLES,
+     lambda drive, kind: drive.outer(kind), ()),
     ("lead", "Kurbelwinkel des Hingangs über 180°|Crank angle of the outstroke above 180°", "Δ", "°", ANGLES,
-     Ends.lead, ()),
+     lambda drive, kind: drive.lead(kind), ()),
     ("time_ratio", "Zeitverhältnis Hingang zu Rückgang|Time of the outstroke to that of the return",
-     "t_h:t_r", "", SHARES, Ends.time_ratio, ()),
-    ("outstroke_time", "Zeit des Hingangs|Time of the outstroke", "t_h", "s", TIMES, Ends.outstroke_time,
+     "t_h:t_r", "", SHARES, lambda drive, kind: drive.time_ratio(kind), ()),
+    ("outstroke_time", "Zeit des Hingangs|Time of the outstroke", "t_h", "s", TIMES, partial(_time, 1),
      (Needs.TIME,)),
-    ("return_time", "Zeit des Rückgangs|Time of the return", "t_r", "s", TIMES, Ends.return_time,
+    ("return_time", "Zeit des Rückgangs|Time of the return", "t_r", "s", TIMES, partial(_time, -1),
      (Needs.TIME,)),
-    ("stroke", "Hub|Stroke", "S", "R", SHARES, Ends.stroke, ()),
-    ("stroke_mm", "Hub|Stroke", "S", "mm", LENGTHS, Ends.stroke_mm, (Needs.LENGTH,)),
-    ("swing", "Schwingungswinkel|Swing", "Δ θ", "°", ANGLES, Ends.swing, (ROCKER,)),
+    ("stroke", "Hub|Stroke", "S", "R", SHARES, lambda drive, kind: drive.way(kind), ()),
+    ("stroke_mm", "Hub|Stroke", "S", "mm", LENGTHS,
+     lambda drive, kind: drive.way(kind) * drive.crank.millimetres(kind), (Needs.LENGTH,)),
+    ("swing", "Schwingungswinkel|Swing", "Δ θ", "°", ANGLES,
+     lambda drive, kind: drive.swing(kind), (ROCKER,)),
     ("transmission", "kleinster Übertragungswinkel|Least transmission angle", "μ_(min)", "°", ANGLES,
-     Ends.transmission, ()),
-    ("v_mps", "Kurbelzapfengeschwindigkeit|Crank-pin velocity", "v", "m/s", ANGLES, Ends.pin_velocity,
-     (Needs.SPEED,)),
-    ("c_m_mps", "mittlere Kolbengeschwindigkeit|Mean piston speed", "c_m", "m/s", ANGLES, Ends.mean_velocity,
-     (Needs.MEAN_SPEED,)),
+     lambda drive, kind: drive.least_transmission(kind), ()),
+    ("v_mps", "Kurbelzapfengeschwindigkeit|Crank-pin velocity", "v", "m/s", ANGLES,
+     lambda drive, kind: drive.crank.pin_velocity(kind), (Needs.SPEED,)),
+    ("c_m_mps", "mittlere Kolbengeschwindigkeit|Mean piston speed", "c_m", "m/s", ANGLES,
+     lambda drive, kind: drive.crank.mean_velocity(kind, drive.way(kind)), (Needs.MEAN_SPEED,)),
     ("v_c_m", "Verhältnis der Geschwindigkeiten|Ratio of the velocities", "v:c_m", "", SHARES,
-     Ends.pin_to_mean, ()),
+     lambda drive, kind: kind.pi / drive.way(kind), ()),
 )  # fmt: skip
 
 
 @cache
 def registry() -> Mapping[str, Quantity]:
-    """Return every quantity by its key, in the order of the page; a kernel call takes the `Ends`."""
+    """Return every quantity by its key, in the order of the page; a kernel call takes drive and kind."""
     entries = (_entry(*row) for row in _ROWS)
     return {one.key: one for one in entries}
 
 
 def _entry(
-    key: str, name: str, letter: Label, unit: str, decimals: int, kernel: Callable[[Ends], Numeric],
+    key: str, name: str, letter: Label, unit: str, decimals: int, kernel: Kernel,
     needs: tuple[Need, ...],
 ) -> Quantity:  # fmt: skip
     symbol = f"${letter}$"
@@ -197,7 +131,7 @@ def _number(question: DeadCentresRequest, column: Column, place: Place, times: i
     kernel = quantity.formulas["exact"].kernel
 
     def value(kind: Kind) -> Any:
-        return times * kernel(Ends(drive, kind))
+        return times * kernel(drive, kind)
 
     return Number(settled(value, column.places, question.rounding), column.places)
 

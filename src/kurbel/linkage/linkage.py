@@ -13,6 +13,7 @@ from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
 from kurbel.drive.load import FORCE, figure
 from kurbel.drive.mechanisms import LINKAGES, MECHANISMS
+from kurbel.drive.moved import DeadCentres
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, Number
 from kurbel.kernel import linkage
@@ -62,7 +63,7 @@ class Outline(NamedTuple):
     pivots: tuple[Point, ...] = ()
 
 
-class Linkage(ABC):
+class Linkage(DeadCentres, ABC):
     """A crank drive without a crosshead: what moves, on any kind of number.
 
     A stroke is OUT (1) or RETURN (-1); everything on it counts from the dead centre where it begins and in
@@ -72,6 +73,8 @@ class Linkage(ABC):
     __slots__ = ()
 
     crank: Any
+    # The stroke of one that turns evenly to and fro, in units of R.
+    reach: ClassVar[int] = 2
 
     def of(self, crank: Crank) -> Linkage:
         """Return the drive with what else is known of its crank."""
@@ -82,7 +85,11 @@ class Linkage(ABC):
     @property
     def stroke(self) -> Label:
         """The stroke as pages of conditions print it, nothing where no line holds it."""
-        return "2 R"
+        return f"{self.reach} R"
+
+    def way(self, kind: Kind) -> Any:
+        """Return the way between the dead centres in units of R."""
+        return kind.of(Fraction(self.reach))
 
     @abstractmethod
     def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> linkage.Place[Any]:
@@ -100,7 +107,12 @@ class Linkage(ABC):
         return None
 
 
-DECIMALS = 4
+def in_strokes(path: Quantity) -> Quantity:
+    """Return the path as a share of the stroke of its drive."""
+    whole = path.formulas["exact"]
+    share = whole._replace(kernel=lambda at: whole.kernel(at) / at.drive.way(at.numbers))
+    head, unit = words("in Teilen des Hubes|in strokes"), words("Hub|stroke")
+    return path._replace(key="path_stroke", heading=head, unit=unit, names=("s",), formulas={"exact": share})
 
 
 FORCES: Mapping[str, Force] = {

@@ -25,7 +25,6 @@ from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.coupler import Rod, crank_pin
 from kurbel.kernel.linkage import Place, coupler, coupler_place
 from kurbel.linkage.linkage import (
-    DECIMALS,
     Linkage,
     LinkageMechanism,
     LinkagePosition,
@@ -113,9 +112,7 @@ def parallel_registry() -> Mapping[str, Quantity]:
 def _coupler_entries() -> Iterator[Quantity]:
     for field, part, name, symbol, heading, printed, unit in _COUPLER:
         formula = Formula(_field(field), f"${heading} = {printed}$")
-        one = spanned(
-            f"coupler_{field}", name, f"${symbol}$", f"${heading}$", unit, DECIMALS, {"exact": formula}
-        )
+        one = spanned(f"coupler_{field}", name, f"${symbol}$", f"${heading}$", unit, 4, {"exact": formula})
         yield one._replace(spanners=(words(part), *one.spanners), part=words(part))
 
 
@@ -127,7 +124,7 @@ def _rod_entries() -> Iterator[Quantity]:
     ):
         none = Formula(lambda at: at.numbers.of(Fraction(0)), f"${letter} = 0$")
         head = f"${letter}/{unit.replace('²', '^2')}$"
-        yield spanned(key, name, f"${letter}$", head, unit, DECIMALS, {"exact": none})
+        yield spanned(key, name, f"${letter}$", head, unit, 4, {"exact": none})
 
 
 def _field(name: str) -> Callable[[At], Numeric]:

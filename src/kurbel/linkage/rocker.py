@@ -81,11 +81,6 @@ class RockerCrank(Linkage):
         """Return Δ in degrees, by which the crank turns more than 180° during the outstroke."""
         return 2 * kind.arc(linkage.lead_half_sine(*self._dead_centres(kind)))
 
-    def time_ratio(self, kind: Kind) -> Numeric:
-        """Return the time of the outstroke over that of the return stroke."""
-        more = self.lead(kind)
-        return (180 + more) / (180 - more)
-
     def least_transmission(self, kind: Kind) -> Numeric:
         """Return the least angle between the lines of rod and rocker during a turn, in degrees."""
         return 90 - kind.arc(linkage.steepest_slant(*self.figures(OUT, kind)))

@@ -8,21 +8,19 @@ from fractions import Fraction
 from functools import cache, partial
 from typing import Any
 
-from kurbel.drive.at import At, angular_square, angular_velocity
+from kurbel.drive.at import At
 from kurbel.drive.crank import LONGEST_ROD, RODLESS, Crank, DescribedDrive, radii
 from kurbel.drive.load import FORCE
 from kurbel.errors import ProblemError
 from kurbel.exact.course import Course
-from kurbel.exact.kind import Kind, balls, settled
-from kurbel.exact.numerals import Label, Number, exact_text, number_text
+from kurbel.exact.kind import Kind, balls
+from kurbel.exact.numerals import Label, exact_text
 from kurbel.exact.place import Place
 from kurbel.kernel import slotted as kernel
 from kurbel.kernel.circle import Circle, Numeric, root
 from kurbel.kernel.linkage import half_sine
 from kurbel.kernel.slotted import Lever, Links
-from kurbel.linkage.arc_quantities import headed_entry, sized_entry
 from kurbel.linkage.linkage import (
-    DECIMALS,
     Linkage,
     LinkageDrive,
     LinkageMechanism,
@@ -30,12 +28,14 @@ from kurbel.linkage.linkage import (
     LinkageRequest,
     Outline,
     Point,
+    in_strokes,
     linkage_subject,
     plain_notes,
 )
-from kurbel.motion.entries import OF_ROD, spanned
-from kurbel.motion.evaluation import OUT, RETURN, Needs
+from kurbel.motion.entries import OF_ROD, headed, in_units, measured
+from kurbel.motion.evaluation import OUT
 from kurbel.motion.motion_quantities import FORCES, Force, force_entries, torque_entries
+from kurbel.motion.notes import digits_text
 from kurbel.page.quantity import Formula, Quantity, words
 from kurbel.reading.given import as_number
 from kurbel.reading.notation import about, check_bounds
@@ -135,15 +135,6 @@ class SlottedLever(Linkage):
         """Return φ_i, or for RETURN φ_o - 180°, in degrees within ±90°."""
         return kind.arc(kernel.dead_crank_sine(self.links(stroke, kind), self.swings))
 
-    def lead(self, kind: Kind) -> Numeric:
-        """Return Δ in degrees, by which the crank turns more than 180° during the outstroke."""
-        return self.dead_angle(RETURN, kind) - self.dead_angle(OUT, kind)
-
-    def time_ratio(self, kind: Kind) -> Numeric:
-        """Return the time of the outstroke over that of the return stroke."""
-        more = self.lead(kind)
-        return (180 + more) / (180 - more)
-
     def way(self, kind: Kind) -> Numeric:
         """Return the stroke of the ram in units of R."""
         if self.swings:
@@ -229,31 +220,27 @@ def slotted_registry() -> Mapping[str, Quantity]:
 
 
 def _lever_entries() -> Iterator[Quantity]:
-    yield headed_entry(
-        "lever", "Hebelwinkel|Lever angle", "θ", "°", Formula(_lever_angle, _THETA), "$θ$ in °"
-    )
-    for key, name, letter, unit, formula, scale in (
+    yield headed("lever", "Hebelwinkel|Lever angle", "θ", "°", Formula(_lever_angle, _THETA))
+    for key, name, letter, unit, formula in (
         (
             "lever_velocity", "Winkelgeschwindigkeit des Hebels|Angular velocity of the lever", "ω_B", "ω",
-            Formula(lambda at: at.place.turning, _TURNING, (_Q,)), angular_velocity,
+            Formula(lambda at: at.place.turning, _TURNING, (_Q,)),
         ),
         (
             "lever_acceleration", "Winkelbeschleunigung des Hebels|Angular acceleration of the lever", "ε_B",
-            "ω²", Formula(lambda at: at.place.gain, _GAIN, (_Q,)), angular_square,
+            "ω²", Formula(lambda at: at.place.gain, _GAIN, (_Q,)),
         ),
         (
             "block_velocity", "Gleitgeschwindigkeit des Steins|Rubbing velocity of the block", "w", "v",
-            Formula(lambda at: at.place.slide, "$w/v = (D cos φ)/sqrt(q)$", (_Q,)), Crank.pin_velocity,
+            Formula(lambda at: at.place.slide, "$w/v = (D cos φ)/sqrt(q)$", (_Q,)),
         ),
         (
             "coriolis", "Coriolisbeschleunigung|Acceleration of Coriolis", "p_C", "v²/R",
             Formula(lambda at: kernel.coriolis(at.place), "$(p_C R)/v^2 = 2 ω_B/ω w/v$"),
-            Crank.pin_acceleration,
         ),
         (
             "rod_velocity", "Winkelgeschwindigkeit der Stange|Angular velocity of the rod", "ω_L", "ω",
             _of(kernel.rod_velocity, "$ω_L/ω = (B sin θ)/(L cos σ) ω_B/ω$", (_TURNING, _Q, _THETA, _SIGMA)),
-            angular_velocity,
         ),
         (
             "rod_acceleration", "Winkelbeschleunigung der Stange|Angular acceleration of the rod", "ε_L",
@@ -263,45 +250,27 @@ def _lever_entries() -> Iterator[Quantity]:
                 "$ε_L/ω^2 = B/(L cos σ) (ε_B/ω^2 sin θ + ω_B^2/ω^2 cos θ) + ω_L^2/ω^2 tan σ$",
                 (_TURNING, _GAIN, _Q, _THETA, _SIGMA),
             ),
-            angular_square,
         ),
     ):  # fmt: skip
         turned = OF_ROD if key.startswith("rod") else None
-        heading = f"$({letter} R)/v^2$" if unit == "v²/R" else ""
-        yield headed_entry(key, name, letter, unit, formula, heading, names=(key,), direction=turned)
-        sized = {"ω": "rad/s", "ω²": "rad/s²", "v": "m/s", "v²/R": "m/s²"}[unit]
-        suffix = {"rad/s": "radps", "rad/s²": "radps2", "m/s": "mps", "m/s²": "mps2"}[sized]
-        yield sized_entry(f"{key}_{suffix}", name, letter, sized, formula, scale, direction=turned)
+        yield from in_units(key, name, letter, unit, formula, names=(key,), direction=turned)
 
 
 def _ram_entries() -> Iterator[Quantity]:
-    path = Formula(_path, "$x/R = B (sin θ - sin θ_i) + L (cos σ - cos σ_i)$", (_THETA, _SIGMA))
-    yield headed_entry("path", "Weg|Path", "x", "R", path, names=("path", "x"), rises=True)
-    yield spanned(
-        "path_stroke", "Weg|Path", "$x$", "in Teilen des Hubes|in strokes", "Hub|stroke", DECIMALS,
-        {"exact": Formula(lambda at: _path(at) / at.drive.way(at.numbers), path.printed, path.symbols)},
-        names=("s",), rises=True,
-    )  # fmt: skip
-    yield sized_entry("path_mm", "Weg|Path", "x", "mm", path, Crank.millimetres, needs=Needs.LENGTH)
-    name, velocity = (
-        "Geschwindigkeit|Velocity",
-        _of(kernel.velocity, "$c/v = ω_B/ω B cos(θ + σ)/(cos σ)$", (_TURNING, _Q, _THETA, _SIGMA)),
+    formula = Formula(_path, "$x/R = B (sin θ - sin θ_i) + L (cos σ - cos σ_i)$", (_THETA, _SIGMA))
+    path = headed("path", "Weg|Path", "x", "R", formula, names=("path", "x"), rises=True)
+    yield from (path, in_strokes(path), measured(path))
+    velocity = _of(kernel.velocity, "$c/v = ω_B/ω B cos(θ + σ)/(cos σ)$", (_TURNING, _Q, _THETA, _SIGMA))
+    names = ("velocity", "c")
+    yield from in_units("velocity", "Geschwindigkeit|Velocity", "c", "v", velocity, names=names)
+    acceleration = _of(
+        kernel.acceleration,
+        "$(p R)/v^2 = ε_B/ω^2 B cos(θ + σ)/(cos σ)"
+        " - ω_B^2/ω^2 B (sin(θ + σ)/(cos σ) + (B sin^2 θ)/(L cos^3 σ))$",
+        (_TURNING, _GAIN, _Q, _THETA, _SIGMA),
     )
-    yield headed_entry("velocity", name, "c", "v", velocity, names=("velocity", "c"))
-    yield sized_entry("velocity_mps", name, "c", "m/s", velocity, Crank.pin_velocity)
-    name, acceleration = (
-        "Beschleunigung|Acceleration",
-        _of(
-            kernel.acceleration,
-            "$(p R)/v^2 = ε_B/ω^2 B cos(θ + σ)/(cos σ)"
-            " - ω_B^2/ω^2 B (sin(θ + σ)/(cos σ) + (B sin^2 θ)/(L cos^3 σ))$",
-            (_TURNING, _GAIN, _Q, _THETA, _SIGMA),
-        ),
-    )
-    yield headed_entry(
-        "acceleration", name, "p", "v²/R", acceleration, "$(p R)/v^2$", names=("acceleration", "p")
-    )
-    yield sized_entry("acceleration_mps2", name, "p", "m/s²", acceleration, Crank.pin_acceleration)
+    names = ("acceleration", "p")
+    yield from in_units("acceleration", "Beschleunigung|Acceleration", "p", "v²/R", acceleration, names=names)
 
 
 _FORCES: Mapping[str, tuple[Force, Formula]] = {
@@ -403,19 +372,11 @@ def _notes(question: LinkageRequest) -> Iterator[Label]:
     for drive in question.drives:
         yield LINE[question.lang].format(
             lengths=", ".join(MECHANISM.lengths(drive)),
-            inner=_digits(partial(drive.dead_angle, OUT), 3),
-            outer=_digits(partial(_outer, drive), 3),
-            stroke=_digits(drive.way, 4),
-            times=_digits(drive.time_ratio, 4),
+            inner=digits_text(drive.inner, 3),
+            outer=digits_text(drive.outer, 3),
+            stroke=digits_text(drive.way, 4),
+            times=digits_text(drive.time_ratio, 4),
         )
-
-
-def _outer(drive: SlottedLever, kind: Kind) -> Numeric:
-    return drive.dead_angle(RETURN, kind) + 180
-
-
-def _digits(value: Callable[[Kind], Numeric], decimals: int) -> str:
-    return number_text(Number(settled(value, decimals), decimals))
 
 
 SUBJECT = linkage_subject(

@@ -8,18 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cache
 from typing import Any
 
 from kurbel.drive.crank import RODLESS, Crank, DescribedDrive
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
-from kurbel.kernel.circle import Circle, Numeric
+from kurbel.kernel.circle import Circle
 from kurbel.kernel.linkage import Place
-from kurbel.linkage.arc_quantities import headed_entry, sized_entry
 from kurbel.linkage.linkage import (
-    DECIMALS,
     Linkage,
     LinkageMechanism,
     LinkagePosition,
@@ -27,11 +24,11 @@ from kurbel.linkage.linkage import (
     Point,
     force_entries,
     force_formula,
+    in_strokes,
     linkage_subject,
     plain_notes,
 )
-from kurbel.motion.entries import spanned
-from kurbel.motion.evaluation import Needs
+from kurbel.motion.entries import headed, in_units, measured
 from kurbel.page.quantity import Formula, Quantity, words
 
 # In units of R: half the slot, and the rod of the yoke.
@@ -48,22 +45,6 @@ class Yoke(Linkage):
     def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
         nothing, (sine, cosine, way) = circle.sine * 0, (circle.sine, circle.cosine, circle.versine)
         return Place(way, way, nothing, nothing, nothing + 1, sine, cosine, sine)
-
-    def dead_angle(self, stroke: int, kind: Kind) -> Numeric:
-        """Return φ_i, or of the return φ_o - 180°, in degrees: 0."""
-        return kind.of(Fraction(0))
-
-    def lead(self, kind: Kind) -> Numeric:
-        """Return by how many degrees the outstroke is longer than half a turn: 0."""
-        return kind.of(Fraction(0))
-
-    def way(self, kind: Kind) -> Numeric:
-        """Return the stroke in units of R."""
-        return kind.of(Fraction(2))
-
-    def least_transmission(self, kind: Kind) -> Numeric:
-        """Return the angle in degrees between the slot and the way of the yoke."""
-        return kind.of(Fraction(90))
 
     def outline(self) -> Outline:
         return Outline(TITLE, ((0, 0),), -1, 1 + ROD, _stand)
@@ -87,33 +68,26 @@ def yoke_registry() -> Mapping[str, Quantity]:
 
 
 def _motion() -> Iterator[Quantity]:
-    path = Formula(lambda at: at.place.along, "$x/R = 1 - cos φ$")
-    yield headed_entry("path", "Weg|Path", "x", "R", path, names=("path", "x"))
-    yield spanned(
-        "path_stroke", "Weg|Path", "$x$", "in Teilen des Hubes|in strokes", "Hub|stroke", DECIMALS,
-        {"exact": path}, names=("s",), scale=lambda crank, numbers: numbers.of(Fraction(1, 2)),
+    path = headed(
+        "path", "Weg|Path", "x", "R", Formula(lambda at: at.place.along, "$x/R = 1 - cos φ$"),
+        names=("path", "x"),
     )  # fmt: skip
-    yield sized_entry("path_mm", "Weg|Path", "x", "mm", path, Crank.millimetres, needs=Needs.LENGTH)
-    for key, name, letter, formula in (
+    yield from (path, in_strokes(path), measured(path))
+    for key, name, letter, unit, formula in (
         (
-            "velocity", "Geschwindigkeit|Velocity", "c",
+            "velocity", "Geschwindigkeit|Velocity", "c", "v",
             Formula(lambda at: at.place.velocity, "$c/v = sin φ$"),
         ),
         (
-            "slot_velocity", "Gleitgeschwindigkeit im Schlitz|Rubbing velocity in the slot", "w",
+            "slot_velocity", "Gleitgeschwindigkeit im Schlitz|Rubbing velocity in the slot", "w", "v",
             Formula(lambda at: at.place.cosine, "$w/v = cos φ$"),
         ),
+        (
+            "acceleration", "Beschleunigung|Acceleration", "p", "v²/R",
+            Formula(lambda at: at.place.cosine, "$(p R)/v^2 = cos φ$"),
+        ),
     ):  # fmt: skip
-        yield headed_entry(key, name, letter, "v", formula, names=(key, letter))
-        yield sized_entry(f"{key}_mps", name, letter, "m/s", formula, Crank.pin_velocity)
-    name, acceleration = (
-        "Beschleunigung|Acceleration",
-        Formula(lambda at: at.place.cosine, "$(p R)/v^2 = cos φ$"),
-    )
-    yield headed_entry(
-        "acceleration", name, "p", "v²/R", acceleration, "$(p R)/v^2$", names=("acceleration", "p")
-    )
-    yield sized_entry("acceleration_mps2", name, "p", "m/s²", acceleration, Crank.pin_acceleration)
+        yield from in_units(key, name, letter, unit, formula, names=(key, letter))
 
 
 SUBJECT = linkage_subject(

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 from kurbel.drive.at import At, angular_square, angular_velocity, rubbing, turn_time, turned
 from kurbel.drive.crank import Crank
@@ -203,39 +203,26 @@ def motion_entries() -> Iterator[Quantity]:
 def _piston_entries() -> Iterator[Quantity]:
     path, velocity = "Kolbenweg|Piston path", "Kolbengeschwindigkeit|Piston velocity"
     acceleration = "Kolbenbeschleunigung|Piston acceleration"
-    yield spanned("x", path, "$x$", "$x/R$", "$R$", 4, PATH, names=("x",), rises=True)
+    whole = headed("x", path, "x", "R", PATH, names=("x",), rises=True)
+    yield whole
     yield spanned(
         "x_stroke", path, "$x$", "in Teilen des Hubes|in strokes", "Hub|stroke", 4, PATH,
-        scale=lambda crank, numbers: 1 / crank.stroke(numbers), names=("s",), rises=True,
+        scale=lambda crank, numbers: 1 / crank.way(numbers), names=("s",), rises=True,
     )  # fmt: skip
     yield spanned(
         "x_percent", path, "$x$", "in % des Hubes|in % of stroke", "% des Hubes|% of the stroke", 2, PATH,
-        scale=lambda crank, numbers: 100 / crank.stroke(numbers),
+        scale=lambda crank, numbers: 100 / crank.way(numbers),
     )  # fmt: skip
-    yield spanned(
-        "x_mm", path, "$x$", "$x$ in mm", "mm", 2, PATH, scale=Crank.millimetres, needs=(Needs.LENGTH,)
-    )
+    yield measured(whole)
     yield from _rod_versine_entries()
-    yield spanned("c", velocity, "$c$", "$c/v$", "$v$", 4, VELOCITY, names=("c",))
-    yield spanned(
-        "c_mps", velocity, "$c$", "$c$ in m/s", "m/s", 3, VELOCITY, scale=Crank.pin_velocity,
-        needs=(Needs.SPEED,),
-    )  # fmt: skip
-    yield spanned("p", acceleration, "$p$", "$(p R)/v^2$", "$v^2/R$", 4, ACCELERATION, names=("p",))
-    yield spanned(
-        "p_mps2", acceleration, "$p$", "$p$ in m/s²", "m/s²", 2, ACCELERATION, scale=Crank.pin_acceleration,
-        needs=(Needs.SPEED,),
-    )  # fmt: skip
+    yield from in_units("c", velocity, "c", "v", VELOCITY, names=("c",))
+    yield from in_units("p", acceleration, "p", "v²/R", ACCELERATION, names=("p",))
 
 
 def _rod_versine_entries() -> Iterator[Quantity]:
     """Yield what the rod's slant adds to the path of the outstroke, and takes from that of the return."""
     name, symbol = "Fehlerglied|Obliquity of the rod", "$overline(f d)$"
-    yield spanned("fd", name, symbol, "$overline(f d)/R$", "$R$", 4, ROD_VERSINE, names=("fd",))
-    yield spanned(
-        "fd_mm", name, symbol, "$overline(f d)$ in mm", "mm", 2, ROD_VERSINE, scale=Crank.millimetres,
-        needs=(Needs.LENGTH,),
-    )  # fmt: skip
+    yield from in_units("fd", name, "overline(f d)", "R", ROD_VERSINE, names=("fd",))
     for key, head, unit, decimals, times in (
         ("fd_stroke", "in Teilen des Hubes|in strokes", "Hub|stroke", 4, 1),
         ("fd_percent", "in % des Hubes|in % of stroke", "% des Hubes|% of the stroke", 2, 100),
@@ -245,7 +232,7 @@ def _rod_versine_entries() -> Iterator[Quantity]:
 
 
 def _of_stroke(times: int, crank: Crank, numbers: Any) -> Numeric:
-    return times / crank.stroke(numbers)
+    return times / crank.way(numbers)
 
 
 def _rod_entries() -> Iterator[Quantity]:
@@ -253,23 +240,19 @@ def _rod_entries() -> Iterator[Quantity]:
         "psi", "Schubstangenwinkel|Rod angle", "$ψ$", "$ψ$ in °", "°", 3, ROD_ANGLE,
         bound=60.0, names=("psi", "ψ"),
     )  # fmt: skip
-    for key, name, letter, unit, formulas, scale in (
+    for key, name, letter, unit, formulas in (
         (
             "rod_velocity", "Winkelgeschwindigkeit der Stange|Angular velocity of the rod", "ω_L", "ω",
-            ROD_VELOCITY, angular_velocity,
+            ROD_VELOCITY,
         ),
         (
             "rod_acceleration", "Winkelbeschleunigung der Stange|Angular acceleration of the rod", "ε_L",
-            "ω²", ROD_ACCELERATION, angular_square,
+            "ω²", ROD_ACCELERATION,
         ),
     ):  # fmt: skip
-        symbol, power, radians = f"${letter}$", "2" * unit.endswith("²"), unit.replace("ω", "rad/s")
         share = f"${letter}/{unit.replace('²', '^2')}$"
-        yield spanned(key, name, symbol, share, unit, 4, formulas, names=(key,), direction=OF_ROD)
-        yield spanned(
-            f"{key}_radps{power}", name, symbol, f"{symbol} in {radians}", radians, 3, formulas, scale=scale,
-            needs=(Needs.SPEED,), direction=OF_ROD,
-        )  # fmt: skip
+        one = spanned(key, name, f"${letter}$", share, unit, 4, formulas, names=(key,), direction=OF_ROD)
+        yield from (one, measured(one))
 
 
 def _clock_entries() -> Iterator[Quantity]:
@@ -310,13 +293,8 @@ def _rubbing_entries() -> Iterator[Quantity]:
             f"{pin}_rubbing_mps", name, f"${letter}$", f"${letter}$ in m/s", "m/s", 3, formulas,
             scale=partial(rubbing, pin), needs=(_diameter(pin), Needs.SPEED), direction=OF_ROD,
         )  # fmt: skip
-    along = partial(spanned, name="Geschwindigkeit längs der Stange|Velocity along the rod", symbol="$c_L$")
-    along = partial(along, formulas=ROD_ALONG, direction=OF_ALONG)
-    yield along("rod_along", heading="$c_L/v$", unit="$v$", decimals=4)
-    yield along(
-        "rod_along_mps", heading="$c_L$ in m/s", unit="m/s", decimals=3, scale=Crank.pin_velocity,
-        needs=(Needs.SPEED,),
-    )  # fmt: skip
+    name = "Geschwindigkeit längs der Stange|Velocity along the rod"
+    yield from in_units("rod_along", name, "c_L", "v", ROD_ALONG, direction=OF_ALONG)
     yield spanned(
         "slowest_point", "langsamster Punkt der Stange|Slowest point of the rod", "$s_L$", "$s_L/L$", "$L$",
         4, SLOWEST, direction=OF_SLOWEST, exists=lambda at: _of_end(at, ROD_VELOCITY) ** 2,
@@ -375,6 +353,58 @@ def spanned(
 ) -> Quantity:  # fmt: skip
     """Return an entry that stands under its name."""
     return entry(key, name, symbol, unit, decimals, formulas, heading, spanners=(words(name),), **rest)
+
+
+def headed(
+    key: str, name: str, letter: str, unit: str, formulas: Formulas | Formula, **rest: Any
+) -> Quantity:
+    """Return an entry in degrees or in a unit of the drive's own, of which its head is a share."""
+    if isinstance(formulas, Formula):
+        formulas = {"exact": formulas}
+    if unit == "°":
+        return spanned(key, name, f"${letter}$", "", unit, 3, formulas, **rest)
+    own = unit.replace("²", "^2")
+    share = f"({letter} R)/v^2" if unit == "v²/R" else f"{letter}/{own}"
+    return spanned(key, name, f"${letter}$", f"${share}$", f"${own}$", 4, formulas, **rest)
+
+
+class Measure(NamedTuple):
+    """What the size or the speed of the crank makes of a unit of the drive's own."""
+
+    unit: str
+    decimals: int
+    scale: Callable[..., Numeric]
+    need: Need
+
+
+_MEASURES: Mapping[str, Measure] = {
+    "R": Measure("mm", 2, Crank.millimetres, Needs.LENGTH),
+    "v": Measure("m/s", 3, Crank.pin_velocity, Needs.SPEED),
+    "v²/R": Measure("m/s²", 2, Crank.pin_acceleration, Needs.SPEED),
+    "ω": Measure("rad/s", 3, angular_velocity, Needs.SPEED),
+    "ω²": Measure("rad/s²", 3, angular_square, Needs.SPEED),
+}
+
+
+def measured(share: Quantity) -> Quantity:
+    """Return a quantity in the unit that the crank makes of its own: x_mm of x."""
+    own = _MEASURES[share.unit["en"].strip("$").replace("^2", "²")]
+    return share._replace(
+        key=f"{share.key}_{own.unit.replace('/', 'p').replace('²', '2')}",
+        unit=words(own.unit),
+        heading=words(f"{share.symbol} in {own.unit}"),
+        decimals=own.decimals,
+        scale=own.scale,
+        needs=(own.need,),
+        names=(),
+        rises=False,
+    )
+
+
+def in_units(*said: Any, **rest: Any) -> Iterator[Quantity]:
+    """Yield a quantity in the drive's own unit, as `headed` takes it, and in that which the crank makes."""
+    one = headed(*said, **rest)
+    yield from (one, measured(one))
 
 
 def on_strokes(one: Quantity) -> Iterator[Quantity]:

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
-from kurbel.drive.moved import Drive
+from kurbel.drive.moved import DeadCentres
 from kurbel.exact.bulk import Integers, evaluate
 from kurbel.exact.enclosure import ENCLOSURES, UNIT, Enclosure, half_turn_circle, is_worth, settled
 from kurbel.exact.enclosure import column as enclosed_column
@@ -75,9 +75,9 @@ def _of_ratio(quantity: Quantity, method: str) -> Callable[[Numeric, Numeric], N
 PROBES = 1024
 # Half turns and their denominator are floats, and so is a sum of some of them.
 LARGEST_NUMERATOR = 2**50
-# With the rod steeper than that, |sin ψ|, numbers may grow between two probes by more than a million times,
-# for which integers of 64 bits have room.
-STEEPEST, LEAST_TRANSMISSION = Fraction(9999, 10000), 1.0
+# With a rod that comes nearer to the square of its guide, in degrees, numbers may grow between two probes by
+# more than a million times, for which integers of 64 bits have room.
+LEAST_TRANSMISSION = 1.0
 
 
 class Angle(Enclosure):
@@ -236,11 +236,8 @@ class AngleColumns(LongColumns):
         return self.question.value(one, place, places.angle.circle, ENCLOSURES)
 
 
-def _is_steep(drive: Drive) -> bool:
-    if hasattr(drive, "least_transmission"):
-        return bool(drive.least_transmission(floats()) < LEAST_TRANSMISSION)
-    crank: Crank = drive.crank
-    return crank.ratio * (1 + abs(crank.offset)) > STEEPEST
+def _is_steep(drive: DeadCentres) -> bool:
+    return bool(drive.least_transmission(floats()) < LEAST_TRANSMISSION)
 
 
 class LongRows(RecordRows):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import partial
 from math import isqrt
 
 from kurbel.drive.at import known
@@ -14,7 +13,6 @@ from kurbel.drive.rod import STANDARD_GRAVITY, MovingMasses, Rod, Slope
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number, finite_decimals, nearest, number_text
 from kurbel.kernel.circle import Numeric, root
-from kurbel.motion.evaluation import OUT, RETURN
 from kurbel.page.quantity import Words, texts
 from kurbel.reading.amounts import amount, unit_of_page
 from kurbel.reading.notation import ratio_text
@@ -117,15 +115,12 @@ def turns_label(speed: Speed) -> Label:
 
 
 def _offset(crank: Crank, lang: str) -> Label:
-    def outer(numbers: Kind) -> Numeric:
-        return crank.dead_angle(RETURN, numbers) + 180
-
     return WORDS["offset"][lang].format(
         offset=figure(crank.offset),
         ratio=ratio_text(crank.ratio),
-        inner=digits_text(partial(crank.dead_angle, OUT), 3),
-        outer=digits_text(outer, 3),
-        stroke=digits_text(crank.stroke, 4),
+        inner=digits_text(crank.inner, 3),
+        outer=digits_text(crank.outer, 3),
+        stroke=digits_text(crank.way, 4),
     )
 
 

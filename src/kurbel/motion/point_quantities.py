@@ -13,15 +13,16 @@ from kurbel.drive.crank import Crank
 from kurbel.drive.moved import Drive
 from kurbel.exact.certify import GUARD_BITS, NEVER_TIES, at_bits, ball_degrees, rounded
 from kurbel.exact.kind import Kind, balls, settled
-from kurbel.exact.numerals import Label, nearest
+from kurbel.exact.numerals import nearest
 from kurbel.exact.terms import vanishes
 from kurbel.kernel import coupler as kernel
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.coupler import Point, Reach, Rod, Vector, amount, first_order_reach, slide_reach, slide_rod
-from kurbel.motion.evaluation import OFFSET, Needs
+from kurbel.motion.entries import headed, in_units
+from kurbel.motion.evaluation import OFFSET
 from kurbel.motion.points import RodPoint
-from kurbel.page.quantity import Formula, Quantity, entry, words
+from kurbel.page.quantity import Formula, Quantity, words
 
 # What quantities are of that tell a direction, or the amount of a vector.
 DIRECTION, AMOUNT = "direction", "amount"
@@ -63,18 +64,13 @@ _AMOUNT, _DIRECTION = words("Betrag|magnitude"), words("Richtung|direction")
 
 
 class _Kind(NamedTuple):
-    """A vector of the point: its key, name, letters along and across, unit and its heading, what makes the
-    other unit of it, and its formulas along and across, of the straight and of the offset crank; those of a
-    point beside the axis have a further term."""
+    """A vector of the point: its key, name, letters along and across and unit, and its formulas along and
+    across, of the straight and of the offset crank; those of a point beside the axis have a further term."""
 
     key: str
     name: str
     letters: tuple[str, str]
     unit: str
-    share: str
-    measured: str
-    decimals: int
-    scale: Callable[..., Numeric]
     of: Vectorial
     along: tuple[str, str, str, str]
     across: tuple[str, str, str, str]
@@ -82,7 +78,7 @@ class _Kind(NamedTuple):
 
 _VECTORS = (
     _Kind(
-        "path", "Weg|Path", ("ξ", "η"), "R", "{}/R", "mm", 2, Crank.millimetres, path,
+        "path", "Weg|Path", ("ξ", "η"), "R", path,
         (
             "ξ/R = (1 - s) x/R + s (1 - cos φ)", " - t sin φ",
             "ξ/R = (1 - s) x/R + s (cos φ_i - cos φ)", " - t (sin φ - sin φ_i)",
@@ -90,22 +86,19 @@ _VECTORS = (
         ("η/R = s sin φ", " + t (cos ψ)/λ", "η/R = (1 - s) e/R + s sin φ", " + t (cos ψ)/λ"),
     ),
     _Kind(
-        "velocity", "Geschwindigkeit|Velocity", ("c_ξ", "c_η"), "v", "{}/v", "m/s", 3, Crank.pin_velocity,
-        velocity,
+        "velocity", "Geschwindigkeit|Velocity", ("c_ξ", "c_η"), "v", velocity,
         2 * ("c_ξ/v = (1 - s) c/v + s sin φ", " - t cos φ"),
         2 * ("c_η/v = s cos φ", " + t (sin φ - c/v)"),
     ),
     _Kind(
-        "acceleration", "Beschleunigung|Acceleration", ("p_ξ", "p_η"), "v^2/R", "({} R)/v^2", "m/s²", 2,
-        Crank.pin_acceleration, acceleration,
+        "acceleration", "Beschleunigung|Acceleration", ("p_ξ", "p_η"), "v²/R",
+        acceleration,
         2 * ("(p_ξ R)/v^2 = (1 - s) (p R)/v^2 + s cos φ", " + t sin φ"),
         2 * ("(p_η R)/v^2 = -s sin φ", " + t (cos φ - (p R)/v^2)"),
     ),
 )  # fmt: skip
 # What the keys of formulas have at their end that are printed of points beside the axis.
 BESIDE = " beside"
-DECIMALS, ANGLE_DECIMALS = 4, 3
-_ENDINGS = {"mm": "mm", "m/s": "mps", "m/s²": "mps2"}
 
 
 @cache
@@ -131,12 +124,12 @@ def parts_of(quantity: Quantity) -> tuple[str, ...]:
 
 
 def _components(one: _Kind) -> list[Quantity]:
-    found = []
+    found: list[Quantity] = []
     for part, direction, letter, printed in zip(
         Vector._fields, (ALONG, ACROSS), one.letters, (one.along, one.across), strict=True
     ):
         formulas = _formulas(_part(one.of, part), printed)
-        found += _in_units(one, f"{one.key}_{part}", letter, formulas, direction)
+        found += in_units(f"{one.key}_{part}", one.name, letter, one.unit, formulas, part=direction)
     return found
 
 
@@ -157,12 +150,10 @@ def _amounts(one: _Kind) -> list[Quantity]:
 
     printed = f"{letter} = sqrt({along}^2 + {across}^2)"
     towards = f"tan {turn} = -{across}/{along}"
-    found = _in_units(one, one.key, letter, _formulas(whole, 2 * (printed, "")), _AMOUNT, of=AMOUNT)
-    angle = entry(
-        f"{one.key}_direction", one.name, f"${turn}$", "°", ANGLE_DECIMALS,
-        _formulas(direction, 2 * (towards, "")), f"${turn}$ in °",
-        spanners=(words(one.name),), part=_DIRECTION, of=DIRECTION,
-    )  # fmt: skip
+    amounts = _formulas(whole, 2 * (printed, ""))
+    found = in_units(one.key, one.name, letter, one.unit, amounts, part=_AMOUNT, of=AMOUNT)
+    angles, key = _formulas(direction, 2 * (towards, "")), f"{one.key}_direction"
+    angle = headed(key, one.name, turn, "°", angles, part=_DIRECTION, of=DIRECTION)
     return [*found, angle]
 
 
@@ -175,25 +166,6 @@ def _formulas(call: Callable[[At], Numeric], printed: tuple[str, str, str, str])
         "exact" + BESIDE: Formula(call, f"${straight}{further}$"),
         OFFSET + BESIDE: Formula(call, f"${offset}{more}$"),
     }
-
-
-def _in_units(
-    one: _Kind, key: str, letter: str, formulas: Mapping[str, Formula], part: Mapping[str, str], of: str = ""
-) -> list[Quantity]:
-    symbol, spanners = f"${letter}$", (words(one.name),)
-    share: Label = f"${one.share.format(letter)}$"
-    needs = Needs.LENGTH if one.measured == "mm" else Needs.SPEED
-    return [
-        entry(
-            key, one.name, symbol, f"${one.unit}$", DECIMALS, formulas, share,
-            spanners=spanners, part=part, of=of,
-        ),
-        entry(
-            f"{key}_{_ENDINGS[one.measured]}", one.name, symbol, one.measured, one.decimals, formulas,
-            f"{symbol} in {one.measured}", spanners=spanners, part=part, of=of, scale=one.scale,
-            needs=(needs,),
-        ),
-    ]  # fmt: skip
 
 
 # What makes a vector on a kind of number.

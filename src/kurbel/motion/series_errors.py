@@ -22,7 +22,6 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any, NamedTuple
 
-from kurbel.drive.crank import Crank
 from kurbel.exact.certify import at_bits, half_turn_circle
 from kurbel.exact.kind import Kind, balls, floats, settled
 from kurbel.exact.numerals import Label, Number, figures, nearest
@@ -30,11 +29,11 @@ from kurbel.exact.search import Zero, ball_jets, slopes
 from kurbel.kernel import kinematics, series
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.series import terms_of, versine_term
-from kurbel.motion.evaluation import Needs
+from kurbel.motion.entries import in_units
 from kurbel.motion.motion_page import CrankQuestion
 from kurbel.motion.notes import drive_notes
 from kurbel.page.axes import ColumnAxis, ListAxis, Place, RatioAxis
-from kurbel.page.quantity import Column, Formula, Need, Quantity, entry, filled, for_ratio, texts, words
+from kurbel.page.quantity import Column, Formula, Quantity, entry, filled, for_ratio, texts, words
 from kurbel.page.subject import Subject
 from kurbel.page.table import Field
 
@@ -98,29 +97,18 @@ WORDS = texts("motion")["series_errors"]
 
 
 class ErringQuantity(NamedTuple):
-    """What errs: its letter, name, share and unit, and the same in a unit of its own, with its scale."""
+    """What errs: its letter, name and unit."""
 
     letter: str
     name: str
-    share: str
-    of: str
     unit: str
-    ending: str
-    needs: Need
-    scale: Callable[[Crank, Kind], Numeric]
 
 
 ERRING = (
-    ErringQuantity("x", "Kolbenweg|Piston path", "x/R", "R", "mm", "mm", Needs.LENGTH, Crank.millimetres),
-    ErringQuantity(
-        "c", "Kolbengeschwindigkeit|Piston velocity", "c/v", "v", "m/s", "mps", Needs.SPEED,
-        Crank.pin_velocity,
-    ),
-    ErringQuantity(
-        "p", "Kolbenbeschleunigung|Piston acceleration", "(p R)/v^2", "v^2/R", "m/s²", "mps2", Needs.SPEED,
-        Crank.pin_acceleration,
-    ),
-)  # fmt: skip
+    ErringQuantity("x", "Kolbenweg|Piston path", "R"),
+    ErringQuantity("c", "Kolbengeschwindigkeit|Piston velocity", "v"),
+    ErringQuantity("p", "Kolbenbeschleunigung|Piston acceleration", "v²/R"),
+)
 _ERROR = ("{}: größter Fehler", "{}: greatest error")
 _AT = ("{}: größter Fehler bei φ", "{}: greatest error at φ")
 
@@ -132,13 +120,10 @@ def error_columns() -> Mapping[str, Quantity]:
 
 
 def _entries(one: ErringQuantity) -> Iterator[Quantity]:
-    symbol, formulas, heads = f"${one.letter}$", {"exact": Formula(_of(one.letter))}, (words(one.name),)
+    formulas, heads = {"exact": Formula(_of(one.letter))}, (words(one.name),)
     key, error = f"error_{one.letter}", _named(one, _ERROR)
-    yield entry(key, error, symbol, f"${one.of}$", None, formulas, f"${one.share}$", spanners=heads)
-    yield entry(
-        f"{key}_{one.ending}", error, symbol, one.unit, None, formulas, spanners=heads, scale=one.scale,
-        needs=(one.needs,),
-    )  # fmt: skip
+    for own in in_units(key, error, one.letter, one.unit, formulas):
+        yield own._replace(decimals=None, spanners=heads)
     where = {"exact": Formula(_where(one.letter))}
     yield entry(
         f"{key}_phi", _named(one, _AT), "$φ$", "°", DEGREE_DECIMALS, where, "bei $φ$|at $φ$", spanners=heads,
