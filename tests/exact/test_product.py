@@ -10,6 +10,7 @@ from mpmath import mp, mpf
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Number, number_text
 from kurbel.exact.real import Product
+from kurbel.kernel.circle import Numeric
 
 F = Fraction
 
@@ -64,11 +65,10 @@ def test_without_decimals_a_number_has_five_figures_and_a_short_one_its_own() ->
 
 
 def test_an_algebraic_number_is_rational_where_that_is_proved() -> None:
-    def of(kind: Kind) -> object:
+    def of(kind: Kind) -> Numeric:
         # √2 √8 + 1/3 = 13/3, by no rule of products.
-        return kind.of(F(2)) ** kind.exponent(F(1, 2)) * kind.of(F(8)) ** kind.exponent(F(1, 2)) + kind.of(
-            F(1, 3)
-        )
+        half = kind.exponent(F(1, 2))
+        return kind.of(F(2)) ** half * kind.of(F(8)) ** half + kind.of(F(1, 3))
 
     assert Product.reduced(of).rational == F(13, 3)
     near = Product.reduced(lambda kind: kind.of(F(13, 3) + F(1, 10**40)))

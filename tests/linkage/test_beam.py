@@ -68,14 +68,15 @@ def test_floats_and_arrays_keep_their_digits(drive: Drive) -> None:
     # Newton's method rises from below towards the root of a concave function.
     square = 1.0
     for _ in range(20):
-        square -= kernel.closure(square, arm, ratio) / kernel.closure_slope(square, arm, ratio)
+        square -= float(kernel.closure(square, arm, ratio) / kernel.closure_slope(square, arm, ratio))
     sides = np.array([ratio, -ratio])
-    slants = np.degrees(np.arcsin(kernel.lean_sine(square, arm, sides)))
-    paths = 2 * arm * np.arctan(kernel.swing_tangent(square, arm, sides))
+    slants = np.degrees(np.arcsin(np.asarray(kernel.lean_sine(square, arm, sides))))
+    paths = 2 * arm * np.arctan(np.asarray(kernel.swing_tangent(square, arm, sides)))
     for keys, values in ((("mu", "nu"), slants), (("path_1", "path_2"), paths)):
         np.testing.assert_allclose(values, [float(found[key]) for key in keys], rtol=1e-14, atol=0)
     for formula in (kernel.lean_sine, kernel.swing_tangent):
-        assert [formula(square, arm, one) for one in (ratio, -ratio)] == list(formula(square, arm, sides))
+        alone = [formula(square, arm, one) for one in (ratio, -ratio)]
+        assert alone == np.asarray(formula(square, arm, sides)).tolist()
 
 
 def test_long_beams_and_rods_need_no_exact_geometry() -> None:

@@ -186,7 +186,7 @@ class LineAxis(OrderAxis):
         order = self._things[place["order"]]
         return self.key_of_all if order is None else Number(order, 0)
 
-    def stub(self, place: Place) -> Any:
+    def stub(self, place: Place) -> Number | Label:
         order = self._things[place["order"]]
         return self.all if order is None else Number(order, 0)
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from math import inf
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import flint
 
@@ -19,11 +19,12 @@ from kurbel.balancing import harmonics
 from kurbel.drive.at import known
 from kurbel.drive.crank import LARGEST_ANGLE, Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import NEVER_TIES, at_bits, rounded
+from kurbel.exact.certify import NEVER_TIES, at_bits, ball, rounded
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Number
 from kurbel.exact.real import Known, Real
 from kurbel.kernel import harmonics as of_kernel
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.harmonics import Star
 from kurbel.reading.notation import about, check_bounds
 
@@ -213,7 +214,7 @@ class Length(NamedTuple):
     """A magnitude of the residual: whether it is 0, its ball, and whether it is a rational number > 0."""
 
     vanishes: Callable[[Residual], bool]
-    value: Callable[[Residual, Kind], Any]
+    value: Callable[[Residual, Kind], Numeric]
     equals: Callable[[Residual, Fraction], bool]
 
 
@@ -225,7 +226,7 @@ def _magnitude(star_of: Callable[[Residual], Star]) -> Length:
     )
 
 
-def _length(star: Star, kind: Kind) -> Any:
+def _length(star: Star, kind: Kind) -> Numeric:
     # A ball around 0 has no root.
     if star.vanishes():
         return kind.of(Fraction(0))
@@ -241,7 +242,7 @@ def _half_axis(sign: int) -> Length:
             return residual.forward.vanishes() and residual.backward.vanishes()
         return (residual.forward.square() - residual.backward.square()).vanishes()
 
-    def value(residual: Residual, kind: Kind) -> Any:
+    def value(residual: Residual, kind: Kind) -> Numeric:
         return abs(_length(residual.forward, kind) + sign * _length(residual.backward, kind))
 
     def equals(residual: Residual, length: Fraction) -> bool:
@@ -261,7 +262,7 @@ def _sign(star: Star) -> int:
     kind, bits = balls(), flint.ctx.prec
     while True:
         with at_bits(bits):
-            x, _ = star.point(kind.circle, kind.of)
+            x = ball(star.point(kind.circle, kind.of)[0])
         if not x.contains(0):
             return 1 if x > 0 else -1
         bits *= 2

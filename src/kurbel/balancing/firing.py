@@ -229,7 +229,7 @@ class FiringCylinder(NamedTuple):
     interval: Fraction
 
 
-def _angle(key: str, name: str, heading: str, kernel: Callable[[Any], Any]) -> Quantity:
+def _angle(key: str, name: str, heading: str, kernel: Callable[[Any], object]) -> Quantity:
     return entry(key, name, "", "°", None, {"exact": Formula(kernel)}, heading)
 
 

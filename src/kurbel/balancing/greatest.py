@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property, lru_cache, partial
 from math import acosh, ceil, inf, log
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import flint
 from flint import arb, arb_series
@@ -41,7 +41,6 @@ from kurbel.exact.kind import balls
 from kurbel.exact.numerals import Label, Number
 from kurbel.exact.real import EXACT_ZERO, Real
 from kurbel.exact.search import SHARP_BITS, Summit, Zero, isolate
-from kurbel.kernel.circle import Numeric
 from kurbel.kernel.harmonics import Star
 from kurbel.page.axes import Place
 from kurbel.page.quantity import Column, Formula, Quantity, entry
@@ -56,7 +55,7 @@ class Wave(NamedTuple):
 
     order: int
     residual: Residual
-    factor: Callable[[], Numeric]
+    factor: Callable[[], arb]
 
 
 class Slide(NamedTuple):
@@ -112,14 +111,14 @@ def _parts(curve: Curve, bits: int) -> tuple[tuple[Parts, ...], list[arb]]:
     return tuple(map(_on_balls, waves)), _tail(curve, last, width)
 
 
-def _harmonic(order: int, ratio: Fraction) -> Callable[[], Numeric]:
-    return lambda: HARMONICS["p"].value(order, ball(ratio))
+def _harmonic(order: int, ratio: Fraction) -> Callable[[], arb]:
+    return lambda: ball(HARMONICS["p"].value(order, ball(ratio)))
 
 
 def _on_balls(wave: Wave) -> Parts:
     size = wave.factor()
-    f_x, f_y = wave.residual.forward.point(ball_circle, ball)
-    b_x, b_y = wave.residual.backward.point(ball_circle, ball)
+    f_x, f_y = map(ball, wave.residual.forward.point(ball_circle, ball))
+    b_x, b_y = map(ball, wave.residual.backward.point(ball_circle, ball))
     return Parts(
         wave.order,
         ((f_x + b_x) * size, (f_y + b_y) * size),
@@ -166,7 +165,7 @@ def slides_of(arrangement: Arrangement, residual: str) -> tuple[Slide, ...]:
     return tuple(Slide(turned, star) for turned, star in sorted(stars.items()) if not star.vanishes())
 
 
-def left(residuals: Sequence[tuple[int, Residual, Callable[[], Numeric]]]) -> tuple[Wave, ...]:
+def left(residuals: Sequence[tuple[int, Residual, Callable[[], arb]]]) -> tuple[Wave, ...]:
     """Return the orders that do not vanish."""
     return tuple(
         Wave(order, residual, factor)
@@ -297,7 +296,7 @@ class ExtremesRequest(BalanceRequest):
         return (*self.orders, None)
 
     @cached_property
-    def curve(self) -> Any:
+    def curve(self) -> Callable[[str, int], Curve]:
         """Return the curve of all orders together of a residual at a ratio, each found once."""
         return cache(self._curve)
 
@@ -316,12 +315,12 @@ class ExtremesRequest(BalanceRequest):
         return Curve(waves, slides_of(self.placed, key) if exact else (), crank.ratio)
 
     @cached_property
-    def greatest(self) -> Any:
+    def greatest(self) -> Callable[[str, int], Greatest]:
         return cache(lambda key, ratio: greatest(self.curve(key, ratio)))
 
 
-def _scaled(scale: Real) -> Any:
-    return scale.on(balls())
+def _scaled(scale: Real) -> arb:
+    return ball(scale.on(balls()))
 
 
 def _number(question: ExtremesRequest, column: Column, place: Place, times: int) -> Number | None:
@@ -358,7 +357,7 @@ def _of_order(
 
 
 def _of_all(question: ExtremesRequest, column: Column, key: str, ratio: int, scale: Real) -> Number:
-    found: Greatest = question.greatest(key, ratio)
+    found = question.greatest(key, ratio)
     if column.quantity.key == PLACE:
         return Number(
             rounded(lambda: _printed_degrees(found), column.places, question.rounding, NEVER_TIES),
@@ -373,7 +372,7 @@ def _of_all(question: ExtremesRequest, column: Column, key: str, ratio: int, sca
     return Number(value, column.places)
 
 
-def _printed_degrees(found: Greatest) -> Any:
+def _printed_degrees(found: Greatest) -> arb:
     degrees = found.place() * 180
     return degrees - 360 if degrees.mid() > 360 - NEAR else degrees
 

@@ -18,6 +18,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import NEVER_TIES, ball, rounded
 from kurbel.exact.numerals import Label, Number, nearest
 from kurbel.kernel import harmonics
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.harmonics import Term
 from kurbel.motion.evaluation import METHODS
 from kurbel.page.axes import ListAxis, Place, RatioAxis
@@ -42,7 +43,7 @@ class Harmonic(NamedTuple):
         """Return C_k/A_k or B_k/A_k."""
         return harmonics.slope_factor(order, self.slopes)
 
-    def value(self, order: int, ratio: Any) -> Any:
+    def value(self, order: int, ratio: Numeric) -> Numeric:
         """Return the coefficient of the exact motion for λ, a float, an array or a ball (not around 0)."""
         # -k times 0.0 is -0.0, and 0 more is not.
         return 0 + self.factor(order) * harmonics.path_coefficient(order, ratio)
@@ -103,7 +104,7 @@ def certified(
     if exact is not None:
         return nearest(exact, decimals, rounding)
 
-    def value() -> Any:
+    def value() -> Numeric:
         return harmonic.value(order, ball(crank.ratio))
 
     return Number(rounded(value, decimals, rounding, NEVER_TIES), decimals)
@@ -235,7 +236,7 @@ class OrderAxis(ListAxis):
             f"{name} $k$",
         )
 
-    def stub(self, place: Place) -> Number:
+    def stub(self, place: Place) -> Number | Label:
         return Number(self._things[place["order"]], 0)
 
 

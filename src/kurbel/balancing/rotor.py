@@ -19,7 +19,7 @@ from kurbel.balancing.vector import Vector
 from kurbel.drive.at import known
 from kurbel.drive.crank import LARGEST_ANGLE, check_ratio
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import at_bits
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.real import Real
 from kurbel.kernel.circle import Numeric
@@ -332,7 +332,7 @@ def _closes(gap: Vector, one: Fraction, other: Fraction) -> bool:
     within = ((one + other) ** 2 - square) * (square - (one - other) ** 2)
     while True:
         with at_bits(bits):
-            found = within.on(balls())
+            found = ball(within.on(balls()))
             if not found.contains(0):
                 return bool(found > 0)
         bits *= 2

@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import inf
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import flint
 
@@ -24,7 +24,7 @@ from kurbel.drive.at import known
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact import certify
-from kurbel.exact.certify import at_bits
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Label, Number, figure, nearest
 from kurbel.exact.real import ESTIMATE_BITS, PI, Real
@@ -62,7 +62,7 @@ class Vector:
     def __mul__(self, times: Fraction) -> Vector:
         return Vector(self.star * times, tuple((point, own * times) for point, own in self.rest if times))
 
-    def point(self, kind: Kind) -> tuple[Any, Any]:
+    def point(self, kind: Kind) -> tuple[Numeric, Numeric]:
         """Return x and y."""
         x, y = self.star.point(kind.circle, kind.of)
         for of, times in self.rest:
@@ -73,7 +73,7 @@ class Vector:
     def doubled(self) -> Vector:
         """Return a vector of the same length, not 0, twice as far from 0°."""
 
-        def point(kind: Kind) -> tuple[Any, Any]:
+        def point(kind: Kind) -> tuple[Numeric, Numeric]:
             x, y = self.point(kind)
             length = root(x * x + y * y)
             return (x * x - y * y) / length, 2 * x * y / length
@@ -94,7 +94,7 @@ class Vector:
             turned = self.star.turned(-degrees)
             return (turned - turned.mirrored()).vanishes()
 
-        def across(kind: Kind) -> Any:
+        def across(kind: Kind) -> Numeric:
             (x, y), circle = self.point(kind), kind.circle(degrees)
             return y * circle.cosine - x * circle.sine
 
@@ -103,7 +103,7 @@ class Vector:
     def square(self) -> Real:
         """Return the square of the length."""
 
-        def on(kind: Kind) -> Any:
+        def on(kind: Kind) -> Numeric:
             x, y = self.point(kind)
             return x * x + y * y
 
@@ -129,8 +129,8 @@ class Vector:
         if self.lies_along(Fraction(90 * quarter)):
             return nearest(Fraction(90 * quarter, parts), decimals, rounding)
 
-        def value() -> Any:
-            x, y = self.point(balls())
+        def value() -> Numeric:
+            x, y = map(ball, self.point(balls()))
             for _ in range(quarter):
                 x, y = y, -x
             turn = 360 if not quarter and y < 0 else 90 * quarter
@@ -147,7 +147,7 @@ class Vector:
         bits = ESTIMATE_BITS
         while bits <= certify.MOST_BITS:
             with at_bits(bits):
-                x, y = self.point(balls())
+                x, y = map(ball, self.point(balls()))
                 if abs(x) > abs(y) * flint.arb(0.5):
                     if not x.contains(0):
                         return 0 if x > 0 else 2

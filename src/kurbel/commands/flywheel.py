@@ -15,6 +15,7 @@ from kurbel.commands.parts.press import Press
 from kurbel.commands.parts.sheet import Layouts, Sheet, columns_option, layout_option
 from kurbel.commands.parts.wheel import FIGURES, PLAIN, SPEEDS, Body, Rim, Swing, Wheel
 from kurbel.commands.subject import function
+from kurbel.drive.at import known
 from kurbel.drive.wheel import Flywheel, check_irregularity
 from kurbel.engine.captions import caption
 from kurbel.engine.cylinder import TurnPlace
@@ -300,9 +301,9 @@ def _of_diagram(diagram: Fluctuation) -> Iterator[tuple[str, Known]]:
     mean = diagram.mean_torque(floats())
     # That of a shaft which is driven back has no power of its own to print.
     if mean is not None and mean > 0:
-        torque = Product.reduced(diagram.mean_torque)
+        torque = Product.reduced(lambda kind: known(diagram.mean_torque(kind)))
         # Of a torque with π the work has none.
-        yield ("work", Known(Product.about(diagram.work), options)) if torque.pi else (
+        yield ("work", Known(Product.about(lambda kind: known(diagram.work(kind))), options)) if torque.pi else (
             "mean_torque", Known(torque, options),
         )  # fmt: skip
 

@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import cache, cached_property, lru_cache, partial
 from itertools import product
 from operator import pos
-from typing import Any, NamedTuple, cast
+from typing import NamedTuple, cast
 
 from flint import arb
 
@@ -22,7 +22,7 @@ from kurbel.conditions.solve_page import WORDS as SOLVED
 from kurbel.conditions.solve_page import RootAxis, RootsQuestion, condition_axis, exists
 from kurbel.drive.at import CRANK_FORCES, CrankForce
 from kurbel.engine.captions import about_engines
-from kurbel.engine.cylinder import Cylinder
+from kurbel.engine.cylinder import AnyTurn, Cylinder
 from kurbel.engine.engine_page import LoadAxis
 from kurbel.engine.engine_quantities import engine_registry
 from kurbel.engine.notes import from_dead_centre, notes
@@ -42,6 +42,7 @@ from kurbel.engine.turn import Turn, turn_ties
 from kurbel.errors import NoRootError, ProblemError
 from kurbel.exact.certify import NEVER_TIES, TieBits, at_bits, ball, rounded
 from kurbel.exact.numerals import Label, Number, exact_text, nearest, number_text
+from kurbel.exact.place import Place as FoundPlace
 from kurbel.exact.place import fraction
 from kurbel.exact.search import EQUAL_BITS, Jet
 from kurbel.kernel.circle import Numeric
@@ -108,9 +109,7 @@ class TurnForces:
         """Return Q r in N m or Q in N, of a condition with a unit, else 1."""
         if not condition.unit:
             return ball(1)
-        unit: Any = self.turn.torque_unit() if condition.quantity == TORQUE else self.turn.force_unit()
-        found: arb = unit
-        return found
+        return ball(self.turn.torque_unit() if condition.quantity == TORQUE else self.turn.force_unit())
 
     def _places(self, condition: Condition) -> tuple[At, ...]:
         """Return where the condition holds over the cycle, in order; raise NoRootError if nowhere."""
@@ -134,7 +133,7 @@ class TurnForces:
 
     def _on_segment(
         self, segment: Segment, quantity: Callable[[Segment, arb], Jet], condition: Condition
-    ) -> list[Any]:
+    ) -> list[FoundPlace]:
         with at_bits(EQUAL_BITS):
             start, end = (place.half_turns() for place in (segment.start, segment.end))
             apart = quantity(segment, (start + end) / 2).value - self.target(condition)
@@ -237,7 +236,7 @@ class LoadedRequest(RootsQuestion, EngineRequest):
             yield self.roots({"expansion": expansion, "ratio": ratio, "condition": condition})
 
     @cached_property
-    def loaded(self) -> Callable[[Any], TurnForces]:
+    def loaded(self) -> Callable[[AnyTurn], TurnForces]:
         return lru_cache(KEPT)(lambda turn: TurnForces(cast("Turn", turn)))
 
     def at(self, place: Place) -> TurnForces:
@@ -289,7 +288,7 @@ def _number(question: LoadedRequest, column: Column, place: Place, times: int) -
     turn, key = loaded.turn, _bare(column.key)
     scale = column.quantity.scale or (lambda turn: 1)
 
-    def found() -> Any:
+    def found() -> Numeric:
         return times * at.value(loaded.quantity(key)) * scale(turn)
 
     ties: TieBits | None = NEVER_TIES

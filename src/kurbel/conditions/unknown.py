@@ -277,9 +277,9 @@ class UnknownRequest(Question):
             return ""
         return f"column {quantity.key} is not asked for; leave it out, or write --unknown {quantity.key}"
 
-    def value(self, place: Place, column: Column) -> Any:
+    def value(self, place: Place, column: Column) -> arb:
         """Return a value in the unit of a column, at the precision in force."""
-        return column.quantity.formulas["exact"].kernel(self.roots(place)[place["root"]]())
+        return ball(column.quantity.formulas["exact"].kernel(self.roots(place)[place["root"]]()))
 
 
 def _angle_axis(question: UnknownRequest) -> ListAxis:

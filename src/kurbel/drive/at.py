@@ -38,13 +38,17 @@ def known(part: Part | None) -> Part:
     return part
 
 
-def framed(weight: Weight[Numeric] | None, stroke: int) -> Weight[Any] | None:
+def framed(weight: Weight[Numeric] | None, stroke: int) -> Weight[Numeric] | None:
     """Return weights in the frame of the stroke."""
     return on_return(weight) if stroke and weight is not None else weight
 
 
 # The angles within ±90° of a rational number of degrees that have a rational sine (Niven).
-_RATIONAL = {Fraction(0): Fraction(0), Fraction(1, 2): Fraction(30), Fraction(-1, 2): Fraction(-30)}
+_RATIONAL: Mapping[object, Fraction] = {
+    Fraction(0): Fraction(0),
+    Fraction(1, 2): Fraction(30),
+    Fraction(-1, 2): Fraction(-30),
+}
 
 
 def angular_velocity(crank: Crank, numbers: Kind) -> Numeric:
@@ -80,8 +84,7 @@ def gain(crank: Crank, numbers: Kind) -> Numeric:
 def begun(crank: Crank, stroke: int) -> Fraction | None:
     """Return the dead centre where a stroke begins as `Crank.dead_angle` does, exactly; None if it is
     irrational."""
-    sine: Any = kinematics.dead_centre_sine(stroke * crank.ratio, stroke * crank.offset)
-    return _RATIONAL.get(sine)
+    return _RATIONAL.get(kinematics.dead_centre_sine(stroke * crank.ratio, stroke * crank.offset))
 
 
 def turned(crank: Crank, stroke: int, degrees: Numeric, numbers: Kind) -> Numeric:
@@ -114,8 +117,8 @@ class Weights(NamedTuple):
     What they weigh, in Q and in the frame of the outstroke, is None where that does not count.
     """
 
-    masses: Masses[Any]
-    reciprocating: Any
+    masses: Masses[Numeric]
+    reciprocating: Numeric
     rotating: Numeric
     weight: Weight[Numeric] | None = None
 
@@ -128,7 +131,7 @@ class Weights(NamedTuple):
         return Weights(Masses(nothing, nothing, nothing, nothing), nothing, nothing, self.weight)
 
     @property
-    def on_shaft(self) -> Masses[Any]:
+    def on_shaft(self) -> Masses[Numeric]:
         """The masses of which the force at the pin is that of the main bearing."""
         return with_crank(self.masses, self.rotating)
 
@@ -146,7 +149,7 @@ class CrankForce(NamedTuple):
     """
 
     bare: Callable[[Circle[Numeric], Numeric, Numeric | None], Numeric]
-    on: Callable[[Any], Numeric]
+    on: Callable[[LoadedCrank], Numeric]
     framed: bool = False
     magnitude: bool = False
     on_shaft: bool = False
@@ -231,12 +234,12 @@ class At:
         return Accelerations(self.gain, self.first_order)
 
     @cached_property
-    def loaded(self) -> Any:
+    def loaded(self) -> LoadedCrank:
         """The drive with its masses under the force at this place, in newtons."""
         return self._under_force(self._weights.masses, self._weights.reciprocating)
 
     @cached_property
-    def on_shaft(self) -> Numeric:
+    def on_shaft(self) -> LoadedCrank:
         """The same with the masses of which the force at the pin is that of the main bearing."""
         return self._under_force(self._weights.on_shaft, 0)
 
@@ -247,7 +250,7 @@ class At:
             return NOTHING
         return moving.weights(self.numbers, self.crank.pin_acceleration(self.numbers))
 
-    def _under_force(self, masses: Masses[Numeric], reciprocating: Numeric) -> Any:
+    def _under_force(self, masses: Masses[Numeric], reciprocating: Numeric) -> LoadedCrank:
         crank = self.crank
         net = self.acting(self.numbers.of(crank.force.first if crank.force else Fraction(0)))
         if self.arc is not None:
@@ -346,9 +349,9 @@ def way_at(crank: Crank, stroke: int, angle: Fraction) -> int:
     return sign_of(velocity) or sign_of(acceleration)
 
 
-def sign_of(value: Callable[[Kind], Any]) -> int:
+def sign_of(value: Callable[[Kind], Numeric]) -> int:
     """Return 1, 0 or -1, the sign of a number on any kind, by proof."""
-    from kurbel.exact.certify import at_bits
+    from kurbel.exact.certify import at_bits, ball
     from kurbel.exact.terms import vanishes
 
     if vanishes(value):
@@ -356,7 +359,7 @@ def sign_of(value: Callable[[Kind], Any]) -> int:
     bits = FIRST_BITS
     while True:
         with at_bits(bits):
-            found = value(balls())
+            found = ball(value(balls()))
         if not found.contains(0):
             return 1 if found > 0 else -1
         bits *= 2

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import asin, degrees
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.drive.at import At, acceleration_of, known
 from kurbel.drive.load import Effort, PistonForce, read_force
@@ -104,20 +104,20 @@ class Crank(DeadCentres):
         """L in metres, None if it is not known or infinite."""
         return self.radius / self.ratio if self.radius is not None and self.ratio else None
 
-    def way(self, numbers: Kind) -> Any:
+    def way(self, numbers: Kind) -> Numeric:
         """Return the stroke in units of R."""
         if not self.offset:
             return numbers.of(Fraction(2))
         return kinematics.stroke(numbers.of(self.ratio), numbers.of(self.offset))
 
-    def dead_angle(self, stroke: int, kind: Kind) -> Any:
+    def dead_angle(self, stroke: int, kind: Kind) -> Numeric:
         if not self.offset:
             return super(Crank, self).dead_angle(stroke, kind)
         return kind.arc(
             kinematics.dead_centre_sine(kind.of(stroke * self.ratio), kind.of(stroke * self.offset))
         )
 
-    def least_transmission(self, kind: Kind) -> Any:
+    def least_transmission(self, kind: Kind) -> Numeric:
         return 90 - kind.arc(kind.of(self.ratio * (1 + abs(self.offset))))
 
     def pin_velocity(self, numbers: Kind) -> Numeric:

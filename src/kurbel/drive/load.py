@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, ClassVar, NamedTuple, Protocol
+from typing import ClassVar, NamedTuple, Protocol
 
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
@@ -51,7 +51,7 @@ class PlaceOnStroke(Protocol):
     """A place on a stroke: the share of it that the piston has gone, on a kind of number."""
 
     @property
-    def share(self) -> Any: ...
+    def share(self) -> Numeric: ...
     @property
     def numbers(self) -> Kind: ...
 
@@ -80,7 +80,7 @@ class PistonForce:
         """Return the load that is written so, None if none of these is."""
         return cls(as_signed_force(given, "force"))
 
-    def relative(self, place: PlaceOnStroke) -> Any:
+    def relative(self, place: PlaceOnStroke) -> Numeric | None:
         """Return the force at a place as a multiple of the first, on its kind of number; None for one."""
         return None
 
@@ -186,7 +186,7 @@ class Pressures:
         area = self.areas.bore**2 / 4
         return area * (self.head * self.areas.head - self.crank * self.areas.crank)
 
-    def force(self, kind: Kind) -> Any:
+    def force(self, kind: Kind) -> Numeric:
         """Return that force."""
         return kind.of(self.rational) * kind.pi
 

@@ -80,16 +80,16 @@ class Moved(ABC):
     regular = False
     length: Numeric
 
-    def dead_centre(self, stroke: int) -> Any:
+    def dead_centre(self, stroke: int) -> Numeric:
         """Return where the stroke begins, in half turns of φ, on the return of φ less 180°."""
         return 0
 
     @abstractmethod
-    def path(self, stroke: int, circle: Circle[Numeric]) -> Any:
+    def path(self, stroke: int, circle: Circle[Numeric]) -> Numeric:
         """Return the way of the piston."""
 
     @abstractmethod
-    def velocity(self, stroke: int, circle: Circle[Numeric]) -> Any:
+    def velocity(self, stroke: int, circle: Circle[Numeric]) -> Numeric:
         """Return the slope of the path."""
 
     @abstractmethod
@@ -150,7 +150,7 @@ class Moved(ABC):
         weights: Weights | None,
         net: Numeric,
         friction: Numeric | None = None,
-    ) -> Any:
+    ) -> Numeric:
         """Return a force of the drive under a force on the piston, with the masses or without, and friction
         that counts as it does."""
         if weights is None and friction is not None:
@@ -164,7 +164,7 @@ class Moved(ABC):
         weight = weights.weight
         return force.on(self.loaded(stroke, circle, masses, net, reciprocating, weight, friction))
 
-    def angle_at(self, stroke: int, share: Numeric) -> Any:
+    def angle_at(self, stroke: int, share: Numeric) -> Numeric | None:
         """Return the half turns at which the piston has gone a share of the stroke, None if no formula has
         them."""
         return None
@@ -191,15 +191,15 @@ class Slide(Moved):
     def _is_first_order(self) -> bool:
         return self.motion is forces.FIRST_ORDER
 
-    def dead_centre(self, stroke: int) -> Any:
+    def dead_centre(self, stroke: int) -> Numeric:
         if self.regular:
             return 0
         return self.kind.arc(kinematics.dead_centre_sine(*self.numbers[stroke])) / 180
 
-    def path(self, stroke: int, circle: Circle[Numeric]) -> Any:
+    def path(self, stroke: int, circle: Circle[Numeric]) -> Numeric:
         return self.motion.path(circle, *self.numbers[stroke])
 
-    def velocity(self, stroke: int, circle: Circle[Numeric]) -> Any:
+    def velocity(self, stroke: int, circle: Circle[Numeric]) -> Numeric:
         return self.motion.velocity(circle, *self.numbers[stroke])
 
     def acceleration(self, stroke: int, circle: Circle[Numeric]) -> Numeric:
@@ -231,7 +231,7 @@ class Slide(Moved):
         ratio, offset = (*self.numbers[stroke], None)[:2]
         return force.bare(circle, ratio, offset)
 
-    def angle_at(self, stroke: int, share: Numeric) -> Any:
+    def angle_at(self, stroke: int, share: Numeric) -> Numeric | None:
         if not self.motion.versine_at:
             return None
         versine = self.motion.versine_at(2 * share, *self.numbers[stroke])

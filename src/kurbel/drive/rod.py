@@ -6,12 +6,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.drive.at import Weights
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
-from kurbel.kernel.circle import Numeric
+from kurbel.kernel.circle import Numeric, Same
 from kurbel.kernel.forces import Weight
 from kurbel.kernel.moving import Masses, joined, rod_masses, two_masses
 from kurbel.reading.notation import about, check_bounds
@@ -124,7 +124,7 @@ class Rod:
         """(k² - a b)/L²: 0 if two masses replace the rod exactly, below 0 for rods between their pins."""
         return self.gyration_square - self.centre * (1 - self.centre)
 
-    def masses(self, model: str, of: Callable[[Fraction], Numeric]) -> Masses[Any]:
+    def masses(self, model: str, of: Callable[[Fraction], Same]) -> Masses[Same]:
         """Return the masses that a model puts for a rod of mass 1, on the kind of number that `of` makes."""
         return Masses(*(of(Fraction(part)) for part in MODELS[model](self)))
 

@@ -25,7 +25,6 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
 
 from kurbel.drive.rod import (
     Rod,
@@ -263,6 +262,5 @@ def _per_pi_square() -> Fraction:
     from kurbel.exact.certify import at_bits
 
     with at_bits(BITS):
-        near: Any = (1 / flint.arb.pi() ** 2).mid()
-        mantissa, exponent = near.man_exp()
+        mantissa, exponent = (1 / flint.arb.pi() ** 2).mid().man_exp()
     return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)

@@ -11,6 +11,7 @@ from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kurbel.drive.at import CrankForce
 from kurbel.drive.crank import Crank
@@ -71,7 +72,7 @@ class FloatTurn(AnyTurn):
         return bool(float(since) - begun >= -ZERO_TOLERANCE)
 
     def begun(self) -> list[CrankPosition]:
-        return [*self.positions(Fraction(self.cylinder.drive.dead_centre(0)))]
+        return [*self.positions(Fraction(float(self.cylinder.drive.dead_centre(0))))]
 
     @cached_property
     def _proved(self) -> Turn:
@@ -98,7 +99,7 @@ class ArrayTurn(FloatTurn):
     def tangential_force(self, half_turns: Numeric) -> Numeric:
         return self.total(Cylinder.effort, half_turns, 0.0)
 
-    def energy_at(self, half_turns: Any) -> Any:
+    def energy_at(self, half_turns: Any) -> Floats:
         return self.energies(half_turns)
 
     def crank_force(self, force: CrankForce, half_turns: Numeric) -> Numeric:
@@ -121,7 +122,7 @@ def at_angles(request: EngineRequest, quantity: Quantity, method: str, degrees: 
     # Kernels hand the place on to the turn, and that of arrays takes an array.
     where = TurnPlace(half_turns=degrees / 180)
     return [
-        np.broadcast_to(value(quantity, ArrayTurn(engine, method), where), degrees.shape)
+        np.broadcast_to(np.asarray(value(quantity, ArrayTurn(engine, method), where)), degrees.shape)
         for engine in (
             request.engine(steam, drive)
             for steam in range(len(request.steams))
@@ -132,7 +133,9 @@ def at_angles(request: EngineRequest, quantity: Quantity, method: str, degrees: 
 
 def _on_strokes(cylinder: Cylinder, start: Fraction, value: OnAngle, places: Floats) -> Floats:
     """Return what a crank has that follows the first by so many half turns, at each of the places."""
-    begins = [stroke + cylinder.drive.dead_centre(stroke % 2) for stroke in range(len(cylinder.strokes))]
+    begins = [
+        stroke + float(cylinder.drive.dead_centre(stroke % 2)) for stroke in range(len(cylinder.strokes))
+    ]
     since = (places - float(start) - begins[0]) % len(begins) + begins[0]
     strokes = np.searchsorted(begins, since, side="right") - 1
     found = np.empty_like(places)
@@ -142,7 +145,7 @@ def _on_strokes(cylinder: Cylinder, start: Fraction, value: OnAngle, places: Flo
     return found
 
 
-def _circle(half_turns: Any) -> Circle[Any]:
+def _circle(half_turns: Any) -> Circle[Numeric]:
     """Return the circle of exact half turns, or of floats."""
     return circle(180.0 * (float(half_turns) if isinstance(half_turns, Fraction) else half_turns))
 
@@ -151,7 +154,7 @@ class StrokeAngles(NamedTuple):
     """The angles at which a crank is in one of its strokes: which of the run, and the half turns there."""
 
     stroke: int
-    rows: Any
+    rows: Integers
     angle: Angle
 
 
@@ -233,7 +236,7 @@ class EnclosedTurn(AnyTurn):
         at, doubtful = quotient(since, denominator), np.zeros(len(since), bool)
 
         def reached(stroke: int) -> Floats:
-            beyond = at - stroke - one.drive.dead_centre(stroke % 2)
+            beyond: Any = at - stroke - one.drive.dead_centre(stroke % 2)
             doubtful[~(abs(beyond.value) > beyond.error)] = True
             return beyond.value >= 0
 
@@ -334,17 +337,17 @@ class Irregularities:
         engine = place["expansion"] * len(self.request.drives) + place["ratio"]
         return None if doubtful[engine] else Number(int(scaled[engine]), column.places)
 
-    def _nearest(self, method: str, decimals: int) -> tuple[Any, Any]:
+    def _nearest(self, method: str, decimals: int) -> tuple[Integers, NDArray[np.bool_]]:
         steams, ratios = self.request.steams, [float(one) for one in self.request.ratios]
         steam = plain_steam(self.request, method)
         if steam is None:
             every = len(steams) * len(ratios)
             return np.zeros(every, np.int64), np.ones(every, bool)
 
-        def over(name: str) -> Any:
+        def over(name: str) -> Floats:
             return np.repeat([float(getattr(one, name)) for one in steams], len(ratios))
 
-        given = {"eps": over("expansion"), "ratio": np.tile(ratios, len(steams))}
+        given: dict[str, Floats | None] = {"eps": over("expansion"), "ratio": np.tile(ratios, len(steams))}
         given |= {"clearance": over("clearance"), "exponent": over("exponent")}
         given["back"] = None if steam.back is None else over("back")
         usual = [name for name, plain in (("clearance", 0), ("exponent", 1)) if getattr(steam, name) == plain]

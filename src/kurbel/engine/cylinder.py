@@ -93,7 +93,7 @@ class Cylinder(NamedTuple):
     unit: Numeric | None = None
     friction: Numeric | None = None
 
-    def share(self, stroke: int, circle: Circle[Numeric]) -> Any:
+    def share(self, stroke: int, circle: Circle[Numeric]) -> Numeric:
         """Return the share of the stroke that the piston has gone."""
         return self.drive.path(stroke % 2, circle) / self.drive.length
 
@@ -106,7 +106,7 @@ class Cylinder(NamedTuple):
             force = force + own.torque()
         return self._whole(force)
 
-    def power(self, stroke: int, angle: Numeric) -> Any:
+    def power(self, stroke: int, angle: Numeric) -> Numeric:
         """Return the work of load and masses over the angle in radians, of which `energy` is the sum; to
         first order it is not quite the effort."""
         circle, way = self.circle(angle), stroke % 2
@@ -115,7 +115,7 @@ class Cylinder(NamedTuple):
             power = power + self.drive.power(way, circle, self.weights.masses, self.weights.weight)
         return self._whole(power)
 
-    def force(self, force: CrankForce, stroke: int, angle: Numeric) -> Any:
+    def force(self, force: CrankForce, stroke: int, angle: Numeric) -> Numeric:
         """Return a force of the drive, in its own Q."""
         circle, way = self.circle(angle), stroke % 2
         net, friction = self.strokes[stroke].force(self.share(stroke, circle)), None
@@ -124,7 +124,7 @@ class Cylinder(NamedTuple):
         found = self.drive.force(force, way, circle, self.weights, net, friction)
         return found * (SIGNS[way] if force.framed else 1)
 
-    def slope(self, stroke: int, angle: Numeric) -> Any:
+    def slope(self, stroke: int, angle: Numeric) -> Numeric:
         """Return the change of the power with the half turns."""
         circle, way, acting = self.circle(angle), stroke % 2, self.strokes[stroke]
         share, velocity = self.share(stroke, circle), self.drive.velocity(way, circle)
@@ -136,7 +136,7 @@ class Cylinder(NamedTuple):
                 total += self.drive.weight_slope(way, circle, self.weights.weight)
         return self._whole(total * self.kind.pi)
 
-    def energy(self, stroke: int, angle: Numeric) -> Any:
+    def energy(self, stroke: int, angle: Numeric) -> Numeric:
         """Return the work of the excess over the mean since the cycle began, but for a constant."""
         circle, length = self.circle(angle), self.drive.length
         work = length * self.strokes[stroke].work(self.share(stroke, circle))
@@ -150,7 +150,7 @@ class Cylinder(NamedTuple):
             turned = self.kind.of(turned)
         return self._whole(before + work - self.mean * turned * self.kind.pi)
 
-    def kinetic_energy(self, stroke: int, angle: Numeric) -> Any:
+    def kinetic_energy(self, stroke: int, angle: Numeric) -> Numeric:
         """Return the energy of the masses, as far as it changes."""
         if self.weights is None:
             return self.kind.of(Fraction(0))
@@ -203,9 +203,7 @@ class AnyTurn(ABC):
         """Return what the cylinders of each part have in common, on a kind of number."""
         return tuple(self._cylinder_on(part, kind, circle) for part in self.engine.parts)
 
-    def _cylinder_on(
-        self, part: Engine, kind: Kind, circle: Callable[[Numeric], Circle[Numeric]]
-    ) -> Cylinder:
+    def _cylinder_on(self, part: Engine, kind: Kind, circle: Callable[[Any], Circle[Any]]) -> Cylinder:
         strokes, drive = part.strokes(kind), part.drive.moved(kind, self.method)
         mean, weights = forces.mean_force(strokes, kind.pi, drive.length), part.weights(kind)
         unit = None if part is self.part else self._unit(part, kind)
@@ -284,7 +282,7 @@ class AnyTurn(ABC):
     def pi(self) -> Numeric:
         return self.cylinder.kind.pi
 
-    def of(self, value: Fraction) -> Any:
+    def of(self, value: Fraction) -> Numeric:
         return self.cylinder.kind.of(value)
 
     def force_unit(self) -> Numeric:
@@ -330,7 +328,7 @@ class AnyTurn(ABC):
         cylinders = self.cylinders
         return sum(cylinders[part].effort(*one) for part, *one in self.positions(half_turns))
 
-    def power(self, half_turns: Fraction) -> Any:
+    def power(self, half_turns: Fraction) -> Numeric:
         """The work of all cranks over the angle in radians, in Q R."""
         cylinders = self.cylinders
         return sum(cylinders[part].power(*one) for part, *one in self.positions(half_turns))

@@ -43,10 +43,10 @@ def _mean(turn: AnyTurn, row: Member) -> Numeric:
     return turn.mean_force() if row.part is None else turn.cylinders[row.part].whole_mean
 
 
-def _of_part(value: Callable[[Engine], Any]) -> Callable[[AnyTurn, Member], Numeric]:
+def _of_part(value: Callable[[Engine], object]) -> Callable[[AnyTurn, Member], object]:
     """Return what a cylinder has by itself, and all together have not."""
 
-    def of(turn: AnyTurn, row: Member) -> Any:
+    def of(turn: AnyTurn, row: Member) -> object:
         part = _engine(turn, row)
         return None if part is None else value(part)
 
@@ -84,7 +84,13 @@ def registry() -> Mapping[str, Quantity]:
 
 
 def _entry(
-    key: str, name: str, symbol: Label, unit: Label, decimals: int | None, kernel: Any, rest: Any
+    key: str,
+    name: str,
+    symbol: Label,
+    unit: Label,
+    decimals: int | None,
+    kernel: Callable[..., object],
+    rest: Mapping[str, Any],
 ) -> Quantity:
     formulas = dict.fromkeys(ENGINE_METHODS, Formula(kernel))
     heads = {"load": "Belastung|Load", "mean_share": "Anteil in %|Share in %"}

@@ -45,7 +45,7 @@ class CellValue(NamedTuple):
     where: TurnPlace
     unit: int = 1
 
-    def value(self) -> Any:
+    def value(self) -> Numeric:
         first, *others = (value(self.column.quantity, turn, self.where) for turn in self.turns)
         return self.unit * (first - others[0] if others else first)
 
@@ -83,15 +83,16 @@ def printed(asked: CellValue, rounding: str, carded: bool) -> Number | None:
 class Estimate(NamedTuple):
     """A value from a card and how far it may be off."""
 
-    value: Any
+    value: Fraction | float
     error: float
 
 
 def estimate(asked: CellValue) -> Estimate:
     """Return the value from an indicator card; a fraction is exact."""
-    best = asked.value()
-    if isinstance(best, Fraction):
-        return Estimate(best, 0.0)
+    found = asked.value()
+    if isinstance(found, Fraction):
+        return Estimate(found, 0.0)
+    best = float(found)
     quantity, where, unit = asked.column.quantity, asked.where, asked.unit
     turns = asked.turns
     if quantity.key in KNOWN:
@@ -107,7 +108,7 @@ def estimate(asked: CellValue) -> Estimate:
         asked._replace(turns=halves).value() for halves in zip(*(one.coarser for one in turns), strict=True)
     ]
     # A difference may vanish by chance: what the work allows and what it shows, whichever is more.
-    shown = max(abs(best - other) for other in coarser)
+    shown = max(abs(best - float(other)) for other in coarser)
     cards = [turn.turn if quantity.of in OF_RUNS else turn for turn in turns]
     off = [unit * _sensitivity(quantity, turn, best) for turn in turns]
     allowed = sum(one * card.work_apart for one, card in zip(off, cards, strict=True))

@@ -225,7 +225,7 @@ class Balls(Spectrum):
         ((_, stroke, begun),) = span.pieces[0].strokes
         middle, cylinder = float((span.start + span.end) / 2), self.turn.cylinders[part]
         return sampled(
-            lambda place: cylinder.effort(stroke, place - ball(begun)),
+            lambda place: ball(cylinder.effort(stroke, place - ball(begun))),
             lambda place: on_complex.effort(stroke, ComplexNumber(place, middle) - begun).ball,
             span.start,
             span.end,
@@ -237,11 +237,11 @@ class Balls(Spectrum):
         over, cylinder = interval(span.start, span.end), self.turn.cylinders[part]
         # A piece of the next cycle has the same circle.
         efforts = (
-            cylinder.effort(stroke, over - ball(begun))
+            ball(cylinder.effort(stroke, over - ball(begun)))
             for piece in span.pieces
             for _, stroke, begun in piece.strokes
         )
-        either = reduce(lambda one, other: one.union(other), efforts)
+        either = reduce(arb.union, efforts)
         return Samples((Sample(over, ball(span.end - span.start) * either),), flint.arb(0))
 
 

@@ -176,7 +176,7 @@ def _work(given: Mapping[str, Any]) -> tuple[Floats, Floats, Floats]:
     return done, best if given["back"] is None else given["back"], exponent * stretch
 
 
-def _valid(given: Mapping[str, Any]) -> Any:
+def _valid(given: Mapping[str, Any]) -> NDArray[np.bool_]:
     """Return where every input is one that an engine takes."""
     eps, ratio, clearance, exponent = (given[name] for name in ("eps", "ratio", "clearance", "exponent"))
     good = (eps >= 1) & (eps <= LARGEST_EXPANSION) & (ratio >= 0) & (ratio < 1)

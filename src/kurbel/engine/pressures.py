@@ -26,10 +26,10 @@ from kurbel.engine.engine import Engine
 from kurbel.engine.loads.words import engine_lines, load_text
 from kurbel.engine.turn import angle_at, turn_of
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import half_turn_circle
+from kurbel.exact.certify import ball, half_turn_circle
 from kurbel.exact.kind import Kind, balls, floats, settled
 from kurbel.exact.numerals import Label, Number, nearest
-from kurbel.kernel.circle import Numeric
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.motion.notes import digits_text, moving_notes
 from kurbel.page.axes import AngleAxis, ColumnAxis, ListAxis, Place, angle_decimals
 from kurbel.page.layouts import LayoutColumn
@@ -124,7 +124,7 @@ class PressureDrive:
         # Before the first dead centre the last stroke is not over.
         return StrokePlace(self.cycle - 1, angle=since + 1)
 
-    def share(self, where: StrokePlace, kind: Kind) -> Any:
+    def share(self, where: StrokePlace, kind: Kind) -> Numeric:
         """Return the share of the stroke that the piston has gone."""
         if where.share is not None:
             return kind.of(where.share)
@@ -144,22 +144,22 @@ class PressureDrive:
         per_area = kind.of(4 * self.mass / (bore * bore * PASCALS)) / kind.pi
         return accelerated * per_area * self.crank.pin_acceleration(kind)
 
-    def left(self, where: StrokePlace, kind: Kind) -> Any:
+    def left(self, where: StrokePlace, kind: Kind) -> Numeric:
         """Return what of the pressure the masses pass on, p - q."""
         return self.gas(where, kind) - self.masses(where, kind)
 
-    def degrees(self, where: StrokePlace, kind: Kind) -> Any:
+    def degrees(self, where: StrokePlace, kind: Kind) -> Numeric:
         """Return φ in degrees, over both strokes and all turns of the cycle."""
         moved = self.drive.moved(kind, "exact")
         return 180 * (self._angle(moved, where, kind) + where.stroke)
 
-    def _circle(self, moved: Moved, where: StrokePlace, kind: Kind) -> Any:
+    def _circle(self, moved: Moved, where: StrokePlace, kind: Kind) -> Circle[Numeric]:
         if where.angle is not None:
             degrees = 180 * where.angle
             return kind.circle(float(degrees) if kind.of is float else degrees)
-        return half_turn_circle(self._angle(moved, where, kind))
+        return half_turn_circle(ball(self._angle(moved, where, kind)))
 
-    def _angle(self, moved: Moved, where: StrokePlace, kind: Kind) -> Any:
+    def _angle(self, moved: Moved, where: StrokePlace, kind: Kind) -> Numeric:
         """Return the half turns of φ, less those of the strokes before."""
         if where.angle is not None:
             return kind.of(where.angle)

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache, cached_property, reduce
 from itertools import groupby
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from flint import arb
 
@@ -59,18 +59,18 @@ class Span(NamedTuple):
     """Over how many half turns the load has a sign: 1, -1, or 0 where there is none."""
 
     sign: int
-    length: Any
+    length: Numeric
 
 
 class AnyRodLoad(ABC):
     """The load at one end of the rod over a cycle, in balls or, of an indicator card, in floats."""
 
     @abstractmethod
-    def greatest(self, sign: int) -> Any:
+    def greatest(self, sign: int) -> Numeric | None:
         """Return the greatest thrust or, as a positive number, pull in Q; None where there is none."""
 
     @abstractmethod
-    def degrees(self, sign: int) -> Any:
+    def degrees(self, sign: int) -> Numeric | None:
         """Return where that is, as an angle φ, the first such place; None where there is none."""
 
     @property
@@ -78,7 +78,7 @@ class AnyRodLoad(ABC):
     def spans(self) -> Sequence[Span]:
         """The spans of the cycle between changes of the sign, in order."""
 
-    def angle(self, sign: int) -> Any:
+    def angle(self, sign: int) -> Numeric:
         """Return over how many half turns of the cycle the load is a thrust or a pull."""
         return sum((span.length for span in self.spans if span.sign == sign), self.spans[0].length * 0)
 

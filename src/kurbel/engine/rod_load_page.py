@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
@@ -36,6 +36,7 @@ from kurbel.page.table import Field, Note
 
 if TYPE_CHECKING:
     from kurbel.engine.card.force import CardTurn
+    from kurbel.engine.rod_load_card import CardRodLoad
 
 ROD_LOAD = texts("engine")["rod_load"]
 
@@ -45,7 +46,7 @@ _REVERSAL = "reversal"
 
 
 @lru_cache(KEPT_LOADS)
-def rod_load(turn: AnyTurn, end: str) -> Any:
+def rod_load(turn: AnyTurn, end: str) -> RodLoad | CardRodLoad:
     """Return the load of the rod at an end, one of ENDS, over a turn."""
     force = CRANK_FORCES[ENDS[end][0]]
     if turn.engine.carded:
@@ -87,7 +88,7 @@ class _Asked(NamedTuple):
     rounding: str
 
     @property
-    def kernel(self) -> Any:
+    def kernel(self) -> Callable[..., Numeric | None]:
         return self.column.quantity.formulas[self.column.method].kernel
 
     @property

@@ -56,7 +56,7 @@ class _Pinned(NamedTuple):
     stroke: Stroke
     at: float
 
-    def force(self, share: Numeric) -> Any:
+    def force(self, share: Numeric) -> Numeric:
         """Return the force at a share of the stroke, of a jet as a jet."""
         pinned: Any = ComplexNumber(share, self.at)
         found = self.stroke.force(pinned)
@@ -251,7 +251,7 @@ def _edges(turn: Turn, crank: Crank, cycle: int) -> Iterator[Place]:
 def _dead_centre(turn: Turn, part: int, stroke: int, begun: Fraction) -> Place:
     if turn.cylinders[part].drive.regular:
         return Place(lambda: ball(begun), exact=begun)
-    return Place(lambda: ball(begun) + turn.cylinders[part].drive.dead_centre(stroke % 2))
+    return Place(lambda: ball(begun) + ball(turn.cylinders[part].drive.dead_centre(stroke % 2)))
 
 
 def _corner(turn: Turn, part: int, stroke: int, begun: Fraction, index: int) -> Place:

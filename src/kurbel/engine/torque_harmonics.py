@@ -102,7 +102,7 @@ def amplitude(at: At) -> Numeric:
     return square**0.5 if square else square
 
 
-def phase(at: At) -> Any:
+def phase(at: At) -> Numeric:
     """Return ψ_k in radians, above -π and up to π, of a harmonic that is one."""
     wave = _whole(at)
     across, along = -wave.sine, wave.cosine
@@ -180,7 +180,7 @@ def _entries() -> Iterator[Quantity]:
     )  # fmt: skip
 
 
-def value(quantity: Quantity, at: At) -> Any:
+def value(quantity: Quantity, at: At) -> Numeric:
     """Return the quantity in its unit, on the kind of number of the turn, or a fraction."""
     found = quantity.formulas[at.turn.method].kernel(at)
     return found * quantity.scale(at.turn) if quantity.scale else found
@@ -206,7 +206,7 @@ def number_of(column: Column, at: At, rounding: str) -> Number | None:
             return None
         if isinstance(at.spectrum, Floats):
             best, error = estimate(column, at)
-            return supported(best, error, column.places, rounding, is_phase)
+            return supported(float(best), error, column.places, rounding, is_phase)
     return certified(lambda: value(column.quantity, at), column, rounding, NEVER_TIES)
 
 

@@ -19,7 +19,7 @@ from fractions import Fraction
 from functools import cache, cached_property, partial
 from itertools import pairwise
 from math import floor
-from typing import Any, NamedTuple, NoReturn, TypeAlias
+from typing import NamedTuple, NoReturn, TypeAlias
 
 import flint
 from flint import arb
@@ -85,9 +85,9 @@ class Turn(AnyTurn):
         """Whether the stroke has begun; at its dead centre it has."""
         for bits in (ISOLATING_BITS, EQUAL_BITS):
             with at_bits(bits):
-                beyond = ball(since - stroke) - self.cylinders[part].drive.dead_centre(stroke % 2)
+                beyond = ball(since - stroke) - ball(self.cylinders[part].drive.dead_centre(stroke % 2))
             if not beyond.contains(0):
-                return bool(beyond > 0)
+                return beyond > 0
         return True
 
     @cached_property
@@ -127,11 +127,11 @@ class Turn(AnyTurn):
                         yield begun, begun
                     else:
                         with at_bits(GAP_BITS):
-                            yield _ends(self.cylinders[part].drive.dead_centre(stroke % 2), begun)
+                            yield _ends(ball(self.cylinders[part].drive.dead_centre(stroke % 2)), begun)
 
     def begun(self) -> list[CrankPosition]:
         dead = self.cylinder.drive.dead_centre(0)
-        place = dead if dead else Fraction(0)
+        place = ball(dead) if dead else Fraction(0)
         return [
             CrankPosition(part, stroke, _since(place, begun))
             for part, stroke, begun in self.pieces[0].strokes
@@ -165,14 +165,15 @@ class Turn(AnyTurn):
             count * cylinders[part].power(stroke, _since(place, begun))
             for count, part, stroke, begun in piece.unlike
         )
-        return total - self.mean_force()
+        return ball(total - self.mean_force())
 
     def slope(self, piece: TurnPiece, place: Angle) -> arb:
         cylinders = self.cylinders
-        return sum(
+        total = sum(
             count * cylinders[part].slope(stroke, _since(place, begun))
             for count, part, stroke, begun in piece.unlike
         )
+        return ball(total)
 
     def energy(self, piece: TurnPiece, place: Angle) -> arb:
         """The excess work W/(Q R) since the first crank's inner dead centre."""
@@ -181,13 +182,12 @@ class Turn(AnyTurn):
             count * cylinders[part].energy(stroke, _since(place, begun))
             for count, part, stroke, begun in piece.unlike
         )
-        return since - self.energy_begun()
+        return ball(since - self.energy_begun())
 
     def energy_begun(self) -> arb:
         bits = flint.ctx.prec
         if bits not in self._energies:
-            begun: Any = super().energy_begun()
-            self._energies[bits] = begun
+            self._energies[bits] = ball(super().energy_begun())
         return self._energies[bits]
 
     @cached_property
@@ -266,13 +266,13 @@ def angle_at(drive: Moved, way: int, share: Numeric) -> arb:
     """Return the half turns of φ, on the return less one, at which a piston has gone a share."""
     known = drive.angle_at(way, share)
     if known is not None:
-        return known
+        return ball(known)
 
     def lacking(angle: arb) -> arb:
-        return drive.path(way, circle(angle)) / drive.length - share
+        return ball(drive.path(way, circle(angle)) / drive.length - share)
 
     def speed(angle: arb) -> arb:
-        return drive.velocity(way, circle(angle)) / drive.length * flint.arb.pi()
+        return ball(drive.velocity(way, circle(angle)) / drive.length) * flint.arb.pi()
 
     (low, _), (_, high) = map(_ends, _ends_of(drive, way))
     return Zero(lacking, speed, low, high).place()
@@ -280,7 +280,7 @@ def angle_at(drive: Moved, way: int, share: Numeric) -> arb:
 
 def _ends_of(drive: Moved, way: int) -> tuple[arb, arb]:
     """Return the half turns of φ, on the return less one, at which a stroke begins and ends."""
-    return drive.dead_centre(way), 1 + drive.dead_centre(1 - way)
+    return ball(drive.dead_centre(way)), 1 + ball(drive.dead_centre(1 - way))
 
 
 def stationary(piece: TurnPiece, function: Function, slope: Function) -> list[Extremum]:
@@ -327,7 +327,7 @@ class WeisbachTurn(Turn):
     def _turns_beyond_cut_off(self, piece: TurnPiece) -> bool:
         (_, stroke, begun) = piece.strokes[0]
         with at_bits(EQUAL_BITS):
-            return bool(self.excess(piece, self.cut_off(stroke) + ball(begun)) > 0)
+            return self.excess(piece, self.cut_off(stroke) + ball(begun)) > 0
 
     def _relation(self, piece: TurnPiece, part: int, at: arb) -> arb:
         """His equation for α₂ as a function with that zero, or its slope over the half turns."""
@@ -338,8 +338,8 @@ class WeisbachTurn(Turn):
         work = acting.work(flint.arb(1)) / acting.cut_off
         ratio = ball(SIGNS[stroke] * self.engine.crank.ratio)
         half = (angle / 2).sin_cos_pi()
-        relation: Any = steam.weisbach_maximum(half, circle(angle), ratio, loss, work, flint.arb.pi())
-        return relation[part] * (flint.arb.pi() if part else 1)
+        relation = steam.weisbach_maximum(half, circle(angle), ratio, loss, work, flint.arb.pi())
+        return ball(relation[part]) * (flint.arb.pi() if part else 1)
 
 
 class ExactTurn(Turn):
@@ -350,11 +350,10 @@ class ExactTurn(Turn):
         self.turn, self.kind = turn, kind
         self._own = self.cylinders_on(kind, self._circle)
 
-    def _circle(self, half_turns: Any) -> Circle[Any]:
+    def _circle(self, half_turns: Angle) -> Circle[Numeric]:
         if not isinstance(half_turns, (int, Fraction)):
             raise UndecidedError
-        found: Circle[Any] = self.kind.circle(180 * half_turns)
-        return found
+        return self.kind.circle(180 * half_turns)
 
     @property
     def cylinders(self) -> tuple[Cylinder, ...]:
@@ -370,13 +369,14 @@ class ExactTurn(Turn):
         raise UndecidedError
 
 
-def turn_ties(value: Callable[..., Numeric], turns: Sequence[Any]) -> Callable[[Fraction], float]:
+def turn_ties(value: Callable[..., Numeric], turns: Sequence[AnyTurn]) -> Callable[[Fraction], float]:
     """Return how near a value of turns can come to a rounding boundary, as `certify.rounded` asks: of turns
     in balls, of which alone more than a ball is known."""
 
-    def on(kind: Kind) -> Any:
-        if not all(isinstance(one, Turn) for one in turns):
+    def on(kind: Kind) -> Numeric:
+        own = [ExactTurn(one, kind) for one in turns if isinstance(one, Turn)]
+        if len(own) < len(turns):
             raise UndecidedError
-        return value(*(ExactTurn(one, kind) for one in turns))
+        return value(*own)
 
     return lambda boundary: tie_bits(on, boundary)

@@ -17,7 +17,7 @@ from fractions import Fraction
 from functools import lru_cache
 from math import inf
 from threading import RLock
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import flint
 from flint import arb
@@ -39,7 +39,7 @@ MOST_TIE_BITS = 200_000
 _ENDLESS = flint.arb(10) ** MOST_FIGURES
 
 
-def _pickled(found: arb) -> tuple[Any, ...]:
+def _pickled(found: arb) -> tuple[Callable[..., arb], tuple[object, ...]]:
     """Return how a finite ball is made anew, with no bit lost."""
     parts = (found.mid().man_exp(), found.rad().man_exp())
     return _unpickled, tuple((int(bits), int(power)) for bits, power in parts)
@@ -52,12 +52,16 @@ def _unpickled(middle: tuple[int, int], radius: tuple[int, int]) -> arb:
 copyreg.pickle(arb, _pickled)
 
 
-def ball(value: Fraction | int) -> arb:
-    """Return the ball around a rational number, or of one that is found, at the precision in force."""
+def ball(value: Numeric) -> arb:
+    """Return the ball around a rational number, or of one that is found, at the precision in force; what a
+    formula gave of balls is one."""
+    if isinstance(value, arb):
+        return value
     if isinstance(value, int):
         return flint.arb(value)
     if isinstance(value, FoundAngle):
         return value.enclosed()
+    assert isinstance(value, Fraction)
     return flint.arb(flint.fmpq(value.numerator, value.denominator))
 
 
@@ -90,8 +94,7 @@ def ball_degrees(sine: arb) -> arb:
 
 def rod_angle(circle: Circle[arb], ratio: arb, offset: arb | None) -> arb:
     """Return the rod angle ψ in degrees. Source: Rötscher, eq. (285)."""
-    sine: Any = rod_sine(circle, ratio, 0 if offset is None else offset)
-    return ball_degrees(sine)
+    return ball_degrees(ball(rod_sine(circle, ratio, 0 if offset is None else offset)))
 
 
 TieBits = Callable[[Fraction], float]
@@ -113,7 +116,7 @@ def rounded(value: Callable[[], Numeric], decimals: int, rounding: str, tie_bits
     while True:
         precision *= 2
         with at_bits(precision):
-            scaled: Any = value() * unit
+            scaled = ball(value()) * unit
             magnitude = abs(scaled)
             if magnitude > _ENDLESS:
                 raise ProblemError(f"a value has more than {MOST_FIGURES} figures, which are not printed")

@@ -48,9 +48,9 @@ class Kind(NamedTuple):
     circle: Callable[[Any], Circle[Numeric]] = _missing
     arc: Callable[[Any], Numeric] = _missing
     pi: Any = None
-    rod_angle: Callable[[Any, Any, Any], Numeric] = _missing
-    exponent: Callable[[Fraction], Any] = _missing
-    enclosed: Callable[[Callable[[], Any]], Numeric] = _missing
+    rod_angle: Callable[..., Numeric] = _missing
+    exponent: Callable[[Fraction], Numeric] = _missing
+    enclosed: Callable[[Callable[[], arb]], Numeric] = _missing
     bounded: bool = False
 
 
@@ -209,5 +209,5 @@ class FoundAngle(Fraction):
         return Fraction(self.numerator, self.denominator)
 
 
-def _is_rational(other: Any) -> bool:
+def _is_rational(other: object) -> bool:
     return isinstance(other, (int, Fraction)) and not isinstance(other, FoundAngle)

@@ -16,13 +16,14 @@ from fractions import Fraction
 from functools import reduce
 from math import lcm
 from operator import add, mul, sub, truediv
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from flint import arb
 
-from kurbel.exact.certify import at_bits
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.kind import Kind, balls, settled
 from kurbel.exact.numerals import Number, figures, given
+from kurbel.exact.separation import Operation
 from kurbel.exact.terms import HALF, exact_root, terms, vanishes
 from kurbel.kernel.circle import Numeric
 
@@ -35,7 +36,7 @@ Known: TypeAlias = "Real | Fraction | int"
 _OF_POWERS = {mul: add, truediv: sub}
 
 
-def _operation(operator: Callable[[Any, Any], Any], swapped: bool = False) -> Callable[[Real, Known], Real]:
+def _operation(operator: Operation, swapped: bool = False) -> Callable[[Real, Known], Real]:
     def call(own: Real, other: Known) -> Real:
         one, two = (Real.of(other), own) if swapped else (own, Real.of(other))
         if operator is mul and 0 in (one.share, two.share):
@@ -52,7 +53,7 @@ def _operation(operator: Callable[[Any, Any], Any], swapped: bool = False) -> Ca
 class Real:
     """A number on any kind; where it was made so, it is a rational `share` of a power of π."""
 
-    on: Callable[[Kind], Any]
+    on: Callable[[Kind], Numeric]
     share: Fraction | None = None
     pi: int = 0
 
@@ -63,7 +64,7 @@ class Real:
         share = Fraction(value)
         pi = pi if share else 0
 
-        def on(kind: Kind) -> Any:
+        def on(kind: Kind) -> Numeric:
             found = kind.of(share)
             for _ in range(abs(pi)):
                 found = found * kind.pi if pi > 0 else found / kind.pi
@@ -78,7 +79,7 @@ class Real:
     @classmethod
     def transcendental(cls, value: Callable[[Kind], Numeric]) -> Real:
         """Return a number of which no rational multiple of a power of π is rational."""
-        return cls(lambda kind: kind.enclosed(lambda: value(balls())))
+        return cls(lambda kind: kind.enclosed(lambda: ball(value(balls()))))
 
     __add__, __sub__, __mul__, __truediv__ = map(_operation, (add, sub, mul, truediv))
     __radd__, __rsub__, __rmul__, __rtruediv__ = (_operation(one, True) for one in (add, sub, mul, truediv))
@@ -86,7 +87,7 @@ class Real:
     def root(self) -> Real:
         """Return the square root of a number that is not negative."""
 
-        def on(kind: Kind) -> Any:
+        def on(kind: Kind) -> Numeric:
             found = self.on(kind)
             # A ball about 0 has no root.
             return found.nonnegative_part().sqrt() if isinstance(found, arb) else found ** kind.exponent(HALF)
@@ -96,7 +97,7 @@ class Real:
     def __float__(self) -> float:
         """Return a float near it, 0 for one that is not told from it."""
         with at_bits(ESTIMATE_BITS):
-            near = self.on(balls())
+            near = ball(self.on(balls()))
         return float(near.mid()) if near.is_finite() else 0.0
 
     def vanishes(self) -> bool:
@@ -126,7 +127,7 @@ _SHORT = 10**6
 
 
 # A positive number on any kind.
-Enclosed: TypeAlias = Callable[[Kind], Any]
+Enclosed: TypeAlias = Callable[[Kind], Numeric]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -196,7 +197,7 @@ class Product:
         """The number where it is known to be rational, else None."""
         return self.base if self.root == 1 and not self.pi and not self.enclosed else None
 
-    def on(self, kind: Kind) -> Any:
+    def on(self, kind: Kind) -> Numeric:
         """Return the number on a kind of numbers."""
         factors = [_power(kind.of(self.base), Fraction(1, self.root), kind)]
         if self.pi:
@@ -207,8 +208,7 @@ class Product:
     def ball(self, bits: int = _NEAR_BITS) -> arb:
         """Return the ball around the number to about so many bits."""
         with at_bits(bits):
-            near: arb = self.on(balls())
-        return near
+            return ball(self.on(balls()))
 
     def __float__(self) -> float:
         return float(self.ball().mid())
@@ -283,7 +283,7 @@ def variable(name: str) -> Term:
     return Term(Product.of(1), {name: Fraction(1)})
 
 
-def _power(value: Any, power: Fraction, kind: Kind) -> Any:
+def _power(value: Numeric, power: Fraction, kind: Kind) -> Numeric:
     return value if power == 1 else value ** kind.exponent(power)
 
 

@@ -132,7 +132,7 @@ class Terms:
         self.parts = parts
 
     @classmethod
-    def of(cls, value: Any) -> Terms:
+    def of(cls, value: object) -> Terms:
         """Return a rational number; one that is known by its ball alone is undecided."""
         if isinstance(value, Terms):
             return value
@@ -366,7 +366,7 @@ def algebraic(kind: Kind, ball: Callable[[], arb], bound: Callable[[], Separatio
     return Terms({ONE: Algebraic(ball(), own)})
 
 
-def terms(value: Callable[[Kind], Any]) -> Parts | None:
+def terms(value: Callable[[Kind], object]) -> Parts | None:
     """Return the terms of a number that are not 0, None where they are not known or no precision tells."""
     bits = FIRST_BITS
     while bits < certify.MOST_TIE_BITS:
@@ -383,8 +383,8 @@ def terms(value: Callable[[Kind], Any]) -> Parts | None:
 def vanishes(value: Callable[[Kind], Numeric]) -> bool:
     """Whether a number on any kind is 0, by proof."""
     with at_bits(FIRST_BITS):
-        near: Any = value(balls())
-    return bool(near.contains(0)) and terms(value) == {}
+        near = certify.ball(value(balls()))
+    return near.contains(0) and terms(value) == {}
 
 
 def tie_bits(value: Callable[[Kind], Numeric], boundary: Fraction) -> float:

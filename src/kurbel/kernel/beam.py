@@ -13,12 +13,10 @@ geometry, re-derived here, is a function of q²/r², the square of the half chor
 Source: Weisbach-Herrmann, § 149.
 """
 
-from typing import Any
-
 from kurbel.kernel.circle import Numeric, cosine_of, root
 
 
-def approximate_lean(arm: Numeric, ratio: Numeric) -> Any:
+def approximate_lean(arm: Numeric, ratio: Numeric) -> Numeric:
     """Return μ = r²/(4a(l + r)) in radians, for a negative ratio ν = r²/(4a(l - r)).
 
     Source: § 149.
@@ -44,7 +42,7 @@ def turning_margin(arm: Numeric, ratio: Numeric) -> Numeric:
     return 4 * arm * short * reach * reach - span * span
 
 
-def highest_square(arm: Numeric, ratio: Numeric) -> Any:
+def highest_square(arm: Numeric, ratio: Numeric) -> Numeric:
     """Return the q²/r² that puts the beam's lower end in line with its pivot and the shaft, l - r before it.
 
     The lesser of this and l/r bounds the root of `closure` from above, if the crank turns. Re-derived.
@@ -55,7 +53,7 @@ def highest_square(arm: Numeric, ratio: Numeric) -> Any:
     return 4 * arm * arm * short * reach / (span * span)
 
 
-def closure(square: Numeric, arm: Numeric, ratio: Numeric) -> Any:
+def closure(square: Numeric, arm: Numeric, ratio: Numeric) -> Numeric:
     """Return (q² - r²)(l² - q²)/(q² l²) - e²/(4 l²), which is 0 if the beam swings symmetrically.
 
     Both dead centres, (h ± q)² + ¼e² = (l ± r)², give the height h = l r/q of the pivot above the shaft and
@@ -66,24 +64,24 @@ def closure(square: Numeric, arm: Numeric, ratio: Numeric) -> Any:
     return (square - 1) * (1 - ratio * ratio * square) / square - slant * slant
 
 
-def closure_slope(square: Numeric, arm: Numeric, ratio: Numeric) -> Any:
+def closure_slope(square: Numeric, arm: Numeric, ratio: Numeric) -> Numeric:
     """Return the slope of `closure` over q²/r²."""
     bend = sagitta(square, arm) / (4 * _chord_distance(square, arm))
     return 1 / (square * square) - ratio * ratio * (1 + bend)
 
 
-def sagitta(square: Numeric, arm: Numeric) -> Any:
+def sagitta(square: Numeric, arm: Numeric) -> Numeric:
     """Return e = a - √(a² - q²) of the arc of the beam's end."""
     # The difference keeps half the digits at a = 10^4 r and none at 10^8 r.
     return square / (arm + _chord_distance(square, arm))
 
 
-def lean_sine(square: Numeric, arm: Numeric, ratio: Numeric) -> Any:
+def lean_sine(square: Numeric, arm: Numeric, ratio: Numeric) -> Numeric:
     """Return sin μ = ½e/(l + r), for a negative ratio sin ν = ½e/(l - r). Re-derived."""
     return abs(ratio) * sagitta(square, arm) / (2 * (1 + ratio))
 
 
-def swing_tangent(square: Numeric, arm: Numeric, ratio: Numeric) -> Any:
+def swing_tangent(square: Numeric, arm: Numeric, ratio: Numeric) -> Numeric:
     """Return tan ½δ of the beam's turn δ between its dead centre and the position with vertical crank.
 
     The beam's end moves by a δ along its arc. Re-derived.

@@ -205,7 +205,7 @@ def _by_thrust(
     return circle.sine + (circle.cosine * sine + lost) / cosine
 
 
-def _chosen(sign: Any, above: Any, below: Any, falling: Any) -> Any:
+def _chosen(sign: Any, above: Any, below: Any, falling: Any) -> Numeric:
     """Return what belongs to a sign: at 0 to that which follows where `falling` is the slope downwards. A
     ball that holds 0 has both, and so has a separation bound."""
     if hasattr(sign, "shape"):

@@ -136,7 +136,7 @@ def _summed(number: Numeric, quotient: Callable[[int], float]) -> Numeric:
 
 def _matters(term: Numeric) -> bool:
     large = abs(term) > _NEGLIGIBLE
-    return large if isinstance(large, bool) else bool(large.any())
+    return bool(large.any()) if hasattr(large, "any") else bool(large)
 
 
 HALF = Fraction(1, 2)
@@ -184,7 +184,7 @@ class Star:
 
     def point(
         self, circle: Callable[[Fraction], Circle[Numeric]], of: Callable[[Fraction], Numeric]
-    ) -> tuple[Any, Any]:
+    ) -> tuple[Numeric, Numeric]:
         """Return x and y in the kind of number that `circle`, of degrees, and `of` make."""
         x = y = of(Fraction(0))
         for turn, length in self.rays:

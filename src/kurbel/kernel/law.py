@@ -187,7 +187,7 @@ class Cubics:
         """Return so many times the pressure."""
         return Cubics(self.knots, factor * self.powers, self.corners)
 
-    def _at(self, share: Any, value: Callable[[Sequence[Any], Any], Any]) -> Any:
+    def _at(self, share: Any, value: Callable[[Sequence[Numeric], Numeric], Numeric]) -> Numeric:
         if hasattr(share, "shape"):
             within = share.clip(self.knots[0], self.knots[-1])
             index = self.knots[1:-1].searchsorted(within, "right")
@@ -211,7 +211,7 @@ def _pressure(piece: Sequence[Numeric], at: Numeric) -> Numeric:
     return ((cube * at + square) * at + line) * at + level
 
 
-def _slope(piece: Sequence[Numeric], at: Numeric) -> Any:
+def _slope(piece: Sequence[Numeric], at: Numeric) -> Numeric:
     cube, square, line, _, _ = piece
     return (3 * (cube * at) + 2 * square) * at + line
 

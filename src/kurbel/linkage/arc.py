@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
 from math import isqrt, pi, tan
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from flint import arb
 
@@ -223,16 +223,17 @@ class ArcDrive(LinkageDrive):
         velocity = self.asked("velocity", quantity.stroke)
 
         def rise(half_turns: arb) -> arb:
-            return self.value(velocity, half_turn_circle(half_turns), balls()) * self._gauge(quantity)
+            found = self.value(velocity, half_turn_circle(half_turns), balls())
+            return ball(found * self._gauge(quantity))
 
         ends = {"path": (Fraction(0), None), PATH_SHARE: (Fraction(0), Fraction(1))}
         return replace(course, slope=rise, ends=ends.get(quantity.key, (None, None)))
 
     def _dead_angles(self, stroke: int) -> tuple[Callable[[], arb], Callable[[], arb]]:
-        def begin() -> Any:
-            return self.arc.dead_angle(stroke, balls()) / 180
+        def begin() -> arb:
+            return ball(self.arc.dead_angle(stroke, balls())) / 180
 
-        return begin, lambda: begin() + 1 + stroke * self.arc.lead(balls()) / 180
+        return begin, lambda: begin() + 1 + stroke * ball(self.arc.lead(balls())) / 180
 
     def _gauge(self, quantity: Quantity) -> Numeric:
         """Return by how much the path, its share or the rocker's angle grows in half a turn at v = 1."""

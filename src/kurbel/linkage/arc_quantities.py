@@ -39,7 +39,7 @@ def _turned(at: At) -> Numeric:
     return 2 * at.numbers.arc(linkage.path_half_sine(at.place, at.arc))
 
 
-def _path(at: At) -> Any:
+def _path(at: At) -> Numeric:
     return _turned(at) * at.numbers.pi / 180 / at.arc.curvature
 
 
@@ -51,8 +51,8 @@ def _slant(at: At) -> Numeric:
     return at.numbers.arc(at.place.slant)
 
 
-def _of(kernel: Callable[..., Numeric], *said: Any) -> Formula:
-    return Formula(lambda at: kernel(at.place, at.arc), *said)
+def _of(kernel: Callable[..., Numeric], printed: Label = "", symbols: tuple[Label, ...] = ()) -> Formula:
+    return Formula(lambda at: kernel(at.place, at.arc), printed, symbols)
 
 
 def _by_rocker(kernel: Callable[..., Numeric]) -> Formula:
@@ -63,7 +63,7 @@ def _gaining(even: Formula, velocity: Formula) -> Formula:
     """Return the formula of an acceleration, to which comes what the crank's own acceleration adds to it: so
     much of the velocity."""
 
-    def kernel(at: At) -> Any:
+    def kernel(at: At) -> Numeric:
         found = even.kernel(at)
         return found if at.gain is None else found + at.gain * velocity.kernel(at)
 
@@ -179,7 +179,7 @@ def _parted(at: At) -> AccelerationParts:
 
 
 def _kernel(force: RodForce, model: str) -> Callable[[At], Numeric]:
-    def kernel(at: At) -> Any:
+    def kernel(at: At) -> Numeric:
         masses = known(at.drive.crank.rod).masses(model, at.numbers.of)
         return force.formula(LoadedRocker(at.circle, at.arc.ratio, masses, place=at.place, arc=at.arc))
 

@@ -22,6 +22,7 @@ from flint import arb
 
 from kurbel.drive.crank import LONGEST_ROD, Crank, DescribedDrive, radii
 from kurbel.errors import ProblemError
+from kurbel.exact.certify import ball
 from kurbel.exact.course import Course
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, exact_text
@@ -188,7 +189,7 @@ class BeamCrank(RockerCrank):
 def _place(engine: BeamEngine, precision: int) -> tuple[arb, arb]:
     """Return η and σ at the precision in force."""
     square, (arm, ratio) = chord_square(engine), engine.numbers()
-    sagitta, chord = beam.sagitta(square, arm), square.sqrt()
+    sagitta, chord = ball(beam.sagitta(square, arm)), square.sqrt()
     # (1/q - 1)/λ, in which `closure` takes the place of 1 - q² = (1 - q)(1 + q).
     bent = ratio * sagitta * sagitta * chord
     return -sagitta / 2, -bent / (4 * (1 - ratio * ratio * square) * (1 + chord))

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from flint import arb
 
@@ -104,9 +104,9 @@ def chord_square(engine: BeamEngine) -> arb:
 
 def _nearer(below: arb, above: arb, arm: arb, ratio: arb) -> tuple[arb, arb]:
     """Return bounds of the root of `closure` that are no farther from it than these."""
-    value = beam.closure(below, arm, ratio)
-    tangent = (below - value / beam.closure_slope(below, arm, ratio)).lower()
-    rise = beam.closure(above, arm, ratio) - value
+    value = ball(beam.closure(below, arm, ratio))
+    tangent = ball(below - value / beam.closure_slope(below, arm, ratio)).lower()
+    rise = ball(beam.closure(above, arm, ratio)) - value
     chord = (below - value * (above - below) / rise).upper()
     # Where too few bits are left to divide, or to know that the chord rises, the bounds stay.
     return (tangent if tangent > below else below), (chord if rise > 0 and chord < above else above)
@@ -114,22 +114,22 @@ def _nearer(below: arb, above: arb, arm: arb, ratio: arb) -> tuple[arb, arb]:
 
 def _exact_lean(engine: BeamEngine, side: int) -> arb:
     """Return μ (UPPER) or ν (LOWER) in degrees."""
-    return ball_degrees(beam.lean_sine(chord_square(engine), *engine.numbers(side)))
+    return ball_degrees(ball(beam.lean_sine(chord_square(engine), *engine.numbers(side))))
 
 
-def _lean(engine: BeamEngine, side: int) -> Any:
+def _lean(engine: BeamEngine, side: int) -> arb:
     """Return the same by the formula of the book."""
-    return beam.approximate_lean(*engine.numbers(side)) * 180 / pi()
+    return ball(beam.approximate_lean(*engine.numbers(side))) * 180 / pi()
 
 
-def _exact_path(engine: BeamEngine, side: int) -> Any:
+def _exact_path(engine: BeamEngine, side: int) -> arb:
     """Return the beam's path between a dead centre and the vertical crank."""
-    return 2 * ball(engine.arm) * beam.swing_tangent(chord_square(engine), *engine.numbers(side)).atan()
+    return 2 * ball(engine.arm) * ball(beam.swing_tangent(chord_square(engine), *engine.numbers(side))).atan()
 
 
-def _path(engine: BeamEngine, side: int) -> Any:
+def _path(engine: BeamEngine, side: int) -> arb:
     """Return the same by the formula of the book."""
-    return beam.approximate_path((beam.approximate_lean(*engine.numbers(side)) / 2).sin())
+    return ball(beam.approximate_path((ball(beam.approximate_lean(*engine.numbers(side))) / 2).sin()))
 
 
 def _distance(lean: Kernel) -> Kernel:
@@ -183,9 +183,9 @@ def _entry(
     )  # fmt: skip
 
 
-def value(quantity: Quantity, engine: BeamEngine, method: str) -> Any:
+def value(quantity: Quantity, engine: BeamEngine, method: str) -> arb:
     """Return the quantity in its unit, in degrees or radii, at the precision in force."""
-    return quantity.formulas[method].kernel(engine, quantity.stroke)
+    return ball(quantity.formulas[method].kernel(engine, quantity.stroke))
 
 
 def certified(

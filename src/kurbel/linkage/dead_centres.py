@@ -54,7 +54,7 @@ def drives_of(chosen: Mechanism, said: DescribedDrive, ratios: Sequence[str]) ->
     return tuple(replace(drive, crank=replace(drive.crank, speed=turns)) for drive in drives)
 
 
-def _time(sign: int, drive: Any, kind: Kind) -> Any:
+def _time(sign: int, drive: Any, kind: Kind) -> Numeric:
     """Return the time of the outstroke (1) or of the return (-1) in seconds, the crank turning uniformly."""
     return (180 + sign * drive.lead(kind)) / 360 * turn_time(drive.crank, kind)
 
@@ -130,7 +130,7 @@ def _number(question: DeadCentresRequest, column: Column, place: Place, times: i
     quantity, drive = column.quantity, question.drives[place["ratio"]]
     kernel = quantity.formulas["exact"].kernel
 
-    def value(kind: Kind) -> Any:
+    def value(kind: Kind) -> Numeric:
         return times * kernel(drive, kind)
 
     return Number(settled(value, column.places, question.rounding), column.places)

@@ -72,7 +72,7 @@ class Linkage(DeadCentres, ABC):
 
     __slots__ = ()
 
-    crank: Any
+    crank: Crank
     # The stroke of one that turns evenly to and fro, in units of R.
     reach: ClassVar[int] = 2
 
@@ -92,7 +92,7 @@ class Linkage(DeadCentres, ABC):
         return kind.of(Fraction(self.reach))
 
     @abstractmethod
-    def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> linkage.Place[Any]:
+    def place(self, stroke: int, circle: Circle[Numeric], kind: Kind) -> linkage.Place[Numeric]:
         """Return where the driven end is: its way, its velocity, the slants of rod and crank against it."""
 
     def at(

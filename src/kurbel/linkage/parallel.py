@@ -66,7 +66,7 @@ class ParallelCrank(Linkage):
 
     crank: Crank = RODLESS
 
-    def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
+    def place(self, stroke: int, circle: Circle[Numeric], kind: Kind) -> Place[Numeric]:
         """Return where any point of the rod stands, which moves alike on both strokes."""
         return coupler_place(circle)
 

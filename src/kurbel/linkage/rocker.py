@@ -14,7 +14,7 @@ from abc import abstractmethod
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any, ClassVar, TypeAlias
+from typing import ClassVar, TypeAlias
 
 from kurbel.drive.at import At, known
 from kurbel.drive.crank import Crank
@@ -88,7 +88,7 @@ class RockerCrank(Linkage):
     def _dead_centres(self, kind: Kind) -> tuple[Arc[Numeric], Arc[Numeric]]:
         return self.dead_centre(OUT, kind), self.dead_centre(RETURN, kind)
 
-    def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
+    def place(self, stroke: int, circle: Circle[Numeric], kind: Kind) -> Place[Numeric]:
         """Return where the rod's end stands on its arc."""
         arc = self.dead_centre(stroke, kind)
         return linkage.place(linkage.from_dead_centre(circle, arc), arc)
@@ -148,7 +148,7 @@ class MovedRocker(Moved):
         self.arcs = [drive.dead_centre(stroke, kind) for stroke in (OUT, RETURN)]
         self.length = drive.way(kind)
         self._dead_angles = [drive.dead_angle(stroke, kind) / 180 for stroke in (OUT, RETURN)]
-        self._last: tuple[int, Circle[Any], Place[Numeric]] | None = None
+        self._last: tuple[int, Circle[Numeric], Place[Numeric]] | None = None
 
     def dead_centre(self, stroke: int) -> Numeric:
         return self._dead_angles[stroke]

@@ -12,6 +12,7 @@ from kurbel.drive.at import At
 from kurbel.drive.crank import LONGEST_ROD, RODLESS, Crank, DescribedDrive, radii
 from kurbel.drive.load import FORCE
 from kurbel.errors import ProblemError
+from kurbel.exact.certify import ball
 from kurbel.exact.course import Course
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import Label, exact_text
@@ -121,7 +122,7 @@ class SlottedLever(Linkage):
         of = kind.of
         return Links(of(stroke * self.pivot), of(self.arm), of(self.height), of(ratio), stroke)
 
-    def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Any:
+    def place(self, stroke: int, circle: Circle[Numeric], kind: Kind) -> Any:
         return kernel.lever(circle, self.links(stroke, kind))
 
     def at(
@@ -194,7 +195,7 @@ _TURNING, _GAIN = "$ω_B/ω = (1 + D sin φ)/q$", "$ε_B/ω^2 = (D (D^2 - 1) cos
 
 
 def _lever_angle(at: At) -> Numeric:
-    place: Lever[Any] = at.place
+    place: Lever[Numeric] = at.place
     if at.drive.swings:
         return at.stroke * at.numbers.arc(place.sine)
     if at.degrees is None:
@@ -205,11 +206,11 @@ def _lever_angle(at: At) -> Numeric:
     return (at.numbers.of(turned) if isinstance(turned, Fraction) else turned) - between
 
 
-def _of(kernel_function: Callable[..., Numeric], *printed: Any) -> Formula:
-    return Formula(lambda at: kernel_function(at.place, at.arc), *printed)
+def _of(kernel_function: Callable[..., Numeric], printed: Label, symbols: tuple[Label, ...] = ()) -> Formula:
+    return Formula(lambda at: kernel_function(at.place, at.arc), printed, symbols)
 
 
-def _path(at: At) -> Any:
+def _path(at: At) -> Numeric:
     return kernel.path(at.place, at.arc, at.drive.swings)
 
 
@@ -331,8 +332,8 @@ class SlottedDrive(LinkageDrive):
         return False
 
     def ends(self, stroke: int) -> tuple[Place, Place]:
-        def angle(of: int, more: int) -> Any:
-            return more + self.drive.dead_angle(of, balls()) / 180
+        def angle(of: int, more: int) -> arb:
+            return more + ball(self.drive.dead_angle(of, balls())) / 180
 
         return Place(partial(angle, stroke, 0), self.centre), Place(partial(angle, -stroke, 1), self.centre)
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 from kurbel.drive.crank import RODLESS, Crank, DescribedDrive
 from kurbel.exact.kind import Kind
@@ -42,7 +41,7 @@ class Yoke(Linkage):
 
     crank: Crank = RODLESS
 
-    def place(self, stroke: int, circle: Circle[Any], kind: Kind) -> Place[Any]:
+    def place(self, stroke: int, circle: Circle[Numeric], kind: Kind) -> Place[Numeric]:
         nothing, (sine, cosine, way) = circle.sine * 0, (circle.sine, circle.cosine, circle.versine)
         return Place(way, way, nothing, nothing, nothing + 1, sine, cosine, sine)
 

@@ -18,7 +18,7 @@ from flint import arb
 
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import NEVER_TIES, TieBits, half_turn_circle, rounded
+from kurbel.exact.certify import NEVER_TIES, TieBits, ball, half_turn_circle, rounded
 from kurbel.exact.course import Course
 from kurbel.exact.kind import Kind, balls, surds
 from kurbel.exact.numerals import Label
@@ -146,11 +146,11 @@ class Drive(ABC):
         ties = ties_at(place, self._surd(column, stroke), times)
 
         def at() -> arb:
-            return self.value(quantity, half_turn_circle(place.half_turns()), balls())
+            return ball(self.value(quantity, half_turn_circle(place.half_turns()), balls()))
 
         return rounded(at, decimals, rounding, ties)
 
-    def value(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Any:
+    def value(self, quantity: Quantity, circle: Circle[Any], numbers: Kind) -> Numeric:
         """Return a quantity of a stroke on any kind of number."""
         return value(quantity, self.method, self.drive, circle, numbers)
 
@@ -224,10 +224,12 @@ class Drive(ABC):
         """Return a quantity, its slope and the slope of that, over half turns in balls."""
 
         def at(half_turns: arb) -> arb:
-            return self.value(quantity, half_turn_circle(half_turns), balls())
+            return ball(self.value(quantity, half_turn_circle(half_turns), balls()))
 
-        def jet(half_turns: arb) -> Any:
-            return self.value(quantity, ball_jets(half_turns), balls())
+        def jet(half_turns: arb) -> Jet:
+            found = self.value(quantity, ball_jets(half_turns), balls())
+            assert isinstance(found, Jet)
+            return found
 
         return at, *slopes(jet)
 
@@ -294,7 +296,7 @@ class SlideDrive(Drive):
 
         def at() -> arb:
             circle = half_turn_circle(place.half_turns())
-            return value(quantity, self.method, self.crank, circle, balls(), way=way)
+            return ball(value(quantity, self.method, self.crank, circle, balls(), way=way))
 
         return rounded(at, decimals, rounding, NEVER_TIES)
 
@@ -348,7 +350,7 @@ class SlideDrive(Drive):
         if self.is_straight:
             return super().ends(stroke)
         angle = self.crank.dead_angle
-        angles = (lambda: angle(stroke, balls()) / 180, lambda: 1 + angle(-stroke, balls()) / 180)
+        angles = (lambda: ball(angle(stroke, balls())) / 180, lambda: 1 + ball(angle(-stroke, balls())) / 180)
         return self.rests(self.asked("c", stroke), angles)
 
     def formula_lines(self, question: FormulaContext, columns: Sequence[Column]) -> Iterator[Label]:

@@ -39,7 +39,7 @@ def _motion(straight: Kernel, first: Kernel, offset: Kernel, *lines: Label) -> F
     """Return the formulas by the methods exact, series and infinite, of the offset crank, and by higher
     powers of λ, of which kernel/series.py has the kernel by the name of the exact one; as printed."""
 
-    def exact(at: At) -> Any:
+    def exact(at: At) -> Numeric:
         return straight(at.circle, at.ratio)
 
     kernels = {

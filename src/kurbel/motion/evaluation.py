@@ -143,15 +143,15 @@ def value(
     drive: Drive,
     circle: Any,
     numbers: Kind,
-    degrees: Any = None,
+    degrees: Numeric | None = None,
     way: int | None = None,
-) -> Any:
+) -> Numeric:
     """Return the quantity of a drive in its unit, on the kind of number that circle and `numbers` are of.
 
     The circle is that of φ, on the return of φ less 180°. A time takes the angle in `degrees`, friction which
     `way` the piston goes, where it rests.
     """
-    at: At = drive.at(quantity.stroke, circle, numbers, method, quantity.of)
+    at = drive.at(quantity.stroke, circle, numbers, method, quantity.of)
     at.degrees, at.way = degrees, way
     return _value_at(quantity, method, at)
 
@@ -162,7 +162,7 @@ def _value_at(quantity: Quantity, method: str, at: At) -> Numeric:
         return _scaled_at(quantity, method, at)
     import numpy as np
 
-    exists: Any = quantity.exists(at)
+    exists = quantity.exists(at)
     with np.errstate(divide="ignore", invalid="ignore"):
         if np.ndim(exists):
             found: Any = _scaled_at(quantity, method, at)
@@ -178,7 +178,7 @@ def _scaled_at(quantity: Quantity, method: str, at: At) -> Numeric:
 class Places:
     """The places of a drive at an angle, which its quantities share; each is made once for each precision."""
 
-    def __init__(self, drive: Any, angle: Fraction) -> None:
+    def __init__(self, drive: Drive, angle: Fraction) -> None:
         self.drive, self.angle = drive, angle
         self._made: dict[tuple[object, ...], At] = {}
         self._ways: dict[int, int] = {}
@@ -189,9 +189,8 @@ class Places:
         key = (quantity.stroke, method, id(numbers), quantity.of if numbers.bounded else None)
         # A place holds its kind of number, so that no other has its id.
         if key not in self._made:
-            made: At = self.drive.at(
-                quantity.stroke, numbers.circle(self.angle), numbers, method, quantity.of
-            )
+            circle = numbers.circle(self.angle)
+            made = self.drive.at(quantity.stroke, circle, numbers, method, quantity.of)
             made.way, made.degrees = self._way(quantity.stroke), self.angle
             self._made[key] = made
         return self._made[key]
@@ -200,7 +199,7 @@ class Places:
         if not self.drive.crank.has_friction:
             return None
         if stroke not in self._ways:
-            self._ways[stroke] = way_at(self.drive, stroke, self.angle)
+            self._ways[stroke] = way_at(self.drive.crank, stroke, self.angle)
         return self._ways[stroke]
 
 
@@ -263,7 +262,7 @@ def certified(
 def certified_at(quantity: Quantity, method: str, places: Places, decimals: int, rounding: str) -> int:
     """Return the same at places that quantities share."""
 
-    def at(kind: Kind) -> Any:
+    def at(kind: Kind) -> Numeric:
         return _value_at(quantity, method, places.at(quantity, method, kind))
 
     return settled(at, decimals, rounding)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from operator import methodcaller
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.drive.at import At, known
 from kurbel.drive.crank import Crank
@@ -22,7 +22,7 @@ from kurbel.motion.rod_forces import held, mollier_entries, part_entries
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
 # Of a loaded drive; others than the slide's know the same forces by these names.
-RodFormula = Callable[[Any], Numeric]
+RodFormula = Callable[[LoadedCrank], Numeric]
 Coefficients = Callable[[Masses[Fraction], bool], Sequence[Fraction | int]]
 
 
@@ -63,7 +63,8 @@ def _pin_square(loaded: LoadedCrank) -> Numeric:
 
 
 def _shares(
-    finite: Callable[[Masses[Fraction]], Sequence[Any]], infinite: Callable[[Masses[Fraction]], Sequence[Any]]
+    finite: Callable[[Masses[Fraction]], Sequence[Fraction | int]],
+    infinite: Callable[[Masses[Fraction]], Sequence[Fraction | int]],
 ) -> Coefficients:
     return lambda masses, endless: (infinite if endless else finite)(masses)
 
@@ -105,7 +106,7 @@ ROD_FORCES: Mapping[str, RodForce] = {
 }
 
 
-def _couple(loaded: Any) -> Any:
+def _couple(loaded: LoadedCrank) -> Numeric:
     """-I ψ̈ of the rod about its centre of mass, by its masses at the pins and the couple they lack."""
     pin, crosshead, couple, *_ = loaded.masses
     return (pin * crosshead + couple) * loaded.swing + 0
@@ -129,7 +130,7 @@ def _resultant(loaded: LoadedCrank) -> Numeric:
     return magnitude(loaded.pin_force_along(), loaded.pin_force_across() + loaded.guide_force())
 
 
-def _arm(loaded: LoadedCrank) -> Any:
+def _arm(loaded: LoadedCrank) -> Numeric:
     """Return how far the line of the inertia force passes by the centre of mass, in L."""
     return abs(_couple(loaded)) / _resultant(loaded)
 
@@ -172,7 +173,7 @@ def _of_slide(force: RodForce, model: str) -> Callable[[At], Numeric]:
     return kernel
 
 
-def rod_entries(kernel_of: Callable[[RodForce, str], Callable[[Any], Numeric]]) -> Iterator[Quantity]:
+def rod_entries(kernel_of: Callable[[RodForce, str], Callable[[At], Numeric]]) -> Iterator[Quantity]:
     """Yield every force by every model, by the kernel calls of a drive."""
     for force in (*ROD_FORCES.values(), *ROD_COUPLES.values()):
         # Two masses lack what they are given in addition.
@@ -180,7 +181,7 @@ def rod_entries(kernel_of: Callable[[RodForce, str], Callable[[Any], Numeric]]) 
             yield from _entries(force, model, kernel_of(force, model))
 
 
-def _entries(force: RodForce, model: str, kernel: Callable[[Any], Numeric]) -> Iterator[Quantity]:
+def _entries(force: RodForce, model: str, kernel: Callable[[At], Numeric]) -> Iterator[Quantity]:
     """Yield the force by a model in units of the rod's mass, and in newtons."""
     key = f"inertia_{force.key}" + ("" if model == "exact" else f"_{model.replace('-', '_')}")
     share = _entry(key, force.letter, force.name, force.unit, model, kernel)

@@ -160,7 +160,7 @@ class ErrorsRequest(CrankQuestion):
         if of_error:
             # Forces are sums of shares of the masses, and so are errors.
             true = rod.masses(EXACT, Fraction)
-            masses = Masses(*(one - other for one, other in zip(masses, true, strict=True)))
+            masses = Masses(*(Fraction(one - other) for one, other in zip(masses, true, strict=True)))
         return Peak(FORCES[force], self.cranks[ratio], masses)
 
 

@@ -36,7 +36,7 @@ from kurbel.exact.terms import algebraic
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.moving import Masses
 from kurbel.kernel.rod import LoadedCrank
-from kurbel.motion.inertia import RodForce
+from kurbel.motion.inertia import RodForce, RodFormula
 
 CONTENDING_BITS = 256
 # Of a crank, at which its motion is kept.
@@ -120,14 +120,22 @@ class Peak:
         assert isinstance(bound, Separation)
         return bound
 
-    def _bounded(self, formula: Any, degrees: Fraction, circle: Callable[..., Circle[Any]], of: Any) -> Any:
+    def _bounded(
+        self,
+        formula: RodFormula,
+        degrees: Fraction,
+        circle: Callable[..., Circle[Any]],
+        of: Callable[[Fraction], Any],
+    ) -> Numeric:
         """Return what the formula says of the bounds at an exact place."""
         key = circle, degrees
         if key not in self._moved:
             self._moved[key] = _loaded(self.crank, circle(circle_separation(degrees)), of)
         return formula(self._moved[key].bearing(Masses(*map(of, map(Fraction, self.masses)))))
 
-    def _at(self, formula: Any, circle: Callable[[Any], Circle[Any]], half_turns: arb | Fraction) -> Any:
+    def _at(
+        self, formula: RodFormula, circle: Callable[[Any], Circle[Any]], half_turns: arb | Fraction
+    ) -> Numeric:
         """Return what the formula says of a place in half turns; the rod moves alike in all its forces."""
         precision = flint.ctx.prec
         masses = self._balls.get(precision)
@@ -135,10 +143,13 @@ class Peak:
             masses = self._balls[precision] = Masses(*map(ball, map(Fraction, self.masses)))
         return formula(self._moving(circle, half_turns, precision).bearing(masses))
 
-    def _moving(self, circle: Callable[[Any], Circle[Any]], half_turns: Any, precision: int) -> LoadedCrank:
+    def _moving(
+        self, circle: Callable[[Any], Circle[Any]], half_turns: arb | Fraction, precision: int
+    ) -> LoadedCrank:
         """Return the crank at a place, as all forces of the rod and the masses for it ask for it."""
-        exact = isinstance(half_turns, Fraction)
-        place = half_turns if exact else (half_turns.mid().man_exp(), half_turns.rad().man_exp())
+        place: object = half_turns
+        if isinstance(half_turns, arb):
+            place = half_turns.mid().man_exp(), half_turns.rad().man_exp()
         key = circle, place, precision
         if key not in self._moved:
             if len(self._moved) >= MOST_PLACES:
@@ -146,7 +157,7 @@ class Peak:
             self._moved[key] = _loaded(self.crank, circle(half_turns), ball)
         return self._moved[key]
 
-    def _jet(self, formula: Any, half_turns: arb) -> Jet:
+    def _jet(self, formula: RodFormula, half_turns: arb) -> Jet:
         jet = self._at(formula, ball_jets, half_turns)
         assert isinstance(jet, Jet)
         return jet
@@ -190,25 +201,25 @@ class Peak:
         return Zero(self._slope, self._bend, low, high, None)
 
     def _magnitude(self, half_turns: arb) -> arb:
-        magnitude: arb = abs(self._at(self.force.formula, half_turn_circle, half_turns))
-        return magnitude
+        return abs(ball(self._at(self.force.formula, half_turn_circle, half_turns)))
 
     def _is_level(self, quarter: Fraction) -> bool:
         """Whether the slope at a quarter of the turn is zero, proved by its separation bound."""
-        bits = self._bounded(self.force.smooth, 180 * quarter, jets, _constant).slope.bits()
-        return vanishes(lambda: self._slope(ball(quarter)), float(bits))
+        jet = self._bounded(self.force.smooth, 180 * quarter, jets, _constant)
+        assert isinstance(jet, Jet)
+        return vanishes(lambda: self._slope(ball(quarter)), float(jet.slope.bits()))
 
     def _value_at(self, place: Zero) -> arb:
         at = place.place()
         found = self._at(self.force.formula, _exact, place.low) if _is_exact(place) else self._magnitude(at)
-        value: arb = abs(found)
+        value = abs(ball(found))
         if _is_exact(place) or place.rising is not None:
             return value
         nearer = abs(self._around(at))
         # A magnitude has no slope where it is zero.
         return nearer if nearer.is_finite() else value
 
-    def _around(self, at: arb) -> Any:
+    def _around(self, at: arb) -> arb:
         """Return all values within an interval that precision does not narrow, by mean-value forms."""
         if flint.ctx.prec > MOST_BITS:
             raise ProblemError(
@@ -217,7 +228,8 @@ class Peak:
             )
         middle, wide = self._jet(self.force.formula, at.mid()), self._jet(self.force.formula, at)
         away = (at - at.mid()) * pi()
-        return middle.value + away * (middle.slope + away * wide.bend)
+        found: arb = middle.value + away * (middle.slope + away * wide.bend)
+        return found
 
 
 @lru_cache(maxsize=16)
@@ -226,7 +238,7 @@ def _places(crank: Crank) -> dict[tuple[object, ...], LoadedCrank]:
     return {}
 
 
-def _loaded(crank: Crank, circle: Circle[Any], of: Any) -> LoadedCrank:
+def _loaded(crank: Crank, circle: Circle[Any], of: Callable[[Fraction], Any]) -> LoadedCrank:
     """Return the crank's drive, without masses."""
     offset = of(crank.offset) if crank.offset else None
     return LoadedCrank(circle, of(crank.ratio), Masses(0, 0, 0), offset)

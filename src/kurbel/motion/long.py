@@ -62,7 +62,7 @@ def _of_ratio(quantity: Quantity, method: str) -> Callable[[Numeric, Numeric], N
     kernel, numbers, stroke = kernel_of(quantity, method, NO_RATIO), floats(), quantity.stroke
     scale = quantity.scale(NO_RATIO, numbers) if quantity.scale else None
 
-    def column(circle: Any, ratio: Numeric) -> Any:
+    def column(circle: Any, ratio: Numeric) -> Numeric:
         # An infinite rod has no ratio, and the return stroke the other sign.
         signed = 0.0 if method == "infinite" else ratio if stroke > 0 else -ratio
         found = kernel(At(circle, NO_RATIO, numbers, stroke, signed, None, method == "series"))
@@ -134,7 +134,7 @@ class LongColumns(ABC):
         self._whole: dict[tuple[int, ...], dict[str, Integers]] = {}
 
     @abstractmethod
-    def value(self, one: Column, place: Place, places: Places) -> Any:
+    def value(self, one: Column, place: Place, places: Places) -> Numeric:
         """Return a column at a run of angles, NotImplemented where it has no formulas on enclosures."""
 
     @abstractmethod
@@ -230,7 +230,7 @@ class AngleColumns(LongColumns):
     def drives(self) -> Iterator[Any]:
         yield from self.question.drives
 
-    def value(self, one: Column, place: Place, places: Places) -> Any:
+    def value(self, one: Column, place: Place, places: Places) -> Numeric:
         if one.quantity.of == DIRECTION:
             return NotImplemented
         return self.question.value(one, place, places.angle.circle, ENCLOSURES)

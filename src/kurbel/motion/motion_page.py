@@ -110,7 +110,7 @@ class AngleQuestion(DriveQuestion):
         """The places on all axes but those of angles and columns, in the order of records."""
         return [{"ratio": drive} for drive in range(len(self.drives))]
 
-    def value(self, column: Column, place: Mapping[str, int], point: Circle[Any], kind: Kind) -> Any:
+    def value(self, column: Column, place: Mapping[str, int], point: Circle[Any], kind: Kind) -> Numeric:
         """Return a column on any kind of number, NotImplemented where it has no such formulas."""
         return value(column.quantity, "exact", self.drives[place.get("ratio", 0)], point, kind)
 

@@ -8,10 +8,12 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple, Protocol
 
+from flint import arb
+
 from kurbel.drive.at import gain
 from kurbel.drive.crank import Crank
 from kurbel.drive.moved import Drive
-from kurbel.exact.certify import GUARD_BITS, NEVER_TIES, at_bits, ball_degrees, rounded
+from kurbel.exact.certify import GUARD_BITS, NEVER_TIES, at_bits, ball, ball_degrees, rounded
 from kurbel.exact.kind import Kind, balls, settled
 from kurbel.exact.numerals import nearest
 from kurbel.exact.terms import vanishes
@@ -32,21 +34,21 @@ class At(NamedTuple):
     """What a kernel call takes: the rod, the point, the reach of one beside its axis, the kind of number, and
     α/ω² of a crank that is itself accelerated."""
 
-    rod: Rod[Any]
-    point: Point[Any]
-    reach: Reach[Any] | None
+    rod: Rod[Numeric]
+    point: Point[Numeric]
+    reach: Reach[Numeric] | None
     kind: Kind
-    gain: Any = None
+    gain: Numeric | None = None
 
 
 Vectorial = Callable[[At], Vector[Numeric]]
 
 
-def path(at: At) -> Vector[Any]:
+def path(at: At) -> Vector[Numeric]:
     return kernel.path(at.rod, at.point, at.reach)
 
 
-def velocity(at: At) -> Vector[Any]:
+def velocity(at: At) -> Vector[Numeric]:
     return kernel.velocity(at.rod, at.point)
 
 
@@ -174,14 +176,14 @@ TURN, QUARTER = 360, 90
 FIRST_BITS = 2 * GUARD_BITS
 
 
-def of_floats(vector: Vector[Any]) -> Any:
+def of_floats(vector: Vector[Any]) -> Numeric:
     """Return the direction of floats or arrays, in degrees; that of no vector is 0."""
     import numpy as np
 
     return np.degrees(np.arctan2(vector.across, 0.0 - vector.along)) % TURN
 
 
-def continued(values: Any, amounts: Any) -> Any:
+def continued(values: Any, amounts: Any) -> Numeric:
     """Return directions over the crank angle, as floats, without steps by a whole turn; that of no vector is
     no number."""
     import numpy as np
@@ -221,8 +223,7 @@ def _sector(made: Made) -> int | None:
     while True:
         precision *= 2
         with at_bits(precision):
-            one: Vector[Any] = made(balls())
-            forth, up = -one.along, one.across
+            forth, up = _pair(made(balls()))
             level = abs(forth).mid() >= abs(up).mid()
             strong = forth if level else up
             if not strong.contains(0):
@@ -231,15 +232,19 @@ def _sector(made: Made) -> int | None:
             return None
 
 
+def _pair(vector: Vector[Numeric]) -> tuple[arb, arb]:
+    return ball(-vector.along), ball(vector.across)
+
+
 def _is_none(made: Made) -> bool:
     return vanishes(lambda kind: made(kind).along) and vanishes(lambda kind: made(kind).across)
 
 
-def _in_sector(vector: Vector[Any], sector: int) -> Any:
+def _in_sector(vector: Vector[Numeric], sector: int) -> arb:
     """Return the degrees of a vector in its quarter, within 45° of the middle of that or somewhat more."""
-    forth, up = -vector.along, vector.across
+    forth, up = _pair(vector)
     aside = (up, -forth, -up, forth)[sector]
-    return QUARTER * sector + ball_degrees(aside / amount(vector))
+    return QUARTER * sector + ball_degrees(aside / ball(amount(vector)))
 
 
 class RodEnds(Protocol):
@@ -261,20 +266,19 @@ class MovedPoint:
 
     @property
     def crank(self) -> Crank:
-        found: Crank = self.drive.crank
-        return found
+        return self.drive.crank
 
     def at(self, circle: Circle[Numeric], kind: Kind) -> At:
         """Return what the kernel calls of its quantities take."""
         rod, reach = self.ends(self.drive, self.method, circle, kind, bool(self.point.beside))
         return At(rod, self.point.on(kind), reach, kind, self._gain(kind))
 
-    def _gain(self, kind: Kind) -> Any:
+    def _gain(self, kind: Kind) -> Numeric | None:
         if not self.crank.acceleration:
             return None
         return gain(self.crank, kind)
 
-    def value(self, quantity: Quantity, circle: Any, kind: Kind) -> Any:
+    def value(self, quantity: Quantity, circle: Any, kind: Kind) -> Numeric:
         """Return a quantity in its unit."""
         found = quantity.formulas["exact"].kernel(self.at(circle, kind))
         return found * quantity.scale(self.crank, kind) if quantity.scale else found
@@ -285,7 +289,7 @@ class MovedPoint:
         if quantity.of == DIRECTION:
             return self._direction(quantity, angle, decimals, rounding)
 
-        def at(kind: Kind) -> Any:
+        def at(kind: Kind) -> Numeric:
             return self.value(quantity, kind.circle(angle), kind)
 
         return settled(at, decimals, rounding)
@@ -312,7 +316,7 @@ class MovedPoint:
 
 def rod(
     drive: Crank, method: str, circle: Circle[Numeric], kind: Kind, beside: bool
-) -> tuple[Rod[Any], Reach[Any] | None]:
+) -> tuple[Rod[Numeric], Reach[Numeric] | None]:
     """Return the ends of the rod at a crank angle, and its reach if points beside its axis are asked for."""
     ratio = kind.of(drive.ratio)
     if drive.offset:

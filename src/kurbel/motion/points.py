@@ -11,6 +11,7 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, Number, exact_text, finite_decimals, nearest
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.coupler import Point as KernelPoint
 from kurbel.page.steps import Joint, Line, Point, Scene
 from kurbel.reading import notation, units
@@ -44,7 +45,7 @@ class RodPoint:
                 f" {FARTHEST} are computed, and 0 to 1 is the rod itself"
             )
 
-    def on(self, kind: Kind) -> KernelPoint[object]:
+    def on(self, kind: Kind) -> KernelPoint[Numeric]:
         """Return it on a kind of number."""
         return KernelPoint(kind.of(self.share), kind.of(self.beside) if self.beside else None)
 

@@ -248,7 +248,7 @@ class PointsRequest(AngleQuestion):
     def told(self) -> list[tuple[Label, ...]]:
         return [(*drive, one.label) for drive in super().told for one in self.points]
 
-    def value(self, column: Column, place: Mapping[str, int], point: Circle[Any], kind: Kind) -> Any:
+    def value(self, column: Column, place: Mapping[str, int], point: Circle[Any], kind: Kind) -> Numeric:
         if column.key not in points_registry():
             return super().value(column, place, point, kind)
         return self.moved(place).value(column.quantity, point, kind)

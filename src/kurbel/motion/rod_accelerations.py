@@ -146,7 +146,7 @@ def _component(
     one: Component,
     parted_of: Callable[[At], AccelerationParts],
 ) -> Quantity:
-    def kernel(at: Any) -> Any:
+    def kernel(at: Any) -> Numeric:
         return one.kernel(parted_of(at)) + 0
 
     formulas = dict.fromkeys(("exact", "infinite", OFFSET), Formula(kernel, printed if not one.end else ""))

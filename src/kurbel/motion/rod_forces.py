@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from fractions import Fraction
 from itertools import product
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.drive.at import At, known
 from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.parts import AccelerationParts, moving_force, parted
+from kurbel.kernel.parts import AccelerationParts, Vector, moving_force, parted
 from kurbel.kernel.rod import Parts
 from kurbel.motion.evaluation import OFFSET, Needs
 from kurbel.motion.rod_accelerations import ACROSS, ALONG, entry_of_rod
@@ -32,7 +32,7 @@ NAMES: Mapping[str, Words] = {
 _IN = "Kraft in {0}|Force in {0}"
 
 # Of the rod at a place, in parts.
-Kernel = Callable[[AccelerationParts], Any]
+Kernel = Callable[[AccelerationParts], Numeric]
 
 
 class Share(NamedTuple):
@@ -76,14 +76,14 @@ def _components(key: str, letter: str, name: Words, part: str) -> Iterator[Share
         yield Share(f"{stem}_{mark}", of, name, _joined(NAMES[part], said), _component(key, part, index))
 
 
-def _end(key: str, rod: AccelerationParts, part: str = "") -> Any:
+def _end(key: str, rod: AccelerationParts, part: str = "") -> Vector[Numeric]:
     return rod.in_pin(part) if key == "a" else rod.in_crosshead(part)
 
 
 def _own(key: str, part: str) -> Kernel:
     """A part's force in its own direction: with X, square to the rod with Y, along the rod with X."""
 
-    def kernel(rod: AccelerationParts) -> Any:
+    def kernel(rod: AccelerationParts) -> Numeric:
         mass = rod.mass_in_pin(part) if key == "a" else rod.mass_in_crosshead(part)
         if part == STRETCHING:
             return mass * rod.stretching + 0
@@ -115,7 +115,7 @@ def _drive() -> Iterator[Share]:
             )
 
 
-def _of_part(formula: Callable[[AccelerationParts, str], Any], part: str) -> Kernel:
+def _of_part(formula: Callable[[AccelerationParts, str], Numeric], part: str) -> Kernel:
     return lambda rod: formula(rod, part)
 
 
@@ -140,7 +140,7 @@ def mollier_entries(models: Mapping[str, Words]) -> Iterator[Quantity]:
     name = words("Kraft am Kreuzkopf nach Mollier|Force at the crosshead after Mollier")
     for model, said in models.items():
         key = "inertia_mollier" + ("" if model == EXACT else f"_{model.replace('-', '_')}")
-        share = Share(key, "H", name, said, lambda rod: rod)
+        share = Share(key, "H", name, said, lambda _: 0)
         yield from _in_both_units(_entry(share, _moving(model), model), Needs.EVEN)
 
 

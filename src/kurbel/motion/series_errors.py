@@ -25,7 +25,7 @@ from typing import Any, NamedTuple
 from kurbel.exact.certify import at_bits, half_turn_circle
 from kurbel.exact.kind import Kind, balls, floats, settled
 from kurbel.exact.numerals import Label, Number, figures, nearest
-from kurbel.exact.search import Zero, ball_jets, slopes
+from kurbel.exact.search import Jet, Zero, ball_jets, slopes
 from kurbel.kernel import kinematics, series
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.series import terms_of, versine_term
@@ -55,7 +55,7 @@ class Greatest:
     ratio: Fraction
     order: int
 
-    def value(self, key: str, kind: Kind) -> Any:
+    def value(self, key: str, kind: Kind) -> Numeric:
         """Return the greatest |series - exact| of x, c or p in units of R, v, v²/R; of c on balls alone."""
         circle = half_turn_circle(self.zero.place()) if key == "c" else kind.circle(QUARTER)
         error = self._error(key, circle, kind)
@@ -65,9 +65,15 @@ class Greatest:
     @cached_property
     def zero(self) -> Zero:
         """Where the velocity errs most, in half turns."""
-        slope, _ = slopes(lambda half_turns: self._error("p", ball_jets(half_turns), balls()))
+
+        def jet(half_turns: arb) -> Jet:
+            found = self._error("p", ball_jets(half_turns), balls())
+            assert isinstance(found, Jet)
+            return found
+
+        slope, _ = slopes(jet)
         return Zero(
-            lambda half_turns: self._error("p", half_turn_circle(half_turns), balls()),
+            lambda half_turns: ball(self._error("p", half_turn_circle(half_turns), balls())),
             slope,
             Fraction(0),
             Fraction(1, 2),
@@ -79,13 +85,13 @@ class Greatest:
         bits = 2 * ROUGH_BITS
         while bits < MOST_ROUGH_BITS:
             with at_bits(bits):
-                found = self.value(key, balls())
+                found = ball(self.value(key, balls()))
                 if found.rel_accuracy_bits() >= ROUGH_BITS:
                     break
             bits *= 2
         return float(found.mid())
 
-    def _error(self, key: str, circle: Circle[Any], kind: Kind) -> Any:
+    def _error(self, key: str, circle: Circle[Any], kind: Kind) -> Numeric:
         exact, series = FORMULAS[key]
         ratio = kind.of(self.ratio)
         return exact(circle, ratio) - series(circle, ratio, self.order)
@@ -186,7 +192,7 @@ def _number(question: SeriesErrorsRequest, column: Column, place: Place, times: 
         return Number(0, column.decimals or 0)
     kernel = quantity.formulas["exact"].kernel
 
-    def value(kind: Any) -> Any:
+    def value(kind: Kind) -> Numeric:
         found = kernel(greatest, kind) * times
         return found * quantity.scale(crank, kind) if quantity.scale else found
 

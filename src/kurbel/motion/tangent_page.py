@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import ball
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
+from kurbel.kernel.circle import Numeric
 from kurbel.kernel.forces import square_position
 from kurbel.motion.evaluation import (
     OUT,
@@ -74,7 +74,7 @@ def _notes(question: TangentRequest) -> Iterator[Label]:
 def _number(question: TangentRequest, column: Column, place: Place, times: int) -> Number:
     quantity, crank = column.quantity, question.cranks[place["ratio"]]
 
-    def at(kind: Kind) -> Any:
+    def at(kind: Kind) -> Numeric:
         if not quantity.in_degrees:
             return value(quantity, "exact", crank, square_position(kind.of(crank.ratio)), kind)
         # tan ψ is rational, so that ψ is no rational number of degrees but 0 (and 45, for λ = 1; Niven).

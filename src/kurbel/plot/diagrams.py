@@ -117,7 +117,7 @@ def diagram_panels(request: TorquesRequest) -> list[Panel]:
     mean = f" = {_mean(request, drive.plain_unit(lang), power_of_curves(both))}$"
     if not request.constant:
         ends = in_floats([request.angles[0], request.angles[-1]])
-        level = float(request.of_page("N m") * Fraction(excess.mean_torque(floats())))
+        level = float(request.of_page("N m") * Fraction(float(excess.mean_torque(floats()))))
         both.append(Curve(f"{MEAN[:-1]}{mean}", ends, [level] * 2))
     else:
         flat = 1 if request.constant == "load" else 0

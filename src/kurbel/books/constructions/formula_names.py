@@ -149,7 +149,7 @@ def _work_over_turn(at: PlacedDrive) -> Any:
     return length / at.kind.pi * ((1 + logarithm(ratio)) / ratio - back)
 
 
-def _beam(value: Callable[[BeamEngine, arb], Any]) -> OfPlace:
+def _beam(value: Callable[[BeamEngine, arb], arb]) -> OfPlace:
     """Return what the beam engine has in truth, from q²/r²."""
 
     def found(at: PlacedDrive) -> Numeric:
@@ -161,7 +161,7 @@ def _beam(value: Callable[[BeamEngine, arb], Any]) -> OfPlace:
 
 def _lean(side: int) -> OfPlace:
     """Return by how much the rod leans at a dead centre, in radians."""
-    return _beam(lambda engine, square: beam.lean_sine(square, *engine.numbers(side)).asin())
+    return _beam(lambda engine, square: ball(beam.lean_sine(square, *engine.numbers(side))).asin())
 
 
 def _points(of: tuple[str, ...], **values: Callable[[PlacedDrive], Point]) -> dict[str, Known]:
@@ -256,7 +256,7 @@ KNOWN: Mapping[str, Known] = {
     ),
     **_numbers(
         BEAM,
-        sagitta=_beam(lambda engine, square: beam.sagitta(square, ball(engine.arm))),
+        sagitta=_beam(lambda engine, square: ball(beam.sagitta(square, ball(engine.arm)))),
         upper_lean=_lean(UPPER),
         lower_lean=_lean(LOWER),
     ),

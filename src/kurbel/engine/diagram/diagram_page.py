@@ -17,7 +17,7 @@ from kurbel.drive.at import known
 from kurbel.drive.crank import check_angles
 from kurbel.drive.load import figure
 from kurbel.engine.diagram.excess import ExcessTorque, acceleration_line
-from kurbel.engine.diagram.fluctuation import Areas, Steady, outcome
+from kurbel.engine.diagram.fluctuation import Areas, Steady, Swinging, outcome
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, floats, settled
 from kurbel.exact.numerals import Label, Number, figures
@@ -113,7 +113,7 @@ class DiagramRequest(Question, ABC):
 
     @property
     @abstractmethod
-    def swinging(self) -> Any:
+    def swinging(self) -> Swinging:
         """What has the swing."""
 
     @cached_property
@@ -195,7 +195,7 @@ def _speed(steady: Steady, key: str, other: float) -> float:
     return float(steady.mean(floats())) * speeds[key] if key in speeds else other
 
 
-def _settled(question: Any, column: Column, where: Fraction, times: int, most: float) -> Number:
+def _settled(question: Question, column: Column, where: Fraction, times: int, most: float) -> Number:
     decimals = figures(most) if column.decimals is None else column.decimals
     kernel = column.quantity.formulas["exact"].kernel
     scaled = settled(lambda kind: times * kernel(question, where, kind), decimals, question.rounding)

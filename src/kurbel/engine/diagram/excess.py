@@ -12,12 +12,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from kurbel.engine.diagram.fluctuation import Extreme, places, work_of
 from kurbel.engine.diagram.torque import QUARTER, TURN, Line, Torque, Waves, common_cycle
 from kurbel.engine.diagram.zeros import Zero, is_plain, over_cycle, waves_at, zeros
 from kurbel.errors import ProblemError
+from kurbel.exact.certify import ball
 from kurbel.exact.kind import Kind, balls, floats
 from kurbel.exact.numerals import Label, number_text
 from kurbel.exact.real import Product
@@ -87,7 +88,7 @@ class ExcessTorque(FrozenValue):
         lines = tuple(one._replace(first=one.first - level) for one in found.lines)
         return Torque(_without_nothing(found.waves - found.waves.level), lines)
 
-    def torque(self, torque: Torque, degrees: Fraction, kind: Kind) -> Any:
+    def torque(self, torque: Torque, degrees: Fraction, kind: Kind) -> Numeric:
         """Return one of its torques at a crank angle, in N m."""
         own = torque.at(degrees, kind)
         return own * 180 / kind.pi if self.by_degree else own
@@ -96,11 +97,11 @@ class ExcessTorque(FrozenValue):
         """Return a bound of a torque's magnitude, in N m."""
         return float(torque.most) * (180 / floats().pi if self.by_degree else 1)
 
-    def mean_torque(self, kind: Kind) -> Any:
+    def mean_torque(self, kind: Kind) -> Numeric:
         mean = self.drive.mean.at(Fraction(0), kind)
         return mean * 180 / kind.pi if self.by_degree else mean
 
-    def work(self, kind: Kind) -> Any:
+    def work(self, kind: Kind) -> Numeric:
         if self.by_degree:
             return self.drive.mean.at(Fraction(0), kind) * kind.of(self.cycle)
         return work_of(self.mean_torque(kind), self.turns, kind)
@@ -130,7 +131,7 @@ class ExcessTorque(FrozenValue):
         if not self.excess.waves:
             areas = [sign * (self._area(one) or 0) for one in left]
             return [one for one, area in zip(left, areas, strict=True) if area == max(areas)]
-        left = greatest_of(left, lambda one: self._energy(one, balls()), sign)
+        left = greatest_of(left, lambda one: ball(self._energy(one, balls())), sign)
         if any(one.is_open for one in left):
             raise ProblemError(
                 "the speed rests where it should turn; its extremes cannot be told apart; give slightly other"
@@ -138,7 +139,7 @@ class ExcessTorque(FrozenValue):
             )
         return left
 
-    def _energy(self, zero: Zero, kind: Kind) -> Any:
+    def _energy(self, zero: Zero, kind: Kind) -> Numeric:
         if self.by_degree:
             return kind.of(self._area(zero) or Fraction(0))
         waves, area = self.excess.waves.integral, self._area(zero)
@@ -154,14 +155,14 @@ class ExcessTorque(FrozenValue):
         if zero.exact is None:
             return None
         place = zero.exact % self.excess.cycle
-        return Fraction(self.excess.area(place, self.excess.line_at(place)))
+        return self.excess.area(place, self.excess.line_at(place))
 
 
 def _below(excess: Torque, number: int, degrees: Numeric, kind: Kind) -> Numeric:
     """Return what is below the lines up to a ball of degrees."""
     line = excess.lines[number]
     behind = degrees - kind.of(line.start)
-    before = Fraction(excess.area(line.start, number))
+    before = excess.area(line.start, number)
     return kind.of(before) + kind.of(line.first) * behind + kind.of(line.slope) * behind * behind / 2
 
 
@@ -243,11 +244,11 @@ def _of_waves(waves: Waves, sign: int, cycle: Fraction) -> Peak | None:
     slope = waves.slope
     steepness = Torque(slope, (Line(Fraction(0), cycle, Fraction(0)),))
 
-    def torque(zero: Zero, kind: Kind) -> Any:
+    def torque(zero: Zero, kind: Kind) -> Numeric:
         value = waves_at(waves, zero, slope, kind)
         return value if sign > 0 else kind.of(Fraction(0)) - value
 
-    found = greatest_of(zeros(steepness), lambda one: torque(one, balls()))
+    found = greatest_of(zeros(steepness), lambda one: ball(torque(one, balls())))
     if any(one.is_open for one in found):
         return None
     most = Product.reduced(partial(torque, found[0]))

@@ -22,8 +22,9 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import accumulate
 from string import ascii_lowercase
-from typing import Any, NamedTuple, Protocol
+from typing import NamedTuple, Protocol
 
+from kurbel.drive.at import known
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, balls, floats, settled
 from kurbel.exact.numerals import Label, Number, figures, finite_decimals, nearest, number_text
@@ -69,10 +70,10 @@ class Fluctuation(Protocol):
     def swing(self, kind: Kind) -> Numeric:
         """Return the greatest excess energy less the least, in J."""
 
-    def mean_torque(self, kind: Kind) -> Any | None:
+    def mean_torque(self, kind: Kind) -> Numeric | None:
         """Return the mean torque that drives the shaft in N m, None where it is not known."""
 
-    def work(self, kind: Kind) -> Any | None:
+    def work(self, kind: Kind) -> Numeric | None:
         """Return the work of a cycle in J, of the mean torque over its turns; None where it is not known."""
 
     def extremes(self, *, greatest: bool) -> tuple[Extreme, ...]:
@@ -100,22 +101,22 @@ class Steady:
     speed: Speed
 
     def __post_init__(self) -> None:
-        if float(self.irregularity(balls()).mid()) >= 2:
+        if float(self.irregularity(balls())) >= 2:
             raise ProblemError(
                 f"a flywheel of J = {about(self.inertia)} kg m² comes to rest: the energy swings by more than"
                 " twice J ω²; give a heavier one, or more speed"
             )
 
-    def mean(self, kind: Kind) -> Any:
+    def mean(self, kind: Kind) -> Numeric:
         """Return ω in 1/s."""
         return self.speed.omega(kind)
 
-    def irregularity(self, kind: Kind) -> Any:
+    def irregularity(self, kind: Kind) -> Numeric:
         """Return δ = (ω_max - ω_min)/ω = ΔW/(J ω²)."""
         mean = self.mean(kind)
         return self.swinging.swing(kind) / (kind.of(self.inertia) * mean * mean)
 
-    def greatest(self, kind: Kind) -> Any:
+    def greatest(self, kind: Kind) -> Numeric:
         """Return ω_max in 1/s."""
         return self.mean(kind) + self._half(kind)
 
@@ -126,7 +127,7 @@ class Steady:
     def _half(self, kind: Kind) -> Numeric:
         return self.swinging.swing(kind) / (kind.of(2 * self.inertia) * self.mean(kind))
 
-    def at(self, energy: Numeric, kind: Kind) -> Any:
+    def at(self, energy: Numeric, kind: Kind) -> Numeric:
         """Return ω in 1/s where the excess energy is this, in J."""
         greatest = self.greatest(kind)
         lacking = self.swinging.extreme_energy(kind, greatest=True) - energy
@@ -139,7 +140,7 @@ def shown(value: Callable[[Kind], Numeric]) -> str:
     return number_text(Number(settled(value, decimals), decimals))
 
 
-def _amount(value: Callable[[Kind], Any], symbol: str) -> Label:
+def _amount(value: Callable[[Kind], Numeric], symbol: str) -> Label:
     """Return the same of an amount in this unit of metric pages, with the unit of the page."""
     times, unit = unit_of_page(symbol)
     text = shown(lambda kind: value(kind) * kind.of(times))
@@ -156,8 +157,12 @@ def outcome(
     """Yield what follows of a cycle: mean torque, work, swing, where the speed is greatest, the flywheel."""
     parts = []
     if fluctuation.mean_torque(floats()) is not None:
-        parts.append(WORDS["mean"][lang].format(mean=_amount(fluctuation.mean_torque, "N m")))
-        parts.append(WORDS["work"][lang].format(work=_amount(fluctuation.work, "J")))
+        parts.append(
+            WORDS["mean"][lang].format(mean=_amount(lambda kind: known(fluctuation.mean_torque(kind)), "N m"))
+        )
+        parts.append(
+            WORDS["work"][lang].format(work=_amount(lambda kind: known(fluctuation.work(kind)), "J"))
+        )
     parts.append(WORDS["swing"][lang].format(swing=_amount(fluctuation.swing, "J")))
     if speed is not None and fluctuation.mean_torque(floats()) is not None:
         power = _amount(lambda kind: fluctuation.mean_torque(kind) * speed.omega(kind), "W")

@@ -18,14 +18,15 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import accumulate, pairwise
 from math import gcd, lcm
-from typing import Any, NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import flint
+from flint import arb
 
 from kurbel.errors import ProblemError
 from kurbel.exact.certify import MOST_BITS, ball, vanishes
 from kurbel.exact.kind import Kind, balls, bounds
-from kurbel.exact.separation import plus, times
+from kurbel.exact.separation import Separation, plus, times
 from kurbel.kernel.circle import Numeric
 from kurbel.reading.given import FrozenValue
 from kurbel.reading.notation import about
@@ -43,12 +44,12 @@ class Line(NamedTuple):
     first: Fraction
     slope: Fraction = Fraction(0)
 
-    def value(self, degrees: Any) -> Any:
+    def value(self, degrees: Fraction) -> Fraction:
         return self.first + self.slope * (degrees - self.start)
 
     @property
     def last(self) -> Fraction:
-        return Fraction(self.value(self.end))
+        return self.value(self.end)
 
     @property
     def area(self) -> Fraction:
@@ -115,12 +116,12 @@ class Torque(FrozenValue):
         """Return the number of the line at an angle of the cycle, behind a corner."""
         return bisect_right(self._starts, degrees) - 1
 
-    def at(self, degrees: Fraction, kind: Kind) -> Any:
+    def at(self, degrees: Fraction, kind: Kind) -> Numeric:
         """Return the torque at a crank angle."""
         place = degrees % self.cycle
         return self.waves.at(degrees, kind) + kind.of(self.lines[self.line_at(place)].value(place))
 
-    def area(self, degrees: Numeric, number: int) -> Any:
+    def area(self, degrees: Fraction, number: int) -> Fraction:
         """Return what is below the lines from 0 to an angle on one of them, in N m times degrees."""
         line = self.lines[number]
         behind = degrees - line.start
@@ -214,7 +215,7 @@ def _wrapped(lines: Iterable[Line], cycle: Fraction) -> Iterable[Line]:
             found.append(one._replace(start=one.start - cycle, end=one.end - cycle))
         elif one.end > cycle:
             found.append(one._replace(end=cycle))
-            found.append(Line(Fraction(0), one.end - cycle, Fraction(one.value(cycle)), one.slope))
+            found.append(Line(Fraction(0), one.end - cycle, one.value(cycle), one.slope))
         else:
             found.append(one)
     return sorted(found)
@@ -320,7 +321,7 @@ class Waves(FrozenValue):
         """Return the sum at a crank angle as one of constants, of which equal ones are one."""
         return Waves.of((a, Fraction(0), order * degrees + phase) for a, order, phase in self.parts)
 
-    def at(self, degrees: Fraction, kind: Kind) -> Any:
+    def at(self, degrees: Fraction, kind: Kind) -> Numeric:
         """Return the sum at a crank angle, on a kind of number."""
         total = kind.of(Fraction(0))
         for amplitude, _, phase in self.placed(degrees).parts:
@@ -328,14 +329,14 @@ class Waves(FrozenValue):
             total = total + (own * _cosine(phase, kind) if phase else own)
         return total
 
-    def within(self, degrees: Any) -> Any:
+    def within(self, degrees: arb) -> arb:
         """Return the sum at an angle that is a ball."""
-        total, half_turns = flint.arb(0), degrees / 180
+        total, half_turns = arb(0), degrees / 180
         for amplitude, order, phase in self._balls(flint.ctx.prec):
             total += amplitude * (order * half_turns + phase).cos_pi()
         return total
 
-    def _balls(self, precision: int) -> list[tuple[Numeric, Numeric, Numeric]]:
+    def _balls(self, precision: int) -> list[tuple[arb, arb, arb]]:
         """Return the waves as balls, phases in half turns; made once for each precision."""
         if precision not in self._enclosed:
             self._enclosed[precision] = [
@@ -344,7 +345,7 @@ class Waves(FrozenValue):
         return self._enclosed[precision]
 
     @cached_property
-    def _enclosed(self) -> dict[int, list[tuple[Numeric, Numeric, Numeric]]]:
+    def _enclosed(self) -> dict[int, list[tuple[arb, arb, arb]]]:
         return {}
 
     def vanishes(self, degrees: Fraction, level: Fraction = Fraction(0)) -> bool:
@@ -352,11 +353,13 @@ class Waves(FrozenValue):
         if not self.placed(degrees) + Waves.constant(level):
             return True
 
-        def value(kind: Kind) -> Any:
+        def value(kind: Kind) -> Numeric:
             return self.at(degrees, kind) + kind.of(level)
 
-        bits = float(value(bounds()).bits())
-        return bits < MOST_BITS and vanishes(lambda: value(balls()), bits)
+        bound = value(bounds())
+        assert isinstance(bound, Separation)
+        bits = bound.bits()
+        return bits < MOST_BITS and vanishes(lambda: ball(value(balls())), bits)
 
 
 def _normal(amplitude: Fraction, order: Fraction, phase: Fraction) -> tuple[Wave, Fraction]:

@@ -7,19 +7,22 @@ number, whose separation bound settles ties of what is computed there.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm, log2
-from typing import Any
 
+from flint import arb
+
+from kurbel.drive.at import known
 from kurbel.engine.diagram.fluctuation import Extreme
 from kurbel.engine.diagram.torque import TURN, Line, Torque, Waves
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import at_bits, ball
+from kurbel.exact.certify import at_bits, ball, pi
 from kurbel.exact.kind import Kind, balls, floats
 from kurbel.exact.place import fraction
-from kurbel.exact.search import ISOLATING_BITS, LEAST_WIDTH, interval, isolate
+from kurbel.exact.search import ISOLATING_BITS, LEAST_WIDTH, Function, interval, isolate
+from kurbel.exact.search import Zero as Root
 from kurbel.exact.separation import Separation
 from kurbel.exact.terms import algebraic
 from kurbel.kernel.circle import Numeric
@@ -46,23 +49,23 @@ class Zero:
 
     exact: Fraction | None
     line: int = 0
-    root: Any = None
+    root: Root | None = None
     excess: Torque | None = None
     unit: int = 1
 
-    def degrees(self, kind: Kind) -> Any:
+    def degrees(self, kind: Kind) -> Numeric:
         """Return the angle; of balls and floats, where it is not exact."""
         if self.exact is not None:
             return kind.of(self.exact)
         return kind.enclosed(self._ball)
 
-    def _ball(self) -> Numeric:
-        return self.root.place() * self.unit
+    def _ball(self) -> arb:
+        return known(self.root).place() * self.unit
 
     @property
     def is_open(self) -> bool:
         """Whether it possibly is none, or several."""
-        return self.exact is None and self.root.rising is None
+        return self.exact is None and known(self.root).rising is None
 
     def shifted(self, shift: Fraction, cycle: Fraction) -> Extreme:
         """Return the place so many degrees behind it, within a cycle."""
@@ -70,7 +73,7 @@ class Zero:
             exact = (self.exact + shift) % cycle
             return Extreme(degrees=lambda kind: kind.of(exact), exact=exact)
         # The search of a period begins a little behind 0°, and ends so far behind its end.
-        behind = shift - cycle if self.root.low * self.unit + shift >= cycle else shift
+        behind = shift - cycle if known(self.root).low * self.unit + shift >= cycle else shift
         return Extreme(degrees=lambda kind: self.degrees(kind) + kind.of(behind))
 
     def bounded_cosine(self, order: Fraction, phase: Fraction, base: Fraction, key: Polynomial) -> Separation:
@@ -95,7 +98,7 @@ def waves_at(waves: Waves, zero: Zero, of: Waves, kind: Kind) -> Numeric:
             total += Separation.rational(amplitude) * cosine
         return total
 
-    return algebraic(kind, lambda: waves.within(zero.degrees(balls())), bound)
+    return algebraic(kind, lambda: waves.within(ball(zero.degrees(balls()))), bound)
 
 
 @dataclass(frozen=True)
@@ -116,19 +119,18 @@ class Polynomial:
         return cls(1 + log2(int(total)), order, 2 * int(max(waves.orders) / waves.base))
 
 
-def functions(excess: Torque, number: int, unit: int) -> tuple[Any, Any]:
+def functions(excess: Torque, number: int, unit: int) -> tuple[Function, Function]:
     """Return the excess on one of its lines, and its slope, as functions of an angle in units, a ball."""
     waves, line = excess.waves, excess.lines[number]
     slope_of = waves.slope
 
-    def torque(units: Numeric) -> Any:
-        kind, degrees = balls(), units * unit
-        behind = degrees - kind.of(line.start)
-        return waves.within(degrees) + kind.of(line.first) + kind.of(line.slope) * behind
+    def torque(units: arb) -> arb:
+        degrees = units * unit
+        behind = degrees - ball(line.start)
+        return waves.within(degrees) + ball(line.first) + ball(line.slope) * behind
 
-    def slope(units: Numeric) -> Any:
-        kind = balls()
-        per_degree = slope_of.within(units * unit) * kind.pi / 180 + kind.of(line.slope)
+    def slope(units: arb) -> arb:
+        per_degree = slope_of.within(units * unit) * pi() / 180 + ball(line.slope)
         return per_degree * unit
 
     return torque, slope
@@ -193,11 +195,11 @@ def _on_line(
             yield zero if exact is None else Zero(exact)
 
 
-def _counted(torque: Callable[[Numeric], Numeric], waves: int) -> Callable[[Any], Any]:
+def _counted(torque: Function, waves: int) -> Function:
     """Return the function of so many waves, which refuses to be asked without end."""
     calls = iter(range(min(MOST_CALLS, MOST_COSINES // max(waves, 1))))
 
-    def asked(units: Numeric) -> Numeric:
+    def asked(units: arb) -> arb:
         if next(calls, None) is None:
             raise ProblemError(
                 "the torque has too many places at which it is just its load; give a formula with smaller"
@@ -211,7 +213,7 @@ def _counted(torque: Callable[[Numeric], Numeric], waves: int) -> Callable[[Any]
 def _recognised(zero: Zero) -> Fraction | None:
     """Return the rational angle at which a zero is proved to lie, alone within its interval."""
     with at_bits(RECOGNISING_BITS):
-        found = zero.degrees(balls())
+        found = ball(zero.degrees(balls()))
         middle = fraction(found.mid())
         near = dict.fromkeys(middle.limit_denominator(most) for most in DENOMINATORS)
         within = [place for place in near if found.contains(ball(place))]
@@ -226,12 +228,13 @@ def _is_alone(zero: Zero, place: Fraction) -> bool:
     """
     assert zero.excess is not None
     waves, line = zero.excess.waves, zero.excess.lines[zero.line]
-    if not waves.vanishes(place, Fraction(line.value(place))):
+    if not waves.vanishes(place, line.value(place)):
         return False
-    if zero.root.rising is not None:
+    root = known(zero.root)
+    if root.rising is not None:
         return True
     with at_bits(ISOLATING_BITS):
-        whole = interval(zero.root.low, zero.root.high)
+        whole = interval(root.low, root.high)
         _, slope = functions(zero.excess, zero.line, zero.unit)
         if not slope(whole).contains(0):
             return True

@@ -98,7 +98,7 @@ class Steam:
         back = best_back(cut_off, exponent, clearance) if self.back is None else of(self.back)
         return Expansion(cut_off, back, exponent, clearance)
 
-    def mean(self, kind: Kind, **found: Numeric) -> Any:
+    def mean(self, kind: Kind, **found: Numeric) -> Numeric:
         """Return the mean pressure on an end that works, with `found` numbers in the place of some."""
         known = self.numbers(kind.of, kind.exponent)._replace(**found)
         if self.back is None:
@@ -117,7 +117,7 @@ class Steam:
         least = (float(1 - self.cushion) - float(self.lead) * grown) / (grown - 1) if grown > 1 else 0.0
         return max(Fraction(0), Fraction(least).limit_denominator(10**9) - Fraction(1, 10**8))
 
-    def kept(self, numbers: Expansion, kind: Kind) -> Any:
+    def kept(self, numbers: Expansion, kind: Kind) -> Numeric:
         """Return the volume that what is left in the cylinder fills at the steam pressure."""
         share = power(numbers.back, 1 if self.exponent == 1 else kind.exponent(1 / self.exponent))
         return (numbers.clearance + kind.of(1 - self.cushion)) * share

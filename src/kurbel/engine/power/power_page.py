@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any
@@ -192,7 +192,7 @@ class PowerRequest(Question):
         return self.sources[0].driven
 
     @cached_property
-    def found(self) -> Any:
+    def found(self) -> Callable[[int], Results]:
         """Return what is found of a source, by its index."""
         return lru_cache(None)(self._found)
 
@@ -239,7 +239,7 @@ def _number(request: PowerRequest, column: Column, place: Place, times: int) -> 
     """The printed number at a place, of a card as far as its points tell it."""
     found = request.found(place["expansion"])
     term: Term = column.quantity.formulas["exact"].kernel(found)
-    apart = found.source.apart(term.known) if found.source.carded else 0.0
+    apart = source.apart(term.known) if isinstance(source := found.source, ActingPressure) else 0.0
     if not apart:
         return term.known.number(column.decimals, request.rounding, times)
     best = times * float(term.known)

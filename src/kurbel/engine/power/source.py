@@ -16,15 +16,18 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, ClassVar, NamedTuple
 
+from flint import arb
+
 from kurbel.drive.load import CARD, STEAM
 from kurbel.engine.cylinder import TurnPlace
 from kurbel.engine.digits import CellValue, Estimate, check_card, estimate
 from kurbel.engine.engine import Engine
 from kurbel.engine.engine_quantities import engine_registry
+from kurbel.engine.loads.ideal import Steam
 from kurbel.engine.turn import turn_of
 from kurbel.engine.work import ends, mean_pressure_of
 from kurbel.errors import NotationError, ProblemError
-from kurbel.exact.certify import at_bits
+from kurbel.exact.certify import at_bits, ball
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.numerals import figures, nearest
 from kurbel.exact.place import fraction
@@ -48,7 +51,7 @@ class SoughtLoadNumber(NamedTuple):
 
     option: str
     name: str
-    place: Callable[[], Any]
+    place: Callable[[], arb]
     over: Fraction | None = None
 
     @property
@@ -60,11 +63,11 @@ class SoughtLoadNumber(NamedTuple):
         shown = nearest(value, DECIMALS if self.name in HEADS else figures(float(value)))
         return Fraction(shown.scaled, 10**shown.decimals)
 
-    def number(self, kind: Kind) -> Any:
+    def number(self, kind: Kind) -> Numeric:
         """Return it on a kind of number."""
         return kind.enclosed(self.place)
 
-    def on(self, kind: Kind) -> dict[str, Any]:
+    def on(self, kind: Kind) -> dict[str, Numeric]:
         """Return the same by its name."""
         return {self.name: self.number(kind)}
 
@@ -176,7 +179,7 @@ class ActingPressure:
         """Return what the load knows by a name, a number above 0."""
         return Product.about(lambda kind: getattr(self.load, name)(kind, **self.found(kind)))
 
-    def found(self, kind: Kind) -> dict[str, Any]:
+    def found(self, kind: Kind) -> dict[str, Numeric]:
         """Return the number that was sought by its name, on a kind of number."""
         return {} if self.sought is None else self.sought.on(kind)
 
@@ -215,7 +218,7 @@ class Compound(NamedTuple):
     way: str
     value: Fraction = Fraction(1)
 
-    def check(self, steam: Any) -> None:
+    def check(self, steam: Steam) -> None:
         """Raise ProblemError for steam of which the works are not computed."""
         if steam.exponent != 1 or steam.clearance or not steam.plain:
             raise ProblemError(
@@ -237,7 +240,9 @@ class Compound(NamedTuple):
         steam = acting.load
         if acting.sought is None and steam.back in (None, 1 / steam.expansion):
             return Term(whole(acting) ** HALF)
-        return Term(Product.about(lambda kind: kind.enclosed(lambda: _by_work(*_numbers(acting, balls())))))
+        return Term(
+            Product.about(lambda kind: kind.enclosed(lambda: _by_work(*map(ball, _numbers(acting, balls())))))
+        )
 
 
 def whole(acting: ActingPressure) -> Product:
@@ -252,7 +257,7 @@ def work_of(compound: Compound | None, acting: ActingPressure, expansion: Term, 
     if compound is not None and compound.way == WORK:
         return number(HALF)
 
-    def part(kind: Kind) -> Any:
+    def part(kind: Kind) -> Numeric:
         epsilon, lost = _numbers(acting, kind)
         found = logarithm(expansion.known.on(kind)) / (1 + logarithm(epsilon) - lost)
         return found if high else 1 - found
@@ -267,7 +272,7 @@ def _numbers(acting: ActingPressure, kind: Kind) -> tuple[Numeric, Numeric]:
     return 1 / steam.cut_off, back / steam.cut_off
 
 
-def _by_work(epsilon: Any, lost: Any) -> Numeric:
+def _by_work(epsilon: arb, lost: arb) -> arb:
     """Return R of equal works: ln R = 1 + ln(ε/R) - b ε."""
     return epsilon.sqrt() * ((1 - lost) / 2).exp()
 

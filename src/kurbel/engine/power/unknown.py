@@ -17,6 +17,7 @@ from flint import arb
 from kurbel.engine.power.duty import FACTOR, MEAN, OPEN_PRESSURE, VARIABLES
 from kurbel.engine.power.source import SoughtLoadNumber
 from kurbel.errors import NoRootError, ProblemError
+from kurbel.exact.certify import ball
 from kurbel.exact.kind import balls
 from kurbel.exact.real import Term
 from kurbel.exact.search import Jet, Zero, isolate
@@ -94,9 +95,11 @@ class Search:
         # Below it compression reaches more than there is.
         least = self.load.least(asked.name) if hasattr(self.load, "least") else Fraction(0)
         low = max(low, least) if least else low
-        found = isolate(lambda at: arb(self._apart(at)), self._slope, low, high)
+        found = isolate(lambda at: ball(self._apart(at)), self._slope, low, high)
         # Where nothing is delivered any more nothing is done, and of both any multiple.
-        found = [one for one in found if not any(side.contains(0) for side in self._sides(one.place())[1:])]
+        found = [
+            one for one in found if not any(ball(side).contains(0) for side in self._sides(one.place())[1:])
+        ]
         if any(one.rising is None for one in found):
             raise ProblemError(
                 f"whether one or two values of {self.option} do is not settled; alter what is given a little"
@@ -105,7 +108,7 @@ class Search:
             raise NoRootError(self._nowhere(asked, low, high))
         return found
 
-    def _sides(self, number: Numeric) -> list[Any]:
+    def _sides(self, number: Numeric) -> list[Numeric]:
         """Return what the load makes, and what it has to make."""
         kind, name = balls(), UNKNOWNS[self.option].name
         found = [self.known.on(kind), kind.of(Fraction(1))]

@@ -76,7 +76,8 @@ class CardRun(Run):
         turn = self.turn
         turns, first = turn.cycle // 2, float(turn.cylinder.drive.dead_centre(0))
         dead_centres = {
-            (float(start + stroke) + cylinder.drive.dead_centre(stroke % 2) - first) % turn.cycle + first
+            (float(start + stroke) + float(cylinder.drive.dead_centre(stroke % 2)) - first) % turn.cycle
+            + first
             for start, cylinder in turn.cranks()
             for stroke in range(turn.cycle)
         }
@@ -91,8 +92,7 @@ class CardRun(Run):
 
     def speeds(self, places: Floats) -> Floats:
         """Return v/v₁ at an array of half turns."""
-        found: Floats = self.speed_of(self.turn.energies(places))
-        return found
+        return np.asarray(self.speed_of(self.turn.energies(places)))
 
 
 class HeavyCardRun(CardRun):
@@ -153,8 +153,7 @@ class HeavyCardRun(CardRun):
         """Work and energy at an array of half turns."""
 
         def work(one: Cylinder, stroke: int, angle: Floats) -> Floats:
-            found: Floats = one.still.energy(stroke, angle)
-            return found
+            return np.asarray(one.still.energy(stroke, angle))
 
         total = self.turn.total
         return total(work, places, -float(self._begun)), total(Cylinder.kinetic_energy, places, 0.0)

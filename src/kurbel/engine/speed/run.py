@@ -21,7 +21,7 @@ from kurbel.engine.cylinder import AnyTurn
 from kurbel.engine.speed.course import Course, energies
 from kurbel.engine.turn import Turn
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import at_bits, kept
+from kurbel.exact.certify import at_bits, ball, kept
 from kurbel.kernel import forces
 from kurbel.kernel.circle import Numeric
 from kurbel.reading.notation import plain
@@ -145,7 +145,7 @@ class Run(AnyRun):
             self._check()
 
     @property
-    def law(self) -> Callable[[Any, Any], Any]:
+    def law(self) -> Callable[[Any, Any], Numeric]:
         """How the speed follows from the excess."""
         return forces.first_order_speed if self.method == "weisbach" else forces.root_speed
 
@@ -168,7 +168,7 @@ class Run(AnyRun):
             self._numbers[bits] = found(self.at_mean, *extremes)
         return self._numbers[bits]
 
-    def speed_of(self, energy: Numeric) -> Any:
+    def speed_of(self, energy: Numeric) -> Numeric:
         """Return v/v₁ where the excess work is such."""
         return self.law(self.excess(energy), self.number)
 
@@ -185,9 +185,10 @@ class Run(AnyRun):
     def slowness(self) -> Course:
         assert isinstance(self.turn, Turn)
         first = self.method == "weisbach"
-        share: Any = (1 if first else 2) / (self.number * abs(self.turn.mean_force()))
-        relative: Course = energies(self.turn, {})[0] * share + 1
-        return relative.power(Fraction(-1) if first else Fraction(-1, 2))
+        share = ball((1 if first else 2) / (self.number * abs(self.turn.mean_force())))
+        return (energies(self.turn, {})[0] * share + ball(1)).power(
+            Fraction(-1) if first else Fraction(-1, 2)
+        )
 
     def extreme_place(self, greatest: bool) -> Numeric:
         return self.turn.peaks(greatest)[0].place

@@ -23,7 +23,7 @@ from fractions import Fraction
 from functools import lru_cache, partial, reduce
 from itertools import pairwise
 from math import exp, pi
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from flint import arb
 
@@ -47,7 +47,7 @@ from kurbel.errors import ProblemError
 from kurbel.exact.certify import at_bits, ball, kept
 from kurbel.exact.search import ISOLATING_BITS, Function, Zero, crossing, interval, isolate
 from kurbel.exact.taylor import Taylor, exponential
-from kurbel.kernel.circle import root
+from kurbel.kernel.circle import Numeric, root
 from kurbel.kernel.steam import larger, smaller
 
 # How far around its first value the number is looked for, as a share of it, and so many times sixteen times
@@ -87,12 +87,12 @@ class SolvedRun(AnyRun):
     def squares(self, number: arb) -> Course:
         """Return the squares of the speed that a number makes."""
 
-    def beyond(self, squares: Course) -> Any:
+    def beyond(self, squares: Course) -> arb:
         """What is zero at the true number and rises with it: the mean speed above 1."""
-        return sum(root(self._extreme(squares, greatest)) for greatest in (True, False)) / 2 - 1
+        return ball(sum(root(self._extreme(squares, greatest)) for greatest in (True, False))) / 2 - 1
 
     @property
-    def number(self) -> Any:
+    def number(self) -> Numeric:
         if self.wheel.number is not None:
             return self.turn.of(self.wheel.number)
         share = self.first_omega / self.mean_omega
@@ -104,8 +104,7 @@ class SolvedRun(AnyRun):
 
     def slowness(self) -> Course:
         squares = self._squares()
-        relative: Course = squares * (1 / _first(squares))
-        return relative.power(Fraction(-1, 2))
+        return (squares * (1 / _first(squares))).power(Fraction(-1, 2))
 
     def extreme_place(self, greatest: bool) -> arb:
         return self._extremes(self._squares(), greatest)[0][0]
@@ -142,8 +141,9 @@ class SolvedRun(AnyRun):
                     found.append((at, section.function.at(at)))
         return [one for one in found if not any(sign * one[1] < sign * other for _, other in found)]
 
-    def _extreme(self, squares: Course, greatest: bool) -> Any:
-        return reduce(larger if greatest else smaller, (one for _, one in self._extremes(squares, greatest)))
+    def _extreme(self, squares: Course, greatest: bool) -> arb:
+        found = (one for _, one in self._extremes(squares, greatest))
+        return ball(reduce(larger if greatest else smaller, found))
 
 
 def _first(squares: Course) -> arb:
@@ -179,17 +179,15 @@ class HeavyRun(SolvedRun):
     def squares(self, number: arb) -> Course:
         half, energy = self.level(number)
         works, moved = self.energies()
-        inertia: Course = moved + half
-        found: Course = inertia.power(Fraction(-1)) * (works + energy)
-        return found
+        return (moved + half).power(Fraction(-1)) * (works + energy)
 
-    def level(self, number: arb) -> tuple[Any, Any]:
+    def level(self, number: arb) -> tuple[arb, arb]:
         """Return ½ I and E of a number."""
-        before, mean = self.turn.kinetic_energy_begun(), abs(self.turn.mean_force())
+        before, mean = ball(self.turn.kinetic_energy_begun()), abs(ball(self.turn.mean_force()))
         if self.wheel.number is None:
-            half = self.at_mean * mean / 2
+            half = ball(self.at_mean) * mean / 2
             return half, (half + before) * number
-        first = self.turn.of(self.wheel.number) * mean / 2
+        first = ball(self.turn.of(self.wheel.number)) * mean / 2
         return first / number, first + before * number
 
 
@@ -232,16 +230,14 @@ class SquareRun(SolvedRun):
 
     def excess(self) -> Course:
         """Return w over the cycle."""
-        mean: Any = self.turn.mean_force()
-        return self.energies()[0] * (1 / mean)
+        return self.energies()[0] * (1 / ball(self.turn.mean_force()))
 
     def squares(self, number: arb) -> Course:
-        unit: Any = self.at_mean if self.wheel.number is None else self.turn.of(self.wheel.number)
+        unit = ball(self.at_mean if self.wheel.number is None else self.turn.of(self.wheel.number))
         excess = self.excess()
-        found: Course = (excess + self._lagging(excess, arb.pi() / number) + number) * (2 / unit)
-        return found
+        return (excess + self._lagging(excess, arb.pi() / number) + number) * (2 / unit)
 
-    def beyond(self, squares: Course) -> Any:
+    def beyond(self, squares: Course) -> arb:
         """The same or, of a flywheel known by its number, the square at the dead centre above 1."""
         return super().beyond(squares) if self.wheel.number is None else _first(squares) - 1
 
