@@ -203,8 +203,7 @@ class _Squares:
         self._at = lru_cache(KEPT)(lambda place, bits: curve.square(arb(*place)))
 
     def _term(self, half_turns: arb, order: int) -> arb:
-        found: arb = self._at((half_turns.mid().man_exp(), half_turns.rad().man_exp()), flint.ctx.prec)[order]
-        return found
+        return self._at((half_turns.mid().man_exp(), half_turns.rad().man_exp()), flint.ctx.prec)[order]
 
     def value(self, half_turns: arb) -> arb:
         """Return the square, over an interval as narrow as the mean-value form is."""

@@ -303,9 +303,8 @@ def _of_diagram(diagram: Fluctuation) -> Iterator[tuple[str, Known]]:
     if mean is not None and mean > 0:
         torque = Product.reduced(lambda kind: known(diagram.mean_torque(kind)))
         # Of a torque with π the work has none.
-        yield ("work", Known(Product.about(lambda kind: known(diagram.work(kind))), options)) if torque.pi else (
-            "mean_torque", Known(torque, options),
-        )  # fmt: skip
+        work = Product.about(lambda kind: known(diagram.work(kind)))
+        yield ("work", Known(work, options)) if torque.pi else ("mean_torque", Known(torque, options))
 
 
 def _swing(diagram: Fluctuation) -> Product:

@@ -34,7 +34,6 @@ from kurbel.engine.segments import (
     extreme_value,
     extremes,
     is_level,
-    jet_of,
     segments,
     zeros,
 )
@@ -44,7 +43,7 @@ from kurbel.exact.certify import NEVER_TIES, TieBits, at_bits, ball, rounded
 from kurbel.exact.numerals import Label, Number, exact_text, nearest, number_text
 from kurbel.exact.place import Place as FoundPlace
 from kurbel.exact.place import fraction
-from kurbel.exact.search import EQUAL_BITS, Jet
+from kurbel.exact.search import EQUAL_BITS, Jet, jet_of
 from kurbel.kernel.circle import Numeric
 from kurbel.page.axes import ColumnAxis, Place, RatioAxis
 from kurbel.page.quantity import Column, filled, texts
@@ -102,8 +101,7 @@ class TurnForces:
         """Return the value that is asked for, in Q or Q r."""
         if not condition.unit:
             return ball(condition.value)
-        value: arb = ball(measured(condition)) / self._unit(condition)
-        return value
+        return ball(measured(condition)) / self._unit(condition)
 
     def _unit(self, condition: Condition) -> arb:
         """Return Q r in N m or Q in N, of a condition with a unit, else 1."""

@@ -220,8 +220,7 @@ class At:
 
     @property
     def crank(self) -> Crank:
-        found: Crank = self.drive.crank
-        return found
+        return self.drive.crank
 
     @cached_property
     def gain(self) -> Numeric | None:

@@ -84,13 +84,7 @@ def registry() -> Mapping[str, Quantity]:
 
 
 def _entry(
-    key: str,
-    name: str,
-    symbol: Label,
-    unit: Label,
-    decimals: int | None,
-    kernel: Callable[..., object],
-    rest: Mapping[str, Any],
+    key: str, name: str, symbol: Label, unit: Label, decimals: int | None, kernel: Any, rest: Any
 ) -> Quantity:
     formulas = dict.fromkeys(ENGINE_METHODS, Formula(kernel))
     heads = {"load": "Belastung|Load", "mean_share": "Anteil in %|Share in %"}

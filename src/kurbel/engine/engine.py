@@ -52,8 +52,7 @@ class ScaledLoad(NamedTuple):
 
     @property
     def corners(self) -> Sequence[Numeric]:
-        found: Sequence[Numeric] = self.stroke.corners
-        return found
+        return self.stroke.corners
 
     def force(self, share: Numeric) -> Numeric:
         return self._scaled(self.stroke.force(share)) + self.push

@@ -176,8 +176,7 @@ class EngineRequest(Question):
         if len(self.page_columns) * len(self) <= few or self.carded:
             return None
         own = "EngineColumns" if over_angle else "Irregularities"
-        found: LongColumns | Irregularities | None = worthwhile(self, f"kurbel.engine.arrays:{own}")
-        return found
+        return worthwhile(self, f"kurbel.engine.arrays:{own}")
 
     def where(self, place: Place) -> TurnPlace:
         return TurnPlace(

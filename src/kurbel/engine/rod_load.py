@@ -27,14 +27,13 @@ from kurbel.engine.segments import (
     cranks_of,
     extreme_value,
     extremes,
-    jet_of,
     parts,
     segments,
 )
 from kurbel.engine.turn import Turn
 from kurbel.exact.certify import at_bits
 from kurbel.exact.numerals import Label
-from kurbel.exact.search import Jet
+from kurbel.exact.search import Jet, jet_of
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.steam import larger, smaller
 from kurbel.page.quantity import Quantity, Words, words

@@ -120,8 +120,7 @@ class At(NamedTuple):
 
     def value(self, quantity: Quantity) -> arb:
         """Return the quantity as a ball at the precision in force."""
-        value: arb = quantity(self.segment, self.place.half_turns()).value
-        return value
+        return quantity(self.segment, self.place.half_turns()).value
 
 
 class Part(NamedTuple):
@@ -212,11 +211,6 @@ def _sign_between(segment: Segment, quantity: Quantity, start: Place, end: Place
             if bits > EQUAL_BITS and is_level(segment, quantity):
                 return 0
     raise unsettled("which sign a force has")
-
-
-def jet_of(value: Numeric) -> Jet:
-    """Return a value with its slopes; what has none is constant."""
-    return value if isinstance(value, Jet) else Jet(value, 0, 0)
 
 
 def cranks_of(turn: Turn) -> list[Crank]:

@@ -29,10 +29,10 @@ from kurbel.engine.cylinder import SIGNS, AnyTurn, CrankPosition, Cylinder, Peak
 from kurbel.engine.engine import Assembly, Engine
 from kurbel.engine.loads.ideal import Steam
 from kurbel.errors import ProblemError
-from kurbel.exact.certify import FLOAT_BITS, at_bits, ball, ball_circle, half_turn_circle
+from kurbel.exact.certify import FLOAT_BITS, UndecidedError, at_bits, ball, ball_circle, half_turn_circle
 from kurbel.exact.kind import Kind, balls
 from kurbel.exact.search import EQUAL_BITS, ISOLATING_BITS, Function, Zero, greatest, interval, isolate
-from kurbel.exact.terms import UndecidedError, tie_bits
+from kurbel.exact.terms import tie_bits
 from kurbel.kernel import steam
 from kurbel.kernel.circle import Circle, Numeric
 
@@ -71,7 +71,7 @@ class Turn(AnyTurn):
     def __init__(self, engine: Engine | Assembly, method: str) -> None:
         super().__init__(engine, method)
         self._cylinders: dict[int, tuple[Cylinder, ...]] = {}
-        self._energies: dict[int, arb] = {}
+        self._energies: dict[int, Numeric] = {}
         self._extremes = cache(self._choose)
 
     @property
@@ -184,10 +184,10 @@ class Turn(AnyTurn):
         )
         return ball(since - self.energy_begun())
 
-    def energy_begun(self) -> arb:
+    def energy_begun(self) -> Numeric:
         bits = flint.ctx.prec
         if bits not in self._energies:
-            self._energies[bits] = ball(super().energy_begun())
+            self._energies[bits] = super().energy_begun()
         return self._energies[bits]
 
     @cached_property

@@ -52,16 +52,21 @@ def _unpickled(middle: tuple[int, int], radius: tuple[int, int]) -> arb:
 copyreg.pickle(arb, _pickled)
 
 
+class UndecidedError(Exception):
+    """A number is not known by its balls, or not as a sum of algebraic terms."""
+
+
 def ball(value: Numeric) -> arb:
     """Return the ball around a rational number, or of one that is found, at the precision in force; what a
-    formula gave of balls is one."""
+    formula gave of balls is one. Raises UndecidedError for other kinds of number."""
     if isinstance(value, arb):
         return value
     if isinstance(value, int):
         return flint.arb(value)
     if isinstance(value, FoundAngle):
         return value.enclosed()
-    assert isinstance(value, Fraction)
+    if not isinstance(value, Fraction):
+        raise UndecidedError
     return flint.arb(flint.fmpq(value.numerator, value.denominator))
 
 

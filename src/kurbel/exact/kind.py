@@ -167,8 +167,7 @@ class FoundAngle(Fraction):
         """Return the ball at the precision in force."""
         from kurbel.exact.certify import ball
 
-        found: arb = ball(self.factor) * self.held().half_turns() + ball(self.rest)
-        return found
+        return ball(self.factor) * self.held().half_turns() + ball(self.rest)
 
     def rounded(self, decimals: int) -> int:
         """Return it times 10**decimals, rounded correctly."""

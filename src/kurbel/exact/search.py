@@ -359,15 +359,20 @@ def ball_jets(half_turns: arb) -> Circle[Jet]:
     return jets(half_turn_circle(half_turns))
 
 
-def slopes(jet: Callable[[arb], Jet]) -> tuple[Callable[[arb], arb], Callable[[arb], arb]]:
+def jet_of(value: Jet | Numeric) -> Jet:
+    """Return a value with its slopes; what has none is constant."""
+    return value if isinstance(value, Jet) else Jet(value, 0, 0)
+
+
+def slopes(jet: Callable[[arb], Jet | Numeric]) -> tuple[Callable[[arb], arb], Callable[[arb], arb]]:
     """Return the slope and the bend, over half turns, of what has slopes over the angle in radians."""
 
     def slope(half_turns: arb) -> arb:
-        found: arb = jet(half_turns).slope * pi()
+        found: arb = jet_of(jet(half_turns)).slope * pi()
         return found
 
     def bend(half_turns: arb) -> arb:
-        found: arb = jet(half_turns).bend * pi() * pi()
+        found: arb = jet_of(jet(half_turns)).bend * pi() * pi()
         return found
 
     return slope, bend

@@ -20,7 +20,7 @@ import flint
 from flint import arb
 
 from kurbel.exact import certify
-from kurbel.exact.certify import at_bits
+from kurbel.exact.certify import UndecidedError, at_bits
 from kurbel.exact.kind import FoundAngle, Kind, balls, unordered
 from kurbel.exact.place import Place
 from kurbel.exact.separation import Separation, circle_separation
@@ -31,10 +31,6 @@ FIRST_BITS = 128
 MOST_FACTORED_BITS = 128
 # Numbers in higher powers than this take too long to be told from 1.
 MOST_POWER = 10**5
-
-
-class UndecidedError(Exception):
-    """A number is not known to be a sum of such terms."""
 
 
 class DoubtfulError(Exception):

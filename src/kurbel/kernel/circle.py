@@ -135,8 +135,7 @@ def _unrounded(degrees: Any) -> tuple[Turns, _Split, _Split]:
         return _of_one_quarter(quarter, _parts(degrees - 90.0 * quarter))
     if hasattr(degrees, "unrounded"):
         # Numbers of kernel/trace.py choose no branch.
-        found: tuple[Turns, _Split, _Split] = degrees.unrounded(_parts)
-        return found
+        return degrees.unrounded(_parts)
     import numpy as np
 
     quarters = np.rint(degrees / 90)
@@ -252,8 +251,7 @@ def arcsine(sine: Same, tail: Numeric = 0.0) -> Same:
     whole, sign = turns[0]
     difference = (((sine - whole) - sign * across.high) - sign * across.low) + tail
     cosines = cosine + _settled(turns[1], along)[0]
-    found: Any = near + difference / cosines * TWO_RADIANS + 0.0
-    return found
+    return near + difference / cosines * TWO_RADIANS + 0.0
 
 
 def rod_angle(circle: Circle[Numeric], ratio: Numeric, offset: Numeric = 0.0) -> Numeric:

@@ -88,8 +88,7 @@ def _function(text: LoopSource) -> FunctionType:
         "__name__": __name__,
     }
     exec(compile(text.text, __file__, "exec"), names)
-    function: FunctionType = names[text.name]
-    return function
+    return names[text.name]
 
 
 class LoopSource(NamedTuple):

@@ -150,8 +150,7 @@ class Condition:
         if function.__name__ != "where" or options or numbers[0] is not self:
             raise UntraceableError(f"{function.__name__} is not traced")
         one, other = (self.tape.name(number) for number in numbers[1:])
-        chosen: Traced = self.tape.number(f"({one} if {self.text} else {other})")
-        return chosen
+        return self.tape.number(f"({one} if {self.text} else {other})")
 
     def __bool__(self) -> bool:
         raise UntraceableError("a traced number is not known yet")

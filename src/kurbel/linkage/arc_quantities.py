@@ -162,8 +162,7 @@ class RockerInertiaRequest(LinkageRequest):
     """What is asked for of these drives with their rods, each called as in its own mechanism."""
 
     def entry(self, key: str) -> Quantity:
-        called: Quantity = _moved(self.drives[0]).named(super().entry(key))
-        return called
+        return _moved(self.drives[0]).named(super().entry(key))
 
 
 @cache
@@ -191,8 +190,7 @@ def _moved(drive: RockerCrank) -> Any:
 
 
 def _caption(request: LinkageRequest) -> Label:
-    caption: Label = _moved(request.drives[0]).speech.caption(request)
-    return caption
+    return _moved(request.drives[0]).speech.caption(request)
 
 
 def _notes(request: LinkageRequest) -> Iterator[Label]:

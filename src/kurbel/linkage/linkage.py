@@ -79,8 +79,7 @@ class Linkage(DeadCentres, ABC):
     def of(self, crank: Crank) -> Linkage:
         """Return the drive with what else is known of its crank."""
         own: Any = self
-        changed: Linkage = replace(own, crank=crank)
-        return changed
+        return replace(own, crank=crank)
 
     @property
     def stroke(self) -> Label:
@@ -326,8 +325,7 @@ class LinkageDrive(Drive):
 
     @property
     def stroke(self) -> Label:
-        own: Label = self.drive.stroke
-        return own
+        return self.drive.stroke
 
     def closing_lines(self, question: Any) -> Iterator[Label]:
         """Yield what pages of the drive say of it, on both strokes."""

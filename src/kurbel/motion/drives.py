@@ -64,8 +64,7 @@ class Drive(ABC):
 
     @property
     def crank(self) -> Crank:
-        found: Crank = self.drive.crank
-        return found
+        return self.drive.crank
 
     @property
     def ratio(self) -> Fraction:
@@ -226,12 +225,7 @@ class Drive(ABC):
         def at(half_turns: arb) -> arb:
             return ball(self.value(quantity, half_turn_circle(half_turns), balls()))
 
-        def jet(half_turns: arb) -> Jet:
-            found = self.value(quantity, ball_jets(half_turns), balls())
-            assert isinstance(found, Jet)
-            return found
-
-        return at, *slopes(jet)
+        return at, *slopes(lambda half_turns: self.value(quantity, ball_jets(half_turns), balls()))
 
     def by_balls(self, quantity: Quantity, stroke: int, *at_rest: str) -> Course:
         """Return the course of a quantity, proved by balls where it rises and falls: all zeros of its slope

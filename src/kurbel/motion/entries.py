@@ -168,8 +168,7 @@ ROD_ANGLE: Formulas = {
 
 
 def _of_end(at: At, formulas: Formulas) -> Numeric:
-    found: Numeric = formulas["exact" if at.offset is None else OFFSET].kernel(at)
-    return found
+    return formulas["exact" if at.offset is None else OFFSET].kernel(at)
 
 
 def _along_rod(at: At) -> Numeric:

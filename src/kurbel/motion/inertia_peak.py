@@ -29,6 +29,7 @@ from kurbel.exact.search import (
     ball_jets,
     greatest,
     isolate,
+    jet_of,
     jets,
 )
 from kurbel.exact.separation import Separation, circle_separation
@@ -38,6 +39,8 @@ from kurbel.kernel.moving import Masses
 from kurbel.kernel.rod import LoadedCrank
 from kurbel.motion.inertia import RodForce, RodFormula
 
+# The circle of an angle, balls as balls, bounds as bounds or either with its slopes.
+CircleOf = Callable[[Any], Circle[Any]]
 CONTENDING_BITS = 256
 # Of a crank, at which its motion is kept.
 MOST_PLACES = 10_000
@@ -121,11 +124,7 @@ class Peak:
         return bound
 
     def _bounded(
-        self,
-        formula: RodFormula,
-        degrees: Fraction,
-        circle: Callable[..., Circle[Any]],
-        of: Callable[[Fraction], Any],
+        self, formula: RodFormula, degrees: Fraction, circle: CircleOf, of: Callable[[Fraction], Any]
     ) -> Numeric:
         """Return what the formula says of the bounds at an exact place."""
         key = circle, degrees
@@ -133,9 +132,7 @@ class Peak:
             self._moved[key] = _loaded(self.crank, circle(circle_separation(degrees)), of)
         return formula(self._moved[key].bearing(Masses(*map(of, map(Fraction, self.masses)))))
 
-    def _at(
-        self, formula: RodFormula, circle: Callable[[Any], Circle[Any]], half_turns: arb | Fraction
-    ) -> Numeric:
+    def _at(self, formula: RodFormula, circle: CircleOf, half_turns: arb | Fraction) -> Numeric:
         """Return what the formula says of a place in half turns; the rod moves alike in all its forces."""
         precision = flint.ctx.prec
         masses = self._balls.get(precision)
@@ -143,9 +140,7 @@ class Peak:
             masses = self._balls[precision] = Masses(*map(ball, map(Fraction, self.masses)))
         return formula(self._moving(circle, half_turns, precision).bearing(masses))
 
-    def _moving(
-        self, circle: Callable[[Any], Circle[Any]], half_turns: arb | Fraction, precision: int
-    ) -> LoadedCrank:
+    def _moving(self, circle: CircleOf, half_turns: arb | Fraction, precision: int) -> LoadedCrank:
         """Return the crank at a place, as all forces of the rod and the masses for it ask for it."""
         place: object = half_turns
         if isinstance(half_turns, arb):
@@ -158,9 +153,7 @@ class Peak:
         return self._moved[key]
 
     def _jet(self, formula: RodFormula, half_turns: arb) -> Jet:
-        jet = self._at(formula, ball_jets, half_turns)
-        assert isinstance(jet, Jet)
-        return jet
+        return jet_of(self._at(formula, ball_jets, half_turns))
 
     def _smooth(self, half_turns: arb) -> Jet:
         # A slope is asked for with its bend.
@@ -205,9 +198,8 @@ class Peak:
 
     def _is_level(self, quarter: Fraction) -> bool:
         """Whether the slope at a quarter of the turn is zero, proved by its separation bound."""
-        jet = self._bounded(self.force.smooth, 180 * quarter, jets, _constant)
-        assert isinstance(jet, Jet)
-        return vanishes(lambda: self._slope(ball(quarter)), float(jet.slope.bits()))
+        bits = jet_of(self._bounded(self.force.smooth, 180 * quarter, jets, _constant)).slope.bits()
+        return vanishes(lambda: self._slope(ball(quarter)), float(bits))
 
     def _value_at(self, place: Zero) -> arb:
         at = place.place()
@@ -228,8 +220,7 @@ class Peak:
             )
         middle, wide = self._jet(self.force.formula, at.mid()), self._jet(self.force.formula, at)
         away = (at - at.mid()) * pi()
-        found: arb = middle.value + away * (middle.slope + away * wide.bend)
-        return found
+        return middle.value + away * (middle.slope + away * wide.bend)
 
 
 @lru_cache(maxsize=16)

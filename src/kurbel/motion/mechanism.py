@@ -74,8 +74,7 @@ class Mechanism(ABC):
 
     def crank(self, drive: Any) -> Crank:
         """Return what is known of a drive's radius, speed and force."""
-        found: Crank = drive.crank
-        return found
+        return drive.crank
 
     def loaded_notes(self, drives: Sequence[Any], lang: str) -> Sequence[Label]:
         """Return what pages of engines say of their drives."""
@@ -102,8 +101,7 @@ class Mechanism(ABC):
             raise ProblemError(
                 f"{self.title} has no connecting rod whose points are computed; leave --point out"
             )
-        found: RodEnds = found_at(self.rod)
-        return found
+        return found_at(self.rod)
 
     def rod_notes(self, drives: Sequence[Any], lang: str) -> Iterable[Label]:
         """Return what pages of points of the rod say of their drives."""

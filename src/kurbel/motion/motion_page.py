@@ -125,8 +125,7 @@ class AngleQuestion(DriveQuestion):
     def long(self) -> LongColumns | None:
         if len(self.page_columns) * len(self) <= PAGE_CELLS:
             return None
-        found: LongColumns | None = worthwhile(self, "kurbel.motion.long:AngleColumns")
-        return found
+        return worthwhile(self, "kurbel.motion.long:AngleColumns")
 
     @property
     def told(self) -> list[tuple[Label, ...]]:

@@ -213,8 +213,7 @@ def digits(made: Made, decimals: int, rounding: str) -> int | None:
 
 
 def _turn(decimals: int) -> int:
-    whole: int = TURN * 10**decimals
-    return whole
+    return TURN * 10**decimals
 
 
 def _sector(made: Made) -> int | None:
@@ -223,7 +222,8 @@ def _sector(made: Made) -> int | None:
     while True:
         precision *= 2
         with at_bits(precision):
-            forth, up = _pair(made(balls()))
+            one = made(balls())
+            forth, up = ball(-one.along), ball(one.across)
             level = abs(forth).mid() >= abs(up).mid()
             strong = forth if level else up
             if not strong.contains(0):
@@ -232,17 +232,13 @@ def _sector(made: Made) -> int | None:
             return None
 
 
-def _pair(vector: Vector[Numeric]) -> tuple[arb, arb]:
-    return ball(-vector.along), ball(vector.across)
-
-
 def _is_none(made: Made) -> bool:
     return vanishes(lambda kind: made(kind).along) and vanishes(lambda kind: made(kind).across)
 
 
 def _in_sector(vector: Vector[Numeric], sector: int) -> arb:
     """Return the degrees of a vector in its quarter, within 45° of the middle of that or somewhat more."""
-    forth, up = _pair(vector)
+    forth, up = ball(-vector.along), ball(vector.across)
     aside = (up, -forth, -up, forth)[sector]
     return QUARTER * sector + ball_degrees(aside / ball(amount(vector)))
 

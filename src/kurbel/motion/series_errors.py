@@ -25,7 +25,7 @@ from typing import Any, NamedTuple
 from kurbel.exact.certify import at_bits, half_turn_circle
 from kurbel.exact.kind import Kind, balls, floats, settled
 from kurbel.exact.numerals import Label, Number, figures, nearest
-from kurbel.exact.search import Jet, Zero, ball_jets, slopes
+from kurbel.exact.search import Zero, ball_jets, slopes
 from kurbel.kernel import kinematics, series
 from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.series import terms_of, versine_term
@@ -65,13 +65,7 @@ class Greatest:
     @cached_property
     def zero(self) -> Zero:
         """Where the velocity errs most, in half turns."""
-
-        def jet(half_turns: arb) -> Jet:
-            found = self._error("p", ball_jets(half_turns), balls())
-            assert isinstance(found, Jet)
-            return found
-
-        slope, _ = slopes(jet)
+        slope, _ = slopes(lambda half_turns: self._error("p", ball_jets(half_turns), balls()))
         return Zero(
             lambda half_turns: ball(self._error("p", half_turn_circle(half_turns), balls())),
             slope,

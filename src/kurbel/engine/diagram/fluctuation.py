@@ -140,10 +140,10 @@ def shown(value: Callable[[Kind], Numeric]) -> str:
     return number_text(Number(settled(value, decimals), decimals))
 
 
-def _amount(value: Callable[[Kind], Numeric], symbol: str) -> Label:
+def _amount(value: Callable[[Kind], Numeric | None], symbol: str) -> Label:
     """Return the same of an amount in this unit of metric pages, with the unit of the page."""
     times, unit = unit_of_page(symbol)
-    text = shown(lambda kind: value(kind) * kind.of(times))
+    text = shown(lambda kind: known(value(kind)) * kind.of(times))
     if times == 1:
         # Every digit stays in a larger unit.
         times, unit = unit_of_page(symbol, Fraction(text))
@@ -157,12 +157,8 @@ def outcome(
     """Yield what follows of a cycle: mean torque, work, swing, where the speed is greatest, the flywheel."""
     parts = []
     if fluctuation.mean_torque(floats()) is not None:
-        parts.append(
-            WORDS["mean"][lang].format(mean=_amount(lambda kind: known(fluctuation.mean_torque(kind)), "N m"))
-        )
-        parts.append(
-            WORDS["work"][lang].format(work=_amount(lambda kind: known(fluctuation.work(kind)), "J"))
-        )
+        parts.append(WORDS["mean"][lang].format(mean=_amount(fluctuation.mean_torque, "N m")))
+        parts.append(WORDS["work"][lang].format(work=_amount(fluctuation.work, "J")))
     parts.append(WORDS["swing"][lang].format(swing=_amount(fluctuation.swing, "J")))
     if speed is not None and fluctuation.mean_torque(floats()) is not None:
         power = _amount(lambda kind: fluctuation.mean_torque(kind) * speed.omega(kind), "W")

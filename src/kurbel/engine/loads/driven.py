@@ -325,8 +325,7 @@ class Compressor:
     def _largest_ratio(self) -> float:
         """The pressure ratio at which this clearance delivers nothing any more."""
         inside: float = float(1 + 1 / self.clearance) ** float(self.expansion_exponent or self.exponent)
-        found: float = (inside * float((1 - self.suction_loss) / (1 + self.delivery_loss))) ** self.stages
-        return found
+        return (inside * float((1 - self.suction_loss) / (1 + self.delivery_loss))) ** self.stages
 
 
 def _down(bound: float) -> str:

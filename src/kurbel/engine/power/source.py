@@ -240,9 +240,7 @@ class Compound(NamedTuple):
         steam = acting.load
         if acting.sought is None and steam.back in (None, 1 / steam.expansion):
             return Term(whole(acting) ** HALF)
-        return Term(
-            Product.about(lambda kind: kind.enclosed(lambda: _by_work(*map(ball, _numbers(acting, balls())))))
-        )
+        return Term(Product.about(lambda kind: kind.enclosed(lambda: _by_work(acting))))
 
 
 def whole(acting: ActingPressure) -> Product:
@@ -272,8 +270,9 @@ def _numbers(acting: ActingPressure, kind: Kind) -> tuple[Numeric, Numeric]:
     return 1 / steam.cut_off, back / steam.cut_off
 
 
-def _by_work(epsilon: arb, lost: arb) -> arb:
+def _by_work(acting: ActingPressure) -> arb:
     """Return R of equal works: ln R = 1 + ln(ε/R) - b ε."""
+    epsilon, lost = map(ball, _numbers(acting, balls()))
     return epsilon.sqrt() * ((1 - lost) / 2).exp()
 
 

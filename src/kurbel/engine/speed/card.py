@@ -87,8 +87,7 @@ class CardRun(Run):
         """The time from each place to another in the same cell."""
         half = (ends - starts) / 2
         places = starts[:, None] + half[:, None] * (1 + POINTS)
-        elapsed: Floats = half * (SHARES / self.speeds(places)).sum(axis=1)
-        return elapsed
+        return half * (SHARES / self.speeds(places)).sum(axis=1)
 
     def speeds(self, places: Floats) -> Floats:
         """Return v/v₁ at an array of half turns."""
@@ -133,8 +132,7 @@ class HeavyCardRun(CardRun):
         works, energies = self._courses(places)
         own = self._sampled.half / (self.start if self._sampled.by_number else 1)
         level = (own + self._sampled.first) * self.start
-        found: Floats = np.sqrt((level + works) / (own + energies) / self.start)
-        return found
+        return np.sqrt((level + works) / (own + energies) / self.start)
 
     def extreme_speed(self, greatest: bool) -> Numeric:
         squares = self._sampled.squares(self.start)

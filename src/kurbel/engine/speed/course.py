@@ -83,8 +83,7 @@ class Course:
             # In a gap either series may hold.
             turns = int(own is self.sections[-1])
             value = value.union(following.function.at(ball(place - turns * self.cycle)) + turns * self.gain)
-        found: arb = value + cycles * self.gain
-        return found
+        return value + cycles * self.gain
 
     def around(self, place: Fraction) -> Section:
         """Return the section of a place within the first cycle, or that before its gap."""
