@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import asin, degrees
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from kurbel.drive.at import At, acceleration_of, known
 from kurbel.drive.load import Effort, PistonForce, read_force

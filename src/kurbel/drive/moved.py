@@ -30,28 +30,28 @@ class DeadCentres:
 
     __slots__ = ()
 
-    def dead_angle(self, stroke: int, kind: Kind) -> Any:
+    def dead_angle(self, stroke: int, kind: Kind) -> Numeric:
         """Return φ_i, or for a stroke of -1, the return, φ_o - 180°, within ±180°."""
         return kind.of(Fraction(0))
 
-    def inner(self, kind: Kind) -> Any:
+    def inner(self, kind: Kind) -> Numeric:
         """Return φ_i."""
         return self.dead_angle(1, kind)
 
-    def outer(self, kind: Kind) -> Any:
+    def outer(self, kind: Kind) -> Numeric:
         """Return φ_o."""
         return self.dead_angle(-1, kind) + 180
 
-    def lead(self, kind: Kind) -> Any:
+    def lead(self, kind: Kind) -> Numeric:
         """Return Δ, by which the crank turns more than 180° during the outstroke."""
         return self.dead_angle(-1, kind) - self.dead_angle(1, kind)
 
-    def time_ratio(self, kind: Kind) -> Any:
+    def time_ratio(self, kind: Kind) -> Numeric:
         """Return the time of the outstroke over that of the return, the crank turning uniformly."""
         more = self.lead(kind)
         return (180 + more) / (180 - more)
 
-    def least_transmission(self, kind: Kind) -> Any:
+    def least_transmission(self, kind: Kind) -> Numeric:
         """Return the least angle between the rod and what guides its end, square where there is no rod."""
         return kind.of(Fraction(90))
 

@@ -13,6 +13,7 @@ from kurbel.drive.load import figure
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind, settled
 from kurbel.exact.numerals import Label, Number
+from kurbel.kernel.circle import Numeric
 from kurbel.motion.evaluation import Needs
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import DriveQuestion

@@ -86,7 +86,7 @@ class Linkage(DeadCentres, ABC):
         """The stroke as pages of conditions print it, nothing where no line holds it."""
         return f"{self.reach} R"
 
-    def way(self, kind: Kind) -> Any:
+    def way(self, kind: Kind) -> Numeric:
         """Return the way between the dead centres in units of R."""
         return kind.of(Fraction(self.reach))
 

@@ -8,6 +8,8 @@ from fractions import Fraction
 from functools import cache, partial
 from typing import Any
 
+from flint import arb
+
 from kurbel.drive.at import At
 from kurbel.drive.crank import LONGEST_ROD, RODLESS, Crank, DescribedDrive, radii
 from kurbel.drive.load import FORCE

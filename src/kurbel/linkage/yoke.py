@@ -13,7 +13,7 @@ from functools import cache
 from kurbel.drive.crank import RODLESS, Crank, DescribedDrive
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label
-from kurbel.kernel.circle import Circle
+from kurbel.kernel.circle import Circle, Numeric
 from kurbel.kernel.linkage import Place
 from kurbel.linkage.linkage import (
     Linkage,

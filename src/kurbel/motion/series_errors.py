@@ -22,7 +22,7 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any, NamedTuple
 
-from kurbel.exact.certify import at_bits, half_turn_circle
+from kurbel.exact.certify import at_bits, ball, half_turn_circle
 from kurbel.exact.kind import Kind, balls, floats, settled
 from kurbel.exact.numerals import Label, Number, figures, nearest
 from kurbel.exact.search import Zero, ball_jets, slopes
