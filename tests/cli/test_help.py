@@ -139,6 +139,7 @@ def examples(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     shutil.rmtree("appendix")
     shutil.copy(CARDS / "ideal-2.csv", "card.csv")
     Path("notes.md").write_text("<!-- kurbel: table --ratio 1:5 -->\n<!-- /kurbel -->\n")
+    Path("rod.csv").write_text("from [mm];to [mm];mass [kg]\n-120;140;17\n140;1350;24\n1350;1580;9\n")
     Path("scan.csv").write_text("phi;p\n0;1,250\n60;0,375\n90;-0,250\n180;-0,750\n")
 
 

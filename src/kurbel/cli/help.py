@@ -11,8 +11,7 @@ from kurbel.cli import COMMANDS
 from kurbel.cli.app import HELP_OPTIONS, command_of
 from kurbel.cli.manual.command import TopicCommand, show_text
 from kurbel.cli.manual.help import short_text, topic_text, write_examples
-from kurbel.cli.manual.topics import TOPICS, topics_of
-from kurbel.cli.manual.wants import WANTS, Purpose
+from kurbel.cli.manual.topics import TOPICS, Purpose, topics_of, wants
 from kurbel.reading.given import allowed_name
 
 MORE = (
@@ -23,7 +22,7 @@ MORE = (
 
 
 def _offered(context: click.Context, parameter: click.Parameter, begun: str) -> list[str]:
-    known = [*(want.name for want in WANTS), *COMMANDS, *(topic.name for topic in TOPICS)]
+    known = [*(want.name for want in wants()), *COMMANDS, *(topic.name for topic in TOPICS)]
     return [name for name in dict.fromkeys(known) if name.startswith(begun)]
 
 
@@ -81,7 +80,7 @@ def _of_command(words: Sequence[str]) -> str:
 def _write_wants(formatter: click.HelpFormatter) -> None:
     formatter.write_text("kurbel help WORD, for what you have or want:")
     with formatter.indentation():
-        formatter.write_dl([(want.name, want.sentence) for want in WANTS])
+        formatter.write_dl([(want.name, want.sentence) for want in wants()])
     with formatter.section("More"):
         formatter.write_dl(MORE, 40)
 
@@ -91,7 +90,7 @@ def _write_word(word: str, formatter: click.HelpFormatter) -> None:
     from kurbel.cli.manual.search import page_names, page_text, problems
 
     name = word.removeprefix("docs/").removesuffix(".md")
-    wanted = next((want for want in WANTS if want.name == word), None)
+    wanted = next((want for want in wants() if want.name == word), None)
     if wanted:
         _write_want(wanted, formatter)
     elif any(topic.name == word for topic in TOPICS):
@@ -108,8 +107,8 @@ def _write_word(word: str, formatter: click.HelpFormatter) -> None:
 
 def _write_want(want: Purpose, formatter: click.HelpFormatter) -> None:
     with formatter.section(want.sentence):
-        write_examples([(f"kurbel {line}", what) for line, what in want.lines], formatter)
-    names = dict.fromkeys(shlex.split(line)[0] for line, _ in want.lines)
+        write_examples(want.lines, formatter)
+    names = dict.fromkeys(line.split()[1] for line, _ in want.lines)
     told = [(f"kurbel {name} -h", COMMANDS[name][1]) for name in names]
     with formatter.section("More"):
         formatter.write_dl([*told, *((f"kurbel help {page}", "to read") for page in want.pages.split())], 40)

@@ -109,7 +109,7 @@ def topic_text(context: click.Context, name: str) -> str:
     formatter = context.make_formatter()
     rows = list(_records(options, context))
     _write_records(topic.title, rows, _column([written for written, _ in rows]), formatter)
-    if words := topical(command, topic.name):
+    if words := topical(command, topic.name, options):
         with formatter.section("An example"):
             write_examples([(f"{context.command_path} {words}", "")], formatter)
     if keys := [*_machine_keys(command, options)]:

@@ -17,8 +17,7 @@ from kurbel.cli.app import command_of
 from kurbel.cli.listing import printing
 from kurbel.cli.manual.command import TopicCommand
 from kurbel.cli.manual.help import GAP, folded
-from kurbel.cli.manual.topics import flag_of, options_of, topics_of
-from kurbel.cli.manual.wants import WANTS
+from kurbel.cli.manual.topics import flag_of, options_of, topics_of, wants
 from kurbel.errors import ChoiceError, OutputError
 from kurbel.handbook.problems import Problem, problems_of
 from kurbel.page.layouts import SUBJECTS, layout, layout_names
@@ -26,77 +25,58 @@ from kurbel.page.subject import subject
 from kurbel.reading.names import did_you_mean
 
 # What others call it, and what is searched for then.
+_SYNONYMS = """
+    mep, imep: mean pressure
+    bmep: mean pressure, brake power
+    rpm, revolutions: speed
+    hp, horsepower: power
+    four bar, fourbar, 4 bar: rocker, pivot
+    crank rocker: rocker
+    slider crank: motion of a piston, crank drive, piston path, crank ratio
+    quick return: time ratio, offset crank
+    desaxe: offset crank
+    coefficient of fluctuation of energy, fluctuation of energy: energy fluctuation, energy swing
+    coefficient of fluctuation: irregularity, energy fluctuation
+    cyclic irregularity, speed fluctuation: irregularity
+    cut off, cutoff: expansion ratio, cut off
+    turning moment: turning effort, torque, turning moment
+    crank effort: turning effort, tangential force
+    side thrust, slide bars, slide bar, cylinder wall: guide force
+    gudgeon pin, wrist pin, piston pin: crosshead pin
+    bearing load: bearing force, crank pin force
+    main bearing: bearing force
+    shaking force: free force, balance of an engine
+    shaking moment: free moment, balance of an engine
+    dynamic balance, dynamic balancing: two planes, balance planes
+    overbalance: counterweights
+    tractive effort: tractive force
+    throw: crank radius, crank
+    coupler curve, coupler point: paths of points, point of the rod
+    velocity diagram, velocity polygon: plan of velocities
+    acceleration diagram, acceleration polygon: plan of accelerations
+    connecting rod, conrod: rod
+    obliquity: rod angle
+    displacement: piston path
+    dead center, tdc, bdc: dead centre
+    fourier: harmonics
+    primary, secondary: orders, balance
+    punch, punching: press, shear
+    punching press: press
+    stamping: punch
+    shearing machine: punch, shear
+    rolling mill: load torque
+    free air: delivery
+    brake horsepower, bhp: brake power
+    ihp: indicated power
+    indicator diagram, p v diagram: indicator card
+    inches: imperial
+    excel: excel, xlsx
+    tex: latex
+"""
 SYNONYMS: Mapping[str, Sequence[str]] = {
-    "mep": ("mean pressure",),
-    "imep": ("mean pressure",),
-    "bmep": ("mean pressure", "brake power"),
-    "rpm": ("speed",),
-    "revolutions": ("speed",),
-    "hp": ("power",),
-    "horsepower": ("power",),
-    "four bar": ("rocker", "pivot"),
-    "fourbar": ("rocker", "pivot"),
-    "4 bar": ("rocker", "pivot"),
-    "crank rocker": ("rocker",),
-    "slider crank": ("motion of a piston", "crank drive", "piston path", "crank ratio"),
-    "quick return": ("time ratio", "offset crank"),
-    "desaxe": ("offset crank",),
-    "coefficient of fluctuation of energy": ("energy fluctuation", "energy swing"),
-    "fluctuation of energy": ("energy fluctuation", "energy swing"),
-    "coefficient of fluctuation": ("irregularity", "energy fluctuation"),
-    "cyclic irregularity": ("irregularity",),
-    "cut off": ("expansion ratio", "cut off"),
-    "cutoff": ("expansion ratio", "cut off"),
-    "turning moment": ("turning effort", "torque", "turning moment"),
-    "crank effort": ("turning effort", "tangential force"),
-    "side thrust": ("guide force",),
-    "slide bars": ("guide force",),
-    "slide bar": ("guide force",),
-    "cylinder wall": ("guide force",),
-    "gudgeon pin": ("crosshead pin",),
-    "wrist pin": ("crosshead pin",),
-    "piston pin": ("crosshead pin",),
-    "bearing load": ("bearing force", "crank pin force"),
-    "main bearing": ("bearing force",),
-    "shaking force": ("free force", "balance of an engine"),
-    "shaking moment": ("free moment", "balance of an engine"),
-    "dynamic balance": ("two planes", "balance planes"),
-    "dynamic balancing": ("two planes", "balance planes"),
-    "overbalance": ("counterweights",),
-    "tractive effort": ("tractive force",),
-    "throw": ("crank radius", "crank"),
-    "coupler curve": ("paths of points", "point of the rod"),
-    "coupler point": ("paths of points", "point of the rod"),
-    "velocity diagram": ("plan of velocities",),
-    "velocity polygon": ("plan of velocities",),
-    "acceleration diagram": ("plan of accelerations",),
-    "acceleration polygon": ("plan of accelerations",),
-    "connecting rod": ("rod",),
-    "conrod": ("rod",),
-    "obliquity": ("rod angle",),
-    "displacement": ("piston path",),
-    "dead center": ("dead centre",),
-    "tdc": ("dead centre",),
-    "bdc": ("dead centre",),
-    "fourier": ("harmonics",),
-    "primary": ("orders", "balance"),
-    "secondary": ("orders", "balance"),
-    "punch": ("press", "shear"),
-    "punching press": ("press",),
-    "punching": ("press", "shear"),
-    "stamping": ("punch",),
-    "shearing machine": ("punch", "shear"),
-    "rolling mill": ("load torque",),
-    "speed fluctuation": ("irregularity",),
-    "free air": ("delivery",),
-    "brake horsepower": ("brake power",),
-    "bhp": ("brake power",),
-    "ihp": ("indicated power",),
-    "indicator diagram": ("indicator card",),
-    "p v diagram": ("indicator card",),
-    "inches": ("imperial",),
-    "excel": ("excel", "xlsx"),
-    "tex": ("latex",),
+    name: ours.split(", ")
+    for others, _, ours in (line.partition(": ") for line in _SYNONYMS.split("\n")[1:-1])
+    for name in others.strip().split(", ")
 }
 # How many of a kind are listed.
 MOST = {
@@ -215,7 +195,7 @@ def _commands() -> Iterator[SearchHit]:
 
 
 def _wants() -> Iterator[SearchHit]:
-    for want in WANTS:
+    for want in wants():
         lines = " ".join(what for _, what in want.lines)
         yield SearchHit("Tasks", want.name, want.sentence, f"kurbel help {want.name}", lines)
 

@@ -1,16 +1,19 @@
-"""The topics in which the options of a command stand, and a line that shows each."""
+"""The topics in which the options of a command stand, with a line that shows each, and what people want."""
 
 from __future__ import annotations
 
+import os
+import re
+import shlex
+import tomllib
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple, TypeGuard
+from functools import cache
+from typing import NamedTuple, TypeGuard
 
 import click
 
 from kurbel.cli.app import HELP_OPTIONS
-
-if TYPE_CHECKING:
-    from kurbel.cli.manual.command import TopicCommand
+from kurbel.cli.manual.command import TopicCommand, with_examples
 
 
 class Topic(NamedTuple):
@@ -168,27 +171,27 @@ SWEEPS: Mapping[str, str] = {
     "locomotive": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg --speed 4..5/s -o b.csv",
     "firing": "--engine 'inline-4;inline-6' -o firing.csv",
 }
-# What shows a topic, behind what its command needs: under a load, and elsewhere.
+# What shows a topic, where the help of a command does not: behind what the command needs, and under a load.
 TOPICAL: Mapping[str, str] = {
     "crank": "--stroke 600mm --rod 1500mm",
     "linkage": "--mechanism arc --ratio 1:5 --rocker 6",
     "angles": "--angle 0..90:15",
+    "page": "--lang en",
+    "drawing": "--width 85 -o drawing.svg",
+    "output": "-o page.html",
+    "wheel": "--flywheel 50",
+    "work": "--power 50kW --inertia 1200kgm2 --speed 120/min",
+}
+LOADS: Mapping[str, str] = {
     "steam": "--eps 4 --back 10%",
     "compressor": "--pressure-ratio 4 --clearance 5%",
     "pump": "--pump single",
     "gas": "--compression 6 --peak-pressure 30",
-    "piston": "--single-acting",
-    "cylinders": "--cranks '0;90'",
+    "piston": "--eps 4 --single-acting",
+    "cylinders": "--eps 4 --cranks '0;90'",
     "masses": "--machine engine.toml --reciprocating 300kg",
     "friction": "--machine engine.toml --friction 500N",
-    "work": "--power 50kW --inertia 1200kgm2 --speed 120/min",
-    "wheel": "--flywheel 50",
-    "diagram": "--torque '5000 + 1500 sin(3φ)'",
-    "page": "--lang en --digits 3",
-    "drawing": "--width 85 -o drawing.svg",
-    "output": "-o page.html",
 }
-LOADS = ("steam", "compressor", "pump", "gas")
 LOADED: Mapping[str, str] = {
     "solve": "--where torque=max",
     "flywheel": "--power 50kW --speed 120/min --delta 1:100",
@@ -204,140 +207,84 @@ NEEDED: Mapping[str, str] = {
     "flywheel": "--power 50kW --speed 120/min --delta 1:100 --eps 4",
     "rotor": "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120'",
     "locomotive": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg",
+    "collate": "roetscher-112",
     "example": "blau 33",
     "plot": "--positions 30 -o drive.svg",
     "construct": "blau-9",
 }
 # Whole, where a command shows a topic in its own way.
-OWN: Mapping[str, Mapping[str, str]] = {
-    "table": {"question": "--ratio 1:5 --point 0.5"},
-    "forces": {
-        "cylinders": "--eps 4 --cranks '0;90'",
-        "question": "--ratio 1:5 --at tangent",
-        "piston": "--force 10kN --stroke 600mm",
-        "friction": "--force 10kN --friction 500N",
-        "wheel": "--force 10kN --stroke 600mm --inertia '20 kg m²'",
-    },
-    "inertia": {"masses": "--centre 0.6 --gyration 0.3"},
-    "solve": {
-        "drawing": "--ratio 1:3..8 --where c=max --width 85 -o greatest.svg",
-        "question": "--ratio 1:5 --where 's = 25%'",
-        "angles": "--unknown stroke --angle 60 --where x=200mm",
-        "piston": "--eps 4 --single-acting --where torque=max",
-        "cylinders": "--eps 4 --cranks '0;90' --where torque=max",
-        "masses": "--machine engine.toml --reciprocating 300kg --where torque=max",
-        "friction": "--machine engine.toml --friction 500N --where torque=max",
-    },
-    "delta": {"question": "--eps 4 --detail", "drawing": "--eps 2..6 --width 85 -o delta.svg"},
-    "turning": {"diagram": "--torque '5000 + 1500 sin(3φ)'"},
-    "pressures": {
-        "steam": "--eps 4 --pressure 8bar --bore 300mm",
-        "compressor": "--pressure-ratio 4 --suction-pressure 1bar --bore 300mm",
-        "pump": "--pump single --suction-pressure=-0.3bar --delivery-pressure 6bar --bore 200mm",
-        "gas": "--compression 6 --peak-pressure 30 --suction-pressure 1bar --bore 200mm",
-    },
-    "power": {
-        "drawing": "--eps 2..6 --pressure 8bar --width 85 -o power.svg",
-        "work": "--power 50kW --mean-pressure 3bar --working-strokes 2 --stroke 600mm --speed 120/min",
-        "crank": "--machine engine.toml --speed 150/min",
-        "steam": "--eps 4 --pressure 8bar --bore 300mm --stroke 600mm --speed 120/min",
-        "compressor": "--pressure-ratio 4 --suction-pressure 1bar --bore 300mm --stroke 600mm --speed 2/s",
-        "pump": "--pump double --suction-pressure=-0.3bar --delivery-pressure 6bar --bore 200mm"
-        " --stroke 400mm --speed 1/s",
-        "gas": "--compression 6 --peak-pressure 30 --suction-pressure 1bar --bore 200mm --stroke 300mm"
-        " --speed 5/s",
-        "piston": "--machine engine.toml --piston-rod 50mm",
-        "cylinders": "--machine engine.toml --cylinders 2",
-    },
-    "flywheel": {
-        "wheel": "--swing 5kJ --speed 300/min --delta ±1% --radius 1m",
-        "rim": "--swing 56kJ --speed 120/min --delta 1:60 --rim-diameter 3m --density 7200kg/m³",
-        "disc": "--swing 2kJ --speed 300/min --delta 1:60 --disc-diameter 1m --density 7800kg/m³",
-        "press": "--work 10kJ --strokes 30/min --share 1/4 --speed 200..225/min --radius 0.5m",
-        "work": "--power 300kW --speed 90/min --energy-fluctuation 0.1 --delta ±0.5% --radius 2m",
-        "diagram": "--torque '5000 + 1500 sin(3φ)' --speed 300/min --inertia 200kgm2",
-        "masses": "--delta 1:100 --machine engine.toml --reciprocating 300kg",
-        "friction": "--delta 1:100 --machine engine.toml --friction 500N",
-    },
-    "deadcentres": {
-        "question": "--beam 3 --exact",
-        "drawing": "--ratio 1:3..8 --offset 0.3 --width 85 -o dead.svg",
-    },
-    "harmonics": {
-        "question": "--ratio 1:5 --quantity x --orders 8",
-        "linkage": "--quantity torque --eps 4 --mechanism arc --ratio 1:5 --rocker 6",
-        "piston": "--quantity torque --eps 4 --single-acting",
-        "cylinders": "--quantity torque --eps 4 --cranks '0;90'",
-        "masses": "--quantity torque --machine engine.toml --reciprocating 300kg",
-        "friction": "--quantity torque --machine engine.toml --friction 500N",
-    },
-    "balance": {
-        "question": "--engine inline-6 --orders 6",
-        "cylinders": "--engine v8-90",
-        "masses": "--engine inline-4 --reciprocating 1kg --stroke 80mm --speed 50/s",
-        "counterweights": "--engine inline-2-180 --reciprocating 1kg --stroke 80mm --speed 50/s --share 1/2",
-        "angles": "--layout balance-angle --angle 0..90:15",
-    },
-    "rotor": {
-        "crank": "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120' --machine engine.toml",
-        "masses": "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120'",
-        "counterweights": "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120' --planes '0;200mm'"
-        " --balance-planes '50mm;150mm' --balance-radii 100mm",
-    },
-    "locomotive": {
-        "crank": "--machine engine.toml --spacing 0.7m --gauge 1.5m",
-        "counterweights": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg --share 2/3",
-        "masses": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg",
-        "axle": "--spacing 0.7m --gauge 1.5m --stroke 60cm --reciprocating 300kg",
-    },
-    "firing": {
-        "crank": "--machine engine.toml --cranks '0;90'",
-        "question": "--engine inline-6 --order 1-5-3-6-2-4",
-        "cylinders": "--engine v8-90",
-    },
-    "collate": {
-        "drawing": "roetscher-112 --width 85 -o deviations.svg",
-        "question": "weisbach-150 --only deviations",
-        "crank": "--csv scan.csv --quantity p --ratio 1:4 --method series",
-        "page": "roetscher-112 --lang en",
-        "output": "roetscher-112 -o page.html",
-    },
-    "example": {
-        "crank": "blau 33 --ratio 1:4,5",
-        "linkage": "weisbach 149 --beam 4",
-        "angles": "blau 31 --angle 60",
-        "piston": "uebung 12 --ratio 1:5 --force 10kN",
-        "steam": "weisbach 150 --eps 4",
-        "page": "blau 33 --lang en",
-    },
-    "plot": {
-        "crank": "--positions 30 --stroke 600mm --rod 1500mm -o drive.svg",
-        "linkage": "--positions 30 --mechanism arc --ratio 1:5 --rocker 6 -o drive.svg",
-        "page": "--positions 30 --lang en -o drive.svg",
-        "drawing": "--positions 30 --width 85 -o drive.svg",
-        "output": "--positions 30 -o drive.pdf",
-    },
-    "construct": {
-        "question": "blau-9 --ratio 1:4 --angle 50 --table",
-        "linkage": "weisbach-149 --mechanism beam --beam 3",
-        "angles": "blau-9 --angle 50",
-        "steam": "radinger --eps 4",
-        "masses": "ensslin-5 --centre 0.6 --gyration 0.3",
-        "page": "blau-9 --lang en",
-        "drawing": "blau-9 --width 85 -o fig9.svg",
-        "output": "blau-9 -o fig9.html",
-    },
+OWN: Mapping[str, str] = {
+    "forces wheel": "--force 10kN --stroke 600mm --inertia '20 kg m²'",
+    "solve drawing": "--ratio 1:3..8 --where c=max --width 85 -o greatest.svg",
+    "delta drawing": "--eps 2..6 --width 85 -o delta.svg",
+    "pressures steam": "--eps 4 --pressure 8bar --bore 300mm",
+    "pressures compressor": "--pressure-ratio 4 --suction-pressure 1bar --bore 300mm",
+    "pressures pump": "--pump single --suction-pressure=-0.3bar --delivery-pressure 6bar --bore 200mm",
+    "pressures gas": "--compression 6 --peak-pressure 30 --suction-pressure 1bar --bore 200mm",
+    "power pump": "--pump double --suction-pressure=-0.3bar --delivery-pressure 6bar --bore 200mm"
+    " --stroke 400mm --speed 1/s",
+    "power drawing": "--eps 2..6 --pressure 8bar --width 85 -o power.svg",
+    "flywheel masses": "--delta 1:100 --machine engine.toml --reciprocating 300kg",
+    "flywheel friction": "--delta 1:100 --machine engine.toml --friction 500N",
+    "flywheel disc": "--swing 2kJ --speed 300/min --delta 1:60 --disc-diameter 1m --density 7800kg/m³",
+    "deadcentres drawing": "--ratio 1:3..8 --offset 0.3 --width 85 -o dead.svg",
+    "harmonics linkage": "--quantity torque --eps 4 --mechanism arc --ratio 1:5 --rocker 6",
+    "rotor crank": "--masses '2kg;3kg' --radii '100mm;80mm' --angles '0;120' --machine engine.toml",
+    "locomotive crank": "--machine engine.toml --spacing 0.7m --gauge 1.5m",
+    "firing crank": "--machine engine.toml --cranks '0;90'",
+    "example linkage": "weisbach 149 --beam 4",
+    "example angles": "blau 31 --angle 60",
+    "example piston": "uebung 12 --ratio 1:5 --force 10kN",
+    "example steam": "weisbach 150 --eps 4",
+    "construct linkage": "weisbach-149 --mechanism beam --beam 3",
+    "construct steam": "radinger --eps 4",
+    "construct masses": "ensslin-5 --centre 0.6 --gyration 0.3",
 }
 # The same of every sweep, behind its line.
 SWEPT: Mapping[str, str] = {"combinations": "--bounds", "run": "--jobs 2", "output": "--dry-run"}
 
 
-def topical(command: click.Command, topic: str) -> str:
-    """Return what stands behind a command to show a topic, nothing if none does."""
-    if is_sweep(command):
-        return f"{SWEEPS[command.name or '']} {SWEPT[topic]}" if topic in SWEPT else ""
+class Purpose(NamedTuple):
+    """What one may have or want, by a name that is no command's: a sentence, lines with what each is, and
+    pages to read."""
+
+    name: str
+    sentence: str
+    lines: Sequence[tuple[str, str]]
+    pages: str
+
+
+@cache
+def wants() -> Sequence[Purpose]:
+    """Return what people have or want."""
+    with open(os.path.join(os.path.dirname(__file__), "wants.toml"), "rb") as stream:
+        found = tomllib.load(stream)
+    return [
+        Purpose(name, one["sentence"], with_examples(one["lines"])[1], one["pages"])
+        for name, one in found.items()
+    ]
+
+
+def topical(command: click.Command, topic: str, options: Sequence[click.Option]) -> str:
+    """Return what stands behind a command to show a topic, of these options; nothing if none does."""
     name = command.name or ""
-    if whole := OWN.get(name, {}).get(topic):
-        return whole
-    needed = (LOADED if topic in LOADS else NEEDED).get(name, "")
-    return f"{needed} {TOPICAL[topic]}".strip() if topic in TOPICAL else ""
+    if is_sweep(command):
+        return f"{SWEEPS[name]} {SWEPT[topic]}" if topic in SWEPT else ""
+    if line := OWN.get(f"{name} {topic}") or _of_help(command, options):
+        return line
+    needed, shown = (LOADED, LOADS) if topic in LOADS else (NEEDED, TOPICAL)
+    return f"{needed.get(name, '')} {shown[topic]}".strip() if topic in shown else ""
+
+
+def _of_help(command: click.Command, options: Sequence[click.Option]) -> str:
+    """Return the line of the help, or of what one may want, that has most of these options among its own."""
+    flags = {flag for one in options for flag in one.opts}
+    told = "\n".join((command.help or "", *(line for want in wants() for line, _ in want.lines)))
+    lines = re.findall(rf"^ *kurbel {command.name} (.+)$", told, re.MULTILINE)
+
+    def share(line: str) -> tuple[int, float]:
+        typed = {word.partition("=")[0] for word in shlex.split(line) if re.match("--?[a-z]", word)}
+        return len(typed & flags), len(typed & flags) / max(len(typed), 1)
+
+    best = max(lines, key=share, default="")
+    return best if share(best)[0] else ""
