@@ -241,18 +241,9 @@ class Drawing:
 
     @cached_property
     def units(self) -> Sequence[str]:
-        from kurbel.reading.units import KNOWN
+        from kurbel.reading.amounts import FACTORS, UNITS
 
-        return (
-            *(unit for units in KNOWN.values() for unit in units),
-            "m**9",
-            "kg m²",
-            "1/min",
-            "",
-            "",
-            "°C",
-            "R",
-        )
+        return (*FACTORS, *UNITS, "m**9", "1/min", "rpm", "", "", "°C", "R")
 
     @cached_property
     def values(self) -> Mapping[str, Iterable[str]]:

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 import kurbel
 from kurbel.reading import units
-from kurbel.reading.amounts import plain_unit
+from kurbel.reading.amounts import FACTORS, known_unit, plain_unit
 from kurbel.reading.environment import how_to_install
 
 SPEED_HELP = "a speed of rotation such as 120/min, 120rpm or 12.5rad/s"
@@ -162,15 +162,13 @@ def test_text_with_a_unit_is_told_from_a_number() -> None:
     assert not units.is_measure(" " * 100_000 + "!")
 
 
-@pytest.mark.parametrize(
-    ("unit", "dimension"), [(unit, dimension) for dimension, known in units.KNOWN.items() for unit in known]
-)
-def test_units_that_are_known_are_those_of_pint(unit: str, dimension: str) -> None:
-    known = units.KNOWN[dimension]
-    base = next(one for one, scale in known.items() if scale == 1)
-    quantity = units.registry().Quantity(Fraction(1), unit)
-    assert quantity.check(dimension)
-    assert quantity.to(base).magnitude == known[unit] == units.unit_in(unit, base, dimension)
+@pytest.mark.parametrize("unit", [*FACTORS, "lb/(hp h)", "kg/kWh", "ft lbf/lb", "kN cm^-2", "l min^-1"])
+def test_units_that_are_known_are_those_of_pint(unit: str) -> None:
+    known, plain = known_unit(unit), plain_unit(unit)
+    assert known and plain
+    base = "*".join(f"{one}**({power})" for one, power in zip(("m", "kg", "s"), known.powers, strict=True))
+    assert units.registry().Quantity(Fraction(1), plain).to(base).magnitude == known.size
+    assert units.unit_in(unit, "m") == (known.size if known.powers == (1, 0, 0) else None)
 
 
 @pytest.mark.parametrize("unit", units.TURNS)

@@ -136,7 +136,7 @@ def _mass_unit(unit: str) -> Fraction:
 
 
 def _factor(unit: str, what: str, base: str, dimension: str, examples: str) -> Fraction:
-    factor = unit_in(unit, base, f"[{dimension}]") if _UNIT.fullmatch(unit) else None
+    factor = unit_in(unit, base) if _UNIT.fullmatch(unit) else None
     if factor is None:
         raise NotationError(
             f'the {what} has the unit "{clipped(unit)}", which is no {dimension}; write {examples} or %'

@@ -7,10 +7,11 @@ Every factor is an exact rational number, so that a converted digit is as certai
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from fractions import Fraction
+from functools import lru_cache
 from typing import NamedTuple
 
 from kurbel.errors import NotationError
@@ -51,85 +52,111 @@ _WHOLE = {"turn/min": "rpm", "turn/s": "/s"}
 _MOST = 12
 
 
+# What products of units are made of, with their sizes in units of the SI: by the powers of the metre, the
+# kilogram and the second in these.
+_MADE_OF: Mapping[tuple[int, int, int], Mapping[str, Fraction | str | int]] = {
+    (1, 0, 0): {
+        **{"m": 1, "km": 1000, "dm": "1/10", "cm": "1/100", "mm": "1/1000"},
+        **{"in": INCH, "inch": INCH, "ft": FOOT},
+    },
+    (0, 1, 0): {"kg": 1, "g": "1/1000", "t": 1000, "lb": POUND},
+    (0, 0, 1): {"s": 1, "ms": "1/1000", "min": 60, "h": 3600},
+    (1, 0, -1): {"mph": 5280 * FOOT / 3600},
+    (1, 1, -2): {"N": 1, "kN": 1000, "MN": 10**6, "kgf": "9.80665", "lbf": POUND_FORCE},
+    (2, 1, -2): {"J": 1, "kJ": 1000, "MJ": 10**6, "kWh": 3_600_000},
+    (2, 1, -3): {"W": 1, "kW": 1000, "MW": 10**6, "hp": 550 * FOOT * POUND_FORCE},
+    (-1, 1, -2): {
+        **{"Pa": 1, "kPa": 1000, "MPa": 10**6, "bar": 10**5, "mbar": 100},
+        **{"psi": POUND_FORCE / INCH**2, "at": "98066.5", "atm": 101325},
+    },
+    (3, 0, 0): {"l": "1/1000", "L": "1/1000"},
+}
+
+
+class KnownUnit(NamedTuple):
+    """The size of a unit in that of the SI, with the powers of the metre, the kilogram and the second."""
+
+    size: Fraction
+    powers: tuple[int, ...]
+
+
+FACTORS: Mapping[str, KnownUnit] = {
+    name: KnownUnit(Fraction(size), powers)
+    for powers, sizes in _MADE_OF.items()
+    for name, size in sizes.items()
+}
+
+
+@lru_cache(maxsize=256)
+def known_unit(text: str) -> KnownUnit | None:
+    """Return a product of units, None for one that has others than those of everyday."""
+    factors = re.findall("(/?)([^*/]+)", plain_unit(text) or "")
+    if not factors or not all(name in FACTORS for _, name in factors):
+        return None
+    size, powers = Fraction(1), (0, 0, 0)
+    for over, name in factors:
+        own, sign = FACTORS[name], -1 if over else 1
+        size *= own.size**sign
+        powers = tuple(one + sign * other for one, other in zip(powers, own.powers, strict=True))
+    return KnownUnit(size, powers)
+
+
 class Unit(NamedTuple):
-    """A unit: as pages and --units write it, its dimension, what it is in that of the SI, what keys of
-    columns in it end with, and what heads call it where that is another word."""
+    """A unit: as pages and --units write it, its dimension, and what keys of columns in it end with."""
 
     symbol: str
     dimension: str
-    size: Fraction
     ending: str
-    named: Mapping[str, str] | None = None
+
+    @property
+    def size(self) -> Fraction:
+        """What it is in that of the SI; of forces and moments that of the forces."""
+        known = known_unit(self.symbol.partition(",")[0])
+        assert known is not None
+        return known.size
 
     def heading(self, lang: str) -> str:
         """Return what heads call it."""
-        return self.named[lang] if self.named else self.symbol
+        return {"de": "Zoll", "en": "inches"}[lang] if self.symbol == "in" else self.symbol
 
 
-def _units() -> Iterable[Unit]:
-    thousand, pound_foot = Fraction(1000), POUND_FORCE * FOOT
-    yield Unit("mm", "length", 1 / thousand, "mm")
-    yield Unit("cm", "length", Fraction(1, 100), "cm")
-    yield Unit("m", "length", Fraction(1), "m")
-    yield Unit("in", "length", INCH, "in", {"de": "Zoll", "en": "inches"})
-    yield Unit("ft", "length", FOOT, "ft")
-    yield Unit("m/s", "velocity", Fraction(1), "mps")
-    yield Unit("ft/s", "velocity", FOOT, "ftps")
-    yield Unit("in/s", "velocity", INCH, "inps")
-    yield Unit("km/h", "speed of a train", Fraction(5, 18), "kmh")
-    yield Unit("mph", "speed of a train", 5280 * FOOT / 3600, "mph")
-    yield Unit("m/s²", "acceleration", Fraction(1), "mps2")
-    yield Unit("ft/s²", "acceleration", FOOT, "ftps2")
-    yield Unit("in/s²", "acceleration", INCH, "inps2")
-    yield Unit("N", "force", Fraction(1), "n")
-    yield Unit("kN", "force", thousand, "kn")
-    yield Unit("MN", "force", thousand**2, "mn")
-    yield Unit("lbf", "force", POUND_FORCE, "lbf")
-    yield Unit("N m", "torque", Fraction(1), "nm")
-    yield Unit("kN m", "torque", thousand, "knm")
-    yield Unit("MN m", "torque", thousand**2, "mnm")
-    yield Unit("lbf ft", "torque", pound_foot, "lbfft")
-    yield Unit("lbf in", "torque", POUND_FORCE * INCH, "lbfin")
-    yield Unit("J", "energy", Fraction(1), "j")
-    yield Unit("kJ", "energy", thousand, "kj")
-    yield Unit("MJ", "energy", thousand**2, "mj")
-    yield Unit("ft lbf", "energy", pound_foot, "ftlbf")
-    yield Unit("W", "power", Fraction(1), "w")
-    yield Unit("kW", "power", thousand, "kw")
-    yield Unit("MW", "power", thousand**2, "mw")
-    yield Unit("hp", "power", 550 * pound_foot, "hp")
-    yield Unit("kPa", "pressure", thousand, "kpa")
-    yield Unit("bar", "pressure", 100 * thousand, "bar")
-    yield Unit("MPa", "pressure", thousand**2, "mpa")
-    yield Unit("psi", "pressure", POUND_FORCE / INCH**2, "psi")
-    yield Unit("kg", "mass", Fraction(1), "kg")
-    yield Unit("t", "mass", thousand, "t")
-    yield Unit("lb", "mass", POUND, "lb")
-    yield Unit("kg m", "unbalance", Fraction(1), "kgm")
-    yield Unit("lb ft", "unbalance", POUND * FOOT, "lbft")
-    yield Unit("lb in", "unbalance", POUND * INCH, "lbin")
-    yield Unit("kg m²", "moment of inertia", Fraction(1), "kgm2")
-    yield Unit("lb ft²", "moment of inertia", POUND * FOOT**2, "lbft2")
-    yield Unit("cm²", "area", Fraction(1, 10_000), "cm2")
-    yield Unit("in²", "area", INCH**2, "in2")
-    yield Unit("kg/m³", "density", Fraction(1), "kgm3")
-    yield Unit("lb/in³", "density", POUND / INCH**3, "lbin3")
-    yield Unit("m³/min", "flow", Fraction(1, 60), "m3min")
-    yield Unit("ft³/min", "flow", FOOT**3 / 60, "ft3min")
-    yield Unit("m³/kg", "specific volume", Fraction(1), "m3kg")
-    yield Unit("ft³/lb", "specific volume", FOOT**3 / POUND, "ft3lb")
-    yield Unit("kg/h", "mass flow", Fraction(1, 3600), "kgh")
-    yield Unit("kg/min", "mass flow", Fraction(1, 60), "kgmin")
-    yield Unit("lb/h", "mass flow", POUND / 3600, "lbh")
-    yield Unit("kg/kWh", "mass per work", 1 / (3600 * thousand), "kwh")
-    yield Unit("lb/(hp h)", "mass per work", POUND / (3600 * 550 * pound_foot), "hph")
-    yield Unit("kJ/kg", "work per mass", thousand, "kjkg")
-    yield Unit("ft lbf/lb", "work per mass", pound_foot / POUND, "ftlbflb")
-    yield Unit("l", "volume", 1 / thousand, "l")
-    yield Unit("in³", "volume", INCH**3, "in3")
+# Units of pages by their dimensions.
+_OF_PAGES: Mapping[str, str] = {
+    "length": "mm; cm; m; in; ft",
+    "velocity": "m/s; ft/s; in/s",
+    "speed of a train": "km/h; mph",
+    "acceleration": "m/s²; ft/s²; in/s²",
+    "force": "N; kN; MN; lbf",
+    "torque": "N m; kN m; MN m; lbf ft; lbf in",
+    "energy": "J; kJ; MJ; ft lbf",
+    "power": "W; kW; MW; hp",
+    "pressure": "kPa; bar; MPa; psi",
+    "mass": "kg; t; lb",
+    "unbalance": "kg m; lb ft; lb in",
+    "moment of inertia": "kg m²; lb ft²",
+    "area": "cm²; in²",
+    "density": "kg/m³; lb/in³",
+    "flow": "m³/min; ft³/min",
+    "specific volume": "m³/kg; ft³/lb",
+    "mass flow": "kg/h; kg/min; lb/h",
+    "mass per work": "kg/kWh; lb/(hp h)",
+    "work per mass": "kJ/kg; ft lbf/lb",
+    "volume": "l; in³",
+}
+# What keys of columns end with where that is not the letters and figures of the unit.
+_ENDINGS = {"kg/kWh": "kwh", "lb/(hp h)": "hph"}
 
 
-UNITS: Mapping[str, Unit] = {one.symbol: one for one in _units()}
+def _ending(symbol: str) -> str:
+    letters = symbol.replace("/s", "ps").translate(_SUPERSCRIPTS).lower()
+    return _ENDINGS.get(symbol, re.sub("[^a-z0-9]", "", letters))
+
+
+UNITS: Mapping[str, Unit] = {
+    symbol: Unit(symbol, dimension, _ending(symbol))
+    for dimension, symbols in _OF_PAGES.items()
+    for symbol in symbols.split("; ")
+}
 NEWTON, NEWTON_METRE = (UNITS[one] for one in BOTH.split(", "))
 # What pages have in place of a unit in which a number has five digits before the decimal mark.
 LARGER: Mapping[str, str] = {
@@ -306,7 +333,8 @@ def plain_unit(text: str) -> str | None:
 
 def _factors(text: str) -> Iterator[tuple[str, int]]:
     """Yield the names and their powers; raise ValueError for anything else."""
-    rest, sign = re.sub(r"^1\s*(?=/)", "", text), 1
+    # What a stroke is over in brackets is over one by one: lb/(hp h).
+    rest, sign = re.sub(r"/\s*\((\w+)[\s*·]+(\w+)\)", r"/\1/\2", re.sub(r"^1\s*(?=/)", "", text)), 1
     if rest.startswith("/"):
         rest, sign = rest[1:], -1
     while rest:

@@ -14,15 +14,10 @@ from typing import Any, NamedTuple
 
 from kurbel.errors import NotationError, ProblemError
 from kurbel.exact.numerals import exact_text
-from kurbel.reading.amounts import FOOT, INCH, POUND, POUND_FORCE, plain_unit
+from kurbel.reading.amounts import FACTORS, known_unit, plain_unit
 from kurbel.reading.given import as_angle, as_crank_angles, as_fraction
 from kurbel.reading.names import did_you_mean
 from kurbel.reading.notation import about, in_shell, number, quoted, share
-
-
-def _scaled(units: Mapping[str, int | str]) -> Mapping[str, Fraction]:
-    return {unit: Fraction(scale) for unit, scale in units.items()}
-
 
 # What stands before a unit, read as a number or refused as one: in 10 1/s the fraction belongs to the unit.
 BEFORE_UNIT = r"[+−-]?(?:\d+\s+(?=\d+/\d))?[\d.,]+(?:[eE][+-]?\d+)?(?:\s*/\s*[\d.,]+(?:[eE][+-]?\d+)?)?"
@@ -38,59 +33,8 @@ UNKNOWN = "?"
 PINT_ERRORS = (AttributeError, ValueError, TypeError, AssertionError)
 _LARGEST = 10**9
 
-_FOOT_POUND, _INCH_POUND = FOOT * POUND_FORCE, INCH * POUND_FORCE
-# By what pint calls their dimension, in the unit that this is read in.
-KNOWN: Mapping[str, Mapping[str, Fraction]] = {
-    "[length]": {
-        **_scaled({"m": 1, "cm": "1/100", "mm": "1/1000"}), "in": INCH, "inch": INCH, "ft": FOOT,
-    },
-    "[length]/[time]": {**_scaled({"m/s": 1, "km/h": "5/18"}), "ft/s": FOOT},
-    "[length]/[time]**2": {**_scaled({"m/s/s": 1}), "ft/s/s": FOOT},
-    "[power]": {**_scaled({"W": 1, "kW": 1000, "MW": 10**6}), "hp": 550 * _FOOT_POUND},
-    "[mass]": {**_scaled({"kg": 1, "g": "1/1000", "t": 1000}), "lb": POUND},
-    "[mass]*[length]**2": {**_scaled({"kg*m*m": 1}), "lb*ft*ft": POUND * FOOT**2},
-    "[force]": {**_scaled({"N": 1, "kN": 1000, "MN": 10**6, "kgf": "9.80665"}), "lbf": POUND_FORCE},
-    "[energy]": {
-        **_scaled({"J": 1, "kJ": 1000, "MJ": 10**6, "N*m": 1, "kN*m": 1000, "MN*m": 10**6}),
-        "ft*lbf": _FOOT_POUND, "lbf*ft": _FOOT_POUND,
-    },
-    "[force]*[length]": {
-        **_scaled({"N*m": 1, "kN*m": 1000, "MN*m": 10**6}),
-        "lbf*ft": _FOOT_POUND, "ft*lbf": _FOOT_POUND, "lbf*in": _INCH_POUND,
-    },
-    "[length]**3/[mass]": _scaled({"m*m*m/kg": 1}),
-    "[length]**3/[time]": {
-        **_scaled({"m*m*m/s": 1, "m*m*m/min": "1/60", "m*m*m/h": "1/3600"}),
-        **_scaled({"l/s": "1/1000", "l/min": "1/60000", "L/s": "1/1000", "L/min": "1/60000"}),
-    },
-    "[time]": _scaled({"s": 1, "ms": "1/1000", "min": 60}),
-    "[pressure]": {
-        **_scaled({"Pa": 1, "kPa": 1000, "MPa": 10**6, "bar": 10**5, "mbar": 100}),
-        **_scaled({"N/mm/mm": 10**6, "N/cm/cm": 10**4, "N/m/m": 1}), "psi": POUND_FORCE / INCH**2,
-        **_scaled({"kN/m/m": 1000, "MN/m/m": 10**6, "kgf/cm/cm": "98066.5", "at": "98066.5", "atm": 101325}),
-        "lbf/in/in": POUND_FORCE / INCH**2,
-    },
-    "[mass]/[length]**3": {
-        **_scaled({"kg/m/m/m": 1, "t/m/m/m": 1000, "g/cm/cm/cm": 1000, "kg/dm/dm/dm": 1000}),
-        "lb/in/in/in": POUND / INCH**3, "lb/ft/ft/ft": POUND / FOOT**3,
-    },
-    "[force]/[length]": _scaled({"J/mm/mm": 10**6, "J/cm/cm": 10**4, "J/m/m": 1}),
-    "[mass]/[time]": {**_scaled({"kg/s": 1, "kg/min": "1/60", "kg/h": "1/3600"}), "lb/h": POUND / 3600},
-    "[mass]/[energy]": {
-        **_scaled({"kg/J": 1, "kg/kWh": "1/3600000", "g/kWh": "1/3600000000", "kg/kW/h": "1/3600000"}),
-        **_scaled({"g/kW/h": "1/3600000000"}), "kg/hp/h": 1 / (3600 * 550 * _FOOT_POUND),
-    },
-    "[length]**3": {
-        **_scaled({"m*m*m": 1, "l": "1/1000", "L": "1/1000", "dm*dm*dm": "1/1000"}),
-        **_scaled({"cm*cm*cm": "1/1000000"}), "in*in*in": INCH**3,
-    },
-    "[energy]/[mass]": _scaled({"J/kg": 1, "kJ/kg": 1000, "MJ/kg": 10**6}),
-    "[length]**2": {
-        **_scaled({"m*m": 1, "cm*cm": "1/10000", "mm*mm": "1/1000000"}), "in*in": INCH**2,
-    },
-}  # fmt: skip
 # Turns a second, of which radians are none.
-TURNS = _scaled({"/s": 1, "1/s": 1, "/min": "1/60", "1/min": "1/60", "rpm": "1/60", "Hz": 1})
+TURNS = {"/s": Fraction(1), "Hz": Fraction(1), "/min": Fraction(1, 60), "rpm": Fraction(1, 60)}
 RADIANS = "rad/s"
 
 
@@ -122,14 +66,13 @@ class Speed:
 
 @dataclass(frozen=True, slots=True)
 class Measure:
-    """A kind of quantity, which reads texts of its own: an example, pint's dimension, the unit it is read in.
+    """A kind of quantity, which reads texts of its own: an example, and the unit it is read in.
 
     What has a `most` must be above 0 and not above that; else it may be 0 or negative. `name` is what errors
     call it unless they are told.
     """
 
     example: str
-    dimension: str
     unit: str
     most: int = 0
     name: str = ""
@@ -137,9 +80,9 @@ class Measure:
     def __call__(self, text: str, what: str = "") -> Fraction:
         """Return the exact value in the unit."""
         what = what or self.name
-        value = _known(text, what, KNOWN.get(self.dimension, {}))
-        if value is None:
-            value = Fraction(_quantity(text, what, self.example, self.dimension).to(self.unit).magnitude)
+        digits, unit, _ = _parts(text)
+        times = known_in(unit, self.unit) if unit else None
+        value = number(digits, what) * times if times else _quantity(text, what, self.example, self.unit)
         return _checked(value, text, what, self.unit, self.most) if self.most else value
 
     def each(self, given: object, what: str) -> tuple[Fraction, ...]:
@@ -163,50 +106,50 @@ class Measure:
 
 
 # "600mm", "0,6 m", "23.5 inch"; "-20mm"
-length = Measure("a length such as 600mm", "[length]", "m", _LARGEST)
+length = Measure("a length such as 600mm", "m", _LARGEST)
 displacement = replace(length, most=0)
-velocity = Measure("a velocity such as 3 m/s", "[length]/[time]", "m/s")
-acceleration = Measure("an acceleration such as 50 m/s²", "[length]/[time]**2", "m/s**2")
+velocity = Measure("a velocity such as 3 m/s", "m/s")
+acceleration = Measure("an acceleration such as 50 m/s²", "m/s**2")
 # "50kW", "68 PS"
-power = Measure("a power such as 50kW or 68PS", "[power]", "W", 10**12, "power")
+power = Measure("a power such as 50kW or 68PS", "W", 10**12, "power")
 # "200kg", "0.3 t"; "-40kg" where a counterweight outweighs it
-mass = Measure("a mass such as 200kg", "[mass]", "kg", _LARGEST)
-signed_mass = Measure("a mass such as -40kg", "[mass]", "kg")
+mass = Measure("a mass such as 200kg", "kg", _LARGEST)
+signed_mass = Measure("a mass such as -40kg", "kg")
 # "20kg m²", "20 kg*m**2"
-moment_of_inertia = Measure("a moment of inertia such as 20kg m²", "[mass]*[length]**2", "kg*m**2", _LARGEST)
+moment_of_inertia = Measure("a moment of inertia such as 20kg m²", "kg*m**2", _LARGEST)
 # "10kN", "1000 kgf"
-force = Measure("a force such as 10kN", "[force]", "N", 10**12, "force")
+force = Measure("a force such as 10kN", "N", 10**12, "force")
 # "-10kN" where it points the other way; "12 kN m", "300Nm"
 signed_force = replace(force, most=0)
-signed_torque = Measure("a torque such as 12kNm", "[force]*[length]", "N*m")
+signed_torque = Measure("a torque such as 12kNm", "N*m")
 # "5kJ", "-410 J" below a mean line
-energy = Measure("an energy such as 5kJ", "[energy]", "J")
+energy = Measure("an energy such as 5kJ", "J")
 # "1.8s"
-duration = Measure("a time such as 1.8s", "[time]", "s", _LARGEST, "time")
-volume = Measure("a specific volume such as 0.24 m³/kg", "[length]**3/[mass]", "m**3/kg", _LARGEST)
+duration = Measure("a time such as 1.8s", "s", _LARGEST, "time")
+volume = Measure("a specific volume such as 0.24 m³/kg", "m**3/kg", _LARGEST)
 # "2 m³/min", "40 l/s"
-flow = Measure("a flow such as 2 m³/min", "[length]**3/[time]", "m**3/s", _LARGEST)
-density = Measure("a density such as 4.2 kg/m³", "[mass]/[length]**3", "kg/m**3", _LARGEST)
+flow = Measure("a flow such as 2 m³/min", "m**3/s", _LARGEST)
+density = Measure("a density such as 4.2 kg/m³", "kg/m**3", _LARGEST)
 # "1.013bar"; below 0 where it counts from the atmosphere
-pressure = Measure("a pressure such as 1bar", "[pressure]", "Pa")
+pressure = Measure("a pressure such as 1bar", "Pa")
 # "6MPa", "6 N/mm²"
-stress = Measure("a stress such as 6MPa", "[pressure]", "Pa", 10**12)
+stress = Measure("a stress such as 6MPa", "Pa", 10**12)
 # "7J/mm²"
-energy_an_area = Measure("an energy of an area such as 7J/mm²", "[force]/[length]", "J/m**2", 10**12)
+energy_an_area = Measure("an energy of an area such as 7J/mm²", "J/m**2", 10**12)
 # "800cm²"
-area = Measure("an area such as 800cm²", "[length]**2", "m**2", _LARGEST)
+area = Measure("an area such as 800cm²", "m**2", _LARGEST)
 
 
 def specific_volume(text: str, what: str) -> Fraction:
     """Return a specific volume in m³/kg, of a density its reciprocal: "0.24 m³/kg", "4.2 kg/m³"."""
     unit = _parts(text)[2]
-    dense = unit and not _has_dimension(unit, volume.dimension) and _has_dimension(unit, density.dimension)
+    dense = unit and not _is_of(unit, volume.unit) and _is_of(unit, density.unit)
     return 1 / density(text, what) if dense else volume(text, what)
 
 
 # "0.25 kg/kWh"; "43 MJ/kg"
-mass_of_work = Measure("a mass for a work such as 0.25 kg/kWh", "[mass]/[energy]", "kg/J", _LARGEST)
-heating_value = Measure("a heat such as 43 MJ/kg", "[energy]/[mass]", "J/kg", 10**12)
+mass_of_work = Measure("a mass for a work such as 0.25 kg/kWh", "kg/J", _LARGEST)
+heating_value = Measure("a heat such as 43 MJ/kg", "J/kg", 10**12)
 
 
 # The area of a card by its length, times the scale of its spring.
@@ -232,16 +175,16 @@ class MassFlow(NamedTuple):
 def consumption(text: str, what: str) -> MassFlow:
     """Return what is taken in a second, of "4 kg/h", or for a joule of work, of "0.25 kg/kWh"."""
     unit = _parts(text)[2]
-    if unit and _has_dimension(unit, mass_of_work.dimension):
+    if unit and _is_of(unit, mass_of_work.unit):
         return MassFlow(mass_of_work(text, what), of_work=True)
     example = "a consumption such as 4 kg/h or 0.25 kg/kWh"
-    return MassFlow(Measure(example, "[mass]/[time]", "kg/s", _LARGEST)(text, what))
+    return MassFlow(Measure(example, "kg/s", _LARGEST)(text, what))
 
 
 def delivery(text: str, what: str) -> Fraction | MassFlow:
     """Return a flow in m³/s, or of "4 kg/min" its mass."""
     unit = _parts(text)[2]
-    return consumption(text, what) if unit and _has_dimension(unit, "[mass]/[time]") else flow(text, what)
+    return consumption(text, what) if unit and _is_of(unit, "kg/s") else flow(text, what)
 
 
 def brake_torque(text: str, what: str) -> Fraction:
@@ -264,7 +207,7 @@ _FACTORS: Mapping[str, Measure] = {
     "force": force,
     "torque": signed_torque,
     "energy_an_area": energy_an_area,
-    "speed": Measure("a speed such as 144/min", "1/[time]", "1/s"),
+    "speed": Measure("a speed such as 144/min", "1/s"),
     "length": length,
     "area": area,
     "duration": duration,
@@ -284,9 +227,7 @@ def work(text: str, what: str) -> Fraction | OfTurns:
     kinds, found, turns = list[str](), Fraction(1), False
     for one in factors:
         unit = _parts(one)[2]
-        name = next(
-            (key for key, kind in _FACTORS.items() if unit and _has_dimension(unit, kind.dimension)), ""
-        )
+        name = next((key for key, kind in _FACTORS.items() if unit and _is_of(unit, kind.unit)), "")
         if name == "speed":
             turning = speed(one)
             found, turns = found * turning.value * (2 if turning.turns else 1), turning.turns
@@ -303,7 +244,7 @@ def work(text: str, what: str) -> Fraction | OfTurns:
 
 def volume_swept(text: str, what: str) -> Fraction:
     """Return a volume in m³: "1.5 l", "700cm³"."""
-    return Measure("a volume such as 1.5 l or 700cm³", "[length]**3", "m**3", _LARGEST)(text, what)
+    return Measure("a volume such as 1.5 l or 700cm³", "m**3", _LARGEST)(text, what)
 
 
 def temperature(text: str, what: str) -> Fraction:
@@ -331,7 +272,7 @@ def speed(text: str) -> Speed:
         if known is not None:
             unit = "turns a second" if turns else RADIANS
             return Speed(_checked(known, text, "speed", unit), turns)
-    quantity = _quantity(text, "speed", example, "1/[time]")
+    quantity = _pint(text, "speed", example, "1/s")
     name, root = _name(quantity, text), _name(quantity.to_root_units(), text)
     if root not in ("1 / second", "radian / second"):
         # Becquerel and baud count other things than turns.
@@ -384,9 +325,14 @@ def _known(text: str, what: str, units: Mapping[str, Fraction]) -> Fraction | No
     return number(digits, what) * factor if factor else None
 
 
-def _quantity(text: str, what: str, example: str, dimension: str) -> Any:
+def _quantity(text: str, what: str, example: str, base: str) -> Fraction:
+    return Fraction(_pint(text, what, example, base).to(base).magnitude)
+
+
+def _pint(text: str, what: str, example: str, base: str) -> Any:
+    """Return what pint reads, which can be converted to the unit."""
     digits, unit, written = _parts(text)
-    if dimension == "[length]" and (inches := _inches(text)):
+    if base == "m" and (inches := _inches(text)):
         raise NotationError(f"{what} {quoted(text)} has feet and inches or their marks; write {inches}in")
     if not digits:
         raise NotationError(f'{what} "{text[:40]}" is not {example}')
@@ -395,14 +341,13 @@ def _quantity(text: str, what: str, example: str, dimension: str) -> Any:
     try:
         quantity = registry().Quantity(number(digits, what), "1" + unit if unit.startswith("/") else unit)
     except PINT_ERRORS:
-        hint = in_forces(written, dimension, number(digits, what))
-        units = _units_of(dimension)
-        near = "" if hint else did_you_mean(written, [unit for unit in units if unit.isalpha()])
+        hint = in_forces(written, base, number(digits, what))
+        near = "" if hint else did_you_mean(written, _units_of(base))
         raise NotationError(
             f'{what} "{text[:40]}" has the unknown unit {written}{near}; write {hint or example}'
         ) from None
-    if not quantity.check(dimension):
-        hint = in_forces(written, dimension, number(digits, what))
+    if not quantity.check(base):
+        hint = in_forces(written, base, number(digits, what))
         wanted = f"write {hint}, with a force in place of the mass" if hint else f"it must be {example}"
         raise NotationError(f'{what} "{text[:40]}" is in {_name(quantity, written)}; {wanted}')
     return quantity
@@ -416,11 +361,11 @@ def _inches(text: str) -> str:
     return exact_text(12 * number(match[1] or "0") + number(match[2] or "0"))
 
 
-def in_forces(written: str, dimension: str, amount: Fraction | str) -> str:
+def in_forces(written: str, base: str, amount: Fraction | str) -> str:
     """Return a unit, with its amount, a number or a formula, of which a mass is meant as a force, as it is
-    written; nothing for what is no such unit of the dimension."""
+    written; nothing for what is no such unit like the base."""
     found = re.sub("[A-Za-z]+", lambda name: _FORCES.get(name[0], (name[0],))[0], written)
-    if found == written or not _has_dimension(found, dimension):
+    if found == written or not _is_of(found, base):
         return ""
     sizes = next((own[1] for word in re.findall("[A-Za-z]+", written) if (own := _FORCES.get(word))), {})
 
@@ -432,18 +377,14 @@ def in_forces(written: str, dimension: str, amount: Fraction | str) -> str:
     return " or ".join(f"{so_many(size)} for {name} tons" for name, size in sizes.items()) or so_many(1)
 
 
-def _units_of(dimension: str) -> Sequence[str]:
-    """Return the units of a dimension that are known without pint, turns among them."""
-    return (*KNOWN.get(dimension, ()), *(TURNS if dimension == "1/[time]" else ()))
+def _units_of(base: str) -> Sequence[str]:
+    """Return the units like the base that are known without pint, turns among them."""
+    return [*(unit for unit in FACTORS if known_in(unit, base)), *(TURNS if base == "1/s" else ())]
 
 
-def _has_dimension(unit: str, dimension: str) -> bool:
-    if plain_unit(unit) in _units_of(dimension):
-        return True
-    try:
-        return bool(registry().Quantity(Fraction(1), plain_unit(unit) or unit).check(dimension))
-    except PINT_ERRORS:
-        return False
+def _is_of(unit: str, base: str) -> bool:
+    """Whether a unit can be converted to the base, which of turns a second is 1/s."""
+    return (base == "1/s" and plain_unit(unit) in TURNS) or unit_in(unit, base) is not None
 
 
 def _name(quantity: Any, written: str) -> str:
@@ -463,16 +404,20 @@ def _checked(value: Fraction, text: str, what: str, unit: str, most: int = _LARG
     return value
 
 
-def unit_in(unit: str, base: str, dimension: str) -> Fraction | None:
-    """Return the unit in the base unit, None if pint does not know it or it is of another dimension."""
-    known, plain = KNOWN.get(dimension, {}), plain_unit(unit) or unit
-    if plain in known and base in known:
-        return known[plain] / known[base]
+def known_in(unit: str, base: str) -> Fraction | None:
+    """Return the unit in the base unit, None if it measures another thing or is not known without pint."""
+    known, own = known_unit(unit), known_unit(base)
+    return known.size / own.size if known and own and known.powers == own.powers else None
+
+
+def unit_in(unit: str, base: str) -> Fraction | None:
+    """Return the unit in the base unit, None if pint does not know it or it measures another thing."""
+    if known_unit(unit) and known_unit(base):
+        return known_in(unit, base)
     try:
-        quantity = registry().Quantity(Fraction(1), plain)
+        return Fraction(registry().Quantity(Fraction(1), plain_unit(unit) or unit).to(base).magnitude)
     except PINT_ERRORS:
         return None
-    return Fraction(quantity.to(base).magnitude) if quantity.check(dimension) else None
 
 
 @cache

@@ -16,16 +16,16 @@ from kurbel.drive.size import is_written
 from kurbel.errors import KurbelError, NotationError
 from kurbel.motion.bulk import float_angles
 from kurbel.reading import notation, units
-from kurbel.reading.amounts import plain_unit
+from kurbel.reading.amounts import known_unit, plain_unit
 from kurbel.reading.given import as_fraction, as_share
 from kurbel.reading.notation import Progression
 from kurbel.sweeps.plan import Axis, Cell, Floats, Places, Plan, Points, text_of
 
-# Units of the SI by what pint calls their dimension.
-SI: Mapping[str, str] = {
-    one.dimension: one.unit.replace("**2", "²").replace("**3", "³").replace("*", " ")
+# Units of the SI by their powers of metre, kilogram and second.
+SI: Mapping[tuple[int, ...], str] = {
+    known.powers: one.unit.replace("**2", "²").replace("**3", "³").replace("*", " ")
     for one in vars(units).values()
-    if isinstance(one, units.Measure)
+    if isinstance(one, units.Measure) and (known := known_unit(one.unit))
 }
 TURNS = "1/s"
 # 1/(2π), of which a float is rounded once.
@@ -64,8 +64,7 @@ def into(si: str, unit: str) -> Fraction | None:
         return 1 / units.TURNS[plain]
     if not si and unit == "%":
         return Fraction(100)
-    dimensions = [known for dimension, known in units.KNOWN.items() if SI.get(dimension) == si]
-    return next((1 / known[plain] for known in dimensions if plain in known), None)
+    return units.known_in(si, unit)
 
 
 def _in_si(
@@ -128,10 +127,8 @@ def _factor(unit: str, parameter: Option[object]) -> tuple[Fraction | int, str]:
         return TURN_OF_RADIAN, TURNS
     if plain == f"{units.RADIANS}/s":
         return 1, "rad/s²"
-    for dimension, known in units.KNOWN.items():
-        if plain in known and dimension in SI:
-            return known[plain], SI[dimension]
-    return 0, ""
+    known = known_unit(unit)
+    return (known.size, SI[known.powers]) if known and known.powers in SI else (0, "")
 
 
 def is_readable(parameter: Option[object], text: str) -> bool:

@@ -196,7 +196,7 @@ def _pascals(unit: str) -> float | None:
     if plain is None:
         return None
     forces = re.sub(r"\w+", lambda word: _FORCES.get(word[0], word[0]), plain)
-    pascals = unit_in(forces, "Pa", "[pressure]")
+    pascals = unit_in(forces, "Pa")
     return None if pascals is None else float(pascals)
 
 

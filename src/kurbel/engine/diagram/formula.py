@@ -178,7 +178,7 @@ class _Reader(Tokens):
             before, written = (
                 one.strip() for one in (self.text[: self.token.place - 1], self.text[self.token.place - 1 :])
             )
-            if hint := units.in_forces(written, units.signed_torque.dimension, amount or before):
+            if hint := units.in_forces(written, units.signed_torque.unit, amount or before):
                 self.refuse(f'has the unit "{written}" at place {self.token.place}; write {hint}')
             if self.tokens[self.next - 2].text in _WAVES:
                 self.refuse_angle()
