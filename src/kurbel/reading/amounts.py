@@ -93,7 +93,8 @@ def known_unit(text: str) -> KnownUnit | None:
     factors = re.findall("(/?)([^*/]+)", plain_unit(text) or "")
     if not factors or not all(name in FACTORS for _, name in factors):
         return None
-    size, powers = Fraction(1), (0, 0, 0)
+    size = Fraction(1)
+    powers: tuple[int, ...] = (0, 0, 0)
     for over, name in factors:
         own, sign = FACTORS[name], -1 if over else 1
         size *= own.size**sign

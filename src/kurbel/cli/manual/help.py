@@ -193,7 +193,7 @@ def write_examples(lines: Sequence[tuple[str, str]], formatter: click.HelpFormat
     for line, what in lines:
         *before, last = folded(line, width).split("\n")
         place = max(column, len(last) + APART)
-        if place + len(what) > width:
+        if what and place + len(what) > width:
             before, last, place = [*before, last], "", column
         for one in (*before, f"{last:{place}}{what}".rstrip()):
             formatter.write(f"{'':{INDENT}}{one}\n")
