@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property, lru_cache
 from types import MappingProxyType
 from typing import Any, ClassVar, NamedTuple
 
@@ -22,7 +23,7 @@ from kurbel.motion import motion_quantities
 from kurbel.motion.captions import direction_notes
 from kurbel.motion.drives import Drive
 from kurbel.motion.entries import Formulas
-from kurbel.motion.evaluation import OUT, Needs, certified
+from kurbel.motion.evaluation import OUT, Needs, Places, certified_at
 from kurbel.motion.mechanism import FORCES as IN_DRAWINGS
 from kurbel.motion.mechanism import Mechanism, mechanism
 from kurbel.motion.motion_page import CURVES, AngleQuestion, check_pairs, long_records
@@ -174,6 +175,11 @@ class LinkageRequest(AngleQuestion):
     def too_long(self) -> str:
         return f"the table has {len(self)} rows"
 
+    @cached_property
+    def at(self) -> Callable[[int, int], Places]:
+        """Return the places of a drive at an angle, which the columns of a row share."""
+        return lru_cache(1)(lambda drive, angle: Places(self.drives[drive], self.angles[angle]))
+
     @property
     def moving(self) -> tuple[str, Any]:
         # Coupled axles are parallel cranks.
@@ -219,8 +225,8 @@ def linkage_subject(
 
 
 def _number(question: LinkageRequest, column: Column, place: Place, times: int) -> Number:
-    drive, angle = question.drives[place.get("ratio", 0)], question.angles[place["angle"]]
-    scaled = certified(column.quantity, "exact", drive, angle, column.places, question.rounding)
+    places = question.at(place.get("ratio", 0), place["angle"])
+    scaled = certified_at(column.quantity, "exact", places, column.places, question.rounding)
     return Number(scaled * times, column.places)
 
 
