@@ -100,11 +100,11 @@ STRAIGHT: dict[str, Any] = {
 # Formula, textbook, magnitude as above.
 OFFSET: dict[str, Any] = {
     "x": (kinematics.offset_path, textbook_path, 1.0),
-    "c": (kinematics.offset_velocity, textbook_velocity, 1.0),
-    "p": (kinematics.offset_acceleration, textbook_acceleration, 1.0),
+    "c": (kinematics.piston_velocity, textbook_velocity, 1.0),
+    "p": (kinematics.piston_acceleration, textbook_acceleration, 1.0),
     "psi": (rod_angle, textbook_rod_angle, 5.0),
-    "rod_velocity": (kinematics.offset_rod_velocity, textbook_rod_velocity, 1.0),
-    "rod_acceleration": (kinematics.offset_rod_acceleration, textbook_rod_acceleration, 1.0),
+    "rod_velocity": (kinematics.rod_velocity, textbook_rod_velocity, 1.0),
+    "rod_acceleration": (kinematics.rod_acceleration, textbook_rod_acceleration, 1.0),
 }
 # What the return stroke makes of the value at 180° + α; the rod angle and its slopes stay as they are.
 RETURNED: dict[str, Callable[[Ball, Ball], Ball]] = {

@@ -17,7 +17,6 @@ from numpy.testing import assert_allclose
 
 from kurbel.exact import certify
 from kurbel.kernel import forces
-from kurbel.kernel import rod as kernel
 from kurbel.kernel.circle import circle
 from kurbel.kernel.moving import Masses, rod_masses
 from kurbel.kernel.rod import LoadedCrank
@@ -116,7 +115,8 @@ def test_no_zero_has_a_sign() -> None:
         for ratio in (0.2, -0.2, 0.0):
             point = circle(degrees)
             values = [formula(point, ratio, FLOATS) for formula in FORCES.values()]
-            values += [LoadedCrank(point, ratio, FLOATS).couple(), *kernel.parts(point, ratio)]
+            loaded: Any = LoadedCrank(point, ratio, FLOATS)
+            values += [loaded.couple(), *loaded.parts]
             assert all(value or math.copysign(1, value) == 1 for value in values), (degrees, ratio)
 
 

@@ -65,8 +65,8 @@ def test_an_arc_without_curvature_is_the_slide(ratio: float, offset: float, shif
     for found, formula in (
         (chord, kinematics.offset_path),
         (path, kinematics.offset_path),
-        (velocity, kinematics.offset_velocity),
-        (acceleration, kinematics.offset_acceleration),
+        (velocity, kinematics.piston_velocity),
+        (acceleration, kinematics.piston_acceleration),
     ):
         slide: Any = formula(turn, ratio, offset)
         assert_allclose(found, slide, rtol=0, atol=4e-15)

@@ -263,10 +263,8 @@ class At:
     @property
     def share(self) -> Numeric:
         """The share of the stroke that the piston has gone."""
-        if self.offset is None:
-            return kinematics.piston_path(self.circle, self.ratio) / 2
-        path = kinematics.offset_path(self.circle, self.ratio, self.offset)
-        return path / kinematics.stroke(self.ratio, self.offset)
+        path = kinematics.piston_path(self.circle, self.ratio, self.offset)
+        return path / (2 if self.offset is None else kinematics.stroke(self.ratio, self.offset))
 
     def acting(self, force: Numeric) -> Numeric:
         """Return what the first piston force calls up, as the force at this place does."""
@@ -340,10 +338,10 @@ def way_at(crank: Crank, stroke: int, angle: Fraction) -> int:
         return 1 if angle % 360 < 180 else -1
 
     def velocity(kind: Kind) -> Numeric:
-        return kinematics.offset_velocity(kind.circle(angle), *_numbers(crank, stroke, kind))
+        return kinematics.piston_velocity(kind.circle(angle), *_numbers(crank, stroke, kind))
 
     def acceleration(kind: Kind) -> Numeric:
-        return kinematics.offset_acceleration(kind.circle(angle), *_numbers(crank, stroke, kind))
+        return kinematics.piston_acceleration(kind.circle(angle), *_numbers(crank, stroke, kind))
 
     return sign_of(velocity) or sign_of(acceleration)
 

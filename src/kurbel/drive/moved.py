@@ -232,7 +232,7 @@ class Slide(Moved):
         return force.bare(circle, ratio, offset)
 
     def angle_at(self, stroke: int, share: Numeric) -> Numeric | None:
-        if not self.motion.versine_at:
+        if not self.regular:
             return None
         versine = self.motion.versine_at(2 * share, *self.numbers[stroke])
         return self.kind.arc(root(versine / 2)) / 90
@@ -244,4 +244,4 @@ def moved(crank: Crank, kind: Kind, method: str) -> Moved:
         return Slide(MOTIONS[method], kind, kind.of(crank.ratio))
     if method != "exact":
         raise ProblemError(f'method "{method}" has no formulas for the offset crank; use exact')
-    return Slide(forces.OFFSET, kind, kind.of(crank.ratio), kind.of(crank.offset))
+    return Slide(forces.EXACT, kind, kind.of(crank.ratio), kind.of(crank.offset))

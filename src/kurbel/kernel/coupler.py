@@ -19,14 +19,7 @@ from kurbel.kernel.circle import Circle, Kind, Numeric, cosine_of
 from kurbel.kernel.kinematics import dead_centre_sine, rod_cosine, rod_sine
 from kurbel.kernel.linkage import Arc, Place
 from kurbel.kernel.linkage import acceleration as acceleration_of
-from kurbel.kernel.rod import magnitude
-
-
-class Vector(NamedTuple, Generic[Kind]):
-    """What has a part along the slide direction and one across it."""
-
-    along: Kind
-    across: Kind
+from kurbel.kernel.rod import Vector
 
 
 class End(NamedTuple, Generic[Kind]):
@@ -138,7 +131,7 @@ def rocker_rod(
 
     `height` is the offset η of the rocker's arc, `path` that of its end along the slide direction.
     """
-    turn = _turn(circle, place)
+    turn = arc_direction(circle, place)
     # The end is drawn to the pivot by βc².
     velocity, draught = place.velocity, arc.curvature * place.velocity * place.velocity
     driven = End(
@@ -151,11 +144,11 @@ def rocker_rod(
 
 def rocker_reach(circle: Circle[Numeric], place: Place[Numeric], arc: Arc[Numeric]) -> Reach[Numeric]:
     """Return the reach of such a rod, of a length that is not infinite."""
-    along = _turned(Vector(place.slant_cosine, place.slant), _turn(circle, place)).along
+    along = _turned(Vector(place.slant_cosine, place.slant), arc_direction(circle, place)).along
     return Reach(along / arc.ratio, -arc.sine / arc.ratio)
 
 
-def _turn(circle: Circle[Numeric], place: Place[Numeric]) -> Vector[Numeric]:
+def arc_direction(circle: Circle[Numeric], place: Place[Numeric]) -> Vector[Numeric]:
     """Return cosine and sine of the direction of the arc from that of the slide, as the crank turns."""
     return Vector(
         circle.cosine * place.cosine + circle.sine * place.sine,
@@ -169,8 +162,3 @@ def _turned(vector: Vector[Numeric], turn: Vector[Numeric]) -> Vector[Numeric]:
         vector.along * turn.along + vector.across * turn.across,
         vector.across * turn.along - vector.along * turn.across,
     )
-
-
-def amount(vector: Vector[Numeric]) -> Numeric:
-    """Return the amount of a vector."""
-    return magnitude(vector.along, vector.across)

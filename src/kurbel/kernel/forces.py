@@ -39,23 +39,7 @@ from typing import Any, Generic, NamedTuple, Protocol
 
 from kurbel.kernel import kinematics, steam
 from kurbel.kernel.circle import Circle, Kind, Numeric, cosine_of, root
-
-
-class RodDirection(NamedTuple, Generic[Kind]):
-    """sin ψ and cos ψ of the rod angle ψ, of one kind of number."""
-
-    sine: Kind
-    cosine: Kind
-
-
-def rod_slant(
-    circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None
-) -> RodDirection[Numeric]:
-    """Return the direction of the rod, ψ positive as in `kinematics.rod_sine`."""
-    if offset is None:
-        return RodDirection(ratio * circle.sine, kinematics.rod_cosine(circle, ratio))
-    sine = kinematics.rod_sine(circle, ratio, offset)
-    return RodDirection(sine, cosine_of(sine))
+from kurbel.kernel.kinematics import rod_slant
 
 
 def rod_force(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None) -> Numeric:
@@ -90,9 +74,7 @@ def tangential_force(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | 
     In units of F R it is the torque on the shaft. It is the piston velocity over v, by the principle of
     virtual displacements. Source: Rötscher, Zusammenstellung 112.
     """
-    if offset is None:
-        return kinematics.piston_velocity(circle, ratio)
-    return kinematics.offset_velocity(circle, ratio, offset)
+    return kinematics.piston_velocity(circle, ratio, offset)
 
 
 def radial_force(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None) -> Numeric:
@@ -244,13 +226,13 @@ class Stroke(Protocol):
 
 
 class Motion(NamedTuple):
-    """The kinematics in force: piston path, velocity and acceleration, and 1 - cos φ at a path, None where no
-    formula has it."""
+    """The kinematics in force: piston path, velocity and acceleration, and of the straight crank 1 - cos φ at
+    a path."""
 
     path: Formula
     velocity: Formula
     acceleration: Formula
-    versine_at: Callable[[Numeric, Numeric], Numeric] | None = None
+    versine_at: Callable[[Numeric, Numeric], Numeric]
 
 
 EXACT = Motion(
@@ -265,7 +247,6 @@ FIRST_ORDER = Motion(
     kinematics.piston_acceleration_first_order,
     steam.crank_versine_first_order,
 )
-OFFSET = Motion(kinematics.offset_path, kinematics.offset_velocity, kinematics.offset_acceleration)
 
 
 def mean_force(strokes: Sequence[Stroke], pi: Numeric, length: Numeric) -> Numeric:

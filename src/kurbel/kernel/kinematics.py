@@ -7,12 +7,14 @@ shaft), for the return stroke from the outer one.
 
 A negative ratio is the return stroke, the lower sign of the books: at 180° + α both sin φ and cos φ
 change their signs, which leaves the formulas as they are but for the sign of λ. An offset changes its
-sign with the ratio. Ratio 0 is the infinite rod. Valid for |λ| < 1, with an offset e = ηR for
-|η| <= 1/|λ| - 1; outside, the rod is too short to pass the dead centre and the root of a negative
-number appears.
+sign with the ratio; None is the straight crank, whose formulas leave floats more digits. Ratio 0 is the
+infinite rod. Valid for |λ| < 1, with an offset e = ηR for |η| <= 1/|λ| - 1; outside, the rod is too short
+to pass the dead centre and the root of a negative number appears.
 """
 
-from kurbel.kernel.circle import Circle, Numeric, cosine_of, root
+from typing import Generic, NamedTuple
+
+from kurbel.kernel.circle import Circle, Kind, Numeric, cosine_of, root
 
 
 def rod_sine(circle: Circle[Numeric], ratio: Numeric, offset: Numeric = 0) -> Numeric:
@@ -31,12 +33,31 @@ def rod_cosine(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     return root((1 - ratio) * (1 + ratio) + across * across)
 
 
-def piston_path(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
+class RodDirection(NamedTuple, Generic[Kind]):
+    """sin ψ and cos ψ of the rod angle ψ, of one kind of number."""
+
+    sine: Kind
+    cosine: Kind
+
+
+def rod_slant(
+    circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None
+) -> RodDirection[Numeric]:
+    """Return the direction of the rod, ψ positive as in `rod_sine`."""
+    if offset is None:
+        return RodDirection(ratio * circle.sine, rod_cosine(circle, ratio))
+    sine = rod_sine(circle, ratio, offset)
+    return RodDirection(sine, cosine_of(sine))
+
+
+def piston_path(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None) -> Numeric:
     """Return the piston path x = 1 - cos φ + (1 - cos ψ)/λ from the dead centre, in units of R.
 
     Floats: at most 1.6 ulp from the true value for |λ| <= 1/3, else 4/(1 - |λ|) ulp.
-    Source: Rötscher, eq. (285), rewritten.
+    Source: Rötscher, eq. (285), rewritten. With an offset it is `offset_path`.
     """
+    if offset is not None:
+        return offset_path(circle, ratio, offset)
     # The textbook (1 - cos ψ)/λ divides by zero for an infinite rod and keeps half its digits at
     # λ = 1e-4. λ sin² φ/(1 + cos ψ) does neither, but its four roundings reach 3 ulp on the return
     # stroke, where it is half as large as x. Near the dead centre it is λ (1 - cos φ), rounded once, but
@@ -58,12 +79,15 @@ def rod_versine(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     return ratio * circle.sine * circle.sine / (1 + rod_cosine(circle, ratio))
 
 
-def piston_velocity(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
+def piston_velocity(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None) -> Numeric:
     """Return the piston velocity c = sin(φ + ψ)/cos ψ away from the dead centre, in units of v.
 
-    Floats: at most 1.8 ulp from the true value for |λ| <= 1/3, else 4/(1 - |λ|) ulp.
-    Re-derived: the slope of Rötscher, eq. (285), c = sin φ + cos φ tan ψ.
+    Floats: at most 1.8 ulp from the true value for |λ| <= 1/3, else 4/(1 - |λ|) ulp; of an offset crank as
+    close as `offset_path`. Re-derived: the slope of Rötscher, eq. (285), c = sin φ + cos φ tan ψ.
     """
+    if offset is not None:
+        lean = rod_slant(circle, ratio, offset)
+        return circle.sine + circle.cosine * (lean.sine / lean.cosine)
     # sin ψ cos φ/cos ψ outright reaches 2.2 ulp where it takes half of sin φ away; 1/cos ψ is
     # 1 + (1 - cos ψ)/cos ψ, and the last share is small there.
     sine = ratio * circle.sine
@@ -73,12 +97,18 @@ def piston_velocity(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     return circle.sine + (slant + (slant * share + circle.sine_tail))
 
 
-def piston_acceleration(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
-    """Return the piston acceleration p = cos φ + λ (cos 2φ + λ² sin⁴ φ)/cos³ ψ, in units of v²/R.
+def piston_acceleration(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None) -> Numeric:
+    """Return the piston acceleration p = cos φ + λ (cos 2φ + λ² sin⁴ φ)/cos³ ψ, in units of v²/R, of the
+    offset crank cos φ - sin φ tan ψ + λ cos² φ/cos³ ψ.
 
     Positive away from the dead centre. Floats: at most 2 ulp of max(|p|, 1) from the true value for
-    |λ| <= 1/3, 10 ulp for |λ| <= 0.99. Re-derived: the slope of the velocity.
+    |λ| <= 1/3, 10 ulp for |λ| <= 0.99; of an offset crank as close as `offset_path`. Re-derived: the slope of
+    the velocity.
     """
+    if offset is not None:
+        sine, w = rod_slant(circle, ratio, offset)
+        turning = ratio * circle.cosine * circle.cosine / (w * w * w)
+        return circle.cosine + (turning - circle.sine * (sine / w))
     # cos 2φ + λ² sin⁴ φ is cos² φ - (sin φ cos ψ)²; the product of sum and difference keeps its
     # digits where it passes through zero.
     w = rod_cosine(circle, ratio)
@@ -137,48 +167,30 @@ def offset_path(circle: Circle[Numeric], ratio: Numeric, offset: Numeric) -> Num
     dead_sine = dead_centre_sine(ratio, offset)
     dead_cosine = cosine_of(dead_sine)
     dead_versine = dead_sine * dead_sine / (1 + dead_cosine)
-    sine = rod_sine(circle, ratio, offset)
-    cosine = cosine_of(sine)
+    sine, cosine = rod_slant(circle, ratio, offset)
     slant = (circle.sine - dead_sine) * (sine - dead_sine) / (cosine + dead_cosine)
     return (circle.versine - dead_versine) + slant
 
 
-def offset_velocity(circle: Circle[Numeric], ratio: Numeric, offset: Numeric) -> Numeric:
-    """Return c = sin φ + cos φ tan ψ of the offset crank, in units of v.
-
-    Floats: as close to the true value as `offset_path`. Re-derived: a slope of the path.
-    """
-    sine = rod_sine(circle, ratio, offset)
-    return circle.sine + circle.cosine * (sine / cosine_of(sine))
-
-
-def offset_acceleration(circle: Circle[Numeric], ratio: Numeric, offset: Numeric) -> Numeric:
-    """Return p = cos φ - sin φ tan ψ + λ cos² φ/cos³ ψ of the offset crank, in units of v²/R.
-
-    Floats: as close to the true value as `offset_path`. Re-derived: a slope of the path.
-    """
-    sine = rod_sine(circle, ratio, offset)
-    w = cosine_of(sine)
-    turning = ratio * circle.cosine * circle.cosine / (w * w * w)
-    return circle.cosine + (turning - circle.sine * (sine / w))
-
-
-def rod_velocity(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
+def rod_velocity(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None) -> Numeric:
     """Return the angular velocity of the rod, the slope of ψ: λ cos φ/cos ψ, in units of ω.
 
     Positive as ψ grows, against the sense of the crank, in the frame of the outstroke on either stroke.
-    Floats: at most 3 ulp from the true value for |λ| <= 0.99. Re-derived: a slope of sin ψ = λ sin φ.
+    Floats: at most 3 ulp from the true value for |λ| <= 0.99; of an offset crank as close as `offset_path`.
+    Re-derived: a slope of sin ψ = λ (sin φ - η).
     """
     # No zero is to have a sign, here and below.
-    return ratio * circle.cosine / rod_cosine(circle, ratio) + 0
+    return ratio * circle.cosine / rod_slant(circle, ratio, offset).cosine + 0
 
 
-def rod_acceleration(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
-    """Return the angular acceleration of the rod, -λ (1 - λ²) sin φ/cos³ ψ, in units of ω², signed as ψ.
+def rod_acceleration(circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None = None) -> Numeric:
+    """Return the angular acceleration of the rod, -λ (1 - λ²) sin φ/cos³ ψ, in units of ω², signed as ψ; of
+    the offset crank -λ (sin φ - λ sin ψ (1 - η sin φ))/cos³ ψ.
 
-    Floats: at most 6 ulp from the true value for |λ| <= 0.99. Re-derived: the slope of the velocity.
+    Floats: at most 6 ulp from the true value for |λ| <= 0.99; of an offset crank as close as `offset_path`.
+    Re-derived: the slope of the velocity.
     """
-    return 0 - ratio * rod_turning(circle, ratio, ratio * circle.sine, rod_cosine(circle, ratio), None)
+    return 0 - ratio * rod_turning(circle, ratio, *rod_slant(circle, ratio, offset), offset)
 
 
 def rod_velocity_first_order(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
@@ -189,23 +201,6 @@ def rod_velocity_first_order(circle: Circle[Numeric], ratio: Numeric) -> Numeric
 def rod_acceleration_first_order(circle: Circle[Numeric], ratio: Numeric) -> Numeric:
     """Return -λ sin φ, in units of ω²: the rod's angular acceleration to first order in λ. Re-derived."""
     return 0 - ratio * circle.sine
-
-
-def offset_rod_velocity(circle: Circle[Numeric], ratio: Numeric, offset: Numeric) -> Numeric:
-    """Return λ cos φ/cos ψ of the offset crank, in units of ω, signed as ψ.
-
-    Floats: as close to the true value as `offset_path`. Re-derived: a slope of ψ.
-    """
-    return ratio * circle.cosine / cosine_of(rod_sine(circle, ratio, offset)) + 0
-
-
-def offset_rod_acceleration(circle: Circle[Numeric], ratio: Numeric, offset: Numeric) -> Numeric:
-    """Return -λ (sin φ - λ sin ψ (1 - η sin φ))/cos³ ψ of the offset crank, in units of ω², signed as ψ.
-
-    Floats: as close to the true value as `offset_path`. Re-derived: the slope of the velocity.
-    """
-    sine = rod_sine(circle, ratio, offset)
-    return 0 - ratio * rod_turning(circle, ratio, sine, cosine_of(sine), offset)
 
 
 def rod_turning(

@@ -22,7 +22,8 @@ from typing import Any, Generic, NamedTuple
 
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle, Kind, Numeric
-from kurbel.kernel.forces import RodDirection, tangential_force
+from kurbel.kernel.forces import tangential_force
+from kurbel.kernel.kinematics import RodDirection
 
 
 class Masses(NamedTuple, Generic[Kind]):
@@ -117,10 +118,8 @@ class Accelerations(NamedTuple, Generic[Kind]):
         """Return p, that of the piston against X."""
         if self.first_order:
             found = kinematics.piston_acceleration_first_order(circle, ratio)
-        elif offset is None:
-            found = kinematics.piston_acceleration(circle, ratio)
         else:
-            found = kinematics.offset_acceleration(circle, ratio, offset)
+            found = kinematics.piston_acceleration(circle, ratio, offset)
         return found if self.gain is None else found + self.gain * self.velocity(circle, ratio, offset)
 
     def velocity(self, circle: Circle[Numeric], ratio: Numeric, offset: Numeric | None) -> Numeric:

@@ -41,29 +41,15 @@ Units and signs are those of kernel/rod.py; H is positive as F is, against X.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Generic, NamedTuple
 
-from kurbel.kernel.circle import Circle, Kind, Numeric
-from kurbel.kernel.forces import RodDirection, rod_slant, tangential_force
-from kurbel.kernel.kinematics import offset_acceleration, piston_acceleration, rod_turning
-from kurbel.kernel.linkage import Arc, Place
-from kurbel.kernel.moving import EVEN, Accelerations, Masses
+from kurbel.kernel.circle import Circle, Numeric
+from kurbel.kernel.forces import tangential_force
+from kurbel.kernel.kinematics import RodDirection, piston_acceleration, rod_slant, rod_turning
+from kurbel.kernel.moving import Masses
 from kurbel.kernel.rocker import LoadedRocker
-from kurbel.kernel.rod import Parts, magnitude
-from kurbel.kernel.rod import parts as parts_of
+from kurbel.kernel.rod import LoadedCrank, Parts, Vector, magnitude
 
 COMMON, TURNING, STRETCHING = PARTS = Parts._fields
-
-
-class Vector(NamedTuple, Generic[Kind]):
-    """What has a component along the slide and one across it."""
-
-    along: Kind
-    across: Kind
-
-    def size(self) -> Kind:
-        """Return its amount."""
-        return magnitude(self.along, self.across)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -169,51 +155,23 @@ class AccelerationParts:
         return Vector(0 - amount * self.slant.cosine, amount * self.slant.sine)
 
 
-def parted(
-    circle: Circle[Numeric],
-    ratio: Numeric,
-    masses: Masses[Numeric],
-    offset: Numeric | None = None,
-    by: Accelerations[Numeric] = EVEN,
-) -> AccelerationParts:
-    """Return the rod of the straight or offset crank, its acceleration in parts."""
-    common, turning, stretching = parts_of(circle, ratio, offset, by)
-    return AccelerationParts(
-        Vector(by.pin_along(circle), by.pin_across(circle)),
-        Vector(common, 0 * common),
-        turning,
-        stretching,
-        rod_slant(circle, ratio, offset),
-        Vector(circle.cosine, circle.sine),
-        masses,
-    )
-
-
-def parted_rocker(
-    circle: Circle[Numeric], place: Place[Numeric], arc: Arc[Numeric], masses: Masses[Numeric]
-) -> AccelerationParts:
-    """Return the rod that moves a rocker, of which B is the end; the rocker is the guide.
+def parted(loaded: LoadedCrank) -> AccelerationParts:
+    """Return the rod of a drive, its acceleration in parts. Of one that moves a rocker B is the end of that,
+    and the rocker is the guide.
 
     Along the slide and across it are as at the crank, not along the arc. The acceleration of B has a part
     towards the pivot, and p₂ is both together. Re-derived.
     """
-    loaded = LoadedRocker(circle, arc.ratio, masses, place=place, arc=arc)
-    sine, cosine = loaded.lean
-    along, draught = loaded.acceleration, loaded.draught
-    pull = arc.ratio * (place.cosine / place.slant_cosine) ** 2
-    return AccelerationParts(
-        Vector(circle.cosine, circle.sine),
-        Vector(along * cosine + draught * sine, along * sine - draught * cosine),
-        loaded.swing,
-        pull + 0,
-        RodDirection(
-            place.slant * cosine - place.slant_cosine * sine,
-            place.slant_cosine * cosine + place.slant * sine,
-        ),
-        Vector(circle.cosine, circle.sine),
-        masses,
-        Vector(cosine, sine),
-    )
+    circle, by, (along, turning, stretching) = loaded.circle, loaded.by, loaded.parts
+    common, slant, way = Vector(along, 0 * along), loaded.slant, None
+    if isinstance(loaded, LoadedRocker):
+        draught, way, lean = loaded.draught, loaded.way, slant
+        cosine, sine = way
+        common = Vector(along * cosine + draught * sine, along * sine - draught * cosine)
+        slant = RodDirection(lean.sine * cosine - lean.cosine * sine, lean.cosine * cosine + lean.sine * sine)
+    pin = Vector(by.pin_along(circle), by.pin_across(circle))
+    crank = Vector(circle.cosine, circle.sine)
+    return AccelerationParts(pin, common, turning, stretching, slant, crank, loaded.masses, way)
 
 
 def _pull(mass: Numeric, acceleration: Vector[Numeric]) -> Vector[Numeric]:
@@ -234,12 +192,12 @@ def moving_force(
     centres: there the rod turns while the crosshead rests. Floats: as close as kernel/rod.py; of the offset
     crank that times 1/|c|. Re-derived.
     """
-    slant = rod_slant(circle, ratio, offset)
+    slant, driven = rod_slant(circle, ratio, offset), piston_acceleration(circle, ratio, offset)
     if offset is None:
         # ψ̈ and c have the zeros of sin φ in common, and (1 - λ²)/(w + λ cos φ) is w - λ cos φ.
         share = slant.cosine - ratio * circle.cosine
         turning = circle.cosine * share / (slant.cosine * slant.cosine * slant.cosine)
-        return masses.crosshead * piston_acceleration(circle, ratio) - masses.couple * turning
-    swing = rod_turning(circle, ratio, slant.sine, slant.cosine, offset)
-    turning = swing * circle.cosine / (slant.cosine * tangential_force(circle, ratio, offset))
-    return masses.crosshead * offset_acceleration(circle, ratio, offset) - masses.couple * turning
+    else:
+        swing = rod_turning(circle, ratio, *slant, offset)
+        turning = swing * circle.cosine / (slant.cosine * tangential_force(circle, ratio, offset))
+    return masses.crosshead * driven - masses.couple * turning

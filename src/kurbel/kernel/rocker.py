@@ -20,10 +20,11 @@ from functools import cached_property
 
 from kurbel.kernel import linkage
 from kurbel.kernel.circle import Circle, Numeric
-from kurbel.kernel.forces import RodDirection
+from kurbel.kernel.coupler import arc_direction
+from kurbel.kernel.kinematics import RodDirection
 from kurbel.kernel.linkage import Arc, Place
 from kurbel.kernel.moving import Link
-from kurbel.kernel.rod import LoadedCrank
+from kurbel.kernel.rod import LoadedCrank, Vector
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -86,12 +87,12 @@ class LoadedRocker(LoadedCrank):
 
     def pin_force_along(self) -> Numeric:
         """Return the force of the crank pin on the rod along the slide direction."""
-        (along, across), (sine, cosine) = self.pin_force_parts(), self.lean
+        (along, across), (cosine, sine) = self.at_pin(), self.way
         return along * cosine - across * sine
 
     def pin_force_across(self) -> Numeric:
         """Return the same across the slide direction."""
-        (along, across), (sine, cosine) = self.pin_force_parts(), self.lean
+        (along, across), (cosine, sine) = self.at_pin(), self.way
         return along * sine + across * cosine
 
     @property
@@ -99,10 +100,6 @@ class LoadedRocker(LoadedCrank):
         return super().link._replace(curvature=self.arc.curvature)
 
     @property
-    def lean(self) -> tuple[Numeric, Numeric]:
-        """Sine and cosine of the angle from the slide direction to the arc's tangent, as the crank turns."""
-        circle, place = self.circle, self.place
-        return (
-            circle.sine * place.cosine - circle.cosine * place.sine,
-            circle.cosine * place.cosine + circle.sine * place.sine,
-        )
+    def way(self) -> Vector[Numeric]:
+        """The direction of the arc from that of the slide, as the crank turns."""
+        return arc_direction(self.circle, self.place)

@@ -34,7 +34,8 @@ from typing import Any, Generic, NamedTuple, Self
 
 from kurbel.kernel import moving
 from kurbel.kernel.circle import Circle, Kind, Numeric, root
-from kurbel.kernel.forces import RodDirection, Weight, pin_torque, rod_slant, tangential_force
+from kurbel.kernel.forces import Weight, pin_torque, tangential_force
+from kurbel.kernel.kinematics import RodDirection, rod_slant
 from kurbel.kernel.moving import EVEN, Accelerations, Link, Masses
 
 
@@ -51,17 +52,15 @@ class Parts(NamedTuple, Generic[Kind]):
     stretching: Kind
 
 
-def parts(
-    circle: Circle[Numeric],
-    ratio: Numeric,
-    offset: Numeric | None = None,
-    by: Accelerations[Numeric] = EVEN,
-) -> Parts[Numeric]:
-    """Return Ensslin's parts of the acceleration, by sin ψ = λ (sin φ - η) and its slopes."""
-    slant = rod_slant(circle, ratio, offset)
-    common, turning = by.piston(circle, ratio, offset), by.turning(circle, ratio, slant, offset)
-    # No zero is to have a sign, here and below.
-    return Parts(common, turning, by.stretching(circle, ratio, slant) + 0)
+class Vector(NamedTuple, Generic[Kind]):
+    """What has a part along the slide and one across it."""
+
+    along: Kind
+    across: Kind
+
+    def size(self) -> Kind:
+        """Return its amount."""
+        return magnitude(self.along, self.across)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -137,6 +136,13 @@ class LoadedCrank:
         """-L ψ̈."""
         return self.by.turning(self.circle, self.ratio, self.slant, self.offset)
 
+    @property
+    def parts(self) -> Parts[Numeric]:
+        """Ensslin's parts of the acceleration."""
+        # No zero is to have a sign, here and below.
+        stretching = self.by.stretching(self.pin, self.ratio, self.slant) + 0
+        return Parts(self.acceleration, self.swing, stretching)
+
     @cached_property
     def turning(self) -> Numeric:
         """The inertia couple over L and its sign, square to the rod."""
@@ -181,25 +187,25 @@ class LoadedCrank:
 
         The couple is not in it. The rod presses on the pin the other way.
         """
-        return self.pin_force_parts()[0]
+        return self.at_pin().along
 
     def pin_force_across(self) -> Numeric:
         """Return the force of the crank pin on the rod across the slide, positive with Y: -m_A sin φ - N."""
-        return self.pin_force_parts()[1]
+        return self.at_pin().across
 
-    def pin_force_parts(self) -> tuple[Numeric, Numeric]:
+    def at_pin(self) -> Vector[Numeric]:
         """Return both along and across the way of B."""
         pin, weight = self.masses.pin, self.weight
         along = self.effort - (self.driven * self.acceleration + pin * self.by.pin_along(self.pin))
         across = 0 - (pin * self.by.pin_across(self.pin) + self.side)
         if weight is None:
-            return along, across
+            return Vector(along, across)
         both = weight.crosshead + weight.pin
-        return along + both * weight.along, across + weight.pin * weight.across
+        return Vector(along + both * weight.along, across + weight.pin * weight.across)
 
     def pin_force(self) -> Numeric:
         """Return the magnitude of the force between crank pin and rod."""
-        return magnitude(*self.pin_force_parts())
+        return self.at_pin().size()
 
     def thrust(self) -> Numeric:
         """Return the force of the crosshead on the rod along the slide, positive against X: F - m p, with
@@ -242,7 +248,7 @@ class LoadedCrank:
         The rod's own inertia makes it another one than `rod_force`. Re-derived, from `pin_force_along` and
         `pin_force_across`.
         """
-        slant, (along, across) = self.slant, self.pin_force_parts()
+        slant, (along, across) = self.slant, self.at_pin()
         return along * slant.cosine - across * slant.sine
 
     def crosshead_pin_force(self) -> Numeric:
@@ -254,7 +260,7 @@ class LoadedCrank:
 
         The force across the crank is `torque`, in units of R. Re-derived: the pin force turned by φ.
         """
-        along, across = self.pin_force_parts()
+        along, across = self.at_pin()
         return along * self.pin.cosine + across * self.pin.sine
 
     def torque(self) -> Numeric:

@@ -11,7 +11,7 @@ from kurbel.drive.at import At, known
 from kurbel.exact.numerals import Label
 from kurbel.kernel import linkage
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.parts import AccelerationParts, parted_rocker
+from kurbel.kernel.parts import AccelerationParts, parted
 from kurbel.kernel.rocker import LoadedRocker
 from kurbel.linkage.linkage import LinkageRequest, force_entries, force_formula, linkage_subject
 from kurbel.linkage.rocker import STROKE, RockerCrank
@@ -173,16 +173,16 @@ def rocker_inertia_registry() -> Mapping[str, Quantity]:
 
 
 def _parted(at: At) -> AccelerationParts:
-    masses = known(at.drive.crank.rod).masses("exact", at.numbers.of)
-    return parted_rocker(at.circle, at.place, at.arc, masses)
+    return parted(_loaded(at, "exact"))
+
+
+def _loaded(at: At, model: str) -> LoadedRocker:
+    masses = known(at.drive.crank.rod).masses(model, at.numbers.of)
+    return LoadedRocker(at.circle, at.arc.ratio, masses, place=at.place, arc=at.arc)
 
 
 def _kernel(force: RodForce, model: str) -> Callable[[At], Numeric]:
-    def kernel(at: At) -> Numeric:
-        masses = known(at.drive.crank.rod).masses(model, at.numbers.of)
-        return force.formula(LoadedRocker(at.circle, at.arc.ratio, masses, place=at.place, arc=at.arc))
-
-    return kernel
+    return lambda at: force.formula(_loaded(at, model))
 
 
 def _moved(drive: RockerCrank) -> Any:

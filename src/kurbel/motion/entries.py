@@ -13,7 +13,7 @@ from kurbel.drive.crank import Crank
 from kurbel.exact.numerals import Label
 from kurbel.kernel import kinematics, series
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.forces import rod_slant
+from kurbel.kernel.kinematics import rod_slant
 from kurbel.motion.evaluation import OFFSET, OUT, REACH, RETURN, STROKES, TANGENT, TURN, Needs
 from kurbel.page.quantity import Formula, Need, Quantity, entry, words
 
@@ -35,22 +35,22 @@ OF_ROD = words(
 )
 
 
-def _motion(straight: Kernel, first: Kernel, offset: Kernel, *lines: Label) -> Formulas:
+def _motion(kernel: Kernel, first: Kernel, *lines: Label) -> Formulas:
     """Return the formulas by the methods exact, series and infinite, of the offset crank, and by higher
     powers of λ, of which kernel/series.py has the kernel by the name of the exact one; as printed."""
 
     def exact(at: At) -> Numeric:
-        return straight(at.circle, at.ratio)
+        return kernel(at.circle, at.ratio, at.offset)
 
     kernels = {
         "exact": exact,
         "series": lambda at: first(at.circle, at.ratio),
         "infinite": exact,
-        OFFSET: lambda at: offset(at.circle, at.ratio, at.offset),
+        OFFSET: exact,
     }
     *own, further = lines
     formulas = {key: Formula(one, text) for (key, one), text in zip(kernels.items(), own, strict=True)}
-    return _by_orders(formulas, straight.__name__, further)
+    return _by_orders(formulas, kernel.__name__, further)
 
 
 def _by_orders(first: Formulas, kernel: str, line: Label) -> Formulas:
@@ -82,7 +82,6 @@ def _driven(acceleration: Formulas, velocity: Formulas) -> Formulas:
 PATH = _motion(
     kinematics.piston_path,
     kinematics.piston_path_first_order,
-    kinematics.offset_path,
     "$x/R = 1 - cos {angle} {±} (1 - cos ψ)/λ$",
     "$x/R = 1 - cos {angle} {±} 1/2 λ sin^2 {angle}$",
     "$x/R = 1 - cos {angle}$",
@@ -92,7 +91,6 @@ PATH = _motion(
 VELOCITY = _motion(
     kinematics.piston_velocity,
     kinematics.piston_velocity_first_order,
-    kinematics.offset_velocity,
     "$c/v = sin {angle} {±} (λ sin {angle} cos {angle})/(cos ψ)$",
     "$c/v = sin {angle} {±} 1/2 λ sin 2 {angle}$",
     "$c/v = sin {angle}$",
@@ -103,7 +101,6 @@ ACCELERATION = _driven(
     _motion(
         kinematics.piston_acceleration,
         kinematics.piston_acceleration_first_order,
-        kinematics.offset_acceleration,
         "$(p R)/v^2 = cos {angle} {±} λ (cos 2 {angle} + λ^2 sin^4 {angle})/(cos^3 ψ)$",
         "$(p R)/v^2 = cos {angle} {±} λ cos 2 {angle}$",
         "$(p R)/v^2 = cos {angle}$",
@@ -135,7 +132,6 @@ def _rod_angle(at: At) -> Numeric:
 ROD_VELOCITY = _motion(
     kinematics.rod_velocity,
     kinematics.rod_velocity_first_order,
-    kinematics.offset_rod_velocity,
     "$ω_L/ω = {sign}(λ cos {angle})/(cos ψ)$",
     "$ω_L/ω = {sign}λ cos {angle}$",
     "$ω_L = 0$",
@@ -146,7 +142,6 @@ ROD_ACCELERATION = _driven(
     _motion(
         kinematics.rod_acceleration,
         kinematics.rod_acceleration_first_order,
-        kinematics.offset_rod_acceleration,
         "$ε_L/ω^2 = {turned}(λ (1 - λ^2) sin {angle})/(cos^3 ψ)$",
         "$ε_L/ω^2 = {turned}λ sin {angle}$",
         "$ε_L = 0$",
@@ -167,17 +162,21 @@ ROD_ANGLE: Formulas = {
 }
 
 
-def _of_end(at: At, formulas: Formulas) -> Numeric:
-    return formulas["exact" if at.offset is None else OFFSET].kernel(at)
+def _velocity(at: At) -> Numeric:
+    return kinematics.piston_velocity(at.circle, at.ratio, at.offset)
+
+
+def _rod_velocity(at: At) -> Numeric:
+    return kinematics.rod_velocity(at.circle, at.ratio, at.offset)
 
 
 def _along_rod(at: At) -> Numeric:
-    return _of_end(at, VELOCITY) * rod_slant(at.circle, at.ratio, at.offset).cosine
+    return _velocity(at) * rod_slant(at.circle, at.ratio, at.offset).cosine
 
 
 def _slowest(at: At) -> Numeric:
     lifted = at.ratio * rod_slant(at.circle, at.ratio, at.offset).sine
-    return _of_end(at, VELOCITY) * lifted / _of_end(at, ROD_VELOCITY)
+    return _velocity(at) * lifted / _rod_velocity(at)
 
 
 # All points of the rod have one velocity along it, the slowest no other.
@@ -296,7 +295,7 @@ def _rubbing_entries() -> Iterator[Quantity]:
     yield from in_units("rod_along", name, "c_L", "v", ROD_ALONG, direction=OF_ALONG)
     yield spanned(
         "slowest_point", "langsamster Punkt der Stange|Slowest point of the rod", "$s_L$", "$s_L/L$", "$L$",
-        4, SLOWEST, direction=OF_SLOWEST, exists=lambda at: _of_end(at, ROD_VELOCITY) ** 2,
+        4, SLOWEST, direction=OF_SLOWEST, exists=lambda at: _rod_velocity(at) ** 2,
     )  # fmt: skip
 
 

@@ -20,7 +20,8 @@ from kurbel.exact.terms import vanishes
 from kurbel.kernel import coupler as kernel
 from kurbel.kernel import kinematics
 from kurbel.kernel.circle import Circle, Numeric
-from kurbel.kernel.coupler import Point, Reach, Rod, Vector, amount, first_order_reach, slide_reach, slide_rod
+from kurbel.kernel.coupler import Point, Reach, Rod, first_order_reach, slide_reach, slide_rod
+from kurbel.kernel.rod import Vector
 from kurbel.motion.entries import headed, in_units
 from kurbel.motion.evaluation import OFFSET
 from kurbel.motion.points import RodPoint
@@ -145,7 +146,7 @@ def _amounts(one: _Kind) -> list[Quantity]:
     letter, turn = f"{along[0]}_P", f"γ_{along[0]}"
 
     def whole(at: At) -> Numeric:
-        return kernel.amount(one.of(at))
+        return one.of(at).size()
 
     def direction(at: At) -> Numeric:
         return of_floats(one.of(at))
@@ -240,7 +241,7 @@ def _in_sector(vector: Vector[Numeric], sector: int) -> arb:
     """Return the degrees of a vector in its quarter, within 45° of the middle of that or somewhat more."""
     forth, up = ball(-vector.along), ball(vector.across)
     aside = (up, -forth, -up, forth)[sector]
-    return QUARTER * sector + ball_degrees(aside / ball(amount(vector)))
+    return QUARTER * sector + ball_degrees(aside / ball(vector.size()))
 
 
 class RodEnds(Protocol):
@@ -314,21 +315,16 @@ def rod(
     drive: Crank, method: str, circle: Circle[Numeric], kind: Kind, beside: bool
 ) -> tuple[Rod[Numeric], Reach[Numeric] | None]:
     """Return the ends of the rod at a crank angle, and its reach if points beside its axis are asked for."""
-    ratio = kind.of(drive.ratio)
-    if drive.offset:
-        offset = kind.of(drive.offset)
-        by = (kinematics.offset_path, kinematics.offset_velocity, kinematics.offset_acceleration)
-        x, c, p = (one(circle, ratio, offset) for one in by)
-        return slide_rod(circle, ratio, offset, (x, c, p)), (
-            slide_reach(circle, ratio, offset) if beside else None
-        )
-    first_order = method == "series"
-    formulas = _FIRST_ORDER if first_order else _EXACT
-    x, c, p = (one(circle, ratio) for one in formulas)
-    ends = slide_rod(circle, ratio, None, (x, c, p))
+    ratio, offset = kind.of(drive.ratio), kind.of(drive.offset) if drive.offset else None
+    if method == "series":
+        x, c, p = (one(circle, ratio) for one in _FIRST_ORDER)
+    else:
+        x, c, p = (one(circle, ratio, offset) for one in _EXACT)
+    ends = slide_rod(circle, ratio, offset, (x, c, p))
     if not beside:
         return ends, None
-    return ends, first_order_reach(circle, ratio) if first_order else slide_reach(circle, ratio, None)
+    first_order = method == "series"
+    return ends, first_order_reach(circle, ratio) if first_order else slide_reach(circle, ratio, offset)
 
 
 _EXACT = (kinematics.piston_path, kinematics.piston_velocity, kinematics.piston_acceleration)

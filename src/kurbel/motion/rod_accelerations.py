@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 
 from kurbel.drive.at import At
 from kurbel.drive.crank import Crank
-from kurbel.kernel import rod
 from kurbel.kernel.circle import Numeric
 from kurbel.kernel.moving import Masses
-from kurbel.kernel.parts import AccelerationParts, Vector, parted
+from kurbel.kernel.parts import AccelerationParts, parted
+from kurbel.kernel.rod import LoadedCrank, Vector
 from kurbel.motion.evaluation import OFFSET, Needs
 from kurbel.page.quantity import Formula, Quantity, Words, words
 
@@ -97,7 +97,11 @@ _OTHERS: tuple[tuple[str, str, Words, str, tuple[Component, ...]], ...] = (
 
 def moved(at: At) -> AccelerationParts:
     """Return the rod at a place by its motion alone."""
-    return parted(at.circle, at.ratio, NOTHING, at.offset, at.by)
+    return parted(_moving(at))
+
+
+def _moving(at: At) -> LoadedCrank:
+    return LoadedCrank(at.circle, at.ratio, NOTHING, at.offset, by=at.by)
 
 
 def acceleration_entries() -> Iterator[Quantity]:
@@ -131,7 +135,7 @@ def _part(part: Part) -> Quantity:
     """A part that p₁ is made of, by any method."""
 
     def kernel(at: At) -> Numeric:
-        return getattr(rod.parts(at.circle, at.ratio, at.offset, at.by), part.key)
+        return getattr(_moving(at).parts, part.key)
 
     head = f"${part.letter}/({UNIT}) = "
     formulas = {method: Formula(kernel, f"{head}{said}$") for method, said in part.printed.items()}

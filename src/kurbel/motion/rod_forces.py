@@ -12,8 +12,8 @@ from kurbel.drive.crank import Crank
 from kurbel.errors import ProblemError
 from kurbel.exact.kind import Kind
 from kurbel.kernel.circle import Numeric
-from kurbel.kernel.parts import AccelerationParts, Vector, moving_force, parted
-from kurbel.kernel.rod import Parts
+from kurbel.kernel.parts import AccelerationParts, moving_force, parted
+from kurbel.kernel.rod import LoadedCrank, Parts, Vector
 from kurbel.motion.evaluation import OFFSET, Needs
 from kurbel.motion.rod_accelerations import ACROSS, ALONG, entry_of_rod
 from kurbel.page.quantity import Column, Formula, Need, Quantity, Words, words
@@ -132,7 +132,7 @@ def _of_rod(kernel: Kernel, parted_of: Callable[[At], AccelerationParts]) -> Cal
 def held(at: At) -> AccelerationParts:
     """Return the rod between crank and crosshead at a place, with its masses."""
     masses = known(at.crank.rod).masses(EXACT, at.numbers.of)
-    return parted(at.circle, at.ratio, masses, at.offset, at.by)
+    return parted(LoadedCrank(at.circle, at.ratio, masses, at.offset, by=at.by))
 
 
 def mollier_entries(models: Mapping[str, Words]) -> Iterator[Quantity]:

@@ -50,17 +50,9 @@ class DriveFunction(NamedTuple):
     of: tuple[str, ...]
 
 
-def _by_offset(
-    straight: Callable[..., Numeric], offset: Callable[..., Numeric], way: int = 1
-) -> Callable[..., Numeric]:
+def _of_crank(kernel: Callable[..., Numeric], way: int = 1) -> OfPlace:
     """Return a kernel formula of the crank, on the return stroke (-1) from its own dead centre."""
-
-    def found(at: PlacedDrive) -> Numeric:
-        if at.drive.offset:
-            return offset(at.circle, way * at.ratio, way * at.offset)
-        return straight(at.circle, way * at.ratio)
-
-    return found
+    return lambda at: kernel(at.circle, way * at.ratio, way * at.offset if at.drive.offset else None)
 
 
 def _of_rocker(kernel: Callable[..., Numeric], stroke: int = OUT) -> OfPlace:
@@ -75,22 +67,9 @@ def _either(crank: OfPlace, rocker: OfPlace) -> OfPlace:
     return lambda at: rocker(at) if at.guided else crank(at)
 
 
-_rod_velocity = _either(
-    lambda at: kinematics.offset_rod_velocity(at.circle, at.ratio, at.offset),
-    _of_rocker(linkage.rod_velocity),
-)
-_rod_acceleration = _either(
-    lambda at: kinematics.offset_rod_acceleration(at.circle, at.ratio, at.offset),
-    _of_rocker(linkage.rod_acceleration),
-)
-_velocity = _either(
-    _by_offset(kinematics.piston_velocity, kinematics.offset_velocity), _of_rocker(linkage.velocity)
-)
-
-
-def _force(kernel: Callable[..., Numeric]) -> OfPlace:
-    """Return what computes a force by the kernel, in units of the piston force."""
-    return lambda at: kernel(at.circle, at.ratio, at.offset if at.drive.offset else None)
+_rod_velocity = _either(_of_crank(kinematics.rod_velocity), _of_rocker(linkage.rod_velocity))
+_rod_acceleration = _either(_of_crank(kinematics.rod_acceleration), _of_rocker(linkage.rod_acceleration))
+_velocity = _either(_of_crank(kinematics.piston_velocity), _of_rocker(linkage.velocity))
 
 
 def _common(at: PlacedDrive) -> Numeric:
@@ -208,18 +187,18 @@ KNOWN: Mapping[str, Known] = {
     **_numbers(CRANKS, mean_pressure=_mean, mean_work=_work_over_turn),
     **_numbers(
         CRANKS,
-        path=_by_offset(kinematics.piston_path, kinematics.offset_path),
-        path_return=_by_offset(kinematics.piston_path, kinematics.offset_path, -1),
-        guide_force=_force(forces.guide_force),
-        rod_force=_force(forces.rod_force),
-        tangential_force=_force(forces.tangential_force),
-        radial_force=_force(forces.radial_force),
+        path=_of_crank(kinematics.piston_path),
+        path_return=_of_crank(kinematics.piston_path, -1),
+        guide_force=_of_crank(forces.guide_force),
+        rod_force=_of_crank(forces.rod_force),
+        tangential_force=_of_crank(forces.tangential_force),
+        radial_force=_of_crank(forces.radial_force),
     ),
     **_numbers(
         (*CRANKS, *ARC),
         velocity=_velocity,
         acceleration=_either(
-            _by_offset(kinematics.piston_acceleration, kinematics.offset_acceleration),
+            _of_crank(kinematics.piston_acceleration),
             _of_rocker(linkage.acceleration),
         ),
         # Of the rod's end about the crank pin.

@@ -17,7 +17,9 @@ from kurbel.drive.rod import Rod
 from kurbel.exact.kind import Kind
 from kurbel.exact.numerals import Label, exact_text
 from kurbel.kernel.circle import Circle, Numeric, root
-from kurbel.kernel.parts import AccelerationParts, parted, parted_rocker
+from kurbel.kernel.parts import AccelerationParts, parted
+from kurbel.kernel.rocker import LoadedRocker
+from kurbel.kernel.rod import LoadedCrank
 from kurbel.motion.evaluation import OUT
 from kurbel.page.quantity import Words, words
 
@@ -241,5 +243,7 @@ class PlacedDrive:
         masses = self.mass.masses("exact", self.kind.of)
         if self.guided:
             found = self.linked
-            return parted_rocker(found.circle, found.place, found.arc, masses)
-        return parted(self.circle, self.ratio, masses, self.offset if self.drive.offset else None)
+            own = {"place": found.place, "arc": found.arc}
+            return parted(LoadedRocker(found.circle, found.arc.ratio, masses, **own))
+        offset = self.offset if self.drive.offset else None
+        return parted(LoadedCrank(self.circle, self.ratio, masses, offset))
